@@ -1,0 +1,237 @@
+//! The input: how many intervals each side of a convex polygon has.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+/// The largest number of boundary vertices, `2^32 - 2`.
+///
+/// Vertex ids are `u32` and `u32::MAX` stays free, since graphics programs give it a
+/// meaning of its own (primitive restart).
+pub const MAX_VERTICES: u32 = u32::MAX - 1;
+
+/// A convex polygon whose sides are divided into intervals; no positions.
+///
+/// Boundary vertices are numbered `0 … n-1` counter-clockwise, vertex 0 being the corner
+/// where side 0 starts. Sides are counted from 0 in the interface and from 1 in messages.
+/// Memory is O(k) for k sides, whatever the number of intervals.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::Boundary;
+///
+/// let boundary = Boundary::new(&[3, 3, 2, 2])?;
+/// assert_eq!(boundary.vertex_count(), 10);
+/// assert_eq!(boundary.corner(2), 6);
+/// assert_eq!(boundary.side_of(7), 2);
+/// assert!(boundary.is_flat([0, 2, 3])); // all on side 0
+/// assert!(!boundary.is_flat([9, 0, 1]));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Boundary {
+    /// The first vertex of every side, then the vertex count: strictly increasing, k + 1 long.
+    corners: Vec<u32>,
+}
+
+/// Why a list of interval counts is not a boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BoundaryError {
+    /// Fewer than three sides.
+    TooFewSides {
+        /// How many there are.
+        sides: usize,
+    },
+    /// A side without an interval.
+    NoIntervals {
+        /// The side, counted from 0.
+        side: usize,
+    },
+    /// More boundary vertices than [`MAX_VERTICES`].
+    TooManyVertices {
+        /// The side, counted from 0, at which the running total passes the limit.
+        side: usize,
+        /// The intervals of that side.
+        intervals: u64,
+    },
+}
+
+impl fmt::Display for BoundaryError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::TooFewSides { sides } => write!(
+                f,
+                "a polygon needs at least 3 sides, and {sides} {} given",
+                if sides == 1 { "is" } else { "are" }
+            ),
+            Self::NoIntervals { side } => {
+                write!(f, "side {} has 0 intervals; every side needs at least 1", side + 1)
+            }
+            Self::TooManyVertices { side, intervals } => write!(
+                f,
+                "with side {} ({intervals} intervals) the boundary passes the limit of \
+                 {MAX_VERTICES} vertices; use fewer intervals",
+                side + 1
+            ),
+        }
+    }
+}
+
+impl core::error::Error for BoundaryError {}
+
+impl Boundary {
+    /// A boundary from the interval count of each side, counter-clockwise. O(k).
+    ///
+    /// # Errors
+    ///
+    /// Fewer than three sides, a side with no interval, or more than [`MAX_VERTICES`] in all.
+    pub fn new(intervals: &[u64]) -> Result<Self, BoundaryError> {
+        if intervals.len() < 3 {
+            let sides = intervals.len();
+            return Err(BoundaryError::TooFewSides { sides });
+        }
+        let mut corners = Vec::with_capacity(intervals.len() + 1);
+        let mut total = 0_u32;
+        corners.push(total);
+        for (side, &intervals) in intervals.iter().enumerate() {
+            if intervals == 0 {
+                return Err(BoundaryError::NoIntervals { side });
+            }
+            total = u32::try_from(intervals)
+                .ok()
+                .and_then(|count| total.checked_add(count))
+                .filter(|&total| total <= MAX_VERTICES)
+                .ok_or(BoundaryError::TooManyVertices { side, intervals })?;
+            corners.push(total);
+        }
+        Ok(Self { corners })
+    }
+
+    /// The number of sides, k >= 3.
+    #[must_use]
+    pub fn side_count(&self) -> usize {
+        self.corners.len() - 1
+    }
+
+    /// The number of boundary vertices n, which is also the number of intervals. At least 3.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.corners[self.side_count()]
+    }
+
+    /// The intervals of `side`, in `1..=n-2`.
+    ///
+    /// # Panics
+    ///
+    /// When `side` is not below [`side_count`](Self::side_count).
+    #[must_use]
+    pub fn intervals(&self, side: usize) -> u32 {
+        self.corners[side + 1] - self.corners[side]
+    }
+
+    /// The interval counts of all sides, side 0 first.
+    pub fn sides(&self) -> impl ExactSizeIterator<Item = u32> + '_ {
+        self.corners.windows(2).map(|pair| pair[1] - pair[0])
+    }
+
+    /// The vertex where `side` starts; `corner(k)` is the corner where side 0 starts, again.
+    ///
+    /// # Panics
+    ///
+    /// When `side` is above [`side_count`](Self::side_count).
+    #[must_use]
+    pub fn corner(&self, side: usize) -> u32 {
+        if side == self.side_count() { 0 } else { self.corners[side] }
+    }
+
+    /// The side on which `vertex` lies; a corner belongs to the side that starts there.
+    /// O(log k).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn side_of(&self, vertex: u32) -> usize {
+        assert!(vertex < self.vertex_count(), "vertex {vertex} is not on the boundary");
+        self.corners.partition_point(|&corner| corner <= vertex) - 1
+    }
+
+    /// Whether `vertex` is a corner. O(log k).
+    #[must_use]
+    pub fn is_corner(&self, vertex: u32) -> bool {
+        self.corners[..self.side_count()].binary_search(&vertex).is_ok()
+    }
+
+    /// Whether all three vertices lie on one side, so that the triangle has no area. O(log k).
+    ///
+    /// # Panics
+    ///
+    /// When a vertex is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn is_flat(&self, triangle: [u32; 3]) -> bool {
+        let on_side = |side: usize| {
+            triangle.iter().all(|&vertex| {
+                (self.corners[side]..self.corners[side + 1]).contains(&vertex)
+                    || vertex == self.corner(side + 1)
+            })
+        };
+        // Of three vertices on one side at most one is the corner where the next side starts;
+        // the others are on that side by `side_of` too.
+        triangle.iter().any(|&vertex| on_side(self.side_of(vertex)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::string::ToString;
+
+    #[test]
+    fn numbers_vertices_from_the_first_corner() {
+        let boundary = Boundary::new(&[3, 1, 2]).unwrap();
+        assert_eq!(boundary.vertex_count(), 6);
+        assert_eq!((0..=3).map(|s| boundary.corner(s)).collect::<Vec<_>>(), [0, 3, 4, 0]);
+        assert_eq!((0..6).map(|v| boundary.side_of(v)).collect::<Vec<_>>(), [0, 0, 0, 1, 2, 2]);
+        assert_eq!((0..6).filter(|&v| boundary.is_corner(v)).collect::<Vec<_>>(), [0, 3, 4]);
+        assert!(boundary.sides().eq([3, 1, 2]));
+    }
+
+    #[test]
+    fn flat_means_all_three_on_one_side() {
+        let boundary = Boundary::new(&[3, 1, 2]).unwrap();
+        for (triangle, flat) in [
+            ([0, 1, 2], true),
+            ([0, 1, 3], true),
+            ([4, 5, 0], true),
+            ([0, 4, 5], true),
+            ([0, 3, 4], false),
+            ([3, 4, 5], false),
+            ([5, 0, 1], false),
+        ] {
+            assert_eq!(boundary.is_flat(triangle), flat, "{triangle:?}");
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_polygon_and_names_the_side() {
+        for (intervals, message) in [
+            (&[][..], "a polygon needs at least 3 sides, and 0 are given"),
+            (&[5], "a polygon needs at least 3 sides, and 1 is given"),
+            (&[1, 0, 1], "side 2 has 0 intervals; every side needs at least 1"),
+            (
+                &[1, 1, 1 << 40],
+                "with side 3 (1099511627776 intervals) the boundary passes the limit of \
+                 4294967294 vertices; use fewer intervals",
+            ),
+            (
+                &[4_294_967_292, 1, 2],
+                "with side 3 (2 intervals) the boundary passes the limit of 4294967294 \
+                 vertices; use fewer intervals",
+            ),
+        ] {
+            assert_eq!(Boundary::new(intervals).unwrap_err().to_string(), message);
+        }
+        assert_eq!(Boundary::new(&[4_294_967_292, 1, 1]).unwrap().vertex_count(), MAX_VERTICES);
+    }
+}
