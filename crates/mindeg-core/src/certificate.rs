@@ -1,0 +1,235 @@
+//! Why the maximum degree cannot be less, in a form that is easy to check.
+//!
+//! A certificate names a lower bound and a witness for it. [`Certificate::check`] tests it
+//! against nothing but the interval counts, in O(k²) and without any of the code that found
+//! it. That the bound is attained is shown by a triangulation, through
+//! [`verify`](crate::verify).
+
+use crate::{Boundary, Cut, best_cuts, bound};
+use core::fmt;
+
+/// A lower bound on the maximum degree that some triangulation attains, and its witness.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, Certificate, certificate};
+///
+/// let certificate = certificate(&Boundary::new(&[30, 2, 4, 2])?);
+/// assert_eq!(certificate, Certificate::LongSide { side: 0, max_degree: 7 });
+/// assert_eq!(certificate.check(&[30, 2, 4, 2]), Ok(7));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Certificate {
+    /// Counting edges gives 2, 3 or 4 (Theorems 3 and 8), and this balanced cut shows that it
+    /// is attained.
+    BalancedCut {
+        /// A cut whose runs differ by at most one interval.
+        cut: Cut,
+        /// The degree.
+        max_degree: u32,
+    },
+    /// Counting edges gives 4, and the medial triangle of (2,2,2) attains it.
+    MedialTriangle,
+    /// One side has so many intervals that the vertices off it must share them (Theorem 4).
+    LongSide {
+        /// The side, counted from 0.
+        side: usize,
+        /// The degree.
+        max_degree: u32,
+    },
+    /// No cut is balanced, so 4 cannot be had and 5 is the least (Theorems 5 and 10).
+    NoBalancedCut {
+        /// The least imbalance over all cuts, at least 2.
+        least_imbalance: u32,
+    },
+}
+
+/// The certificate for a boundary. O(k).
+#[must_use]
+pub fn certificate(boundary: &Boundary) -> Certificate {
+    let vertices = boundary.vertex_count();
+    let cut = best_cuts(boundary).next().expect("three sides have a cut");
+    if cut.is_balanced() {
+        Certificate::BalancedCut { cut, max_degree: bound::counting_bound(vertices) }
+    } else if bound::is_medial_exception(boundary) {
+        Certificate::MedialTriangle
+    } else if cut.side_count == 1 {
+        // More than half of the intervals are on one side, by two or more: its bound is 5 at
+        // least.
+        let max_degree = bound::side_bound(cut.larger, vertices);
+        Certificate::LongSide { side: cut.first_side, max_degree }
+    } else {
+        Certificate::NoBalancedCut { least_imbalance: cut.imbalance() }
+    }
+}
+
+/// The least possible maximum degree D*. O(k).
+///
+/// ```
+/// # use mindeg_core::{Boundary, optimal_max_degree};
+/// assert_eq!(optimal_max_degree(&Boundary::new(&[1, 1, 1])?), 2);
+/// assert_eq!(optimal_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
+/// assert_eq!(optimal_max_degree(&Boundary::new(&[8, 6, 8, 5])?), 4);
+/// assert_eq!(optimal_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
+/// assert_eq!(optimal_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+#[must_use]
+pub fn optimal_max_degree(boundary: &Boundary) -> u32 {
+    certificate(boundary).max_degree()
+}
+
+/// Why a certificate does not hold for some interval counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CertificateError(&'static str);
+
+impl fmt::Display for CertificateError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0)
+    }
+}
+
+impl core::error::Error for CertificateError {}
+
+impl Certificate {
+    /// The degree that this certificate says is the least possible.
+    #[must_use]
+    pub fn max_degree(&self) -> u32 {
+        match *self {
+            Self::BalancedCut { max_degree, .. } | Self::LongSide { max_degree, .. } => max_degree,
+            Self::MedialTriangle => 4,
+            Self::NoBalancedCut { .. } => 5,
+        }
+    }
+
+    /// Checks the witness against the interval counts and gives the bound it proves. O(k²).
+    ///
+    /// It uses the definitions alone: sums of runs, and for [`NoBalancedCut`](Self::NoBalancedCut)
+    /// every cut there is.
+    ///
+    /// # Errors
+    ///
+    /// What about the witness is not so.
+    pub fn check(&self, intervals: &[u64]) -> Result<u32, CertificateError> {
+        let sides = intervals.len();
+        let total: u64 = intervals.iter().sum();
+        if sides < 3 || total > u64::from(crate::MAX_VERTICES) || intervals.contains(&0) {
+            return Err(CertificateError("the interval counts are no polygon's"));
+        }
+        let run = |first: usize, count: usize| -> u64 {
+            intervals.iter().cycle().skip(first).take(count).sum()
+        };
+        let (proven, max_degree) = match *self {
+            Self::BalancedCut { cut, max_degree } => {
+                if cut.first_side >= sides || !(1..sides).contains(&cut.side_count) {
+                    return Err(CertificateError("the cut names sides that do not exist"));
+                }
+                let larger = run(cut.first_side, cut.side_count);
+                if larger != u64::from(cut.larger) || total - larger != u64::from(cut.smaller) {
+                    return Err(CertificateError("the runs of the cut have other sums"));
+                }
+                if larger.abs_diff(total - larger) > 1 {
+                    return Err(CertificateError("the runs of the cut differ by more than 1"));
+                }
+                // The pigeonhole bound of Theorems 3 and 8, case by case.
+                let counting = match total {
+                    3 => 2,
+                    4 => 3,
+                    _ => 4,
+                };
+                (counting, max_degree)
+            }
+            Self::MedialTriangle if intervals != [2, 2, 2] => {
+                return Err(CertificateError("only (2,2,2) has the medial triangle"));
+            }
+            Self::MedialTriangle => (4, 4),
+            Self::LongSide { side, max_degree } => {
+                let Some(&long) = intervals.get(side) else {
+                    return Err(CertificateError("the long side does not exist"));
+                };
+                // All n-3 interior edges end at one of the vertices off the side.
+                let off_side = total - long - 1;
+                ((total - 3).div_ceil(off_side) as u32 + 2, max_degree)
+            }
+            Self::NoBalancedCut { least_imbalance } => {
+                let imbalance = |first, count| (2 * run(first, count)).abs_diff(total);
+                let least = (0..sides)
+                    .flat_map(|first| (1..sides).map(move |count| imbalance(first, count)))
+                    .min();
+                if least != Some(u64::from(least_imbalance)) {
+                    return Err(CertificateError("some cut has another least imbalance"));
+                }
+                if least_imbalance < 2 || total < 7 {
+                    return Err(CertificateError("Theorem 5 needs 7 intervals, no balanced cut"));
+                }
+                (5, 5)
+            }
+        };
+        if proven == max_degree {
+            Ok(proven)
+        } else {
+            Err(CertificateError("the witness proves another bound"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn certificates_are_found_and_hold() {
+        let cut = |first_side, side_count, larger, smaller| Cut {
+            first_side,
+            side_count,
+            larger,
+            smaller,
+        };
+        for (intervals, expected) in [
+            (&[1, 1, 1][..], Certificate::BalancedCut { cut: cut(1, 2, 2, 1), max_degree: 2 }),
+            (&[1, 1, 1, 1], Certificate::BalancedCut { cut: cut(0, 2, 2, 2), max_degree: 3 }),
+            (&[3, 3, 2, 2], Certificate::BalancedCut { cut: cut(1, 2, 5, 5), max_degree: 4 }),
+            (&[2, 2, 2], Certificate::MedialTriangle),
+            (&[30, 2, 4, 2], Certificate::LongSide { side: 0, max_degree: 7 }),
+            (&[2, 1000, 3, 5], Certificate::LongSide { side: 1, max_degree: 114 }),
+            (&[12, 9, 4, 4], Certificate::NoBalancedCut { least_imbalance: 3 }),
+        ] {
+            let found = certificate(&Boundary::new(intervals).unwrap());
+            assert_eq!(found, expected, "{intervals:?}");
+            assert_eq!(found.check(intervals), Ok(expected.max_degree()), "{intervals:?}");
+        }
+    }
+
+    #[test]
+    fn false_certificates_are_refused() {
+        let cut = Cut { first_side: 0, side_count: 2, larger: 5, smaller: 5 };
+        for (certificate, intervals) in [
+            (Certificate::BalancedCut { cut, max_degree: 4 }, &[3, 3, 2, 2][..]),
+            (Certificate::BalancedCut { cut, max_degree: 5 }, &[3, 2, 3, 2]),
+            (Certificate::BalancedCut { cut, max_degree: 4 }, &[4, 4, 1, 1]),
+            (
+                Certificate::BalancedCut { cut: Cut { side_count: 4, ..cut }, max_degree: 4 },
+                &[3, 2, 3, 2],
+            ),
+            (
+                Certificate::BalancedCut {
+                    cut: Cut { larger: 6, smaller: 4, ..cut },
+                    max_degree: 4,
+                },
+                &[3, 3, 2, 2],
+            ),
+            (Certificate::MedialTriangle, &[2, 2, 3]),
+            (Certificate::LongSide { side: 4, max_degree: 7 }, &[30, 2, 4, 2]),
+            (Certificate::LongSide { side: 0, max_degree: 8 }, &[30, 2, 4, 2]),
+            (Certificate::NoBalancedCut { least_imbalance: 3 }, &[3, 3, 2, 2]),
+            (Certificate::NoBalancedCut { least_imbalance: 0 }, &[3, 2, 3, 2]),
+            (Certificate::NoBalancedCut { least_imbalance: 2 }, &[2, 2, 2]),
+            (Certificate::NoBalancedCut { least_imbalance: 2 }, &[0, 2, 2]),
+        ] {
+            assert!(certificate.check(intervals).is_err(), "{certificate:?} for {intervals:?}");
+        }
+    }
+}

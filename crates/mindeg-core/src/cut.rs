@@ -1,0 +1,148 @@
+//! Cuts of the ring of sides, and the zig-zag condition.
+//!
+//! A cut splits the sides into two runs of consecutive sides. How even the evenest cut is
+//! decides what the least degree can be: this is the paper's zig-zag condition (Theorem 5 for
+//! rectangles, Theorem 10 for convex polygons) with the imbalance kept as a number.
+//!
+//! A cut runs through two corners. Cuts elsewhere would have their ear at a vertex inside a
+//! side, where it is flat, so they never help.
+
+use crate::Boundary;
+
+/// Two runs of consecutive sides that make up the whole boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cut {
+    /// The first side of the larger run, counted from 0. Where the runs are equal, "larger"
+    /// is the one without the last side.
+    pub first_side: usize,
+    /// How many sides the larger run has, in `1..=k-1`; it wraps past the last side.
+    pub side_count: usize,
+    /// The intervals of the larger run.
+    pub larger: u32,
+    /// The intervals of the smaller run.
+    pub smaller: u32,
+}
+
+impl Cut {
+    /// By how many intervals the runs differ; it has the parity of the vertex count.
+    #[must_use]
+    pub fn imbalance(&self) -> u32 {
+        self.larger - self.smaller
+    }
+
+    /// Whether the runs differ by at most one interval, so that a zig-zag joins them.
+    #[must_use]
+    pub fn is_balanced(&self) -> bool {
+        self.imbalance() <= 1
+    }
+
+    /// The cut whose one run goes from corner `from` up to corner `to`, `from < to < k`.
+    fn between(boundary: &Boundary, from: usize, to: usize) -> Self {
+        let inner = boundary.corner(to) - boundary.corner(from);
+        let outer = boundary.vertex_count() - inner;
+        if inner >= outer {
+            Self { first_side: from, side_count: to - from, larger: inner, smaller: outer }
+        } else {
+            let side_count = boundary.side_count() - (to - from);
+            Self { first_side: to, side_count, larger: outer, smaller: inner }
+        }
+    }
+}
+
+/// The least imbalance `e*` over all cuts. O(k) by two pointers.
+///
+/// ```
+/// # use mindeg_core::{Boundary, least_imbalance};
+/// let boundary = Boundary::new(&[5, 3, 1, 1])?;
+/// assert_eq!(least_imbalance(&boundary), 0);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+#[must_use]
+pub fn least_imbalance(boundary: &Boundary) -> u32 {
+    even_cuts(boundary).map(|cut| cut.imbalance()).min().expect("three sides have cuts")
+}
+
+/// Every cut that has the least imbalance, each once, in a fixed order. O(k) in all.
+///
+/// ```
+/// # use mindeg_core::{Boundary, best_cuts};
+/// let boundary = Boundary::new(&[2, 2, 2, 2])?;
+/// assert_eq!(best_cuts(&boundary).count(), 2);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+pub fn best_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
+    let least = least_imbalance(boundary);
+    even_cuts(boundary).filter(move |cut| cut.imbalance() == least)
+}
+
+/// For each corner the evenest cuts from it to a later corner: at most two, one on either
+/// side of an even split. Every cut of least imbalance is among them.
+fn even_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
+    let sides = boundary.side_count();
+    let half_reached = move |from: usize, to: usize| {
+        let run = u64::from(boundary.corner(to) - boundary.corner(from));
+        2 * run >= u64::from(boundary.vertex_count())
+    };
+    let mut to = 1;
+    (0..sides - 1).flat_map(move |from| {
+        to = to.max(from + 1);
+        while to < sides && !half_reached(from, to) {
+            to += 1;
+        }
+        [to - 1, to]
+            .into_iter()
+            .filter(move |&to| from < to && to < sides)
+            .map(move |to| Cut::between(boundary, from, to))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec::Vec;
+    use proptest::prelude::*;
+
+    /// All cuts, by trying every pair of corners.
+    fn all_cuts(boundary: &Boundary) -> Vec<Cut> {
+        let sides = boundary.side_count();
+        (0..sides)
+            .flat_map(|from| (from + 1..sides).map(move |to| (from, to)))
+            .map(|(from, to)| Cut::between(boundary, from, to))
+            .collect()
+    }
+
+    #[test]
+    fn a_cut_names_its_larger_run() {
+        let boundary = Boundary::new(&[1, 2, 3, 4]).unwrap();
+        let cuts: Vec<Cut> = best_cuts(&boundary).collect();
+        assert_eq!(
+            cuts,
+            [Cut { first_side: 1, side_count: 2, larger: 5, smaller: 5 }],
+            "2 + 3 against 4 + 1"
+        );
+        let boundary = Boundary::new(&[9, 1, 1, 9]).unwrap();
+        assert!(best_cuts(&boundary).all(|cut| cut.larger == 10 && cut.smaller == 10));
+        let boundary = Boundary::new(&[1, 1, 9]).unwrap();
+        let cuts: Vec<Cut> = best_cuts(&boundary).collect();
+        assert_eq!(cuts, [Cut { first_side: 2, side_count: 1, larger: 9, smaller: 2 }]);
+    }
+
+    proptest! {
+        #[test]
+        fn the_best_cuts_are_the_best_of_all(
+            sides in prop::collection::vec(1_u64..12, 3..12)
+        ) {
+            let boundary = Boundary::new(&sides).unwrap();
+            let all = all_cuts(&boundary);
+            let least = all.iter().map(Cut::imbalance).min().unwrap();
+            prop_assert_eq!(least_imbalance(&boundary), least);
+            let mut expected: Vec<Cut> =
+                all.into_iter().filter(|cut| cut.imbalance() == least).collect();
+            let mut found: Vec<Cut> = best_cuts(&boundary).collect();
+            for cuts in [&mut expected, &mut found] {
+                cuts.sort_by_key(|cut| (cut.first_side, cut.side_count));
+            }
+            prop_assert_eq!(found, expected);
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! An exact solver that knows nothing of zig-zags: the yardstick for everything else here.
+//!
+//! Interval dynamic programming over chords. A chord (i, j) cuts off the boundary from i to j;
+//! what is beyond the chord sees that part only through the number of interior edges it has at
+//! i and at j. So it is enough to know, for every number of edges allowed at i, the least
+//! number at j.
+//!
+//! Limits: O(n³ D) time and O(n² D) memory for a degree D. It is meant for small boundaries, up
+//! to a few hundred vertices, and for checking the closed forms against.
+
+use crate::Boundary;
+use alloc::vec::Vec;
+
+/// The least possible maximum degree, by trying 2, 3, … until [`is_feasible`]. O(n³ D²).
+///
+/// ```
+/// # use mindeg_core::{Boundary, exact};
+/// assert_eq!(exact::least_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
+/// assert_eq!(exact::least_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+#[must_use]
+pub fn least_max_degree(boundary: &Boundary) -> u32 {
+    (2..boundary.vertex_count())
+        .find(|&max_degree| is_feasible(boundary, max_degree))
+        .expect("n - 1 neighbours are the most a vertex can have")
+}
+
+/// Whether some triangulation has no vertex of degree above `max_degree`. O(n³ D).
+#[must_use]
+pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
+    let Some(most) = max_degree.checked_sub(2) else { return false };
+    let vertices = boundary.vertex_count() as usize;
+    let states = most as usize + 1;
+    // For chord (i, j): entry a is the least number of edges at j if i may have a of them, the
+    // chord itself not counted at either; none where that cannot be.
+    let mut least: Vec<Option<u32>> = alloc::vec![None; vertices * vertices * states];
+    let at = |i: usize, j: usize| (i * vertices + j) * states;
+
+    for i in 0..vertices - 1 {
+        least[at(i, i + 1)..][..states].fill(Some(0));
+    }
+    for span in 2..vertices {
+        for i in 0..vertices - span {
+            let j = i + span;
+            for apex in i + 1..j {
+                if boundary.is_flat([i as u32, apex as u32, j as u32]) {
+                    continue;
+                }
+                let left_edge = u32::from(apex > i + 1);
+                let right_edge = u32::from(j > apex + 1);
+                for at_i in left_edge..=most {
+                    let at_j = least[at(i, apex) + (at_i - left_edge) as usize]
+                        .and_then(|at_apex| most.checked_sub(at_apex + left_edge + right_edge))
+                        .and_then(|left_at_apex| least[at(apex, j) + left_at_apex as usize])
+                        .map(|at_j| at_j + right_edge)
+                        .filter(|&at_j| at_j <= most);
+                    let best = &mut least[at(i, j) + at_i as usize];
+                    *best = match (*best, at_j) {
+                        (Some(a), Some(b)) => Some(a.min(b)),
+                        (a, b) => a.or(b),
+                    };
+                }
+            }
+        }
+    }
+    least[at(0, vertices - 1) + most as usize].is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Tries every triangulation of the ring part from `i` to `j`, with no table at all.
+    fn every(boundary: &Boundary, i: u32, j: u32, degrees: &mut [u32]) -> u32 {
+        fn go(boundary: &Boundary, chords: &mut Vec<(u32, u32)>, degrees: &mut [u32]) -> u32 {
+            let Some((i, j)) = chords.pop() else {
+                return degrees.iter().copied().max().unwrap_or(0);
+            };
+            let mut best = u32::MAX;
+            if j == i + 1 {
+                best = go(boundary, chords, degrees);
+            }
+            for apex in i + 1..j {
+                if boundary.is_flat([i, apex, j]) {
+                    continue;
+                }
+                let len = chords.len();
+                for (a, b) in [(i, apex), (apex, j)] {
+                    if b > a + 1 {
+                        degrees[a as usize] += 1;
+                        degrees[b as usize] += 1;
+                    }
+                    chords.push((a, b));
+                }
+                best = best.min(go(boundary, chords, degrees));
+                chords.truncate(len);
+                for (a, b) in [(i, apex), (apex, j)] {
+                    if b > a + 1 {
+                        degrees[a as usize] -= 1;
+                        degrees[b as usize] -= 1;
+                    }
+                }
+            }
+            chords.push((i, j));
+            best
+        }
+        go(boundary, &mut alloc::vec![(i, j)], degrees)
+    }
+
+    #[test]
+    fn agrees_with_trying_every_triangulation() {
+        for sides in [
+            &[1, 1, 1][..],
+            &[2, 1, 1],
+            &[2, 2, 2],
+            &[5, 2, 2],
+            &[3, 3, 3],
+            &[6, 1, 1, 1],
+            &[3, 3, 2, 2],
+            &[4, 4, 1, 1],
+            &[3, 1, 1, 3, 1],
+            &[2, 2, 2, 2, 2],
+            &[1, 1, 1, 1, 1, 1, 1, 1],
+            &[8, 1, 2],
+        ] {
+            let boundary = Boundary::new(sides).unwrap();
+            let n = boundary.vertex_count();
+            let brute = every(&boundary, 0, n - 1, &mut alloc::vec![2; n as usize]);
+            assert_eq!(least_max_degree(&boundary), brute, "{sides:?}");
+        }
+    }
+
+    #[test]
+    fn no_triangulation_has_degree_below_two() {
+        let boundary = Boundary::new(&[1, 1, 1]).unwrap();
+        assert!(!is_feasible(&boundary, 1) && !is_feasible(&boundary, 0));
+        assert!(is_feasible(&boundary, 2));
+    }
+}

@@ -1,0 +1,289 @@
+//! Strips: triangles between two chains of boundary vertices, in the order of a word.
+//!
+//! An optimal triangulation is one strip, or two that share an edge. A strip knows its
+//! chains and its word and nothing else, so it takes O(1) memory; it is exactly what
+//! graphics libraries call a triangle strip.
+
+use crate::word::{Letter, Word};
+use core::ops::RangeInclusive;
+
+/// Consecutive boundary vertices, with at most one jump over vertices cut off by another strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Chain {
+    first: u32,
+    len: u32,
+    direction: Direction,
+    jump: Option<Jump>,
+    vertex_count: u32,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Direction {
+    CounterClockwise,
+    Clockwise,
+}
+
+/// After the vertex at index `after` the chain leaves out `skipped` boundary vertices.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Jump {
+    pub(crate) after: u32,
+    pub(crate) skipped: u32,
+}
+
+impl Chain {
+    /// `len` vertices from `first` on, on a ring of `vertex_count`.
+    pub(crate) fn new(first: u32, len: u32, direction: Direction, vertex_count: u32) -> Self {
+        debug_assert!(first < vertex_count && 0 < len && len < vertex_count);
+        Self { first, len, direction, jump: None, vertex_count }
+    }
+
+    pub(crate) fn with_jump(self, jump: Jump) -> Self {
+        Self { jump: Some(jump), ..self }
+    }
+
+    /// The number of vertices, at least 1.
+    #[must_use]
+    #[expect(clippy::len_without_is_empty, reason = "a chain is never empty")]
+    pub fn len(&self) -> u32 {
+        self.len
+    }
+
+    /// The vertex at `index`, in `0..len`. O(1).
+    #[must_use]
+    pub fn vertex(&self, index: u32) -> u32 {
+        let steps = match self.jump {
+            Some(jump) if index > jump.after => index + jump.skipped,
+            _ => index,
+        };
+        // Steps and first are below the vertex count, so one subtraction wraps the ring.
+        match self.direction {
+            Direction::CounterClockwise => {
+                let to_end = self.vertex_count - self.first;
+                if steps < to_end { self.first + steps } else { steps - to_end }
+            }
+            Direction::Clockwise => {
+                if steps <= self.first {
+                    self.first - steps
+                } else {
+                    self.vertex_count - (steps - self.first)
+                }
+            }
+        }
+    }
+
+    /// The index of `vertex`, or none when it is not on the chain. O(1).
+    #[must_use]
+    pub fn index_of(&self, vertex: u32) -> Option<u32> {
+        let (from, to) = match self.direction {
+            Direction::CounterClockwise => (self.first, vertex),
+            Direction::Clockwise => (vertex, self.first),
+        };
+        let steps = if to >= from { to - from } else { self.vertex_count - (from - to) };
+        let index = match self.jump {
+            Some(jump) if steps > jump.after + jump.skipped => steps - jump.skipped,
+            Some(jump) if steps > jump.after => return None,
+            _ => steps,
+        };
+        (index < self.len).then_some(index)
+    }
+}
+
+/// What lies beyond the first or the last edge across a strip.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum End {
+    /// One more triangle, an ear with this tip.
+    Ear(u32),
+    /// Another strip, along a shared edge that this strip counts as its own.
+    Shared,
+    /// Nothing: the edge is a boundary edge. Only the single triangle needs this.
+    Boundary,
+}
+
+/// Triangles between an x chain, which runs counter-clockwise, and a y chain, which runs
+/// clockwise beside it.
+///
+/// The edges across start with (x_0, y_0). Letter X adds the triangle (x_i, x_{i+1}, y_j),
+/// letter Y adds (x_i, y_{j+1}, y_j).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Strip {
+    x: Chain,
+    y: Chain,
+    word: Word,
+    start: End,
+    end: End,
+}
+
+impl Strip {
+    pub(crate) fn new(x: Chain, y: Chain, word: Word, start: End, end: End) -> Self {
+        debug_assert!(x.len == word.xs() + 1 && y.len == word.ys() + 1);
+        debug_assert!(x.direction == Direction::CounterClockwise);
+        debug_assert!(y.direction == Direction::Clockwise);
+        Self { x, y, word, start, end }
+    }
+
+    /// The chain along which letter X advances.
+    #[must_use]
+    pub fn x(&self) -> &Chain {
+        &self.x
+    }
+
+    /// The chain along which letter Y advances.
+    #[must_use]
+    pub fn y(&self) -> &Chain {
+        &self.y
+    }
+
+    /// The order of advances.
+    #[must_use]
+    pub fn word(&self) -> &Word {
+        &self.word
+    }
+
+    /// What lies before the first edge across.
+    #[must_use]
+    pub fn start(&self) -> End {
+        self.start
+    }
+
+    /// What lies after the last edge across.
+    #[must_use]
+    pub fn end(&self) -> End {
+        self.end
+    }
+
+    /// The number of triangles, ears included.
+    #[must_use]
+    pub fn triangle_count(&self) -> u32 {
+        let ears = [self.start, self.end].iter().filter(|end| matches!(end, End::Ear(_))).count();
+        self.word.len() + ears as u32
+    }
+
+    /// The triangle with the given number, in `0..triangle_count`, counter-clockwise. O(1).
+    #[must_use]
+    pub fn triangle(&self, number: u32) -> [u32; 3] {
+        let place = match self.start {
+            End::Ear(tip) if number == 0 => return [tip, self.x.vertex(0), self.y.vertex(0)],
+            End::Ear(_) => number - 1,
+            End::Shared | End::Boundary => number,
+        };
+        let i = self.word.xs_before(place);
+        let j = place - i;
+        let (x, y) = (self.x.vertex(i), self.y.vertex(j));
+        match self.end {
+            End::Ear(tip) if place == self.word.len() => [x, tip, y],
+            _ => match self.word.letter(place) {
+                Letter::X => [x, self.x.vertex(i + 1), y],
+                Letter::Y => [x, self.y.vertex(j + 1), y],
+            },
+        }
+    }
+
+    /// The number of interior edges across the strip, a shared edge included.
+    pub(crate) fn interior_edge_count(&self) -> u32 {
+        self.word.len() + u32::from(self.end != End::Boundary)
+    }
+
+    /// The edge across with the given number, from the x chain to the y chain. O(1).
+    pub(crate) fn edge(&self, number: u32) -> [u32; 2] {
+        let i = self.word.xs_before(number);
+        [self.x.vertex(i), self.y.vertex(number - i)]
+    }
+
+    /// The vertices across from `vertex` in this strip, counter-clockwise. O(1).
+    pub(crate) fn across(&self, vertex: u32) -> Option<Across> {
+        if self.end == End::Boundary {
+            return None;
+        }
+        if let Some(index) = self.x.index_of(vertex) {
+            let indices = self.indices_across_x(index);
+            return Some(Across { chain: self.y, indices, descending: true });
+        }
+        let index = self.y.index_of(vertex)?;
+        let indices = self.indices_across_y(index);
+        Some(Across { chain: self.x, indices, descending: false })
+    }
+
+    /// The indices on the y chain that the vertex at `index` of the x chain is joined to.
+    fn indices_across_x(&self, index: u32) -> RangeInclusive<u32> {
+        let first = if index == 0 { 0 } else { self.word.ys_before_x(index - 1) };
+        let last =
+            if index == self.word.xs() { self.word.ys() } else { self.word.ys_before_x(index) };
+        first..=last
+    }
+
+    fn indices_across_y(&self, index: u32) -> RangeInclusive<u32> {
+        let first = if index == 0 { 0 } else { self.word.xs_before_y(index - 1) };
+        let last =
+            if index == self.word.ys() { self.word.xs() } else { self.word.xs_before_y(index) };
+        first..=last
+    }
+}
+
+/// The part of the opposite chain that one vertex is joined to.
+#[derive(Clone, Debug)]
+pub(crate) struct Across {
+    chain: Chain,
+    indices: RangeInclusive<u32>,
+    /// Whether counter-clockwise order runs from the last index to the first.
+    descending: bool,
+}
+
+impl Across {
+    pub(crate) fn len(&self) -> u32 {
+        if self.indices.is_empty() { 0 } else { self.indices.end() - self.indices.start() + 1 }
+    }
+}
+
+impl Iterator for Across {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        let index = if self.descending { self.indices.next_back() } else { self.indices.next() };
+        index.map(|index| self.chain.vertex(index))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use alloc::vec::Vec;
+
+    #[test]
+    fn a_chain_walks_the_ring_both_ways_and_jumps() {
+        let ring = 10;
+        let jump = Jump { after: 1, skipped: 3 };
+        for (chain, vertices) in [
+            (Chain::new(8, 4, Direction::CounterClockwise, ring), &[8, 9, 0, 1][..]),
+            (Chain::new(1, 4, Direction::Clockwise, ring), &[1, 0, 9, 8]),
+            (Chain::new(7, 4, Direction::CounterClockwise, ring).with_jump(jump), &[7, 8, 2, 3]),
+            (Chain::new(1, 3, Direction::Clockwise, ring).with_jump(jump), &[1, 0, 6]),
+        ] {
+            let walked: Vec<u32> = (0..chain.len()).map(|index| chain.vertex(index)).collect();
+            assert_eq!(walked, vertices);
+            for vertex in 0..ring {
+                let place = vertices.iter().position(|&other| other == vertex);
+                assert_eq!(chain.index_of(vertex), place.map(|place| place as u32), "{vertex}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_strip_emits_its_word() {
+        // A ring of 8: ears at 0 and 4, x = 1 2 3, y = 7 6 5.
+        let strip = Strip::new(
+            Chain::new(1, 3, Direction::CounterClockwise, 8),
+            Chain::new(7, 3, Direction::Clockwise, 8),
+            Word::alternating(Letter::X, 2, 2),
+            End::Ear(0),
+            End::Ear(4),
+        );
+        let triangles: Vec<_> = (0..strip.triangle_count()).map(|i| strip.triangle(i)).collect();
+        assert_eq!(triangles, [[0, 1, 7], [1, 2, 7], [2, 6, 7], [2, 3, 6], [3, 5, 6], [3, 4, 5]]);
+        let edges: Vec<_> = (0..strip.interior_edge_count()).map(|i| strip.edge(i)).collect();
+        assert_eq!(edges, [[1, 7], [2, 7], [2, 6], [3, 6], [3, 5]]);
+        let across = |vertex| strip.across(vertex).map(|across| across.collect::<Vec<_>>());
+        assert_eq!(across(2), Some([6, 7].into()));
+        assert_eq!(across(7), Some([1, 2].into()));
+        assert_eq!(across(0), None);
+    }
+}

@@ -1,0 +1,188 @@
+//! A triangulation as a formula: any triangle, degree or neighbour in constant time.
+
+use crate::strip::{Across, End, Strip};
+use alloc::vec::Vec;
+
+/// A triangulation of a boundary with the least possible maximum degree.
+///
+/// It is one strip, or a main strip and a cap cut off at a corner, so it takes O(1) memory
+/// whatever the number of intervals. It has `n-2` triangles and `n-3` interior edges
+/// (Lemma 1 of Liu 2005), and all of them follow from the strips by integer arithmetic.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, min_degree_triangulation};
+///
+/// let boundary = Boundary::new(&[3, 3, 2, 2])?;
+/// let triangulation = min_degree_triangulation(&boundary);
+/// assert_eq!(triangulation.max_degree(), 4);
+/// assert_eq!(triangulation.triangles().len(), 8);
+/// assert_eq!(triangulation.interior_edges().len(), 7);
+/// for vertex in 0..boundary.vertex_count() {
+///     assert_eq!(triangulation.neighbors(vertex).len() as u32, triangulation.degree(vertex));
+/// }
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Triangulation {
+    vertex_count: u32,
+    max_degree: u32,
+    main: Strip,
+    cap: Option<Strip>,
+}
+
+impl Triangulation {
+    pub(crate) fn new(vertex_count: u32, max_degree: u32, main: Strip, cap: Option<Strip>) -> Self {
+        Self { vertex_count, max_degree, main, cap }
+    }
+
+    /// The number of vertices n, at least 3.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.vertex_count
+    }
+
+    /// The number of triangles, n - 2.
+    #[must_use]
+    pub fn triangle_count(&self) -> u32 {
+        self.vertex_count - 2
+    }
+
+    /// The largest number of edges at a vertex, boundary edges included. O(1).
+    #[must_use]
+    pub fn max_degree(&self) -> u32 {
+        self.max_degree
+    }
+
+    /// The one or two strips, the main strip first; their triangles in turn are
+    /// [`triangles`](Self::triangles).
+    pub fn strips(&self) -> impl Iterator<Item = &Strip> {
+        core::iter::once(&self.main).chain(&self.cap)
+    }
+
+    /// The triangle with the given number, in `0..n-2`, counter-clockwise. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `number` is not below [`triangle_count`](Self::triangle_count).
+    #[must_use]
+    pub fn triangle(&self, number: u32) -> [u32; 3] {
+        assert!(number < self.triangle_count(), "triangle {number} does not exist");
+        let in_main = self.main.triangle_count();
+        match &self.cap {
+            Some(cap) if number >= in_main => cap.triangle(number - in_main),
+            _ => self.main.triangle(number),
+        }
+    }
+
+    /// All triangles, each counter-clockwise, strip by strip.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        (0..self.triangle_count()).map(|number| self.triangle(number))
+    }
+
+    /// All `n-3` interior edges, each once, strip by strip.
+    pub fn interior_edges(&self) -> impl ExactSizeIterator<Item = [u32; 2]> + '_ {
+        let in_main = self.main.interior_edge_count();
+        (0..self.vertex_count - 3).map(move |number| match &self.cap {
+            Some(cap) if number >= in_main => cap.edge(number - in_main),
+            _ => self.main.edge(number),
+        })
+    }
+
+    /// The number of edges at `vertex`, its two boundary edges included ("valence" in
+    /// graphics). O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn degree(&self, vertex: u32) -> u32 {
+        2 + self.interior_neighbors(vertex).iter().flatten().map(Across::len).sum::<u32>()
+    }
+
+    /// The neighbours of `vertex`, counter-clockwise: from the next boundary vertex to the
+    /// one before.
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn neighbors(&self, vertex: u32) -> Neighbors {
+        let interior = self.interior_neighbors(vertex);
+        let last = self.vertex_count - 1;
+        Neighbors {
+            next: Some(if vertex == last { 0 } else { vertex + 1 }),
+            interior,
+            previous: Some(if vertex == 0 { last } else { vertex - 1 }),
+        }
+    }
+
+    /// What `vertex` is joined to across each strip, in counter-clockwise order.
+    fn interior_neighbors(&self, vertex: u32) -> [Option<Across>; 2] {
+        assert!(vertex < self.vertex_count, "vertex {vertex} does not exist");
+        let main = self.main.across(vertex);
+        let cap = self.cap.and_then(|cap| cap.across(vertex));
+        // Round the ring from the edge shared by both strips, the cap comes right after its
+        // first end f and right before its last end g.
+        let cap_comes_first = self.cap.is_some_and(|cap| cap.y().index_of(vertex).is_some());
+        if cap_comes_first { [cap, main] } else { [main, cap] }
+    }
+
+    /// The isolated corners, those with no interior edge, in ascending order: at least two
+    /// (Lemma 2 of Liu 2005) and at most three.
+    #[must_use]
+    pub fn isolated_corners(&self) -> Vec<u32> {
+        if self.vertex_count == 3 {
+            return [0, 1, 2].into();
+        }
+        let mut corners: Vec<u32> = self
+            .strips()
+            .flat_map(|strip| [strip.start(), strip.end()])
+            .filter_map(|end| if let End::Ear(tip) = end { Some(tip) } else { None })
+            .filter(|&tip| self.degree(tip) == 2)
+            .collect();
+        corners.sort_unstable();
+        corners
+    }
+
+    /// How many vertices have each degree: entry d counts those of degree d, up to
+    /// [`max_degree`](Self::max_degree). O(n).
+    #[must_use]
+    pub fn degree_histogram(&self) -> Vec<u32> {
+        let mut histogram = alloc::vec![0; self.max_degree as usize + 1];
+        for vertex in 0..self.vertex_count {
+            histogram[self.degree(vertex) as usize] += 1;
+        }
+        histogram
+    }
+}
+
+/// The neighbours of one vertex, counter-clockwise; see [`Triangulation::neighbors`].
+#[derive(Clone, Debug)]
+pub struct Neighbors {
+    next: Option<u32>,
+    interior: [Option<Across>; 2],
+    previous: Option<u32>,
+}
+
+impl Iterator for Neighbors {
+    type Item = u32;
+
+    fn next(&mut self) -> Option<u32> {
+        self.next
+            .take()
+            .or_else(|| self.interior.iter_mut().flatten().find_map(Iterator::next))
+            .or_else(|| self.previous.take())
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let interior: u32 = self.interior.iter().flatten().map(Across::len).sum();
+        let len = interior as usize
+            + usize::from(self.next.is_some())
+            + usize::from(self.previous.is_some());
+        (len, Some(len))
+    }
+}
+
+impl ExactSizeIterator for Neighbors {}

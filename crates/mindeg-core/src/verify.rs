@@ -1,0 +1,307 @@
+//! A checker for any triangle list on a boundary, from whatever source.
+//!
+//! It works from the interval counts and the list alone and shares no code with the
+//! algorithm, so that the one can be trusted to find faults in the other.
+//!
+//! Why the checks suffice: in a convex polygon a counter-clockwise triangle of three boundary
+//! vertices, not all on one side, has positive area. If every interior edge is met once in
+//! either direction, the triangles' outlines cancel to the polygon's own, so every point
+//! inside is covered exactly once, whatever the positions.
+//!
+//! Limits: positions are not looked at. A polygon that is not convex can pass here and fold
+//! over in the plane.
+
+use alloc::vec::Vec;
+use core::fmt;
+
+/// What a correct triangulation turns out to be.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Verified {
+    /// The largest number of edges at a vertex, boundary edges included.
+    pub max_degree: u32,
+    /// The number of edges at every vertex, boundary edges included.
+    pub degrees: Vec<u32>,
+}
+
+/// The first thing found wrong with a list of triangles.
+///
+/// Triangles are counted from 0 in the order given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Defect {
+    /// The interval counts are no polygon's: too few sides, an empty one, or too many vertices.
+    NoPolygon,
+    /// There are not exactly n - 2 triangles.
+    WrongCount {
+        /// n - 2.
+        expected: u64,
+        /// The length of the list.
+        found: u64,
+    },
+    /// A vertex id is not below n.
+    NoSuchVertex {
+        /// The triangle.
+        triangle: u64,
+        /// The id.
+        vertex: u32,
+    },
+    /// A triangle names a vertex twice.
+    RepeatedVertex {
+        /// The triangle.
+        triangle: u64,
+        /// The vertex.
+        vertex: u32,
+    },
+    /// A triangle runs clockwise.
+    Clockwise {
+        /// The triangle.
+        triangle: u64,
+    },
+    /// A triangle has all vertices on one side, hence no area.
+    Flat {
+        /// The triangle.
+        triangle: u64,
+        /// The side, counted from 0.
+        side: usize,
+    },
+    /// More than one triangle has an edge in this direction.
+    RepeatedEdge {
+        /// The edge, in the direction in which it is met too often.
+        edge: [u32; 2],
+    },
+    /// An interior edge has a triangle on one side only.
+    OpenEdge {
+        /// The edge, in the direction in which it is met.
+        edge: [u32; 2],
+    },
+    /// A boundary edge has no triangle.
+    MissingBoundaryEdge {
+        /// The edge, counter-clockwise.
+        edge: [u32; 2],
+    },
+}
+
+impl fmt::Display for Defect {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::NoPolygon => f.write_str("the interval counts are no polygon's"),
+            Self::WrongCount { expected, found } => {
+                write!(f, "there are {found} triangles where {expected} are right")
+            }
+            Self::NoSuchVertex { triangle, vertex } => {
+                write!(f, "triangle {triangle} names vertex {vertex}, which does not exist")
+            }
+            Self::RepeatedVertex { triangle, vertex } => {
+                write!(f, "triangle {triangle} names vertex {vertex} twice")
+            }
+            Self::Clockwise { triangle } => write!(f, "triangle {triangle} runs clockwise"),
+            Self::Flat { triangle, side } => {
+                write!(f, "triangle {triangle} is flat: it lies on side {}", side + 1)
+            }
+            Self::RepeatedEdge { edge: [from, to] } => {
+                write!(f, "more than one triangle has the edge from {from} to {to}")
+            }
+            Self::OpenEdge { edge: [from, to] } => {
+                write!(f, "the interior edge from {from} to {to} has one triangle, not two")
+            }
+            Self::MissingBoundaryEdge { edge: [from, to] } => {
+                write!(f, "the boundary edge from {from} to {to} has no triangle")
+            }
+        }
+    }
+}
+
+impl core::error::Error for Defect {}
+
+/// Checks that `triangles` triangulate the boundary with these interval counts.
+///
+/// That is: n-2 triangles, each counter-clockwise and none flat, every boundary edge once and
+/// every interior edge twice, in opposite directions. O(n log n) time, O(n) memory.
+///
+/// # Errors
+///
+/// The first defect: triangles are looked at in the order given, edges after that in the order
+/// of their smaller vertex.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Defect, verify};
+///
+/// let fan = [[0, 1, 3], [1, 2, 3]];
+/// assert_eq!(verify(&[1, 1, 1, 1], fan)?.max_degree, 3);
+/// // On (2,1,1) vertices 0, 1 and 2 lie on one side.
+/// let flat = verify(&[2, 1, 1], [[0, 1, 2], [0, 2, 3]]);
+/// assert_eq!(flat, Err(Defect::Flat { triangle: 0, side: 0 }));
+/// # Ok::<(), Defect>(())
+/// ```
+pub fn verify(
+    intervals: &[u64],
+    triangles: impl IntoIterator<Item = [u32; 3]>,
+) -> Result<Verified, Defect> {
+    let sides = Sides::new(intervals)?;
+    let vertices = sides.starts[intervals.len()];
+    let expected = vertices - 2;
+
+    let mut edges = Vec::new();
+    let mut found = 0;
+    for triangle in triangles {
+        if found < expected {
+            sides.check(found, triangle)?;
+            let [a, b, c] = triangle;
+            edges.extend([[a, b], [b, c], [c, a]]);
+        }
+        found += 1;
+    }
+    if found != expected {
+        return Err(Defect::WrongCount { expected, found });
+    }
+    // Both directions of an edge come together.
+    edges.sort_unstable_by_key(|&[a, b]| (a.min(b), a.max(b), a));
+    let degrees = check_edges(&edges, vertices)?;
+    let max_degree = degrees.iter().copied().max().unwrap_or(0);
+    Ok(Verified { max_degree, degrees })
+}
+
+/// The first vertex of every side, then n.
+struct Sides {
+    starts: Vec<u64>,
+}
+
+impl Sides {
+    fn new(intervals: &[u64]) -> Result<Self, Defect> {
+        let mut starts: Vec<u64> = alloc::vec![0];
+        for &count in intervals {
+            let end = starts[starts.len() - 1].checked_add(count);
+            let end = end.filter(|&end| count > 0 && end <= u64::from(u32::MAX - 1));
+            starts.push(end.ok_or(Defect::NoPolygon)?);
+        }
+        if intervals.len() < 3 { Err(Defect::NoPolygon) } else { Ok(Self { starts }) }
+    }
+
+    fn check(&self, number: u64, triangle: [u32; 3]) -> Result<(), Defect> {
+        let vertices = self.starts[self.starts.len() - 1];
+        let exists = |vertex: u32| u64::from(vertex) < vertices;
+        if let Some(&vertex) = triangle.iter().find(|&&vertex| !exists(vertex)) {
+            return Err(Defect::NoSuchVertex { triangle: number, vertex });
+        }
+        let [a, b, c] = triangle;
+        if a == b || a == c {
+            return Err(Defect::RepeatedVertex { triangle: number, vertex: a });
+        }
+        if b == c {
+            return Err(Defect::RepeatedVertex { triangle: number, vertex: b });
+        }
+        // Of a -> b -> c -> a exactly one step passes vertex 0, or else two do.
+        let descents = u32::from(b < a) + u32::from(c < b) + u32::from(a < c);
+        if descents != 1 {
+            return Err(Defect::Clockwise { triangle: number });
+        }
+        let [low, middle, high] = {
+            let mut sorted = triangle.map(u64::from);
+            sorted.sort_unstable();
+            sorted
+        };
+        // The side that holds the middle vertex in its inside, or ends or starts there.
+        let last = self.starts.len() - 2;
+        let side = self.starts.partition_point(|&start| start <= middle) - 1;
+        let holds = |side: usize| self.starts[side] <= low && high <= self.starts[side + 1];
+        if holds(side) {
+            return Err(Defect::Flat { triangle: number, side });
+        }
+        // The last side ends at vertex 0.
+        if low == 0 && middle >= self.starts[last] {
+            return Err(Defect::Flat { triangle: number, side: last });
+        }
+        Ok(())
+    }
+}
+
+/// Checks the sorted directed edges of all triangles and counts the edges at every vertex.
+fn check_edges(edges: &[[u32; 2]], vertices: u64) -> Result<Vec<u32>, Defect> {
+    let next = |vertex: u32| if u64::from(vertex) + 1 == vertices { 0 } else { vertex + 1 };
+    let mut degrees = alloc::vec![2_u32; vertices as usize];
+    let mut has_boundary_edge = alloc::vec![false; vertices as usize];
+    for same in
+        edges.chunk_by(|a, b| a[0].min(a[1]) == b[0].min(b[1]) && a[0].max(a[1]) == b[0].max(b[1]))
+    {
+        if let Some(pair) = same.windows(2).find(|pair| pair[0] == pair[1]) {
+            return Err(Defect::RepeatedEdge { edge: pair[0] });
+        }
+        // What is left is one direction or both. A counter-clockwise triangle never has a
+        // boundary edge backwards.
+        let [from, to] = same[0];
+        if next(from) == to || next(to) == from {
+            let start = if next(from) == to { from } else { to };
+            has_boundary_edge[start as usize] = true;
+        } else if same.len() == 1 {
+            return Err(Defect::OpenEdge { edge: same[0] });
+        } else {
+            degrees[from as usize] += 1;
+            degrees[to as usize] += 1;
+        }
+    }
+    match (0_u32..).zip(&has_boundary_edge).find(|&(_, &has)| !has) {
+        Some((vertex, _)) => Err(Defect::MissingBoundaryEdge { edge: [vertex, next(vertex)] }),
+        None => Ok(degrees),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The zig-zag of (3,3,2,2): ears at vertices 3 and 8.
+    const GOOD: [[u32; 3]; 8] =
+        [[3, 4, 2], [4, 1, 2], [4, 5, 1], [5, 0, 1], [5, 6, 0], [6, 9, 0], [6, 7, 9], [7, 8, 9]];
+
+    fn with(place: usize, triangle: [u32; 3]) -> Vec<[u32; 3]> {
+        let mut triangles = GOOD.to_vec();
+        triangles[place] = triangle;
+        triangles
+    }
+
+    #[test]
+    fn accepts_a_triangulation_and_counts_its_degrees() {
+        let verified = verify(&[3, 3, 2, 2], GOOD).unwrap();
+        assert_eq!(verified.degrees, [4, 4, 3, 2, 4, 4, 4, 3, 2, 4]);
+        assert_eq!(verified.max_degree, 4);
+    }
+
+    #[test]
+    fn names_the_first_defect() {
+        let triangle = 2;
+        for (triangles, defect) in [
+            (GOOD[1..].to_vec(), Defect::WrongCount { expected: 8, found: 7 }),
+            ([&GOOD[..], &GOOD[..1]].concat(), Defect::WrongCount { expected: 8, found: 9 }),
+            (with(2, [4, 10, 1]), Defect::NoSuchVertex { triangle, vertex: 10 }),
+            (with(2, [4, 4, 1]), Defect::RepeatedVertex { triangle, vertex: 4 }),
+            (with(2, [4, 1, 4]), Defect::RepeatedVertex { triangle, vertex: 4 }),
+            (with(2, [1, 4, 4]), Defect::RepeatedVertex { triangle, vertex: 4 }),
+            (with(2, [5, 4, 1]), Defect::Clockwise { triangle }),
+            (with(2, [0, 1, 3]), Defect::Flat { triangle, side: 0 }),
+            (with(2, [6, 3, 4]), Defect::Flat { triangle, side: 1 }),
+            (with(2, [8, 9, 0]), Defect::Flat { triangle, side: 3 }),
+            (with(2, [4, 1, 2]), Defect::RepeatedEdge { edge: [1, 2] }),
+            (with(2, [4, 6, 1]), Defect::OpenEdge { edge: [1, 5] }),
+            (with(0, [5, 6, 1]), Defect::RepeatedEdge { edge: [1, 5] }),
+            (with(2, [4, 6, 0]), Defect::OpenEdge { edge: [0, 4] }),
+        ] {
+            assert_eq!(verify(&[3, 3, 2, 2], triangles), Err(defect));
+        }
+        for intervals in [&[1, 1][..], &[1, 0, 2], &[1, u64::MAX, 2], &[1, 4_294_967_293, 1]] {
+            assert_eq!(verify(intervals, []), Err(Defect::NoPolygon));
+        }
+    }
+
+    /// Every interior edge is matched, and still a boundary edge has no triangle: with n - 2
+    /// triangles that takes a closed surface beside the polygon, so the count stops it first.
+    #[test]
+    fn a_boundary_edge_may_be_missing() {
+        let edges = [[0, 1], [1, 2], [2, 0], [0, 2], [2, 3]];
+        let mut edges = edges.to_vec();
+        edges.sort_unstable_by_key(|&[a, b]: &[u32; 2]| (a.min(b), a.max(b), a));
+        let missing = Defect::MissingBoundaryEdge { edge: [3, 0] };
+        assert_eq!(check_edges(&edges, 4), Err(missing));
+    }
+}

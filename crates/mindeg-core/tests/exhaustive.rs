@@ -1,0 +1,132 @@
+//! Every small boundary: the closed form of the optimum, the certificate and every plan against
+//! the exact solver and the verifier.
+
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use mindeg_core::{Boundary, Certificate, Plans, certificate, exact, optimal_max_degree, verify};
+use std::collections::HashSet;
+
+/// Every way to give `sides` sides `vertices` intervals in all, one for each class under
+/// rotation and reflection.
+fn boundaries(sides: usize, vertices: u64) -> Vec<Vec<u64>> {
+    fn extend(prefix: &mut Vec<u64>, sides: usize, left: u64, found: &mut Vec<Vec<u64>>) {
+        if prefix.len() == sides - 1 {
+            prefix.push(left);
+            if is_least_of_its_class(prefix) {
+                found.push(prefix.clone());
+            }
+            prefix.pop();
+            return;
+        }
+        let to_come = (sides - prefix.len() - 1) as u64;
+        for count in 1..=left - to_come {
+            prefix.push(count);
+            extend(prefix, sides, left - count, found);
+            prefix.pop();
+        }
+    }
+    fn is_least_of_its_class(sides: &[u64]) -> bool {
+        let twice = sides.repeat(2);
+        let mirrored: Vec<u64> = twice.iter().rev().copied().collect();
+        let classmates = [&twice, &mirrored];
+        classmates.iter().all(|ring| ring.windows(sides.len()).all(|other| sides <= other))
+    }
+    let mut found = Vec::new();
+    extend(&mut Vec::new(), sides, vertices, &mut found);
+    found
+}
+
+/// Checks one boundary and counts its plans.
+fn check(sides: &[u64]) -> usize {
+    let boundary = Boundary::new(sides).unwrap();
+    let optimum = exact::least_max_degree(&boundary);
+    assert_eq!(optimal_max_degree(&boundary), optimum, "{sides:?}");
+    let certificate = certificate(&boundary);
+    assert_eq!(certificate.check(sides), Ok(optimum), "{sides:?}");
+
+    let mut seen = HashSet::new();
+    for plan in Plans::new(&boundary).iter() {
+        let mut triangles: Vec<[u32; 3]> = plan.triangles().collect();
+        let verified = verify(sides, triangles.iter().copied())
+            .unwrap_or_else(|defect| panic!("{sides:?}: {defect} in {plan:?}"));
+        assert_eq!(verified.max_degree, optimum, "{sides:?}: {plan:?}");
+        assert_eq!(plan.max_degree(), optimum, "{sides:?}");
+        for triangle in &mut triangles {
+            let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap();
+            triangle.rotate_left(least);
+        }
+        triangles.sort_unstable();
+        assert!(seen.insert(triangles), "{sides:?}: {plan:?} comes twice");
+    }
+    assert!(!seen.is_empty());
+    seen.len()
+}
+
+fn check_all(sides: usize, largest: u64) {
+    let mut plans = 0;
+    let mut cases = 0;
+    for vertices in sides as u64..=largest {
+        for boundary in boundaries(sides, vertices) {
+            plans += check(&boundary);
+            cases += 1;
+        }
+    }
+    println!("{sides} sides up to {largest} vertices: {cases} boundaries, {plans} plans");
+}
+
+#[test]
+fn every_triangle() {
+    check_all(3, 40);
+}
+
+#[test]
+fn every_rectangle() {
+    check_all(4, 34);
+}
+
+#[test]
+fn every_pentagon() {
+    check_all(5, 32);
+}
+
+#[test]
+fn every_hexagon() {
+    check_all(6, 28);
+}
+
+#[test]
+fn every_heptagon() {
+    check_all(7, 26);
+}
+
+#[test]
+fn every_octagon() {
+    check_all(8, 24);
+}
+
+/// The enumeration leaves nothing out: its classes are as many as are known from elsewhere.
+#[test]
+fn boundaries_are_enumerated_up_to_symmetry() {
+    // Partitions of n into 3 parts: the integer nearest to n²/12.
+    for (vertices, count) in [(3, 1), (6, 3), (12, 12), (20, 33)] {
+        assert_eq!(boundaries(3, vertices).len(), count, "{vertices}");
+    }
+    assert_eq!(boundaries(4, 5), [[1, 1, 1, 2]]);
+    assert_eq!(boundaries(4, 6), [[1, 1, 1, 3], [1, 1, 2, 2], [1, 2, 1, 2]]);
+}
+
+#[test]
+fn every_kind_of_certificate_occurs() {
+    let mut kinds = [false; 4];
+    for sides in boundaries(3, 6).into_iter().chain(boundaries(3, 20)) {
+        let kind = match certificate(&Boundary::new(&sides).unwrap()) {
+            Certificate::BalancedCut { .. } => 0,
+            Certificate::MedialTriangle => 1,
+            Certificate::LongSide { .. } => 2,
+            Certificate::NoBalancedCut { .. } => 3,
+            other => panic!("{other:?}"),
+        };
+        kinds[kind] = true;
+    }
+    assert_eq!(kinds, [true; 4]);
+}

@@ -1,0 +1,185 @@
+//! Random boundaries, up to a million vertices: plans through the verifier, and the closed forms
+//! against the list of triangles that they describe.
+
+use mindeg_core::{
+    Boundary, Certificate, Letter, Plans, Triangulation, certificate, min_degree_triangulation,
+    verify,
+};
+use proptest::prelude::*;
+
+/// Sides of very different sizes, so that every construction comes up.
+fn sides(most_sides: usize, most_intervals: u64) -> impl Strategy<Value = Vec<u64>> {
+    let bits = most_intervals.ilog2();
+    let side = (0..=bits).prop_flat_map(|bits| (1 << bits) / 2 + 1..=1_u64 << bits);
+    let any = prop::collection::vec(side.clone(), 3..=most_sides);
+    // A run of sides and one that balances it but for a little.
+    let nearly_balanced = (prop::collection::vec(side, 2..=most_sides - 2), 0_u64..40).prop_map(
+        |(mut sides, excess)| {
+            let total: u64 = sides.iter().sum();
+            let half = (total + excess).div_ceil(2);
+            sides.extend([half, (total + excess - half).max(1)]);
+            sides
+        },
+    );
+    prop_oneof![any, nearly_balanced]
+}
+
+/// The neighbours of every vertex, counter-clockwise, from the list of triangles alone.
+fn neighbors_from_list(vertices: u32, triangulation: &Triangulation) -> Vec<Vec<u32>> {
+    let mut neighbors: Vec<Vec<u32>> =
+        (0..vertices).map(|v| vec![(v + 1) % vertices, (v + vertices - 1) % vertices]).collect();
+    for triangle in triangulation.triangles() {
+        for corner in 0..3 {
+            let (from, to) = (triangle[corner], triangle[(corner + 1) % 3]);
+            neighbors[from as usize].push(to);
+            neighbors[to as usize].push(from);
+        }
+    }
+    for (vertex, neighbors) in (0..vertices).zip(&mut neighbors) {
+        // Round a convex polygon, counter-clockwise is the order of the ring.
+        neighbors.sort_unstable_by_key(|&other| (other + vertices - vertex) % vertices);
+        neighbors.dedup();
+    }
+    neighbors
+}
+
+proptest! {
+    #[test]
+    fn every_sampled_plan_is_a_triangulation_of_the_proven_degree(sides in sides(64, 512)) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let certificate = certificate(&boundary);
+        prop_assert_eq!(certificate.check(&sides), Ok(certificate.max_degree()));
+        for plan in Plans::new(&boundary).sample(12) {
+            let verified = verify(&sides, plan.triangles());
+            let verified = verified.map_err(|defect| TestCaseError::fail(defect.to_string()))?;
+            prop_assert_eq!(verified.max_degree, certificate.max_degree());
+            prop_assert_eq!(verified.max_degree, plan.max_degree());
+            let degrees: Vec<u32> = (0..plan.vertex_count()).map(|v| plan.degree(v)).collect();
+            prop_assert_eq!(&degrees, &verified.degrees);
+        }
+    }
+
+    #[test]
+    fn closed_forms_describe_the_list(sides in sides(12, 64)) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let vertices = boundary.vertex_count();
+        for plan in Plans::new(&boundary).sample(5) {
+            let from_list = neighbors_from_list(vertices, &plan);
+            for (vertex, expected) in (0_u32..).zip(&from_list) {
+                let neighbors = plan.neighbors(vertex);
+                prop_assert_eq!(neighbors.len(), expected.len());
+                prop_assert_eq!(&neighbors.collect::<Vec<_>>(), expected);
+            }
+
+            let mut edges: Vec<[u32; 2]> = plan.interior_edges().collect();
+            prop_assert_eq!(edges.len(), plan.interior_edges().len());
+            prop_assert_eq!(edges.len() as u32, vertices - 3);
+            edges.iter_mut().for_each(|edge| edge.sort_unstable());
+            edges.sort_unstable();
+            edges.dedup();
+            prop_assert_eq!(edges.len() as u32, vertices - 3);
+            for [a, b] in edges {
+                prop_assert!(from_list[a as usize].contains(&b));
+                prop_assert!(b - a > 1 && b - a < vertices - 1);
+            }
+
+            let isolated: Vec<u32> = (0..vertices).filter(|&v| plan.degree(v) == 2).collect();
+            prop_assert!(isolated.len() >= 2);
+            prop_assert!(isolated.iter().all(|&v| boundary.is_corner(v)));
+            prop_assert_eq!(plan.isolated_corners(), isolated);
+
+            let histogram = plan.degree_histogram();
+            prop_assert_eq!(histogram.len() as u32, plan.max_degree() + 1);
+            prop_assert!(*histogram.last().unwrap() > 0);
+            prop_assert_eq!(histogram.iter().sum::<u32>(), vertices);
+        }
+    }
+
+    #[test]
+    fn strips_spell_the_triangles(sides in sides(8, 64)) {
+        let plan = min_degree_triangulation(&Boundary::new(&sides).unwrap());
+        let from_strips: Vec<[u32; 3]> = plan
+            .strips()
+            .flat_map(|strip| (0..strip.triangle_count()).map(|number| strip.triangle(number)))
+            .collect();
+        prop_assert_eq!(&from_strips, &plan.triangles().collect::<Vec<_>>());
+        for strip in plan.strips() {
+            let letters = (0..strip.word().len()).map(|place| strip.word().letter(place));
+            let xs = letters.filter(|&letter| letter == Letter::X).count();
+            prop_assert_eq!(xs as u32 + 1, strip.x().len());
+            prop_assert_eq!(strip.word().ys() + 1, strip.y().len());
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn a_million_vertices_verify(sides in sides(64, 1 << 18)) {
+        prop_assume!(sides.iter().sum::<u64>() <= 1_000_000);
+        let boundary = Boundary::new(&sides).unwrap();
+        let plan = min_degree_triangulation(&boundary);
+        let verified = verify(&sides, plan.triangles());
+        let verified = verified.map_err(|defect| TestCaseError::fail(defect.to_string()))?;
+        prop_assert_eq!(verified.max_degree, certificate(&boundary).max_degree());
+    }
+}
+
+/// At the limit nothing can be listed, but everything is still a formula.
+#[test]
+fn the_largest_boundaries_are_answered_at_once() {
+    let limit = u64::from(mindeg_core::MAX_VERTICES);
+    for (sides, max_degree) in [
+        (vec![limit - 2, 1, 1], 4_294_967_293),
+        (vec![limit / 2, limit / 2 - 1, 1], 4),
+        (vec![limit / 2 + 1, limit / 2 - 3, 1, 1], 5),
+        (vec![limit / 3, limit / 3, limit - 2 * (limit / 3)], 5),
+        (vec![limit - 1_000_000, 500_000, 500_000], 4297),
+    ] {
+        let boundary = Boundary::new(&sides).unwrap();
+        let plan = min_degree_triangulation(&boundary);
+        assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
+        let certificate = certificate(&boundary);
+        assert!(matches!(certificate.check(&sides), Ok(degree) if degree == max_degree));
+        if matches!(certificate, Certificate::LongSide { .. }) {
+            let off_side = boundary.vertex_count() - 1;
+            assert!(plan.degree(off_side) >= max_degree - 1, "{sides:?}");
+        }
+        let last = plan.triangle_count() - 1;
+        for number in (0..=last).step_by(100_000_007).chain([last]) {
+            let triangle = plan.triangle(number);
+            assert!(!boundary.is_flat(triangle), "{sides:?}: {triangle:?}");
+            for vertex in triangle {
+                assert!(plan.degree(vertex) <= max_degree);
+                let neighbors = plan.neighbors(vertex).take(10).collect::<Vec<_>>();
+                assert!(neighbors.iter().all(|&other| other < boundary.vertex_count()));
+            }
+        }
+    }
+}
+
+#[test]
+fn the_table_of_known_optima() {
+    for (sides, max_degree) in [
+        (&[1, 1, 1][..], 2),
+        (&[2, 1, 1], 3),
+        (&[1, 1, 1, 1], 3),
+        (&[3, 1, 1], 4),
+        (&[2, 2, 2], 4),
+        (&[3, 3, 3], 5),
+        (&[3, 3, 2, 2], 4),
+        (&[10, 10, 10, 10], 4),
+        (&[8, 6, 8, 5], 4),
+        (&[12, 9, 4, 4], 5),
+        (&[14, 3, 5, 2], 5),
+        (&[30, 2, 4, 2], 7),
+        (&[1000, 3, 5, 2], 114),
+        (&[1000, 1, 10, 2, 500, 1, 3, 100], 5),
+        (&[100_000, 1, 1, 1], 50_002),
+    ] {
+        let plan = min_degree_triangulation(&Boundary::new(sides).unwrap());
+        assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
+        assert_eq!(verify(sides, plan.triangles()).unwrap().max_degree, max_degree, "{sides:?}");
+    }
+}
