@@ -1,7 +1,14 @@
 //! Where the boundary points of a convex domain lie, and how good a mesh on them is.
 
+mod domain;
+mod domain_error;
+mod outline;
+mod placement;
 mod spacing;
 mod spacing_law;
 
+pub use domain::{Domain, GREATEST_COORDINATE, Intervals, LEAST_SIDE, Outline, Rectangle, Side};
+pub use domain_error::DomainError;
+pub use placement::{Bounds, Placement};
 pub use spacing::{LEAST_SHARE, Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;

@@ -135,7 +135,7 @@ pub enum SpacingError {
         text: String,
     },
     /// A ratio or a length that is zero, negative or not finite.
-    #[error("the {what} is {value}; it must be a finite number above 0")]
+    #[error("the {what} is {value:?}; it must be a finite number above 0")]
     NotPositive {
         /// What the number stands for.
         what: &'static str,
@@ -144,7 +144,7 @@ pub enum SpacingError {
     },
     /// A beta in [-1, 1], or not finite.
     #[error(
-        "beta is {value}; it must be above 1 (points crowd at the side's start) or below -1 (at \
+        "beta is {value:?}; it must be above 1 (points crowd at the side's start) or below -1 (at \
          its end)"
     )]
     Beta {
@@ -153,7 +153,7 @@ pub enum SpacingError {
     },
     /// A first or last length that leaves nothing for the other intervals.
     #[error(
-        "an interval of length {length} leaves nothing of the side's {side_length} for the other \
+        "an interval of length {length:?} leaves nothing of the side's {side_length:?} for the other \
          {others}; give a shorter length or 1 interval"
     )]
     LengthTooLong {
@@ -166,7 +166,7 @@ pub enum SpacingError {
     },
     /// A first or last length where the side is one interval of another length.
     #[error(
-        "the side is a single interval of length {side_length}, not {length}; use more intervals \
+        "the side is a single interval of length {side_length:?}, not {length:?}; use more intervals \
          or drop the law"
     )]
     SingleInterval {
@@ -189,7 +189,7 @@ pub enum SpacingError {
     },
     /// An explicit parameter outside (0, 1), or not finite.
     #[error(
-        "parameter {} is {value}; parameters are shares of the side, above 0 and below 1",
+        "parameter {} is {value:?}; parameters are shares of the side, above 0 and below 1",
         index + 1
     )]
     ParameterRange {
@@ -200,7 +200,7 @@ pub enum SpacingError {
     },
     /// An explicit parameter not above the one before.
     #[error(
-        "parameter {} ({value}) is not above the one before ({previous}); parameters must \
+        "parameter {} ({value:?}) is not above the one before ({previous:?}); parameters must \
          increase",
         index + 1
     )]

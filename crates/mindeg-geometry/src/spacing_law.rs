@@ -368,7 +368,7 @@ mod tests {
             (
                 Spacing::Geometric { ratio: 0.0 },
                 3,
-                "the ratio is 0; it must be a finite number above 0",
+                "the ratio is 0.0; it must be a finite number above 0",
             ),
             (
                 Spacing::Geometric { ratio: -1.2 },
@@ -388,17 +388,17 @@ mod tests {
             (
                 Spacing::Beta { beta: 1.0 },
                 3,
-                "beta is 1; it must be above 1 (points crowd at the side's start) or below -1 (at its end)",
+                "beta is 1.0; it must be above 1 (points crowd at the side's start) or below -1 (at its end)",
             ),
             (
                 Spacing::FirstLength(7.0),
                 3,
-                "an interval of length 7 leaves nothing of the side's 4 for the other 2; give a shorter length or 1 interval",
+                "an interval of length 7.0 leaves nothing of the side's 4.0 for the other 2; give a shorter length or 1 interval",
             ),
             (
                 Spacing::LastLength(3.0),
                 1,
-                "the side is a single interval of length 4, not 3; use more intervals or drop the law",
+                "the side is a single interval of length 4.0, not 3.0; use more intervals or drop the law",
             ),
             (
                 Spacing::Parameters(vec![0.5]),
@@ -408,7 +408,7 @@ mod tests {
             (
                 Spacing::Parameters(vec![0.5, 1.0]),
                 3,
-                "parameter 2 is 1; parameters are shares of the side, above 0 and below 1",
+                "parameter 2 is 1.0; parameters are shares of the side, above 0 and below 1",
             ),
             (
                 Spacing::Parameters(vec![0.5, 0.5]),
