@@ -2,6 +2,8 @@
 
 mod domain;
 mod domain_error;
+mod domain_json;
+mod json_path;
 mod outline;
 mod placement;
 mod spacing;
@@ -9,6 +11,7 @@ mod spacing_law;
 
 pub use domain::{Domain, GREATEST_COORDINATE, Intervals, LEAST_SIDE, Outline, Rectangle, Side};
 pub use domain_error::DomainError;
+pub use domain_json::DomainJsonError;
 pub use placement::{Bounds, Placement};
 pub use spacing::{LEAST_SHARE, Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;
