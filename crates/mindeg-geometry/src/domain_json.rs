@@ -368,7 +368,7 @@ mod tests {
             (r#"{"intervals": 1, "spacing": "bump"}"#, 36, "sides[3].spacing.bump", "invalid type: unit variant; allowed: \"uniform\", {"),
             (r#"{"intervals": 1, "spacing": {"bump": {"c": 2}}}"#, 42, "sides[3].spacing.bump.c", "unknown field `c`; allowed: \"uniform\","),
             (r#"{"intervals": 1, "spacing": {"bump": {"ratio": true}}}"#, 52, "sides[3].spacing.bump.ratio", "invalid type: boolean `true`; allowed:"),
-            (r#"{"intervals": 1, "intervals": 1}"#, 29, "sides[3].intervals", "duplicate field `intervals`"),
+            (r#"{"intervals": 1, "intervals": 1}"#, 29, "sides[3]", "duplicate field `intervals`"),
         ];
         for (side, column, path, message) in table {
             check_error(&with_side(side), (3, column), path, message);

@@ -6,6 +6,7 @@ mod domain_json;
 mod json_path;
 mod outline;
 mod placement;
+pub mod quality;
 mod spacing;
 mod spacing_law;
 
