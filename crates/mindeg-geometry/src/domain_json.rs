@@ -102,7 +102,7 @@ impl Domain {
 }
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with the keys of a domain")]
 struct DomainKeys {
     name: Option<String>,
     rectangle: Option<RectangleKeys>,
@@ -258,6 +258,10 @@ fn allowed(path: &str) -> Option<&'static str> {
         "intervals" => Some("a whole number, at least 1"),
         "size" | "width" | "height" => Some("a number above 0"),
         "rotation" => Some("a number, in degrees"),
+        "rectangle" => {
+            Some("{\"width\": w, \"height\": h, \"origin\": [x, y], \"rotation\": degrees}")
+        }
+        "polygon" => Some("{\"corners\": [[x, y], …]}"),
         "corners" => Some("a list of [x, y] pairs of numbers"),
         "origin" => Some("a pair [x, y] of numbers"),
         "spacing" => Some(
@@ -377,9 +381,10 @@ mod tests {
         let table = [
             ("", 1, "", "EOF while parsing a value"),
             ("{}{}", 3, "", "trailing characters"),
-            ("[[", 1, "", "invalid type: sequence, expected struct"),
+            ("3", 1, "", "invalid type: integer `3`, expected an object with the keys of a domain"),
+            (r#"{"polygon": [[0, 0], [1, 0]]}"#, 15, "polygon[0][0]", "invalid type: integer `0`; allowed: {\"corners\": [[x, y], …]}"),
             (r#"{"rectangle": {"width": 1}}"#, 26, "rectangle", "missing field `height`"),
-            (r#"{"polygon": {"corners": [[0, 0], [1, 0, 0]]}}"#, 39, "polygon.corners[1]", "trailing characters; allowed: a list of [x, y] pairs"),
+            (r#"{"polygon": {"corners": [[0, 0], [1, 0, 0]]}}"#, 41, "polygon.corners[1]", "trailing characters; allowed: a list of [x, y] pairs"),
         ];
         for (text, column, path, message) in table {
             check_error(text, (1, column), path, message);

@@ -29,6 +29,8 @@
 
 use glam::{DVec2, DVec3};
 
+pub use crate::summary::{ANGLES, DegreeHistogram, Distribution, QualitySummary};
+
 /// The measures of one triangle; see the [module's table](self) for formulas, units and ranges.
 ///
 /// # Example
