@@ -41,7 +41,7 @@ pub enum DomainError {
         /// Its y coordinate.
         y: f64,
     },
-    /// Two neighbouring corners nearer than [`LEAST_SIDE`], or the same.
+    /// Two neighbouring corners nearer than [`LEAST_SIDE`](crate::LEAST_SIDE), or the same.
     #[error(
         "corners {} and {} are the same point ({x:?}, {y:?}), or as good as; give each corner once \
          (the outline closes by itself)",

@@ -1,38 +1,7 @@
 //! Domains as JSON text: what engineers write by hand and keep beside their meshes.
 //!
-//! ```json
-//! {
-//!   "name": "plate",
-//!   "rectangle": {"width": 4, "height": 3, "origin": [0, 0], "rotation": 0},
-//!   "size": 0.5,
-//!   "sides": [
-//!     {"intervals": 12, "name": "bottom"},
-//!     {"size": 0.25, "spacing": {"geometric": {"ratio": 1.2}}},
-//!     {"spacing": {"parameters": [0.25, 0.5, 0.75]}},
-//!     {}
-//!   ]
-//! }
-//! ```
-//!
-//! | key | value |
-//! |---|---|
-//! | `name` | optional: the domain's name |
-//! | `rectangle` | `width`, `height`, and optionally `origin`, the corner where the bottom starts, and `rotation` in degrees about it. Sides run bottom, right, top, left |
-//! | `polygon` | `corners`, a list of `[x, y]` pairs around the polygon; instead of `rectangle` |
-//! | `sides` | one entry for each side, from the first corner on; may be left out where `size` says it all |
-//! | `size` | optional: the target interval length of every side that gives neither `intervals` nor `size` nor `parameters` |
-//!
-//! and in each side, all optional:
-//!
-//! | key | value |
-//! |---|---|
-//! | `intervals` | a whole number, at least 1 |
-//! | `size` | instead: a target length, above 0, that the side's length is divided by |
-//! | `spacing` | `"uniform"`, `{"geometric": {"ratio": r}}`, `{"bump": {"ratio": c}}`, `{"beta": {"beta": b}}`, `{"first_length": h}`, `{"last_length": h}` or `{"parameters": [t1, …]}`; see [`Spacing`] |
-//! | `name` | the side's name, unlike the others' |
-//!
-//! Keys not in these tables are refused, so that a misspelt one is not passed over. Every error
-//! says where in the text it is, also those that show only when all of it is read.
+//! Keys that are not the format's are refused, so that a misspelt one is not passed over. Every
+//! error says where in the text it is, also those that show only when all of it is read.
 //!
 //! Limits: JSON has no comments and no infinities. The whole text is held in memory.
 
@@ -60,9 +29,38 @@ pub struct DomainJsonError {
 }
 
 impl Domain {
-    /// Reads a domain from JSON text:
-    /// `{"name", "rectangle": {"width", "height", "origin", "rotation"} or "polygon":
-    /// {"corners"}, "size", "sides": [{"intervals" or "size", "spacing", "name"}, …]}`.
+    /// Reads a domain from JSON text.
+    ///
+    /// ```json
+    /// {
+    ///   "name": "plate",
+    ///   "rectangle": {"width": 4, "height": 3, "origin": [0, 0], "rotation": 0},
+    ///   "size": 0.5,
+    ///   "sides": [
+    ///     {"intervals": 12, "name": "bottom"},
+    ///     {"size": 0.25, "spacing": {"geometric": {"ratio": 1.2}}},
+    ///     {"spacing": {"parameters": [0.25, 0.5, 0.75]}},
+    ///     {}
+    ///   ]
+    /// }
+    /// ```
+    ///
+    /// | key | value |
+    /// |---|---|
+    /// | `name` | optional: the domain's name |
+    /// | `rectangle` | `width`, `height`, and optionally `origin`, the corner where the bottom starts, and `rotation` in degrees about it. Sides run bottom, right, top, left |
+    /// | `polygon` | `corners`, a list of `[x, y]` pairs around the polygon; instead of `rectangle` |
+    /// | `sides` | one entry for each side, from the first corner on; may be left out where `size` says it all |
+    /// | `size` | optional: the target interval length of every side that gives neither `intervals` nor `size` nor `parameters` |
+    ///
+    /// and in each side, all optional:
+    ///
+    /// | key | value |
+    /// |---|---|
+    /// | `intervals` | a whole number, at least 1 |
+    /// | `size` | instead: a target length, above 0, that the side's length is divided by |
+    /// | `spacing` | `"uniform"`, `{"geometric": {"ratio": r}}`, `{"bump": {"ratio": c}}`, `{"beta": {"beta": b}}`, `{"first_length": h}`, `{"last_length": h}` or `{"parameters": [t1, …]}`; see [`Spacing`] |
+    /// | `name` | the side's name; no two sides may have the same |
     ///
     /// # Errors
     ///

@@ -1,18 +1,6 @@
 //! A domain's mesh: of the triangulations with the least maximum degree, the one that looks
 //! best on the actual points.
 //!
-//! The core's constructions leave choices open, all of the same degree
-//! ([`Plans`]). Where the points lie decides among them: the mesh takes the plan whose
-//! least angle is largest. Of plans that agree in it to 1 part in 10⁹ the first is taken, so
-//! that the rounding of mirror images decides nothing.
-//!
-//! Choosing is linear in the number n of vertices, O(1) memory for large n: at most
-//! [`MOST_PLANS`] plans, spread evenly over all, and fewer where they would have more than
-//! [`MOST_TRIANGLES`] triangles together, but always two. A plan is dropped at its first
-//! triangle that is no better than the best plan's worst. Angles are compared by their
-//! cotangents, which take only the four basic operations: so the choice is the same on every
-//! machine.
-//!
 //! Limits: the best of the plans tried is not the best triangulation of that degree, let alone
 //! of any degree.
 
@@ -25,10 +13,10 @@ use crate::quality::TriangleQuality;
 use crate::summary::DegreeHistogram;
 
 /// The most plans tried.
-pub(crate) const MOST_PLANS: u32 = 64;
+const MOST_PLANS: u32 = 64;
 
 /// The most triangles visited in choosing a plan, two plans' worth aside.
-pub(crate) const MOST_TRIANGLES: u32 = 1 << 25;
+const MOST_TRIANGLES: u32 = 1 << 25;
 
 /// Up to so many vertices points are computed once and kept while plans are compared (16 MiB);
 /// beyond, they are computed anew for every plan.
@@ -69,17 +57,13 @@ pub enum MeshError {
     /// Every plan tried has a triangle that is not counter-clockwise once its points are rounded
     /// to f64.
     #[error(
-        "triangle ({a}, {b}, {c}) is so thin that it has no area at the precision of its \
+        "triangle {triangle:?} is so thin that it has no area at the precision of its \
          coordinates; use fewer intervals or gentler spacing laws, or move the domain towards the \
          origin"
     )]
     NoArea {
-        /// A vertex of such a triangle.
-        a: u32,
-        /// The next.
-        b: u32,
-        /// The last.
-        c: u32,
+        /// The vertices of such a triangle.
+        triangle: [u32; 3],
     },
 }
 
@@ -102,8 +86,17 @@ pub struct DegreeHistograms {
 }
 
 impl Mesh {
-    /// The mesh with the least possible maximum degree, and of those tried the one with the
-    /// largest least angle: which are tried is told [above](self). O(n) time.
+    /// The mesh with the least possible maximum degree that looks best on the domain's points.
+    ///
+    /// The core's constructions leave choices open, all of the same degree ([`Plans`]). The
+    /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
+    /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
+    ///
+    /// O(n) time; O(1) memory beyond some size. At most 64 plans are tried, spread evenly over
+    /// all, and fewer where they would have more than 2^25 triangles together, but at least two
+    /// if there are two. A plan is dropped at its first triangle that is no better than the best
+    /// plan's worst. Angles are compared by their cotangents, which take only the four basic
+    /// operations: so the choice is the same on every machine.
     ///
     /// # Errors
     ///
@@ -120,19 +113,17 @@ impl Mesh {
             None => placement.point(vertex),
         };
         let mut best: Option<(f64, Triangulation)> = None;
-        let mut flat = None;
+        // Of the last plan that was dropped: if no plan is left, it is as bad as the others.
+        let mut triangle = [0; 3];
         for plan in Plans::new(domain.boundary()).sample(plans_to_try(domain.boundary())) {
             let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));
             match greatest_cotangent(&plan, point, limit) {
                 Ok(worst) => best = Some((worst, plan)),
-                Err(triangle) => flat = Some(triangle),
+                Err(in_the_way) => triangle = in_the_way,
             }
         }
-        match (best, flat) {
-            (Some((_, triangulation)), _) => Ok(Self { domain: domain.clone(), triangulation }),
-            (None, Some([a, b, c])) => Err(MeshError::NoArea { a, b, c }),
-            (None, None) => unreachable!("a boundary has at least one plan"),
-        }
+        let (_, triangulation) = best.ok_or(MeshError::NoArea { triangle })?;
+        Ok(Self { domain: domain.clone(), triangulation })
     }
 
     /// The domain.
@@ -354,6 +345,6 @@ mod tests {
         let rectangle = Rectangle { origin, rotation: 30.0, ..Rectangle::new(1.0, 0.308) };
         let domain = Domain::new(Outline::Rectangle(rectangle), sides.into()).unwrap();
         let error = Mesh::least_degree(&domain).unwrap_err();
-        assert!(error.to_string().starts_with("triangle (7, 8, 10) is so thin"), "{error}");
+        assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
     }
 }

@@ -3,20 +3,8 @@
 //! Points are closed forms, O(log k) each for k sides and nothing stored, so a boundary of
 //! billions of vertices takes no more memory than its sides.
 //!
-//! # What is promised of the rounded points
-//!
-//! Corners are exactly where they were put, points of a side that is parallel to an axis lie
-//! exactly on it, and no two points coincide:
-//!
-//! - Along a side, the shortest interval is checked to be longer than what rounding at the
-//!   side's coordinates can move a point.
-//! - Points of two sides can come close at a corner only. There the nearest point of either side
-//!   is checked to be farther from the line of the other side than rounding can move it. The
-//!   other points of the sides are farther still, and in a convex polygon so are all other sides.
-//!
 //! Limits: the checks keep points apart. A triangle of three distinct points may yet be so thin
-//! that rounding turns it over; [`Mesh::least_degree`](crate::Mesh::least_degree) refuses to
-//! give one.
+//! that rounding turns it over; meshing refuses to give one.
 
 use glam::DVec2;
 use mindeg_core::Boundary;
@@ -29,7 +17,18 @@ const ROUNDINGS: f64 = 8.0;
 
 /// The positions of all boundary vertices, counter-clockwise from the first corner.
 ///
-/// Made by [`Domain`](crate::Domain), which has one in [`Domain::placement`](crate::Domain::placement).
+/// A [`Domain`](crate::Domain) has one, in [`Domain::placement`](crate::Domain::placement).
+///
+/// # What is promised of the rounded points
+///
+/// Corners are exactly where they were put, points of a side that is parallel to an axis lie
+/// exactly on it, and no two points coincide:
+///
+/// - Along a side, the shortest interval is checked to be longer than what rounding at the
+///   side's coordinates can move a point.
+/// - Points of two sides can come close at a corner only. There the nearest point of either side
+///   is checked to be farther from the line of the other side than rounding can move it. The
+///   other points of the sides are farther still, and in a convex polygon so are all other sides.
 ///
 /// # Example
 ///

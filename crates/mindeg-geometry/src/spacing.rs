@@ -3,21 +3,10 @@
 //! The names and meanings follow the mesh generators engineers know: `geometric` is Gmsh's
 //! `Progression`, `bump` and `beta` are Gmsh's laws of those names, `first_length` is the
 //! first-cell height of boundary layer meshing. Gmsh integrates a size function numerically;
-//! here each law is a closed form ([`SpacingLaw`](crate::SpacingLaw)).
-//!
-//! With `m` intervals, `u = i/m` and `t(u)` the share of the side before point `i`:
-//!
-//! | law | parameter | definition |
-//! |---|---|---|
-//! | uniform | – | `t = u` |
-//! | geometric | ratio `r > 0` | each interval is `r` times the one before: `t = (r^i - 1)/(r^m - 1)` |
-//! | bump | ratio `c > 0` | interval length is a parabola along the side, `c` times as long at both ends as in the middle: `t = (1 - tanh((1-2u) w)/tanh w)/2` with `tanh w = √(1-c)`, and `tan` for `tanh` and `c-1` for `1-c` where `c > 1` |
-//! | beta | `b > 1` | Roberts' stretching towards the start: `t = 1 - b tanh((1-u) artanh(1/b))`; the closer `b` to 1, the denser. A negative value stretches towards the end, as in Gmsh |
-//! | first length, last length | length `h > 0` | the geometric law whose first (last) interval is `h` long |
-//! | parameters | `t1 < t2 < …` | the points, in shares of the side |
+//! here each law is a closed form (`spacing_law.rs`).
 //!
 //! Limits: a law is a law along a straight side. An interval shorter than
-//! [`LEAST_SHARE`] of its side is refused, since rounding would spoil it.
+//! `LEAST_SHARE` of its side is refused, since rounding would spoil it.
 
 use std::str::FromStr;
 
@@ -30,6 +19,19 @@ use serde::Deserialize;
 pub const LEAST_SHARE: f64 = 1e-12;
 
 /// A spacing law, in the direction of its side (counter-clockwise).
+///
+/// With `m` intervals, `u = i/m` and `t(u)` the share of the side before point `i`:
+///
+/// | law | parameter | definition |
+/// |---|---|---|
+/// | uniform | – | `t = u` |
+/// | geometric | ratio `r > 0` | each interval is `r` times the one before: `t = (r^i - 1)/(r^m - 1)` |
+/// | bump | ratio `c > 0` | interval length is a parabola along the side, `c` times as long at both ends as in the middle: `t = (1 - tanh((1-2u) w)/tanh w)/2` with `tanh w = √(1-c)`, and `tan` for `tanh` and `c-1` for `1-c` where `c > 1` |
+/// | beta | `b > 1` | Roberts' stretching towards the start: `t = 1 - b tanh((1-u) artanh(1/b))`; the closer `b` to 1, the denser. A negative value stretches towards the end, as in Gmsh |
+/// | first length, last length | length `h > 0` | the geometric law whose first (last) interval is `h` long |
+/// | parameters | `t1 < t2 < …` | the points, in shares of the side |
+///
+/// An interval may not be shorter than [`LEAST_SHARE`] of its side.
 ///
 /// # Example
 ///
