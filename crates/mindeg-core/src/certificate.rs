@@ -21,7 +21,6 @@ use core::fmt;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Certificate {
     /// Counting edges gives 2, 3 or 4 (Theorems 3 and 8), and this balanced cut shows that it
     /// is attained.
