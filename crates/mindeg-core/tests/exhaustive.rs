@@ -3,7 +3,9 @@
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use mindeg_core::{Boundary, Certificate, Plans, certificate, exact, optimal_max_degree, verify};
+use mindeg_core::{
+    Boundary, Certificate, Plans, bound, certificate, exact, optimal_max_degree, verify,
+};
 use std::collections::HashSet;
 
 /// Every way to give `sides` sides `vertices` intervals in all, one for each class under
@@ -43,6 +45,7 @@ fn check(sides: &[u64]) -> usize {
     assert_eq!(optimal_max_degree(&boundary), optimum, "{sides:?}");
     let certificate = certificate(&boundary);
     assert_eq!(certificate.check(sides), Ok(optimum), "{sides:?}");
+    check_bounds(&boundary, optimum);
 
     let mut seen = HashSet::new();
     for plan in Plans::new(&boundary).iter() {
@@ -60,6 +63,19 @@ fn check(sides: &[u64]) -> usize {
     }
     assert!(!seen.is_empty());
     seen.len()
+}
+
+/// The paper's statements hold, each by itself.
+fn check_bounds(boundary: &Boundary, optimum: u32) {
+    assert!(bound::counting_bound(boundary) <= optimum, "{boundary:?}");
+    let side_bounds = (0..boundary.side_count()).map(|side| bound::side_bound(boundary, side));
+    assert!(side_bounds.max().unwrap() <= optimum, "{boundary:?}");
+    let has_degree_four = bound::zig_zag_condition(boundary).is_some();
+    assert_eq!(
+        has_degree_four || bound::is_medial_exception(boundary),
+        optimum <= 4,
+        "{boundary:?}"
+    );
 }
 
 fn check_all(sides: usize, largest: u64) {

@@ -3,7 +3,7 @@
 
 use mindeg_core::{
     Boundary, Certificate, Letter, Plans, Triangulation, certificate, min_degree_triangulation,
-    verify,
+    optimal_max_degree, verify,
 };
 use proptest::prelude::*;
 
@@ -56,6 +56,27 @@ proptest! {
             prop_assert_eq!(verified.max_degree, plan.max_degree());
             let degrees: Vec<u32> = (0..plan.vertex_count()).map(|v| plan.degree(v)).collect();
             prop_assert_eq!(&degrees, &verified.degrees);
+        }
+    }
+
+    #[test]
+    fn a_certificate_proves_no_more_than_the_truth(
+        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, number in 0_usize..6
+    ) {
+        let optimum = optimal_max_degree(&Boundary::new(&about).unwrap());
+        let own = certificate(&Boundary::new(&of).unwrap());
+        let claimed = match own {
+            Certificate::BalancedCut { cut, .. } =>
+                Certificate::BalancedCut { cut, max_degree: degree },
+            Certificate::LongSide { .. } =>
+                Certificate::LongSide { side: number, max_degree: degree },
+            other => other,
+        };
+        for certificate in [own, claimed] {
+            if let Ok(proven) = certificate.check(&about) {
+                prop_assert_eq!(proven, certificate.max_degree());
+                prop_assert!(proven <= optimum);
+            }
         }
     }
 

@@ -37,8 +37,8 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
         return print_json(&Answer {
             intervals,
             vertices,
-            triangles: mindeg_core::bound::triangle_count(vertices),
-            interior_edges: mindeg_core::bound::interior_edge_count(vertices),
+            triangles: mindeg_core::bound::triangle_count(&boundary),
+            interior_edges: mindeg_core::bound::interior_edge_count(&boundary),
             max_degree: certificate.max_degree(),
             certificate: proof(&certificate),
         });
@@ -71,8 +71,8 @@ fn text(boundary: &Boundary, certificate: &Certificate) -> String {
     let counts = [
         ("sides", boundary.side_count() as u64),
         ("vertices", vertices.into()),
-        ("triangles", mindeg_core::bound::triangle_count(vertices).into()),
-        ("interior edges", mindeg_core::bound::interior_edge_count(vertices).into()),
+        ("triangles", mindeg_core::bound::triangle_count(boundary).into()),
+        ("interior edges", mindeg_core::bound::interior_edge_count(boundary).into()),
         ("least maximum degree", degree.into()),
     ];
     for (name, count) in counts {
@@ -114,7 +114,7 @@ It is reached by the triangle through the three midpoints.\n"
         Certificate::LongSide { side, max_degree } => {
             let intervals = boundary.intervals(side);
             let off_side = vertices - intervals - 1;
-            let edges = mindeg_core::bound::interior_edge_count(vertices);
+            let edges = mindeg_core::bound::interior_edge_count(boundary);
             format!(
                 "It cannot be less: each of the {edges} interior edges ends at one of the \
                  {off_side} vertices off side {}\n({intervals} intervals), so one of these has \
