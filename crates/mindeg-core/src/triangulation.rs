@@ -1,6 +1,7 @@
 //! A triangulation as a formula: any triangle, degree or neighbour in constant time.
 
 use crate::strip::{Across, End, Strip};
+use crate::word::Letter;
 use alloc::vec::Vec;
 
 /// A triangulation of a boundary with the least possible maximum degree.
@@ -123,10 +124,12 @@ impl Triangulation {
         assert!(vertex < self.vertex_count, "vertex {vertex} does not exist");
         let main = self.main.across(vertex);
         let cap = self.cap.and_then(|cap| cap.across(vertex));
-        // Round the ring from the edge shared by both strips, the cap comes right after its
-        // first end f and right before its last end g.
-        let cap_comes_first = self.cap.is_some_and(|cap| cap.y().index_of(vertex).is_some());
-        if cap_comes_first { [cap, main] } else { [main, cap] }
+        // Of the two ends of the edge shared by both strips, the one on the cap's y chain has the
+        // cap right after it on the ring, the one on its x chain right before it.
+        match &cap {
+            Some(across) if across.seen_from == Letter::Y => [cap, main],
+            _ => [main, cap],
+        }
     }
 
     /// The isolated corners, those with no interior edge, in ascending order: at least two
@@ -138,8 +141,11 @@ impl Triangulation {
         }
         let mut corners: Vec<u32> = self
             .strips()
-            .flat_map(|strip| [strip.start(), strip.end()])
-            .filter_map(|end| if let End::Ear(tip) = end { Some(tip) } else { None })
+            .flat_map(|strip| {
+                let last = if let End::Ear(tip) = strip.end() { Some(tip) } else { None };
+                [Some(strip.tip()), last]
+            })
+            .flatten()
             .filter(|&tip| self.degree(tip) == 2)
             .collect();
         corners.sort_unstable();
