@@ -1,7 +1,10 @@
 //! A triangulation as a formula: any triangle, degree or neighbour in constant time.
+//!
+//! Limits: only what the constructions of this crate can give; no edits, and no positions.
 
 use crate::strip::{Across, End, Strip};
 use crate::word::Letter;
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 /// A triangulation of a boundary with the least possible maximum degree.
@@ -103,7 +106,7 @@ impl Triangulation {
     }
 
     /// The neighbours of `vertex`, counter-clockwise: from the next boundary vertex to the
-    /// one before.
+    /// one before. O(1) to start, O(1) for each.
     ///
     /// # Panics
     ///
@@ -152,19 +155,38 @@ impl Triangulation {
         corners
     }
 
-    /// How many vertices have each degree: entry d counts those of degree d, up to
-    /// [`max_degree`](Self::max_degree). O(n).
+    /// How many vertices have each degree, for the degrees that occur. O(n) time.
+    ///
+    /// ```
+    /// # use mindeg_core::{Boundary, min_degree_triangulation};
+    /// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+    /// let histogram = triangulation.degree_histogram();
+    /// assert!(histogram.into_iter().eq([(2, 2), (3, 2), (4, 6)]));
+    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// ```
     #[must_use]
-    pub fn degree_histogram(&self) -> Vec<u32> {
-        let mut histogram = alloc::vec![0; self.max_degree as usize + 1];
+    pub fn degree_histogram(&self) -> BTreeMap<u32, u32> {
+        let mut histogram = BTreeMap::new();
         for vertex in 0..self.vertex_count {
-            histogram[self.degree(vertex) as usize] += 1;
+            *histogram.entry(self.degree(vertex)).or_default() += 1;
         }
         histogram
     }
 }
 
 /// The neighbours of one vertex, counter-clockwise; see [`Triangulation::neighbors`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, Neighbors, min_degree_triangulation};
+///
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// let neighbors: Neighbors = triangulation.neighbors(0);
+/// assert_eq!(neighbors.len(), 4);
+/// assert!(neighbors.eq([1, 6, 7, 9]));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Neighbors {
     next: Option<u32>,
