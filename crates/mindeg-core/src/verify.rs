@@ -3,18 +3,23 @@
 //! It works from the interval counts and the list alone and shares no code with the
 //! algorithm, so that the one can be trusted to find faults in the other.
 //!
-//! Why the checks suffice: in a convex polygon a counter-clockwise triangle of three boundary
-//! vertices, not all on one side, has positive area. If every interior edge is met once in
-//! either direction, the triangles' outlines cancel to the polygon's own, so every point
-//! inside is covered exactly once, whatever the positions.
-//!
 //! Limits: positions are not looked at. A polygon that is not convex can pass here and fold
 //! over in the plane.
 
 use alloc::vec::Vec;
 use core::fmt;
 
-/// What a correct triangulation turns out to be.
+/// What a correct triangulation turns out to be; see [`verify`].
+///
+/// # Example
+///
+/// ```
+/// # use mindeg_core::{Defect, Verified, verify};
+/// let Verified { max_degree, degrees } = verify(&[1, 1, 1, 1], [[0, 1, 3], [1, 2, 3]])?;
+/// assert_eq!(max_degree, 3);
+/// assert_eq!(degrees, [2, 3, 2, 3]);
+/// # Ok::<(), Defect>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verified {
     /// The largest number of edges at a vertex, boundary edges included.
@@ -26,10 +31,21 @@ pub struct Verified {
 /// The first thing found wrong with a list of triangles.
 ///
 /// Triangles are counted from 0 in the order given.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Defect, verify};
+///
+/// let defect = verify(&[1, 1, 1, 1], [[0, 1, 3], [1, 2, 0]]).unwrap_err();
+/// assert_eq!(defect, Defect::MissingBoundaryEdge { edge: [2, 3] });
+/// assert_eq!(defect.to_string(), "the boundary edge from 2 to 3 has no triangle");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Defect {
     /// The interval counts are no polygon's: too few sides, an empty one, or too many vertices.
+    /// [`Boundary::new`](crate::Boundary::new) says which.
     NoPolygon,
     /// There are not exactly n - 2 triangles.
     WrongCount {
@@ -117,6 +133,11 @@ impl core::error::Error for Defect {}
 ///
 /// That is: n-2 triangles, each counter-clockwise and none flat, every boundary edge once and
 /// every interior edge twice, in opposite directions. O(n log n) time, O(n) memory.
+///
+/// Why that suffices: in a convex polygon a counter-clockwise triangle of three boundary vertices,
+/// not all on one side, has positive area. If every interior edge is met once in either
+/// direction, the triangles' outlines cancel to the polygon's own, so every point inside is
+/// covered exactly once, whatever the positions.
 ///
 /// # Errors
 ///
