@@ -60,6 +60,18 @@ proptest! {
     }
 
     #[test]
+    fn a_sample_is_as_large_as_it_may_be(sides in sides(16, 64), limit in 0_u32..40) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let plans = Plans::new(&boundary);
+        let sample: Vec<Triangulation> = plans.sample(limit).collect();
+        prop_assert_eq!(sample.len() as u64, plans.count().min(u64::from(limit.max(1))));
+        prop_assert_eq!(sample[0], min_degree_triangulation(&boundary));
+        // In the order of all plans, and so no plan twice.
+        let mut plans = plans.iter();
+        prop_assert!(sample.iter().all(|one| plans.any(|other| other == *one)));
+    }
+
+    #[test]
     fn a_certificate_proves_no_more_than_the_truth(
         of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, number in 0_usize..6
     ) {
@@ -110,9 +122,12 @@ proptest! {
             prop_assert_eq!(plan.isolated_corners(), isolated);
 
             let histogram = plan.degree_histogram();
-            prop_assert_eq!(histogram.len() as u32, plan.max_degree() + 1);
-            prop_assert!(*histogram.last().unwrap() > 0);
-            prop_assert_eq!(histogram.iter().sum::<u32>(), vertices);
+            for (&degree, &count) in &histogram {
+                let having = from_list.iter().filter(|list| list.len() as u32 == degree);
+                prop_assert_eq!(having.count() as u32, count);
+            }
+            prop_assert_eq!(histogram.last_key_value().unwrap().0, &plan.max_degree());
+            prop_assert_eq!(histogram.values().sum::<u32>(), vertices);
         }
     }
 
