@@ -1,6 +1,10 @@
 //! A triangulation as a formula: any triangle, degree or neighbour in constant time.
+//!
+//! Limits: only what the constructions of this crate can give; no edits, and no positions.
 
 use crate::strip::{Across, End, Strip};
+use crate::word::Letter;
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 /// A triangulation of a boundary with the least possible maximum degree.
@@ -102,7 +106,7 @@ impl Triangulation {
     }
 
     /// The neighbours of `vertex`, counter-clockwise: from the next boundary vertex to the
-    /// one before.
+    /// one before. O(1) to start, O(1) for each.
     ///
     /// # Panics
     ///
@@ -123,10 +127,12 @@ impl Triangulation {
         assert!(vertex < self.vertex_count, "vertex {vertex} does not exist");
         let main = self.main.across(vertex);
         let cap = self.cap.and_then(|cap| cap.across(vertex));
-        // Round the ring from the edge shared by both strips, the cap comes right after its
-        // first end f and right before its last end g.
-        let cap_comes_first = self.cap.is_some_and(|cap| cap.y().index_of(vertex).is_some());
-        if cap_comes_first { [cap, main] } else { [main, cap] }
+        // Of the two ends of the edge shared by both strips, the one on the cap's y chain has the
+        // cap right after it on the ring, the one on its x chain right before it.
+        match &cap {
+            Some(across) if across.seen_from == Letter::Y => [cap, main],
+            _ => [main, cap],
+        }
     }
 
     /// The isolated corners, those with no interior edge, in ascending order: at least two
@@ -138,27 +144,49 @@ impl Triangulation {
         }
         let mut corners: Vec<u32> = self
             .strips()
-            .flat_map(|strip| [strip.start(), strip.end()])
-            .filter_map(|end| if let End::Ear(tip) = end { Some(tip) } else { None })
+            .flat_map(|strip| {
+                let last = if let End::Ear(tip) = strip.end() { Some(tip) } else { None };
+                [Some(strip.tip()), last]
+            })
+            .flatten()
             .filter(|&tip| self.degree(tip) == 2)
             .collect();
         corners.sort_unstable();
         corners
     }
 
-    /// How many vertices have each degree: entry d counts those of degree d, up to
-    /// [`max_degree`](Self::max_degree). O(n).
+    /// How many vertices have each degree, for the degrees that occur. O(n) time.
+    ///
+    /// ```
+    /// # use mindeg_core::{Boundary, min_degree_triangulation};
+    /// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+    /// let histogram = triangulation.degree_histogram();
+    /// assert!(histogram.into_iter().eq([(2, 2), (3, 2), (4, 6)]));
+    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// ```
     #[must_use]
-    pub fn degree_histogram(&self) -> Vec<u32> {
-        let mut histogram = alloc::vec![0; self.max_degree as usize + 1];
+    pub fn degree_histogram(&self) -> BTreeMap<u32, u32> {
+        let mut histogram = BTreeMap::new();
         for vertex in 0..self.vertex_count {
-            histogram[self.degree(vertex) as usize] += 1;
+            *histogram.entry(self.degree(vertex)).or_default() += 1;
         }
         histogram
     }
 }
 
 /// The neighbours of one vertex, counter-clockwise; see [`Triangulation::neighbors`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, Neighbors, min_degree_triangulation};
+///
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// let neighbors: Neighbors = triangulation.neighbors(0);
+/// assert_eq!(neighbors.len(), 4);
+/// assert!(neighbors.eq([1, 6, 7, 9]));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Neighbors {
     next: Option<u32>,

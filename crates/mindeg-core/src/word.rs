@@ -7,8 +7,11 @@
 //! pair of neighbouring letters exchanged (the paper's final adjustment), and balanced words,
 //! which spread many X among few Y as evenly as integers allow (Christoffel words and their
 //! rotations).
+//!
+//! Limits: words come from the constructions of this crate; there is no general word, which would
+//! have to be stored letter by letter.
 
-/// Which chain of a strip a triangle advances along.
+/// Which chain of a strip a triangle advances along; see [`Word`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Letter {
     /// The triangle has an edge on the x chain.
@@ -17,7 +20,25 @@ pub enum Letter {
     Y,
 }
 
-/// A word with a closed form; see the module's description.
+/// The order in which a strip advances along its chains: a word in closed form.
+///
+/// It alternates, but for one pair of neighbours that may be exchanged, or it spreads many X among
+/// few Y as evenly as integers allow (a rotation of a Christoffel word). So it takes O(1) memory,
+/// and what stands where is integer arithmetic.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, Letter, min_degree_triangulation};
+///
+/// // 8 intervals of the first side between its ends, shared by 3 vertices off it.
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[10, 2, 1, 1])?);
+/// let word = *triangulation.strips().next().unwrap().word();
+/// let letters = (0..word.len()).map(|place| word.letter(place));
+/// let spelled: String = letters.map(|l| if l == Letter::X { 'X' } else { 'Y' }).collect();
+/// assert_eq!(spelled, "XXXYXXYXXX");
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word {
     xs: u32,
@@ -45,13 +66,14 @@ impl Word {
         Self { xs, ys, order: Order::Alternating { first, swapped: None } }
     }
 
-    /// An alternating word with the letters at `place` and `place + 1` exchanged.
-    pub(crate) fn with_swap(self, place: u32) -> Self {
+    /// This alternating word with the letters at `place` and `place + 1` exchanged.
+    pub(crate) fn with_swap(mut self, place: u32) -> Self {
         debug_assert!(place + 1 < self.len());
-        let Order::Alternating { first, swapped: None } = self.order else {
-            unreachable!("only a plain alternating word is adjusted");
-        };
-        Self { order: Order::Alternating { first, swapped: Some(place) }, ..self }
+        debug_assert!(matches!(self.order, Order::Alternating { swapped: None, .. }));
+        if let Order::Alternating { swapped, .. } = &mut self.order {
+            *swapped = Some(place);
+        }
+        self
     }
 
     /// The word `X…X Y X…X Y … Y X…X` whose `ys + 1` runs of X differ by at most one.
@@ -87,14 +109,18 @@ impl Word {
     }
 
     /// The letter at `place`, in `0..len`. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `place` is not below [`len`](Self::len).
     #[must_use]
     pub fn letter(&self, place: u32) -> Letter {
+        assert!(place < self.len(), "a word of {} letters has none at {place}", self.len());
         if self.xs_before(place + 1) > self.xs_before(place) { Letter::X } else { Letter::Y }
     }
 
     /// How many X stand before `place`, in `0..=len`. O(1).
-    #[must_use]
-    pub fn xs_before(&self, place: u32) -> u32 {
+    pub(crate) fn xs_before(&self, place: u32) -> u32 {
         match self.order {
             Order::Alternating { first, swapped } => {
                 let plain = |place: u32| match first {
@@ -117,8 +143,7 @@ impl Word {
     }
 
     /// How many Y stand before the X with the given number, in `0..xs`. O(1).
-    #[must_use]
-    pub fn ys_before_x(&self, number: u32) -> u32 {
+    pub(crate) fn ys_before_x(&self, number: u32) -> u32 {
         match self.order {
             Order::Alternating { first, .. } => {
                 let place = 2 * u64::from(number) + u64::from(first == Letter::Y);
@@ -132,8 +157,7 @@ impl Word {
     }
 
     /// How many X stand before the Y with the given number, in `0..ys`. O(1).
-    #[must_use]
-    pub fn xs_before_y(&self, number: u32) -> u32 {
+    pub(crate) fn xs_before_y(&self, number: u32) -> u32 {
         match self.order {
             Order::Alternating { first, .. } => {
                 let place = 2 * u64::from(number) + u64::from(first == Letter::X);

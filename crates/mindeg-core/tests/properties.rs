@@ -3,7 +3,7 @@
 
 use mindeg_core::{
     Boundary, Certificate, Letter, Plans, Triangulation, certificate, min_degree_triangulation,
-    verify,
+    optimal_max_degree, verify,
 };
 use proptest::prelude::*;
 
@@ -60,6 +60,39 @@ proptest! {
     }
 
     #[test]
+    fn a_sample_is_as_large_as_it_may_be(sides in sides(16, 64), limit in 0_u32..40) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let plans = Plans::new(&boundary);
+        let sample: Vec<Triangulation> = plans.sample(limit).collect();
+        prop_assert_eq!(sample.len() as u64, plans.count().min(u64::from(limit.max(1))));
+        prop_assert_eq!(sample[0], min_degree_triangulation(&boundary));
+        // In the order of all plans, and so no plan twice.
+        let mut plans = plans.iter();
+        prop_assert!(sample.iter().all(|one| plans.any(|other| other == *one)));
+    }
+
+    #[test]
+    fn a_certificate_proves_no_more_than_the_truth(
+        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, number in 0_usize..6
+    ) {
+        let optimum = optimal_max_degree(&Boundary::new(&about).unwrap());
+        let own = certificate(&Boundary::new(&of).unwrap());
+        let claimed = match own {
+            Certificate::BalancedCut { cut, .. } =>
+                Certificate::BalancedCut { cut, max_degree: degree },
+            Certificate::LongSide { .. } =>
+                Certificate::LongSide { side: number, max_degree: degree },
+            other => other,
+        };
+        for certificate in [own, claimed] {
+            if let Ok(proven) = certificate.check(&about) {
+                prop_assert_eq!(proven, certificate.max_degree());
+                prop_assert!(proven <= optimum);
+            }
+        }
+    }
+
+    #[test]
     fn closed_forms_describe_the_list(sides in sides(12, 64)) {
         let boundary = Boundary::new(&sides).unwrap();
         let vertices = boundary.vertex_count();
@@ -89,9 +122,12 @@ proptest! {
             prop_assert_eq!(plan.isolated_corners(), isolated);
 
             let histogram = plan.degree_histogram();
-            prop_assert_eq!(histogram.len() as u32, plan.max_degree() + 1);
-            prop_assert!(*histogram.last().unwrap() > 0);
-            prop_assert_eq!(histogram.iter().sum::<u32>(), vertices);
+            for (&degree, &count) in &histogram {
+                let having = from_list.iter().filter(|list| list.len() as u32 == degree);
+                prop_assert_eq!(having.count() as u32, count);
+            }
+            prop_assert_eq!(histogram.last_key_value().unwrap().0, &plan.max_degree());
+            prop_assert_eq!(histogram.values().sum::<u32>(), vertices);
         }
     }
 

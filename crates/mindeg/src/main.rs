@@ -1,0 +1,23 @@
+//! The command line: raw arguments, then a validated job, then a run.
+//!
+//! Paths, standard streams and exit codes live in this crate; everything it computes is in the
+//! libraries below it.
+
+mod args;
+mod degree;
+mod failure;
+mod standard_output;
+
+use args::{Arguments, Command};
+use clap::Parser;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let result = match Arguments::parse().command {
+        Command::Degree(arguments) => degree::run(&arguments),
+    };
+    match result {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.report(),
+    }
+}
