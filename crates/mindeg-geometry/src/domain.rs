@@ -172,7 +172,7 @@ impl Domain {
     /// Whatever is wrong first, in this order: a measure of the rectangle; the corners, in
     /// number, magnitude, order or convexity; the number of sides; their names; their intervals;
     /// their spacing laws; and points so close that f64 cannot tell them apart.
-    pub fn new(outline: Outline, mut sides: Vec<Side>) -> Result<Self, DomainError> {
+    pub fn new(mut outline: Outline, mut sides: Vec<Side>) -> Result<Self, DomainError> {
         let mut corners = match &outline {
             Outline::Rectangle(rectangle) => rectangle.corners()?,
             Outline::Polygon(corners) => corners.clone(),
@@ -213,7 +213,6 @@ impl Domain {
             laws.push(law);
         }
 
-        let mut outline = outline;
         if was_reversed {
             intervals.reverse();
             boundary = Boundary::new(&intervals)?;
