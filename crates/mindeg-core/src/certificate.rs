@@ -246,6 +246,7 @@ mod tests {
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[2, 2, 2]),
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[0, 2, 2]),
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[7, 2]),
+            (Certificate::LongSide { side: 0, max_degree: 11 }, &[10, 0, 2]),
             (Certificate::LongSide { side: 0, max_degree: 5 }, &[u64::MAX, 2, 2]),
             (Certificate::LongSide { side: 0, max_degree: 5 }, &[1 << 32, 1 << 31, 2]),
         ] {
