@@ -99,8 +99,7 @@ fn even_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
         2 * run >= u64::from(boundary.vertex_count())
     };
     let mut to = 1;
-    (0..sides - 1).flat_map(move |from| {
-        to = to.max(from + 1);
+    (0..sides).flat_map(move |from| {
         while to < sides && !half_reached(from, to) {
             to += 1;
         }
