@@ -37,6 +37,8 @@
 mod domain;
 mod domain_error;
 mod domain_json;
+pub mod export;
+pub mod import;
 mod json_path;
 mod mesh;
 mod outline;
