@@ -55,3 +55,8 @@ pub use mesh::{AngleRange, DegreeHistograms, Mesh, MeshError};
 pub use placement::{Bounds, Placement};
 pub use spacing::{LEAST_SHARE, Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;
+
+/// The README's example is compiled with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
