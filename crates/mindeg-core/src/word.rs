@@ -3,10 +3,10 @@
 //! A word of letters X and Y is a monotone staircase. All words here are given by a formula,
 //! so where a letter stands and what stands at a place are O(1) integer arithmetic.
 //!
-//! Two kinds suffice for every optimal triangulation: alternating words, with at most one
-//! pair of neighbouring letters exchanged (the paper's final adjustment), and balanced words,
-//! which spread many X among few Y as evenly as integers allow (Christoffel words and their
-//! rotations).
+//! Two kinds suffice for an optimal triangulation of any boundary: alternating words, with at
+//! most one pair of neighbouring letters exchanged (the paper's final adjustment), and balanced
+//! words, which spread many X among few Y as evenly as integers allow (Christoffel words and
+//! their rotations).
 //!
 //! Limits: words come from the constructions of this crate; there is no general word, which would
 //! have to be stored letter by letter.
@@ -56,26 +56,29 @@ enum Order {
     Balanced { shift: u32 },
 }
 
-/// The lengths of the runs of X in a balanced word, one after the other.
+/// The lengths of the runs of X in a balanced word, one after the other: the quotient of
+/// [`Order::Balanced`], kept up by adding where it would be divided.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Runs {
     /// The X left in the present run.
     pub(crate) left: u32,
-    /// The shorter length.
+    /// The shorter of the two lengths, `xs / count`.
     base: u32,
-    /// A run is longer by one where the error passes `count`.
-    error: u32,
-    growth: u32,
+    /// What that leaves over, `xs % count`.
+    surplus: u32,
+    /// What is left over so far, below `count`; where it would reach `count`, a run is longer.
+    remainder: u32,
+    /// The number of runs, `ys + 1`.
     count: u32,
 }
 
 impl Runs {
     /// Goes on to the run after the next Y.
     pub(crate) fn advance(&mut self) {
-        self.error += self.growth;
+        self.remainder += self.surplus;
         self.left = self.base;
-        if self.error >= self.count {
-            self.error -= self.count;
+        if self.remainder >= self.count {
+            self.remainder -= self.count;
             self.left += 1;
         }
     }
@@ -222,8 +225,8 @@ impl Word {
         Some(Runs {
             left: (end / count) as u32 - i,
             base: (xs / count) as u32,
-            error: (end % count) as u32,
-            growth: (xs % count) as u32,
+            surplus: (xs % count) as u32,
+            remainder: (end % count) as u32,
             count: count as u32,
         })
     }
