@@ -34,6 +34,7 @@
 //! Convex outlines with straight sides, in the plane. Triangles use boundary points only, so a
 //! boundary that is dense against the width of its domain has thin triangles, whatever the plan.
 
+mod connectivity;
 mod domain;
 mod domain_error;
 mod domain_json;
