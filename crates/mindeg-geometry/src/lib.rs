@@ -40,6 +40,7 @@ mod domain_error;
 mod domain_json;
 pub mod export;
 pub mod import;
+pub mod inspection;
 mod json_path;
 mod mesh;
 mod outline;
