@@ -260,6 +260,25 @@ fn far_from_the_origin_the_node_carries_the_offset() {
 }
 
 #[test]
+fn near_the_origin_the_middle_becomes_the_origin_where_that_keeps_vertices_apart() {
+    let width_of = |parameters: &str| {
+        mesh(&format!(
+            r#"{{"rectangle": {{"width": 4, "height": 3}}, "sides": [
+                {{"spacing": {{"parameters": {parameters}}}}},
+                {{"intervals": 1}}, {{"intervals": 1}}, {{"intervals": 1}}]}}"#
+        ))
+    };
+    for (parameters, translation) in [
+        ("[0.75, 0.750001]", Value::Null),
+        // 3 and 3.0000001, which are both 3; but 1 and 1.0000001 are apart.
+        ("[0.75, 0.750000025]", serde_json::json!([2.0, 1.5, 0.0])),
+    ] {
+        let (json, _) = chunks(&glb_bytes(&width_of(parameters), &BARE));
+        assert_eq!(json["nodes"][0]["translation"], translation);
+    }
+}
+
+#[test]
 fn gltf_refuses_what_32_bit_floats_cannot_hold() {
     for (corners, intervals, message) in [
         (

@@ -10,9 +10,8 @@
 //! **Coordinates** are stored as 32-bit floats. A domain far from the origin would lose its
 //! shape in them: where the range of x or of y begins eight times its own length from the
 //! origin, or farther out, positions count from the middle of the range, and the node's
-//! translation moves them back. Positions are then within half a unit in the last place of
-//! a 32-bit float of where they belong. Vertices that fall together all the same are an
-//! error that names them.
+//! translation moves them back; so they do wherever vertices would fall together otherwise.
+//! Vertices that fall together all the same are an error that names them.
 //!
 //! **Limits**: a `.glb` ends at 4 GiB, and a mesh that takes more is refused before the
 //! first byte; a `.bin` has no such end. Triangles so thin that 32-bit floats make them flat
@@ -64,8 +63,7 @@ pub fn write_glb(
     let binary = binary_len(mesh, options).next_multiple_of(4);
     // The points need not be looked at where the binary alone is too large.
     glb_len(0, binary)?;
-    let positions = Positions::new(mesh.placement().bounds(), options.plane);
-    let extent = positions.survey(mesh)?;
+    let (positions, extent) = Positions::new(mesh, options.plane)?;
     let mut json =
         document(mesh, options, &positions, extent, None).to_vec().map_err(io::Error::from)?;
     json.resize(json.len().next_multiple_of(4), b' ');
@@ -132,8 +130,7 @@ pub fn write_gltf(
 ) -> Result<(), ExportError> {
     const ESCAPED: &AsciiSet =
         &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'-').remove(b'_').remove(b'~');
-    let positions = Positions::new(mesh.placement().bounds(), options.plane);
-    let extent = positions.survey(mesh)?;
+    let (positions, extent) = Positions::new(mesh, options.plane)?;
     let uri = utf8_percent_encode(bin_name, ESCAPED).to_string();
     let mut json = document(mesh, options, &positions, extent, Some(uri))
         .to_vec_pretty()
@@ -207,5 +204,22 @@ fn push_indices(buffer: &mut Vec<u8>, vertices: &[u32], wide: bool) {
             // There are no more vertices than that.
             buffer.extend_from_slice(&(vertex as u16).to_le_bytes());
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_glb_ends_where_its_length_does() {
+        assert_eq!(glb_len(1000, (1 << 32) - 1032).unwrap(), u32::MAX - 3);
+        let error = glb_len(1000, (1 << 32) - 1028).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a .glb holds 4 GiB at most, and this mesh would take at least 4294967296 bytes; write \
+             a .gltf with its .bin, which may be larger, or leave out normals and texture \
+             coordinates"
+        );
     }
 }

@@ -30,8 +30,8 @@ pub enum ExportError {
     Io(#[from] io::Error),
     /// A `.glb` gives its own length as a 32-bit number.
     #[error(
-        "a .glb holds 4 GiB at most, and this mesh would take {bytes} bytes; write a .gltf with \
-         its .bin, which may be larger, or leave out normals and texture coordinates"
+        "a .glb holds 4 GiB at most, and this mesh would take at least {bytes} bytes; write a \
+         .gltf with its .bin, which may be larger, or leave out normals and texture coordinates"
     )]
     TooLargeForGlb {
         /// The length of the file, or a lower bound of it.

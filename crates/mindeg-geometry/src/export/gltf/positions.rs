@@ -25,16 +25,19 @@ pub(super) struct Extent {
 }
 
 impl Positions {
-    pub(super) fn new(bounds: Bounds, plane: Plane) -> Self {
-        let offset = |min: f64, max: f64| {
-            let length = max - min;
-            let distance = f64::max(min, -max);
-            // Written so that a length that overflows counts as near.
-            let center = min + 0.5 * length;
-            if distance >= FAR * length { f64::from(center as f32) } else { 0.0 }
+    /// How the points of `mesh` are stored, and what range that gives.
+    ///
+    /// Refuses what [`survey`](Self::survey) refuses, when the middle of the box as origin does
+    /// not help either.
+    pub(super) fn new(mesh: &Mesh, plane: Plane) -> Result<(Self, Extent), ExportError> {
+        let bounds = mesh.placement().bounds();
+        let near = Self { offset: offset(bounds, FAR), plane };
+        let refusal = match near.survey(mesh) {
+            Ok(extent) => return Ok((near, extent)),
+            Err(refusal) => refusal,
         };
-        let Bounds { min, max } = bounds;
-        Self { offset: DVec2::new(offset(min.x, max.x), offset(min.y, max.y)), plane }
+        let centered = Self { offset: offset(bounds, f64::NEG_INFINITY), plane };
+        centered.survey(mesh).map(|extent| (centered, extent)).map_err(|_| refusal)
     }
 
     /// The position of a point, relative to the [`translation`](Self::translation).
@@ -55,7 +58,7 @@ impl Positions {
     /// place as one of the two before it round the boundary. Two steps back suffice for
     /// uniform spacing: where neighbors differ, points meet across a sharp corner at most,
     /// and the first pair there is the closest.
-    pub(super) fn survey(&self, mesh: &Mesh) -> Result<Extent, ExportError> {
+    fn survey(&self, mesh: &Mesh) -> Result<Extent, ExportError> {
         let n = mesh.vertex_count();
         let mut before = [n - 2, n - 1].map(|v| (v, self.of(mesh.point(v))));
         let mut extent = Extent { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
@@ -74,4 +77,13 @@ impl Positions {
         }
         Ok(extent)
     }
+}
+
+/// The middle of the box in each coordinate in which the box begins `far` of its own lengths
+/// from the origin, or more, and 0 in the others; rounded to a 32-bit float.
+fn offset(bounds: Bounds, far: f64) -> DVec2 {
+    let (size, center) = (bounds.size(), bounds.center());
+    let distance = bounds.min.max(-bounds.max);
+    let offset = DVec2::select(distance.cmpge(far * size), center, DVec2::ZERO);
+    offset.as_vec2().as_dvec2()
 }
