@@ -91,8 +91,16 @@ impl Comparison {
         self.report.methods.iter().zip(self.triangles.iter().map(Vec::as_slice))
     }
 
-    /// The verdict, sentence by sentence.
+    /// The same comparison without the times taken: what is left depends on the domain alone.
     #[must_use]
+    pub fn without_times(mut self) -> Self {
+        for method in &mut self.report.methods {
+            method.seconds = None;
+        }
+        self
+    }
+
+    /// The verdict, sentence by sentence.
     pub(crate) fn verdict(&self) -> Vec<String> {
         verdict::verdict(&self.report.domain, &self.report.methods)
     }
@@ -168,4 +176,46 @@ fn without_triangles(reason: &NoTriangulation) -> MethodFigures {
     };
     let defect = MethodDefect { kind, count: None, message: reason.to_string() };
     MethodFigures { defects: vec![defect], ..MethodFigures::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_geometry::Side;
+
+    #[test]
+    fn only_delaunay_has_ties() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4]).unwrap();
+        let comparison = compare(&domain, &Options::default()).unwrap();
+        let ties: Vec<_> = comparison.report().methods.iter().map(|method| method.ties).collect();
+        assert_eq!(ties, [None, Some(2), None, None]);
+    }
+
+    #[test]
+    fn what_is_late_is_reported_and_the_rest_goes_on() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(20_000); 4]).unwrap();
+        let options = Options { time_limit: Duration::from_millis(5) };
+        let comparison = compare(&domain, &options).unwrap();
+        let report = comparison.report();
+        assert!(report.methods[0].valid);
+        for method in &report.methods[1..3] {
+            assert_eq!(method.defects[0].kind, DefectKind::TimeLimit, "{}", method.name);
+            assert_eq!((method.valid, method.max_degree, method.seconds), (false, None, None));
+        }
+        assert!(report.verdict.starts_with(
+            "There is no Delaunay triangulation to compare with: it did not finish within the \
+             time limit of 0.005 s. mindeg has at most 4 edges at a vertex, the least possible,"
+        ));
+    }
+
+    #[test]
+    fn too_large_a_domain_is_refused_at_once() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(3_000_000); 4]).unwrap();
+        let refusal = compare(&domain, &Options::default()).unwrap_err();
+        assert_eq!(
+            refusal.to_string(),
+            "the domain has 12000000 boundary vertices, and a comparison keeps whole meshes in \
+             memory: at most 10000000 can be compared; use fewer intervals"
+        );
+    }
 }

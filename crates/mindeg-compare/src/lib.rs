@@ -33,4 +33,6 @@ mod verdict;
 
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, MINDEG, Options, compare};
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
-pub use report::{Report, report_schema};
+pub use report::{
+    IndexEntry, Report, report_schema, write_html, write_index, write_json, write_markdown,
+};

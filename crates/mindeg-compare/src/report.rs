@@ -6,10 +6,22 @@
 //!
 //! Limits: figures only. Points and triangles are in the files that `mindeg mesh` writes.
 
+mod html;
+mod index;
+mod markdown;
+mod metric;
+mod picture;
+mod tables;
+
+pub use html::write_html;
+pub use index::{IndexEntry, write_index};
+pub use markdown::write_markdown;
+
 use mindeg_geometry::quality;
 use schemars::JsonSchema;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::collections::BTreeMap;
+use std::io::{self, Write};
 
 /// A comparison of triangulations of one domain, by figures.
 ///
@@ -115,38 +127,27 @@ pub struct MetricFigures {
 }
 
 /// How the values of one measure are spread. What is infinite, as ratios of a flat triangle
-/// are, is `null`.
+/// are, is `null` in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Distribution {
     /// The least value.
-    #[serde(serialize_with = "finite")]
     #[schemars(with = "Option<f64>")]
     pub min: f64,
     /// The least value that at least 1% of all values do not exceed.
-    #[serde(serialize_with = "finite")]
     #[schemars(with = "Option<f64>")]
     pub p01: f64,
     /// The least value that at least half of all values do not exceed.
-    #[serde(serialize_with = "finite")]
     #[schemars(with = "Option<f64>")]
     pub median: f64,
     /// The arithmetic mean.
-    #[serde(serialize_with = "finite")]
     #[schemars(with = "Option<f64>")]
     pub mean: f64,
     /// The least value that at least 99% of all values do not exceed.
-    #[serde(serialize_with = "finite")]
     #[schemars(with = "Option<f64>")]
     pub p99: f64,
     /// The greatest value.
-    #[serde(serialize_with = "finite")]
     #[schemars(with = "Option<f64>")]
     pub max: f64,
-}
-
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it with a reference")]
-fn finite<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    value.is_finite().then_some(*value).serialize(serializer)
 }
 
 /// One of the worst triangles.
@@ -191,6 +192,29 @@ pub enum DefectKind {
     NoTriangles,
     /// The method was given up after its time limit.
     TimeLimit,
+}
+
+/// Writes a report as JSON, indented, with a line break at the end.
+///
+/// # Errors
+///
+/// Those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::{Options, compare, write_json};
+/// use mindeg_geometry::{Domain, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
+/// let mut json = Vec::new();
+/// write_json(compare(&domain, &Options::default())?.report(), &mut json)?;
+/// assert!(String::from_utf8(json)?.contains("\"optimal_max_degree\": 4"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_json(report: &Report, mut out: impl Write) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut out, report)?;
+    out.write_all(b"\n")
 }
 
 /// The JSON Schema of [`Report`] as JSON text, with a line break at the end.

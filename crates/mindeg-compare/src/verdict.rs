@@ -125,7 +125,7 @@ fn against_delaunay(
 
 /// A method other than the two that matter.
 fn in_short(domain: &DomainFigures, method: &MethodFigures) -> String {
-    let name = capitalized(&method.name);
+    let name = &method.name;
     let Some((smallest, degree)) = outcome(method) else {
         let gives = if method.max_degree.is_some() { "no valid triangulation" } else { "nothing" };
         return format!("{name} gives {gives} here: {}.", reasons(method));
@@ -168,11 +168,6 @@ fn factor(ratio: f64) -> String {
     } else {
         format!("{} times as large", significant(ratio, 2))
     }
-}
-
-fn capitalized(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
 #[cfg(test)]
@@ -343,20 +338,20 @@ mod tests {
         let level = "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.";
         for (other, told) in [
             (
-                method("fan", 4, 1.0),
+                method("Fan", 4, 1.0),
                 "Fan: at most 4 edges at a vertex (the least possible), smallest angle 1°.",
             ),
             (
-                method("fan", 5, 1.0),
+                method("Fan", 5, 1.0),
                 "Fan: at most 5 edges at a vertex (1 vertex has more than 4), smallest angle 1°.",
             ),
             (
-                method("fan", 6, 0.001),
+                method("Fan", 6, 0.001),
                 "Fan: at most 6 edges at a vertex (2 vertices have more than 4), smallest angle 0.001°.",
             ),
-            (failed("fan", None, &["too slow"]), "Fan gives nothing here: too slow."),
+            (failed("Fan", None, &["too slow"]), "Fan gives nothing here: too slow."),
             (
-                failed("fan", Some(9), &["1 flat", "2 missing"]),
+                failed("Fan", Some(9), &["1 flat", "2 missing"]),
                 "Fan gives no valid triangulation here: 1 flat; 2 missing.",
             ),
         ] {

@@ -121,8 +121,8 @@ impl Reference {
     pub fn name(self) -> &'static str {
         match self {
             Self::Delaunay => "Delaunay",
-            Self::EarClipping => "ear clipping",
-            Self::Fan => "fan",
+            Self::EarClipping => "Ear clipping",
+            Self::Fan => "Fan",
         }
     }
 
@@ -137,7 +137,10 @@ impl Reference {
             Self::EarClipping => {
                 "Ear clipping (crate earcut), the usual way to fill polygons in graphics."
             }
-            Self::Fan => "All triangles round one vertex.",
+            Self::Fan => {
+                "All triangles round one vertex, the first round which none is flat; often there is \
+                 none."
+            }
         }
     }
 
@@ -215,5 +218,48 @@ impl Deadline {
             return Err(NoTriangulation::TimeLimit { limit: self.time_limit });
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_core::verify;
+    use mindeg_geometry::{Domain, Side};
+
+    fn triangulate(
+        reference: Reference,
+        sides: [u64; 4],
+        milliseconds: u64,
+    ) -> Result<Timed, NoTriangulation> {
+        let domain = Domain::rectangle(4.0, 3.0, sides.map(Side::count).to_vec()).unwrap();
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        let limit = Duration::from_millis(milliseconds);
+        reference.triangulate(domain.boundary(), &points, limit)
+    }
+
+    #[test]
+    fn triangles_are_numbered_by_their_vertices() {
+        for reference in Reference::ALL {
+            let triangles = triangulate(reference, [7, 2, 5, 1], 60_000).unwrap().triangles;
+            assert!(triangles.iter().all(|&[a, b, c]| a < b && a < c));
+            assert!(triangles.is_sorted_by(|a, b| a < b));
+            verify(&[7, 2, 5, 1], triangles).unwrap();
+        }
+    }
+
+    #[test]
+    fn what_takes_too_long_is_given_up() {
+        for reference in [Reference::Delaunay, Reference::EarClipping] {
+            let refusal = triangulate(reference, [20_000; 4], 5).unwrap_err();
+            assert_eq!(refusal.to_string(), "it did not finish within the time limit of 0.005 s");
+        }
+    }
+
+    /// In the order of the boundary this takes hundreds of times as long.
+    #[test]
+    fn a_dominant_side_is_no_trouble_for_delaunay() {
+        let timed = triangulate(Reference::Delaunay, [100_000, 1, 1, 1], 5_000).unwrap();
+        assert_eq!(timed.triangles.len(), 100_001);
     }
 }
