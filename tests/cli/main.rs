@@ -1,6 +1,7 @@
 //! What a user does, through the real binary.
 
 mod degree;
+mod inspect;
 mod mesh;
 mod run;
 mod suggest;

@@ -7,6 +7,8 @@ mod args;
 mod degree;
 mod domain;
 mod failure;
+mod gates;
+mod inspect;
 mod mesh;
 mod output;
 mod standard_output;
@@ -19,6 +21,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Degree(arguments) => degree::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments),
         Command::Suggest(arguments) => suggest::run(&arguments),
     };
