@@ -46,6 +46,8 @@ fn check(sides: &[u64]) {
         let suggested = suggestion.intervals(&boundary);
         assert_eq!(optimum(&suggested), suggestion.max_degree, "{sides:?}: {target}");
         assert!(suggestion.max_degree <= target, "{sides:?}: {target}");
+        let changed: u64 = sides.iter().zip(&suggested).map(|(a, b)| a.abs_diff(*b)).sum();
+        assert_eq!(suggestion.cost(), changed, "{sides:?}: {target}");
         let mut best = preference(sides, &suggested);
         for_each_change(sides, suggestion.cost(), &mut |counts| {
             let other = preference(sides, counts);
