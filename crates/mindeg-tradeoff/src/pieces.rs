@@ -133,7 +133,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         for (&i, len) in starts.iter().zip(batch.lens) {
             let (i, j) = (i as usize, i as usize + span);
             if len == 0 {
-                self.chords.remove(i, j);
+                self.chords.flip(i, j);
             }
             self.set_front(i, j, Front { start, len });
             start += len;
@@ -281,13 +281,14 @@ impl<'a, M: Merit> Pieces<'a, M> {
         found
     }
 
-    /// Where there is no triangulation: the largest tangent below the threshold of a triangle
-    /// that the threshold alone kept out.
+    /// The largest tangent below the threshold of a triangle that only the threshold kept out;
+    /// where there is no triangulation, none of these chords within these rooms has all angles
+    /// larger than that.
     ///
-    /// Every triangulation of chords in the set that keeps to the rooms has such a triangle or
-    /// one with a smaller tangent. For take its triangles below the threshold that have none
-    /// beneath: the pieces beneath are solved as well or better here, so the triangle was
-    /// looked at, or its piece was settled without it and may be exchanged.
+    /// For take one, and of its triangles below the threshold one with none beneath it. The
+    /// pieces beneath have fronts here that are as good, so the triangle was looked at; or else
+    /// its piece was settled before with as few chords at the ends, and may be exchanged for
+    /// that, which leaves fewer triangles to take.
     pub(crate) fn left_out(&self) -> f64 {
         self.left_out
     }
