@@ -3,41 +3,85 @@
 //! C.-L. Liu, "Minimum degree triangulation for rectangular domains", 2005. All of them hold
 //! for every convex polygon, not only for rectangles; Theorem 10 needs one correction, given at
 //! [`is_medial_exception`].
+//!
+//! Limits: each function is one statement. Which of them is the sharp one for a boundary is
+//! [`certificate`](crate::certificate)'s to say.
 
 use crate::{Boundary, Cut, best_cuts};
 
-/// Lemma 1: every triangulation on `vertices >= 3` boundary vertices has `n-2` triangles.
+/// Lemma 1: the number of triangles in every triangulation of a boundary, `n-2`.
+///
+/// ```
+/// # use mindeg_core::{Boundary, bound};
+/// assert_eq!(bound::triangle_count(&Boundary::new(&[3, 3, 2, 2])?), 8);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[must_use]
-pub fn triangle_count(vertices: u32) -> u32 {
-    vertices - 2
+pub fn triangle_count(boundary: &Boundary) -> u32 {
+    boundary.vertex_count() - 2
 }
 
-/// Lemma 1: every triangulation on `vertices >= 3` boundary vertices has `n-3` interior edges.
+/// Lemma 1: the number of interior edges in every triangulation of a boundary, `n-3`.
+///
+/// ```
+/// # use mindeg_core::{Boundary, bound};
+/// assert_eq!(bound::interior_edge_count(&Boundary::new(&[3, 3, 2, 2])?), 7);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[must_use]
-pub fn interior_edge_count(vertices: u32) -> u32 {
-    vertices - 3
+pub fn interior_edge_count(boundary: &Boundary) -> u32 {
+    boundary.vertex_count() - 3
 }
 
-/// Lemma 2: every triangulation has at least this many isolated corners.
-pub const LEAST_ISOLATED_CORNERS: u32 = 2;
+/// Lemma 2: every triangulation has at least this many isolated corners, 2.
+///
+/// ```
+/// # use mindeg_core::{Boundary, bound, min_degree_triangulation};
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// assert!(triangulation.isolated_corners().len() >= bound::LEAST_ISOLATED_CORNERS);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
+pub const LEAST_ISOLATED_CORNERS: usize = 2;
 
-/// Theorems 3 and 8: the bound from counting edges.
+/// Theorems 3 and 8: the bound on the maximum degree from counting edges.
 ///
 /// The degrees add up to `4n-6`. Two isolated corners take 4 of that, so one of the other
 /// vertices has at least `(4n-10)/(n-2)`, rounded up: 2 for n = 3, 3 for n = 4, else 4.
+///
+/// ```
+/// # use mindeg_core::{Boundary, bound};
+/// assert_eq!(bound::counting_bound(&Boundary::new(&[1, 1, 1])?), 2);
+/// assert_eq!(bound::counting_bound(&Boundary::new(&[1, 1, 1, 1])?), 3);
+/// assert_eq!(bound::counting_bound(&Boundary::new(&[3, 3, 2, 2])?), 4);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[must_use]
-pub fn counting_bound(vertices: u32) -> u32 {
-    let vertices = u64::from(vertices);
+pub fn counting_bound(boundary: &Boundary) -> u32 {
+    let vertices = u64::from(boundary.vertex_count());
     (4 * vertices - 10).div_ceil(vertices - 2) as u32
 }
 
-/// Theorem 4: the bound from one side with `side` of all `vertices` intervals.
+/// Theorem 4: the bound on the maximum degree from the a intervals of one side.
 ///
-/// Every interior edge has an end off that side, so of the `n-a-1` vertices there one has at
-/// least `(a-2)/(n-a-1)`, rounded up, plus 1 interior edges. It holds for `side <= vertices - 2`.
+/// Each of the `n-3` interior edges has an end among the `n-a-1` vertices off that side, so
+/// one of these has at least `(n-3)/(n-a-1)` of them, rounded up, and two boundary edges.
+/// The paper writes the same number as `(a-2)/(n-a-1)`, rounded up, plus 3.
+///
+/// # Panics
+///
+/// When `side` is not below [`Boundary::side_count`].
+///
+/// ```
+/// # use mindeg_core::{Boundary, bound};
+/// let boundary = Boundary::new(&[30, 2, 4, 2])?;
+/// assert_eq!(bound::side_bound(&boundary, 0), 7);
+/// assert_eq!(bound::side_bound(&boundary, 1), 3);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[must_use]
-pub fn side_bound(side: u32, vertices: u32) -> u32 {
-    side.saturating_sub(2).div_ceil(vertices - side - 1) + 3
+pub fn side_bound(boundary: &Boundary, side: usize) -> u32 {
+    let off_side = boundary.vertex_count() - boundary.intervals(side) - 1;
+    interior_edge_count(boundary).div_ceil(off_side) + 2
 }
 
 /// The zig-zag condition of Theorems 5 and 10: a cut whose runs differ by at most one. O(k).
@@ -45,9 +89,9 @@ pub fn side_bound(side: u32, vertices: u32) -> u32 {
 /// With at least 7 intervals, degree 4 can be had if and only if there is one.
 ///
 /// ```
-/// # use mindeg_core::{Boundary, bound::zig_zag_condition};
-/// assert!(zig_zag_condition(&Boundary::new(&[3, 3, 2, 2])?).is_some());
-/// assert!(zig_zag_condition(&Boundary::new(&[30, 2, 4, 2])?).is_none());
+/// # use mindeg_core::{Boundary, bound};
+/// assert!(bound::zig_zag_condition(&Boundary::new(&[3, 3, 2, 2])?).is_some());
+/// assert!(bound::zig_zag_condition(&Boundary::new(&[30, 2, 4, 2])?).is_none());
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 #[must_use]
@@ -63,6 +107,13 @@ pub fn zig_zag_condition(boundary: &Boundary) -> Option<Cut> {
 /// is at least 7 intervals, whatever k is. If three ears and degree 4 go together, every other
 /// vertex has two interior edges, the three edges of the triangle between the ears close up,
 /// and so n = 6.
+///
+/// ```
+/// # use mindeg_core::{Boundary, bound};
+/// assert!(bound::is_medial_exception(&Boundary::new(&[2, 2, 2])?));
+/// assert!(!bound::is_medial_exception(&Boundary::new(&[2, 2, 1, 1])?));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[must_use]
 pub fn is_medial_exception(boundary: &Boundary) -> bool {
     boundary.sides().eq([2, 2, 2])

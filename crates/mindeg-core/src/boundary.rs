@@ -1,4 +1,6 @@
 //! The input: how many intervals each side of a convex polygon has.
+//!
+//! Limits: no positions. That the polygon is convex is for whoever places it to see to.
 
 use alloc::vec::Vec;
 use core::fmt;
@@ -35,6 +37,16 @@ pub struct Boundary {
 }
 
 /// Why a list of interval counts is not a boundary.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, BoundaryError};
+///
+/// let error = Boundary::new(&[3, 0, 2]).unwrap_err();
+/// assert_eq!(error, BoundaryError::NoIntervals { side: 1 });
+/// assert_eq!(error.to_string(), "side 2 has 0 intervals; every side needs at least 1");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BoundaryError {
@@ -157,7 +169,8 @@ impl Boundary {
         self.corners.partition_point(|&corner| corner <= vertex) - 1
     }
 
-    /// Whether `vertex` is a corner. O(log k).
+    /// Whether `vertex` is a corner; no vertex from [`vertex_count`](Self::vertex_count) on is.
+    /// O(log k).
     #[must_use]
     pub fn is_corner(&self, vertex: u32) -> bool {
         self.corners[..self.side_count()].binary_search(&vertex).is_ok()
@@ -193,8 +206,9 @@ mod tests {
         assert_eq!(boundary.vertex_count(), 6);
         assert_eq!((0..=3).map(|s| boundary.corner(s)).collect::<Vec<_>>(), [0, 3, 4, 0]);
         assert_eq!((0..6).map(|v| boundary.side_of(v)).collect::<Vec<_>>(), [0, 0, 0, 1, 2, 2]);
-        assert_eq!((0..6).filter(|&v| boundary.is_corner(v)).collect::<Vec<_>>(), [0, 3, 4]);
+        assert_eq!((0..=6).filter(|&v| boundary.is_corner(v)).collect::<Vec<_>>(), [0, 3, 4]);
         assert!(boundary.sides().eq([3, 1, 2]));
+        assert_eq!((0..3).map(|s| boundary.intervals(s)).collect::<Vec<_>>(), [3, 1, 2]);
     }
 
     #[test]

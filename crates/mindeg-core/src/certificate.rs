@@ -21,7 +21,6 @@ use core::fmt;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
 pub enum Certificate {
     /// Counting edges gives 2, 3 or 4 (Theorems 3 and 8), and this balanced cut shows that it
     /// is attained.
@@ -50,17 +49,16 @@ pub enum Certificate {
 /// The certificate for a boundary. O(k).
 #[must_use]
 pub fn certificate(boundary: &Boundary) -> Certificate {
-    let vertices = boundary.vertex_count();
     let cut = best_cuts(boundary).next().expect("three sides have a cut");
     if cut.is_balanced() {
-        Certificate::BalancedCut { cut, max_degree: bound::counting_bound(vertices) }
+        Certificate::BalancedCut { cut, max_degree: bound::counting_bound(boundary) }
     } else if bound::is_medial_exception(boundary) {
         Certificate::MedialTriangle
     } else if cut.side_count == 1 {
         // More than half of the intervals are on one side, by two or more: its bound is 5 at
         // least.
-        let max_degree = bound::side_bound(cut.larger, vertices);
-        Certificate::LongSide { side: cut.first_side, max_degree }
+        let side = cut.first_side;
+        Certificate::LongSide { side, max_degree: bound::side_bound(boundary, side) }
     } else {
         Certificate::NoBalancedCut { least_imbalance: cut.imbalance() }
     }
@@ -83,6 +81,15 @@ pub fn optimal_max_degree(boundary: &Boundary) -> u32 {
 }
 
 /// Why a certificate does not hold for some interval counts.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::Certificate;
+///
+/// let error = Certificate::MedialTriangle.check(&[2, 2, 3]).unwrap_err();
+/// assert_eq!(error.to_string(), "only (2,2,2) has the medial triangle");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CertificateError(&'static str);
 
@@ -108,26 +115,32 @@ impl Certificate {
     /// Checks the witness against the interval counts and gives the bound it proves. O(k²).
     ///
     /// It uses the definitions alone: sums of runs, and for [`NoBalancedCut`](Self::NoBalancedCut)
-    /// every cut there is.
+    /// every cut there is. That some triangulation attains the bound is another matter, and
+    /// [`verify`](crate::verify)'s.
     ///
     /// # Errors
     ///
-    /// What about the witness is not so.
+    /// What about the witness is not so, or that the counts are no polygon's.
     pub fn check(&self, intervals: &[u64]) -> Result<u32, CertificateError> {
+        let no_polygon = CertificateError("the interval counts are no polygon's");
         let sides = intervals.len();
-        let total: u64 = intervals.iter().sum();
-        if sides < 3 || total > u64::from(crate::MAX_VERTICES) || intervals.contains(&0) {
-            return Err(CertificateError("the interval counts are no polygon's"));
+        // The first vertex of every side, then the total.
+        let mut corners = alloc::vec![0_u64];
+        let mut total = 0_u64;
+        for &count in intervals {
+            total = total.checked_add(count).filter(|_| count > 0).ok_or(no_polygon)?;
+            corners.push(total);
         }
-        let run = |first: usize, count: usize| -> u64 {
-            intervals.iter().cycle().skip(first).take(count).sum()
-        };
+        if sides < 3 || total > u64::from(crate::MAX_VERTICES) {
+            return Err(no_polygon);
+        }
         let (proven, max_degree) = match *self {
             Self::BalancedCut { cut, max_degree } => {
                 if cut.first_side >= sides || !(1..sides).contains(&cut.side_count) {
                     return Err(CertificateError("the cut names sides that do not exist"));
                 }
-                let larger = run(cut.first_side, cut.side_count);
+                let run = intervals.iter().cycle().skip(cut.first_side).take(cut.side_count);
+                let larger: u64 = run.sum();
                 if larger != u64::from(cut.larger) || total - larger != u64::from(cut.smaller) {
                     return Err(CertificateError("the runs of the cut have other sums"));
                 }
@@ -155,15 +168,19 @@ impl Certificate {
                 ((total - 3).div_ceil(off_side) as u32 + 2, max_degree)
             }
             Self::NoBalancedCut { least_imbalance } => {
-                let imbalance = |first, count| (2 * run(first, count)).abs_diff(total);
+                if least_imbalance < 2 {
+                    return Err(CertificateError("a cut with that imbalance is balanced"));
+                }
+                if total < 7 {
+                    return Err(CertificateError("below 7 intervals degree 4 needs no cut"));
+                }
+                let ends = |from| (from + 1..sides).map(move |to| (from, to));
                 let least = (0..sides)
-                    .flat_map(|first| (1..sides).map(move |count| imbalance(first, count)))
+                    .flat_map(ends)
+                    .map(|(from, to)| (2 * (corners[to] - corners[from])).abs_diff(total))
                     .min();
                 if least != Some(u64::from(least_imbalance)) {
-                    return Err(CertificateError("some cut has another least imbalance"));
-                }
-                if least_imbalance < 2 || total < 7 {
-                    return Err(CertificateError("Theorem 5 needs 7 intervals, no balanced cut"));
+                    return Err(CertificateError("the cuts have another least imbalance"));
                 }
                 (5, 5)
             }
@@ -204,6 +221,14 @@ mod tests {
     }
 
     #[test]
+    fn a_certificate_need_not_be_the_sharpest() {
+        let certificate = Certificate::NoBalancedCut { least_imbalance: 3 };
+        assert_eq!(certificate.check(&[5, 1, 1]), Ok(5));
+        let certificate = Certificate::LongSide { side: 1, max_degree: 3 };
+        assert_eq!(certificate.check(&[5, 1, 1]), Ok(3));
+    }
+
+    #[test]
     fn false_certificates_are_refused() {
         let cut = Cut { first_side: 0, side_count: 2, larger: 5, smaller: 5 };
         for (certificate, intervals) in [
@@ -221,6 +246,14 @@ mod tests {
                 },
                 &[3, 3, 2, 2],
             ),
+            (
+                Certificate::BalancedCut { cut: Cut { first_side: 4, ..cut }, max_degree: 4 },
+                &[3, 2, 3, 2],
+            ),
+            (
+                Certificate::BalancedCut { cut: Cut { smaller: 4, ..cut }, max_degree: 4 },
+                &[3, 2, 3, 2],
+            ),
             (Certificate::MedialTriangle, &[2, 2, 3]),
             (Certificate::LongSide { side: 4, max_degree: 7 }, &[30, 2, 4, 2]),
             (Certificate::LongSide { side: 0, max_degree: 8 }, &[30, 2, 4, 2]),
@@ -228,6 +261,10 @@ mod tests {
             (Certificate::NoBalancedCut { least_imbalance: 0 }, &[3, 2, 3, 2]),
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[2, 2, 2]),
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[0, 2, 2]),
+            (Certificate::NoBalancedCut { least_imbalance: 2 }, &[7, 2]),
+            (Certificate::LongSide { side: 0, max_degree: 11 }, &[10, 0, 2]),
+            (Certificate::LongSide { side: 0, max_degree: 5 }, &[u64::MAX, 2, 2]),
+            (Certificate::LongSide { side: 0, max_degree: 5 }, &[1 << 32, 1 << 31, 2]),
         ] {
             assert!(certificate.check(intervals).is_err(), "{certificate:?} for {intervals:?}");
         }

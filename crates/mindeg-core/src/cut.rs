@@ -4,12 +4,25 @@
 //! decides what the least degree can be: this is the paper's zig-zag condition (Theorem 5 for
 //! rectangles, Theorem 10 for convex polygons) with the imbalance kept as a number.
 //!
-//! A cut runs through two corners. Cuts elsewhere would have their ear at a vertex inside a
-//! side, where it is flat, so they never help.
+//! Limits: a cut runs through two corners. Cuts elsewhere would have their ear at a vertex inside
+//! a side, where it is flat, so they never help.
 
 use crate::Boundary;
 
 /// Two runs of consecutive sides that make up the whole boundary.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, Cut, best_cuts};
+///
+/// // The last side and the first against the other two.
+/// let cut = best_cuts(&Boundary::new(&[12, 9, 4, 4])?).next().unwrap();
+/// assert_eq!(cut, Cut { first_side: 3, side_count: 2, larger: 16, smaller: 13 });
+/// assert_eq!(cut.imbalance(), 3);
+/// assert!(!cut.is_balanced());
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
     /// The first side of the larger run, counted from 0. Where the runs are equal, "larger"
@@ -27,7 +40,7 @@ impl Cut {
     /// By how many intervals the runs differ; it has the parity of the vertex count.
     #[must_use]
     pub fn imbalance(&self) -> u32 {
-        self.larger - self.smaller
+        self.larger.abs_diff(self.smaller)
     }
 
     /// Whether the runs differ by at most one interval, so that a zig-zag joins them.
@@ -62,7 +75,9 @@ pub fn least_imbalance(boundary: &Boundary) -> u32 {
     even_cuts(boundary).map(|cut| cut.imbalance()).min().expect("three sides have cuts")
 }
 
-/// Every cut that has the least imbalance, each once, in a fixed order. O(k) in all.
+/// Every cut that has the least imbalance, each once. O(k) in all.
+///
+/// They come in the order of the first of the two corners that they run through.
 ///
 /// ```
 /// # use mindeg_core::{Boundary, best_cuts};
@@ -83,9 +98,9 @@ fn even_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
         let run = u64::from(boundary.corner(to) - boundary.corner(from));
         2 * run >= u64::from(boundary.vertex_count())
     };
+    // A run of half the intervals is not empty, so that `to` stays ahead of `from`.
     let mut to = 1;
-    (0..sides - 1).flat_map(move |from| {
-        to = to.max(from + 1);
+    (0..sides).flat_map(move |from| {
         while to < sides && !half_reached(from, to) {
             to += 1;
         }

@@ -5,8 +5,9 @@
 //! i and at j. So it is enough to know, for every number of edges allowed at i, the least
 //! number at j.
 //!
-//! Limits: O(n³ D) time and O(n² D) memory for a degree D. It is meant for small boundaries, up
-//! to a few hundred vertices, and for checking the closed forms against.
+//! Limits: O(n³ D) time and 8 n² (D-1) bytes for a degree D, and no guard against running out of
+//! either. It is meant for checking the closed forms on boundaries of up to a few hundred
+//! vertices.
 
 use crate::Boundary;
 use alloc::vec::Vec;
@@ -27,8 +28,18 @@ pub fn least_max_degree(boundary: &Boundary) -> u32 {
 }
 
 /// Whether some triangulation has no vertex of degree above `max_degree`. O(n³ D).
+///
+/// ```
+/// # use mindeg_core::{Boundary, exact};
+/// let boundary = Boundary::new(&[12, 9, 4, 4])?;
+/// assert!(!exact::is_feasible(&boundary, 4));
+/// assert!(exact::is_feasible(&boundary, 5));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[must_use]
 pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
+    // No vertex has more than n - 1 neighbours, so no higher cap can matter.
+    let max_degree = max_degree.min(boundary.vertex_count() - 1);
     let Some(most) = max_degree.checked_sub(2) else { return false };
     let vertices = boundary.vertex_count() as usize;
     let states = most as usize + 1;
@@ -135,6 +146,6 @@ mod tests {
     fn no_triangulation_has_degree_below_two() {
         let boundary = Boundary::new(&[1, 1, 1]).unwrap();
         assert!(!is_feasible(&boundary, 1) && !is_feasible(&boundary, 0));
-        assert!(is_feasible(&boundary, 2));
+        assert!(is_feasible(&boundary, 2) && is_feasible(&boundary, u32::MAX));
     }
 }

@@ -1,13 +1,30 @@
 //! Strips: triangles between two chains of boundary vertices, in the order of a word.
 //!
 //! An optimal triangulation is one strip, or two that share an edge. A strip knows its
-//! chains and its word and nothing else, so it takes O(1) memory; it is exactly what
-//! graphics libraries call a triangle strip.
+//! chains, its word and its ears and nothing else, so it takes O(1) memory.
+//!
+//! Limits: what is here suffices for the constructions of this crate. A strip always starts with
+//! an ear, and a chain has one jump at most.
+
+mod fill;
 
 use crate::word::{Letter, Word};
 use core::ops::RangeInclusive;
 
 /// Consecutive boundary vertices, with at most one jump over vertices cut off by another strip.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, min_degree_triangulation};
+///
+/// // The main strip leaves 28, 0 and 1 to the cap at corner 0.
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[12, 9, 4, 4])?);
+/// let chain = *triangulation.strips().next().unwrap().x();
+/// let vertices: Vec<u32> = (0..chain.len()).map(|index| chain.vertex(index)).collect();
+/// assert_eq!(vertices, [26, 27, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chain {
     first: u32,
@@ -49,8 +66,13 @@ impl Chain {
     }
 
     /// The vertex at `index`, in `0..len`. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `index` is not below [`len`](Self::len).
     #[must_use]
     pub fn vertex(&self, index: u32) -> u32 {
+        assert!(index < self.len, "a chain of {} vertices has none at {index}", self.len);
         let steps = match self.jump {
             Some(jump) if index > jump.after => index + jump.skipped,
             _ => index,
@@ -72,8 +94,7 @@ impl Chain {
     }
 
     /// The index of `vertex`, or none when it is not on the chain. O(1).
-    #[must_use]
-    pub fn index_of(&self, vertex: u32) -> Option<u32> {
+    fn index_of(&self, vertex: u32) -> Option<u32> {
         let (from, to) = match self.direction {
             Direction::CounterClockwise => (self.first, vertex),
             Direction::Clockwise => (vertex, self.first),
@@ -86,9 +107,19 @@ impl Chain {
         };
         (index < self.len).then_some(index)
     }
+
+    /// The steps, by the index they start from, that do not lead to a neighbouring id: over a
+    /// jump, and between vertices n-1 and 0.
+    fn uneven_steps(&self) -> [Option<u32>; 2] {
+        let last_id = match self.direction {
+            Direction::CounterClockwise => self.vertex_count - 1,
+            Direction::Clockwise => 0,
+        };
+        [self.jump.map(|jump| jump.after), self.index_of(last_id)]
+    }
 }
 
-/// What lies beyond the first or the last edge across a strip.
+/// What lies beyond the last edge across a strip; see [`Strip`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// One more triangle, an ear with this tip.
@@ -102,23 +133,42 @@ pub enum End {
 /// Triangles between an x chain, which runs counter-clockwise, and a y chain, which runs
 /// clockwise beside it.
 ///
-/// The edges across start with (x_0, y_0). Letter X adds the triangle (x_i, x_{i+1}, y_j),
-/// letter Y adds (x_i, y_{j+1}, y_j).
+/// First comes an ear, the triangle (tip, x_0, y_0). From the edge (x_0, y_0) on, each letter of
+/// the word moves one end of the current edge (x_i, y_j): X adds the triangle (x_i, x_{i+1}, y_j),
+/// Y adds (x_i, y_{j+1}, y_j). What follows the last edge is an [`End`].
+///
+/// With an alternating word this is what graphics libraries call a triangle strip; other words
+/// make it a generalized one.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, End, Letter, min_degree_triangulation};
+///
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// let strip = triangulation.strips().next().unwrap();
+/// assert_eq!(strip.tip(), 3);
+/// assert_eq!(strip.triangle(0), [3, 4, 2]);
+/// assert_eq!(strip.word().letter(0), Letter::X);
+/// assert_eq!(strip.triangle(1), [4, 5, 2]);
+/// assert_eq!(strip.end(), End::Ear(8));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strip {
+    tip: u32,
     x: Chain,
     y: Chain,
     word: Word,
-    start: End,
     end: End,
 }
 
 impl Strip {
-    pub(crate) fn new(x: Chain, y: Chain, word: Word, start: End, end: End) -> Self {
+    pub(crate) fn new(tip: u32, x: Chain, y: Chain, word: Word, end: End) -> Self {
         debug_assert!(x.len == word.xs() + 1 && y.len == word.ys() + 1);
         debug_assert!(x.direction == Direction::CounterClockwise);
         debug_assert!(y.direction == Direction::Clockwise);
-        Self { x, y, word, start, end }
+        Self { tip, x, y, word, end }
     }
 
     /// The chain along which letter X advances.
@@ -139,10 +189,10 @@ impl Strip {
         &self.word
     }
 
-    /// What lies before the first edge across.
+    /// The tip of the ear that every strip starts with, before the first edge across.
     #[must_use]
-    pub fn start(&self) -> End {
-        self.start
+    pub fn tip(&self) -> u32 {
+        self.tip
     }
 
     /// What lies after the last edge across.
@@ -154,18 +204,24 @@ impl Strip {
     /// The number of triangles, ears included.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {
-        let ears = [self.start, self.end].iter().filter(|end| matches!(end, End::Ear(_))).count();
-        self.word.len() + ears as u32
+        1 + self.word.len() + u32::from(matches!(self.end, End::Ear(_)))
     }
 
     /// The triangle with the given number, in `0..triangle_count`, counter-clockwise. O(1).
+    ///
+    /// The ear at the start is number 0, then comes one triangle for each letter of the word,
+    /// then the ear at the end if there is one.
+    ///
+    /// # Panics
+    ///
+    /// When `number` is not below [`triangle_count`](Self::triangle_count).
     #[must_use]
     pub fn triangle(&self, number: u32) -> [u32; 3] {
-        let place = match self.start {
-            End::Ear(tip) if number == 0 => return [tip, self.x.vertex(0), self.y.vertex(0)],
-            End::Ear(_) => number - 1,
-            End::Shared | End::Boundary => number,
-        };
+        assert!(number < self.triangle_count(), "triangle {number} does not exist");
+        if number == 0 {
+            return [self.tip, self.x.vertex(0), self.y.vertex(0)];
+        }
+        let place = number - 1;
         let i = self.word.xs_before(place);
         let j = place - i;
         let (x, y) = (self.x.vertex(i), self.y.vertex(j));
@@ -196,11 +252,11 @@ impl Strip {
         }
         if let Some(index) = self.x.index_of(vertex) {
             let indices = self.indices_across_x(index);
-            return Some(Across { chain: self.y, indices, descending: true });
+            return Some(Across { seen_from: Letter::X, chain: self.y, indices });
         }
         let index = self.y.index_of(vertex)?;
         let indices = self.indices_across_y(index);
-        Some(Across { chain: self.x, indices, descending: false })
+        Some(Across { seen_from: Letter::Y, chain: self.x, indices })
     }
 
     /// The indices on the y chain that the vertex at `index` of the x chain is joined to.
@@ -222,10 +278,10 @@ impl Strip {
 /// The part of the opposite chain that one vertex is joined to.
 #[derive(Clone, Debug)]
 pub(crate) struct Across {
+    /// The chain of the one vertex. From x, counter-clockwise order runs through y backwards.
+    pub(crate) seen_from: Letter,
     chain: Chain,
     indices: RangeInclusive<u32>,
-    /// Whether counter-clockwise order runs from the last index to the first.
-    descending: bool,
 }
 
 impl Across {
@@ -238,7 +294,10 @@ impl Iterator for Across {
     type Item = u32;
 
     fn next(&mut self) -> Option<u32> {
-        let index = if self.descending { self.indices.next_back() } else { self.indices.next() };
+        let index = match self.seen_from {
+            Letter::X => self.indices.next_back(),
+            Letter::Y => self.indices.next(),
+        };
         index.map(|index| self.chain.vertex(index))
     }
 }
@@ -271,10 +330,10 @@ mod tests {
     fn a_strip_emits_its_word() {
         // A ring of 8: ears at 0 and 4, x = 1 2 3, y = 7 6 5.
         let strip = Strip::new(
+            0,
             Chain::new(1, 3, Direction::CounterClockwise, 8),
             Chain::new(7, 3, Direction::Clockwise, 8),
             Word::alternating(Letter::X, 2, 2),
-            End::Ear(0),
             End::Ear(4),
         );
         let triangles: Vec<_> = (0..strip.triangle_count()).map(|i| strip.triangle(i)).collect();

@@ -1,6 +1,11 @@
 //! A triangulation as a formula: any triangle, degree or neighbour in constant time.
+//!
+//! Limits: only what the constructions of this crate can give; no edits, and no positions.
 
+use crate::Triangles;
 use crate::strip::{Across, End, Strip};
+use crate::word::Letter;
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
 /// A triangulation of a boundary with the least possible maximum degree.
@@ -76,9 +81,41 @@ impl Triangulation {
         }
     }
 
-    /// All triangles, each counter-clockwise, strip by strip.
-    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
-        (0..self.triangle_count()).map(|number| self.triangle(number))
+    /// All triangles, each counter-clockwise, strip by strip. A few nanoseconds for each; to
+    /// fill a buffer, [`fill_triangles`](Self::fill_triangles) is faster.
+    pub fn triangles(&self) -> Triangles<'_> {
+        Triangles::new(self)
+    }
+
+    /// Writes the triangles from number `first` on into `out`, as many as it holds.
+    ///
+    /// This is as fast as memory can be written, with no division for each triangle. Parts of one
+    /// buffer can be filled in parallel: they come out the same however it is split.
+    ///
+    /// # Panics
+    ///
+    /// When `out` is longer than the triangles from `first` on are many.
+    ///
+    /// ```
+    /// # use mindeg_core::{Boundary, min_degree_triangulation};
+    /// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+    /// let mut indices = [[0; 3]; 8];
+    /// for (part, out) in (0..).zip(indices.chunks_mut(3)) {
+    ///     triangulation.fill_triangles(3 * part, out);
+    /// }
+    /// assert!(triangulation.triangles().eq(indices));
+    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// ```
+    pub fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
+        let left = self.triangle_count().saturating_sub(first) as usize;
+        assert!(out.len() <= left, "{} triangles from {first} on do not exist", out.len());
+        let in_main = self.main.triangle_count();
+        let main_left = in_main.saturating_sub(first) as usize;
+        let (main, cap) = out.split_at_mut(main_left.min(out.len()));
+        self.main.fill(first, main);
+        if let Some(strip) = &self.cap {
+            strip.fill(first.saturating_sub(in_main), cap);
+        }
     }
 
     /// All `n-3` interior edges, each once, strip by strip.
@@ -102,7 +139,7 @@ impl Triangulation {
     }
 
     /// The neighbours of `vertex`, counter-clockwise: from the next boundary vertex to the
-    /// one before.
+    /// one before. O(1) to start, O(1) for each.
     ///
     /// # Panics
     ///
@@ -123,10 +160,12 @@ impl Triangulation {
         assert!(vertex < self.vertex_count, "vertex {vertex} does not exist");
         let main = self.main.across(vertex);
         let cap = self.cap.and_then(|cap| cap.across(vertex));
-        // Round the ring from the edge shared by both strips, the cap comes right after its
-        // first end f and right before its last end g.
-        let cap_comes_first = self.cap.is_some_and(|cap| cap.y().index_of(vertex).is_some());
-        if cap_comes_first { [cap, main] } else { [main, cap] }
+        // Of the two ends of the edge shared by both strips, the one on the cap's y chain has the
+        // cap right after it on the ring, the one on its x chain right before it.
+        match &cap {
+            Some(across) if across.seen_from == Letter::Y => [cap, main],
+            _ => [main, cap],
+        }
     }
 
     /// The isolated corners, those with no interior edge, in ascending order: at least two
@@ -138,27 +177,49 @@ impl Triangulation {
         }
         let mut corners: Vec<u32> = self
             .strips()
-            .flat_map(|strip| [strip.start(), strip.end()])
-            .filter_map(|end| if let End::Ear(tip) = end { Some(tip) } else { None })
+            .flat_map(|strip| {
+                let last = if let End::Ear(tip) = strip.end() { Some(tip) } else { None };
+                [Some(strip.tip()), last]
+            })
+            .flatten()
             .filter(|&tip| self.degree(tip) == 2)
             .collect();
         corners.sort_unstable();
         corners
     }
 
-    /// How many vertices have each degree: entry d counts those of degree d, up to
-    /// [`max_degree`](Self::max_degree). O(n).
+    /// How many vertices have each degree, for the degrees that occur. O(n) time.
+    ///
+    /// ```
+    /// # use mindeg_core::{Boundary, min_degree_triangulation};
+    /// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+    /// let histogram = triangulation.degree_histogram();
+    /// assert!(histogram.into_iter().eq([(2, 2), (3, 2), (4, 6)]));
+    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// ```
     #[must_use]
-    pub fn degree_histogram(&self) -> Vec<u32> {
-        let mut histogram = alloc::vec![0; self.max_degree as usize + 1];
+    pub fn degree_histogram(&self) -> BTreeMap<u32, u32> {
+        let mut histogram = BTreeMap::new();
         for vertex in 0..self.vertex_count {
-            histogram[self.degree(vertex) as usize] += 1;
+            *histogram.entry(self.degree(vertex)).or_default() += 1;
         }
         histogram
     }
 }
 
 /// The neighbours of one vertex, counter-clockwise; see [`Triangulation::neighbors`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Boundary, Neighbors, min_degree_triangulation};
+///
+/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// let neighbors: Neighbors = triangulation.neighbors(0);
+/// assert_eq!(neighbors.len(), 4);
+/// assert!(neighbors.eq([1, 6, 7, 9]));
+/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Neighbors {
     next: Option<u32>,

@@ -3,18 +3,23 @@
 //! It works from the interval counts and the list alone and shares no code with the
 //! algorithm, so that the one can be trusted to find faults in the other.
 //!
-//! Why the checks suffice: in a convex polygon a counter-clockwise triangle of three boundary
-//! vertices, not all on one side, has positive area. If every interior edge is met once in
-//! either direction, the triangles' outlines cancel to the polygon's own, so every point
-//! inside is covered exactly once, whatever the positions.
-//!
 //! Limits: positions are not looked at. A polygon that is not convex can pass here and fold
 //! over in the plane.
 
 use alloc::vec::Vec;
 use core::fmt;
 
-/// What a correct triangulation turns out to be.
+/// What a correct triangulation turns out to be; see [`verify`].
+///
+/// # Example
+///
+/// ```
+/// # use mindeg_core::{Defect, Verified, verify};
+/// let Verified { max_degree, degrees } = verify(&[1, 1, 1, 1], [[0, 1, 3], [1, 2, 3]])?;
+/// assert_eq!(max_degree, 3);
+/// assert_eq!(degrees, [2, 3, 2, 3]);
+/// # Ok::<(), Defect>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Verified {
     /// The largest number of edges at a vertex, boundary edges included.
@@ -26,10 +31,21 @@ pub struct Verified {
 /// The first thing found wrong with a list of triangles.
 ///
 /// Triangles are counted from 0 in the order given.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_core::{Defect, verify};
+///
+/// let defect = verify(&[1, 1, 1, 1], [[0, 1, 3], [1, 2, 0]]).unwrap_err();
+/// assert_eq!(defect, Defect::MissingBoundaryEdge { edge: [2, 3] });
+/// assert_eq!(defect.to_string(), "the boundary edge from 2 to 3 has no triangle");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Defect {
     /// The interval counts are no polygon's: too few sides, an empty one, or too many vertices.
+    /// [`Boundary::new`](crate::Boundary::new) says which.
     NoPolygon,
     /// There are not exactly n - 2 triangles.
     WrongCount {
@@ -118,10 +134,15 @@ impl core::error::Error for Defect {}
 /// That is: n-2 triangles, each counter-clockwise and none flat, every boundary edge once and
 /// every interior edge twice, in opposite directions. O(n log n) time, O(n) memory.
 ///
+/// Why that suffices: in a convex polygon a counter-clockwise triangle of three boundary vertices,
+/// not all on one side, has positive area. If every interior edge is met once in either
+/// direction, the triangles' outlines cancel to the polygon's own, so every point inside is
+/// covered exactly once, whatever the positions.
+///
 /// # Errors
 ///
-/// The first defect: triangles are looked at in the order given, edges after that in the order
-/// of their smaller vertex.
+/// The first defect: triangles are looked at in the order given, then boundary edges from vertex
+/// 0 on, then interior edges in the order of their smaller vertex.
 ///
 /// # Example
 ///
@@ -220,31 +241,34 @@ impl Sides {
 /// Checks the sorted directed edges of all triangles and counts the edges at every vertex.
 fn check_edges(edges: &[[u32; 2]], vertices: u64) -> Result<Vec<u32>, Defect> {
     let next = |vertex: u32| if u64::from(vertex) + 1 == vertices { 0 } else { vertex + 1 };
-    let mut degrees = alloc::vec![2_u32; vertices as usize];
+    let is_boundary_edge = |[from, to]: [u32; 2]| next(from) == to;
+
     let mut has_boundary_edge = alloc::vec![false; vertices as usize];
-    for same in
-        edges.chunk_by(|a, b| a[0].min(a[1]) == b[0].min(b[1]) && a[0].max(a[1]) == b[0].max(b[1]))
-    {
+    for &edge in edges.iter().filter(|&&edge| is_boundary_edge(edge)) {
+        has_boundary_edge[edge[0] as usize] = true;
+    }
+    if let Some((vertex, _)) = (0_u32..).zip(&has_boundary_edge).find(|&(_, &has)| !has) {
+        return Err(Defect::MissingBoundaryEdge { edge: [vertex, next(vertex)] });
+    }
+
+    let mut degrees = alloc::vec![2_u32; vertices as usize];
+    for same in edges.chunk_by(|&[a, b], &edge| edge == [a, b] || edge == [b, a]) {
         if let Some(pair) = same.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(Defect::RepeatedEdge { edge: pair[0] });
         }
         // What is left is one direction or both. A counter-clockwise triangle never has a
         // boundary edge backwards.
         let [from, to] = same[0];
-        if next(from) == to || next(to) == from {
-            let start = if next(from) == to { from } else { to };
-            has_boundary_edge[start as usize] = true;
-        } else if same.len() == 1 {
-            return Err(Defect::OpenEdge { edge: same[0] });
-        } else {
-            degrees[from as usize] += 1;
-            degrees[to as usize] += 1;
+        if is_boundary_edge(same[0]) {
+            continue;
         }
+        if same.len() == 1 {
+            return Err(Defect::OpenEdge { edge: same[0] });
+        }
+        degrees[from as usize] += 1;
+        degrees[to as usize] += 1;
     }
-    match (0_u32..).zip(&has_boundary_edge).find(|&(_, &has)| !has) {
-        Some((vertex, _)) => Err(Defect::MissingBoundaryEdge { edge: [vertex, next(vertex)] }),
-        None => Ok(degrees),
-    }
+    Ok(degrees)
 }
 
 #[cfg(test)]
@@ -282,26 +306,26 @@ mod tests {
             (with(2, [0, 1, 3]), Defect::Flat { triangle, side: 0 }),
             (with(2, [6, 3, 4]), Defect::Flat { triangle, side: 1 }),
             (with(2, [8, 9, 0]), Defect::Flat { triangle, side: 3 }),
-            (with(2, [4, 1, 2]), Defect::RepeatedEdge { edge: [1, 2] }),
-            (with(2, [4, 6, 1]), Defect::OpenEdge { edge: [1, 5] }),
-            (with(0, [5, 6, 1]), Defect::RepeatedEdge { edge: [1, 5] }),
-            (with(2, [4, 6, 0]), Defect::OpenEdge { edge: [0, 4] }),
+            (with(2, [4, 1, 2]), Defect::MissingBoundaryEdge { edge: [4, 5] }),
+            (with(0, [5, 6, 1]), Defect::MissingBoundaryEdge { edge: [2, 3] }),
+            (with(5, [6, 0, 1]), Defect::MissingBoundaryEdge { edge: [9, 0] }),
+            (with(2, [4, 5, 2]), Defect::OpenEdge { edge: [4, 1] }),
+            (with(6, [7, 9, 5]), Defect::MissingBoundaryEdge { edge: [6, 7] }),
+            (with(1, [4, 5, 1]), Defect::MissingBoundaryEdge { edge: [1, 2] }),
         ] {
             assert_eq!(verify(&[3, 3, 2, 2], triangles), Err(defect));
+        }
+        // The triangle in the middle has no boundary edge to miss.
+        let ears = [[0, 1, 5], [1, 2, 3], [3, 4, 5]];
+        assert_eq!(verify(&[2, 2, 2], [&ears[..], &[[1, 3, 5]]].concat()).unwrap().max_degree, 4);
+        for (middle, defect) in [
+            ([1, 2, 3], Defect::RepeatedEdge { edge: [1, 2] }),
+            ([1, 3, 4], Defect::OpenEdge { edge: [4, 1] }),
+        ] {
+            assert_eq!(verify(&[2, 2, 2], [&ears[..], &[middle]].concat()), Err(defect));
         }
         for intervals in [&[1, 1][..], &[1, 0, 2], &[1, u64::MAX, 2], &[1, 4_294_967_293, 1]] {
             assert_eq!(verify(intervals, []), Err(Defect::NoPolygon));
         }
-    }
-
-    /// Every interior edge is matched, and still a boundary edge has no triangle: with n - 2
-    /// triangles that takes a closed surface beside the polygon, so the count stops it first.
-    #[test]
-    fn a_boundary_edge_may_be_missing() {
-        let edges = [[0, 1], [1, 2], [2, 0], [0, 2], [2, 3]];
-        let mut edges = edges.to_vec();
-        edges.sort_unstable_by_key(|&[a, b]: &[u32; 2]| (a.min(b), a.max(b), a));
-        let missing = Defect::MissingBoundaryEdge { edge: [3, 0] };
-        assert_eq!(check_edges(&edges, 4), Err(missing));
     }
 }

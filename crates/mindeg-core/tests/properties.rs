@@ -3,7 +3,7 @@
 
 use mindeg_core::{
     Boundary, Certificate, Letter, Plans, Triangulation, certificate, min_degree_triangulation,
-    verify,
+    optimal_max_degree, verify,
 };
 use proptest::prelude::*;
 
@@ -60,6 +60,39 @@ proptest! {
     }
 
     #[test]
+    fn a_sample_is_as_large_as_it_may_be(sides in sides(16, 64), limit in 0_u32..40) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let plans = Plans::new(&boundary);
+        let sample: Vec<Triangulation> = plans.sample(limit).collect();
+        prop_assert_eq!(sample.len() as u64, plans.count().min(u64::from(limit.max(1))));
+        prop_assert_eq!(sample[0], min_degree_triangulation(&boundary));
+        // In the order of all plans, and so no plan twice.
+        let mut plans = plans.iter();
+        prop_assert!(sample.iter().all(|one| plans.any(|other| other == *one)));
+    }
+
+    #[test]
+    fn a_certificate_proves_no_more_than_the_truth(
+        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, number in 0_usize..6
+    ) {
+        let optimum = optimal_max_degree(&Boundary::new(&about).unwrap());
+        let own = certificate(&Boundary::new(&of).unwrap());
+        let claimed = match own {
+            Certificate::BalancedCut { cut, .. } =>
+                Certificate::BalancedCut { cut, max_degree: degree },
+            Certificate::LongSide { .. } =>
+                Certificate::LongSide { side: number, max_degree: degree },
+            other => other,
+        };
+        for certificate in [own, claimed] {
+            if let Ok(proven) = certificate.check(&about) {
+                prop_assert_eq!(proven, certificate.max_degree());
+                prop_assert!(proven <= optimum);
+            }
+        }
+    }
+
+    #[test]
     fn closed_forms_describe_the_list(sides in sides(12, 64)) {
         let boundary = Boundary::new(&sides).unwrap();
         let vertices = boundary.vertex_count();
@@ -89,9 +122,45 @@ proptest! {
             prop_assert_eq!(plan.isolated_corners(), isolated);
 
             let histogram = plan.degree_histogram();
-            prop_assert_eq!(histogram.len() as u32, plan.max_degree() + 1);
-            prop_assert!(*histogram.last().unwrap() > 0);
-            prop_assert_eq!(histogram.iter().sum::<u32>(), vertices);
+            for (&degree, &count) in &histogram {
+                let having = from_list.iter().filter(|list| list.len() as u32 == degree);
+                prop_assert_eq!(having.count() as u32, count);
+            }
+            prop_assert_eq!(histogram.last_key_value().unwrap().0, &plan.max_degree());
+            prop_assert_eq!(histogram.values().sum::<u32>(), vertices);
+        }
+    }
+
+    #[test]
+    fn blocks_hold_the_same_triangles_however_they_are_cut(
+        sides in sides(12, 512), plan in any::<prop::sample::Index>(),
+        lens in prop::collection::vec(0_usize..150, 1..8), leap in 0_usize..300
+    ) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let plans: Vec<Triangulation> = Plans::new(&boundary).sample(40).collect();
+        let plan = plan.get(&plans);
+        let count = plan.triangle_count();
+        let one_by_one: Vec<[u32; 3]> = (0..count).map(|number| plan.triangle(number)).collect();
+
+        let mut filled = vec![[0; 3]; count as usize];
+        let (mut rest, mut number) = (&mut filled[..], 0);
+        for len in lens.into_iter().chain([usize::MAX]) {
+            let (block, after) = rest.split_at_mut(len.min(rest.len()));
+            plan.fill_triangles(number, block);
+            (rest, number) = (after, number + block.len() as u32);
+        }
+        prop_assert_eq!(&filled, &one_by_one);
+
+        prop_assert!(plan.triangles().eq(one_by_one.iter().copied()));
+        let (mut triangles, mut expected) = (plan.triangles(), one_by_one.into_iter());
+        loop {
+            prop_assert_eq!(triangles.len(), expected.len());
+            let triangle = triangles.nth(leap);
+            prop_assert_eq!(triangle, expected.nth(leap));
+            if triangle.is_none() {
+                break;
+            }
+            prop_assert_eq!(triangles.next(), expected.next());
         }
     }
 
@@ -132,28 +201,44 @@ fn the_largest_boundaries_are_answered_at_once() {
     let limit = u64::from(mindeg_core::MAX_VERTICES);
     for (sides, max_degree) in [
         (vec![limit - 2, 1, 1], 4_294_967_293),
+        (vec![1, limit - 2, 1], 4_294_967_293),
         (vec![limit / 2, limit / 2 - 1, 1], 4),
         (vec![limit / 2 + 1, limit / 2 - 3, 1, 1], 5),
         (vec![limit / 3, limit / 3, limit - 2 * (limit / 3)], 5),
+        (vec![limit / 2 - 1, 2, limit / 2 - 3, 2], 5),
         (vec![limit - 1_000_000, 500_000, 500_000], 4297),
     ] {
         let boundary = Boundary::new(&sides).unwrap();
-        let plan = min_degree_triangulation(&boundary);
-        assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
         let certificate = certificate(&boundary);
-        assert!(matches!(certificate.check(&sides), Ok(degree) if degree == max_degree));
-        if matches!(certificate, Certificate::LongSide { .. }) {
-            let off_side = boundary.vertex_count() - 1;
-            assert!(plan.degree(off_side) >= max_degree - 1, "{sides:?}");
+        assert_eq!(certificate.check(&sides), Ok(max_degree), "{sides:?}");
+        for plan in Plans::new(&boundary).sample(9) {
+            assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
+            check_here_and_there(&boundary, &plan);
         }
-        let last = plan.triangle_count() - 1;
-        for number in (0..=last).step_by(100_000_007).chain([last]) {
-            let triangle = plan.triangle(number);
-            assert!(!boundary.is_flat(triangle), "{sides:?}: {triangle:?}");
-            for vertex in triangle {
-                assert!(plan.degree(vertex) <= max_degree);
-                let neighbors = plan.neighbors(vertex).take(10).collect::<Vec<_>>();
-                assert!(neighbors.iter().all(|&other| other < boundary.vertex_count()));
+    }
+}
+
+fn check_here_and_there(boundary: &Boundary, plan: &Triangulation) {
+    const WINDOW: u32 = 200;
+    let last = plan.triangle_count() - WINDOW;
+    let ends = plan.strips().scan(0_u32, |end, strip| {
+        *end += strip.triangle_count();
+        Some(end.saturating_sub(WINDOW / 2).min(last))
+    });
+    for first in (0..last).step_by(100_000_007).chain([last]).chain(ends) {
+        let mut block = [[0; 3]; WINDOW as usize];
+        plan.fill_triangles(first, &mut block);
+        for (number, triangle) in (first..).zip(block) {
+            assert_eq!(triangle, plan.triangle(number), "{boundary:?}");
+            assert!(!boundary.is_flat(triangle), "{boundary:?}: {triangle:?}");
+            for (vertex, other) in triangle.into_iter().zip([triangle[1], triangle[2], triangle[0]])
+            {
+                let neighbors = plan.neighbors(vertex);
+                assert_eq!(neighbors.len() as u32, plan.degree(vertex));
+                assert!(plan.degree(vertex) <= plan.max_degree());
+                if neighbors.len() < 1000 {
+                    assert!(neighbors.into_iter().any(|neighbor| neighbor == other));
+                }
             }
         }
     }

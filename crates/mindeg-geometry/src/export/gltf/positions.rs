@@ -1,0 +1,89 @@
+//! Positions as glTF stores them: 32-bit floats, near the origin.
+
+use crate::export::{ExportError, Plane};
+use crate::{Bounds, Mesh};
+use glam::{DVec2, Vec3};
+
+/// A coordinate range is far from the origin when it begins this many of its own lengths
+/// away, or more: then 32-bit floats near the origin keep at least three bits more of it.
+const FAR: f64 = 8.0;
+
+/// How the points of a mesh become positions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Positions {
+    /// What is taken off every point: a point of 32-bit floats, so that a reader that adds
+    /// it again adds what was taken off.
+    offset: DVec2,
+    plane: Plane,
+}
+
+/// The least and the greatest of each coordinate, of positions as stored.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Extent {
+    pub(super) min: Vec3,
+    pub(super) max: Vec3,
+}
+
+impl Positions {
+    /// How the points of `mesh` are stored, and what range that gives.
+    ///
+    /// Refuses what [`survey`](Self::survey) refuses, when the middle of the box as origin does
+    /// not help either.
+    pub(super) fn new(mesh: &Mesh, plane: Plane) -> Result<(Self, Extent), ExportError> {
+        let bounds = mesh.placement().bounds();
+        let near = Self { offset: offset(bounds, FAR), plane };
+        let refusal = match near.survey(mesh) {
+            Ok(extent) => return Ok((near, extent)),
+            Err(refusal) => refusal,
+        };
+        let centered = Self { offset: offset(bounds, f64::NEG_INFINITY), plane };
+        centered.survey(mesh).map(|extent| (centered, extent)).map_err(|_| refusal)
+    }
+
+    /// The position of a point, relative to the [`translation`](Self::translation).
+    pub(super) fn of(&self, point: DVec2) -> Vec3 {
+        // Rounding can make a zero negative; adding zero undoes it.
+        self.plane.place(point - self.offset).as_vec3() + Vec3::ZERO
+    }
+
+    /// What moves the positions back to the points; nothing where they are near the origin.
+    pub(super) fn translation(&self) -> Option<[f32; 3]> {
+        let moved = self.offset != DVec2::ZERO;
+        moved.then(|| self.plane.place(self.offset).as_vec3().to_array())
+    }
+
+    /// Looks at every position once, in O(n) time and O(1) memory.
+    ///
+    /// Refuses a coordinate beyond the range of 32-bit floats, and a vertex in the same
+    /// place as one of the two before it round the boundary. Two steps back suffice for
+    /// uniform spacing: where neighbors differ, points meet across a sharp corner at most,
+    /// and the first pair there is the closest.
+    fn survey(&self, mesh: &Mesh) -> Result<Extent, ExportError> {
+        let n = mesh.vertex_count();
+        let mut before = [n - 2, n - 1].map(|v| (v, self.of(mesh.point(v))));
+        let mut extent = Extent { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+        for (vertex, point) in (0..).zip(mesh.points()) {
+            let position = self.of(point);
+            if !position.is_finite() {
+                return Err(ExportError::OutOfRange { vertex, point });
+            }
+            if let Some((other, _)) = before.iter().find(|(_, other)| *other == position) {
+                let vertices = [*other, vertex];
+                return Err(ExportError::Coincident { vertices, point });
+            }
+            extent.min = extent.min.min(position);
+            extent.max = extent.max.max(position);
+            before = [before[1], (vertex, position)];
+        }
+        Ok(extent)
+    }
+}
+
+/// The middle of the box in each coordinate in which the box begins `far` of its own lengths
+/// from the origin, or more, and 0 in the others; rounded to a 32-bit float.
+fn offset(bounds: Bounds, far: f64) -> DVec2 {
+    let (size, center) = (bounds.size(), bounds.center());
+    let distance = bounds.min.max(-bounds.max);
+    let offset = DVec2::select(distance.cmpge(far * size), center, DVec2::ZERO);
+    offset.as_vec2().as_dvec2()
+}

@@ -1,0 +1,350 @@
+//! A domain's mesh: of the triangulations with the least maximum degree, the one that looks
+//! best on the actual points.
+//!
+//! Limits: the best of the plans tried is not the best triangulation of that degree, let alone
+//! of any degree.
+
+use glam::DVec2;
+use mindeg_core::{Boundary, Plans, Triangulation};
+
+use crate::domain::Domain;
+use crate::placement::Placement;
+use crate::quality::TriangleQuality;
+use crate::summary::DegreeHistogram;
+
+/// The most plans tried.
+const MOST_PLANS: u32 = 64;
+
+/// The most triangles visited in choosing a plan, two plans' worth aside.
+const MOST_TRIANGLES: u32 = 1 << 25;
+
+/// Up to so many vertices points are computed once and kept while plans are compared (16 MiB);
+/// beyond, they are computed anew for every plan.
+const MOST_KEPT: u32 = 1 << 20;
+
+/// How much better the least angle's cotangent must be for a later plan to be taken.
+const MARGIN: f64 = 1e-9;
+
+/// A triangulation of a domain's boundary vertices, and their positions.
+///
+/// Nothing is stored per vertex or triangle: both follow from formulas. So a mesh of billions of
+/// triangles can be made, asked and written in the memory of a small one.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::{Domain, Mesh, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+/// let mesh = Mesh::least_degree(&domain)?;
+/// assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (10, 8));
+/// assert_eq!(mesh.max_degree(), 4);
+/// assert_eq!(mesh.point(3).to_array(), [4.0, 0.0]);
+/// let area: f64 = mesh.qualities().map(|quality| quality.area).sum();
+/// assert!((area - 12.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    domain: Domain,
+    triangulation: Triangulation,
+}
+
+/// Why a domain has no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// Every plan tried has a triangle that is not counter-clockwise once its points are rounded
+    /// to f64.
+    #[error(
+        "triangle {triangle:?} is so thin that it has no area at the precision of its \
+         coordinates; use fewer intervals or gentler spacing laws, or move the domain towards the \
+         origin"
+    )]
+    NoArea {
+        /// The vertices of such a triangle.
+        triangle: [u32; 3],
+    },
+}
+
+/// The least and the greatest angle of a mesh, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AngleRange {
+    /// In (0, 60].
+    pub min: f64,
+    /// In [60, 180).
+    pub max: f64,
+}
+
+/// How many vertices have each degree, corners apart from the others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DegreeHistograms {
+    /// The degrees of the corners.
+    pub corners: DegreeHistogram,
+    /// The degrees of the vertices inside sides.
+    pub sides: DegreeHistogram,
+}
+
+impl Mesh {
+    /// The mesh with the least possible maximum degree that looks best on the domain's points.
+    ///
+    /// The core's constructions leave choices open, all of the same degree ([`Plans`]). The
+    /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
+    /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
+    ///
+    /// O(n) time; O(1) memory beyond some size. At most 64 plans are tried, spread evenly over
+    /// all, and fewer where they would have more than 2^25 triangles together, but at least two
+    /// if there are two. A plan is dropped at its first triangle that is no better than the best
+    /// plan's worst. Angles are compared by their cotangents, which take only the four basic
+    /// operations: so the choice is the same on every machine.
+    ///
+    /// # Errors
+    ///
+    /// Points so close that some triangle has no area as f64s have it.
+    pub fn least_degree(domain: &Domain) -> Result<Self, MeshError> {
+        let placement = domain.placement();
+        let kept: Vec<DVec2> = if placement.vertex_count() <= MOST_KEPT {
+            placement.points().collect()
+        } else {
+            Vec::new()
+        };
+        let point = |vertex: u32| match kept.get(vertex as usize) {
+            Some(&point) => point,
+            None => placement.point(vertex),
+        };
+        let mut best: Option<(f64, Triangulation)> = None;
+        // Of the last plan that was dropped: if no plan is left, it is as bad as the others.
+        let mut triangle = [0; 3];
+        for plan in Plans::new(domain.boundary()).sample(plans_to_try(domain.boundary())) {
+            let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));
+            match greatest_cotangent(&plan, point, limit) {
+                Ok(worst) => best = Some((worst, plan)),
+                Err(in_the_way) => triangle = in_the_way,
+            }
+        }
+        let (_, triangulation) = best.ok_or(MeshError::NoArea { triangle })?;
+        Ok(Self { domain: domain.clone(), triangulation })
+    }
+
+    /// The domain.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        &self.domain
+    }
+
+    /// The domain's boundary: sides, corners, counts.
+    #[must_use]
+    pub fn boundary(&self) -> &Boundary {
+        self.domain.boundary()
+    }
+
+    /// The positions of the vertices.
+    #[must_use]
+    pub fn placement(&self) -> &Placement {
+        self.domain.placement()
+    }
+
+    /// The number of vertices n.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.triangulation.vertex_count()
+    }
+
+    /// The number of triangles, n - 2.
+    #[must_use]
+    pub fn triangle_count(&self) -> u32 {
+        self.triangulation.triangle_count()
+    }
+
+    /// The position of a vertex. O(log k) for k sides.
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn point(&self, vertex: u32) -> DVec2 {
+        self.placement().point(vertex)
+    }
+
+    /// The positions of all vertices, counter-clockwise from the first corner.
+    pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
+        self.placement().points()
+    }
+
+    /// The triangle with the given number, counter-clockwise. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `number` is not below [`triangle_count`](Self::triangle_count).
+    #[must_use]
+    pub fn triangle(&self, number: u32) -> [u32; 3] {
+        self.triangulation.triangle(number)
+    }
+
+    /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        self.triangulation.triangles()
+    }
+
+    /// The positions of all triangles' vertices, in the order of [`triangles`](Self::triangles).
+    pub fn placed_triangles(&self) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
+        placed(self.triangles(), |vertex| self.point(vertex))
+    }
+
+    /// The measures of all triangles, in the order of [`triangles`](Self::triangles).
+    pub fn qualities(&self) -> impl ExactSizeIterator<Item = TriangleQuality> + '_ {
+        self.placed_triangles().map(|[a, b, c]| TriangleQuality::of(a, b, c))
+    }
+
+    /// The least and the greatest angle. O(n) time, O(1) memory, and much faster than
+    /// [`qualities`](Self::qualities).
+    #[must_use]
+    pub fn angle_range(&self) -> AngleRange {
+        let extremes = [f64::NEG_INFINITY, f64::INFINITY];
+        let [least, greatest] = self.placed_triangles().map(cotangents).fold(
+            extremes,
+            |[of_least, of_greatest], [least, greatest]| {
+                [of_least.max(least), of_greatest.min(greatest)]
+            },
+        );
+        let degrees = |cotangent: f64| libm::atan2(1.0, cotangent).to_degrees();
+        AngleRange { min: degrees(least), max: degrees(greatest) }
+    }
+
+    /// The number of edges at a vertex, the two along the boundary included. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn degree(&self, vertex: u32) -> u32 {
+        self.triangulation.degree(vertex)
+    }
+
+    /// The largest degree. O(1).
+    #[must_use]
+    pub fn max_degree(&self) -> u32 {
+        self.triangulation.max_degree()
+    }
+
+    /// How many corners and how many other vertices have each degree. O(n).
+    #[must_use]
+    pub fn degree_histograms(&self) -> DegreeHistograms {
+        let boundary = self.boundary();
+        let sides = (0..boundary.side_count())
+            .flat_map(|s| boundary.corner(s) + 1..boundary.corner(s) + boundary.intervals(s));
+        DegreeHistograms {
+            corners: (0..boundary.side_count()).map(|s| self.degree(boundary.corner(s))).collect(),
+            sides: sides.map(|vertex| self.degree(vertex)).collect(),
+        }
+    }
+}
+
+/// How many plans are worth their time.
+fn plans_to_try(boundary: &Boundary) -> u32 {
+    (MOST_TRIANGLES / (boundary.vertex_count() - 2)).clamp(2, MOST_PLANS)
+}
+
+/// The cotangent of a plan's least angle, if that is below `limit`; otherwise the first triangle
+/// in the way.
+fn greatest_cotangent(
+    plan: &Triangulation,
+    point: impl Fn(u32) -> DVec2,
+    limit: f64,
+) -> Result<f64, [u32; 3]> {
+    let mut greatest = f64::NEG_INFINITY;
+    for (number, points) in (0..).zip(placed(plan.triangles(), point)) {
+        greatest = greatest.max(cotangents(points)[0]);
+        if greatest >= limit {
+            return Err(plan.triangle(number));
+        }
+    }
+    Ok(greatest)
+}
+
+/// The vertices' positions for each triangle. Each is computed once as long as it stays in the
+/// triangles that follow on one another, as in a strip: all but some once or twice in all.
+fn placed<T: ExactSizeIterator<Item = [u32; 3]>>(
+    triangles: T,
+    point: impl Fn(u32) -> DVec2,
+) -> impl ExactSizeIterator<Item = [DVec2; 3]> {
+    let mut last = ([u32::MAX; 3], [DVec2::ZERO; 3]);
+    triangles.map(move |vertices| {
+        let (known, places) = last;
+        let points = vertices.map(|vertex| match known.iter().position(|&v| v == vertex) {
+            Some(place) => places[place],
+            None => point(vertex),
+        });
+        last = (vertices, points);
+        points
+    })
+}
+
+/// The cotangents of a triangle's least and greatest angles. For a triangle that is not
+/// counter-clockwise, the worst there are.
+fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
+    let [x, y, z] = [c - b, a - c, b - a];
+    // A cotangent is the dot product of the edges at the vertex over their cross product, and
+    // that is twice the area at all three.
+    let dots = [-y.dot(z), -z.dot(x), -x.dot(y)];
+    let [least, greatest] = [dots[0].min(dots[1]).min(dots[2]), dots[0].max(dots[1]).max(dots[2])];
+    // At the greatest angle, the cross product cancels least.
+    let cross = if dots[0] == least {
+        y.perp_dot(z)
+    } else if dots[1] == least {
+        z.perp_dot(x)
+    } else {
+        x.perp_dot(y)
+    };
+    if cross > 0.0 { [greatest / cross, least / cross] } else { [f64::INFINITY, f64::NEG_INFINITY] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::domain::{Outline, Rectangle, Side};
+    use crate::spacing::Spacing;
+
+    #[test]
+    fn few_plans_are_tried_on_many_vertices() {
+        for (intervals, plans) in [(1, 64), (100_000, 64), (1_000_000, 8), (1_000_000_000, 2)] {
+            let boundary = Boundary::new(&[intervals; 4]).unwrap();
+            assert_eq!(plans_to_try(&boundary), plans, "{intervals}");
+        }
+    }
+
+    #[test]
+    fn cotangents_of_the_least_and_the_greatest_angle() {
+        let of = |triangle: [[f64; 2]; 3]| cotangents(triangle.map(DVec2::from));
+        let infinite = [f64::INFINITY, f64::NEG_INFINITY];
+        for (triangle, expected) in [
+            ([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], [4.0 / 3.0, 0.0]),
+            ([[0.0, 3.0], [0.0, 0.0], [4.0, 0.0]], [4.0 / 3.0, 0.0]),
+            ([[0.0, 0.0], [1.0, 0.0], [2.0, 1.0]], [3.0, -1.0]),
+            ([[0.0, 0.0], [0.0, 3.0], [4.0, 0.0]], infinite),
+            ([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], infinite),
+        ] {
+            assert_eq!(of(triangle), expected, "{triangle:?}");
+        }
+    }
+
+    #[test]
+    fn points_are_the_same_kept_or_not() {
+        let domain = Domain::rectangle(4.0, 3.0, [9, 7, 5, 2].map(Side::count).into()).unwrap();
+        let mesh = Mesh::least_degree(&domain).unwrap();
+        let one_by_one = mesh.triangles().map(|triangle| triangle.map(|v| mesh.point(v)));
+        assert!(mesh.placed_triangles().eq(one_by_one));
+    }
+
+    /// Points are apart, and yet a triangle between two slanted sides is too thin for f64.
+    #[test]
+    fn refuses_a_mesh_with_a_triangle_that_rounding_turns_over() {
+        let sides = [(7, 33.65), (2, 2.0575e10), (4, 1018.57), (4, 0.1683)]
+            .map(|(m, ratio)| Side::count(m).spaced(Spacing::Geometric { ratio }));
+        let origin = DVec2::splat(881.702_365_756_015_1);
+        let rectangle = Rectangle { origin, rotation: 30.0, ..Rectangle::new(1.0, 0.308) };
+        let domain = Domain::new(Outline::Rectangle(rectangle), sides.into()).unwrap();
+        let error = Mesh::least_degree(&domain).unwrap_err();
+        assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
+    }
+}

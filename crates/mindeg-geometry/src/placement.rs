@@ -1,0 +1,271 @@
+//! Where the boundary vertices are: straight sides between corners, and a law on each.
+//!
+//! Points are closed forms, O(log k) each for k sides and nothing stored, so a boundary of
+//! billions of vertices takes no more memory than its sides.
+//!
+//! Limits: the checks keep points apart. A triangle of three distinct points may yet be so thin
+//! that rounding turns it over; meshing refuses to give one.
+
+use glam::DVec2;
+use mindeg_core::Boundary;
+
+use crate::spacing_law::SpacingLaw;
+
+/// How many roundings of a coordinate two points must be apart. Each point is off by less than
+/// two, and so is the difference of corners its side is made from.
+const ROUNDINGS: f64 = 8.0;
+
+/// The positions of all boundary vertices, counter-clockwise from the first corner.
+///
+/// A [`Domain`](crate::Domain) has one, in [`Domain::placement`](crate::Domain::placement).
+///
+/// # What is promised of the rounded points
+///
+/// Corners are exactly where they were put, points of a side that is parallel to an axis lie
+/// exactly on it, and no two points coincide:
+///
+/// - Along a side, the shortest interval is checked to be longer than what rounding at the
+///   side's coordinates can move a point.
+/// - Points of two sides can come close at a corner only. There the nearest point of either side
+///   is checked to be farther from the line of the other side than rounding can move it. The
+///   other points of the sides are farther still, and in a convex polygon so are all other sides.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::{Domain, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(2); 4])?;
+/// let placement = domain.placement();
+/// assert_eq!(placement.vertex_count(), 8);
+/// assert_eq!(placement.point(1).to_array(), [2.0, 0.0]); // the middle of the bottom
+/// assert_eq!(placement.points().last(), Some(placement.point(7)));
+/// assert_eq!(placement.area(), 12.0);
+/// assert_eq!(placement.bounds().max.to_array(), [4.0, 3.0]);
+/// # Ok::<(), mindeg_geometry::DomainError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placement {
+    boundary: Boundary,
+    corners: Vec<DVec2>,
+    laws: Vec<SpacingLaw>,
+}
+
+/// The smallest box around a set of points with sides parallel to the axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    /// The least coordinates.
+    pub min: DVec2,
+    /// The greatest coordinates.
+    pub max: DVec2,
+}
+
+impl Bounds {
+    /// Width and height of the box.
+    #[must_use]
+    pub fn size(&self) -> DVec2 {
+        self.max - self.min
+    }
+
+    /// The middle of the box.
+    #[must_use]
+    pub fn center(&self) -> DVec2 {
+        self.min + self.size() / 2.0
+    }
+}
+
+/// Points that f64 cannot tell apart.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Unresolved {
+    /// The shortest interval of a side.
+    Interval { side: usize, interval: u32, length: f64 },
+    /// The points next to a corner.
+    Corner { corner: usize, distance: f64 },
+}
+
+impl Placement {
+    /// Corner `s` is where side `s` starts. As many `corners` as `laws`, as many as the
+    /// boundary has sides and with its intervals; the corners are those of a convex polygon,
+    /// counter-clockwise.
+    pub(crate) fn new(
+        boundary: Boundary,
+        corners: Vec<DVec2>,
+        laws: Vec<SpacingLaw>,
+    ) -> Result<Self, Unresolved> {
+        let placement = Self { boundary, corners, laws };
+        for side in 0..placement.corners.len() {
+            placement.check_intervals(side)?;
+            placement.check_corner(side)?;
+        }
+        Ok(placement)
+    }
+
+    /// The rounded points of a side are in order along the coordinate in which it is longest,
+    /// since rounding never swaps two numbers. That they differ is what needs the room.
+    fn check_intervals(&self, side: usize) -> Result<(), Unresolved> {
+        let span = (self.side_end(side) - self.corners[side]).abs();
+        let axis = usize::from(span.y > span.x);
+        let (interval, share) = self.laws[side].shortest();
+        if share * span[axis] >= ROUNDINGS * self.rounding(side)[axis] {
+            return Ok(());
+        }
+        Err(Unresolved::Interval { side, interval, length: share * self.side_length(side) })
+    }
+
+    /// At corner `side`, where `side` starts and the one before it ends.
+    fn check_corner(&self, side: usize) -> Result<(), Unresolved> {
+        let before = (side + self.corners.len() - 1) % self.corners.len();
+        let law = &self.laws[before];
+        let last = (1.0 - law.parameter(law.intervals() - 1)) * self.side_length(before);
+        let first = self.laws[side].parameter(1) * self.side_length(side);
+        let incoming = (self.corners[side] - self.corners[before]).normalize();
+        let outgoing = (self.side_end(side) - self.corners[side]).normalize();
+        let distance = last.min(first) * incoming.perp_dot(outgoing);
+        let rounding = self.rounding(before).max(self.rounding(side)).max_element();
+        if distance >= ROUNDINGS * rounding {
+            return Ok(());
+        }
+        Err(Unresolved::Corner { corner: side, distance })
+    }
+
+    /// A bound on the rounding of the coordinates of a side's points.
+    fn rounding(&self, side: usize) -> DVec2 {
+        self.corners[side].abs().max(self.side_end(side).abs()) * f64::EPSILON
+    }
+
+    fn side_end(&self, side: usize) -> DVec2 {
+        self.corners[(side + 1) % self.corners.len()]
+    }
+
+    /// The boundary whose vertices these are the positions of.
+    #[must_use]
+    pub fn boundary(&self) -> &Boundary {
+        &self.boundary
+    }
+
+    /// The number of boundary vertices n.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.boundary.vertex_count()
+    }
+
+    /// The corners, counter-clockwise; corner `s` is where side `s` starts.
+    #[must_use]
+    pub fn corners(&self) -> &[DVec2] {
+        &self.corners
+    }
+
+    /// The length of a side.
+    ///
+    /// # Panics
+    ///
+    /// When `side` is not below the number of sides.
+    #[must_use]
+    pub fn side_length(&self, side: usize) -> f64 {
+        self.side_end(side).distance(self.corners[side])
+    }
+
+    /// The position of a vertex. O(log k).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn point(&self, vertex: u32) -> DVec2 {
+        let side = self.boundary.side_of(vertex);
+        self.point_on(side, vertex - self.boundary.corner(side))
+    }
+
+    /// The positions of all vertices in order, side by side. O(1) each.
+    pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
+        (0..self.corners.len()).flat_map(move |side| {
+            (0..self.laws[side].intervals()).map(move |i| self.point_on(side, i))
+        })
+    }
+
+    /// Point `i` of a side; `i` is below the side's number of intervals.
+    fn point_on(&self, side: usize, i: u32) -> DVec2 {
+        let start = self.corners[side];
+        start + self.laws[side].parameter(i) * (self.side_end(side) - start)
+    }
+
+    /// The smallest box around the domain. O(k).
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let first = Bounds { min: self.corners[0], max: self.corners[0] };
+        self.corners.iter().fold(first, |bounds, &corner| Bounds {
+            min: bounds.min.min(corner),
+            max: bounds.max.max(corner),
+        })
+    }
+
+    /// The area of the domain, in square units. O(k).
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        // Relative to a corner, so that nothing cancels far from the origin.
+        let origin = self.corners[0];
+        let fan = self.corners[1..].windows(2);
+        fan.map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum::<f64>() / 2.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spacing::Spacing;
+
+    fn place(corners: &[[f64; 2]], spacing: &Spacing, m: u32) -> Result<Placement, Unresolved> {
+        let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();
+        let laws = (0..corners.len())
+            .map(|s| {
+                let length = corners[(s + 1) % corners.len()].distance(corners[s]);
+                SpacingLaw::solve(spacing, m, length).unwrap()
+            })
+            .collect();
+        let boundary = Boundary::new(&vec![u64::from(m); corners.len()]).unwrap();
+        Placement::new(boundary, corners, laws)
+    }
+
+    const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+
+    #[test]
+    fn puts_points_between_exact_corners() {
+        let corners = [[0.1, 0.2], [0.7, 0.2], [0.4, 0.9]];
+        let placement = place(&corners, &Spacing::Geometric { ratio: 1.7 }, 5).unwrap();
+        for (s, corner) in corners.into_iter().enumerate() {
+            assert_eq!(placement.point(5 * s as u32).to_array(), corner);
+        }
+        assert!((0..5).all(|v| placement.point(v).y == 0.2));
+        assert!((0..15).map(|v| placement.point(v)).eq(placement.points()));
+        let [start, first, second] = [0, 1, 2].map(|v| placement.point(v).x);
+        assert!(((second - first) / (first - start) - 1.7).abs() < 1e-12);
+    }
+
+    #[test]
+    fn measures_the_outline() {
+        let far = SQUARE.map(|[x, y]| [x + 5e6, y + 4e6]);
+        let placement = place(&far, &Spacing::Uniform, 3).unwrap();
+        assert_eq!(placement.area(), 1.0);
+        assert_eq!(placement.side_length(2), 1.0);
+        assert_eq!(placement.bounds().size(), DVec2::ONE);
+        assert_eq!(placement.bounds().center(), DVec2::new(5e6 + 0.5, 4e6 + 0.5));
+    }
+
+    #[test]
+    fn refuses_points_that_rounding_would_merge() {
+        let far = |offset: f64| SQUARE.map(|[x, y]| [x + offset, y]);
+        let dense = Spacing::Geometric { ratio: 1e3 };
+        assert!(place(&far(0.0), &dense, 4).is_ok());
+        assert!(place(&far(1e5), &dense, 4).is_ok());
+        let refused = place(&far(1e7), &dense, 4).unwrap_err();
+        let Unresolved::Interval { side: 0, interval: 0, length } = refused else {
+            panic!("{refused:?}");
+        };
+        assert!((length - 1e-9).abs() < 1e-11);
+
+        let needle = |width: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, width]];
+        assert!(place(&needle(1e-9), &Spacing::Uniform, 10).is_ok());
+        let refused = place(&needle(1e-14), &Spacing::Uniform, 10).unwrap_err();
+        assert!(matches!(refused, Unresolved::Corner { corner: 0, .. }), "{refused:?}");
+    }
+}

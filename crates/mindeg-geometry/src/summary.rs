@@ -1,0 +1,229 @@
+//! Many triangles or vertices in a few numbers: distributions, shares, histograms.
+//!
+//! Results do not depend on how the work is divided: quantiles are values that occur, and sums
+//! are taken in blocks of fixed size, in order.
+//!
+//! Limits: quantiles need all values at once, 72 bytes a triangle for all measures.
+
+use std::collections::BTreeMap;
+
+use crate::quality::{METRICS, TriangleQuality};
+
+/// The angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
+pub const ANGLES: [f64; 4] = [1.0, 5.0, 10.0, 20.0];
+
+/// How many values are summed on their own.
+const BLOCK: usize = 1024;
+
+/// How the values of a measure are spread.
+///
+/// The quantile at p is the least value that at least the share p of all values does not exceed:
+/// the value of rank ⌈p n⌉ of n in ascending order (nearest rank).
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::quality::Distribution;
+///
+/// let spread = Distribution::of(vec![4.0, 1.0, 3.0, 2.0]).unwrap();
+/// assert_eq!((spread.min, spread.median, spread.mean, spread.max), (1.0, 2.0, 2.5, 4.0));
+/// assert_eq!(Distribution::of(vec![]), None);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Distribution {
+    /// The least value.
+    pub min: f64,
+    /// The quantile at 0.01.
+    pub p01: f64,
+    /// The quantile at 0.5.
+    pub median: f64,
+    /// The arithmetic mean; infinite where a value is.
+    pub mean: f64,
+    /// The quantile at 0.99.
+    pub p99: f64,
+    /// The greatest value.
+    pub max: f64,
+}
+
+impl Distribution {
+    /// The distribution of some values, none NaN; `None` if there are none. O(n).
+    #[must_use]
+    pub fn of(mut values: Vec<f64>) -> Option<Self> {
+        let count = values.len();
+        if count == 0 {
+            return None;
+        }
+        let mean = sum(&values) / count as f64;
+        let min = values.iter().copied().min_by(f64::total_cmp)?;
+        let max = values.iter().copied().max_by(f64::total_cmp)?;
+        // Places in ascending order, that is ranks less one. Around the median, what is lower
+        // and what is higher is apart already.
+        let [first, middle, last] =
+            [count.div_ceil(100) - 1, count.div_ceil(2) - 1, count - count / 100 - 1];
+        let select =
+            |values: &mut [f64], place| *values.select_nth_unstable_by(place, f64::total_cmp).1;
+        let (lower, &mut median, higher) = values.select_nth_unstable_by(middle, f64::total_cmp);
+        let p01 = if first < middle { select(lower, first) } else { median };
+        let p99 = if last > middle { select(higher, last - middle - 1) } else { median };
+        Some(Self { min, p01, median, mean, p99, max })
+    }
+}
+
+/// The sum of sums of blocks, which rounds less than a sum from front to back and can be taken
+/// in parallel.
+fn sum(values: &[f64]) -> f64 {
+    values.chunks(BLOCK).map(|block| block.iter().sum::<f64>()).sum()
+}
+
+/// The measures of all triangles of a mesh.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::{Domain, Mesh, Side, quality::QualitySummary};
+///
+/// let domain = Domain::rectangle(2.0, 1.0, [2, 1, 2, 1].map(Side::count).into())?;
+/// let mesh = Mesh::least_degree(&domain)?;
+/// let summary = QualitySummary::of(mesh.qualities()).unwrap();
+/// assert_eq!(summary.triangle_count, 4);
+/// assert_eq!(summary.metric("max_angle").unwrap().max, 90.0);
+/// assert_eq!(summary.shares_below, [0.0; 4]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct QualitySummary {
+    /// How many triangles there are.
+    pub triangle_count: usize,
+    /// The sum of their areas.
+    pub area: f64,
+    /// The distribution of each measure, in the order of [`METRICS`].
+    pub metrics: [Distribution; METRICS.len()],
+    /// For each of [`ANGLES`], the share of triangles with a lesser angle than that, in [0, 1].
+    pub shares_below: [f64; ANGLES.len()],
+}
+
+impl QualitySummary {
+    /// Sums up triangles; `None` if there are none. O(n) time and memory.
+    #[must_use]
+    pub fn of(qualities: impl IntoIterator<Item = TriangleQuality>) -> Option<Self> {
+        let qualities = qualities.into_iter();
+        let mut columns = METRICS.map(|_| Vec::with_capacity(qualities.size_hint().0));
+        let mut below = [0_usize; ANGLES.len()];
+        for quality in qualities {
+            for (column, metric) in columns.iter_mut().zip(METRICS) {
+                column.push((metric.of)(&quality));
+            }
+            for (count, angle) in below.iter_mut().zip(ANGLES) {
+                *count += usize::from(quality.min_angle < angle);
+            }
+        }
+        let triangle_count = columns[0].len();
+        let area = sum(&columns[0]);
+        let distributions: Option<Vec<_>> = columns.into_iter().map(Distribution::of).collect();
+        Some(Self {
+            triangle_count,
+            area,
+            metrics: distributions?.try_into().ok()?,
+            shares_below: below.map(|count| count as f64 / triangle_count as f64),
+        })
+    }
+
+    /// The distribution of the measure of the given name.
+    #[must_use]
+    pub fn metric(&self, name: &str) -> Option<&Distribution> {
+        METRICS.iter().zip(&self.metrics).find(|(metric, _)| metric.name == name).map(|(_, d)| d)
+    }
+}
+
+/// How many vertices have each degree. Memory grows with the number of different degrees only.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::quality::DegreeHistogram;
+///
+/// let histogram: DegreeHistogram = [4, 2, 4, 3, 4].into_iter().collect();
+/// assert_eq!(histogram.max_degree(), Some(4));
+/// assert_eq!(histogram.iter().collect::<Vec<_>>(), [(2, 1), (3, 1), (4, 3)]);
+/// assert_eq!(histogram.count_above(2), 4);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct DegreeHistogram {
+    counts: BTreeMap<u32, u64>,
+}
+
+impl DegreeHistogram {
+    /// Degrees that occur and how many vertices have each, in ascending order.
+    pub fn iter(&self) -> impl Iterator<Item = (u32, u64)> + '_ {
+        self.counts.iter().map(|(&degree, &count)| (degree, count))
+    }
+
+    /// The number of vertices of a degree.
+    #[must_use]
+    pub fn count(&self, degree: u32) -> u64 {
+        self.counts.get(&degree).copied().unwrap_or(0)
+    }
+
+    /// The number of vertices of a greater degree.
+    #[must_use]
+    pub fn count_above(&self, degree: u32) -> u64 {
+        self.iter().filter(|&(d, _)| d > degree).map(|(_, count)| count).sum()
+    }
+
+    /// The largest degree; `None` if there are no vertices.
+    #[must_use]
+    pub fn max_degree(&self) -> Option<u32> {
+        self.counts.keys().next_back().copied()
+    }
+}
+
+impl FromIterator<u32> for DegreeHistogram {
+    fn from_iter<T: IntoIterator<Item = u32>>(degrees: T) -> Self {
+        let mut counts = BTreeMap::new();
+        for degree in degrees {
+            *counts.entry(degree).or_insert(0) += 1;
+        }
+        Self { counts }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec2;
+
+    #[test]
+    fn quantiles_are_of_the_nearest_rank() {
+        for (count, [min, p01, median, p99, max]) in [
+            (1_u32, [1.0, 1.0, 1.0, 1.0, 1.0]),
+            (2, [1.0, 1.0, 1.0, 2.0, 2.0]),
+            (100, [1.0, 1.0, 50.0, 99.0, 100.0]),
+            (101, [1.0, 2.0, 51.0, 100.0, 101.0]),
+            (1000, [1.0, 10.0, 500.0, 990.0, 1000.0]),
+        ] {
+            // In some order: 7 has no divisor in common with the counts.
+            let values = (0..count).map(|i| f64::from(i * 7 % count + 1)).collect();
+            let mean = f64::from(count + 1) / 2.0;
+            let expected = Distribution { min, p01, median, mean, p99, max };
+            assert_eq!(Distribution::of(values), Some(expected), "{count}");
+        }
+        let infinite = Distribution::of(vec![1.0, f64::INFINITY, 2.0]).unwrap();
+        assert_eq!((infinite.median, infinite.mean), (2.0, f64::INFINITY));
+    }
+
+    #[test]
+    fn sums_up_triangles() {
+        let right = |height: f64| {
+            TriangleQuality::of(DVec2::ZERO, DVec2::new(1.0, 0.0), DVec2::new(0.0, height))
+        };
+        // The least angles are 45, some 11, 5.7 and 0.6 degrees.
+        let summary = QualitySummary::of([1.0, 0.2, 0.1, 0.01].map(right)).unwrap();
+        assert_eq!(summary.triangle_count, 4);
+        assert!((summary.area - 0.655).abs() < 1e-15);
+        assert_eq!(summary.shares_below, [0.25, 0.25, 0.5, 0.75]);
+        assert_eq!(summary.metric("max_angle").unwrap().min, 90.0);
+        assert_eq!(summary.metric("minimum_height").unwrap().max, right(1.0).minimum_height);
+        assert_eq!(summary.metric("skew"), None);
+        assert_eq!(QualitySummary::of([]), None);
+    }
+}

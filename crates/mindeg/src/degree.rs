@@ -1,0 +1,145 @@
+//! `mindeg degree`: the answer from the counts alone.
+
+use crate::args::DegreeArguments;
+use crate::failure::Failure;
+use crate::standard_output::{print, print_json};
+use crate::suggest::in_words;
+use mindeg_core::{Boundary, Certificate, certificate, suggest};
+use serde::Serialize;
+use std::fmt::Write;
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Answer<'a> {
+    intervals: &'a [u64],
+    vertices: u32,
+    triangles: u32,
+    interior_edges: u32,
+    max_degree: u32,
+    certificate: Proof,
+}
+
+/// A certificate in the words of the JSON output; sides count from 0 like the list of intervals.
+#[derive(Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+enum Proof {
+    BalancedCut { first_side: usize, side_count: usize, larger: u32, smaller: u32, bound: u32 },
+    MedialTriangle { bound: u32 },
+    LongSide { side: usize, bound: u32 },
+    NoBalancedCut { least_imbalance: u32, bound: u32 },
+}
+
+pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
+    let intervals = &arguments.intervals.0;
+    let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
+    let certificate = certificate(&boundary);
+    let vertices = boundary.vertex_count();
+    if arguments.json {
+        return print_json(&Answer {
+            intervals,
+            vertices,
+            triangles: mindeg_core::bound::triangle_count(&boundary),
+            interior_edges: mindeg_core::bound::interior_edge_count(&boundary),
+            max_degree: certificate.max_degree(),
+            certificate: proof(&certificate),
+        });
+    }
+    print(&text(&boundary, &certificate))
+}
+
+fn proof(certificate: &Certificate) -> Proof {
+    let bound = certificate.max_degree();
+    match *certificate {
+        Certificate::BalancedCut { cut, .. } => Proof::BalancedCut {
+            first_side: cut.first_side,
+            side_count: cut.side_count,
+            larger: cut.larger,
+            smaller: cut.smaller,
+            bound,
+        },
+        Certificate::MedialTriangle => Proof::MedialTriangle { bound },
+        Certificate::LongSide { side, .. } => Proof::LongSide { side, bound },
+        Certificate::NoBalancedCut { least_imbalance } => {
+            Proof::NoBalancedCut { least_imbalance, bound }
+        }
+    }
+}
+
+fn text(boundary: &Boundary, certificate: &Certificate) -> String {
+    let vertices = boundary.vertex_count();
+    let degree = certificate.max_degree();
+    let mut text = String::new();
+    let counts = [
+        ("sides", boundary.side_count() as u64),
+        ("vertices", vertices.into()),
+        ("triangles", mindeg_core::bound::triangle_count(boundary).into()),
+        ("interior edges", mindeg_core::bound::interior_edge_count(boundary).into()),
+        ("least maximum degree", degree.into()),
+    ];
+    for (name, count) in counts {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "{name:<21} {count}");
+    }
+    text.push('\n');
+    text.push_str(&why(boundary, certificate));
+    if degree > 4
+        && let Some(suggestion) = suggest(boundary, degree - 1)
+    {
+        let _ = writeln!(
+            text,
+            "Hint: {} and it is {}; mindeg suggest tells more.",
+            in_words(&suggestion),
+            suggestion.max_degree
+        );
+    }
+    text
+}
+
+/// Why the degree cannot be less and how it is reached, in sentences.
+fn why(boundary: &Boundary, certificate: &Certificate) -> String {
+    let vertices = boundary.vertex_count();
+    let sides = boundary.side_count();
+    match *certificate {
+        Certificate::BalancedCut { .. } if vertices == 3 => {
+            "There is only one triangle.\n".to_owned()
+        }
+        Certificate::BalancedCut { cut, max_degree } => {
+            let run = |first: usize, count: usize| match count {
+                1 => format!("side {}", first % sides + 1),
+                _ => format!("sides {} to {}", first % sides + 1, (first + count - 1) % sides + 1),
+            };
+            let larger = run(cut.first_side, cut.side_count);
+            let smaller = run(cut.first_side + cut.side_count, sides - cut.side_count);
+            format!(
+                "It cannot be less: any triangulation of {vertices} boundary points has a vertex \
+                 of degree {max_degree} or more\n(counting edges: Liu 2005, Theorems 3 and 8).\n\
+                 It is reached by a zig-zag between {larger} ({} intervals) and {smaller} ({}).\n",
+                cut.larger, cut.smaller
+            )
+        }
+        Certificate::MedialTriangle => "\
+It cannot be less: any triangulation of 6 boundary points has a vertex of degree 4 or more
+(counting edges: Liu 2005, Theorems 3 and 8).
+It is reached by the triangle through the three midpoints.\n"
+            .to_owned(),
+        Certificate::LongSide { side, max_degree } => {
+            let intervals = boundary.intervals(side);
+            let off_side = vertices - intervals - 1;
+            let edges = mindeg_core::bound::interior_edge_count(boundary);
+            format!(
+                "It cannot be less: each of the {edges} interior edges ends at one of the \
+                 {off_side} vertices off side {}\n({intervals} intervals), so one of these has \
+                 {} of them besides two boundary edges\n(Liu 2005, Theorem 4).\n\
+                 It is reached by sharing that side out evenly among them.\n",
+                side + 1,
+                max_degree - 2,
+            )
+        }
+        Certificate::NoBalancedCut { least_imbalance } => format!(
+            "It cannot be less: degree 4 needs two runs of consecutive sides whose intervals \
+             differ by at most 1,\nand here every two differ by {least_imbalance} or more \
+             (Liu 2005, Theorems 5 and 10).\n\
+             It is reached by a cap at one corner and a zig-zag across the rest.\n"
+        ),
+    }
+}

@@ -1,0 +1,21 @@
+//! Text on standard output, for people and for programs.
+
+use crate::failure::Failure;
+use serde::Serialize;
+use std::io::{self, Write};
+
+/// Prints `text` as it is.
+pub(crate) fn print(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(|error| Failure::from_standard_output(&error))
+}
+
+/// Prints `value` as JSON on one line.
+pub(crate) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
+    let mut text = serde_json::to_string(value)
+        .map_err(|error| Failure::Io(format!("cannot write JSON: {error}")))?;
+    text.push('\n');
+    print(&text)
+}

@@ -1,0 +1,85 @@
+use crate::run::mindeg;
+use serde_json::json;
+use std::process::{Command, Stdio};
+
+#[test]
+fn the_table_of_optima() {
+    for (intervals, max_degree, kind) in [
+        ("1,1,1", 2, "balanced_cut"),
+        ("2,1,1", 3, "balanced_cut"),
+        ("1,1,1,1", 3, "balanced_cut"),
+        ("3,1,1", 4, "balanced_cut"),
+        ("1,1,1,1,1", 4, "balanced_cut"),
+        ("3,3,2,2", 4, "balanced_cut"),
+        ("10,10,10,10", 4, "balanced_cut"),
+        ("8,6,8,5", 4, "balanced_cut"),
+        ("2,2,2", 4, "medial_triangle"),
+        ("3,3,3", 5, "no_balanced_cut"),
+        ("12,9,4,4", 5, "no_balanced_cut"),
+        ("14,3,5,2", 5, "long_side"),
+        ("30,2,4,2", 7, "long_side"),
+        ("1000,3,5,2", 114, "long_side"),
+        ("4294967292,1,1", 4_294_967_293_u32, "long_side"),
+    ] {
+        let answer = mindeg(["degree", intervals, "--json"]).json();
+        assert_eq!(answer["max_degree"], max_degree, "{intervals}");
+        assert_eq!(answer["certificate"]["kind"], kind, "{intervals}");
+        assert_eq!(answer["certificate"]["bound"], max_degree, "{intervals}");
+    }
+}
+
+#[test]
+fn json_has_the_agreed_keys() {
+    let answer = mindeg(["degree", "30,2,4,2", "--json"]).json();
+    let expected = json!({
+        "intervals": [30, 2, 4, 2],
+        "vertices": 38,
+        "triangles": 36,
+        "interior_edges": 35,
+        "max_degree": 7,
+        "certificate": {"kind": "long_side", "side": 0, "bound": 7},
+    });
+    assert_eq!(answer, expected);
+}
+
+#[test]
+fn text_says_why() {
+    for (intervals, reason) in [
+        ("1,1,1", "only one triangle"),
+        ("3,3,2,2", "zig-zag between sides 2 to 3 (5 intervals) and sides 4 to 1 (5)"),
+        ("2,2,2", "three midpoints"),
+        ("30,2,4,2", "the 7 vertices off side 1\n(30 intervals)"),
+        ("12,9,4,4", "every two differ by 3 or more"),
+    ] {
+        let run = mindeg(["degree", intervals]);
+        assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+        assert!(run.text().contains(reason), "{}", run.text());
+    }
+}
+
+#[test]
+fn bad_counts_are_refused_with_the_side() {
+    for (intervals, words) in [
+        ("3,3", &["at least 3 sides"][..]),
+        ("3,0,3", &["side 2", "at least 1"]),
+        ("3,3,99999999999", &["side 3", "4294967294"]),
+        ("3,3,99999999999999999999999", &["side 3"]),
+        ("3,three,3", &["side 2", "three"]),
+        ("", &["side 1"]),
+    ] {
+        mindeg(["degree", intervals]).refuses(words);
+    }
+}
+
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+        .args(["degree", &vec!["1"; 20_000].join(","), "--json"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the run ends");
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
