@@ -343,3 +343,30 @@ impl<M: Merit> Grid<M> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::merit::TieBreak;
+
+    #[test]
+    fn a_front_has_only_what_nothing_beats() {
+        let merit = |shape| TieBreak { full_vertices: 0, shape };
+        let state = |(at_i, at_j, shape)| State { at_i, at_j, merit: merit(shape) };
+        let mut grid = Grid::new();
+        let mut front = Vec::new();
+        for (offers, expected) in [
+            (&[][..], &[][..]),
+            (&[(0, 0, 5), (0, 2, 5), (1, 0, 4), (2, 2, 5)], &[(0, 0, 5)]),
+            (&[(1, 1, 7), (0, 2, 5), (2, 0, 6)], &[(0, 2, 5), (1, 1, 7), (2, 0, 6)]),
+            (&[(0, 1, 5), (1, 0, 6), (1, 1, 6), (2, 2, 7)], &[(0, 1, 5), (1, 0, 6), (2, 2, 7)]),
+            (&[(0, 0, 5), (0, 0, 6), (0, 0, 4)], &[(0, 0, 6)]),
+        ] {
+            grid.clear(2, 2);
+            offers.iter().for_each(|&offer| grid.offer(state(offer)));
+            front.clear();
+            grid.append_front(&mut front);
+            assert!(front.iter().copied().eq(expected.iter().map(|&it| state(it))), "{offers:?}");
+        }
+    }
+}
