@@ -302,7 +302,8 @@ fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::domain::{Outline, Rectangle, Side};
+    use crate::domain::{Outline, Side};
+    use crate::rectangle::Rectangle;
     use crate::spacing::Spacing;
 
     #[test]
