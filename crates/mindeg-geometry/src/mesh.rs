@@ -279,6 +279,17 @@ impl Mesh {
         self.triangulation.max_degree()
     }
 
+    /// The largest total degree: of edges in this mesh and on the other side of the boundary
+    /// together. O(1) where there are none outside, otherwise O(n log n).
+    #[must_use]
+    pub fn max_total_degree(&self) -> u32 {
+        if !self.domain.is_constrained() {
+            return self.max_degree();
+        }
+        let total = |vertex| self.degree(vertex).saturating_add(self.domain.outside_degree(vertex));
+        (0..self.vertex_count()).map(total).fold(0, u32::max)
+    }
+
     /// How many corners and how many other vertices have each degree. O(n).
     #[must_use]
     pub fn degree_histograms(&self) -> DegreeHistograms {
@@ -354,6 +365,7 @@ fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::constraint::VertexConstraint;
     use crate::domain::{Outline, Side};
     use crate::rectangle::Rectangle;
     use crate::spacing::Spacing;
@@ -424,6 +436,20 @@ mod tests {
         let capped = Domain::rectangle(1.0, 1.0, sides).unwrap();
         assert_eq!(Mesh::least_degree(&capped), Err(MeshError::Constrained));
         assert!(Mesh::with_triangles(&capped, vec![[0, 1, 2], [0, 2, 3]]).is_ok());
+    }
+
+    #[test]
+    fn edges_outside_count_towards_the_total() {
+        let square = Domain::rectangle(1.0, 1.0, vec![Side::count(1); 4]).unwrap();
+        let total = |vertex, outside_degree| {
+            let outside = VertexConstraint { vertex, outside_degree, max_degree: None };
+            let domain = square.clone().with_vertex_constraints(vec![outside]).unwrap();
+            let mesh = Mesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+            assert_eq!(mesh.max_degree(), 3);
+            mesh.max_total_degree()
+        };
+        assert_eq!(Mesh::least_degree(&square).unwrap().max_total_degree(), 3);
+        assert_eq!([total(0, 4), total(1, 4), total(3, 1)], [7, 6, 3]);
     }
 
     /// Points are apart, and yet a triangle between two slanted sides is too thin for f64.

@@ -66,7 +66,9 @@ pub(crate) struct SuggestArguments {
 ///
 /// Vertices are numbered counter-clockwise from the first corner. Every vertex is a boundary
 /// point, no vertex has more edges than any triangulation must have somewhere, and among the
-/// meshes of that degree the one with the largest smallest angle is taken.
+/// meshes of that degree that the construction offers the one with the largest smallest angle is
+/// taken. A domain whose file gives outside_degree or max_degree is meshed as with --optimize
+/// angle.
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct MeshArguments {
@@ -94,6 +96,15 @@ pub(crate) struct MeshArguments {
     #[arg(long)]
     pub(crate) floor: bool,
 
+    /// Search all meshes for the one with the largest smallest angle, exactly, at the least
+    /// possible maximum degree or the one that --max-degree allows; up to 4096 vertices
+    #[arg(long, value_name = "WHAT")]
+    pub(crate) optimize: Option<Optimize>,
+
+    /// With --optimize angle, the most edges that a vertex may have, those outside included
+    #[arg(long, value_name = "D", requires = "optimize")]
+    pub(crate) max_degree: Option<u32>,
+
     /// Print a summary as JSON: vertices, triangles, max_degree, optimal_max_degree, min_angle,
     /// max_angle, outputs
     #[arg(long)]
@@ -102,6 +113,13 @@ pub(crate) struct MeshArguments {
     /// Print no summary on standard error
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+/// What a mesh is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Optimize {
+    /// The smallest angle of all triangles
+    Angle,
 }
 
 /// The domain, from a file or from options; options override what a file says of its sides.

@@ -11,6 +11,7 @@ mod mesh;
 mod output;
 mod standard_output;
 mod suggest;
+mod watched;
 
 use args::{Arguments, Command};
 use clap::Parser;
