@@ -7,6 +7,8 @@
 //! Limits: those of the solver, [`MAX_VERTICES`](mindeg_tradeoff::MAX_VERTICES) boundary vertices
 //! above all.
 
+use std::cmp::Reverse;
+
 use glam::DVec2;
 use mindeg_geometry::{Domain, Mesh, MeshError};
 use mindeg_tradeoff::{
@@ -154,6 +156,9 @@ fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
 }
 
 fn placed(domain: &Domain, optimum: Optimum) -> Result<ExactMesh, ExactError> {
-    let Optimum { max_degree, min_angle, triangles, .. } = optimum;
+    let Optimum { max_degree, min_angle, mut triangles, .. } = optimum;
+    // Every triangle cuts off the vertices from its smallest to its largest. Sorted like that,
+    // what one cuts off follows on it, and neighbours mostly share an edge.
+    triangles.sort_unstable_by_key(|&[first, _, last]| (first, Reverse(last)));
     Ok(ExactMesh { max_degree, min_angle, mesh: Mesh::with_triangles(domain, triangles)? })
 }
