@@ -1,5 +1,6 @@
 //! What a user does, through the real binary.
 
+mod compare;
 mod degree;
 mod mesh;
 mod run;

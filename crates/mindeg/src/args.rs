@@ -22,8 +22,9 @@ pub(crate) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Degree(DegreeArguments),
-    Mesh(MeshArguments),
     Suggest(SuggestArguments),
+    Mesh(MeshArguments),
+    Compare(CompareArguments),
 }
 
 /// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
@@ -122,19 +123,43 @@ pub(crate) enum Optimize {
     Angle,
 }
 
-/// The domain, from a file or from options; options override what a file says of its sides.
+/// Compare the least-degree mesh with a Delaunay triangulation, ear clipping and a fan
+///
+/// All methods get the same boundary points. Each result is checked before it is shown, and none
+/// is repaired. The report begins with a verdict that is computed from the figures.
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct CompareArguments {
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    /// Where to write the report, by extension .html, .json or .md; may be given several times.
+    /// A folder takes an HTML report for each domain and an index page; several domains need one
+    #[arg(short, long, value_name = "FILE", required = true)]
+    pub(crate) output: Vec<PathBuf>,
+
+    /// How long each method may take, in seconds; the report lists one that takes longer as such
+    #[arg(long, value_name = "SECONDS", default_value = "60", allow_hyphen_values = true)]
+    pub(crate) time_limit: f64,
+
+    /// Print no verdicts on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// The domain, from files or from options; options override what files say of sides.
 #[derive(Debug, Args)]
 pub(crate) struct DomainArguments {
     /// A domain in JSON; - reads standard input
     #[arg(value_name = "DOMAIN.json")]
-    pub(crate) file: Option<PathBuf>,
+    pub(crate) files: Vec<PathBuf>,
 
     /// A rectangle with these side lengths; its sides are bottom, right, top, left
-    #[arg(long, value_name = "WxH", conflicts_with_all = ["file", "corners"], allow_hyphen_values = true)]
+    #[arg(long, value_name = "WxH", conflicts_with_all = ["files", "corners"], allow_hyphen_values = true)]
     pub(crate) rectangle: Option<RectangleSize>,
 
     /// A convex polygon with these corners, such as "0,0 4,0 3,2"
-    #[arg(long, value_name = "x,y x,y …", conflicts_with = "file", allow_hyphen_values = true)]
+    #[arg(long, value_name = "x,y x,y …", conflicts_with = "files", allow_hyphen_values = true)]
     pub(crate) corners: Option<Corners>,
 
     /// The intervals of each side, counter-clockwise, such as 3,3,2,2

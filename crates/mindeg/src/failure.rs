@@ -24,6 +24,14 @@ impl Failure {
         }
     }
 
+    /// What went wrong, in words; none for a closed pipe.
+    pub(crate) fn message(&self) -> Option<&str> {
+        match self {
+            Self::Io(message) | Self::Input(message) => Some(message),
+            Self::ClosedPipe => None,
+        }
+    }
+
     /// Says what went wrong on standard error and gives the exit code.
     pub(crate) fn report(&self) -> ExitCode {
         let (message, code) = match self {

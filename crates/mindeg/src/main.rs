@@ -4,6 +4,7 @@
 //! libraries below it.
 
 mod args;
+mod compare;
 mod degree;
 mod domain;
 mod failure;
@@ -21,6 +22,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Degree(arguments) => degree::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Suggest(arguments) => suggest::run(&arguments),
     };
     match result {
