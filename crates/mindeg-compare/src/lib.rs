@@ -25,6 +25,7 @@
 //! not compared.
 
 mod comparison;
+pub mod exact;
 mod measure;
 mod number_format;
 pub mod reference;

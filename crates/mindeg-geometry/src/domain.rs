@@ -11,9 +11,11 @@
 use glam::DVec2;
 use mindeg_core::Boundary;
 
+use crate::constraint::{OutsideDegree, VertexConstraint};
 use crate::domain_error::DomainError;
 use crate::outline::{self, Orientation};
 use crate::placement::{Placement, Unresolved};
+use crate::rectangle::Rectangle;
 use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;
 
@@ -44,6 +46,7 @@ pub struct Domain {
     name: Option<String>,
     outline: Outline,
     sides: Vec<Side>,
+    vertices: Vec<VertexConstraint>,
     placement: Placement,
     was_reversed: bool,
 }
@@ -57,20 +60,6 @@ pub enum Outline {
     Polygon(Vec<DVec2>),
 }
 
-/// A rectangle, which may stand anywhere at any angle.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rectangle {
-    /// The length of bottom and top, above 0.
-    pub width: f64,
-    /// The length of left and right, above 0.
-    pub height: f64,
-    /// The corner where the bottom starts.
-    pub origin: DVec2,
-    /// The angle from the x axis to the bottom, in degrees counter-clockwise about the origin.
-    /// Multiples of 90 are exact.
-    pub rotation: f64,
-}
-
 /// How one side is divided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
@@ -80,6 +69,11 @@ pub struct Side {
     pub spacing: Spacing,
     /// A name, for the groups of mesh files.
     pub name: Option<String>,
+    /// How many edges its vertices have on the other side of the boundary.
+    pub outside_degree: OutsideDegree,
+    /// The most edges any of its vertices may have, those on the other side of the boundary and
+    /// both corners included.
+    pub max_degree: Option<u32>,
 }
 
 /// The number of intervals of a side.
@@ -96,14 +90,19 @@ impl Side {
     /// A side of `intervals` even intervals.
     #[must_use]
     pub fn count(intervals: u64) -> Self {
-        let intervals = Intervals::Count(intervals);
-        Self { intervals, spacing: Spacing::Uniform, name: None }
+        Self {
+            intervals: Intervals::Count(intervals),
+            spacing: Spacing::Uniform,
+            name: None,
+            outside_degree: OutsideDegree::default(),
+            max_degree: None,
+        }
     }
 
     /// A side of even intervals of about the length `size`.
     #[must_use]
     pub fn size(size: f64) -> Self {
-        Self { intervals: Intervals::Size(size), spacing: Spacing::Uniform, name: None }
+        Self { intervals: Intervals::Size(size), ..Self::count(1) }
     }
 
     /// A side with points at the given parameters, strictly increasing in (0, 1).
@@ -125,44 +124,11 @@ impl Side {
     }
 }
 
-impl Rectangle {
-    /// A rectangle whose bottom starts at the origin along the x axis.
-    #[must_use]
-    pub fn new(width: f64, height: f64) -> Self {
-        Self { width, height, origin: DVec2::ZERO, rotation: 0.0 }
-    }
-
-    fn corners(&self) -> Result<Vec<DVec2>, DomainError> {
-        for (key, value, is_allowed) in [
-            ("width", self.width, self.width > 0.0),
-            ("height", self.height, self.height > 0.0),
-            ("rotation", self.rotation, true),
-        ] {
-            if !(is_allowed && value.is_finite()) {
-                return Err(DomainError::Rectangle { key, value });
-            }
-        }
-        let along = direction(self.rotation);
-        let (right, up) = (self.width * along, self.height * along.perp());
-        let start = self.origin;
-        Ok(vec![start, start + right, start + (right + up), start + up])
-    }
-}
-
-/// The unit vector at an angle in degrees, exact at multiples of 90.
-fn direction(degrees: f64) -> DVec2 {
-    let turn = degrees.rem_euclid(360.0);
-    let quarters = (turn / 90.0).floor();
-    let rest = (turn - 90.0 * quarters).to_radians();
-    let first = DVec2::new(libm::cos(rest), libm::sin(rest));
-    (0..quarters as u32 % 4).fold(first, |direction, _| direction.perp())
-}
-
 impl Domain {
     /// A domain from its outline and one [`Side`] for each of the outline's sides.
     ///
     /// Corners given clockwise are reversed, each side staying on its edge (with its spacing law
-    /// [reversed](Spacing::reversed)): the first corner given stays the first, and the side that
+    /// [reversed](Spacing::reversed), and what it lists of its vertices): the first corner given stays the first, and the side that
     /// ended there now starts there. [`was_reversed`](Self::was_reversed) tells.
     ///
     /// O(k log k) for k sides, and linear in explicit parameters.
@@ -171,7 +137,8 @@ impl Domain {
     ///
     /// Whatever is wrong first, in this order: a measure of the rectangle; the corners, in
     /// number, magnitude, order or convexity; the number of sides; their names; their intervals;
-    /// their spacing laws; and points so close that f64 cannot tell them apart.
+    /// their spacing laws; points so close that f64 cannot tell them apart; and constraints on
+    /// degrees.
     pub fn new(mut outline: Outline, mut sides: Vec<Side>) -> Result<Self, DomainError> {
         let mut corners = match &outline {
             Outline::Rectangle(rectangle) => rectangle.corners()?,
@@ -218,12 +185,18 @@ impl Domain {
             boundary = Boundary::new(&intervals)?;
             sides.reverse();
             laws.reverse();
+            for Side { outside_degree, .. } in &mut sides {
+                *outside_degree = outside_degree.reversed();
+            }
             corners[1..].reverse();
             outline = Outline::Polygon(corners.clone());
         }
         let placement = Placement::new(boundary, corners, laws)
             .map_err(|unresolved| unresolved_as_given(unresolved, count, was_reversed))?;
-        Ok(Self { name: None, outline, sides, placement, was_reversed })
+        let domain =
+            Self { name: None, outline, sides, vertices: Vec::new(), placement, was_reversed };
+        domain.check_side_constraints()?;
+        Ok(domain)
     }
 
     /// [`Domain::new`] for an upright rectangle with its first corner at the origin. Its sides
@@ -259,6 +232,11 @@ impl Domain {
         }
     }
 
+    /// The same domain with constraints that have been checked and are sorted by vertex.
+    pub(crate) fn with_sorted_constraints(self, vertices: Vec<VertexConstraint>) -> Self {
+        Self { vertices, ..self }
+    }
+
     /// The name, if there is one.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
@@ -275,6 +253,12 @@ impl Domain {
     #[must_use]
     pub fn sides(&self) -> &[Side] {
         &self.sides
+    }
+
+    /// What is said of single vertices, sorted by vertex.
+    #[must_use]
+    pub fn vertex_constraints(&self) -> &[VertexConstraint] {
+        &self.vertices
     }
 
     /// The boundary vertices without their positions.
@@ -338,24 +322,6 @@ mod tests {
 
     fn polygon(corners: &[[f64; 2]], sides: Vec<Side>) -> Result<Domain, DomainError> {
         Domain::polygon(corners.iter().copied().map(DVec2::from).collect(), sides)
-    }
-
-    #[test]
-    fn a_rectangle_stands_where_it_is_put() {
-        let at = |origin, rotation| {
-            let rectangle = Rectangle { origin, rotation, ..Rectangle::new(4.0, 3.0) };
-            let sides = vec![Side::count(1); 4];
-            let domain = Domain::new(Outline::Rectangle(rectangle), sides).unwrap();
-            domain.placement().corners().iter().map(DVec2::to_array).collect::<Vec<_>>()
-        };
-        let (zero, one) = (DVec2::ZERO, DVec2::ONE);
-        assert_eq!(at(zero, 0.0), [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]]);
-        assert_eq!(at(one, 90.0), [[1.0, 1.0], [1.0, 5.0], [-2.0, 5.0], [-2.0, 1.0]]);
-        assert_eq!(at(zero, -180.0), [[0.0, 0.0], [-4.0, 0.0], [-4.0, -3.0], [0.0, -3.0]]);
-        assert_eq!(at(zero, 630.0), [[0.0, 0.0], [0.0, -4.0], [3.0, -4.0], [3.0, 0.0]]);
-        let [x, y] = at(zero, 30.0)[1];
-        assert!((x - 12_f64.sqrt()).abs() < 1e-15 && (y - 2.0).abs() < 1e-15);
-        assert_eq!(at(zero, -1e-20), at(zero, 0.0));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use mindeg_core::BoundaryError;
 
+use crate::constraint::{ConstraintPlace, GREATEST_OUTSIDE_DEGREE};
 use crate::domain::GREATEST_COORDINATE;
 use crate::spacing::SpacingError;
 
@@ -159,6 +160,75 @@ pub enum DomainError {
         corner: usize,
         /// The distance.
         distance: f64,
+    },
+    /// A list of edges outside that is not one for each of the side's vertices.
+    #[error(
+        "side {}: outside_degree lists {numbers} numbers, and the side has {vertices} vertices, \
+         both corners included; give one for each, or a single number for all that are not corners",
+        side + 1
+    )]
+    OutsideDegreeCount {
+        /// The side.
+        side: usize,
+        /// How many numbers are listed.
+        numbers: usize,
+        /// How many vertices the side has, both corners included.
+        vertices: u64,
+    },
+    /// More edges outside than [`GREATEST_OUTSIDE_DEGREE`].
+    #[error(
+        "{}: an outside_degree of {edges} is more than the {GREATEST_OUTSIDE_DEGREE} that are \
+         served",
+        match place {
+            ConstraintPlace::Side(side) => format!("side {}", side + 1),
+            ConstraintPlace::Entry(entry) => format!("entry {}", entry + 1),
+        }
+    )]
+    OutsideDegree {
+        /// Where it is said.
+        place: ConstraintPlace,
+        /// The number.
+        edges: u32,
+    },
+    /// A constraint on a vertex beyond the last.
+    #[error(
+        "vertex {vertex} does not exist; the {vertex_count} vertices are numbered from 0, \
+         counter-clockwise from the first corner"
+    )]
+    NoSuchVertex {
+        /// Its place in the list.
+        entry: usize,
+        /// The vertex.
+        vertex: u32,
+        /// How many vertices there are.
+        vertex_count: u32,
+    },
+    /// Two constraints on one vertex.
+    #[error("vertex {vertex} is listed twice; say all of it in one place")]
+    RepeatedVertex {
+        /// The place of the one in the list.
+        first: usize,
+        /// The place of the other.
+        second: usize,
+        /// The vertex.
+        vertex: u32,
+    },
+    /// A cap that is exceeded whatever the mesh.
+    #[error(
+        "vertex {vertex} has a max_degree of {max_degree}, less than its 2 edges along the \
+         boundary{}; raise it to {} or more",
+        if *outside_degree == 0 { String::new() } else { format!(" and {outside_degree} outside") },
+        outside_degree + 2
+    )]
+    NoRoom {
+        /// Where the cap is, or what is said last of the vertex.
+        place: ConstraintPlace,
+        /// The vertex, as numbered in the mesh.
+        vertex: u32,
+        /// The most edges it may have.
+        max_degree: u32,
+        /// The edges it has outside.
+        outside_degree: u32,
     },
 }
 

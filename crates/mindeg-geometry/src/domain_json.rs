@@ -5,28 +5,19 @@
 //!
 //! Limits: JSON has no comments and no infinities. The whole text is held in memory.
 
+use std::fmt;
+
 use glam::DVec2;
-use mindeg_core::BoundaryError;
 use serde::Deserialize;
+use serde::de::{Deserializer, Error, SeqAccess, Visitor};
 
-use crate::domain::{Domain, Intervals, Outline, Rectangle, Side};
+use crate::constraint::{OutsideDegree, VertexConstraint};
+use crate::domain::{Domain, Intervals, Outline, Side};
 use crate::domain_error::DomainError;
+use crate::domain_json_error::{DomainJsonError, at, path_of};
 use crate::json_path::{Step, display, locate};
-use crate::spacing::{Spacing, SpacingError};
-
-/// What is wrong with a domain's JSON text, and where.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[error("line {line}, column {column}{}: {message}", if path.is_empty() { String::new() } else { format!(", {path}") })]
-pub struct DomainJsonError {
-    /// The keys that lead to the place, such as `sides[2].spacing`; empty for the whole text.
-    pub path: String,
-    /// The line, from 1.
-    pub line: usize,
-    /// The column, from 1, in bytes: where the wrong value starts, or how far it was read.
-    pub column: usize,
-    /// What is wrong and what is allowed.
-    pub message: String,
-}
+use crate::rectangle::Rectangle;
+use crate::spacing::Spacing;
 
 impl Domain {
     /// Reads a domain from JSON text.
@@ -52,6 +43,7 @@ impl Domain {
     /// | `polygon` | `corners`, a list of `[x, y]` pairs around the polygon; instead of `rectangle` |
     /// | `sides` | one entry for each side, from the first corner on; may be left out where `size` says it all |
     /// | `size` | optional: the target interval length of every side that gives neither `intervals` nor `size` nor `parameters` |
+    /// | `vertices` | optional: constraints on single vertices, each `{"vertex": v, "outside_degree": d, "max_degree": D}` with one of the last two or both. Vertices are numbered as in the mesh: from 0 at the first corner, counter-clockwise, also where the corners are given clockwise |
     ///
     /// and in each side, all optional:
     ///
@@ -61,6 +53,11 @@ impl Domain {
     /// | `size` | instead: a target length, above 0, that the side's length is divided by |
     /// | `spacing` | `"uniform"`, `{"geometric": {"ratio": r}}`, `{"bump": {"ratio": c}}`, `{"beta": {"beta": b}}`, `{"first_length": h}`, `{"last_length": h}` or `{"parameters": [t1, …]}`; see [`Spacing`] |
     /// | `name` | the side's name; no two sides may have the same |
+    /// | `outside_degree` | how many edges its vertices have on the other side of the boundary, the boundary's own not among them: one number for all vertices that are not corners, or a list of one for each from the side's first corner to its last |
+    /// | `max_degree` | the most edges any of its vertices may have, corners and edges outside included |
+    ///
+    /// What is said of one vertex in several places counts together: edges outside add up, and of
+    /// caps the smallest holds.
     ///
     /// # Errors
     ///
@@ -107,6 +104,8 @@ struct DomainKeys {
     polygon: Option<PolygonKeys>,
     size: Option<f64>,
     sides: Option<Vec<SideKeys>>,
+    #[serde(default)]
+    vertices: Vec<VertexKeys>,
 }
 
 #[derive(Deserialize)]
@@ -134,6 +133,45 @@ struct SideKeys {
     #[serde(default)]
     spacing: Spacing,
     name: Option<String>,
+    #[serde(default, deserialize_with = "number_or_list")]
+    outside_degree: OutsideDegree,
+    max_degree: Option<u32>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VertexKeys {
+    vertex: u32,
+    outside_degree: Option<u32>,
+    max_degree: Option<u32>,
+}
+
+fn number_or_list<'de, D: Deserializer<'de>>(reader: D) -> Result<OutsideDegree, D::Error> {
+    struct NumberOrList;
+
+    impl<'de> Visitor<'de> for NumberOrList {
+        type Value = OutsideDegree;
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("a number or a list of numbers")
+        }
+
+        fn visit_u64<E: Error>(self, number: u64) -> Result<OutsideDegree, E> {
+            u32::try_from(number)
+                .map(OutsideDegree::Inside)
+                .map_err(|_| E::invalid_value(serde::de::Unexpected::Unsigned(number), &self))
+        }
+
+        fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<OutsideDegree, A::Error> {
+            let mut numbers = Vec::new();
+            while let Some(number) = list.next_element()? {
+                numbers.push(number);
+            }
+            Ok(OutsideDegree::Each(numbers))
+        }
+    }
+
+    reader.deserialize_any(NumberOrList)
 }
 
 /// Something wrong with what was read, not with how it is written.
@@ -190,7 +228,11 @@ impl DomainKeys {
             .enumerate()
             .map(|(number, side)| side.into_side(number, self.size))
             .collect::<Result<Vec<_>, _>>()?;
-        let domain = Domain::new(outline, sides)?;
+        let vertices = self.vertices.into_iter().enumerate();
+        let vertices = vertices
+            .map(|(entry, vertex)| vertex.into_constraint(entry))
+            .collect::<Result<_, _>>()?;
+        let domain = Domain::new(outline, sides)?.with_vertex_constraints(vertices)?;
         Ok(match self.name {
             Some(name) => domain.named(name)?,
             None => domain,
@@ -200,7 +242,7 @@ impl DomainKeys {
 
 impl SideKeys {
     fn into_side(self, number: usize, default_size: Option<f64>) -> Result<Side, Misfit> {
-        let Self { intervals, size, spacing, name } = self;
+        let Self { intervals, size, spacing, name, outside_degree, max_degree } = self;
         let wrong = |message| Misfit::new([Step::Key("sides"), Step::Index(number)], message);
         let intervals = match (intervals, size, &spacing) {
             (Some(_), Some(_), _) => {
@@ -218,7 +260,20 @@ impl SideKeys {
                 wrong("give \"intervals\" (a whole number) or \"size\" (a target interval length)")
             })?),
         };
-        Ok(Side { intervals, spacing, name })
+        Ok(Side { intervals, spacing, name, outside_degree, max_degree })
+    }
+}
+
+impl VertexKeys {
+    fn into_constraint(self, entry: usize) -> Result<VertexConstraint, Misfit> {
+        let Self { vertex, outside_degree, max_degree } = self;
+        if outside_degree.is_none() && max_degree.is_none() {
+            let message = "give \"outside_degree\" (edges on the other side of the boundary) or \
+                           \"max_degree\" (a cap), or drop the vertex";
+            return Err(Misfit::new([Step::Key("vertices"), Step::Index(entry)], message));
+        }
+        let outside_degree = outside_degree.unwrap_or(0);
+        Ok(VertexConstraint { vertex, outside_degree, max_degree })
     }
 }
 
@@ -232,79 +287,6 @@ fn parse(text: &str) -> Result<DomainKeys, DomainJsonError> {
     })?;
     reader.end().map_err(|error| at(String::new(), &error))?;
     Ok(keys)
-}
-
-fn at(path: String, error: &serde_json::Error) -> DomainJsonError {
-    let (line, column) = (error.line().max(1), error.column().max(1));
-    let message = error.to_string();
-    let position = format!(" at line {} column {}", error.line(), error.column());
-    let message = message.strip_suffix(&position).unwrap_or(&message);
-    let message = match allowed(&path) {
-        // What the parser expects it calls by the names of Rust's types.
-        Some(allowed) => {
-            format!("{}; allowed: {allowed}", message.split(", expected").next().unwrap_or(message))
-        }
-        None => message.to_owned(),
-    };
-    DomainJsonError { path, line, column, message }
-}
-
-/// What may stand at a path, where the parser's own words do not say it.
-fn allowed(path: &str) -> Option<&'static str> {
-    let keys = path.rsplit('.').map(|key| key.split('[').next().unwrap_or(key));
-    keys.filter_map(|key| match key {
-        "intervals" => Some("a whole number, at least 1"),
-        "size" | "width" | "height" => Some("a number above 0"),
-        "rotation" => Some("a number, in degrees"),
-        "rectangle" => {
-            Some("{\"width\": w, \"height\": h, \"origin\": [x, y], \"rotation\": degrees}")
-        }
-        "polygon" => Some("{\"corners\": [[x, y], …]}"),
-        "corners" => Some("a list of [x, y] pairs of numbers"),
-        "origin" => Some("a pair [x, y] of numbers"),
-        "spacing" => Some(
-            "\"uniform\", {\"geometric\": {\"ratio\": r}}, {\"bump\": {\"ratio\": c}}, \
-             {\"beta\": {\"beta\": b}}, {\"first_length\": h}, {\"last_length\": h} or \
-             {\"parameters\": [t1, t2, …]}",
-        ),
-        _ => None,
-    })
-    .next()
-}
-
-/// The place in the JSON text that an error of the domain is about.
-fn path_of(error: &DomainError) -> Vec<Step> {
-    use Step::{Index, Key};
-    let corner = |corner| vec![Key("polygon"), Key("corners"), Index(corner)];
-    let side = |side, key| vec![Key("sides"), Index(side), Key(key)];
-    match *error {
-        DomainError::Rectangle { key, .. } => vec![Key("rectangle"), Key(key)],
-        DomainError::TooFewCorners { .. } | DomainError::NotSimple { .. } => {
-            vec![Key("polygon"), Key("corners")]
-        }
-        DomainError::Coordinate { corner: c, .. }
-        | DomainError::RepeatedCorner { second: c, .. }
-        | DomainError::NotConvex { corner: c, .. }
-        | DomainError::UnresolvedCorner { corner: c, .. } => corner(c),
-        DomainError::SideCount { .. } => vec![Key("sides")],
-        DomainError::Name { side: None, .. } => vec![Key("name")],
-        DomainError::Name { side: Some(s), .. } | DomainError::RepeatedName { second: s, .. } => {
-            side(s, "name")
-        }
-        DomainError::Size { side: s, .. } => side(s, "size"),
-        DomainError::Boundary(
-            BoundaryError::NoIntervals { side: s } | BoundaryError::TooManyVertices { side: s, .. },
-        ) => side(s, "intervals"),
-        DomainError::Boundary(_) => vec![Key("sides")],
-        DomainError::Spacing {
-            side: s,
-            source:
-                SpacingError::ParameterRange { index, .. } | SpacingError::ParameterOrder { index, .. },
-        } => [side(s, "spacing"), vec![Key("parameters"), Index(index)]].concat(),
-        DomainError::Spacing { side: s, .. } | DomainError::UnresolvedInterval { side: s, .. } => {
-            side(s, "spacing")
-        }
-    }
 }
 
 #[cfg(test)]
@@ -339,6 +321,31 @@ mod tests {
             assert!(domain.boundary().sides().eq([4, 2, 4, 2]));
             assert_eq!(domain.placement().corners()[1], DVec2::new(5.0, 8.0));
         }
+    }
+
+    #[test]
+    fn reads_constraints() {
+        let domain = Domain::from_json(
+            r#"{
+                "rectangle": {"width": 4, "height": 3}, "size": 2,
+                "sides": [
+                    {"outside_degree": 2}, {"outside_degree": [1, 0, 2], "max_degree": 9}, {}, {}
+                ],
+                "vertices": [
+                    {"vertex": 6, "max_degree": 4}, {"vertex": 1, "outside_degree": 1}
+                ]
+            }"#,
+        )
+        .unwrap();
+        assert_eq!(domain.sides()[0].outside_degree, OutsideDegree::Inside(2));
+        assert_eq!(domain.sides()[1].outside_degree, OutsideDegree::Each(vec![1, 0, 2]));
+        assert_eq!(domain.sides().iter().filter_map(|s| s.max_degree).collect::<Vec<_>>(), [9]);
+        let vertex = |vertex, outside_degree, max_degree| VertexConstraint {
+            vertex,
+            outside_degree,
+            max_degree,
+        };
+        assert_eq!(domain.vertex_constraints(), [vertex(1, 1, None), vertex(6, 0, Some(4))]);
     }
 
     /// The reader's own float parser is allowed to be off by a unit in the last place.
@@ -384,6 +391,10 @@ mod tests {
             (r#"{"intervals": 1, "spacing": {"bump": {"c": 2}}}"#, 42, "sides[3].spacing.bump.c", "unknown field `c`; allowed: \"uniform\","),
             (r#"{"intervals": 1, "spacing": {"bump": {"ratio": true}}}"#, 52, "sides[3].spacing.bump.ratio", "invalid type: boolean `true`; allowed:"),
             (r#"{"intervals": 1, "intervals": 1}"#, 29, "sides[3]", "duplicate field `intervals`"),
+            (r#"{"outside_degree": -1}"#, 22, "sides[3].outside_degree", "invalid type: integer `-1`; allowed: a whole number; for a side also a list"),
+            (r#"{"outside_degree": 5000000000}"#, 30, "sides[3].outside_degree", "invalid value: integer `5000000000`; allowed: a whole number"),
+            (r#"{"outside_degree": [1, "a"]}"#, 27, "sides[3].outside_degree[1]", "invalid type: string \"a\"; allowed: a whole number"),
+            (r#"{"max_degree": 2.5}"#, 19, "sides[3].max_degree", "invalid type: floating point `2.5`; allowed: a whole number, at least 2"),
         ];
         for (side, column, path, message) in table {
             check_error(&with_side(side), (3, column), path, message);
@@ -395,6 +406,9 @@ mod tests {
             ("3", 1, "", "invalid type: integer `3`, expected an object with the keys of a domain"),
             (r#"{"polygon": [[0, 0], [1, 0]]}"#, 15, "polygon[0][0]", "invalid type: integer `0`; allowed: {\"corners\": [[x, y], …]}"),
             (r#"{"rectangle": {"width": 1}}"#, 26, "rectangle", "missing field `height`"),
+            (r#"{"vertices": [{"id": 1}]}"#, 19, "vertices[0].id", "unknown field `id`; allowed: a list of {\"vertex\": v, "),
+            (r#"{"vertices": [{"vertex": -1}]}"#, 27, "vertices[0].vertex", "invalid value: integer `-1`; allowed: a whole number, the vertex's"),
+            (r#"{"vertices": [{"max_degree": 4}]}"#, 31, "vertices[0]", "missing field `vertex`"),
             (r#"{"polygon": {"corners": [[0, 0], [1, 0, 0]]}}"#, 41, "polygon.corners[1]", "trailing characters; allowed: a list of [x, y] pairs"),
         ];
         for (text, column, path, message) in table {
@@ -413,6 +427,9 @@ mod tests {
             (r#"{"size": 1, "spacing": {"parameters": [0.5]}}"#, 2, "sides[3]", "\"parameters\" say how many"),
             (r#"{"intervals": 1, "name": "top"}"#, 27, "sides[3].name", "sides 3 and 4 are both named \"top\""),
             (r#"{"intervals": 2, "spacing": {"bump": {"ratio": 0}}}"#, 30, "sides[3].spacing", "side 4: the ratio is 0.0"),
+            (r#"{"intervals": 1, "outside_degree": [1]}"#, 37, "sides[3].outside_degree", "side 4: outside_degree lists 1 numbers, and the side has 2"),
+            (r#"{"intervals": 1, "outside_degree": 1000000001}"#, 37, "sides[3].outside_degree", "side 4: an outside_degree of 1000000001 is more"),
+            (r#"{"intervals": 1, "max_degree": 1}"#, 33, "sides[3].max_degree", "vertex 3 has a max_degree of 1"),
             (r#"{"spacing": {"parameters": [0.5, 0.5]}}"#, 35, "sides[3].spacing.parameters[1]", "side 4: parameter 2 (0.5) is not above"),
         ];
         for (side, column, path, message) in table {
@@ -424,6 +441,11 @@ mod tests {
             (r#"{"sides": [], "rectangle": {"width": 1, "height": 1}}"#, (1, 11), "sides", "0 sides are described"),
             (r#"{"size": 1, "rectangle": {"width": 1, "height": -1}}"#, (1, 49), "rectangle.height", "the rectangle's height is -1.0"),
             (r#"{"rectangle": {"width": 1, "height": 1}}"#, (1, 1), "", "the sides are missing"),
+            (r#"{"size": 1, "vertices": [{"vertex": 1}], "rectangle": {"width": 1, "height": 1}}"#, (1, 26), "vertices[0]", "give \"outside_degree\""),
+            (r#"{"size": 1, "vertices": [{"vertex": 4, "max_degree": 3}], "rectangle": {"width": 1, "height": 1}}"#, (1, 37), "vertices[0].vertex", "vertex 4 does not exist"),
+            (r#"{"size": 1, "vertices": [{"vertex": 1, "max_degree": 3}, {"max_degree": 4, "vertex": 1}], "rectangle": {"width": 1, "height": 1}}"#, (1, 86), "vertices[1].vertex", "vertex 1 is listed twice"),
+            (r#"{"size": 1, "vertices": [{"vertex": 1, "max_degree": 3, "outside_degree": 2}], "rectangle": {"width": 1, "height": 1}}"#, (1, 54), "vertices[0].max_degree", "vertex 1 has a max_degree of 3"),
+            (r#"{"size": 1, "vertices": [{"vertex": 1, "outside_degree": 4000000000}], "rectangle": {"width": 1, "height": 1}}"#, (1, 58), "vertices[0].outside_degree", "entry 1: an outside_degree of 4"),
             (r#"{"rectangle": {"width": 1, "height": 1}, "size": -1}"#, (1, 1), "", "side 1: the size is -1.0"),
             (r#"{"rectangle": {"width": 1, "height": 1}, "polygon": {"corners": []}}"#, (1, 53), "polygon", "a domain is either"),
             ("{\"size\": 1, \"polygon\": {\"corners\":\n[[0,0],[1,0],\n[2,0],[0,1]]}}", (2, 8), "polygon.corners[1]", "corner 2 at (1.0, 0.0) is straight"),

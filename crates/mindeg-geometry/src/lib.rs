@@ -35,9 +35,11 @@
 //! boundary that is dense against the width of its domain has thin triangles, whatever the plan.
 
 mod connectivity;
+mod constraint;
 mod domain;
 mod domain_error;
 mod domain_json;
+mod domain_json_error;
 pub mod export;
 pub mod import;
 pub mod inspection;
@@ -46,15 +48,18 @@ mod mesh;
 mod outline;
 mod placement;
 pub mod quality;
+mod rectangle;
 mod spacing;
 mod spacing_law;
 mod summary;
 
-pub use domain::{Domain, GREATEST_COORDINATE, Intervals, LEAST_SIDE, Outline, Rectangle, Side};
+pub use constraint::{ConstraintPlace, GREATEST_OUTSIDE_DEGREE, OutsideDegree, VertexConstraint};
+pub use domain::{Domain, GREATEST_COORDINATE, Intervals, LEAST_SIDE, Outline, Side};
 pub use domain_error::DomainError;
-pub use domain_json::DomainJsonError;
+pub use domain_json_error::DomainJsonError;
 pub use mesh::{AngleRange, DegreeHistograms, Mesh, MeshError};
 pub use placement::{Bounds, Placement};
+pub use rectangle::Rectangle;
 pub use spacing::{LEAST_SHARE, Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;
 

@@ -1,12 +1,15 @@
 //! A domain's mesh: of the triangulations with the least maximum degree, the one that looks
-//! best on the actual points.
+//! best on the actual points; or any other triangulation, given as a list.
 //!
 //! Limits: the best of the plans tried is not the best triangulation of that degree, let alone
 //! of any degree.
 
-use glam::DVec2;
-use mindeg_core::{Boundary, Plans, Triangulation};
+mod faces;
 
+use glam::DVec2;
+use mindeg_core::{Boundary, Defect, Plans, Triangulation};
+
+use self::faces::{Faces, TriangleList};
 use crate::domain::Domain;
 use crate::placement::Placement;
 use crate::quality::TriangleQuality;
@@ -27,8 +30,9 @@ const MARGIN: f64 = 1e-9;
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
-/// Nothing is stored per vertex or triangle: both follow from formulas. So a mesh of billions of
-/// triangles can be made, asked and written in the memory of a small one.
+/// A mesh of [least degree](Self::least_degree) stores nothing per vertex or triangle: both follow
+/// from formulas. So a mesh of billions of triangles can be made, asked and written in the memory
+/// of a small one. Only a mesh [with given triangles](Self::with_triangles) stores these.
 ///
 /// # Example
 ///
@@ -47,7 +51,7 @@ const MARGIN: f64 = 1e-9;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
     domain: Domain,
-    triangulation: Triangulation,
+    triangulation: Faces,
 }
 
 /// Why a domain has no mesh.
@@ -65,6 +69,15 @@ pub enum MeshError {
         /// The vertices of such a triangle.
         triangle: [u32; 3],
     },
+    /// The domain [is constrained](Domain::is_constrained), and formulas do not look at that.
+    #[error(
+        "the domain says what its vertices have outside or may have in all, which takes an exact \
+         solver; leave out outside_degree and max_degree for a mesh of least degree"
+    )]
+    Constrained,
+    /// The triangles given do not triangulate the domain's boundary.
+    #[error("the triangles are no mesh of the domain: {0}")]
+    Triangles(#[from] Defect),
 }
 
 /// The least and the greatest angle of a mesh, in degrees.
@@ -100,8 +113,12 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// Points so close that some triangle has no area as f64s have it.
+    /// Points so close that some triangle has no area as f64s have it, and constraints on the
+    /// domain's degrees, which this does not look at.
     pub fn least_degree(domain: &Domain) -> Result<Self, MeshError> {
+        if domain.is_constrained() {
+            return Err(MeshError::Constrained);
+        }
         let placement = domain.placement();
         let kept: Vec<DVec2> = if placement.vertex_count() <= MOST_KEPT {
             placement.points().collect()
@@ -123,7 +140,41 @@ impl Mesh {
             }
         }
         let (_, triangulation) = best.ok_or(MeshError::NoArea { triangle })?;
-        Ok(Self { domain: domain.clone(), triangulation })
+        Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
+    }
+
+    /// The mesh with the given triangles, which keep their numbers, under the numbers of the
+    /// domain's vertices.
+    ///
+    /// What the domain says of degrees is not looked at. O(n log n) time, O(n) memory.
+    ///
+    /// # Errors
+    ///
+    /// Triangles that do not triangulate the domain's boundary
+    /// ([`verify`](mindeg_core::verify) says why), or one that has no area as f64s have it.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_geometry::{Domain, Mesh, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(1); 4])?;
+    /// let mesh = Mesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!([0, 1, 2, 3].map(|vertex| mesh.degree(vertex)), [3, 2, 3, 2]);
+    /// assert!(Mesh::with_triangles(&domain, vec![[0, 1, 2], [0, 1, 3]]).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_triangles(domain: &Domain, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        let list = TriangleList::new(domain.boundary(), triangles)?;
+        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list) };
+        let without_area = mesh
+            .triangles()
+            .zip(mesh.placed_triangles())
+            .find(|&(_, points)| cotangents(points)[0] == f64::INFINITY);
+        if let Some((triangle, _)) = without_area {
+            return Err(MeshError::NoArea { triangle });
+        }
+        Ok(mesh)
     }
 
     /// The domain.
@@ -181,7 +232,8 @@ impl Mesh {
         self.triangulation.triangle(number)
     }
 
-    /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge.
+    /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge, unless
+    /// they were [given](Self::with_triangles) otherwise.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
         self.triangulation.triangles()
     }
@@ -225,6 +277,17 @@ impl Mesh {
     #[must_use]
     pub fn max_degree(&self) -> u32 {
         self.triangulation.max_degree()
+    }
+
+    /// The largest total degree: of edges in this mesh and on the other side of the boundary
+    /// together. O(1) where there are none outside, otherwise O(n log n).
+    #[must_use]
+    pub fn max_total_degree(&self) -> u32 {
+        if !self.domain.is_constrained() {
+            return self.max_degree();
+        }
+        let total = |vertex| self.degree(vertex).saturating_add(self.domain.outside_degree(vertex));
+        (0..self.vertex_count()).map(total).fold(0, u32::max)
     }
 
     /// How many corners and how many other vertices have each degree. O(n).
@@ -302,7 +365,9 @@ fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::domain::{Outline, Rectangle, Side};
+    use crate::constraint::VertexConstraint;
+    use crate::domain::{Outline, Side};
+    use crate::rectangle::Rectangle;
     use crate::spacing::Spacing;
 
     #[test]
@@ -336,6 +401,57 @@ mod tests {
         assert!(mesh.placed_triangles().eq(one_by_one));
     }
 
+    #[test]
+    fn a_list_is_as_good_as_the_formula() {
+        let domain = Domain::rectangle(4.0, 3.0, [9, 7, 5, 2].map(Side::count).into()).unwrap();
+        let formula = Mesh::least_degree(&domain).unwrap();
+        let list = Mesh::with_triangles(&domain, formula.triangles().collect()).unwrap();
+        assert_eq!(list.vertex_count(), formula.vertex_count());
+        assert_eq!(list.triangle_count(), formula.triangle_count());
+        assert!(list.triangles().eq(formula.triangles()));
+        assert!((0..21).all(|number| list.triangle(number) == formula.triangle(number)));
+        assert!((0..23).all(|vertex| list.degree(vertex) == formula.degree(vertex)));
+        assert_eq!(list.max_degree(), formula.max_degree());
+        assert_eq!(list.degree_histograms(), formula.degree_histograms());
+        assert_eq!(list.angle_range(), formula.angle_range());
+    }
+
+    #[test]
+    fn refuses_what_is_no_mesh_of_the_domain() {
+        let square =
+            |sides: [u64; 4]| Domain::rectangle(1.0, 1.0, sides.map(Side::count).into()).unwrap();
+        let refused = |domain: &Domain, triangles: &[[u32; 3]]| {
+            Mesh::with_triangles(domain, triangles.to_vec()).unwrap_err().to_string()
+        };
+        assert_eq!(
+            refused(&square([1; 4]), &[[0, 1, 2]]),
+            "the triangles are no mesh of the domain: there are 1 triangles where 2 are right"
+        );
+        assert!(
+            refused(&square([2, 1, 1, 1]), &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]).contains("flat")
+        );
+
+        let capped = Side { max_degree: Some(9), ..Side::count(1) };
+        let sides = [vec![capped], vec![Side::count(1); 3]].concat();
+        let capped = Domain::rectangle(1.0, 1.0, sides).unwrap();
+        assert_eq!(Mesh::least_degree(&capped), Err(MeshError::Constrained));
+        assert!(Mesh::with_triangles(&capped, vec![[0, 1, 2], [0, 2, 3]]).is_ok());
+    }
+
+    #[test]
+    fn edges_outside_count_towards_the_total() {
+        let square = Domain::rectangle(1.0, 1.0, vec![Side::count(1); 4]).unwrap();
+        let total = |vertex, outside_degree| {
+            let outside = VertexConstraint { vertex, outside_degree, max_degree: None };
+            let domain = square.clone().with_vertex_constraints(vec![outside]).unwrap();
+            let mesh = Mesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+            assert_eq!(mesh.max_degree(), 3);
+            mesh.max_total_degree()
+        };
+        assert_eq!(Mesh::least_degree(&square).unwrap().max_total_degree(), 3);
+        assert_eq!([total(0, 4), total(1, 4), total(3, 1)], [7, 6, 3]);
+    }
+
     /// Points are apart, and yet a triangle between two slanted sides is too thin for f64.
     #[test]
     fn refuses_a_mesh_with_a_triangle_that_rounding_turns_over() {
@@ -346,5 +462,9 @@ mod tests {
         let domain = Domain::new(Outline::Rectangle(rectangle), sides.into()).unwrap();
         let error = Mesh::least_degree(&domain).unwrap_err();
         assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
+
+        let plan = mindeg_core::min_degree_triangulation(domain.boundary());
+        let error = Mesh::with_triangles(&domain, plan.triangles().collect()).unwrap_err();
+        assert!(matches!(error, MeshError::NoArea { .. }), "{error}");
     }
 }

@@ -70,8 +70,9 @@ pub(crate) struct SuggestArguments {
 ///
 /// Vertices are numbered counter-clockwise from the first corner. Every vertex is a boundary
 /// point, no vertex has more edges than any triangulation must have somewhere, and among the
-/// meshes of that degree the one with the largest smallest angle is taken. If a gate fails,
-/// nothing is written.
+/// meshes of that degree that the construction offers the one with the largest smallest angle is
+/// taken. A domain whose file gives outside_degree or max_degree is meshed as with --optimize
+/// angle. If a gate fails, nothing is written.
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct MeshArguments {
@@ -98,6 +99,11 @@ pub(crate) struct MeshArguments {
     /// Lay the mesh on the floor, the XZ plane facing +Y, instead of upright in XY (OBJ, glTF)
     #[arg(long)]
     pub(crate) floor: bool,
+
+    /// Search all meshes for the one with the largest smallest angle, exactly, at the least
+    /// possible maximum degree or the one that --max-degree allows; up to 4096 vertices
+    #[arg(long, value_name = "WHAT")]
+    pub(crate) optimize: Option<Optimize>,
 
     /// Print a summary as JSON: vertices, triangles, max_degree, optimal_max_degree, min_angle,
     /// max_angle, outputs
@@ -153,6 +159,13 @@ pub(crate) struct InspectArguments {
 fn parse_corner_angle(text: &str) -> Result<f64, String> {
     let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
     angle.ok_or_else(|| "give degrees from 0 to 90".to_owned())
+}
+
+/// What a mesh is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Optimize {
+    /// The smallest angle of all triangles
+    Angle,
 }
 
 /// Compare the least-degree mesh with a Delaunay triangulation, ear clipping and a fan

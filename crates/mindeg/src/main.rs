@@ -14,6 +14,7 @@ mod mesh;
 mod output;
 mod standard_output;
 mod suggest;
+mod watched;
 
 use args::{Arguments, Command};
 use clap::Parser;

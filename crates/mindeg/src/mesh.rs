@@ -1,18 +1,21 @@
 //! `mindeg mesh`: from a domain to files.
 
-use crate::args::{Format, MeshArguments};
+use crate::args::{Format, MeshArguments, Optimize};
 use crate::domain::domain;
 use crate::failure::Failure;
 use crate::output::{Outputs, cannot_write, clean_up_on_interrupt};
 use crate::standard_output::print_json;
+use crate::watched::watched;
+use mindeg_compare::exact;
 use mindeg_core::optimal_max_degree;
-use mindeg_geometry::Mesh;
 use mindeg_geometry::export::{ExportError, Plane, SurfaceOptions, gltf, obj, svg};
+use mindeg_geometry::{Domain, Mesh};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::Path;
 
-/// What `--json` prints; angles in degrees, an output for each `-o`.
+/// What `--json` prints; angles in degrees, an output for each `-o`. Degrees are total: edges
+/// outside the domain count.
 #[derive(Serialize)]
 struct Summary {
     vertices: u32,
@@ -43,7 +46,8 @@ enum Stream {
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let targets = targets(arguments)?;
     let domain = domain(&arguments.domain)?;
-    let mesh = Mesh::least_degree(&domain).map_err(|error| Failure::Input(error.to_string()))?;
+    clean_up_on_interrupt()?;
+    let (mesh, optimal_max_degree) = mesh(arguments, &domain)?;
     let angles = mesh.angle_range();
     arguments.gates.check_mesh(&mesh, angles.min)?;
     let options = SurfaceOptions {
@@ -53,7 +57,6 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
         ..SurfaceOptions::default()
     };
 
-    clean_up_on_interrupt()?;
     let mut outputs = Outputs::default();
     for target in &targets {
         write(&mesh, &options, target, &mut outputs)?;
@@ -63,8 +66,8 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let summary = Summary {
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
-        max_degree: mesh.max_degree(),
-        optimal_max_degree: optimal_max_degree(mesh.boundary()),
+        max_degree: mesh.max_total_degree(),
+        optimal_max_degree,
         min_angle: angles.min,
         max_angle: angles.max,
         outputs: arguments.output.iter().map(|path| path.display().to_string()).collect(),
@@ -76,6 +79,25 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
+/// The mesh that is asked for, and the least maximum degree that there is.
+fn mesh(arguments: &MeshArguments, domain: &Domain) -> Result<(Mesh, u32), Failure> {
+    let for_angle = arguments.optimize == Some(Optimize::Angle);
+    if !for_angle && !domain.is_constrained() {
+        let mesh = Mesh::least_degree(domain).map_err(|error| Failure::Input(error.to_string()))?;
+        return Ok((mesh, optimal_max_degree(domain.boundary())));
+    }
+    let dispensable = if for_angle { "--optimize" } else { "outside_degree and max_degree" };
+    let way_out = format!(
+        "leave out {dispensable} for the mesh of least degree, which can be had at any size"
+    );
+    watched(arguments.quiet, &way_out, |watch| {
+        let least = exact::optimal_max_degree(domain, watch)?;
+        let allowed = arguments.gates.max_degree.filter(|_| for_angle);
+        let exact = exact::mesh(domain, allowed.unwrap_or(least), watch)?;
+        Ok((exact.mesh, least))
+    })
+}
+
 fn text(mesh: &Mesh, summary: &Summary) -> String {
     let reversed = if mesh.domain().was_reversed() {
         "The corners ran clockwise and were reversed; each side kept its edge.\n"
@@ -83,11 +105,12 @@ fn text(mesh: &Mesh, summary: &Summary) -> String {
         ""
     };
     format!(
-        "{}: {} vertices, {} triangles, maximum degree {} (least possible {}), angles {} to {}\n\
+        "{}: {} vertices, {} triangles, maximum {}degree {} (least possible {}), angles {} to {}\n\
          {reversed}",
         mesh.domain().name().unwrap_or("mesh"),
         summary.vertices,
         summary.triangles,
+        if mesh.domain().is_constrained() { "total " } else { "" },
         summary.max_degree,
         summary.optimal_max_degree,
         degrees(summary.min_angle),

@@ -33,7 +33,9 @@ const MAX_HEIGHT: f64 = 640.0;
 /// A mesh more slender than that is widened for the picture, which says so.
 const MAX_SLENDERNESS: f64 = 10.0;
 
-const STYLE: &str = "\
+/// The colors of what [`Inset::write`] draws and of the classes `card`, `title`, `muted`, `key` and
+/// `label`, as a style sheet, on a light background and on a dark one.
+pub const STYLE: &str = "\
 text{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;\
 fill:#1f2328}\
 .card{fill:#fff;stroke:#d1d9e0}\
@@ -75,27 +77,91 @@ text{fill:#f0f6fc}.card{fill:#0d1117;stroke:#3d444d}.muted,.label{fill:#9198a1}\
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(mesh: &Mesh, mut out: impl Write) -> Result<(), ExportError> {
+    check_size(mesh)?;
+    let frame = Frame::of_picture(mesh.placement().bounds());
+    let out = &mut out;
+    out.write_all(head(mesh, &frame).as_bytes())?;
+    write_mesh(mesh, &frame, out)?;
+    out.write_all(labels(mesh, &frame).as_bytes())?;
+    out.write_all(legend(mesh, &frame).as_bytes())?;
+    out.write_all(b"</svg>\n")?;
+    Ok(out.flush()?)
+}
+
+/// A mesh as a part of a larger picture, without title, labels and legend.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_geometry::export::svg::Inset;
+/// use mindeg_geometry::{Bounds, Domain, Mesh, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+/// let room = Bounds { min: DVec2::splat(20.0), max: DVec2::new(220.0, 190.0) };
+/// let inset = Inset::new(domain.placement().bounds(), room);
+/// assert_eq!(inset.size().to_array(), [200.0, 150.0]);
+///
+/// let mut drawing = Vec::new();
+/// inset.write(&Mesh::least_degree(&domain)?, &mut drawing)?;
+/// assert_eq!(String::from_utf8(drawing)?.matches("<circle").count(), 10);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Inset {
+    frame: Frame,
+}
+
+impl Inset {
+    /// Fits what lies in `bounds` into some room of a picture, which is in pixels, y downwards:
+    /// as large as it can be, in the middle and at the top.
+    #[must_use]
+    pub fn new(bounds: Bounds, room: Bounds) -> Self {
+        Self { frame: Frame::new(bounds, room) }
+    }
+
+    /// The size of what is fitted, in pixels.
+    #[must_use]
+    pub fn size(&self) -> DVec2 {
+        self.frame.size
+    }
+
+    /// What the picture makes larger than it is, if anything: words such as "height drawn 20
+    /// times too large".
+    #[must_use]
+    pub fn stretch(&self) -> Option<String> {
+        self.frame.stretch()
+    }
+
+    /// Draws a mesh that lies in the bounds; [`STYLE`] has its colors.
+    ///
+    /// # Errors
+    ///
+    /// As [`write()`].
+    pub fn write(&self, mesh: &Mesh, mut out: impl Write) -> Result<(), ExportError> {
+        check_size(mesh)?;
+        Ok(write_mesh(mesh, &self.frame, &mut out)?)
+    }
+}
+
+fn check_size(mesh: &Mesh) -> Result<(), ExportError> {
     let vertices = mesh.vertex_count();
     if vertices > MAX_VERTICES {
         return Err(ExportError::TooLargeForSvg { vertices, limit: MAX_VERTICES });
     }
-    let frame = Frame::new(mesh.placement().bounds());
-    let out = &mut out;
-    out.write_all(head(mesh, &frame).as_bytes())?;
-    out.write_all(outline(mesh, &frame, "face").as_bytes())?;
-    if vertices <= MAX_DOTS {
-        write_shade(mesh, &frame, out)?;
+    Ok(())
+}
+
+fn write_mesh(mesh: &Mesh, frame: &Frame, out: &mut impl Write) -> io::Result<()> {
+    out.write_all(outline(mesh, frame, "face").as_bytes())?;
+    if mesh.vertex_count() <= MAX_DOTS {
+        write_shade(mesh, frame, out)?;
     }
-    write_edges(mesh, &frame, out)?;
-    out.write_all(outline(mesh, &frame, "outline").as_bytes())?;
-    let classes = if vertices <= MAX_DOTS { degree_classes(mesh) } else { Vec::new() };
-    for &(class, _) in &classes {
-        write_dots(mesh, &frame, class, out)?;
+    write_edges(mesh, frame, out)?;
+    out.write_all(outline(mesh, frame, "outline").as_bytes())?;
+    for (class, _) in degree_classes(mesh) {
+        write_dots(mesh, frame, class, out)?;
     }
-    out.write_all(labels(mesh, &frame).as_bytes())?;
-    out.write_all(legend(mesh, &frame, &classes).as_bytes())?;
-    out.write_all(b"</svg>\n")?;
-    Ok(out.flush()?)
+    Ok(())
 }
 
 /// How points of the mesh become points of the picture, whose y runs downwards.
@@ -110,14 +176,19 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(bounds: Bounds) -> Self {
-        let room = DVec2::new(WIDTH - 2.0 * SIDE_MARGIN, MAX_HEIGHT);
+    /// The place of the mesh in a picture of its own.
+    fn of_picture(bounds: Bounds) -> Self {
+        let min = DVec2::new(SIDE_MARGIN, TOP);
+        Self::new(bounds, Bounds { min, max: DVec2::new(WIDTH - SIDE_MARGIN, TOP + MAX_HEIGHT) })
+    }
+
+    fn new(bounds: Bounds, room: Bounds) -> Self {
         let length = bounds.size();
         let thinnest = length.max_element() / MAX_SLENDERNESS;
         let drawn = length.max(DVec2::splat(thinnest));
-        let size = drawn * (room / drawn).min_element();
+        let size = drawn * (room.size() / drawn).min_element();
         let scale = size / length;
-        let to = DVec2::new((WIDTH - size.x) / 2.0, TOP);
+        let to = DVec2::new(room.center().x - size.x / 2.0, room.min.y);
         Self { scale, from: DVec2::new(bounds.min.x, bounds.max.y), to, size }
     }
 
@@ -233,8 +304,12 @@ fn degree_class(degree: u32) -> u32 {
     degree.clamp(*degree_color::DISTINCT.start(), *degree_color::DISTINCT.end())
 }
 
-/// The degrees with a color that occur, in ascending order, with the number of vertices.
+/// The degrees with a color that occur, in ascending order, with the number of vertices; none
+/// where there are too many vertices for dots.
 fn degree_classes(mesh: &Mesh) -> Vec<(u32, usize)> {
+    if mesh.vertex_count() > MAX_DOTS {
+        return Vec::new();
+    }
     let classes = (0..mesh.vertex_count()).map(|v| degree_class(mesh.degree(v)));
     degree_color::DISTINCT
         .map(|class| (class, classes.clone().filter(|&c| c == class).count()))
@@ -292,7 +367,8 @@ fn labels(mesh: &Mesh, frame: &Frame) -> String {
 }
 
 /// What the colors mean, and how many vertices have each.
-fn legend(mesh: &Mesh, frame: &Frame, classes: &[(u32, usize)]) -> String {
+fn legend(mesh: &Mesh, frame: &Frame) -> String {
+    let classes = degree_classes(mesh);
     let y = frame.height() - 34.0;
     if classes.is_empty() {
         return format!(
@@ -303,7 +379,7 @@ fn legend(mesh: &Mesh, frame: &Frame, classes: &[(u32, usize)]) -> String {
     let mut text =
         format!("<text class=\"muted\" x=\"{SIDE_MARGIN}\" y=\"{y:.0}\">degree</text>\n");
     let mut x = SIDE_MARGIN + 76.0;
-    for &(class, count) in classes {
+    for (class, count) in classes {
         let above = class == *degree_color::DISTINCT.end() && mesh.max_degree() > class;
         let (degree, count) =
             (format!("{class}{}", if above { "+" } else { "" }), count.to_string());

@@ -1,0 +1,164 @@
+//! A domain's exact meshes: the best one under a cap, and the whole trade-off between degree and
+//! angle, as the solver of [`mindeg_tradeoff`] finds them on the domain's points, with what the
+//! domain says of its vertices' degrees.
+//!
+//! Degrees here are total: edges outside the domain count.
+//!
+//! Limits: those of the solver, [`MAX_VERTICES`](mindeg_tradeoff::MAX_VERTICES) boundary vertices
+//! above all.
+
+use std::cmp::Reverse;
+
+use glam::DVec2;
+use mindeg_geometry::{Domain, Mesh, MeshError};
+use mindeg_tradeoff::{
+    Optimum, Problem, ProblemError, Unsolved, Watch, best_angle, least_max_degree,
+};
+
+/// A mesh with the largest minimum angle under a cap.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExactMesh {
+    /// The cap on the total degree of every vertex.
+    pub max_degree: u32,
+    /// The smallest angle of all triangles, in degrees, as the solver compares it: to 36 bits.
+    pub min_angle: f64,
+    /// The mesh.
+    pub mesh: Mesh,
+}
+
+/// What every degree buys on a domain.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TradeOff {
+    /// A mesh for every maximum degree, from the least possible one to the first with which the
+    /// minimum angle is as large as with any.
+    pub meshes: Vec<ExactMesh>,
+    /// The minimum angle of a Delaunay triangulation, in degrees: the largest there is.
+    pub delaunay_min_angle: f64,
+}
+
+/// Why a domain has no exact mesh.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ExactError {
+    /// It is too large.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// The caps cannot be kept, or the work was stopped.
+    #[error(transparent)]
+    Unsolved(#[from] Unsolved),
+    /// Its points are too close together.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+/// The least maximum degree there is on a domain; O(k) for k sides unless the domain is
+/// constrained.
+///
+/// # Errors
+///
+/// A domain that is constrained and too large, or cannot keep to its own caps.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::exact;
+/// use mindeg_geometry::Domain;
+/// use mindeg_tradeoff::unwatched;
+///
+/// let domain = Domain::from_json(
+///     r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
+///         {}, {}, {"outside_degree": 3}, {}]}"#,
+/// )?;
+/// assert_eq!(exact::optimal_max_degree(&domain, &mut unwatched)?, 6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn optimal_max_degree(domain: &Domain, watch: Watch<'_>) -> Result<u32, ExactError> {
+    if !domain.is_constrained() {
+        return Ok(mindeg_core::optimal_max_degree(domain.boundary()));
+    }
+    Ok(least_max_degree(&problem(domain)?, watch)?)
+}
+
+/// The mesh with the largest minimum angle in which no total degree is above `max_degree`, nor
+/// above what the domain says of single vertices.
+///
+/// See [`best_angle`] for the choice among several and for what it takes.
+///
+/// # Errors
+///
+/// A domain that is too large, caps that cannot be kept, `watch` asking to stop, or points so
+/// close together that triangles have no area.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::exact;
+/// use mindeg_geometry::{Domain, Side};
+/// use mindeg_tradeoff::unwatched;
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
+/// let exact = exact::mesh(&domain, 5, &mut unwatched)?;
+/// assert_eq!(exact.mesh.max_degree(), 5);
+/// assert!((exact.min_angle - 6.340).abs() < 5e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn mesh(domain: &Domain, max_degree: u32, watch: Watch<'_>) -> Result<ExactMesh, ExactError> {
+    placed(domain, best_angle(&problem(domain)?, max_degree, watch)?)
+}
+
+/// The best mesh for every maximum degree.
+///
+/// # Errors
+///
+/// As [`mesh()`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::exact;
+/// use mindeg_geometry::{Domain, Side};
+/// use mindeg_tradeoff::unwatched;
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
+/// let trade_off = exact::trade_off(&domain, &mut unwatched)?;
+/// let degrees = trade_off.meshes.iter().map(|exact| exact.max_degree);
+/// assert_eq!(degrees.collect::<Vec<_>>(), [4, 5]);
+/// assert_eq!(trade_off.meshes[1].min_angle, trade_off.delaunay_min_angle);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn trade_off(domain: &Domain, watch: Watch<'_>) -> Result<TradeOff, ExactError> {
+    let answer = mindeg_tradeoff::trade_off(&problem(domain)?, watch)?;
+    let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
+    Ok(TradeOff {
+        meshes: meshes.collect::<Result<_, _>>()?,
+        delaunay_min_angle: answer.uncapped_min_angle,
+    })
+}
+
+/// The domain as the solver takes it.
+fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
+    let boundary = domain.boundary();
+    // The solver refuses a number of vertices too large for the memory of one point each.
+    if boundary.vertex_count() > mindeg_tradeoff::MAX_VERTICES {
+        return Err(ProblemError::TooManyVertices { vertices: boundary.vertex_count() });
+    }
+    let points: Vec<DVec2> = domain.placement().points().collect();
+    let mut problem = Problem::new(boundary, &points)?;
+    if domain.is_constrained() {
+        for vertex in 0..boundary.vertex_count() {
+            problem.set_outside_degree(vertex, domain.outside_degree(vertex));
+            if let Some(max_degree) = domain.max_degree(vertex) {
+                problem.set_max_degree(vertex, max_degree);
+            }
+        }
+    }
+    Ok(problem)
+}
+
+fn placed(domain: &Domain, optimum: Optimum) -> Result<ExactMesh, ExactError> {
+    let Optimum { max_degree, min_angle, mut triangles, .. } = optimum;
+    // Every triangle cuts off the vertices from its smallest to its largest. Sorted like that,
+    // what one cuts off follows on it, and neighbours mostly share an edge.
+    triangles.sort_unstable_by_key(|&[first, _, last]| (first, Reverse(last)));
+    Ok(ExactMesh { max_degree, min_angle, mesh: Mesh::with_triangles(domain, triangles)? })
+}
