@@ -52,13 +52,16 @@ impl ShownMetric {
         let metric = self.metric();
         let direction = if self.higher_is_better() { "Higher" } else { "Lower" };
         let range = match metric.best {
-            None => "in the unit of length of the domain".to_owned(),
+            None => "it has the unit of the coordinates".to_owned(),
             Some(best) => {
                 let worst =
                     if metric.worst.is_finite() { metric.worst.to_string() } else { "∞".into() };
                 format!("{best} for an equilateral triangle, {worst} for a flat one")
             }
         };
-        format!("{}. {direction} is better; {range}.", metric.formula)
+        format!(
+            "{}, with edge lengths x ≤ y ≤ z and area A. {direction} is better: {range}.",
+            metric.formula
+        )
     }
 }
