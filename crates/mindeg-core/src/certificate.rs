@@ -221,6 +221,14 @@ mod tests {
     }
 
     #[test]
+    fn a_certificate_need_not_be_the_sharpest() {
+        let certificate = Certificate::NoBalancedCut { least_imbalance: 3 };
+        assert_eq!(certificate.check(&[5, 1, 1]), Ok(5));
+        let certificate = Certificate::LongSide { side: 1, max_degree: 3 };
+        assert_eq!(certificate.check(&[5, 1, 1]), Ok(3));
+    }
+
+    #[test]
     fn false_certificates_are_refused() {
         let cut = Cut { first_side: 0, side_count: 2, larger: 5, smaller: 5 };
         for (certificate, intervals) in [
@@ -238,6 +246,14 @@ mod tests {
                 },
                 &[3, 3, 2, 2],
             ),
+            (
+                Certificate::BalancedCut { cut: Cut { first_side: 4, ..cut }, max_degree: 4 },
+                &[3, 2, 3, 2],
+            ),
+            (
+                Certificate::BalancedCut { cut: Cut { smaller: 4, ..cut }, max_degree: 4 },
+                &[3, 2, 3, 2],
+            ),
             (Certificate::MedialTriangle, &[2, 2, 3]),
             (Certificate::LongSide { side: 4, max_degree: 7 }, &[30, 2, 4, 2]),
             (Certificate::LongSide { side: 0, max_degree: 8 }, &[30, 2, 4, 2]),
@@ -246,6 +262,7 @@ mod tests {
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[2, 2, 2]),
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[0, 2, 2]),
             (Certificate::NoBalancedCut { least_imbalance: 2 }, &[7, 2]),
+            (Certificate::LongSide { side: 0, max_degree: 11 }, &[10, 0, 2]),
             (Certificate::LongSide { side: 0, max_degree: 5 }, &[u64::MAX, 2, 2]),
             (Certificate::LongSide { side: 0, max_degree: 5 }, &[1 << 32, 1 << 31, 2]),
         ] {

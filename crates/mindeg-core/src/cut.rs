@@ -98,9 +98,9 @@ fn even_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
         let run = u64::from(boundary.corner(to) - boundary.corner(from));
         2 * run >= u64::from(boundary.vertex_count())
     };
+    // A run of half the intervals is not empty, so that `to` stays ahead of `from`.
     let mut to = 1;
-    (0..sides - 1).flat_map(move |from| {
-        to = to.max(from + 1);
+    (0..sides).flat_map(move |from| {
         while to < sides && !half_reached(from, to) {
             to += 1;
         }

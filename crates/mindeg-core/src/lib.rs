@@ -23,6 +23,15 @@
 //! or two strips that share an edge. It is found in O(k) time for k sides, whatever the number
 //! of intervals, and any triangle or degree follows in O(1).
 //!
+//! # What is here
+//!
+//! - [`min_degree_triangulation`] builds one optimal triangulation, [`Plans`] all that the
+//!   constructions allow.
+//! - [`certificate`] says what the optimum is and why it cannot be less, [`bound`] has the
+//!   statements behind it, and [`suggest`] what to change for a lower one.
+//! - [`verify`] checks triangles from whatever source, and [`exact`] finds the optimum by search:
+//!   both know nothing of the constructions.
+//!
 //! # Numbers
 //!
 //! Vertices are plain `u32`, `0..n` counter-clockwise from the corner where the first side
@@ -47,6 +56,8 @@ pub mod exact;
 mod min_degree;
 mod plans;
 mod strip;
+mod suggest;
+mod triangles;
 mod triangulation;
 mod verify;
 mod word;
@@ -57,6 +68,8 @@ pub use cut::{Cut, best_cuts, least_imbalance};
 pub use min_degree::min_degree_triangulation;
 pub use plans::Plans;
 pub use strip::{Chain, End, Strip};
+pub use suggest::{Change, Suggestion, suggest, suggestions};
+pub use triangles::Triangles;
 pub use triangulation::{Neighbors, Triangulation};
 pub use verify::{Defect, Verified, verify};
 pub use word::{Letter, Word};

@@ -39,7 +39,7 @@ use core::ops::Range;
 pub struct Plans<'a> {
     boundary: &'a Boundary,
     max_degree: u32,
-    /// Each with the number of plans in the families before it. None is empty.
+    /// Each with the number of plans in the families before it.
     families: Vec<(u64, Family)>,
     count: u64,
 }
@@ -114,6 +114,7 @@ impl<'a> Plans<'a> {
 
     /// The plan with the given number, below the count.
     fn plan(&self, number: u64) -> Triangulation {
+        // Of families that start alike only the last has plans.
         let family = self.families.partition_point(|&(before, _)| before <= number) - 1;
         let (before, family) = &self.families[family];
         let number = number - before;
@@ -172,7 +173,6 @@ fn families(boundary: &Boundary) -> Vec<Family> {
         variants
             .into_iter()
             .flat_map(|variant| cuts.iter().map(move |&cut| family(variant, cut)))
-            .filter(|family| family.len() > 0)
             .collect()
     }
 }

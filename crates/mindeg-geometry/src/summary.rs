@@ -54,15 +54,18 @@ impl Distribution {
             return None;
         }
         let mean = sum(&values) / count as f64;
-        let mut of_rank = |rank: usize| *values.select_nth_unstable_by(rank - 1, f64::total_cmp).1;
-        Some(Self {
-            min: of_rank(1),
-            p01: of_rank(count.div_ceil(100)),
-            median: of_rank(count.div_ceil(2)),
-            mean,
-            p99: of_rank(count - count / 100),
-            max: of_rank(count),
-        })
+        let min = values.iter().copied().min_by(f64::total_cmp)?;
+        let max = values.iter().copied().max_by(f64::total_cmp)?;
+        // Places in ascending order, that is ranks less one. Around the median, what is lower
+        // and what is higher is apart already.
+        let [first, middle, last] =
+            [count.div_ceil(100) - 1, count.div_ceil(2) - 1, count - count / 100 - 1];
+        let select =
+            |values: &mut [f64], place| *values.select_nth_unstable_by(place, f64::total_cmp).1;
+        let (lower, &mut median, higher) = values.select_nth_unstable_by(middle, f64::total_cmp);
+        let p01 = if first < middle { select(lower, first) } else { median };
+        let p99 = if last > middle { select(higher, last - middle - 1) } else { median };
+        Some(Self { min, p01, median, mean, p99, max })
     }
 }
 
@@ -103,7 +106,8 @@ impl QualitySummary {
     /// Sums up triangles; `None` if there are none. O(n) time and memory.
     #[must_use]
     pub fn of(qualities: impl IntoIterator<Item = TriangleQuality>) -> Option<Self> {
-        let mut columns = METRICS.map(|_| Vec::new());
+        let qualities = qualities.into_iter();
+        let mut columns = METRICS.map(|_| Vec::with_capacity(qualities.size_hint().0));
         let mut below = [0_usize; ANGLES.len()];
         for quality in qualities {
             for (column, metric) in columns.iter_mut().zip(METRICS) {

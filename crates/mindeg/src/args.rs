@@ -1,6 +1,8 @@
 //! The arguments as they are typed.
 
-use clap::{Args, Parser, Subcommand};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use mindeg_geometry::Spacing;
+use std::path::PathBuf;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -20,6 +22,8 @@ pub(crate) struct Arguments {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     Degree(DegreeArguments),
+    Mesh(MeshArguments),
+    Suggest(SuggestArguments),
 }
 
 /// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
@@ -35,6 +39,152 @@ pub(crate) struct DegreeArguments {
     /// Print JSON: intervals, vertices, triangles, interior_edges, max_degree, certificate
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Suggest the least change of interval counts that brings the least maximum degree down
+///
+/// Least means the fewest intervals added or taken away in all, with adding preferred: it never
+/// coarsens a mesh.
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct SuggestArguments {
+    /// The intervals of each side, counter-clockwise, such as 30,2,4,2
+    #[arg(value_name = "INTERVALS")]
+    pub(crate) intervals: IntervalCounts,
+
+    /// The degree to come down to; without it, every lower degree that a least change leads to
+    #[arg(long, value_name = "D")]
+    pub(crate) target: Option<u32>,
+
+    /// Print JSON: intervals, max_degree, and suggestions, a list of max_degree, cost, changes
+    /// (side counted from 0, by) and intervals
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Mesh a domain from its boundary points alone and write it to files
+///
+/// Vertices are numbered counter-clockwise from the first corner. Every vertex is a boundary
+/// point, no vertex has more edges than any triangulation must have somewhere, and among the
+/// meshes of that degree the one with the largest smallest angle is taken.
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct MeshArguments {
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    /// Where to write, by extension .obj, .glb, .gltf (with its .bin) or .svg; - is standard
+    /// output. May be given several times
+    #[arg(short, long, value_name = "FILE", required = true)]
+    pub(crate) output: Vec<PathBuf>,
+
+    /// The format where the extension does not tell it
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
+
+    /// Give each vertex a colour by its degree (OBJ, glTF)
+    #[arg(long)]
+    pub(crate) degree_colors: bool,
+
+    /// Add each side as a named line (OBJ, glTF)
+    #[arg(long)]
+    pub(crate) boundary_lines: bool,
+
+    /// Lay the mesh on the floor, the XZ plane facing +Y, instead of upright in XY (OBJ, glTF)
+    #[arg(long)]
+    pub(crate) floor: bool,
+
+    /// Print a summary as JSON: vertices, triangles, max_degree, optimal_max_degree, min_angle,
+    /// max_angle, outputs
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Print no summary on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// The domain, from a file or from options; options override what a file says of its sides.
+#[derive(Debug, Args)]
+pub(crate) struct DomainArguments {
+    /// A domain in JSON; - reads standard input
+    #[arg(value_name = "DOMAIN.json")]
+    pub(crate) file: Option<PathBuf>,
+
+    /// A rectangle with these side lengths; its sides are bottom, right, top, left
+    #[arg(long, value_name = "WxH", conflicts_with_all = ["file", "corners"], allow_hyphen_values = true)]
+    pub(crate) rectangle: Option<RectangleSize>,
+
+    /// A convex polygon with these corners, such as "0,0 4,0 3,2"
+    #[arg(long, value_name = "x,y x,y …", conflicts_with = "file", allow_hyphen_values = true)]
+    pub(crate) corners: Option<Corners>,
+
+    /// The intervals of each side, counter-clockwise, such as 3,3,2,2
+    #[arg(long, value_name = "a,b,…", conflicts_with = "size")]
+    pub(crate) intervals: Option<IntervalCounts>,
+
+    /// The length that the intervals of every side should have
+    #[arg(long, value_name = "S", allow_hyphen_values = true)]
+    pub(crate) size: Option<f64>,
+
+    /// How the intervals of every side are spaced: uniform, geometric:RATIO, bump:RATIO,
+    /// beta:BETA or first-length:LENGTH
+    #[arg(long, value_name = "LAW")]
+    pub(crate) spacing: Option<Spacing>,
+}
+
+/// A file format that `mindeg mesh` writes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Wavefront OBJ
+    Obj,
+    /// glTF 2.0 in one binary file
+    Glb,
+    /// glTF 2.0 as JSON, with a .bin file beside it
+    Gltf,
+    /// A picture
+    Svg,
+}
+
+/// Width and height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RectangleSize {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+}
+
+impl std::str::FromStr for RectangleSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sizes = text.split_once(['x', 'X', '×']).and_then(|(width, height)| {
+            Some(Self { width: width.trim().parse().ok()?, height: height.trim().parse().ok()? })
+        });
+        sizes.ok_or_else(|| format!("{text:?} is not a width and a height, such as 4x3"))
+    }
+}
+
+/// A list of points.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Corners(pub(crate) Vec<[f64; 2]>);
+
+impl std::str::FromStr for Corners {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parse = |(number, corner): (usize, &str)| {
+            let coordinates = corner
+                .split_once(',')
+                .and_then(|(x, y)| Some([x.trim().parse().ok()?, y.trim().parse().ok()?]));
+            coordinates.ok_or_else(|| {
+                format!(
+                    "corner {}: {corner:?} is not x,y; give corners such as \"0,0 4,0 3,2\"",
+                    number + 1
+                )
+            })
+        };
+        text.split_whitespace().enumerate().map(parse).collect::<Result<_, _>>().map(Self)
+    }
 }
 
 /// A list of interval counts, one for each side.
@@ -76,6 +226,24 @@ mod tests {
         {
             let error = text.parse::<IntervalCounts>().unwrap_err();
             assert!(error.starts_with(side), "{text:?}: {error}");
+        }
+    }
+
+    #[test]
+    fn sizes_and_corners_are_read() {
+        let size = RectangleSize { width: 4.0, height: 0.5 };
+        assert_eq!("4x.5".parse(), Ok(size));
+        assert_eq!("4 x 5e-1".parse(), Ok(size));
+        for text in ["", "4", "4x", "4x3x2", "ax3"] {
+            assert!(text.parse::<RectangleSize>().is_err(), "{text:?}");
+        }
+        let corners = Corners(vec![[0.0, 0.0], [-4.0, 1e3], [3.5, 2.0]]);
+        assert_eq!(" 0,0  -4,1e3\n3.5,2".parse(), Ok(corners));
+        for (text, corner) in
+            [("0,0 4", "corner 2"), ("0;0", "corner 1"), ("0,0 1,1 1,2,3", "corner 3")]
+        {
+            let error = text.parse::<Corners>().unwrap_err();
+            assert!(error.starts_with(corner), "{text:?}: {error}");
         }
     }
 }

@@ -3,7 +3,8 @@
 use crate::args::DegreeArguments;
 use crate::failure::Failure;
 use crate::standard_output::{print, print_json};
-use mindeg_core::{Boundary, Certificate, certificate};
+use crate::suggest::in_words;
+use mindeg_core::{Boundary, Certificate, certificate, suggest};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -81,6 +82,16 @@ fn text(boundary: &Boundary, certificate: &Certificate) -> String {
     }
     text.push('\n');
     text.push_str(&why(boundary, certificate));
+    if degree > 4
+        && let Some(suggestion) = suggest(boundary, degree - 1)
+    {
+        let _ = writeln!(
+            text,
+            "Hint: {} and it is {}; mindeg suggest tells more.",
+            in_words(&suggestion),
+            suggestion.max_degree
+        );
+    }
     text
 }
 

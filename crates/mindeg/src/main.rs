@@ -5,8 +5,12 @@
 
 mod args;
 mod degree;
+mod domain;
 mod failure;
+mod mesh;
+mod output;
 mod standard_output;
+mod suggest;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -15,6 +19,8 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Degree(arguments) => degree::run(&arguments),
+        Command::Mesh(arguments) => mesh::run(&arguments),
+        Command::Suggest(arguments) => suggest::run(&arguments),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,

@@ -8,12 +8,11 @@
 //! Limits: the surface alone is read. Normals, texture coordinates, colors, materials,
 //! animations and skins are not.
 
-mod boundary;
 pub mod gltf;
 pub mod obj;
 mod surface;
 
-pub use boundary::BoundaryLoop;
+pub use crate::connectivity::boundary::BoundaryLoop;
 pub use surface::{NonTriangles, Part, SurfaceMesh};
 
 use std::io;
@@ -74,6 +73,12 @@ pub enum ImportError {
     TooManyVertices {
         /// How many vertices there are.
         vertices: usize,
+    },
+    /// More triangles than there are triangle numbers.
+    #[error("the mesh has {triangles} triangles, and {} is the most that can be read", u32::MAX)]
+    TooManyTriangles {
+        /// How many triangles there are.
+        triangles: usize,
     },
     /// There is no surface in the file.
     #[error(

@@ -1,6 +1,8 @@
 //! A triangle mesh in space as a file has it.
 
 use super::ImportError;
+use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
+use crate::connectivity::stars::Stars;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -57,7 +59,7 @@ impl SurfaceMesh {
     /// # Errors
     ///
     /// A position that is not finite, a triangle with a vertex that is not there, more than
-    /// `u32::MAX` vertices, or no triangle at all.
+    /// `u32::MAX` vertices or triangles, or no triangle at all.
     pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, ImportError> {
         let parts = vec![Part { name: String::new(), triangles: 0..triangles.len() }];
         Self::with_parts(positions, triangles, parts, NonTriangles::default())
@@ -72,6 +74,9 @@ impl SurfaceMesh {
         let vertices = positions.len();
         if u32::try_from(vertices).is_err() {
             return Err(ImportError::TooManyVertices { vertices });
+        }
+        if u32::try_from(triangles.len()).is_err() {
+            return Err(ImportError::TooManyTriangles { triangles: triangles.len() });
         }
         if triangles.is_empty() {
             let line_segments = non_triangles.line_segments;
@@ -105,6 +110,19 @@ impl SurfaceMesh {
     #[must_use]
     pub fn parts(&self) -> &[Part] {
         &self.parts
+    }
+
+    /// The loops of edges that belong to one triangle only, in the order of their first
+    /// vertices.
+    ///
+    /// At a vertex, a loop goes on with the boundary edge found by turning from triangle to
+    /// triangle, so that loops which touch in a vertex stay apart. A closed loop starts at its
+    /// least vertex; one that runs into an edge with three triangles or more is open. Triangles
+    /// that name a vertex twice are passed over. O(n) time and memory, but for sorting at
+    /// vertices of very high degree.
+    #[must_use]
+    pub fn boundary_loops(&self) -> Vec<BoundaryLoop> {
+        BoundaryEdges::new(&Stars::new(self.positions.len(), &self.triangles)).loops()
     }
 
     /// What the file held besides triangles.

@@ -1,0 +1,221 @@
+//! One domain, triangulated by every method.
+
+use crate::reference::Reference;
+use crate::report::{DefectKind, DomainFigures, MethodDefect, MethodFigures, Report};
+use crate::{NoTriangulation, measure, tie_count, verdict};
+use glam::DVec2;
+use mindeg_geometry::{Domain, Mesh, MeshError};
+use std::time::{Duration, Instant};
+
+/// The name of mindeg's own mesh in a report.
+pub const MINDEG: &str = "mindeg";
+
+/// The largest number of boundary vertices that can be compared: unlike mindeg's own meshes,
+/// the others are lists in memory.
+pub const MAX_COMPARED_VERTICES: u32 = 10_000_000;
+
+/// What a comparison may take.
+///
+/// ```
+/// assert_eq!(mindeg_compare::Options::default().time_limit.as_secs(), 60);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// How long each method may take, 60 seconds unless told otherwise. The report lists one
+    /// that takes longer as such.
+    pub time_limit: Duration,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self { time_limit: Duration::from_secs(60) }
+    }
+}
+
+/// Why a domain cannot be compared.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CompareError {
+    /// More vertices than [`MAX_COMPARED_VERTICES`].
+    #[error(
+        "the domain has {vertices} boundary vertices, and a comparison keeps whole meshes in \
+         memory: at most {MAX_COMPARED_VERTICES} can be compared; use fewer intervals"
+    )]
+    TooManyVertices {
+        /// How many there are.
+        vertices: u32,
+    },
+    /// There is no mesh of the domain.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+}
+
+/// A domain's triangulations with their figures.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::{Options, compare};
+/// use mindeg_geometry::{Domain, Side};
+///
+/// let sides = [1000, 3, 5, 2].map(Side::count).to_vec();
+/// let comparison = compare(&Domain::rectangle(4.0, 3.0, sides)?, &Options::default())?;
+/// let degrees = comparison.report().methods.iter().map(|method| method.max_degree);
+/// // mindeg, Delaunay, ear clipping, and a fan from the middle of the side of 2.
+/// assert_eq!(degrees.collect::<Vec<_>>(), [Some(114), Some(379), Some(1009), Some(1009)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Comparison {
+    report: Report,
+    points: Vec<DVec2>,
+    /// The triangles of each method of the report, none where it has none.
+    triangles: Vec<Vec<[u32; 3]>>,
+}
+
+impl Comparison {
+    /// The figures.
+    #[must_use]
+    pub fn report(&self) -> &Report {
+        &self.report
+    }
+
+    /// The boundary points, in the order of the vertices.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// The methods of the report, each with its triangles: none where it gave none.
+    pub fn methods(&self) -> impl ExactSizeIterator<Item = (&MethodFigures, &[[u32; 3]])> {
+        self.report.methods.iter().zip(self.triangles.iter().map(Vec::as_slice))
+    }
+
+    /// The same comparison without the times taken: what is left depends on the domain alone.
+    #[must_use]
+    pub fn without_times(mut self) -> Self {
+        for method in &mut self.report.methods {
+            method.seconds = None;
+        }
+        self
+    }
+
+    /// The verdict, sentence by sentence.
+    pub(crate) fn verdict(&self) -> Vec<String> {
+        verdict::verdict(&self.report.domain, &self.report.methods)
+    }
+}
+
+/// Triangulates a domain by every method, checks and measures the results.
+///
+/// A reference that fails is part of the report. O(n log n) besides what the methods take.
+///
+/// # Errors
+///
+/// Too many vertices, or a domain on which mindeg itself has no mesh.
+pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, CompareError> {
+    let boundary = domain.boundary();
+    let vertices = boundary.vertex_count();
+    if vertices > MAX_COMPARED_VERTICES {
+        return Err(CompareError::TooManyVertices { vertices });
+    }
+    let start = Instant::now();
+    let mesh = Mesh::least_degree(domain)?;
+    let own: Vec<[u32; 3]> = mesh.triangles().collect();
+    let own_time = start.elapsed();
+
+    let points: Vec<DVec2> = domain.placement().points().collect();
+    let optimal_max_degree = mindeg_core::optimal_max_degree(boundary);
+    let figures =
+        |triangles: &[[u32; 3]]| measure::figures(boundary, &points, triangles, optimal_max_degree);
+    let mut methods = vec![MethodFigures {
+        name: MINDEG.to_owned(),
+        description: "The least possible maximum degree, and among the meshes with that degree \
+                      which mindeg tries the one with the largest smallest angle."
+            .to_owned(),
+        seconds: Some(own_time.as_secs_f64()),
+        ..figures(&own)
+    }];
+    let mut triangles = vec![own];
+    for reference in Reference::ALL {
+        let outcome = reference.triangulate(boundary, &points, options.time_limit);
+        let (measured, list) = match outcome {
+            Ok(timed) => {
+                let measured = figures(&timed.triangles);
+                let is_delaunay = reference == Reference::Delaunay && measured.valid;
+                let ties = is_delaunay.then(|| tie_count(&points, &timed.triangles));
+                let seconds = Some(timed.time.as_secs_f64());
+                (MethodFigures { ties, seconds, ..measured }, timed.triangles)
+            }
+            Err(reason) => (without_triangles(&reason), Vec::new()),
+        };
+        methods.push(MethodFigures {
+            name: reference.name().to_owned(),
+            description: reference.description().to_owned(),
+            ..measured
+        });
+        triangles.push(list);
+    }
+    let domain = DomainFigures {
+        name: domain.name().map(str::to_owned),
+        intervals: boundary.sides().collect(),
+        corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
+        vertices,
+        triangles: vertices - 2,
+        interior_edges: vertices - 3,
+        optimal_max_degree,
+    };
+    let verdict = verdict::verdict(&domain, &methods).join(" ");
+    Ok(Comparison { report: Report { domain, methods, verdict }, points, triangles })
+}
+
+fn without_triangles(reason: &NoTriangulation) -> MethodFigures {
+    let kind = match reason {
+        NoTriangulation::TimeLimit { .. } => DefectKind::TimeLimit,
+        _ => DefectKind::NoTriangles,
+    };
+    let defect = MethodDefect { kind, count: None, message: reason.to_string() };
+    MethodFigures { defects: vec![defect], ..MethodFigures::default() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_geometry::Side;
+
+    #[test]
+    fn only_delaunay_has_ties() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4]).unwrap();
+        let comparison = compare(&domain, &Options::default()).unwrap();
+        let ties: Vec<_> = comparison.report().methods.iter().map(|method| method.ties).collect();
+        assert_eq!(ties, [None, Some(2), None, None]);
+    }
+
+    #[test]
+    fn what_is_late_is_reported_and_the_rest_goes_on() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(20_000); 4]).unwrap();
+        let options = Options { time_limit: Duration::from_millis(5) };
+        let comparison = compare(&domain, &options).unwrap();
+        let report = comparison.report();
+        assert!(report.methods[0].valid);
+        for method in &report.methods[1..3] {
+            assert_eq!(method.defects[0].kind, DefectKind::TimeLimit, "{}", method.name);
+            assert_eq!((method.valid, method.max_degree, method.seconds), (false, None, None));
+        }
+        assert!(report.verdict.starts_with(
+            "There is no Delaunay triangulation to compare with: it did not finish within the \
+             time limit of 0.005 s. mindeg has at most 4 edges at a vertex, the least possible,"
+        ));
+    }
+
+    #[test]
+    fn too_large_a_domain_is_refused_at_once() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(3_000_000); 4]).unwrap();
+        let refusal = compare(&domain, &Options::default()).unwrap_err();
+        assert_eq!(
+            refusal.to_string(),
+            "the domain has 12000000 boundary vertices, and a comparison keeps whole meshes in \
+             memory: at most 10000000 can be compared; use fewer intervals"
+        );
+    }
+}

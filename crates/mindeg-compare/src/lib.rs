@@ -1,0 +1,38 @@
+//! mindeg's mesh beside other triangulations of the same boundary points: what least degree
+//! costs, and what it buys.
+//!
+//! [`compare`] triangulates a domain by mindeg, by Delaunay, by ear clipping and as a fan,
+//! checks every result with [`mindeg_core::verify`], measures all, and says in words what the
+//! figures mean.
+//!
+//! ```
+//! use mindeg_compare::{Options, compare};
+//! use mindeg_geometry::{Domain, Side};
+//!
+//! let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
+//! let comparison = compare(&domain, &Options::default())?;
+//! for method in &comparison.report().methods {
+//!     println!("{}: degree {:?}, angle {:?}", method.name, method.max_degree, method.min_angle);
+//! }
+//! println!("{}", comparison.report().verdict);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Limits
+//!
+//! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
+//! methods use the boundary points alone: how much better a mesh with points inside would be is
+//! not compared.
+
+mod comparison;
+mod measure;
+mod number_format;
+pub mod reference;
+pub mod report;
+mod verdict;
+
+pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, MINDEG, Options, compare};
+pub use reference::{NoTriangulation, Reference, Timed, tie_count};
+pub use report::{
+    IndexEntry, Report, report_schema, write_html, write_index, write_json, write_markdown,
+};

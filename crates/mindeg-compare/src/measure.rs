@@ -1,0 +1,210 @@
+//! From points and a list of triangles to the figures of a report.
+//!
+//! Limits: takes any list whose vertices exist, valid or not. Of one that is no triangulation
+//! the figures describe the triangles that are there.
+
+use crate::report::{
+    DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
+};
+use glam::DVec2;
+use mindeg_core::{Boundary, Defect, verify};
+use mindeg_geometry::quality::{ANGLES, DegreeHistogram, QualitySummary, TriangleQuality};
+
+/// How many of the worst triangles are listed.
+const WORST: usize = 5;
+
+/// The figures of one method's triangles. O(n log n).
+pub(crate) fn figures(
+    boundary: &Boundary,
+    points: &[DVec2],
+    triangles: &[[u32; 3]],
+    optimal_max_degree: u32,
+) -> MethodFigures {
+    let intervals: Vec<u64> = boundary.sides().map(u64::from).collect();
+    let defects = match verify(&intervals, triangles.iter().copied()) {
+        Ok(_) => Vec::new(),
+        Err(first) => defects(boundary, triangles, first),
+    };
+    let degrees = degrees(boundary.vertex_count(), triangles);
+    let histogram: DegreeHistogram = degrees.into_iter().collect();
+    let qualities: Vec<TriangleQuality> =
+        triangles.iter().map(|&triangle| quality(points, triangle)).collect();
+    let summary = QualitySummary::of(qualities.iter().copied());
+    let shares = summary.as_ref().map(|summary| summary.shares_below);
+    let metrics = summary.as_ref().and_then(metric_figures);
+    MethodFigures {
+        max_degree: histogram.max_degree(),
+        degree_histogram: histogram.iter().collect(),
+        vertices_above_optimum: histogram.iter().filter(|&(d, _)| d > optimal_max_degree).collect(),
+        min_angle: metrics.as_ref().map(|metrics| metrics.min_angle.min),
+        max_angle: metrics.as_ref().map(|metrics| metrics.max_angle.max),
+        metrics,
+        share_below_degrees: ANGLES
+            .map(|angle| angle as u32)
+            .into_iter()
+            .zip(shares.into_iter().flatten())
+            .collect(),
+        worst_triangles: worst(&qualities, triangles),
+        valid: defects.is_empty(),
+        defects,
+        ..MethodFigures::default()
+    }
+}
+
+/// The measures of one triangle of a mesh.
+pub(crate) fn quality(points: &[DVec2], triangle: [u32; 3]) -> TriangleQuality {
+    let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
+    TriangleQuality::of(a, b, c)
+}
+
+fn metric_figures(summary: &QualitySummary) -> Option<MetricFigures> {
+    let of = |name| summary.metric(name).map(Distribution::from);
+    Some(MetricFigures {
+        min_angle: of("min_angle")?,
+        max_angle: of("max_angle")?,
+        minimum_height: of("minimum_height")?,
+        aspect_ratio: of("aspect_ratio")?,
+        radius_ratio: of("radius_ratio")?,
+        shape: of("shape")?,
+    })
+}
+
+/// The number of neighbours of every vertex, its two on the boundary included, in a list that
+/// need not be a triangulation.
+pub(crate) fn degrees(vertices: u32, triangles: &[[u32; 3]]) -> Vec<u32> {
+    let ring = (0..vertices).map(|v| [v, if v + 1 == vertices { 0 } else { v + 1 }]);
+    let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    let mut edges: Vec<[u32; 2]> =
+        ring.chain(sides).map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a != b).collect();
+    edges.sort_unstable();
+    edges.dedup();
+    let mut degrees = vec![0; vertices as usize];
+    for vertex in edges.into_iter().flatten() {
+        degrees[vertex as usize] += 1;
+    }
+    degrees
+}
+
+/// What is wrong with a list in which the check found `first`: counted where that can be.
+fn defects(boundary: &Boundary, triangles: &[[u32; 3]], first: Defect) -> Vec<MethodDefect> {
+    let expected = u64::from(boundary.vertex_count() - 2);
+    let found = triangles.len() as u64;
+    let flat = triangles.iter().filter(|&&triangle| boundary.is_flat(triangle)).count() as u64;
+    let missing = expected.saturating_sub(found);
+    let surplus = found.saturating_sub(expected);
+    let s = |count: u64| if count == 1 { "" } else { "s" };
+    let counted = [
+        (
+            DefectKind::FlatTriangles,
+            flat,
+            format!("{flat} flat triangle{}, with all vertices on one side", s(flat)),
+        ),
+        (
+            DefectKind::MissingTriangles,
+            missing,
+            format!("{missing} of {expected} triangles missing"),
+        ),
+        (
+            DefectKind::SurplusTriangles,
+            surplus,
+            format!("{surplus} triangle{} more than {expected}", s(surplus)),
+        ),
+    ];
+    let counted = counted
+        .into_iter()
+        .filter(|&(_, count, _)| count > 0)
+        .map(|(kind, count, message)| MethodDefect { kind, count: Some(count), message });
+    let counted: Vec<MethodDefect> = counted.collect();
+    if counted.is_empty() {
+        let kind = DefectKind::NotATriangulation;
+        vec![MethodDefect { kind, count: None, message: first.to_string() }]
+    } else {
+        counted
+    }
+}
+
+fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<WorstTriangle> {
+    let by_angle = |&a: &usize, &b: &usize| {
+        qualities[a].min_angle.total_cmp(&qualities[b].min_angle).then(a.cmp(&b))
+    };
+    let mut numbers: Vec<usize> = (0..triangles.len()).collect();
+    if numbers.len() > WORST {
+        numbers.select_nth_unstable_by(WORST, by_angle);
+        numbers.truncate(WORST);
+    }
+    numbers.sort_unstable_by(by_angle);
+    let described = numbers.into_iter().map(|number| WorstTriangle {
+        triangle: number as u32,
+        vertices: triangles[number],
+        min_angle: qualities[number].min_angle,
+        max_angle: qualities[number].max_angle,
+    });
+    described.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_geometry::{Domain, Side};
+
+    /// The figures of some triangles on a square of two intervals a side.
+    fn square(triangles: &[[u32; 3]]) -> MethodFigures {
+        let domain = Domain::rectangle(2.0, 2.0, vec![Side::count(2); 4]).unwrap();
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        figures(domain.boundary(), &points, triangles, 3)
+    }
+
+    /// A fan from vertex 1, the middle of the bottom.
+    const FAN: [[u32; 3]; 6] = [[1, 2, 3], [1, 3, 4], [1, 4, 5], [1, 5, 6], [1, 6, 7], [1, 7, 0]];
+
+    #[test]
+    fn measures_a_triangulation() {
+        let figures = square(&FAN);
+        assert!(figures.valid && figures.defects.is_empty());
+        assert_eq!(figures.max_degree, Some(7));
+        assert_eq!(figures.degree_histogram, [(2, 2), (3, 5), (7, 1)].into());
+        assert_eq!(figures.vertices_above_optimum, [(7, 1)].into());
+        let smallest = 18.434_948_822_922_01;
+        assert!((figures.min_angle.unwrap() - smallest).abs() < 1e-13);
+        assert_eq!(figures.max_angle, Some(135.0));
+        assert_eq!(figures.share_below_degrees[&10], 0.0);
+        assert_eq!(figures.share_below_degrees[&20], 2.0 / 6.0);
+        let worst: Vec<u32> = figures.worst_triangles.iter().map(|worst| worst.triangle).collect();
+        assert_eq!(worst, [1, 4, 2, 3, 0]);
+        assert_eq!(figures.worst_triangles[1].vertices, [1, 6, 7]);
+    }
+
+    #[test]
+    fn counts_what_is_wrong() {
+        let flat_instead = |count: usize| {
+            let mut triangles = FAN;
+            triangles[..count].fill([0, 1, 2]);
+            triangles
+        };
+        for (triangles, defects) in [
+            (&flat_instead(1)[..], &["1 flat triangle, with all vertices on one side"][..]),
+            (&flat_instead(2), &["2 flat triangles, with all vertices on one side"]),
+            (&FAN[1..], &["1 of 6 triangles missing"]),
+            (
+                &flat_instead(1)[..4],
+                &["1 flat triangle, with all vertices on one side", "2 of 6 triangles missing"],
+            ),
+            (&[FAN, FAN].concat(), &["6 triangles more than 6"]),
+            (&[FAN[0]; 6], &["the boundary edge from 0 to 1 has no triangle"]),
+            (&[], &["6 of 6 triangles missing"]),
+        ] {
+            let figures = square(triangles);
+            assert!(!figures.valid);
+            let messages: Vec<&str> = figures.defects.iter().map(|d| &*d.message).collect();
+            assert_eq!(messages, defects);
+        }
+    }
+
+    #[test]
+    fn degrees_of_what_is_no_triangulation_count_neighbors_once() {
+        let twice = [FAN[1], FAN[1], FAN[2]];
+        assert_eq!(degrees(8, &twice), [2, 5, 2, 3, 3, 3, 2, 2]);
+        let fan = degrees(8, &FAN);
+        assert_eq!(fan, verify(&[2, 2, 2, 2], FAN).unwrap().degrees);
+    }
+}

@@ -1,0 +1,265 @@
+//! What people get otherwise: triangulations of the same boundary points by other methods.
+//!
+//! None is repaired: whoever shows one checks it first, with [`mindeg_core::verify`].
+//!
+//! Limits: a method past its time limit is given up. Ear clipping is another crate's loop and
+//! cannot be told to stop: its thread runs on unheeded until it is done or the program ends.
+
+mod delaunay;
+mod ear_clipping;
+mod fan;
+mod ties;
+
+use glam::DVec2;
+use mindeg_core::Boundary;
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread;
+use std::time::{Duration, Instant};
+
+pub use ties::tie_count;
+
+/// A method to compare with.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_compare::Reference;
+/// use mindeg_core::{Boundary, verify};
+/// use std::time::Duration;
+///
+/// let sides = [2, 1, 1, 1];
+/// let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(DVec2::from);
+/// let boundary = Boundary::new(&sides)?;
+/// for reference in Reference::ALL {
+///     let timed = reference.triangulate(&boundary, &points, Duration::from_secs(60))?;
+///     assert!(verify(&sides, timed.triangles)?.max_degree <= 4);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reference {
+    /// A Delaunay triangulation: none of these points has a larger smallest angle.
+    Delaunay,
+    /// Ear clipping, as graphics programs fill polygons.
+    EarClipping,
+    /// All triangles round one vertex, the first round which none is flat.
+    Fan,
+}
+
+/// A triangulation and what it took.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Timed {
+    /// The triangles, each starting with its smallest vertex, in ascending order: so a
+    /// triangle's number depends on the triangulation alone.
+    pub triangles: Vec<[u32; 3]>,
+    /// From the points to the list of triangles, without sorting it.
+    pub time: Duration,
+}
+
+/// Why a method gives no triangles.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum NoTriangulation {
+    /// It did not finish in time.
+    #[error("it did not finish within the time limit of {} s", limit.as_secs_f64())]
+    TimeLimit {
+        /// The limit.
+        limit: Duration,
+    },
+    /// The fan: round every vertex some triangle is flat.
+    #[error(
+        "round every vertex some triangle would be flat; a fan needs a side of exactly 2 \
+         intervals, or two neighboring sides of 1 interval each"
+    )]
+    EveryFanIsFlat,
+    /// Delaunay: a coordinate for which the predicates are not exact.
+    #[error(
+        "vertex {vertex} has a coordinate that is neither 0 nor of magnitude 1.8e-43 to 3.2e60, \
+         where the predicates are exact; use another unit of length"
+    )]
+    CoordinateOutOfRange {
+        /// The first such vertex.
+        vertex: u32,
+    },
+    /// Delaunay: two vertices have the same position in f64.
+    #[error(
+        "vertices {} and {} coincide once their coordinates are rounded to f64; use fewer \
+         intervals there, or an origin near the domain",
+        vertices[0],
+        vertices[1]
+    )]
+    CoincidentPoints {
+        /// The vertices.
+        vertices: [u32; 2],
+    },
+    /// Delaunay: the boundary through the rounded points crosses itself.
+    #[error(
+        "the boundary edge from {} to {} crosses another once coordinates are rounded to f64; \
+         use fewer intervals there, or an origin near the domain",
+        edge[0],
+        edge[1]
+    )]
+    CrossingBoundary {
+        /// The edge, counter-clockwise.
+        edge: [u32; 2],
+    },
+    /// The crate behind the method failed.
+    #[error("the {library} library failed on these points")]
+    LibraryFailed {
+        /// The name of the crate.
+        library: &'static str,
+    },
+}
+
+impl Reference {
+    /// All of them, in the order of a report.
+    pub const ALL: [Self; 3] = [Self::Delaunay, Self::EarClipping, Self::Fan];
+
+    /// The name in reports.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Delaunay => "Delaunay",
+            Self::EarClipping => "Ear clipping",
+            Self::Fan => "Fan",
+        }
+    }
+
+    /// What it does, in a sentence.
+    #[must_use]
+    pub fn description(self) -> &'static str {
+        match self {
+            Self::Delaunay => {
+                "A Delaunay triangulation (crate spade): no triangulation of these points has a \
+                 larger smallest angle."
+            }
+            Self::EarClipping => {
+                "Ear clipping (crate earcut), the usual way to fill polygons in graphics."
+            }
+            Self::Fan => {
+                "All triangles round one vertex, the first round which none is flat; often there is \
+                 none."
+            }
+        }
+    }
+
+    /// The method's triangles on the given boundary points, unchecked.
+    ///
+    /// The work is done on a thread of its own, see the module's limits.
+    ///
+    /// # Errors
+    ///
+    /// [`NoTriangulation`], after `time_limit` at the latest.
+    ///
+    /// # Panics
+    ///
+    /// When there are not as many points as boundary vertices.
+    pub fn triangulate(
+        self,
+        boundary: &Boundary,
+        points: &[DVec2],
+        time_limit: Duration,
+    ) -> Result<Timed, NoTriangulation> {
+        assert_eq!(points.len(), boundary.vertex_count() as usize, "one point for each vertex");
+        let (boundary, points) = (boundary.clone(), points.to_vec());
+        let (sender, receiver) = mpsc::channel();
+        let deadline = Deadline { at: Instant::now().checked_add(time_limit), time_limit };
+        let started = thread::Builder::new().spawn(move || {
+            let start = Instant::now();
+            let triangles = match self {
+                Self::Delaunay => delaunay::triangulate(&boundary, &points, deadline),
+                Self::EarClipping => Ok(ear_clipping::triangulate(&points)),
+                Self::Fan => fan::triangulate(&boundary),
+            };
+            let time = start.elapsed();
+            // Nobody listens any more once the time is up.
+            let _ = sender.send(triangles.map(|triangles| Timed { triangles, time }));
+        });
+        let failed = NoTriangulation::LibraryFailed { library: self.library() };
+        if started.is_err() {
+            return Err(failed);
+        }
+        let mut timed = match receiver.recv_timeout(time_limit) {
+            Ok(answer) => answer?,
+            Err(RecvTimeoutError::Timeout) => {
+                return Err(NoTriangulation::TimeLimit { limit: time_limit });
+            }
+            Err(RecvTimeoutError::Disconnected) => return Err(failed),
+        };
+        for triangle in &mut timed.triangles {
+            let first = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
+            triangle.rotate_left(first);
+        }
+        timed.triangles.sort_unstable();
+        Ok(timed)
+    }
+
+    fn library(self) -> &'static str {
+        match self {
+            Self::Delaunay => "spade",
+            Self::EarClipping => "earcut",
+            Self::Fan => "mindeg-compare",
+        }
+    }
+}
+
+/// When to give up.
+#[derive(Clone, Copy)]
+struct Deadline {
+    /// `None` is never.
+    at: Option<Instant>,
+    time_limit: Duration,
+}
+
+impl Deadline {
+    fn check(self) -> Result<(), NoTriangulation> {
+        if self.at.is_some_and(|at| Instant::now() >= at) {
+            return Err(NoTriangulation::TimeLimit { limit: self.time_limit });
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_core::verify;
+    use mindeg_geometry::{Domain, Side};
+
+    fn triangulate(
+        reference: Reference,
+        sides: [u64; 4],
+        milliseconds: u64,
+    ) -> Result<Timed, NoTriangulation> {
+        let domain = Domain::rectangle(4.0, 3.0, sides.map(Side::count).to_vec()).unwrap();
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        let limit = Duration::from_millis(milliseconds);
+        reference.triangulate(domain.boundary(), &points, limit)
+    }
+
+    #[test]
+    fn triangles_are_numbered_by_their_vertices() {
+        for reference in Reference::ALL {
+            let triangles = triangulate(reference, [7, 2, 5, 1], 60_000).unwrap().triangles;
+            assert!(triangles.iter().all(|&[a, b, c]| a < b && a < c));
+            assert!(triangles.is_sorted_by(|a, b| a < b));
+            verify(&[7, 2, 5, 1], triangles).unwrap();
+        }
+    }
+
+    #[test]
+    fn what_takes_too_long_is_given_up() {
+        for reference in [Reference::Delaunay, Reference::EarClipping] {
+            let refusal = triangulate(reference, [20_000; 4], 5).unwrap_err();
+            assert_eq!(refusal.to_string(), "it did not finish within the time limit of 0.005 s");
+        }
+    }
+
+    /// In the order of the boundary this takes hundreds of times as long.
+    #[test]
+    fn a_dominant_side_is_no_trouble_for_delaunay() {
+        let timed = triangulate(Reference::Delaunay, [100_000, 1, 1, 1], 5_000).unwrap();
+        assert_eq!(timed.triangles.len(), 100_001);
+    }
+}

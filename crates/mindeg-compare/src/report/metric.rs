@@ -1,0 +1,70 @@
+//! The measures a report shows, and how it speaks of them.
+
+use super::{Distribution, MetricFigures};
+use mindeg_geometry::quality::{METRICS, Metric};
+
+/// A measure in a report.
+pub(crate) struct ShownMetric {
+    /// The key in reports, and the name in [`METRICS`].
+    pub(crate) name: &'static str,
+    /// What people call it.
+    pub(crate) title: &'static str,
+    /// The scale on which its values are told apart best.
+    pub(crate) scale: Scale,
+    /// Reads it from a report.
+    pub(crate) of: fn(&MetricFigures) -> &Distribution,
+}
+
+/// How values are laid out on an axis.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Scale {
+    Linear,
+    Logarithmic,
+}
+
+/// The measures, in the order of the report.
+#[rustfmt::skip]
+pub(crate) const SHOWN: [ShownMetric; 6] = [
+    ShownMetric { name: "min_angle", title: "Smallest angle", scale: Scale::Logarithmic, of: |m| &m.min_angle },
+    ShownMetric { name: "max_angle", title: "Largest angle", scale: Scale::Linear, of: |m| &m.max_angle },
+    ShownMetric { name: "minimum_height", title: "Minimum height", scale: Scale::Logarithmic, of: |m| &m.minimum_height },
+    ShownMetric { name: "aspect_ratio", title: "Aspect ratio", scale: Scale::Logarithmic, of: |m| &m.aspect_ratio },
+    ShownMetric { name: "radius_ratio", title: "Radius ratio", scale: Scale::Logarithmic, of: |m| &m.radius_ratio },
+    ShownMetric { name: "shape", title: "Shape", scale: Scale::Logarithmic, of: |m| &m.shape },
+];
+
+impl ShownMetric {
+    /// Its definition.
+    pub(crate) fn metric(&self) -> &'static Metric {
+        let named = METRICS.iter().find(|metric| metric.name == self.name);
+        named.expect("every measure of a report is one of METRICS")
+    }
+
+    pub(crate) fn higher_is_better(&self) -> bool {
+        let metric = self.metric();
+        metric.best.is_none_or(|best| best > metric.worst)
+    }
+
+    /// The title, with the unit if there is one.
+    pub(crate) fn title_with_unit(&self) -> String {
+        match self.metric().unit {
+            "1" => self.title.to_owned(),
+            unit => format!("{} ({unit})", self.title),
+        }
+    }
+
+    /// The formula, which direction is better, and the ends of the range.
+    pub(crate) fn explanation(&self) -> String {
+        let metric = self.metric();
+        let direction = if self.higher_is_better() { "Higher" } else { "Lower" };
+        let range = match metric.best {
+            None => "in the unit of length of the domain".to_owned(),
+            Some(best) => {
+                let worst =
+                    if metric.worst.is_finite() { metric.worst.to_string() } else { "∞".into() };
+                format!("{best} for an equilateral triangle, {worst} for a flat one")
+            }
+        };
+        format!("{}. {direction} is better; {range}.", metric.formula)
+    }
+}

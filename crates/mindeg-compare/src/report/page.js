@@ -1,0 +1,105 @@
+// All pictures together, and the controls of the page.
+
+const pictures = [...document.querySelectorAll(".stage")].map((stage) => new Picture(stage));
+
+let isDrawing = false;
+let isMarking = false;
+let drawingTime = 0;
+let later;
+
+/** Draws everything at the next frame; if that takes long, after a pause in moving. */
+function redraw(hasMovedOnly = false) {
+  clearTimeout(later);
+  if (hasMovedOnly && drawingTime > SLOW) later = setTimeout(() => redraw(false), 120);
+  else later = undefined;
+  if (isDrawing) return;
+  isDrawing = true;
+  requestAnimationFrame(() => {
+    isDrawing = false;
+    const start = performance.now();
+    for (const picture of pictures) {
+      if (later) picture.shift();
+      else picture.draw();
+      picture.mark();
+    }
+    if (!later) drawingTime = performance.now() - start;
+  });
+}
+
+function setCursor(place) {
+  cursor = place;
+  if (isMarking) return;
+  isMarking = true;
+  requestAnimationFrame(() => {
+    isMarking = false;
+    for (const picture of pictures) picture.mark();
+  });
+}
+
+function moveTo(x, y) {
+  view.x = Math.min(high[0], Math.max(low[0], x));
+  view.y = Math.min(high[1], Math.max(low[1], y));
+  redraw(true);
+}
+
+/** Zooms, keeping the given place of a picture where it is. */
+function zoomBy(factor, picture, place) {
+  const before = picture ? picture.toDomain(...place) : null;
+  view.zoom = Math.min(MAX_ZOOM, Math.max(1, view.zoom * factor));
+  const after = picture ? picture.toDomain(...place) : null;
+  if (before) moveTo(view.x + before[0] - after[0], view.y + before[1] - after[1]);
+  else redraw(true);
+}
+
+function fit() {
+  Object.assign(view, { x: 0, y: 0, zoom: 1 });
+  redraw();
+}
+
+function resize() {
+  document.querySelector(".meshes").classList.toggle("wide", !view.stretch && size[0] > 3 * size[1]);
+  element("stretched").hidden = !view.stretch;
+  for (const picture of pictures) picture.resize();
+  redraw();
+}
+
+function restyle() {
+  readColors();
+  showMetricLegend();
+  showMetricChart();
+  redraw();
+}
+
+function start() {
+  const select = element("metric");
+  select.append(...data.metrics.map((measure, place) => new Option(measure.title, String(place))));
+  select.append(new Option("nothing", "-1"));
+  select.addEventListener("change", () => {
+    metric = Number(select.value);
+    for (const picture of pictures) picture.color();
+    restyle();
+  });
+  element("dots").addEventListener("change", () => redraw(false));
+  element("stretch").checked = view.stretch;
+  element("stretch").addEventListener("change", (event) => {
+    view.stretch = event.target.checked;
+    resize();
+  });
+  element("zoom-in").addEventListener("click", () => zoomBy(1.5));
+  element("zoom-out").addEventListener("click", () => zoomBy(1 / 1.5));
+  element("fit").addEventListener("click", fit);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
+  const print = (isPrinting) => () => {
+    document.documentElement.classList.toggle("printing", isPrinting);
+    restyle();
+    for (const picture of pictures) picture.draw();
+  };
+  window.addEventListener("beforeprint", print(true));
+  window.addEventListener("afterprint", print(false));
+  showDegreeLegend();
+  showDegreeChart();
+  restyle();
+  new ResizeObserver(resize).observe(document.querySelector(".meshes"));
+}
+
+start();

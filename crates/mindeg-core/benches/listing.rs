@@ -1,0 +1,164 @@
+//! How fast triangles are listed, next to filling the same buffer with a constant.
+//!
+//! `cargo bench -p mindeg-core` prints divan's table and after it the ratios; with
+//! `MINDEG_BENCH_LARGE=1` in the environment also for 10⁸ triangles, which takes 1.2 GB.
+//!
+//! Bias: the buffer has been written before, so no page faults are counted, and the best of many
+//! rounds counts. The constant is three different ids, as a triangle is.
+
+use divan::{Bencher, black_box, counter::ItemsCount};
+use mindeg_core::{Boundary, Triangulation, min_degree_triangulation};
+use std::fmt;
+use std::time::{Duration, Instant};
+
+fn main() {
+    divan::main();
+    if std::env::args().any(|argument| argument == "--bench") {
+        print_ratios();
+    }
+}
+
+/// A construction, by four sides that bring it about, and the number of triangles.
+struct Input {
+    name: &'static str,
+    triangles: u64,
+    triangulation: Triangulation,
+}
+
+impl fmt::Display for Input {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}, {} triangles", self.name, self.triangles)
+    }
+}
+
+fn inputs() -> Vec<Input> {
+    let mut sizes = vec![10_000, 1_000_000];
+    if std::env::var_os("MINDEG_BENCH_LARGE").is_some() {
+        sizes.push(100_000_000);
+    }
+    let percent = [
+        ("zig-zag", [25, 25, 25, 25]),
+        ("dominant side", [97, 1, 1, 1]),
+        ("dominant side, runs of 1 and 2", [60, 20, 10, 10]),
+        ("corner removal", [40, 30, 20, 10]),
+    ];
+    let input = |triangles, (name, percent): (&'static str, [u64; 4])| {
+        let mut sides = percent.map(|percent| percent * triangles / 100);
+        // Two more vertices than triangles, and an even zig-zag.
+        sides[0] += 1;
+        sides[2] += 1;
+        let boundary = Boundary::new(&sides).expect("four sides within the limit");
+        Input { name, triangles, triangulation: min_degree_triangulation(&boundary) }
+    };
+    sizes.into_iter().flat_map(|size| percent.map(|percent| input(size, percent))).collect()
+}
+
+fn buffer(input: &Input) -> Vec<[u32; 3]> {
+    // Not zero, which the allocator could provide untouched.
+    vec![[1; 3]; input.triangulation.triangle_count() as usize]
+}
+
+fn fill_with_constant(out: &mut [[u32; 3]]) {
+    out.fill(black_box([1, 2, 3]));
+}
+
+#[divan::bench(args = inputs())]
+fn constant(bencher: Bencher<'_, '_>, input: &Input) {
+    let mut out = buffer(input);
+    bencher.counter(ItemsCount::new(input.triangles)).bench_local(|| {
+        fill_with_constant(black_box(&mut out));
+    });
+}
+
+#[divan::bench(args = inputs())]
+fn fill_triangles(bencher: Bencher<'_, '_>, input: &Input) {
+    let mut out = buffer(input);
+    bencher.counter(ItemsCount::new(input.triangles)).bench_local(|| {
+        input.triangulation.fill_triangles(0, black_box(&mut out));
+    });
+}
+
+#[divan::bench(args = inputs())]
+fn triangles(bencher: Bencher<'_, '_>, input: &Input) {
+    bencher.counter(ItemsCount::new(input.triangles)).bench_local(|| {
+        input.triangulation.triangles().for_each(|triangle| {
+            black_box(triangle);
+        });
+    });
+}
+
+/// Ids below `count` in an order that no cache foresees.
+fn scattered(count: u32) -> impl Iterator<Item = u32> {
+    let mut state = 1_u64;
+    (0..1000).map(move |_| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (((state >> 32) * u64::from(count)) >> 32) as u32
+    })
+}
+
+#[divan::bench(args = inputs())]
+fn a_thousand_triangles(bencher: Bencher<'_, '_>, input: &Input) {
+    let numbers: Vec<u32> = scattered(input.triangulation.triangle_count()).collect();
+    bencher.counter(ItemsCount::of_iter(&numbers)).bench_local(|| {
+        for &number in &numbers {
+            black_box(input.triangulation.triangle(number));
+        }
+    });
+}
+
+#[divan::bench(args = inputs())]
+fn a_thousand_degrees(bencher: Bencher<'_, '_>, input: &Input) {
+    let vertices: Vec<u32> = scattered(input.triangulation.vertex_count()).collect();
+    bencher.counter(ItemsCount::of_iter(&vertices)).bench_local(|| {
+        for &vertex in &vertices {
+            black_box(input.triangulation.degree(vertex));
+        }
+    });
+}
+
+/// Splits a buffer among all cores, each part with the number of its first triangle.
+fn on_all_cores(out: &mut [[u32; 3]], fill: impl Fn(u32, &mut [[u32; 3]]) + Sync) {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let len = out.len().div_ceil(cores);
+    let fill = &fill;
+    std::thread::scope(|scope| {
+        for (first, part) in (0..).step_by(len).zip(out.chunks_mut(len)) {
+            scope.spawn(move || fill(first, part));
+        }
+    });
+}
+
+fn print_ratios() {
+    println!("\nns a triangle          one core                   all cores");
+    println!("constant   filled  ratio     constant   filled  ratio");
+    for input in inputs() {
+        let mut out = buffer(&input);
+        let triangulation = &input.triangulation;
+        let rounds = (50_000_000 / out.len()).clamp(5, 500);
+        let [mut constant, mut filled, mut constants, mut filleds] = [Duration::MAX; 4];
+        // In turn, so that what else the machine does meets all alike.
+        for _ in 0..rounds {
+            let mut time = |best: &mut Duration, fill: &dyn Fn(&mut [[u32; 3]])| {
+                let start = Instant::now();
+                fill(black_box(&mut out));
+                *best = start.elapsed().min(*best);
+            };
+            time(&mut constant, &fill_with_constant);
+            time(&mut filled, &|out| triangulation.fill_triangles(0, out));
+            time(&mut constants, &|out| on_all_cores(out, |_, part| fill_with_constant(part)));
+            time(&mut filleds, &|out| {
+                on_all_cores(out, |first, part| triangulation.fill_triangles(first, part));
+            });
+        }
+        let each = |time: Duration| time.as_secs_f64() * 1e9 / input.triangles as f64;
+        println!(
+            "{:8.3} {:8.3} {:6.2}     {:8.3} {:8.3} {:6.2}  {input}",
+            each(constant),
+            each(filled),
+            filled.as_secs_f64() / constant.as_secs_f64(),
+            each(constants),
+            each(filleds),
+            filleds.as_secs_f64() / constants.as_secs_f64(),
+        );
+    }
+}

@@ -1,0 +1,223 @@
+//! What an inspection finds in meshes of which it is known.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::DVec3;
+use mindeg_geometry::import::{SurfaceMesh, obj};
+use mindeg_geometry::inspection::{Inspection, InspectionOptions, NoConvexOutline};
+
+fn inspect(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Inspection {
+    let mesh = SurfaceMesh::new(positions, triangles.to_vec()).unwrap();
+    Inspection::of(&mesh, &InspectionOptions::default())
+}
+
+/// Vertices of which no two are in one place and no three on a line.
+fn apart(count: u32) -> Vec<DVec3> {
+    (0..count).map(f64::from).map(|i| DVec3::new(i, i * i, i * i * i)).collect()
+}
+
+/// The torus with a grid of 3 by 3 vertices.
+fn torus() -> Vec<[u32; 3]> {
+    let vertex = |i: u32, j: u32| 3 * (i % 3) + j % 3;
+    let square = |i, j| {
+        let [a, b, c, d] = [vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    };
+    (0..9).flat_map(|n| square(n / 3, n % 3)).collect()
+}
+
+#[rustfmt::skip]
+#[test]
+fn how_meshes_hang_together() {
+    const TETRAHEDRON: [[u32; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
+    let fan = |n: u32| (1..=n).map(|i| [0, i, i % n + 1]).collect::<Vec<_>>();
+    let band = |n: u32| (0..n).map(|i| [i, (i + 1) % n, (i + 2) % n]).collect::<Vec<_>>();
+    let moved = |by: u32| TETRAHEDRON.map(|t| t.map(|v| v + by));
+    // Vertices, edges, boundary edges, loops, open boundaries, components, Euler characteristic.
+    for (name, triangles, expected) in [
+        ("a triangle", vec![[0, 1, 2]], [3, 3, 3, 1, 0, 1, 1]),
+        ("two", vec![[0, 1, 2], [0, 2, 3]], [4, 5, 4, 1, 0, 1, 1]),
+        ("two that disagree", vec![[0, 1, 2], [0, 3, 2]], [4, 5, 4, 1, 0, 1, 1]),
+        ("two apart", vec![[0, 1, 2], [3, 4, 5]], [6, 6, 6, 2, 0, 2, 2]),
+        ("two that touch in a vertex", vec![[0, 1, 2], [0, 3, 4]], [5, 6, 6, 2, 0, 2, 1]),
+        ("two that touch in two vertices", vec![[0, 1, 2], [2, 3, 4], [4, 5, 0]], [6, 9, 9, 3, 0, 3, 0]),
+        ("three at an edge", vec![[0, 1, 2], [0, 1, 3], [0, 1, 4]], [5, 7, 6, 0, 3, 1, 1]),
+        ("one twice", vec![[0, 1, 2], [0, 1, 2]], [3, 3, 0, 0, 0, 1, 2]),
+        ("a fan with a center", fan(5), [6, 10, 5, 1, 0, 1, 1]),
+        ("a tetrahedron", TETRAHEDRON.into(), [4, 6, 0, 0, 0, 1, 2]),
+        ("one with a hole", TETRAHEDRON[..3].into(), [4, 6, 3, 1, 0, 1, 1]),
+        ("two tetrahedra", [TETRAHEDRON, moved(4)].concat(), [8, 12, 0, 0, 0, 2, 4]),
+        ("two that touch in a vertex", [TETRAHEDRON, moved(3)].concat(), [7, 12, 0, 0, 0, 2, 3]),
+        ("two that touch in an edge", [TETRAHEDRON, moved(2)].concat(), [6, 11, 0, 0, 0, 1, 3]),
+        ("a torus", torus(), [9, 27, 0, 0, 0, 1, 0]),
+        ("a Möbius strip", band(5), [5, 10, 5, 1, 0, 1, 0]),
+        ("a repeated vertex", vec![[0, 1, 2], [3, 3, 4]], [3, 3, 3, 1, 0, 1, 1]),
+    ] {
+        let count = triangles.iter().flatten().max().unwrap() + 1;
+        let i = inspect(apart(count), &triangles);
+        let used = i.vertex_count - i.unreferenced_vertices.len();
+        let found = [used, i.edge_count, i.boundary_edge_count, i.boundary_loop_count, i.open_boundary_count, i.component_count];
+        assert_eq!(found.map(|n| n as i64), expected[..6], "{name}");
+        assert_eq!(i.euler_characteristic, expected[6], "{name}");
+    }
+}
+
+/// The numbers of what is wrong, by kind; empty where nothing is.
+#[derive(Debug, Default, PartialEq)]
+struct Defects {
+    non_manifold_edges: Vec<[u32; 2]>,
+    non_manifold_vertices: Vec<u32>,
+    inconsistent_edges: Vec<[u32; 2]>,
+    duplicates: Vec<u32>,
+    zero_area: Vec<u32>,
+    unreferenced: Vec<u32>,
+}
+
+fn defects(inspection: Inspection) -> Defects {
+    Defects {
+        non_manifold_edges: inspection.non_manifold_edges,
+        non_manifold_vertices: inspection.non_manifold_vertices,
+        inconsistent_edges: inspection.inconsistent_edges,
+        duplicates: inspection.duplicate_triangles,
+        zero_area: inspection.zero_area_triangles,
+        unreferenced: inspection.unreferenced_vertices,
+    }
+}
+
+#[rustfmt::skip]
+#[test]
+fn every_defect_is_named() {
+    let none = Defects::default;
+    for (triangles, expected) in [
+        (&[[0, 1, 2], [0, 2, 3]][..], none()),
+        (&torus(), none()),
+        (&[[1, 0, 2], [1, 3, 0], [0, 1, 4]], Defects { non_manifold_edges: vec![[0, 1]], ..none() }),
+        (&[[2, 0, 1], [3, 2, 4]], Defects { non_manifold_vertices: vec![2], ..none() }),
+        (&[[0, 1, 2], [0, 3, 2]], Defects { inconsistent_edges: vec![[0, 2]], ..none() }),
+        (&[[0, 1, 2], [0, 1, 3]], Defects { inconsistent_edges: vec![[0, 1]], ..none() }),
+        // A Möbius strip cannot agree everywhere.
+        (&[[0, 1, 2], [2, 1, 3], [2, 3, 4], [4, 3, 0], [4, 0, 1]], Defects { inconsistent_edges: vec![[0, 1]], ..none() }),
+        (&[[0, 1, 2], [2, 1, 0]], Defects { duplicates: vec![1], ..none() }),
+        (&[[0, 1, 2], [0, 2, 3], [1, 2, 0]], Defects { duplicates: vec![2], non_manifold_edges: vec![[0, 2]], inconsistent_edges: vec![[0, 1], [1, 2]], ..none() }),
+        (&[[0, 1, 2], [2, 1, 0], [1, 0, 2], [0, 2, 1]], Defects { duplicates: vec![1, 2, 3], non_manifold_edges: vec![[0, 1], [0, 2], [1, 2]], ..none() }),
+        (&[[0, 1, 2], [0, 1, 4]], Defects { inconsistent_edges: vec![[0, 1]], unreferenced: vec![3], ..none() }),
+        (&[[0, 1, 2], [1, 1, 3], [3, 3, 3]], Defects { zero_area: vec![1, 2], unreferenced: vec![3], ..none() }),
+    ] {
+        let count = triangles.iter().flatten().max().unwrap() + 1;
+        assert_eq!(defects(inspect(apart(count), triangles)), expected, "{triangles:?}");
+    }
+}
+
+#[test]
+fn a_mesh_without_a_face_is_told_so() {
+    let found = inspect(apart(3), &[[0, 0, 1], [2, 2, 2]]);
+    assert_eq!((found.triangle_count, found.face_count, found.edge_count), (2, 0, 0));
+    assert_eq!((found.component_count, found.euler_characteristic), (0, 0));
+    assert_eq!((found.highest_degree, found.max_degree()), (None, 0));
+    assert_eq!(found.unreferenced_vertices, [0, 1, 2]);
+    assert_eq!(found.zero_area_triangles, [0, 1]);
+    assert_eq!(found.outline, Err(NoConvexOutline::NotADisk));
+}
+
+#[test]
+fn triangles_on_a_line_have_no_area_and_thin_ones_have() {
+    let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+    // A line through points that f64 rounds, as a writer of 17 digits has them.
+    let slanted = |t: f64| at(0.1, 0.2) + t * at(3.6, 1.7);
+    let far = |t: f64| at(480_000.1, 4_650_000.3) + t * at(36.0, 17.0);
+    for (points, flat) in [
+        ([at(0.0, 0.0), at(1.0, 0.0), at(3.0, 0.0)], true),
+        ([at(0.0, 0.0), at(1.0, 0.0), at(1.0, 0.0)], true),
+        ([slanted(0.0), slanted(1.0 / 3.0), slanted(1.0)], true),
+        ([slanted(0.0), slanted(0.1), slanted(0.7)], true),
+        ([far(0.0), far(1.0 / 3.0), far(1.0)], true),
+        ([at(0.0, 0.0), at(1.0, 1e-12), at(3.0, 0.0)], false),
+        // The precision of a corner is that of its larger coordinate.
+        ([at(0.0, 0.0), at(1.0, 1e-300), at(3.0, 0.0)], true),
+        ([at(0.0, 0.0), at(1e-200, 0.0), at(0.0, 1e-200)], false),
+        ([at(0.0, 0.0), at(1e200, 0.0), at(0.0, 1e200)], false),
+        ([far(0.0), far(1.0 / 3.0) + at(0.0, 1e-6), far(1.0)], false),
+    ] {
+        let found = inspect(points.to_vec(), &[[0, 1, 2]]);
+        assert_eq!(!found.zero_area_triangles.is_empty(), flat, "{points:?}");
+    }
+}
+
+/// Two triangles with corners of their own, as flat shading has them.
+const SEAM: &str = "\
+v 0 0 0\nv 2 0 0\nv 2 1 0\n\
+v 0 0 0\nv 2 1 0\nv 0 1 -0\n\
+f 1 2 3\nf 4 5 6\n";
+
+#[test]
+fn vertices_in_one_place_count_as_one_unless_asked() {
+    let mesh = obj::read(SEAM.as_bytes()).unwrap();
+    let welded = Inspection::of(&mesh, &InspectionOptions::default());
+    assert_eq!((welded.vertex_count, welded.welded_count, welded.edge_count), (6, 2, 5));
+    assert_eq!((welded.component_count, welded.euler_characteristic), (1, 1));
+    assert!(welded.boundary_degrees.iter().eq([(2, 2), (3, 2)]));
+    assert_eq!(welded.highest_degree.unwrap().vertex, 0);
+    assert!(welded.unreferenced_vertices.is_empty());
+    assert_eq!(welded.outline.unwrap().corners, [0, 1, 2, 5]);
+
+    let as_it_is = InspectionOptions { weld: false, ..InspectionOptions::default() };
+    let apart = Inspection::of(&mesh, &as_it_is);
+    assert_eq!((apart.vertex_count, apart.welded_count, apart.edge_count), (6, 0, 6));
+    assert_eq!((apart.component_count, apart.euler_characteristic), (2, 2));
+}
+
+#[test]
+fn a_triangle_that_welding_closes_is_no_face() {
+    // The top of a globe: the pole is there twice, and one triangle is between its copies.
+    let file = "v 0 0 1\nv 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 3 4\nf 1 2 4\n";
+    let found = Inspection::of(&obj::read(file.as_bytes()).unwrap(), &InspectionOptions::default());
+    assert_eq!((found.triangle_count, found.face_count), (2, 1));
+    assert_eq!(found.zero_area_triangles, [1]);
+    assert_eq!(
+        (found.edge_count, found.boundary_loop_count, found.euler_characteristic),
+        (3, 1, 1)
+    );
+}
+
+#[test]
+fn degrees_are_split_and_poles_named_highest_first() {
+    // Two wheels: 10 spokes round vertex 0, which is interior, and 12 from vertex 20 to a rim
+    // that is open, so that it is on the boundary.
+    let wheel = (1..=10).map(|i| [0, i, i % 10 + 1]);
+    let fan = (21..32).map(|i| [20, i, i + 1]);
+    let triangles: Vec<_> = wheel.chain(fan).collect();
+    let mesh = SurfaceMesh::new(apart(33), triangles).unwrap();
+    let found = Inspection::of(&mesh, &InspectionOptions::default());
+    assert!(found.interior_degrees.iter().eq([(10, 1)]));
+    assert!(found.boundary_degrees.iter().eq([(2, 2), (3, 20), (12, 1)]));
+    let poles: Vec<_> = found.poles.iter().map(|p| (p.vertex, p.degree, p.on_boundary)).collect();
+    assert_eq!(poles, [(20, 12, true), (0, 10, false)]);
+    assert_eq!(found.highest_degree, Some(found.poles[0]));
+    assert_eq!(found.unreferenced_vertices, (11..20).collect::<Vec<_>>());
+
+    for (pole_degree, poles) in [(9, 2), (10, 1), (11, 1), (12, 0)] {
+        let options = InspectionOptions { pole_degree, ..InspectionOptions::default() };
+        assert_eq!(Inspection::of(&mesh, &options).poles.len(), poles, "{pole_degree}");
+    }
+}
+
+#[test]
+fn the_worst_triangles_come_first() {
+    // Right triangles of height 1, with ever smaller least angles but for one.
+    let mut positions = Vec::new();
+    for width in [1.0, 7.0, 2.0, 3.0, 4.0, 5.0, 6.0] {
+        positions.extend([DVec3::ZERO, DVec3::X * width, DVec3::Y].map(|p| p + DVec3::Z * width));
+    }
+    let triangles: Vec<[u32; 3]> = (0..7).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let found = inspect(positions.clone(), &triangles);
+    let worst: Vec<_> = found.worst_triangles.iter().map(|worst| worst.triangle).collect();
+    assert_eq!(worst, [1, 6, 5, 4, 3]);
+    let least = found.quality.metric("min_angle").unwrap().min;
+    assert_eq!(found.worst_triangles[0].quality.min_angle, least);
+    assert_eq!(found.quality.shares_below, [0.0, 0.0, 2.0 / 7.0, 5.0 / 7.0]);
+
+    // Of equals, the first come first.
+    let in_turn: Vec<_> = triangles[..2].iter().cycle().take(12).copied().collect();
+    let worst = inspect(positions, &in_turn).worst_triangles;
+    assert_eq!(worst.iter().map(|worst| worst.triangle).collect::<Vec<_>>(), [1, 3, 5, 7, 9]);
+}

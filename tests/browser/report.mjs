@@ -1,0 +1,402 @@
+// What a reader does with a report, in headless Chromium.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+import { run, test } from "./harness.mjs";
+
+const [binary, domains, executablePath] = process.argv.slice(2);
+const pages = resolve("pages");
+rmSync(pages, { recursive: true, force: true });
+mkdirSync(pages);
+
+function mindeg(...args) {
+  const { status, stderr, error } = spawnSync(binary, args, { cwd: pages, encoding: "utf8" });
+  if (error) throw error;
+  return { status, stderr };
+}
+
+const bundled = (name) => join(domains, `${name}.json`);
+const page = (name) => join(pages, name);
+
+/** A rectangle with equally many intervals on all sides, but for one. */
+function rectangle(name, intervals) {
+  const sides = [intervals, intervals + 1, intervals, intervals].map((n) => ({ intervals: n }));
+  const path = page(`${name}.json`);
+  writeFileSync(path, JSON.stringify({ name, rectangle: { width: 4, height: 3 }, sides }));
+  return path;
+}
+
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+const noise = [];
+
+/** A page in a context of its own. What goes wrong on it is kept in `noise`. */
+async function open(name, options = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const opened = await context.newPage();
+  const address = pathToFileURL(page(name)).href;
+  opened.on("console", (message) => noise.push(`${name}: ${message.type()}: ${message.text()}`));
+  opened.on("pageerror", (error) => noise.push(`${name}: ${error.message}`));
+  opened.on("request", (request) => {
+    if (request.url() !== address && !request.url().startsWith("data:")) {
+      noise.push(`${name} asks for ${request.url()}`);
+    }
+  });
+  await opened.goto(address);
+  await settled(opened);
+  return opened;
+}
+
+/** Waits for what is drawn at once and for what is drawn after a pause. */
+async function settled(opened) {
+  await opened.waitForTimeout(200);
+  await opened.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** The picture of each method, as text that differs when it does. */
+const drawn = (opened) =>
+  opened.$$eval(".stage canvas:first-child", (all) => all.map((canvas) => canvas.toDataURL()));
+
+const readouts = (opened) => opened.locator(".readout").allTextContents();
+
+/** Where a vertex is on the screen. */
+async function screenPlace(opened, stage, vertex) {
+  await opened.locator(".stage").nth(stage).scrollIntoViewIfNeeded();
+  return opened.evaluate(([stage, vertex]) => {
+    const box = document.querySelectorAll(".stage")[stage].getBoundingClientRect();
+    const [x, y] = pictures[stage].toScreen(points[2 * vertex], points[2 * vertex + 1]);
+    return [box.left + x, box.top + y];
+  }, [stage, vertex]);
+}
+
+function assertAllDiffer(before, after) {
+  assert.ok(before.length > 1);
+  before.forEach((picture, place) => assert.notEqual(picture, after[place], `picture ${place}`));
+}
+
+const written = mindeg("compare", bundled("unequal-hexagon"), "-o", "hexagon.html", "-o", "hexagon.json", "-o", "hexagon.md");
+assert.equal(written.status, 0, written.stderr);
+const report = JSON.parse(readFileSync(page("hexagon.json"), "utf8"));
+const names = report.methods.map((method) => method.name);
+
+test("the page has a picture of every method and the verdict", async () => {
+  const opened = await open("hexagon.html");
+  assert.deepEqual(await opened.locator(".mesh h3").allTextContents(), names);
+  const verdict = await opened.locator(".verdict p").allTextContents();
+  assert.equal(verdict.join(" "), report.verdict);
+  for (const picture of await drawn(opened)) assert.ok(picture.length > 5000);
+  await opened.context().close();
+});
+
+test("pointing at a vertex tells its degree in every mesh", async () => {
+  const opened = await open("hexagon.html");
+  for (const vertex of [0, 5, 30]) {
+    await opened.mouse.move(...(await screenPlace(opened, 1, vertex)));
+    await settled(opened);
+    for (const text of await readouts(opened)) assert.match(text, new RegExp(`^Vertex ${vertex}: degree \\d+`));
+  }
+  await opened.mouse.move(0, 0);
+  await settled(opened);
+  assert.deepEqual(await readouts(opened), names.map(() => ""));
+  await opened.context().close();
+});
+
+test("pointing at a triangle tells its angles", async () => {
+  const opened = await open("hexagon.html");
+  const [worst] = report.methods[1].worst_triangles;
+  const corners = [];
+  for (const vertex of worst.vertices) corners.push(await screenPlace(opened, 1, vertex));
+  const middle = [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / 3);
+  await opened.mouse.move(...middle);
+  await settled(opened);
+  const text = (await readouts(opened))[1];
+  const found = text.match(/^Triangle (\d+) \(([\d, ]+)\): angles ([\d.]+)°, ([\d.]+)°, ([\d.]+)°/);
+  assert.ok(found, text);
+  assert.equal(Number(found[1]), worst.triangle);
+  assert.equal(found[2], worst.vertices.join(", "));
+  assert.ok(Math.abs(Number(found[3]) - worst.min_angle) < 0.001 * worst.min_angle, text);
+  assert.ok(Math.abs(Number(found[5]) - worst.max_angle) < 0.001 * worst.max_angle, text);
+  await opened.context().close();
+});
+
+test("the buttons lead to the busiest vertex and the smallest angle", async () => {
+  const opened = await open("hexagon.html");
+  for (const [place, method] of report.methods.entries()) {
+    const figure = opened.locator(".mesh").nth(place);
+    await figure.locator("[data-jump=busiest]").click();
+    await settled(opened);
+    assert.match(await figure.locator(".readout").textContent(), new RegExp(`: degree ${method.max_degree}\\b`));
+    await figure.locator("[data-jump=worst]").click();
+    await settled(opened);
+    const worst = method.worst_triangles[0].triangle;
+    assert.match(await figure.locator(".readout").textContent(), new RegExp(`^Triangle ${worst} `));
+  }
+  await opened.context().close();
+});
+
+test("every measure can be chosen, and colors, legend and chart follow", async () => {
+  const opened = await open("hexagon.html");
+  const seen = new Set();
+  const options = await opened.locator("#metric option").allTextContents();
+  assert.equal(options.length, 7);
+  for (const [place, title] of options.entries()) {
+    await opened.selectOption("#metric", { label: title });
+    await settled(opened);
+    seen.add((await drawn(opened))[1]);
+    if (title === "nothing") continue;
+    assert.ok((await opened.locator("#metric-legend").textContent()).startsWith(title));
+    assert.equal(await opened.locator("#chart-metric").textContent(), title.toLowerCase());
+    const bars = await opened.$$eval("#metric-chart .bars", (rows) =>
+      rows.map((row) => [...row.children].reduce((sum, bar) => sum + Number(bar.title.match(/: (\d+)/)[1]), 0)));
+    assert.deepEqual(bars, names.map(() => report.domain.triangles), title);
+    assert.equal(await opened.locator("#metric").inputValue(), String(place === 6 ? -1 : place));
+  }
+  assert.equal(seen.size, 7);
+  await opened.context().close();
+});
+
+test("zoom and movement are the same in all pictures", async () => {
+  const opened = await open("hexagon.html");
+  const first = await drawn(opened);
+  await opened.locator("#zoom-in").click();
+  await settled(opened);
+  const nearer = await drawn(opened);
+  assertAllDiffer(first, nearer);
+
+  const stage = opened.locator(".stage").first();
+  await stage.scrollIntoViewIfNeeded();
+  const box = await stage.boundingBox();
+  const middle = [box.x + box.width / 2, box.y + box.height / 2];
+  await opened.mouse.move(...middle);
+  await opened.mouse.down();
+  await opened.mouse.move(middle[0] + 60, middle[1] + 25, { steps: 4 });
+  await opened.mouse.up();
+  await settled(opened);
+  const moved = await drawn(opened);
+  assertAllDiffer(nearer, moved);
+
+  // What was under the pointer stays under it. Pointers are at whole pixels.
+  const pointer = [Math.round(box.x) + 100, Math.round(box.y) + 80];
+  const under = () => opened.evaluate(([x, y]) => {
+    const box = document.querySelectorAll(".stage")[0].getBoundingClientRect();
+    return pictures[0].toDomain(x - box.left, y - box.top);
+  }, pointer);
+  await opened.mouse.move(...pointer);
+  const before = await under();
+  await opened.mouse.wheel(0, -400);
+  await settled(opened);
+  assertAllDiffer(moved, await drawn(opened));
+  const after = await under();
+  before.forEach((value, axis) => assert.ok(Math.abs(value - after[axis]) < 1e-9));
+
+  await opened.locator("#fit").click();
+  await settled(opened);
+  await opened.mouse.move(0, 0);
+  await settled(opened);
+  assert.deepEqual(await drawn(opened), first);
+  await opened.context().close();
+});
+
+test("a wheel over a picture that is not chosen scrolls the page", async () => {
+  const opened = await open("hexagon.html");
+  const before = await drawn(opened);
+  await opened.mouse.move(...(await screenPlace(opened, 0, 0)));
+  const top = await opened.evaluate(() => scrollY);
+  await opened.mouse.wheel(0, 200);
+  await opened.waitForTimeout(400);
+  assert.ok((await opened.evaluate(() => scrollY)) > top);
+  assert.deepEqual(await drawn(opened), before);
+  await opened.context().close();
+});
+
+test("everything can be reached and done from the keyboard", async () => {
+  const opened = await open("hexagon.html");
+  const reached = [];
+  for (let step = 0; step < 60; step++) {
+    await opened.keyboard.press("Tab");
+    const at = await opened.evaluate(() => {
+      const { activeElement: at } = document;
+      if (at === document.body) return null;
+      return at.id || at.dataset.jump || (at.matches(".stage") ? "stage" : at.className);
+    });
+    if (at === null) break;
+    reached.push(at);
+  }
+  for (const id of ["metric", "dots", "stretch", "zoom-out", "zoom-in", "fit", "scroll"]) {
+    assert.ok(reached.includes(id), `${id} is not reached`);
+  }
+  for (const kind of ["stage", "busiest", "worst"]) {
+    assert.equal(reached.filter((at) => at === kind).length, names.length, kind);
+  }
+
+  await opened.locator("#fit").focus();
+  while (!(await opened.evaluate(() => document.activeElement.matches(".stage")))) await opened.keyboard.press("Tab");
+  await settled(opened);
+  assert.notEqual(await opened.locator("#spoken").textContent(), "");
+  const first = await drawn(opened);
+  let last = first;
+  for (const key of ["+", "ArrowLeft", "ArrowUp", "-", "ArrowRight"]) {
+    await opened.keyboard.press(key);
+    await settled(opened);
+    const now = await drawn(opened);
+    assertAllDiffer(last, now);
+    last = now;
+  }
+  await opened.keyboard.press("0");
+  await settled(opened);
+  assert.deepEqual(await drawn(opened), first);
+  await opened.context().close();
+});
+
+test("light and dark follow the reader's system, also while the page is open", async () => {
+  const opened = await open("hexagon.html", { colorScheme: "light" });
+  const background = () => opened.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  const [light, lightPage] = [await drawn(opened), await background()];
+  await opened.emulateMedia({ colorScheme: "dark" });
+  await settled(opened);
+  assertAllDiffer(light, await drawn(opened));
+  assert.notEqual(await background(), lightPage);
+  await opened.context().close();
+});
+
+test("a dark page prints light, with its pictures", async () => {
+  const opened = await open("hexagon.html", { colorScheme: "dark" });
+  const dark = await drawn(opened);
+  await opened.evaluate(() => {
+    window.addEventListener("beforeprint", () => {
+      window.printed = [...document.querySelectorAll(".stage canvas:first-child")].map((c) => c.toDataURL());
+    });
+  });
+  assert.ok((await opened.pdf()).length > 20_000);
+  assertAllDiffer(dark, await opened.evaluate(() => window.printed));
+  await settled(opened);
+  assert.deepEqual(await drawn(opened), dark);
+  await opened.context().close();
+});
+
+test("on a phone nothing is cut off, and a tap reads off", async () => {
+  const opened = await open("hexagon.html", { viewport: { width: 360, height: 740 }, hasTouch: true, isMobile: true });
+  assert.equal(await opened.evaluate(() => document.scrollingElement.scrollWidth), 360);
+  await opened.touchscreen.tap(...(await screenPlace(opened, 0, 5)));
+  await settled(opened);
+  assert.match((await readouts(opened))[0], /^Vertex 5: degree/);
+  await opened.context().close();
+});
+
+test("without the script the figures can still be read", async () => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const opened = await context.newPage();
+  await opened.goto(pathToFileURL(page("hexagon.html")).href);
+  const text = await opened.locator("main").textContent();
+  assert.ok(text.includes(report.verdict.split(". ")[0]));
+  assert.equal(await opened.locator("table").count(), 3 + 6 + names.length);
+  await context.close();
+});
+
+test("a slender domain is stretched, and the page says so", async () => {
+  assert.equal(mindeg("compare", bundled("slender-fin"), "-o", "fin.html").status, 0);
+  const opened = await open("fin.html");
+  assert.ok(await opened.locator("#stretched").isVisible());
+  const stretched = await drawn(opened);
+  await opened.locator("#stretch").uncheck();
+  await settled(opened);
+  assert.ok(await opened.locator("#stretched").isHidden());
+  assertAllDiffer(stretched, await drawn(opened));
+  await opened.context().close();
+});
+
+test("20,000 triangles are all drawn, and can be moved and pointed at", async () => {
+  const path = rectangle("many", 5000);
+  assert.equal(mindeg("compare", path, "-o", "many.html").status, 0);
+  const opened = await open("many.html");
+  assert.equal(await opened.locator(".thinned").count(), 0);
+  assert.equal(await opened.evaluate(() => methods[0].triangles.length / 3), 19_999);
+  const whole = await opened.evaluate(() => {
+    const start = performance.now();
+    for (const picture of pictures) {
+      picture.draw();
+      picture.mesh.getContext("2d").getImageData(0, 0, 1, 1);
+    }
+    return performance.now() - start;
+  });
+  // While moving, pictures already drawn are shifted: that must keep up with the hand.
+  const moving = await opened.evaluate(async () => {
+    const start = performance.now();
+    for (let step = 0; step < 10; step++) {
+      zoomBy(1.05);
+      await new Promise(requestAnimationFrame);
+    }
+    return (performance.now() - start) / 10;
+  });
+  console.log(`      all drawn anew in ${whole.toFixed()} ms, a frame while moving in ${moving.toFixed()} ms`);
+  assert.ok(moving < 250, `${moving} ms a frame`);
+  await opened.locator("[data-jump=worst]").first().click();
+  await settled(opened);
+  assert.match((await readouts(opened))[0], /^Triangle \d+ /);
+  await opened.context().close();
+});
+
+test("more triangles are thinned out, and the page says so", async () => {
+  const path = rectangle("more", 10_000);
+  assert.equal(mindeg("compare", path, "-o", "more.html").status, 0);
+  const opened = await open("more.html");
+  const notes = await opened.locator(".thinned").allTextContents();
+  assert.match(notes[0], /20.000 of 39.999 triangles/);
+  assert.ok((await opened.evaluate(() => methods[0].triangles.length / 3)) <= 20_000);
+  await opened.locator("[data-jump=busiest]").nth(1).click();
+  await settled(opened);
+  const jsonRun = mindeg("compare", path, "-o", "more.json");
+  assert.equal(jsonRun.status, 0, jsonRun.stderr);
+  const full = JSON.parse(readFileSync(page("more.json"), "utf8"));
+  assert.ok((await readouts(opened))[1].includes(`degree ${full.methods[1].max_degree}`));
+  await opened.context().close();
+});
+
+test("the index of many domains sorts, links, and lists what failed", async () => {
+  writeFileSync(page("broken.json"), '{"rectangle": {"width": 4, "height": 3}, "sides": [{"intervals": 0}]}');
+  const all = readdirSync(domains).filter((name) => name.endsWith(".json")).map((name) => join(domains, name));
+  mindeg("compare", ...all, page("broken.json"), "-o", "out/");
+  const opened = await open("out/index.html");
+  const rows = opened.locator("tbody tr");
+  assert.equal(await rows.count(), all.length);
+  assert.match(await opened.locator("main").textContent(), /Not compared: 1[^]*broken/);
+  for (const link of await opened.$$eval("tbody a", (links) => links.map((link) => link.getAttribute("href")))) {
+    assert.ok(existsSync(join(pages, "out", decodeURIComponent(link))), link);
+  }
+  const column = (place) => opened.$$eval("tbody tr", (rows, place) => rows.map((row) => row.cells[place].dataset.value), place);
+  const headings = opened.locator("thead button");
+  for (const place of [1, 3, 5]) {
+    for (const [order, sign] of [["ascending", 1], ["descending", -1]]) {
+      await headings.nth(place).focus();
+      await opened.keyboard.press("Enter");
+      assert.equal(await opened.locator("thead th").nth(place).getAttribute("aria-sort"), order);
+      const values = (await column(place)).map(Number);
+      assert.deepEqual(values, [...values].sort((a, b) => sign * (a - b)));
+    }
+  }
+  await headings.first().click();
+  const sorted = await column(0);
+  assert.deepEqual(sorted, [...sorted].sort((a, b) => a.localeCompare(b)));
+  await opened.locator("tbody a").first().click();
+  await settled(opened);
+  assert.equal(await opened.locator(".stage").first().isVisible(), true);
+  await opened.context().close();
+});
+
+test("a picture for the README", async () => {
+  const opened = await open("hexagon.html", { viewport: { width: 1240, height: 1500 } });
+  await opened.screenshot({ path: resolve("report.png") });
+  await opened.context().close();
+});
+
+test("no page has reported an error or asked for anything", () => {
+  // The links of the index lead to pages beside it; those were followed on purpose.
+  const unexpected = noise.filter((line) => !/^out\/index\.html asks for file:.*\.html$/.test(line));
+  assert.deepEqual(unexpected, []);
+});
+
+await run();
+await browser.close();

@@ -1,0 +1,248 @@
+use crate::run::{Run, mindeg, mindeg_reading};
+use mindeg_core::verify;
+use mindeg_geometry::import;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+fn domains() -> Vec<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
+    let mut domains: Vec<PathBuf> = fs::read_dir(folder)
+        .expect("the domains are there")
+        .map(|entry| entry.expect("the folder can be read").path())
+        .collect();
+    domains.sort();
+    domains
+}
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("paths here are UTF-8")
+}
+
+/// The names of everything in a folder.
+fn content(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> = fs::read_dir(folder)
+        .expect("the folder is there")
+        .map(|entry| entry.expect("it can be read").file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn every_domain_is_meshed_into_every_format() {
+    let folder = tempfile::tempdir().expect("a folder for the files");
+    let domains = domains();
+    assert_eq!(domains.len(), 8);
+    for domain in domains {
+        let file = |extension| folder.path().join("mesh").with_extension(extension);
+        let files = ["obj", "glb", "gltf", "svg"].map(file);
+        let mut arguments = vec!["mesh", text(&domain), "--json"];
+        files.iter().for_each(|file| arguments.extend(["-o", text(file)]));
+        let summary = mindeg(arguments).json();
+
+        assert_eq!(summary["max_degree"], summary["optimal_max_degree"], "{domain:?}");
+        assert_eq!(summary["outputs"], serde_json::json!(files.each_ref().map(|file| text(file))));
+        assert_eq!(
+            content(folder.path()),
+            ["mesh.bin", "mesh.glb", "mesh.gltf", "mesh.obj", "mesh.svg"]
+        );
+
+        let read = |path: &Path| fs::read(path).expect("the file was written");
+        let obj = import::obj::read(&read(&files[0])[..]).expect("the OBJ reads back");
+        let vertices = summary["vertices"].as_u64().expect("a count");
+        assert_eq!(obj.positions().len() as u64, vertices, "{domain:?}");
+        assert_eq!(obj.triangles().len() as u64, summary["triangles"].as_u64().expect("a count"));
+        let loops = obj.boundary_loops();
+        assert_eq!(loops.len(), 1, "{domain:?}");
+        assert_eq!(loops[0].vertices.len() as u64, vertices, "{domain:?}");
+    }
+}
+
+#[test]
+fn the_mesh_written_is_the_proven_one() {
+    let run = mindeg([
+        "mesh",
+        "--rectangle",
+        "4x3",
+        "--intervals",
+        "12,9,4,4",
+        "-o",
+        "-",
+        "--format",
+        "obj",
+        "-q",
+    ]);
+    assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+    let mesh = import::obj::read(&run.output[..]).expect("the OBJ reads back");
+    let verified = verify(&[12, 9, 4, 4], mesh.triangles().iter().copied());
+    assert_eq!(verified.expect("a triangulation").max_degree, 5);
+}
+
+#[test]
+fn a_domain_comes_from_standard_input() {
+    let domain = br#"{"name": "fan", "polygon": {"corners": [[0, 0], [4, 0], [0, 3]]},
+        "sides": [{"intervals": 3}, {"size": 1}, {"intervals": 2, "name": "left"}]}"#;
+    let run = mindeg_reading(["mesh", "-", "-o", "-", "--format", "obj"], domain);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert!(run.errors.contains("fan: 10 vertices, 8 triangles, maximum degree 4"), "{run:?}");
+}
+
+#[test]
+fn options_override_the_file() {
+    let panel = domains().into_iter().find(|path| path.ends_with("figure-1.json"));
+    let panel = panel.expect("the domain is there");
+    let count = |arguments: &[&str]| {
+        let common = ["mesh", text(&panel), "-o", "/dev/null", "--format", "obj", "--json"];
+        mindeg(common.iter().chain(arguments)).json()["vertices"].clone()
+    };
+    assert_eq!(count(&[]), 10);
+    assert_eq!(count(&["--intervals", "5,4,5,4"]), 18);
+    assert!(count(&["--size", "0.1"]).as_u64() > Some(50));
+}
+
+#[test]
+fn bad_input_is_refused_with_what_to_do() {
+    let rectangle = ["mesh", "--rectangle", "4x3", "-o", "x.obj"];
+    let with = |more: &[&str]| mindeg(rectangle.iter().chain(more));
+    with(&[]).refuses(&["--intervals", "--size"]);
+    with(&["--intervals", "3,3,2"]).refuses(&["3 counts for 4 sides"]);
+    with(&["--intervals", "3,3,0,2"]).refuses(&["side 3", "at least 1"]);
+    with(&["--intervals", "3,3,2,2", "--size", "1"]).refuses(&["--size"]);
+    with(&["--size", "0"]).refuses(&["size"]);
+    with(&["--size", "nan"]).refuses(&["size"]);
+    with(&["--size", "1e-300"]).refuses(&["side 1", "4294967294"]);
+    with(&["--intervals", "3,3,2,2", "--spacing", "geometric:0"]).refuses(&["side 1", "ratio"]);
+    with(&["--intervals", "3,3,2,2", "--spacing", "gemetric:1.2"]).refuses(&["geometric"]);
+    with(&["--intervals", "3,3,2,2", "-o", "y.stl"]).refuses(&["y.stl", ".obj", "--format"]);
+    with(&["--intervals", "3,3,2,2", "-o", "-"]).refuses(&["--format"]);
+    with(&["--intervals", "3,3,2,2", "-o", "-", "--format", "gltf"]).refuses(&[".bin", "glb"]);
+    with(&["--intervals", "3,3,2,2", "-o", "-", "--format", "obj", "--json"])
+        .refuses(&["standard output"]);
+    with(&["--intervals", "3,3,2,2", "-o", "x.obj"]).refuses(&["x.obj", "twice"]);
+    mindeg(["mesh", "-o", "x.obj"]).refuses(&["--rectangle"]);
+    mindeg(["mesh", "--rectangle", "4", "-o", "x.obj"]).refuses(&["4x3"]);
+    mindeg(["mesh", "--rectangle", "-4x3", "--size", "1", "-o", "x.obj"]).refuses(&["width"]);
+    let corners =
+        |corners: &str| mindeg(["mesh", "--corners", corners, "--size", "1", "-o", "x.obj"]);
+    corners("0,0 1,0").refuses(&["3"]);
+    corners("0,0 1,0 2,0 1,1").refuses(&["corner 2", "180"]);
+    corners("0,0 4,0 1,1 0,4").refuses(&["corner 3"]);
+    corners("0,0 1,0 1,nan").refuses(&["corner 3"]);
+    corners("0,0 1;0 1,1").refuses(&["corner 2"]);
+    assert!(!Path::new("x.obj").exists());
+}
+
+#[test]
+fn bad_json_is_refused_with_its_path_and_line() {
+    for (json, words) in [
+        ("", &["standard input", "line 1"][..]),
+        ("{\n\"rectangle\": 4}", &["rectangle", "line 2"]),
+        (
+            "{\"rectangle\": {\"width\": 4, \"height\": 3},\n\"sides\": [{\"interval\": 3}]}",
+            &["sides[0]", "interval", "line 2"],
+        ),
+        (
+            "{\"rectangle\": {\"width\": 4, \"height\": 3}, \"sides\": [{\"intervals\": 3}]}",
+            &["sides", "outline has 4"],
+        ),
+    ] {
+        mindeg_reading(["mesh", "-", "-o", "x.obj"], json.as_bytes()).refuses(words);
+    }
+    mindeg_reading(["mesh", "-", "-o", "x.obj"], b"\xff\xfe").refuses(&["UTF-8"]);
+}
+
+#[track_caller]
+fn cannot(run: &Run, words: &[&str]) {
+    assert_eq!(run.code, Some(1), "{run:?}");
+    for word in words {
+        assert!(run.errors.contains(word), "{word:?} is missing in: {}", run.errors);
+    }
+}
+
+const SMALL: [&str; 5] = ["mesh", "--rectangle", "4x3", "--intervals", "3,3,2,2"];
+
+#[test]
+fn what_cannot_be_read_or_written_is_named() {
+    cannot(&mindeg(["mesh", "no/such.json", "-o", "x.obj"]), &["no/such.json", "read"]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let missing = folder.path().join("no/such/folder.obj");
+    cannot(&mindeg(SMALL.into_iter().chain(["-o", text(&missing)])), &["folder.obj", "write"]);
+    let is_folder = folder.path().join("folder.obj");
+    fs::create_dir(&is_folder).expect("a folder");
+    cannot(&mindeg(SMALL.into_iter().chain(["-o", text(&is_folder)])), &["is a folder"]);
+    assert_eq!(content(folder.path()), ["folder.obj"]);
+}
+
+#[test]
+fn files_appear_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let kept = folder.path().join("kept.obj");
+    fs::write(&kept, "before").expect("a file to keep");
+    // The second output cannot be written, so the first must not replace what was there.
+    let missing = folder.path().join("no/such.obj");
+    let run = mindeg(SMALL.into_iter().chain(["-o", text(&kept), "-o", text(&missing)]));
+    cannot(&run, &["such.obj"]);
+    assert_eq!(fs::read_to_string(&kept).expect("it is there"), "before");
+    assert_eq!(content(folder.path()), ["kept.obj"]);
+
+    let run = mindeg(SMALL.into_iter().chain(["-o", text(&kept)]));
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(fs::read_to_string(&kept).expect("it is there").starts_with('#'));
+    assert_eq!(content(folder.path()), ["kept.obj"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn links_are_followed_and_new_files_follow_the_mask() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = tempfile::tempdir().expect("a folder");
+    let (link, target) = (folder.path().join("link.obj"), folder.path().join("target.obj"));
+    fs::write(&target, "before").expect("a file");
+    symlink(&target, &link).expect("a link");
+    let run = mindeg(SMALL.into_iter().chain(["-o", text(&link)]));
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(fs::symlink_metadata(&link).expect("it is there").is_symlink());
+    assert!(fs::read_to_string(&target).expect("it is there").starts_with('#'));
+
+    let plain = folder.path().join("plain");
+    fs::write(&plain, "").expect("a file");
+    let mode = |path| fs::metadata(path).expect("it is there").permissions().mode();
+    assert_eq!(mode(&target), mode(&plain));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_device_is_written_to_and_not_replaced() {
+    use std::os::unix::fs::FileTypeExt;
+    let run = mindeg(SMALL.into_iter().chain(["-o", "/dev/null", "--format", "glb"]));
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(fs::metadata("/dev/null").expect("it is there").file_type().is_char_device());
+    let full = mindeg(SMALL.into_iter().chain(["-o", "/dev/full", "--format", "glb"]));
+    cannot(&full, &["/dev/full"]);
+}
+
+#[test]
+fn a_reader_that_stops_early_ends_the_run_quietly() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+        .args(["mesh", "--rectangle", "4x3", "--intervals", "50000,50000,50000,50000"])
+        .args(["-o", "-", "--format", "obj", "--quiet"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the run ends");
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
+
+#[test]
+fn the_same_input_gives_the_same_bytes() {
+    let bytes = |format| {
+        let size = ["mesh", "--rectangle", "4x3", "--size", "0.1", "-o", "-", "-q", "--format"];
+        mindeg(size.into_iter().chain([format])).output
+    };
+    for format in ["obj", "glb", "svg"] {
+        assert_eq!(bytes(format), bytes(format), "{format}");
+    }
+}

@@ -1,0 +1,65 @@
+use crate::run::mindeg;
+use serde_json::json;
+
+#[test]
+fn json_lists_every_lower_degree_with_its_change() {
+    let answer = mindeg(["suggest", "30,2,4,2", "--json"]).json();
+    assert_eq!(answer["intervals"], json!([30, 2, 4, 2]));
+    assert_eq!(answer["max_degree"], 7);
+    assert_eq!(
+        answer["suggestions"][1],
+        json!({
+            "max_degree": 5,
+            "cost": 7,
+            "changes": [{"side": 1, "by": 7}],
+            "intervals": [30, 9, 4, 2],
+        })
+    );
+    let degrees: Vec<_> = answer["suggestions"]
+        .as_array()
+        .expect("a list")
+        .iter()
+        .map(|row| row["max_degree"].clone())
+        .collect();
+    assert_eq!(degrees, [6, 5, 4, 3]);
+}
+
+#[test]
+fn what_is_suggested_has_the_degree_it_promises() {
+    for intervals in ["30,2,4,2", "12,9,4,4", "3,3,3", "1000,3,5,2", "5,5,5,5,5,1,1"] {
+        let answer = mindeg(["suggest", intervals, "--target", "4", "--json"]).json();
+        let row = &answer["suggestions"][0];
+        let counts = row["intervals"].to_string();
+        let counts = counts.trim_matches(['[', ']']);
+        let after = mindeg(["degree", counts, "--json"]).json();
+        assert_eq!(after["max_degree"], row["max_degree"], "{intervals}");
+        assert_eq!(after["max_degree"], 4, "{intervals}");
+    }
+}
+
+#[test]
+fn text_says_what_to_do() {
+    let text = |arguments: &[&str]| mindeg(["suggest"].iter().chain(arguments)).text().to_owned();
+    assert_eq!(
+        text(&["12,9,4,4", "--target", "4"]),
+        "The least maximum degree is 5.\nFor 4: add 2 to side 2, giving 12,11,4,4.\n"
+    );
+    assert!(text(&["3,3,2,2", "--target", "4"]).ends_with("No change is needed.\n"));
+    assert!(text(&["1,1,1"]).ends_with("No change of counts brings it down.\n"));
+}
+
+#[test]
+fn degree_ends_with_a_hint_above_four() {
+    let last = |intervals| {
+        let run = mindeg(["degree", intervals]);
+        run.text().lines().last().expect("some text").to_owned()
+    };
+    assert_eq!(last("12,9,4,4"), "Hint: add 2 to side 2 and it is 4; mindeg suggest tells more.");
+    assert!(!last("3,3,2,2").contains("Hint"));
+}
+
+#[test]
+fn a_target_out_of_reach_is_refused() {
+    mindeg(["suggest", "3,3,2,2", "--target", "2"]).refuses(&["4 sides", "2 or less"]);
+    mindeg(["suggest", "3,3", "--target", "4"]).refuses(&["at least 3 sides"]);
+}
