@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-fn domains() -> Vec<PathBuf> {
+pub(crate) fn domains() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
     let mut domains: Vec<PathBuf> = fs::read_dir(folder)
         .expect("the domains are there")
@@ -15,12 +15,12 @@ fn domains() -> Vec<PathBuf> {
     domains
 }
 
-fn text(path: &Path) -> &str {
+pub(crate) fn text(path: &Path) -> &str {
     path.to_str().expect("paths here are UTF-8")
 }
 
 /// The names of everything in a folder.
-fn content(folder: &Path) -> Vec<String> {
+pub(crate) fn content(folder: &Path) -> Vec<String> {
     let mut names: Vec<String> = fs::read_dir(folder)
         .expect("the folder is there")
         .map(|entry| entry.expect("it can be read").file_name().to_string_lossy().into_owned())

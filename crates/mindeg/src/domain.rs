@@ -7,21 +7,35 @@ use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
 
-/// The domain that the arguments describe.
+/// The one domain that the arguments describe.
 pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
-    let DomainArguments { file, rectangle, corners, intervals, size, spacing } = arguments;
-    if let Some(path) = file {
-        let domain = read(path)?;
-        if intervals.is_none() && size.is_none() && spacing.is_none() {
-            return Ok(domain);
-        }
-        let sides = overridden(domain.sides().to_vec(), arguments)?;
-        let replaced = Domain::new(domain.outline().clone(), sides).map_err(bad)?;
-        return match domain.name() {
-            Some(name) => replaced.named(name).map_err(bad),
-            None => Ok(replaced),
-        };
+    match &arguments.files[..] {
+        [] => from_options(arguments),
+        [path] => from_file(path, arguments),
+        [_, second, ..] => Err(Failure::Input(format!(
+            "one domain at a time: {} is a second one",
+            second.display()
+        ))),
     }
+}
+
+/// The domain in a file, with the options in place of what the file says of its sides.
+pub(crate) fn from_file(path: &Path, arguments: &DomainArguments) -> Result<Domain, Failure> {
+    let domain = read(path)?;
+    let DomainArguments { intervals, size, spacing, .. } = arguments;
+    if intervals.is_none() && size.is_none() && spacing.is_none() {
+        return Ok(domain);
+    }
+    let sides = overridden(domain.sides().to_vec(), arguments)?;
+    let replaced = Domain::new(domain.outline().clone(), sides).map_err(bad)?;
+    match domain.name() {
+        Some(name) => replaced.named(name).map_err(bad),
+        None => Ok(replaced),
+    }
+}
+
+fn from_options(arguments: &DomainArguments) -> Result<Domain, Failure> {
+    let DomainArguments { rectangle, corners, intervals, size, .. } = arguments;
     let (outline, side_count) = match (rectangle, corners) {
         (Some(size), _) => (Outline::Rectangle(Rectangle::new(size.width, size.height)), 4),
         (None, Some(corners)) => {
@@ -73,7 +87,7 @@ fn overridden(mut sides: Vec<Side>, arguments: &DomainArguments) -> Result<Vec<S
 }
 
 /// Reads a domain from a JSON file, or from standard input where the path is `-`.
-pub(crate) fn read(path: &Path) -> Result<Domain, Failure> {
+fn read(path: &Path) -> Result<Domain, Failure> {
     let (name, text) = if path == Path::new("-") {
         let mut text = Vec::new();
         let read = io::stdin().lock().read_to_end(&mut text).map(|_| text);

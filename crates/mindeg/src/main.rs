@@ -4,9 +4,12 @@
 //! libraries below it.
 
 mod args;
+mod compare;
 mod degree;
 mod domain;
 mod failure;
+mod gates;
+mod inspect;
 mod mesh;
 mod output;
 mod standard_output;
@@ -19,7 +22,9 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Degree(arguments) => degree::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Suggest(arguments) => suggest::run(&arguments),
     };
     match result {

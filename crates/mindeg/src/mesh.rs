@@ -44,6 +44,8 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let targets = targets(arguments)?;
     let domain = domain(&arguments.domain)?;
     let mesh = Mesh::least_degree(&domain).map_err(|error| Failure::Input(error.to_string()))?;
+    let angles = mesh.angle_range();
+    arguments.gates.check_mesh(&mesh, angles.min)?;
     let options = SurfaceOptions {
         degree_colors: arguments.degree_colors,
         boundary_lines: arguments.boundary_lines,
@@ -58,7 +60,6 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     }
     outputs.finish()?;
 
-    let angles = mesh.angle_range();
     let summary = Summary {
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),

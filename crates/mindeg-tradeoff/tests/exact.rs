@@ -1,0 +1,118 @@
+//! The answers against solvers that are slow and plainly right.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod plain;
+
+use mindeg_core::optimal_max_degree;
+use mindeg_tradeoff::{Unsolved, best_angle, least_max_degree, trade_off, unwatched};
+use plain::{Instance, Rank, instances, regular};
+use proptest::prelude::*;
+
+/// Checks the answers for every cap up to one above the degrees there can be.
+fn check(instance: &Instance, best: impl Fn(&Instance, u32) -> Option<Rank>) {
+    let problem = instance.problem();
+    let outside = instance.outside.iter().max().unwrap();
+    let largest = instance.boundary.vertex_count() + outside;
+    let ranks: Vec<Option<Rank>> = (0..=largest).map(|cap| best(instance, cap)).collect();
+    let least = ranks.iter().position(Option::is_some);
+
+    let refused = |max_degree| match least {
+        Some(least) => Unsolved::Infeasible { max_degree, least: least as u32 },
+        None => Unsolved::VertexCaps,
+    };
+    for (max_degree, rank) in (0..).zip(&ranks) {
+        match (best_angle(&problem, max_degree, &mut unwatched), *rank) {
+            (Ok(optimum), Some(rank)) => instance.check(&optimum, max_degree, rank),
+            (answer, _) => assert_eq!(answer, Err(refused(max_degree)), "{instance:?}"),
+        }
+    }
+    let Some(least) = least else {
+        assert_eq!(trade_off(&problem, &mut unwatched), Err(Unsolved::VertexCaps));
+        return;
+    };
+    assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least as u32), "{instance:?}");
+
+    let trade_off = trade_off(&problem, &mut unwatched).unwrap();
+    let tangent = |cap: usize| ranks[cap].unwrap().0;
+    let last = (least..).find(|&cap| tangent(cap) == tangent(largest as usize)).unwrap();
+    assert_eq!(trade_off.optima.len(), last - least + 1, "{instance:?}");
+    for (max_degree, optimum) in (least..).zip(&trade_off.optima) {
+        instance.check(optimum, max_degree as u32, ranks[max_degree].unwrap());
+    }
+    let unlimited = Instance::new(&instance.sides, instance.points.clone());
+    let (tangent, _, _) = best(&unlimited, largest).unwrap();
+    assert_eq!(trade_off.uncapped_min_angle, libm::atan(tangent).to_degrees());
+}
+
+#[test]
+fn small_symmetric_domains_agree_with_all_triangulations() {
+    for sides in [
+        &[1, 1, 1][..],
+        &[2, 1, 1],
+        &[2, 2, 2],
+        &[4, 4, 4],
+        &[7, 1, 1],
+        &[1, 1, 1, 1],
+        &[2, 2, 2, 2],
+        &[3, 3, 3, 3],
+        &[5, 1, 5, 1],
+        &[3, 3, 2, 2],
+        &[8, 2, 1, 1],
+        &[2, 2, 2, 2, 2],
+        &[1, 1, 1, 1, 1, 1, 1, 1, 1],
+        &[2, 1, 2, 1, 2, 1],
+    ] {
+        check(&Instance::uniform(&regular(sides.len(), 1.0), sides), Instance::best_of_all);
+    }
+}
+
+/// Degrees so large that most vertices are not counted at first.
+#[test]
+fn large_degrees_agree_with_a_plain_table() {
+    for (sides, ratio) in [
+        (&[16, 1, 1][..], 1.0),
+        (&[18, 1, 3], 1.3),
+        (&[14, 2, 1, 2], 0.9),
+        (&[12, 1, 2, 1, 2], 1.0),
+        (&[7, 6, 5, 1], 0.6),
+        (&[9, 8, 2], 1.5),
+    ] {
+        let graded = |_, place: f64| place / (place + ratio * (1.0 - place)).powi(3);
+        let corners = regular(sides.len(), 1.4);
+        check(&Instance::spaced(&corners, sides, graded), Instance::best_by_table);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(150))]
+
+    #[test]
+    fn agrees_with_all_triangulations(instance in instances(9)) {
+        check(&instance, Instance::best_of_all);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    #[test]
+    fn agrees_with_all_triangulations_of_twelve_vertices(instance in instances(12)) {
+        prop_assume!(instance.points.len() == 12);
+        let cap = optimal_max_degree(&instance.boundary) + 1;
+        let best = instance.best_of_all(cap);
+        match best_angle(&instance.problem(), cap, &mut unwatched) {
+            Ok(optimum) => instance.check(&optimum, cap, best.unwrap()),
+            Err(_) => prop_assert_eq!(best, None),
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn agrees_with_a_plain_table(instance in instances(14)) {
+        check(&instance, Instance::best_by_table);
+    }
+}
