@@ -3,6 +3,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
 fn text(path: &Path) -> &str {
     path.to_str().expect("paths here are UTF-8")
@@ -189,6 +190,19 @@ fn gates_end_with_code_3_and_name_what_fails() {
     for angle in ["61", "-1", "nan", "steep"] {
         inspect_obj(&fan(), &["--min-angle", angle]).refuses(&["--min-angle", "0 to 60"]);
     }
+}
+
+#[test]
+fn gates_hold_when_nobody_reads_the_report() {
+    let (_folder, path) = file("fan.obj", fan());
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+        .args(["inspect", text(&path), "--max-degree", "4"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .expect("the binary starts");
+    drop(child.stdout.take());
+    assert_eq!(child.wait().expect("the run ends").code(), Some(3));
 }
 
 #[test]

@@ -5,6 +5,22 @@ use mindeg_core::{Boundary, optimal_max_degree};
 
 /// The convex outline of a mesh that uses the vertices along it alone, and what the least
 /// possible maximum degree is for it.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::import::obj;
+/// use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+///
+/// // A square with a vertex in the middle of its first side.
+/// let file = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 5\nf 2 4 5\nf 2 3 4\n";
+/// let mesh = obj::read(file.as_bytes())?;
+/// let outline = Inspection::of(&mesh, &InspectionOptions::default()).outline?;
+/// assert_eq!(outline.corners, [0, 2, 3, 4]);
+/// assert_eq!(outline.intervals, [2, 1, 1, 1]);
+/// assert_eq!(outline.optimal_max_degree, 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConvexOutline {
     /// The corners, by their vertices. Side i runs from corner i to the next.
@@ -46,7 +62,7 @@ const ROUNDING: f64 = 1.0 / (1 << 20) as f64;
 /// A vertex is a corner if the sides that meet there, as straight lines, turn by more than
 /// `corner_angle` degrees. A side is straight, and the loop is in a plane, as long as no
 /// vertex is farther away than the middle of an arc would be that leaves its chord by that
-/// angle. O(n log n) for n vertices.
+/// angle, or rounding explains. O(n) for n vertices.
 pub(super) fn convex_outline(
     vertices: &[u32],
     positions: &[DVec3],
@@ -95,7 +111,8 @@ fn in_plane(points: &[DVec3], corner_angle: f64) -> Result<Vec<DVec2>, NoConvexO
     let normal = area.try_normalize().ok_or(NoConvexOutline::NotConvex)?;
     let heights = || points.iter().map(|point| point.dot(normal));
     let mean = heights().sum::<f64>() / points.len() as f64;
-    if heights().any(|height| (height - mean).abs() > sagitta(corner_angle)) {
+    let limit = sagitta(corner_angle).max(ROUNDING);
+    if heights().any(|height| (height - mean).abs() > limit) {
         return Err(NoConvexOutline::NotPlanar);
     }
     let (x, y) = normal.any_orthonormal_pair();
