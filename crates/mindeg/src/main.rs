@@ -12,6 +12,7 @@ mod mesh;
 mod output;
 mod standard_output;
 mod suggest;
+mod tradeoff;
 mod watched;
 
 use args::{Arguments, Command};
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Degree(arguments) => degree::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments),
+        Command::Tradeoff(arguments) => tradeoff::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Suggest(arguments) => suggest::run(&arguments),
     };
