@@ -26,14 +26,40 @@ pub struct ExactMesh {
     pub mesh: Mesh,
 }
 
-/// What every degree buys on a domain.
+/// What every degree buys on a domain; [`trade_off`] finds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TradeOff {
+    domain: Domain,
+    meshes: Vec<ExactMesh>,
+    delaunay_min_angle: f64,
+}
+
+impl TradeOff {
+    /// The domain.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        &self.domain
+    }
+
     /// A mesh for every maximum degree, from the least possible one to the first with which the
-    /// minimum angle is as large as with any.
-    pub meshes: Vec<ExactMesh>,
-    /// The minimum angle of a Delaunay triangulation, in degrees: the largest there is.
-    pub delaunay_min_angle: f64,
+    /// minimum angle is as large as with any. At least one.
+    #[must_use]
+    pub fn meshes(&self) -> &[ExactMesh] {
+        &self.meshes
+    }
+
+    /// The minimum angle of a Delaunay triangulation, in degrees: the largest there is. The last
+    /// mesh has it unless caps of single vertices stand against that.
+    #[must_use]
+    pub fn delaunay_min_angle(&self) -> f64 {
+        self.delaunay_min_angle
+    }
+
+    /// How much of that a mesh has, 0 to 1.
+    #[must_use]
+    pub fn share(&self, exact: &ExactMesh) -> f64 {
+        exact.min_angle / self.delaunay_min_angle
+    }
 }
 
 /// Why a domain has no exact mesh.
@@ -121,15 +147,17 @@ pub fn mesh(domain: &Domain, max_degree: u32, watch: Watch<'_>) -> Result<ExactM
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let trade_off = exact::trade_off(&domain, &mut unwatched)?;
-/// let degrees = trade_off.meshes.iter().map(|exact| exact.max_degree);
-/// assert_eq!(degrees.collect::<Vec<_>>(), [4, 5]);
-/// assert_eq!(trade_off.meshes[1].min_angle, trade_off.delaunay_min_angle);
+/// let [four, five] = trade_off.meshes() else { panic!("degrees 4 and 5") };
+/// assert_eq!((four.max_degree, five.max_degree), (4, 5));
+/// assert_eq!(five.min_angle, trade_off.delaunay_min_angle());
+/// assert!((trade_off.share(four) - 0.463).abs() < 5e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trade_off(domain: &Domain, watch: Watch<'_>) -> Result<TradeOff, ExactError> {
     let answer = mindeg_tradeoff::trade_off(&problem(domain)?, watch)?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
     Ok(TradeOff {
+        domain: domain.clone(),
         meshes: meshes.collect::<Result<_, _>>()?,
         delaunay_min_angle: answer.uncapped_min_angle,
     })

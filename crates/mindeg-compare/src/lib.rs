@@ -18,6 +18,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! [`exact`] has what lies between the least degree and Delaunay's angle: the best mesh for every
+//! maximum degree.
+//!
 //! # Limits
 //!
 //! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
@@ -35,5 +38,6 @@ mod verdict;
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, MINDEG, Options, compare};
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
-    IndexEntry, Report, report_schema, write_html, write_index, write_json, write_markdown,
+    IndexEntry, Report, TradeOffFigures, TradeOffPoint, report_schema, write_html, write_index,
+    write_json, write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };

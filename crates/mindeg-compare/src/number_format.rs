@@ -27,6 +27,12 @@ pub(crate) fn angle(degrees: f64) -> String {
     format!("{}°", significant(degrees, 4))
 }
 
+/// An angle in degrees among others of the same size, to three decimals; one too small for them
+/// as [`angle`] has it.
+pub(crate) fn steady_angle(degrees: f64) -> String {
+    if degrees < 0.1 { angle(degrees) } else { format!("{degrees:.3}°") }
+}
+
 /// A share of 0 to 1 in percent; what is more than nothing and less than all stays so.
 pub(crate) fn percent(share: f64) -> String {
     match share * 100.0 {
@@ -83,6 +89,12 @@ mod tests {
         ] {
             assert_eq!(significant(value, 4), text);
         }
+    }
+
+    #[test]
+    fn angles_side_by_side_have_three_decimals() {
+        assert_eq!([6.34, 26.565_05, 0.1].map(steady_angle), ["6.340°", "26.565°", "0.100°"]);
+        assert_eq!([0.084_71, 1e-7].map(steady_angle), ["0.08471°", "1e-7°"]);
     }
 
     #[test]

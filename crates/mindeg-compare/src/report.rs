@@ -12,10 +12,14 @@ mod markdown;
 mod metric;
 mod picture;
 mod tables;
+mod trade_off;
 
 pub use html::write_html;
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;
+pub use trade_off::{
+    TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
+};
 
 use mindeg_geometry::quality;
 use schemars::JsonSchema;

@@ -26,6 +26,7 @@ pub(crate) enum Command {
     Degree(DegreeArguments),
     Suggest(SuggestArguments),
     Mesh(MeshArguments),
+    Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
 }
@@ -166,6 +167,32 @@ fn parse_corner_angle(text: &str) -> Result<f64, String> {
 pub(crate) enum Optimize {
     /// The smallest angle of all triangles
     Angle,
+}
+
+/// Tell how large the smallest angle can be for each maximum degree, exactly
+///
+/// From the least possible degree up to the first at which no larger angle can be had, which
+/// is that of a Delaunay triangulation. Degrees and caps are total: edges outside count. Up to
+/// 4096 boundary vertices.
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct TradeoffArguments {
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    /// Where to write a report with the curve and the meshes, by extension .html or .svg, or the
+    /// figures, .json; may be given several times
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+
+    /// Print JSON instead of a table: points, a list of max_degree, min_angle and exact; and
+    /// delaunay_min_angle
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
 }
 
 /// Compare the least-degree mesh with a Delaunay triangulation, ear clipping and a fan

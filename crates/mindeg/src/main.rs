@@ -14,6 +14,7 @@ mod mesh;
 mod output;
 mod standard_output;
 mod suggest;
+mod tradeoff;
 mod watched;
 
 use args::{Arguments, Command};
@@ -25,6 +26,7 @@ fn main() -> ExitCode {
         Command::Degree(arguments) => degree::run(&arguments),
         Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments),
+        Command::Tradeoff(arguments) => tradeoff::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Suggest(arguments) => suggest::run(&arguments),
     };

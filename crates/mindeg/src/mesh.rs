@@ -119,7 +119,7 @@ fn text(mesh: &Mesh, summary: &Summary) -> String {
 }
 
 /// An angle as people read it; one too small for three decimals as a power of ten.
-fn degrees(angle: f64) -> String {
+pub(crate) fn degrees(angle: f64) -> String {
     if angle < 0.01 { format!("{angle:.1e}°") } else { format!("{angle:.3}°") }
 }
 

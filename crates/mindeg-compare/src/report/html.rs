@@ -56,7 +56,7 @@ pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()
         &[
             ("title", &escaped(name)),
             ("style", STYLE),
-            ("facts", &escaped(&facts(comparison))),
+            ("facts", &facts(&report.domain.intervals, report.domain.optimal_max_degree)),
             ("headline", &escaped(headline)),
             ("sentences", &sentences),
             ("overview", &html_table(&tables::overview(report), 0)),
@@ -110,19 +110,19 @@ pub(super) fn escaped(text: &str) -> String {
 }
 
 /// The domain in a line.
-fn facts(comparison: &Comparison) -> String {
-    let domain = &comparison.report().domain;
-    let sides = domain.intervals.len();
-    let intervals: Vec<String> =
-        domain.intervals.iter().take(MAX_SIDES_LISTED).map(|&intervals| count(intervals)).collect();
+pub(super) fn facts(intervals: &[u32], optimal_max_degree: u32) -> String {
+    let sides = intervals.len();
+    let listed: Vec<String> =
+        intervals.iter().take(MAX_SIDES_LISTED).map(|&intervals| count(intervals)).collect();
     let more = if sides > MAX_SIDES_LISTED { ", …" } else { "" };
+    let vertices = intervals.iter().sum::<u32>();
     format!(
         "{sides} sides with {}{more} intervals · {} boundary vertices · {} triangles · least possible \
          maximum degree {}",
-        intervals.join(", "),
-        count(domain.vertices),
-        count(domain.triangles),
-        count(domain.optimal_max_degree)
+        listed.join(", "),
+        count(vertices),
+        count(vertices - 2),
+        count(optimal_max_degree)
     )
 }
 
@@ -184,7 +184,7 @@ fn html_tables(tables: &[Table]) -> String {
 }
 
 /// A table with its title as a heading of the given level, without one for level 0.
-fn html_table(table: &Table, level: u8) -> String {
+pub(super) fn html_table(table: &Table, level: u8) -> String {
     let mut html = String::from("<section class=\"table\">");
     if level > 0 {
         html += &format!("<h{level}>{}</h{level}>", escaped(&table.title));

@@ -30,6 +30,8 @@ const TOP: f64 = 124.0;
 const BOTTOM: f64 = 104.0;
 /// The most a mesh takes from top to bottom.
 const MAX_HEIGHT: f64 = 640.0;
+/// The radius of the largest dots as a share of the mesh's longer extent.
+const LARGEST_DOT: f64 = 0.0125;
 /// A mesh more slender than that is widened for the picture, which says so.
 const MAX_SLENDERNESS: f64 = 10.0;
 
@@ -320,7 +322,8 @@ fn degree_classes(mesh: &Mesh) -> Vec<(u32, usize)> {
 /// The vertices that have the color of `class`.
 fn write_dots(mesh: &Mesh, frame: &Frame, class: u32, out: &mut impl Write) -> io::Result<()> {
     let n = mesh.vertex_count();
-    let largest = (0.2 * frame.size.min_element()).clamp(0.6, 8.0);
+    let room = (0.2 * frame.size.min_element()).min(LARGEST_DOT * frame.size.max_element());
+    let largest = room.clamp(0.6, 8.0);
     out.write_all(format!("<g fill=\"{}\">\n", hex(class)).as_bytes())?;
     write_items(out, n, |range, buffer| {
         for v in range.filter(|&v| degree_class(mesh.degree(v)) == class) {
