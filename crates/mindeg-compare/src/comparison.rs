@@ -1,10 +1,14 @@
 //! One domain, triangulated by every method.
 
+use crate::exact::{self, ExactMesh, TradeOff};
 use crate::reference::Reference;
-use crate::report::{DefectKind, DomainFigures, MethodDefect, MethodFigures, Report};
+use crate::report::{
+    DefectKind, DomainFigures, MethodDefect, MethodFigures, Report, TradeOffFigures,
+};
 use crate::{NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg_geometry::{Domain, Mesh, MeshError};
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// The name of mindeg's own mesh in a report.
@@ -24,11 +28,14 @@ pub struct Options {
     /// How long each method may take, 60 seconds unless told otherwise. The report lists one
     /// that takes longer as such.
     pub time_limit: Duration,
+    /// The largest number of boundary vertices for which the exact trade-off is worked out, 400
+    /// unless told otherwise: about a second's work.
+    pub exact_vertices: u32,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { time_limit: Duration::from_secs(60) }
+        Self { time_limit: Duration::from_secs(60), exact_vertices: 400 }
     }
 }
 
@@ -71,6 +78,7 @@ pub struct Comparison {
     points: Vec<DVec2>,
     /// The triangles of each method of the report, none where it has none.
     triangles: Vec<Vec<[u32; 3]>>,
+    trade_off: Option<TradeOff>,
 }
 
 impl Comparison {
@@ -96,6 +104,12 @@ impl Comparison {
         &self.triangles[method]
     }
 
+    /// What every degree buys on the domain, where that was worked out.
+    #[must_use]
+    pub fn trade_off(&self) -> Option<&TradeOff> {
+        self.trade_off.as_ref()
+    }
+
     /// The same comparison without the times taken: what is left depends on the domain alone.
     #[must_use]
     pub fn without_times(mut self) -> Self {
@@ -113,7 +127,8 @@ impl Comparison {
 
 /// Triangulates a domain by every method, checks and measures the results.
 ///
-/// A reference that fails is part of the report. O(n log n) besides what the methods take.
+/// A reference that fails is part of the report. The exact trade-off and its meshes are added for
+/// domains up to [`Options::exact_vertices`]. O(n log n) besides what the methods take.
 ///
 /// # Errors
 ///
@@ -161,6 +176,20 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         });
         triangles.push(list);
     }
+    let trade_off = exact_trade_off(domain, options);
+    for exact in trade_off.iter().flat_map(shown) {
+        let list: Vec<[u32; 3]> = exact.mesh.triangles().collect();
+        methods.push(MethodFigures {
+            name: format!("Exact, degree {}", exact.max_degree),
+            description: format!(
+                "The largest smallest angle that any triangulation with at most {} edges at a \
+                 vertex has, by exhaustive dynamic programming.",
+                exact.max_degree
+            ),
+            ..figures(&list)
+        });
+        triangles.push(list);
+    }
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: boundary.sides().collect(),
@@ -171,7 +200,33 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         optimal_max_degree,
     };
     let verdict = verdict::verdict(&domain, &methods).join(" ");
-    Ok(Comparison { report: Report { domain, methods, verdict }, points, triangles })
+    let trade_off_figures = trade_off.as_ref().map(TradeOffFigures::of);
+    let report = Report { domain, methods, trade_off: trade_off_figures, verdict };
+    Ok(Comparison { report, points, triangles, trade_off })
+}
+
+/// The trade-off, where it can be had in the size and the time allowed.
+fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
+    if domain.boundary().vertex_count() > options.exact_vertices {
+        return None;
+    }
+    let start = Instant::now();
+    let mut in_time = |_| {
+        if start.elapsed() < options.time_limit {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
+    };
+    exact::trade_off(domain, &mut in_time).ok()
+}
+
+/// Of the points of the curve those that a comparison shows: the least degree, the next, and the
+/// first with all of the angle.
+fn shown(trade_off: &TradeOff) -> impl Iterator<Item = &ExactMesh> {
+    let meshes = trade_off.meshes();
+    let last = meshes.len().saturating_sub(1);
+    meshes.iter().enumerate().filter(move |&(place, _)| place < 2 || place == last).map(|(_, m)| m)
 }
 
 fn without_triangles(reason: &NoTriangulation) -> MethodFigures {
@@ -193,13 +248,14 @@ mod tests {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4]).unwrap();
         let comparison = compare(&domain, &Options::default()).unwrap();
         let ties: Vec<_> = comparison.report().methods.iter().map(|method| method.ties).collect();
-        assert_eq!(ties, [None, Some(2), None, None]);
+        // The last two are exact meshes, of degrees 4 and 5.
+        assert_eq!(ties, [None, Some(2), None, None, None, None]);
     }
 
     #[test]
     fn what_is_late_is_reported_and_the_rest_goes_on() {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(20_000); 4]).unwrap();
-        let options = Options { time_limit: Duration::from_millis(5) };
+        let options = Options { time_limit: Duration::from_millis(5), ..Options::default() };
         let comparison = compare(&domain, &options).unwrap();
         let report = comparison.report();
         assert!(report.methods[0].valid);

@@ -55,6 +55,9 @@ pub struct Report {
     pub domain: DomainFigures,
     /// mindeg first, then the methods it is compared with. All have the same boundary points.
     pub methods: Vec<MethodFigures>,
+    /// What every degree buys, exactly; null where the domain is too large for that or the time
+    /// limit too short. The methods named exact are meshes of its points.
+    pub trade_off: Option<TradeOffFigures>,
     /// What the figures say, in words.
     pub verdict: String,
 }

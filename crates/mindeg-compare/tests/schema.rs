@@ -15,7 +15,7 @@ fn published() -> Value {
 fn report(sides: [u64; 3], time_limit: Duration) -> Value {
     let corners = [[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]].map(glam::DVec2::from).to_vec();
     let domain = Domain::polygon(corners, sides.map(Side::count).to_vec()).unwrap();
-    let comparison = compare(&domain, &Options { time_limit }).unwrap();
+    let comparison = compare(&domain, &Options { time_limit, ..Options::default() }).unwrap();
     serde_json::to_value(comparison.report()).unwrap()
 }
 

@@ -31,7 +31,8 @@ pub const SHAPE_UNIT: u64 = 1 << 36;
 /// assert_eq!(measure::min_angle_tangent([a, c, b]), 0.0);
 /// ```
 #[must_use]
-pub fn min_angle_tangent([a, b, c]: [DVec2; 3]) -> f64 {
+pub fn min_angle_tangent(triangle: [DVec2; 3]) -> f64 {
+    let [a, b, c] = from_the_first(triangle);
     const ROUNDED_OFF: u32 = f64::MANTISSA_DIGITS - 36;
     let squares = [(b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared()];
     let [x, y, z] = squares;
@@ -58,10 +59,24 @@ pub fn min_angle_tangent([a, b, c]: [DVec2; 3]) -> f64 {
 /// assert!((shape - 0.75_f64.sqrt()).abs() < 1e-10);
 /// ```
 #[must_use]
-pub fn shape([a, b, c]: [DVec2; 3]) -> u64 {
+pub fn shape(triangle: [DVec2; 3]) -> u64 {
+    let [a, b, c] = from_the_first(triangle);
     let squares = (b - a).length_squared() + (c - b).length_squared() + (a - c).length_squared();
     let shape = 12.0_f64.sqrt() * (b - a).perp_dot(c - a) / squares;
     if shape > 0.0 { (shape.min(1.0) * SHAPE_UNIT as f64 + 0.5) as u64 } else { 0 }
+}
+
+/// The triangle from its first point in the order of x, then y. The same triangle must have the
+/// same value wherever it is met, and rounding depends on the point that differences start from.
+fn from_the_first([a, b, c]: [DVec2; 3]) -> [DVec2; 3] {
+    let is_before = |p: DVec2, q: DVec2| p.x < q.x || (p.x == q.x && p.y < q.y);
+    if is_before(b, a) && is_before(b, c) {
+        [b, c, a]
+    } else if is_before(c, a) && is_before(c, b) {
+        [c, a, b]
+    } else {
+        [a, b, c]
+    }
 }
 
 /// The angle in degrees that has this tangent.
@@ -72,6 +87,7 @@ pub(crate) fn degrees(tangent: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     const ORIGIN: DVec2 = DVec2::ZERO;
 
@@ -133,6 +149,23 @@ mod tests {
         ] {
             assert_eq!(min_angle_tangent([ORIGIN, b, c]), 0.0, "{b} {c}");
             assert_eq!(shape([ORIGIN, b, c]), 0, "{b} {c}");
+        }
+    }
+
+    proptest! {
+        /// A chord was pruned where its triangle's value, taken from another corner, rounded down.
+        #[test]
+        fn values_do_not_depend_on_the_corner_a_triangle_starts_from(
+            points in prop::array::uniform6(-1e6..1e6_f64)
+        ) {
+            let [a, b, c] = [0, 2, 4].map(|i| DVec2::new(points[i], points[i + 1]));
+            for turned in [[b, c, a], [c, a, b]] {
+                prop_assert_eq!(
+                    min_angle_tangent([a, b, c]).to_bits(),
+                    min_angle_tangent(turned).to_bits()
+                );
+                prop_assert_eq!(shape([a, b, c]), shape(turned));
+            }
         }
     }
 }

@@ -20,7 +20,7 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
     let time_limit = Duration::try_from_secs_f64(limit).map_err(|_| {
         Failure::Input(format!("--time-limit {limit}: give a number of seconds, such as 60"))
     })?;
-    let options = Options { time_limit };
+    let options = Options { time_limit, ..Options::default() };
     let folder = arguments.output.iter().find(|path| is_folder(path));
     clean_up_on_interrupt()?;
     match folder {

@@ -8,6 +8,7 @@
 
 use super::picture::{self, MAX_DRAWN};
 use super::tables::{self, Table};
+use super::trade_off::{PLOT_STYLE, curve};
 use crate::Comparison;
 use crate::number_format::{angle, count};
 use std::io::{self, Write};
@@ -55,12 +56,13 @@ pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()
         PAGE,
         &[
             ("title", &escaped(name)),
-            ("style", STYLE),
+            ("style", &[STYLE, PLOT_STYLE].concat()),
             ("facts", &facts(&report.domain.intervals, report.domain.optimal_max_degree)),
             ("headline", &escaped(headline)),
             ("sentences", &sentences),
             ("overview", &html_table(&tables::overview(report), 0)),
             ("figures", &figures(comparison)),
+            ("trade_off", &trade_off(comparison)),
             ("degrees", &html_table(&tables::degrees(report), 3)),
             ("shares", &html_table(&tables::shares(report), 3)),
             ("metrics", &html_tables(&tables::metrics(report))),
@@ -72,6 +74,16 @@ pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()
         ],
     );
     out.write_all(page.as_bytes())
+}
+
+/// The curve of the exact trade-off, or why there is none.
+fn trade_off(comparison: &Comparison) -> String {
+    match comparison.trade_off() {
+        Some(trade_off) => curve(trade_off, |_, marker| marker),
+        None => "<p class=\"note\">Not worked out here: the domain is large for that. \
+                 <code>mindeg tradeoff</code> can do it up to 4096 boundary vertices.</p>\n"
+            .to_owned(),
+    }
 }
 
 /// JSON in which no string can end the script element or start a comment.

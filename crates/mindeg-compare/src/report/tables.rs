@@ -219,7 +219,7 @@ mod tests {
             degree_histogram: degrees.iter().map(|&degree| (degree, 1)).collect(),
             ..MethodFigures::default()
         };
-        Report { domain, methods: vec![method], verdict: String::new() }
+        Report { domain, methods: vec![method], trade_off: None, verdict: String::new() }
     }
 
     #[test]

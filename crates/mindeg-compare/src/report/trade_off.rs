@@ -8,10 +8,12 @@ mod plot;
 mod svg;
 
 pub use html::write_trade_off_html;
+pub(super) use html::{PLOT_STYLE, curve};
 pub use svg::write_trade_off_svg;
 
 use crate::exact::TradeOff;
 use mindeg_geometry::export::{ExportError, degree_color};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -30,7 +32,7 @@ use std::io::{self, Write};
 /// assert!(figures.points[0].min_angle < figures.delaunay_min_angle);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TradeOffFigures {
     /// A point for every maximum degree, in ascending order.
     pub points: Vec<TradeOffPoint>,
@@ -39,7 +41,7 @@ pub struct TradeOffFigures {
 }
 
 /// What one maximum degree buys.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct TradeOffPoint {
     /// The most edges that a vertex may have.
     pub max_degree: u32,

@@ -15,6 +15,7 @@ use std::io::{self, Write};
 const PAGE: &str = include_str!("page.html");
 const REPORT_STYLE: &str = include_str!("../page.css");
 const STYLE: &str = include_str!("page.css");
+pub(in crate::report) const PLOT_STYLE: &str = include_str!("plot.css");
 
 /// The most meshes shown.
 const MOST_MESHES: usize = 24;
@@ -69,12 +70,11 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         PAGE,
         &[
             ("title", &escaped(domain.name().unwrap_or("Domain"))),
-            ("style", &[REPORT_STYLE, STYLE].concat()),
+            ("style", &[REPORT_STYLE, PLOT_STYLE, STYLE].concat()),
             ("facts", &facts(&intervals, meshes[0].max_degree)),
             ("headline", headline),
             ("sentences", &sentences),
-            ("plot_size", &format!("{} {}", PLOT.x, PLOT.y)),
-            ("plot", &plot::plot(trade_off, Bounds { min: DVec2::ZERO, max: PLOT }, marker)),
+            ("plot", &curve(trade_off, marker)),
             ("table", &html_table(&table(trade_off), 0)),
             ("chosen", &chosen),
             ("legend", &legend(trade_off)),
@@ -83,6 +83,20 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         ],
     );
     out.write_all(page.as_bytes())
+}
+
+/// The curve as an SVG element; its looks are [`PLOT_STYLE`].
+pub(in crate::report) fn curve(
+    trade_off: &TradeOff,
+    wrap: impl Fn(usize, String) -> String,
+) -> String {
+    let room = Bounds { min: DVec2::ZERO, max: PLOT };
+    let plot = plot::plot(trade_off, room, wrap);
+    format!(
+        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"group\" \
+         aria-labelledby=\"curve-title\">\n{plot}</svg>\n",
+        PLOT.x, PLOT.y
+    )
 }
 
 /// What the curve says, in sentences; the first is the headline.

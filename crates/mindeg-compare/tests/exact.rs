@@ -1,0 +1,48 @@
+//! The exact trade-off beside Delaunay: two computations that share nothing.
+
+use mindeg_compare::{Options, compare};
+use mindeg_geometry::Domain;
+use std::fs;
+use std::path::Path;
+
+/// The solver compares angles to 36 bits, 1.5e-11; spade's angles carry the rounding of the
+/// coordinates, which on a survey grid leaves about nine digits of an angle.
+const SAME: f64 = 1e-7;
+
+#[test]
+fn the_curve_ends_at_the_delaunay_angle() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
+    let mut compared = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let domain = Domain::from_json(&fs::read_to_string(&path).unwrap()).unwrap();
+        let comparison = compare(&domain, &Options::default()).unwrap();
+        let report = comparison.report();
+        let Some(trade_off) = &report.trade_off else {
+            assert!(report.domain.vertices > Options::default().exact_vertices, "{path:?}");
+            continue;
+        };
+        let delaunay = report.methods.iter().find(|method| method.name == "Delaunay").unwrap();
+        let last = trade_off.points.last().unwrap();
+        let delaunay_angle = delaunay.min_angle.unwrap();
+        assert!(
+            (last.min_angle - delaunay_angle).abs() <= SAME * delaunay_angle,
+            "{path:?}: {} against {delaunay_angle}",
+            last.min_angle
+        );
+        assert!(last.max_degree <= delaunay.max_degree.unwrap(), "{path:?}");
+        assert_eq!(trade_off.points[0].max_degree, report.domain.optimal_max_degree, "{path:?}");
+        // What the curve promises, the meshes of the report have.
+        for point in &trade_off.points {
+            let name = format!("Exact, degree {}", point.max_degree);
+            let Some(method) = report.methods.iter().find(|method| method.name == name) else {
+                continue;
+            };
+            assert!(method.valid && method.max_degree.unwrap() <= point.max_degree, "{path:?}");
+            let angle = method.min_angle.unwrap();
+            assert!((angle - point.min_angle).abs() <= SAME * angle, "{path:?}: {name}");
+        }
+        compared += 1;
+    }
+    assert_eq!(compared, 7);
+}
