@@ -5,3 +5,4 @@ mod degree;
 mod mesh;
 mod run;
 mod suggest;
+mod tradeoff;
