@@ -79,6 +79,22 @@ fn many_domains_make_a_folder_with_an_index() {
 }
 
 #[test]
+fn gates_look_at_the_least_degree_mesh_once_the_report_is_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let report = folder.path().join("report.json");
+    let run = |gate: &[&str]| {
+        let plate = ["compare", "--rectangle", "4x3", "--intervals", "12,9,4,4", "-q", "-o"];
+        mindeg(plate.iter().chain(&[text(&report)]).chain(gate))
+    };
+    let failed = run(&["--max-degree", "4"]);
+    assert_eq!(failed.code, Some(3), "{failed:?}");
+    assert!(failed.errors.contains("has 5 edges"), "{failed:?}");
+    assert!(report.exists());
+    assert_eq!(run(&["--max-degree", "5", "--min-angle", "1"]).code, Some(0));
+    assert_eq!(run(&["--min-angle", "30"]).code, Some(3));
+}
+
+#[test]
 fn bad_input_is_refused() {
     let size = ["compare", "--rectangle", "4x3", "--size", "1"];
     let with = |more: &[&str]| mindeg(size.iter().chain(more));

@@ -2,6 +2,7 @@
 
 mod compare;
 mod degree;
+mod inspect;
 mod mesh;
 mod run;
 mod suggest;

@@ -91,6 +91,11 @@ impl Comparison {
         self.report.methods.iter().zip(self.triangles.iter().map(Vec::as_slice))
     }
 
+    /// The triangles of the method with the given index in the report.
+    pub(crate) fn triangles(&self, method: usize) -> &[[u32; 3]] {
+        &self.triangles[method]
+    }
+
     /// The same comparison without the times taken: what is left depends on the domain alone.
     #[must_use]
     pub fn without_times(mut self) -> Self {

@@ -99,6 +99,10 @@ fn sides_and_corners_by_the_angle() {
         let outline = outline_of(points, corner_angle).unwrap();
         assert_eq!(outline.intervals, intervals, "{corner_angle}");
     }
+    // With no angle to spare, rounding is still no corner and no fold.
+    let turn = DQuat::from_xyzw(0.1, 0.7, -0.3, 0.6).normalize();
+    let turned: Vec<_> = square.iter().map(|&point| turn * (point + DVec3::X) / 3.0).collect();
+    assert_eq!(outline_of(&turned, 0.0).unwrap().intervals, [2, 1, 1, 1]);
     // Without a corner at the first vertex, sides start at the first that is one.
     let turned = [&square[1..], &square[..1]].concat();
     let outline = outline_of(&turned, 1.0).unwrap();

@@ -215,11 +215,13 @@ fn indices_are_wide_from_65536_vertices() {
 #[test]
 fn positions_have_their_range_in_the_document() {
     // Not the range of the points: 0.1 is not a 32-bit float.
-    let mesh = polygon("[[0.1, 0], [4.7, -1e-30], [0.3, 2]]", &[3, 4, 5]);
+    // And -1e-60 is zero there, not negative zero.
+    let mesh = polygon("[[0.1, -1e-60], [4.7, -1e-30], [0.3, 2]]", &[3, 4, 5]);
     let (json, binary) = chunks(&glb_bytes(&mesh, &BARE));
     let mut range = [[f32::INFINITY; 3], [f32::NEG_INFINITY; 3]];
     for (i, bytes) in binary[..12 * 12].chunks(4).enumerate() {
         let value = f32::from_le_bytes(bytes.try_into().unwrap());
+        assert!(value != 0.0 || value.is_sign_positive());
         range[0][i % 3] = range[0][i % 3].min(value);
         range[1][i % 3] = range[1][i % 3].max(value);
     }
@@ -241,6 +243,7 @@ fn far_from_the_origin_the_node_carries_the_offset() {
         (0.0, 0.0, None),
         (-100.0, 200.0, None),
         (500_000.25, 4_650_000.25, Some([500_020.25, 4_650_015.0, 0.0])),
+        (319.0, -269.0, None),
         (320.0, 0.0, Some([340.0, 0.0, 0.0])),
         (0.0, -300.0, Some([0.0, -285.0, 0.0])),
     ] {
@@ -355,6 +358,7 @@ fn svg_draws_every_interior_edge_once_and_every_vertex_up_to_a_size() {
             let path = picture.lines().find(|line| line.starts_with("<path class=\"edge\""));
             assert_eq!(path.unwrap().matches('M').count(), edges, "{intervals:?}");
             assert_eq!(picture.matches("<circle").count(), dots, "{intervals:?}");
+            assert_eq!(picture.contains("<path class=\"shade\""), dots > 0, "{intervals:?}");
         }
     }
 }

@@ -12,7 +12,7 @@ use thiserror::Error;
 pub struct Optimum {
     /// The cap on the degree of every vertex. No vertex need have so many edges.
     pub max_degree: u32,
-    /// The smallest angle of all triangles, in degrees: 0 to 60.
+    /// The smallest angle of all triangles, in degrees: 0 to 60, to the 36 bits of [`measure`].
     pub min_angle: f64,
     /// How many vertices have as many edges as they may, those outside included: as few as
     /// this angle allows.
@@ -87,7 +87,7 @@ impl From<Stopped> for Unsolved {
 /// use mindeg_core::Boundary;
 /// use mindeg_tradeoff::{Problem, Unsolved, best_angle, unwatched};
 ///
-/// // A square with a quarter of the boundary's intervals on each side.
+/// // A square of 2 by 2, with two intervals to a side.
 /// let boundary = Boundary::new(&[2, 2, 2, 2])?;
 /// let points = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
 /// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));

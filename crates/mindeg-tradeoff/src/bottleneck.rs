@@ -105,3 +105,92 @@ fn improve(best: &mut [f64], before: &[f64], after: &[f64], triangle: impl Fn(us
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIDES: [u64; 4] = [3, 2, 1, 3];
+
+    /// The points of a trapezoid with these intervals on its sides.
+    fn points() -> Vec<DVec2> {
+        let corners = [(0.0, 0.0), (5.0, 0.0), (4.0, 2.0), (1.0, 3.0)].map(DVec2::from);
+        let mut points = Vec::new();
+        for (side, intervals) in SIDES.into_iter().enumerate() {
+            let place = |step| step as f64 / intervals as f64;
+            let ends = (corners[side], corners[(side + 1) % 4]);
+            points.extend((0..intervals).map(|step| ends.0.lerp(ends.1, place(step))));
+        }
+        points
+    }
+
+    /// Notes for every edge the smallest tangent of each triangulation that has it.
+    fn visit(
+        boundary: &Boundary,
+        points: &[DVec2],
+        open: &mut Vec<(usize, usize)>,
+        edges: &mut Vec<(usize, usize)>,
+        smallest: f64,
+        best: &mut [Vec<f64>],
+    ) {
+        let Some((i, j)) = open.pop() else {
+            for &(i, j) in &*edges {
+                best[i][j] = best[i][j].max(smallest);
+            }
+            return;
+        };
+        edges.push((i, j));
+        if j == i + 1 {
+            visit(boundary, points, open, edges, smallest, best);
+        }
+        for apex in i + 1..j {
+            let triangle = [i, apex, j];
+            if !boundary.is_flat(triangle.map(|vertex| vertex as u32)) {
+                let len = open.len();
+                open.extend([(i, apex), (apex, j)]);
+                let tangent = min_angle_tangent(triangle.map(|vertex| points[vertex]));
+                visit(boundary, points, open, edges, smallest.min(tangent), best);
+                open.truncate(len);
+            }
+        }
+        edges.pop();
+        open.push((i, j));
+    }
+
+    #[test]
+    fn bounds_are_those_of_all_triangulations_with_the_edge() {
+        let (boundary, points) = (Boundary::new(&SIDES).unwrap(), points());
+        let n = points.len();
+        let bottleneck = Bottleneck::new(&boundary, &points, |_| Ok(())).unwrap();
+        let mut best = vec![vec![f64::NEG_INFINITY; n]; n];
+        visit(&boundary, &points, &mut vec![(0, n - 1)], &mut vec![], f64::INFINITY, &mut best);
+
+        let chords = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
+        for (i, j) in chords.clone() {
+            assert_eq!(bottleneck.values[(j - i) * n + i], best[i][j], "{i}, {j}");
+        }
+        assert_eq!(bottleneck.of_all(), best[0][n - 1]);
+
+        let threshold = best[1][5];
+        let (edges, below) = bottleneck.edges_from(threshold);
+        let is_below = |&(i, j): &(usize, usize)| best[i][j] < threshold;
+        for (i, j) in chords.clone() {
+            let has = edges.of_span(j - i).contains(&(i as u32));
+            assert_ne!(has, is_below(&(i, j)), "{i}, {j}");
+        }
+        let expected = chords.filter(is_below).map(|(i, j)| best[i][j]);
+        assert_eq!(below, expected.fold(f64::NEG_INFINITY, f64::max));
+        assert!(below > 0.0);
+    }
+
+    #[test]
+    fn a_watch_can_stop_it() {
+        let boundary = Boundary::new(&SIDES).unwrap();
+        let mut shares = Vec::new();
+        let stopped = Bottleneck::new(&boundary, &points(), |share| {
+            shares.push(share);
+            if shares.len() == 3 { Err(Stopped) } else { Ok(()) }
+        });
+        assert!(stopped.is_err() && shares.is_sorted() && shares.len() == 3);
+    }
+}

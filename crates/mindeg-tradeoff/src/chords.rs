@@ -35,7 +35,7 @@ impl Chords {
         chords
     }
 
-    /// Every chord that is not on a side. No triangle of such chords and boundary edges is
+    /// All chords that are not on a side. No triangle of such chords and boundary edges is
     /// flat: the edges of a flat one are all on its side, so they would be boundary edges, but
     /// three boundary edges bound a triangle only where they are the whole boundary.
     pub(crate) fn all(boundary: &Boundary) -> Self {
@@ -44,14 +44,10 @@ impl Chords {
         Self::new(vertices, |i, span| !sides.has_both(i, i + span))
     }
 
-    fn flip(&mut self, i: usize, j: usize) {
+    /// Puts the edge into the set or, where it is there, takes it out.
+    pub(crate) fn flip(&mut self, i: usize, j: usize) {
         self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
         self.bits[j * self.words + i / 64] ^= 1 << (i % 64);
-    }
-
-    /// Takes the chord between `i` and `j`, which is in the set, out of it.
-    pub(crate) fn remove(&mut self, i: usize, j: usize) {
-        self.flip(i, j);
     }
 
     /// The lower ends of all edges of this span that the set had when it was made.
@@ -110,5 +106,56 @@ impl Sides {
             [self.after[before], self.after[vertex]]
         };
         of(i).iter().any(|side| of(j).contains(side))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chords_join_different_sides_and_make_no_flat_triangle() {
+        for sides in [
+            &[1, 1, 1][..],
+            &[2, 1, 1],
+            &[1, 1, 2],
+            &[2, 2, 2],
+            &[3, 1, 4, 1, 5],
+            &[30, 5, 40],
+            &[32, 1, 32, 1],
+            &[10, 54, 65],
+        ] {
+            let boundary = Boundary::new(sides).unwrap();
+            let n = boundary.vertex_count();
+            let is_flat = |a, b, c| boundary.is_flat([a, b, c % n]);
+            let chords = Chords::all(&boundary);
+            let has = |i: u32, j: u32| chords.of_span((j - i) as usize).contains(&i);
+            let mut degrees = vec![0; n as usize];
+            for (i, j) in (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j))) {
+                if j - i < n - 1 {
+                    let is_on_side = is_flat(i, i + 1, j) || is_flat(i, j, j + 1);
+                    assert_eq!(has(i, j), !is_on_side, "{sides:?}: {i}, {j}");
+                    degrees[i as usize] += u32::from(!is_on_side);
+                    degrees[j as usize] += u32::from(!is_on_side);
+                }
+                let apexes: Vec<u32> =
+                    chords.apexes(i as usize, j as usize).map(|apex| apex as u32).collect();
+                let expected: Vec<u32> =
+                    (i + 1..j).filter(|&apex| has(i, apex) && has(apex, j)).collect();
+                assert_eq!(apexes, expected, "{sides:?}: {i}, {j}");
+                let is_flat = |apex| is_flat(i, apex, j);
+                assert!(!has(i, j) || !apexes.into_iter().any(is_flat), "{sides:?}: {i}, {j}");
+            }
+            assert!((0..n as usize).all(|vertex| chords.degree(vertex) == degrees[vertex]));
+        }
+    }
+
+    #[test]
+    fn a_chord_taken_out_is_no_longer_met() {
+        let mut chords = Chords::all(&Boundary::new(&[1, 1, 1, 1, 1]).unwrap());
+        assert!(chords.apexes(0, 4).eq([1, 2, 3]));
+        chords.flip(0, 2);
+        assert!(chords.apexes(0, 4).eq([1, 3]));
+        assert_eq!([0, 1, 2].map(|vertex| chords.degree(vertex)), [1, 2, 1]);
     }
 }

@@ -68,3 +68,71 @@ pub fn shape([a, b, c]: [DVec2; 3]) -> u64 {
 pub(crate) fn degrees(tangent: f64) -> f64 {
     libm::atan(tangent).to_degrees()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ORIGIN: DVec2 = DVec2::ZERO;
+
+    /// The triangle over an edge of length 1 with these angles at its ends, in degrees.
+    fn with_angles(left: f64, right: f64) -> [DVec2; 3] {
+        let [left, right] = [left, right].map(f64::to_radians);
+        let reach = right.sin() / (left + right).sin();
+        [ORIGIN, DVec2::X, DVec2::from_angle(left) * reach]
+    }
+
+    #[test]
+    fn measures_the_smallest_angle_wherever_it_is() {
+        for (left, right, smallest) in [
+            (60.0, 60.0, 60.0),
+            (45.0, 90.0, 45.0),
+            (90.0, 30.0, 30.0),
+            (10.0, 160.0, 10.0),
+            (120.0, 59.0, 1.0),
+            (0.001, 90.0, 0.001),
+        ] {
+            let [a, b, c] = with_angles(left, right);
+            for triangle in [[a, b, c], [b, c, a], [c, a, b]] {
+                let tangent = min_angle_tangent(triangle);
+                assert!((degrees(tangent) / smallest - 1.0).abs() < 1e-10, "{left}, {right}");
+            }
+            assert_eq!(min_angle_tangent([a, c, b]), 0.0);
+            assert_eq!(shape([a, c, b]), 0);
+        }
+    }
+
+    #[test]
+    fn mirror_images_measure_the_same() {
+        for (left, right) in [(61.0, 47.0), (13.7, 90.1), (100.0, 3.0), (59.9, 60.2)] {
+            // Far enough from the origin for rounding to differ.
+            let [a, b, c] = with_angles(left, right).map(|point| point + DVec2::new(0.1, 0.7));
+            let [e, d, f] = [a, b, c].map(|point| DVec2::new(7.3 - point.x, point.y));
+            assert_eq!(min_angle_tangent([a, b, c]), min_angle_tangent([d, e, f]));
+            assert_eq!(shape([a, b, c]), shape([d, e, f]));
+        }
+    }
+
+    #[test]
+    fn shape_is_verdicts() {
+        // 4√3 A/(x²+y²+z²) for legs of 3 and 4: √3 24/50.
+        let triangle = [ORIGIN, DVec2::X * 3.0, DVec2::Y * 4.0];
+        let expected = 3.0_f64.sqrt() * 24.0 / 50.0;
+        assert!((shape(triangle) as f64 / SHAPE_UNIT as f64 - expected).abs() < 1e-10);
+        assert_eq!(shape(with_angles(60.0, 60.0)), SHAPE_UNIT);
+    }
+
+    #[test]
+    fn what_has_no_area_is_worst() {
+        for (b, c) in [
+            (DVec2::X, DVec2::X * 2.0),
+            (ORIGIN, ORIGIN),
+            (DVec2::X, DVec2::X),
+            (DVec2::X * 1e200, DVec2::Y * 1e200),
+            (DVec2::X * 1e-200, DVec2::Y * 1e-200),
+        ] {
+            assert_eq!(min_angle_tangent([ORIGIN, b, c]), 0.0, "{b} {c}");
+            assert_eq!(shape([ORIGIN, b, c]), 0, "{b} {c}");
+        }
+    }
+}

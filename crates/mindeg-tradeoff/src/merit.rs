@@ -73,3 +73,19 @@ impl Merit for TieBreak {
         Self { full_vertices: self.full_vertices + 1, ..self }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn full_vertices_come_before_shape() {
+        let [few_plain, few_fair, many_fair] = [(1, 5), (1, 6), (2, 9)]
+            .map(|(full_vertices, shape)| TieBreak { full_vertices, shape });
+        assert!(many_fair < few_plain && few_plain < few_fair);
+        assert!(few_fair.with_full_vertex() < few_fair);
+        let both = TieBreak { full_vertices: 3, shape: 14 };
+        assert_eq!(few_plain.plus(many_fair), both);
+        assert_eq!(both.plus(TieBreak::EMPTY), both);
+    }
+}

@@ -133,7 +133,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         for (&i, len) in starts.iter().zip(batch.lens) {
             let (i, j) = (i as usize, i as usize + span);
             if len == 0 {
-                self.chords.remove(i, j);
+                self.chords.flip(i, j);
             }
             self.set_front(i, j, Front { start, len });
             start += len;
@@ -281,13 +281,14 @@ impl<'a, M: Merit> Pieces<'a, M> {
         found
     }
 
-    /// Where there is no triangulation: the largest tangent below the threshold of a triangle
-    /// that the threshold alone kept out.
+    /// The largest tangent below the threshold of a triangle that only the threshold kept out;
+    /// where there is no triangulation, none of these chords within these rooms has all angles
+    /// larger than that.
     ///
-    /// Every triangulation of chords in the set that keeps to the rooms has such a triangle or
-    /// one with a smaller tangent. For take its triangles below the threshold that have none
-    /// beneath: the pieces beneath are solved as well or better here, so the triangle was
-    /// looked at, or its piece was settled without it and may be exchanged.
+    /// For take one, and of its triangles below the threshold one with none beneath it. The
+    /// pieces beneath have fronts here that are as good, so the triangle was looked at; or else
+    /// its piece was settled before with as few chords at the ends, and may be exchanged for
+    /// that, which leaves fewer triangles to take.
     pub(crate) fn left_out(&self) -> f64 {
         self.left_out
     }
@@ -339,6 +340,33 @@ impl<M: Merit> Grid<M> {
                 }
                 *below = best;
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::merit::TieBreak;
+
+    #[test]
+    fn a_front_has_only_what_nothing_beats() {
+        let merit = |shape| TieBreak { full_vertices: 0, shape };
+        let state = |(at_i, at_j, shape)| State { at_i, at_j, merit: merit(shape) };
+        let mut grid = Grid::new();
+        let mut front = Vec::new();
+        for (offers, expected) in [
+            (&[][..], &[][..]),
+            (&[(0, 0, 5), (0, 2, 5), (1, 0, 4), (2, 2, 5)], &[(0, 0, 5)]),
+            (&[(1, 1, 7), (0, 2, 5), (2, 0, 6)], &[(0, 2, 5), (1, 1, 7), (2, 0, 6)]),
+            (&[(0, 1, 5), (1, 0, 6), (1, 1, 6), (2, 2, 7)], &[(0, 1, 5), (1, 0, 6), (2, 2, 7)]),
+            (&[(0, 0, 5), (0, 0, 6), (0, 0, 4)], &[(0, 0, 6)]),
+        ] {
+            grid.clear(2, 2);
+            offers.iter().for_each(|&offer| grid.offer(state(offer)));
+            front.clear();
+            grid.append_front(&mut front);
+            assert!(front.iter().copied().eq(expected.iter().map(|&it| state(it))), "{offers:?}");
         }
     }
 }

@@ -64,8 +64,8 @@ impl fmt::Display for Progress {
     }
 }
 
-/// Hears of progress a few times a second or more, always on the calling thread, and stops the
-/// work by answering with a break. [`unwatched`] is one.
+/// Hears of progress many times a second, on the thread that asked for the work, and stops it by
+/// answering with a break. [`unwatched`] is one.
 pub type Watch<'a> = &'a mut dyn FnMut(Progress) -> ControlFlow<()>;
 
 /// A [`Watch`] that never stops anything.

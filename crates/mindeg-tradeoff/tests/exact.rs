@@ -67,6 +67,23 @@ fn small_symmetric_domains_agree_with_all_triangulations() {
     }
 }
 
+/// Degrees so large that most vertices are not counted at first.
+#[test]
+fn large_degrees_agree_with_a_plain_table() {
+    for (sides, ratio) in [
+        (&[16, 1, 1][..], 1.0),
+        (&[18, 1, 3], 1.3),
+        (&[14, 2, 1, 2], 0.9),
+        (&[12, 1, 2, 1, 2], 1.0),
+        (&[7, 6, 5, 1], 0.6),
+        (&[9, 8, 2], 1.5),
+    ] {
+        let graded = |_, place: f64| place / (place + ratio * (1.0 - place)).powi(3);
+        let corners = regular(sides.len(), 1.4);
+        check(&Instance::spaced(&corners, sides, graded), Instance::best_by_table);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(150))]
 

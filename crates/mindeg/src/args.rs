@@ -1,5 +1,6 @@
 //! The arguments as they are typed.
 
+use crate::gates::Gates;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use mindeg_geometry::Spacing;
 use std::path::PathBuf;
@@ -8,7 +9,8 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  success (also when the reader of standard output stops early)
   1  something could not be read or written
-  2  bad input: wrong usage, a domain that is no convex polygon, counts out of range";
+  2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, a broken file
+  3  a mesh fails --max-degree or --min-angle";
 
 /// Mesh a rectangle or convex polygon from its boundary points alone, with the least possible
 /// maximum degree.
@@ -26,6 +28,7 @@ pub(crate) enum Command {
     Mesh(MeshArguments),
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
+    Inspect(InspectArguments),
 }
 
 /// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
@@ -70,7 +73,7 @@ pub(crate) struct SuggestArguments {
 /// point, no vertex has more edges than any triangulation must have somewhere, and among the
 /// meshes of that degree that the construction offers the one with the largest smallest angle is
 /// taken. A domain whose file gives outside_degree or max_degree is meshed as with --optimize
-/// angle.
+/// angle. If a gate fails, nothing is written.
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct MeshArguments {
@@ -103,10 +106,6 @@ pub(crate) struct MeshArguments {
     #[arg(long, value_name = "WHAT")]
     pub(crate) optimize: Option<Optimize>,
 
-    /// With --optimize angle, the most edges that a vertex may have, those outside included
-    #[arg(long, value_name = "D", requires = "optimize")]
-    pub(crate) max_degree: Option<u32>,
-
     /// Print a summary as JSON: vertices, triangles, max_degree, optimal_max_degree, min_angle,
     /// max_angle, outputs
     #[arg(long)]
@@ -115,6 +114,52 @@ pub(crate) struct MeshArguments {
     /// Print no summary on standard error
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) gates: Gates,
+}
+
+/// Tell what is wrong with any triangle mesh, how many edges meet where, and how well its
+/// triangles are shaped
+///
+/// Takes meshes of any program: with interior vertices, in several parts, closed or broken.
+/// Quads and larger polygons of an OBJ are measured as the triangles of a fan from their first
+/// corner. Vertices and triangles are numbered from 0, in the order of the file.
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct InspectArguments {
+    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder)
+    #[arg(value_name = "MESH")]
+    pub(crate) file: PathBuf,
+
+    /// Name the vertices with more edges than this, poles
+    #[arg(long, value_name = "N", default_value_t = 8)]
+    pub(crate) poles_above: u32,
+
+    /// By how many degrees a convex outline must turn at its corners, 0 to 90
+    #[arg(long, value_name = "A", default_value_t = 1.0, value_parser = parse_corner_angle, allow_hyphen_values = true)]
+    pub(crate) corner_angle: f64,
+
+    /// Take vertices at the same position apart, as the file has them, instead of for one
+    #[arg(long)]
+    pub(crate) no_weld: bool,
+
+    /// Print JSON: file, vertices, welded_vertices, triangles, quads, polygons, line_segments,
+    /// points, faces, edges, boundary_edges, boundary_loops, open_boundaries, components,
+    /// euler_characteristic, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
+    /// duplicate_triangles, zero_area_triangles, unreferenced_vertices, max_degree,
+    /// degree_histogram, poles, area, min_angle, max_angle, metrics, share_below_degrees,
+    /// worst_triangles, outline, no_outline
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    #[command(flatten)]
+    pub(crate) gates: Gates,
+}
+
+fn parse_corner_angle(text: &str) -> Result<f64, String> {
+    let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
+    angle.ok_or_else(|| "give degrees from 0 to 90".to_owned())
 }
 
 /// What a mesh is chosen for.
@@ -172,6 +217,9 @@ pub(crate) struct CompareArguments {
     /// Print no verdicts on standard error
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) gates: Gates,
 }
 
 /// The domain, from files or from options; options override what files say of sides.

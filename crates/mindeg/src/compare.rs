@@ -3,6 +3,7 @@
 use crate::args::CompareArguments;
 use crate::domain::{domain, from_file};
 use crate::failure::Failure;
+use crate::gates::{Gates, NamedTriangle};
 use crate::output::{Outputs, cannot_write, clean_up_on_interrupt};
 use mindeg_compare::{
     Comparison, IndexEntry, Options, compare, write_html, write_index, write_json, write_markdown,
@@ -67,7 +68,28 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     }
     outputs.finish()?;
     say(arguments, &comparison.report().verdict);
-    Ok(())
+    check_gates(&arguments.gates, &comparison)
+}
+
+/// Checks mindeg's own mesh, the first method.
+fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
+    let Some((figures, triangles)) = comparison.methods().next() else { return Ok(()) };
+    let (Some(max_degree), Some(min_angle)) = (figures.max_degree, figures.min_angle) else {
+        return Ok(());
+    };
+    let highest_vertex = || {
+        // With boundary points alone, a vertex has one edge more than triangles.
+        let mut degrees = vec![1; comparison.points().len()];
+        triangles.as_flattened().iter().for_each(|&vertex| degrees[vertex as usize] += 1);
+        (0..).zip(degrees).find(|&(_, degree)| degree == max_degree).map_or(0, |(vertex, _)| vertex)
+    };
+    let worst_triangle = || {
+        let worst = figures.worst_triangles.first();
+        let (number, vertices) =
+            worst.map_or((0, [0, 1, 2]), |worst| (worst.triangle, worst.vertices));
+        NamedTriangle { number, vertices }
+    };
+    gates.check(max_degree, min_angle, highest_vertex, worst_triangle)
 }
 
 /// Every domain, its report in the folder, and an index page. What fails is listed, and the
@@ -77,6 +99,7 @@ fn run_all(arguments: &CompareArguments, options: &Options, folder: &Path) -> Re
     fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
     let mut entries = Vec::new();
     let mut failures = Vec::new();
+    let mut gated = Vec::new();
     for Job { name, load } in jobs {
         let page = format!("{name}.html");
         let written = load().and_then(|domain| {
@@ -86,6 +109,9 @@ fn run_all(arguments: &CompareArguments, options: &Options, folder: &Path) -> Re
         });
         match written {
             Ok(comparison) => {
+                if let Err(failure) = check_gates(&arguments.gates, &comparison) {
+                    gated.push(format!("{name}: {}", failure.message().unwrap_or_default()));
+                }
                 entries.push(IndexEntry::compared(&name, &page, comparison.report()));
                 say(arguments, &format!("{name}: {}", comparison.report().verdict));
             }
@@ -98,7 +124,7 @@ fn run_all(arguments: &CompareArguments, options: &Options, folder: &Path) -> Re
     }
     write_page(&folder.join("index.html"), |out| write_index(&entries, out))?;
     if failures.is_empty() {
-        return Ok(());
+        return if gated.is_empty() { Ok(()) } else { Err(Failure::Gate(gated.join("\n"))) };
     }
     Err(Failure::Input(format!(
         "{} of {} domains could not be compared; the index lists them\n{}",

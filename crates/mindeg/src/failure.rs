@@ -10,6 +10,8 @@ pub(crate) enum Failure {
     Io(String),
     /// The input is not what it must be: exit code 2, as for wrong usage.
     Input(String),
+    /// The mesh is not as good as asked for: exit code 3.
+    Gate(String),
     /// Whoever read our standard output has seen enough: exit code 0, in silence.
     ClosedPipe,
 }
@@ -27,7 +29,7 @@ impl Failure {
     /// What went wrong, in words; none for a closed pipe.
     pub(crate) fn message(&self) -> Option<&str> {
         match self {
-            Self::Io(message) | Self::Input(message) => Some(message),
+            Self::Io(message) | Self::Input(message) | Self::Gate(message) => Some(message),
             Self::ClosedPipe => None,
         }
     }
@@ -37,6 +39,7 @@ impl Failure {
         let (message, code) = match self {
             Self::Io(message) => (message, 1),
             Self::Input(message) => (message, 2),
+            Self::Gate(message) => (message, 3),
             Self::ClosedPipe => return ExitCode::SUCCESS,
         };
         // With standard error closed too there is nobody left to tell.

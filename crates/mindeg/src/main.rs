@@ -8,6 +8,8 @@ mod compare;
 mod degree;
 mod domain;
 mod failure;
+mod gates;
+mod inspect;
 mod mesh;
 mod output;
 mod standard_output;
@@ -22,6 +24,7 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     let result = match Arguments::parse().command {
         Command::Degree(arguments) => degree::run(&arguments),
+        Command::Inspect(arguments) => inspect::run(&arguments),
         Command::Mesh(arguments) => mesh::run(&arguments),
         Command::Tradeoff(arguments) => tradeoff::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),

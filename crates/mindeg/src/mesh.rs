@@ -48,6 +48,8 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
     let (mesh, optimal_max_degree) = mesh(arguments, &domain)?;
+    let angles = mesh.angle_range();
+    arguments.gates.check_mesh(&mesh, angles.min)?;
     let options = SurfaceOptions {
         degree_colors: arguments.degree_colors,
         boundary_lines: arguments.boundary_lines,
@@ -61,7 +63,6 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     }
     outputs.finish()?;
 
-    let angles = mesh.angle_range();
     let summary = Summary {
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
@@ -91,7 +92,7 @@ fn mesh(arguments: &MeshArguments, domain: &Domain) -> Result<(Mesh, u32), Failu
     );
     watched(arguments.quiet, &way_out, |watch| {
         let least = exact::optimal_max_degree(domain, watch)?;
-        let allowed = arguments.max_degree.filter(|_| for_angle);
+        let allowed = arguments.gates.max_degree.filter(|_| for_angle);
         let exact = exact::mesh(domain, allowed.unwrap_or(least), watch)?;
         Ok((exact.mesh, least))
     })

@@ -47,7 +47,8 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     writeln!(
         out,
         "## Quality of triangles\n\n\
-         A triangle has edge lengths x ≤ y ≤ z and area A. 1% and 99% are quantiles.\n"
+         The columns 1% and 99% are quantiles: one triangle in a hundred is below the one, one \
+         above the other.\n"
     )?;
     for table in tables::metrics(report) {
         write_table(&mut out, 3, &table)?;

@@ -4,33 +4,27 @@ use super::{Distribution, MetricFigures};
 use mindeg_geometry::quality::{METRICS, Metric};
 
 /// A measure in a report.
+#[derive(Clone, Copy)]
 pub(crate) struct ShownMetric {
     /// The key in reports, and the name in [`METRICS`].
     pub(crate) name: &'static str,
     /// What people call it.
     pub(crate) title: &'static str,
-    /// The scale on which its values are told apart best.
-    pub(crate) scale: Scale,
+    /// Whether its values are told apart best on a logarithmic axis.
+    pub(crate) is_logarithmic: bool,
     /// Reads it from a report.
     pub(crate) of: fn(&MetricFigures) -> &Distribution,
-}
-
-/// How values are laid out on an axis.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Scale {
-    Linear,
-    Logarithmic,
 }
 
 /// The measures, in the order of the report.
 #[rustfmt::skip]
 pub(crate) const SHOWN: [ShownMetric; 6] = [
-    ShownMetric { name: "min_angle", title: "Smallest angle", scale: Scale::Logarithmic, of: |m| &m.min_angle },
-    ShownMetric { name: "max_angle", title: "Largest angle", scale: Scale::Linear, of: |m| &m.max_angle },
-    ShownMetric { name: "minimum_height", title: "Minimum height", scale: Scale::Logarithmic, of: |m| &m.minimum_height },
-    ShownMetric { name: "aspect_ratio", title: "Aspect ratio", scale: Scale::Logarithmic, of: |m| &m.aspect_ratio },
-    ShownMetric { name: "radius_ratio", title: "Radius ratio", scale: Scale::Logarithmic, of: |m| &m.radius_ratio },
-    ShownMetric { name: "shape", title: "Shape", scale: Scale::Logarithmic, of: |m| &m.shape },
+    ShownMetric { name: "min_angle", title: "Smallest angle", is_logarithmic: true, of: |m| &m.min_angle },
+    ShownMetric { name: "max_angle", title: "Largest angle", is_logarithmic: false, of: |m| &m.max_angle },
+    ShownMetric { name: "minimum_height", title: "Minimum height", is_logarithmic: true, of: |m| &m.minimum_height },
+    ShownMetric { name: "aspect_ratio", title: "Aspect ratio", is_logarithmic: true, of: |m| &m.aspect_ratio },
+    ShownMetric { name: "radius_ratio", title: "Radius ratio", is_logarithmic: true, of: |m| &m.radius_ratio },
+    ShownMetric { name: "shape", title: "Shape", is_logarithmic: true, of: |m| &m.shape },
 ];
 
 impl ShownMetric {
@@ -58,13 +52,16 @@ impl ShownMetric {
         let metric = self.metric();
         let direction = if self.higher_is_better() { "Higher" } else { "Lower" };
         let range = match metric.best {
-            None => "in the unit of length of the domain".to_owned(),
+            None => "it has the unit of the coordinates".to_owned(),
             Some(best) => {
                 let worst =
                     if metric.worst.is_finite() { metric.worst.to_string() } else { "∞".into() };
                 format!("{best} for an equilateral triangle, {worst} for a flat one")
             }
         };
-        format!("{}. {direction} is better; {range}.", metric.formula)
+        format!(
+            "{}, with edge lengths x ≤ y ≤ z and area A. {direction} is better: {range}.",
+            metric.formula
+        )
     }
 }

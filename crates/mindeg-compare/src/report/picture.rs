@@ -7,7 +7,7 @@
 //! Limits: of a method with more than [`MAX_DRAWN`] triangles at most so many go into the
 //! picture. Charts and tables always count all.
 
-use super::metric::{SHOWN, Scale, ShownMetric};
+use super::metric::{SHOWN, ShownMetric};
 use super::tables;
 use super::{MethodFigures, Report};
 use crate::{Comparison, MINDEG, Reference, measure};
@@ -26,18 +26,16 @@ const BARS: usize = 30;
 /// Everything the script of the page reads.
 #[derive(Serialize)]
 pub(crate) struct Picture {
-    /// The center of the domain, which all coordinates are relative to.
-    center: [f64; 2],
     corners: Vec<[f64; 2]>,
-    /// x and y of each drawn vertex, f64.
+    /// x and y of each shown vertex, f64.
     points: String,
-    /// The numbers of the drawn vertices, u32; empty where all are drawn.
+    /// The numbers of the shown vertices, u32; empty where all are shown.
     vertices: String,
     optimal_max_degree: u32,
     /// The colors of degrees, the first for the lowest; the last is for all above, too.
     degree_colors: Vec<String>,
     lowest_colored_degree: u32,
-    /// The rows of the degree chart: a name and the lowest degree in it.
+    /// The places on the axis of the degree chart: a name and the lowest degree there.
     degrees: Vec<(String, u32)>,
     metrics: Vec<Measure>,
     methods: Vec<Drawing>,
@@ -47,7 +45,7 @@ pub(crate) struct Picture {
 #[derive(Serialize)]
 struct Measure {
     name: &'static str,
-    title: String,
+    title: &'static str,
     unit: &'static str,
     explanation: String,
     higher_is_better: bool,
@@ -61,102 +59,47 @@ struct Measure {
 #[derive(Serialize)]
 struct Drawing {
     name: String,
-    /// Three indices into the drawn vertices each, u32.
+    /// Three indices into the shown vertices for each drawn triangle, u32.
     triangles: String,
     /// The numbers of the drawn triangles, u32; empty where all are drawn.
     numbers: String,
-    /// The degree of each drawn vertex, u32.
+    /// The degree of each shown vertex, u32.
     degrees: String,
     /// For each measure, its value for each drawn triangle, f32.
     values: Vec<String>,
-    /// For each measure, the number of triangles in each bar.
+    /// For each measure, the number of triangles in each bar of its chart.
     bars: Vec<Vec<u32>>,
-    /// The number of vertices in each row of the degree chart.
+    /// The number of vertices in each bar of the degree chart.
     degree_bars: Vec<u64>,
     /// The index of the worst triangle among the drawn.
     worst: usize,
-    /// The index of a vertex of the largest degree among the drawn.
+    /// The index of a vertex of the largest degree among the shown.
     busiest: usize,
 }
 
-/// The names of the rows of the degree chart are those of the table.
+/// What goes into the pictures of a comparison.
 pub(crate) fn picture(comparison: &Comparison) -> Picture {
     let report = comparison.report();
-    let points = comparison.points();
     let corners = report.domain.corners.iter().copied().map(DVec2::from);
     let (low, high) = corners
         .clone()
         .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
     let center = low + (high - low) / 2.0;
 
-    let drawn: Vec<Vec<usize>> = comparison
-        .methods()
-        .map(|(method, triangles)| drawn_triangles(method, points, triangles))
-        .collect();
-    let shown = shown_vertices(comparison, &drawn);
-    let place_of = |vertex: u32| match &shown {
-        Some(shown) => shown.partition_point(|&other| other < vertex) as u32,
-        None => vertex,
-    };
+    let shown = Shown::new(comparison);
+    let points = comparison.points();
     let placed = |vertex: u32| (points[vertex as usize] - center).to_array();
-    let all = 0..report.domain.vertices;
-    let coordinates: Vec<f64> = match &shown {
-        Some(shown) => shown.iter().flat_map(|&vertex| placed(vertex)).collect(),
-        None => all.clone().flat_map(placed).collect(),
-    };
-
-    let axes: Vec<[f64; 2]> = SHOWN.iter().map(|metric| axis(report, metric)).collect();
     let ranges = tables::degree_ranges(report);
-    let drawing = |((method, triangles), drawn): ((&MethodFigures, &[[u32; 3]]), &Vec<usize>)| {
-        let degrees = measure::degrees(report.domain.vertices, triangles);
-        let degrees: Vec<u32> = match &shown {
-            Some(shown) => shown.iter().map(|&vertex| degrees[vertex as usize]).collect(),
-            None => degrees,
-        };
-        let values = |number: usize| {
-            let quality = measure::quality(points, triangles[number]);
-            SHOWN.iter().map(move |shown| (shown.metric().of)(&quality))
-        };
-        let mut bars = vec![vec![0; BARS]; SHOWN.len()];
-        for number in 0..triangles.len() {
-            for ((bars, value), (shown, axis)) in
-                bars.iter_mut().zip(values(number)).zip(SHOWN.iter().zip(&axes))
-            {
-                let place = position(value, *axis, shown.scale) * BARS as f64;
-                bars[(place as usize).min(BARS - 1)] += 1;
-            }
-        }
-        let mut columns = vec![Vec::with_capacity(drawn.len()); SHOWN.len()];
-        for &number in drawn {
-            for (column, value) in columns.iter_mut().zip(values(number)) {
-                column.push(value as f32);
-            }
-        }
-        let worst = method.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
-        let is_thinned = drawn.len() < triangles.len();
-        let busiest = (0..degrees.len()).rev().max_by_key(|&vertex| degrees[vertex]).unwrap_or(0);
-        Drawing {
-            name: method.name.clone(),
-            triangles: packed(
-                drawn.iter().flat_map(|&n| triangles[n]).map(|v| place_of(v).to_le_bytes()),
-            ),
-            numbers: packed(drawn.iter().filter(|_| is_thinned).map(|&n| (n as u32).to_le_bytes())),
-            degrees: packed(degrees.into_iter().map(u32::to_le_bytes)),
-            values: columns
-                .into_iter()
-                .map(|c| packed(c.into_iter().map(f32::to_le_bytes)))
-                .collect(),
-            bars,
-            degree_bars: ranges.iter().map(|range| tables::vertices_in(method, range)).collect(),
-            worst: drawn.partition_point(|&number| number < worst),
-            busiest,
-        }
-    };
+    let metrics: Vec<Measure> = SHOWN.iter().map(|metric| measure(report, metric)).collect();
+    let methods = 0..report.methods.len();
     Picture {
-        center: center.to_array(),
         corners: corners.map(|corner| (corner - center).to_array()).collect(),
-        points: packed(coordinates.into_iter().map(f64::to_le_bytes)),
-        vertices: packed(shown.iter().flatten().copied().map(u32::to_le_bytes)),
+        points: packed(shown.vertices.iter().flat_map(|&v| placed(v)).map(f64::to_le_bytes)),
+        vertices: if shown.has_all_vertices(comparison) {
+            String::new()
+        } else {
+            packed(shown.vertices.iter().map(|vertex| vertex.to_le_bytes()))
+        },
         optimal_max_degree: report.domain.optimal_max_degree,
         degree_colors: degree_color::DISTINCT
             .map(|degree| {
@@ -166,21 +109,98 @@ pub(crate) fn picture(comparison: &Comparison) -> Picture {
             .collect(),
         lowest_colored_degree: *degree_color::DISTINCT.start(),
         degrees: ranges.iter().map(|range| (tables::degree_name(range), *range.start())).collect(),
-        metrics: SHOWN
+        methods: methods.map(|place| drawing(comparison, place, &shown, &metrics)).collect(),
+        metrics,
+    }
+}
+
+/// What of the meshes is in the pictures.
+struct Shown {
+    /// The numbers of each method's triangles, ascending.
+    triangles: Vec<Vec<usize>>,
+    /// The degrees of all vertices in each method.
+    degrees: Vec<Vec<u32>>,
+    /// All vertices, or those of the triangles of all methods and the busiest, ascending.
+    vertices: Vec<u32>,
+}
+
+impl Shown {
+    fn new(comparison: &Comparison) -> Self {
+        let points = comparison.points();
+        let count = points.len() as u32;
+        let methods = || comparison.methods();
+        let triangles: Vec<Vec<usize>> = methods()
+            .map(|(method, triangles)| drawn_triangles(method, points, triangles))
+            .collect();
+        let degrees: Vec<Vec<u32>> =
+            methods().map(|(_, triangles)| measure::degrees(count, triangles)).collect();
+        let is_thinned = methods().zip(&triangles).any(|((_, all), some)| some.len() < all.len());
+        let vertices = if is_thinned {
+            let drawn = methods().zip(&triangles);
+            let drawn = drawn.flat_map(|((_, all), some)| some.iter().flat_map(|&n| all[n]));
+            let mut vertices: Vec<u32> = drawn.chain(degrees.iter().map(|d| busiest(d))).collect();
+            vertices.sort_unstable();
+            vertices.dedup();
+            vertices
+        } else {
+            (0..count).collect()
+        };
+        Self { triangles, degrees, vertices }
+    }
+
+    fn has_all_vertices(&self, comparison: &Comparison) -> bool {
+        self.vertices.len() == comparison.points().len()
+    }
+
+    /// The index of a shown vertex.
+    fn place_of(&self, vertex: u32) -> usize {
+        self.vertices.partition_point(|&other| other < vertex)
+    }
+}
+
+fn drawing(comparison: &Comparison, place: usize, shown: &Shown, metrics: &[Measure]) -> Drawing {
+    let report = comparison.report();
+    let method = &report.methods[place];
+    let triangles = comparison.triangles(place);
+    let (drawn, degrees) = (&shown.triangles[place], &shown.degrees[place]);
+    let readers = SHOWN.map(|metric| metric.metric().of);
+    let values = |number: usize| {
+        let quality = measure::quality(comparison.points(), triangles[number]);
+        readers.map(|read| read(&quality))
+    };
+
+    let mut bars = vec![vec![0; BARS]; SHOWN.len()];
+    for number in 0..triangles.len() {
+        for ((bars, value), metric) in bars.iter_mut().zip(values(number)).zip(metrics) {
+            let bar = position(value, metric.range, metric.logarithmic) * BARS as f64;
+            bars[(bar as usize).min(BARS - 1)] += 1;
+        }
+    }
+    let mut columns = SHOWN.map(|_| Vec::with_capacity(drawn.len()));
+    for &number in drawn {
+        for (column, value) in columns.iter_mut().zip(values(number)) {
+            column.push((value as f32).to_le_bytes());
+        }
+    }
+    let indices = drawn.iter().flat_map(|&number| triangles[number]);
+    let worst = method.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
+    Drawing {
+        name: method.name.clone(),
+        triangles: packed(indices.map(|vertex| (shown.place_of(vertex) as u32).to_le_bytes())),
+        numbers: if drawn.len() == triangles.len() {
+            String::new()
+        } else {
+            packed(drawn.iter().map(|&number| (number as u32).to_le_bytes()))
+        },
+        degrees: packed(shown.vertices.iter().map(|&v| degrees[v as usize].to_le_bytes())),
+        values: columns.into_iter().map(|column| packed(column.into_iter())).collect(),
+        bars,
+        degree_bars: tables::degree_ranges(report)
             .iter()
-            .zip(&axes)
-            .map(|(shown, &range)| Measure {
-                name: shown.name,
-                title: shown.title.to_owned(),
-                unit: shown.metric().unit,
-                explanation: shown.explanation(),
-                higher_is_better: shown.higher_is_better(),
-                logarithmic: shown.scale == Scale::Logarithmic,
-                range,
-                goes_beyond: beyond(report, shown, range),
-            })
+            .map(|range| tables::vertices_in(method, range))
             .collect(),
-        methods: comparison.methods().zip(&drawn).map(drawing).collect(),
+        worst: drawn.partition_point(|&number| number < worst),
+        busiest: shown.place_of(busiest(degrees)),
     }
 }
 
@@ -191,8 +211,11 @@ fn drawn_triangles(method: &MethodFigures, points: &[DVec2], triangles: &[[u32; 
     if count <= MAX_DRAWN {
         return (0..count).collect();
     }
-    let areas: Vec<f64> =
-        triangles.iter().map(|&triangle| measure::quality(points, triangle).area).collect();
+    let area = |&triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
+        (b - a).perp_dot(c - a)
+    };
+    let areas: Vec<f64> = triangles.iter().map(area).collect();
     let mut drawn: Vec<usize> = (0..count).collect();
     drawn.select_nth_unstable_by(MAX_DRAWN / 4, |&a, &b| {
         areas[b].total_cmp(&areas[a]).then(a.cmp(&b))
@@ -206,18 +229,24 @@ fn drawn_triangles(method: &MethodFigures, points: &[DVec2], triangles: &[[u32; 
     drawn
 }
 
-/// The vertices of all drawn triangles, ascending; `None` where none is left out.
-fn shown_vertices(comparison: &Comparison, drawn: &[Vec<usize>]) -> Option<Vec<u32>> {
-    let is_thinned = comparison.methods().zip(drawn).any(|((_, all), some)| some.len() < all.len());
-    is_thinned.then(|| {
-        let used = comparison.methods().zip(drawn).flat_map(|((_, triangles), drawn)| {
-            drawn.iter().flat_map(move |&number| triangles[number])
-        });
-        let mut shown: Vec<u32> = used.collect();
-        shown.sort_unstable();
-        shown.dedup();
-        shown
-    })
+/// The first vertex of the largest degree.
+fn busiest(degrees: &[u32]) -> u32 {
+    let last_of_max = (0..degrees.len()).rev().max_by_key(|&vertex| degrees[vertex]);
+    last_of_max.unwrap_or(0) as u32
+}
+
+fn measure(report: &Report, shown: &ShownMetric) -> Measure {
+    let range = axis(report, shown);
+    Measure {
+        name: shown.name,
+        title: shown.title,
+        unit: shown.metric().unit,
+        explanation: shown.explanation(),
+        higher_is_better: shown.higher_is_better(),
+        logarithmic: shown.is_logarithmic,
+        range,
+        goes_beyond: beyond(report, shown, range),
+    }
 }
 
 /// The range of a measure in the meshes that matter most, mindeg's and Delaunay's: others would
@@ -246,10 +275,11 @@ fn beyond(report: &Report, shown: &ShownMetric, [low, high]: [f64; 2]) -> [bool;
 }
 
 /// Where a value lies on an axis, 0 to 1.
-fn position(value: f64, [low, high]: [f64; 2], scale: Scale) -> f64 {
-    let share = match scale {
-        Scale::Linear => (value - low) / (high - low),
-        Scale::Logarithmic => libm::log(value / low) / libm::log(high / low),
+fn position(value: f64, [low, high]: [f64; 2], is_logarithmic: bool) -> f64 {
+    let share = if is_logarithmic {
+        libm::log(value / low) / libm::log(high / low)
+    } else {
+        (value - low) / (high - low)
     };
     share.clamp(0.0, 1.0)
 }
@@ -264,17 +294,17 @@ mod tests {
 
     #[test]
     fn values_have_a_place_whatever_they_are() {
-        for (value, scale, expected) in [
-            (1.0, Scale::Linear, 0.0),
-            (5.0, Scale::Linear, 4.0 / 15.0),
-            (4.0, Scale::Logarithmic, 0.5),
-            (16.0, Scale::Logarithmic, 1.0),
-            (0.0, Scale::Logarithmic, 0.0),
-            (f64::INFINITY, Scale::Logarithmic, 1.0),
-            (f64::INFINITY, Scale::Linear, 1.0),
-            (-3.0, Scale::Linear, 0.0),
+        for (value, is_logarithmic, expected) in [
+            (1.0, false, 0.0),
+            (5.0, false, 4.0 / 15.0),
+            (4.0, true, 0.5),
+            (16.0, true, 1.0),
+            (0.0, true, 0.0),
+            (f64::INFINITY, true, 1.0),
+            (f64::INFINITY, false, 1.0),
+            (-3.0, false, 0.0),
         ] {
-            assert_eq!(position(value, [1.0, 16.0], scale), expected, "{value}");
+            assert_eq!(position(value, [1.0, 16.0], is_logarithmic), expected, "{value}");
         }
     }
 }

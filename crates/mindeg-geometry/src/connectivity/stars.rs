@@ -62,7 +62,7 @@ pub(crate) struct Star {
 }
 
 /// An edge from the vertex of a star to another, as one triangle has it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy)]
 pub(crate) struct Ray {
     /// The other end.
     pub(crate) end: u32,

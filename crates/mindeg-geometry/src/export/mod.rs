@@ -95,7 +95,8 @@ pub struct SurfaceOptions {
     /// readers reject vertex colors.
     pub degree_colors: bool,
     /// The boundary as line segments, one object for each side, named after it. Off by
-    /// default: some readers take lines for degenerate triangles.
+    /// default: some readers take the lines of a glTF for degenerate triangles, and MeshLab
+    /// 2025.7 can crash on them.
     pub boundary_lines: bool,
     /// The plane the mesh lies in.
     pub plane: Plane,

@@ -2,11 +2,25 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_core::{Boundary, optimal_max_degree};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// The convex outline of a mesh that uses the vertices along it alone, and what the least
 /// possible maximum degree is for it.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::import::obj;
+/// use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+///
+/// // A square with a vertex in the middle of its first side.
+/// let file = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 5\nf 2 4 5\nf 2 3 4\n";
+/// let mesh = obj::read(file.as_bytes())?;
+/// let outline = Inspection::of(&mesh, &InspectionOptions::default()).outline?;
+/// assert_eq!(outline.corners, [0, 2, 3, 4]);
+/// assert_eq!(outline.intervals, [2, 1, 1, 1]);
+/// assert_eq!(outline.optimal_max_degree, 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ConvexOutline {
     /// The corners, by their vertices. Side i runs from corner i to the next.
@@ -40,15 +54,15 @@ pub enum NoConvexOutline {
 }
 
 /// What is nearer together than this share of an outline's size is taken for one: the rounding
-/// of 32-bit floats at some distance from the origin.
-const ROUNDING: f64 = 1e-6;
+/// of 32-bit floats at some distance from the origin. A power of two.
+const ROUNDING: f64 = 1.0 / (1 << 20) as f64;
 
 /// A loop of boundary vertices as a convex polygon.
 ///
 /// A vertex is a corner if the sides that meet there, as straight lines, turn by more than
 /// `corner_angle` degrees. A side is straight, and the loop is in a plane, as long as no
 /// vertex is farther away than the middle of an arc would be that leaves its chord by that
-/// angle. O(n log n) for n vertices.
+/// angle, or rounding explains. O(n) for n vertices.
 pub(super) fn convex_outline(
     vertices: &[u32],
     positions: &[DVec3],
@@ -97,7 +111,8 @@ fn in_plane(points: &[DVec3], corner_angle: f64) -> Result<Vec<DVec2>, NoConvexO
     let normal = area.try_normalize().ok_or(NoConvexOutline::NotConvex)?;
     let heights = || points.iter().map(|point| point.dot(normal));
     let mean = heights().sum::<f64>() / points.len() as f64;
-    if heights().any(|height| (height - mean).abs() > sagitta(corner_angle)) {
+    let limit = sagitta(corner_angle).max(ROUNDING);
+    if heights().any(|height| (height - mean).abs() > limit) {
         return Err(NoConvexOutline::NotPlanar);
     }
     let (x, y) = normal.any_orthonormal_pair();
@@ -161,22 +176,35 @@ impl<'a> ClosedLine<'a> {
         (point - if along.is_nan() { start } else { start + along * chord }).length()
     }
 
-    /// Drops points as long as one is nearer to the line without it than rounding explains, the
-    /// nearest first: so next to a corner, however short the intervals are, the corner stays.
+    /// Drops points as long as one is nearer to the line without it than rounding explains,
+    /// those that are much nearer than others first: so next to a corner, however short the
+    /// intervals are, the corner stays.
     fn drop_rounding(&mut self) {
-        // Heights are not negative, and so in the order of their bits.
-        let entry = |line: &Self, i: usize| Reverse((line.height(i).to_bits(), i));
-        let mut waiting: BinaryHeap<_> = self.kept().map(|i| entry(self, i)).collect();
-        while let Some(Reverse((height, i))) = waiting.pop() {
-            // An entry is out of date once a point beside has been dropped.
-            if !self.is_kept[i] || self.height(i).to_bits() != height {
-                continue;
+        // Heights of the same power of two are on one level. What is smaller by far than f64
+        // tells apart is on the lowest.
+        const LEVELS: usize = 64;
+        let exponent = |height: f64| (height.to_bits() >> 52) as usize;
+        let level = |height: f64| (exponent(height) + LEVELS).saturating_sub(exponent(ROUNDING));
+        // The points of each level; a point is there again whenever its height has changed.
+        let mut waiting = vec![Vec::new(); LEVELS];
+        let mut lowest = 0;
+        let mut changed: Vec<usize> = self.kept().collect();
+        loop {
+            for i in changed.drain(..) {
+                let at = level(self.height(i));
+                if let Some(points) = waiting.get_mut(at) {
+                    points.push(i);
+                    lowest = lowest.min(at);
+                }
             }
-            if f64::from_bits(height) > ROUNDING {
-                break;
+            while waiting.get(lowest).is_some_and(Vec::is_empty) {
+                lowest += 1;
             }
-            self.drop(i);
-            waiting.extend([self.before[i], self.after[i]].map(|i| entry(self, i)));
+            let Some(point) = waiting.get_mut(lowest).and_then(Vec::pop) else { return };
+            if self.is_kept[point] && level(self.height(point)) == lowest {
+                self.drop(point);
+                changed.extend([self.before[point], self.after[point]]);
+            }
         }
     }
 

@@ -9,32 +9,36 @@ use std::collections::BTreeMap;
 
 /// A problem whose parts the slow solvers can read.
 #[derive(Clone, Debug)]
-pub struct Instance {
-    pub sides: Vec<u64>,
-    pub boundary: Boundary,
-    pub points: Vec<DVec2>,
-    pub outside: Vec<u32>,
-    pub own_caps: Vec<Option<u32>>,
+pub(crate) struct Instance {
+    pub(crate) sides: Vec<u64>,
+    pub(crate) boundary: Boundary,
+    pub(crate) points: Vec<DVec2>,
+    pub(crate) outside: Vec<u32>,
+    pub(crate) own_caps: Vec<Option<u32>>,
 }
 
 /// What triangulations are compared by: the tangent of the smallest angle, the number of
 /// vertices at their cap, the sum of shapes.
-pub type Rank = (f64, Reverse<u32>, u64);
+pub(crate) type Rank = (f64, Reverse<u32>, u64);
 
 impl Instance {
-    pub fn new(sides: &[u64], points: Vec<DVec2>) -> Self {
+    pub(crate) fn new(sides: &[u64], points: Vec<DVec2>) -> Self {
         let boundary = Boundary::new(sides).unwrap();
         let (outside, own_caps) = (vec![0; points.len()], vec![None; points.len()]);
         Self { sides: sides.to_vec(), boundary, points, outside, own_caps }
     }
 
     /// A polygon with these corners, the intervals of each side equal.
-    pub fn uniform(corners: &[DVec2], sides: &[u64]) -> Self {
+    pub(crate) fn uniform(corners: &[DVec2], sides: &[u64]) -> Self {
         Self::spaced(corners, sides, |_, place| place)
     }
 
     /// Points at `spacing(vertex, place)` of their side, where uniform spacing has `place`.
-    pub fn spaced(corners: &[DVec2], sides: &[u64], spacing: impl Fn(usize, f64) -> f64) -> Self {
+    pub(crate) fn spaced(
+        corners: &[DVec2],
+        sides: &[u64],
+        spacing: impl Fn(usize, f64) -> f64,
+    ) -> Self {
         let mut points = Vec::new();
         for (side, &intervals) in sides.iter().enumerate() {
             let (from, to) = (corners[side], corners[(side + 1) % corners.len()]);
@@ -46,7 +50,7 @@ impl Instance {
         Self::new(sides, points)
     }
 
-    pub fn problem(&self) -> Problem {
+    pub(crate) fn problem(&self) -> Problem {
         let mut problem = Problem::new(&self.boundary, &self.points).unwrap();
         for (vertex, (&outside, &own_cap)) in (0..).zip(self.outside.iter().zip(&self.own_caps)) {
             problem.set_outside_degree(vertex, outside);
@@ -66,7 +70,7 @@ impl Instance {
     }
 
     /// The rank of a triangulation given by its triangles, if it keeps to the caps.
-    pub fn rank(&self, triangles: &[[u32; 3]], max_degree: u32) -> Option<Rank> {
+    pub(crate) fn rank(&self, triangles: &[[u32; 3]], max_degree: u32) -> Option<Rank> {
         let degrees = verify(&self.sides, triangles.iter().copied()).unwrap().degrees;
         let mut full = 0;
         for (vertex, (degree, outside)) in degrees.iter().zip(&self.outside).enumerate() {
@@ -83,7 +87,7 @@ impl Instance {
     }
 
     /// The rank of the best of all triangulations, one after the other.
-    pub fn best_of_all(&self, max_degree: u32) -> Option<Rank> {
+    pub(crate) fn best_of_all(&self, max_degree: u32) -> Option<Rank> {
         let mut best = None;
         let ring = vec![(0, self.boundary.vertex_count() - 1)];
         self.visit_all(ring, &mut Vec::new(), &mut |triangles| {
@@ -119,7 +123,7 @@ impl Instance {
 
     /// The rank of the best triangulation, by dynamic programming: first the largest minimum
     /// angle for every pair of end degrees, then the best of those that have the angle found.
-    pub fn best_by_table(&self, max_degree: u32) -> Option<Rank> {
+    pub(crate) fn best_by_table(&self, max_degree: u32) -> Option<Rank> {
         let angle = |left: f64, right: f64, triangle, _| {
             Some(left.min(right).min(measure::min_angle_tangent(self.corners(triangle))))
         };
@@ -153,12 +157,12 @@ impl Instance {
         let room = |vertex: usize| {
             i64::from(self.cap(vertex, max_degree)) - 2 - i64::from(self.outside[vertex])
         };
-        let mut table = vec![vec![BTreeMap::<(i64, i64), R>::new(); n]; n];
+        let mut table = BTreeMap::<(usize, usize), BTreeMap<(i64, i64), R>>::new();
         for span in 1..n {
             for i in 0..n - span {
                 let j = i + span;
                 if span == 1 {
-                    table[i][j].insert((0, 0), empty);
+                    table.insert((i, j), BTreeMap::from([((0, 0), empty)]));
                     continue;
                 }
                 let mut piece = BTreeMap::new();
@@ -169,8 +173,8 @@ impl Instance {
                     }
                     let left_edge = i64::from(apex - i > 1);
                     let right_edge = i64::from(j - apex > 1);
-                    for (&(at_i, at_left), &left) in &table[i][apex] {
-                        for (&(at_right, at_j), &right) in &table[apex][j] {
+                    for (&(at_i, at_left), &left) in &table[&(i, apex)] {
+                        for (&(at_right, at_j), &right) in &table[&(apex, j)] {
                             let at_apex = at_left + at_right + left_edge + right_edge;
                             if at_apex > room(apex) {
                                 continue;
@@ -185,10 +189,10 @@ impl Instance {
                         }
                     }
                 }
-                table[i][j] = piece;
+                table.insert((i, j), piece);
             }
         }
-        let whole = table[0][n - 1].iter();
+        let whole = table[&(0, n - 1)].iter();
         let within = whole.filter(|&(&(first, last), _)| first <= room(0) && last <= room(n - 1));
         let ranks = within.map(|(&(first, last), &rank)| {
             close(close(rank, first == room(0)), last == room(n - 1))
@@ -197,7 +201,7 @@ impl Instance {
     }
 
     /// Checks an answer against the rank of the best.
-    pub fn check(&self, optimum: &Optimum, max_degree: u32, best: Rank) {
+    pub(crate) fn check(&self, optimum: &Optimum, max_degree: u32, best: Rank) {
         let (tangent, Reverse(full), shape) = best;
         assert_eq!(self.rank(&optimum.triangles, max_degree), Some(best), "{self:?}");
         assert_eq!(optimum.max_degree, max_degree);
@@ -209,14 +213,14 @@ impl Instance {
 }
 
 /// Corners of a regular polygon, stretched.
-pub fn regular(sides: usize, stretch: f64) -> Vec<DVec2> {
+pub(crate) fn regular(sides: usize, stretch: f64) -> Vec<DVec2> {
     let angle = |corner: usize| std::f64::consts::TAU * corner as f64 / sides as f64;
     (0..sides).map(|corner| DVec2::from_angle(angle(corner)) * DVec2::new(stretch, 1.0)).collect()
 }
 
 /// Problems of at most `largest` vertices. Half of them are symmetric or nearly so, since ties
 /// need equals; half are irregular; and half have limits on some vertices.
-pub fn instances(largest: u64) -> impl Strategy<Value = Instance> {
+pub(crate) fn instances(largest: u64) -> impl Strategy<Value = Instance> {
     let sides = prop::collection::vec(1..=largest / 2, 3..=6)
         .prop_filter("too many vertices", move |sides| sides.iter().sum::<u64>() <= largest);
     let limits = prop_oneof![

@@ -1,0 +1,75 @@
+//! Limits that a mesh has to keep, so that a build can stop at one that does not.
+
+use crate::failure::Failure;
+use clap::Args;
+use mindeg_geometry::Mesh;
+
+/// What a mesh must be to pass.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Gates")]
+pub(crate) struct Gates {
+    /// End with exit code 3 if a vertex has more edges than this
+    #[arg(long, value_name = "N")]
+    pub(crate) max_degree: Option<u32>,
+
+    /// End with exit code 3 if a triangle has an angle below this many degrees, up to 60
+    #[arg(long, value_name = "A", value_parser = parse_angle, allow_hyphen_values = true)]
+    pub(crate) min_angle: Option<f64>,
+}
+
+fn parse_angle(text: &str) -> Result<f64, String> {
+    let angle = text.parse().ok().filter(|angle| (0.0..=60.0).contains(angle));
+    angle.ok_or_else(|| "give degrees from 0 to 60, as no triangle has only larger angles".into())
+}
+
+/// A triangle, and what it has for vertices.
+pub(crate) struct NamedTriangle {
+    pub(crate) number: u32,
+    pub(crate) vertices: [u32; 3],
+}
+
+impl Gates {
+    /// Passes a mesh of this maximum degree and smallest angle in degrees, or fails and names
+    /// the vertex and the triangle that have them, which are asked for only then.
+    pub(crate) fn check(
+        &self,
+        max_degree: u32,
+        min_angle: f64,
+        highest_vertex: impl FnOnce() -> u32,
+        worst_triangle: impl FnOnce() -> NamedTriangle,
+    ) -> Result<(), Failure> {
+        let mut failed = Vec::new();
+        if let Some(limit) = self.max_degree.filter(|&limit| max_degree > limit) {
+            let vertex = highest_vertex();
+            failed.push(format!(
+                "vertex {vertex} has {max_degree} edges, and --max-degree allows {limit}"
+            ));
+        }
+        if let Some(limit) = self.min_angle.filter(|&limit| min_angle < limit) {
+            let NamedTriangle { number, vertices: [a, b, c] } = worst_triangle();
+            failed.push(format!(
+                "triangle {number} (vertices {a}, {b}, {c}) has an angle of {min_angle}°, and \
+                 --min-angle asks for {limit}°"
+            ));
+        }
+        if failed.is_empty() {
+            return Ok(());
+        }
+        Err(Failure::Gate(format!("{} (numbered from 0)", failed.join("; "))))
+    }
+
+    /// Checks the mesh of a domain, of which the smallest angle is known.
+    pub(crate) fn check_mesh(&self, mesh: &Mesh, min_angle: f64) -> Result<(), Failure> {
+        let highest_vertex = || {
+            let is_highest = |&vertex: &u32| mesh.degree(vertex) == mesh.max_degree();
+            (0..mesh.vertex_count()).find(is_highest).unwrap_or_default()
+        };
+        let worst_triangle = || {
+            let angles = (0..).zip(mesh.qualities().map(|quality| quality.min_angle));
+            let worst = angles.min_by(|(_, a), (_, b)| a.total_cmp(b));
+            let number = worst.map_or(0, |(number, _)| number);
+            NamedTriangle { number, vertices: mesh.triangle(number) }
+        };
+        self.check(mesh.max_degree(), min_angle, highest_vertex, worst_triangle)
+    }
+}

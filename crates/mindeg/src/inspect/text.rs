@@ -1,0 +1,245 @@
+//! The findings as people read them: what is wrong first.
+
+use super::report::{Report, Spread};
+use mindeg_geometry::inspection::{Inspection, InspectionOptions, NoConvexOutline};
+use mindeg_geometry::quality::METRICS;
+use std::fmt::{Display, Write};
+
+/// How many of a kind are named one by one.
+const NAMED: usize = 5;
+/// How many degrees have a row of their own.
+const ROWS: usize = 16;
+
+pub(super) fn text(
+    report: &Report,
+    inspection: &Inspection,
+    options: &InspectionOptions,
+) -> String {
+    let mut text = String::new();
+    // Writing to a string cannot fail.
+    let _ = write_text(&mut text, report, inspection, options);
+    text
+}
+
+fn write_text(
+    text: &mut String,
+    report: &Report,
+    inspection: &Inspection,
+    options: &InspectionOptions,
+) -> std::fmt::Result {
+    write_defects(text, report)?;
+    writeln!(text)?;
+    write_counts(text, report)?;
+    writeln!(text)?;
+    write_degrees(text, report, options)?;
+    write_outline(text, report, inspection)?;
+    writeln!(text)?;
+    write_quality(text, report)?;
+    writeln!(text, "\nVertices and triangles are numbered from 0, in the order of the file.")
+}
+
+fn write_defects(text: &mut String, report: &Report) -> std::fmt::Result {
+    let edge = |[a, b]: &[u32; 2]| format!("{a}-{b}");
+    let defects = [
+        ("non-manifold edges", named(&report.non_manifold_edges, edge)),
+        ("non-manifold vertices", named(&report.non_manifold_vertices, u32::to_string)),
+        ("edges with inconsistent winding", named(&report.inconsistent_edges, edge)),
+        ("duplicate triangles", named(&report.duplicate_triangles, u32::to_string)),
+        ("zero-area triangles", named(&report.zero_area_triangles, u32::to_string)),
+        ("unreferenced vertices", named(&report.unreferenced_vertices, u32::to_string)),
+    ];
+    let found: Vec<_> = defects.iter().filter(|(_, (count, _))| *count > 0).collect();
+    let verdict = match found.len() {
+        0 => "nothing wrong found".to_owned(),
+        1 => "1 kind of defect".to_owned(),
+        kinds => format!("{kinds} kinds of defects"),
+    };
+    let [min, max] = [report.min_angle, report.max_angle].map(number);
+    writeln!(
+        text,
+        "{}: {verdict}; maximum degree {}, angles from {min}° to {max}°",
+        report.file, report.max_degree
+    )?;
+    for (name, (count, names)) in found {
+        writeln!(text, "  {name:<32}{count:>9}  {names}")?;
+    }
+    Ok(())
+}
+
+/// How many there are, and the first of them by name.
+fn named<T>(things: &[T], name: impl Fn(&T) -> String) -> (usize, String) {
+    let mut names = things.iter().take(NAMED).map(name).collect::<Vec<_>>().join(", ");
+    if things.len() > NAMED {
+        names.push_str(", …");
+    }
+    (things.len(), names)
+}
+
+fn write_counts(text: &mut String, report: &Report) -> std::fmt::Result {
+    let mut row = |name: &str, count: &dyn Display, note: String| {
+        let line = format!("{name:<21}{count:>9}  {note}");
+        writeln!(text, "{}", line.trim_end())
+    };
+    let welded = match report.welded_vertices {
+        0 => String::new(),
+        count => format!("at the place of another and so one with it: {count}"),
+    };
+    let cut = match (report.quads, report.polygons) {
+        (0, 0) => String::new(),
+        (quads, polygons) => format!(
+            "quads cut in two: {quads}, larger polygons cut into fans: {polygons}; measured as cut"
+        ),
+    };
+    row("vertices", &report.vertices, welded)?;
+    row("triangles", &report.triangles, cut)?;
+    row("edges", &report.edges, String::new())?;
+    row("boundary edges", &report.boundary_edges, String::new())?;
+    row("boundary loops", &report.boundary_loops, String::new())?;
+    if report.open_boundaries > 0 {
+        let note = "lines of boundary edges that end at non-manifold edges".to_owned();
+        row("open boundaries", &report.open_boundaries, note)?;
+    }
+    row("components", &report.components, String::new())?;
+    row("Euler characteristic", &report.euler_characteristic, String::new())?;
+    if report.line_segments + report.points > 0 {
+        writeln!(
+            text,
+            "Left out: {} line segments and {} points.",
+            report.line_segments, report.points
+        )?;
+    }
+    Ok(())
+}
+
+fn write_degrees(
+    text: &mut String,
+    report: &Report,
+    options: &InspectionOptions,
+) -> std::fmt::Result {
+    writeln!(text, "degree     boundary  interior")?;
+    let [boundary, interior] =
+        [&report.degree_histogram.boundary, &report.degree_histogram.interior];
+    let mut degrees: Vec<u32> = boundary.keys().chain(interior.keys()).copied().collect();
+    degrees.sort_unstable();
+    degrees.dedup();
+    let rows = if degrees.len() > ROWS { ROWS - 1 } else { degrees.len() };
+    let (own, rest) = degrees.split_at(rows);
+    for degree in own {
+        let [boundary, interior] =
+            [boundary, interior].map(|counts| counts.get(degree).copied().unwrap_or(0));
+        writeln!(text, "{degree:<9}{boundary:>10}{interior:>10}")?;
+    }
+    if let [first, .., last] = rest {
+        let [boundary, interior] =
+            [boundary, interior].map(|counts| counts.range(first..).map(|(_, n)| n).sum::<u64>());
+        writeln!(text, "{:<9}{boundary:>10}{interior:>10}", format!("{first}–{last}"))?;
+    }
+    let more = format!("more than {} edges", options.pole_degree);
+    match report.poles.len() {
+        0 => writeln!(text, "No vertex has {more}.")?,
+        1 => writeln!(text, "1 vertex has {more}:")?,
+        count => writeln!(text, "{count} vertices have {more}:")?,
+    }
+    for pole in report.poles.iter().take(NAMED) {
+        let [x, y, z] = pole.position;
+        let place = if pole.on_boundary { "boundary" } else { "interior" };
+        writeln!(text, "  vertex {} has {} ({place}, at {x}, {y}, {z})", pole.vertex, pole.degree)?;
+    }
+    if report.poles.len() > NAMED { writeln!(text, "  …") } else { Ok(()) }
+}
+
+fn write_outline(text: &mut String, report: &Report, inspection: &Inspection) -> std::fmt::Result {
+    match (&report.outline, &inspection.outline) {
+        (Some(outline), _) => {
+            let mut counts: Vec<String> =
+                outline.intervals.iter().take(ROWS).map(u32::to_string).collect();
+            if outline.intervals.len() > ROWS {
+                counts.push("…".to_owned());
+            }
+            let [least, found] = [outline.optimal_max_degree, report.max_degree];
+            let comparison = if least == found { "as" } else { "where" };
+            writeln!(
+                text,
+                "All vertices are on a convex outline of {} sides with {} intervals. The least \
+                 maximum degree for it is {least}, {comparison} this mesh has {found}.",
+                outline.intervals.len(),
+                counts.join(", ")
+            )
+        }
+        (None, Err(NoConvexOutline::NotADisk | NoConvexOutline::InteriorVertices)) => Ok(()),
+        (None, _) => writeln!(
+            text,
+            "All vertices are on the boundary, but no least degree is known for it: {}.",
+            report.no_outline.as_deref().unwrap_or_default()
+        ),
+    }
+}
+
+fn write_quality(text: &mut String, report: &Report) -> std::fmt::Result {
+    let row = |name: &str, cells: [&str; 6], unit: &str| {
+        let cells: String = cells.iter().map(|cell| format!("{cell:>11}")).collect();
+        format!("{name:<16}{cells}  {unit}").trim_end().to_owned()
+    };
+    writeln!(text, "{}", row("measure", ["min", "1%", "median", "mean", "99%", "max"], ""))?;
+    for metric in METRICS {
+        if let Some(spread) = report.metrics.get(metric.name) {
+            let Spread { min, p01, median, mean, p99, max } = *spread;
+            let cells = [min, p01, median, mean, p99, max].map(number);
+            let unit = if metric.unit == "1" { "" } else { metric.unit };
+            let cells = cells.each_ref().map(String::as_str);
+            writeln!(text, "{}", row(metric.name, cells, unit))?;
+        }
+    }
+    let shares: Vec<String> = report
+        .share_below_degrees
+        .iter()
+        .map(|(angle, share)| format!("{}% below {angle}°", number(100.0 * share)))
+        .collect();
+    writeln!(text, "Smallest angles: {}. Total area: {}.", shares.join(", "), number(report.area))?;
+    writeln!(text, "Worst triangles:")?;
+    for worst in &report.worst_triangles {
+        let [a, b, c] = worst.vertices;
+        let [min, max] = [worst.min_angle, worst.max_angle].map(number);
+        writeln!(
+            text,
+            "  triangle {} (vertices {a}, {b}, {c}): angles from {min}° to {max}°",
+            worst.triangle
+        )?;
+    }
+    Ok(())
+}
+
+/// A number with four significant digits.
+fn number(value: f64) -> String {
+    if value.is_infinite() {
+        return "∞".to_owned();
+    }
+    let rounded = format!("{value:.3e}");
+    let exponent = rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
+    match exponent {
+        _ if value == 0.0 => "0".to_owned(),
+        -4..=5 => format!("{value:.*}", (3 - exponent).max(0) as usize),
+        _ => rounded,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (60.0, "60.00"),
+            (59.999_96, "60.00"),
+            (0.012_345_6, "0.01235"),
+            (999_960.0, "1.000e6"),
+            (123_456.0, "123456"),
+            (1.5e-7, "1.500e-7"),
+            (f64::INFINITY, "∞"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}
