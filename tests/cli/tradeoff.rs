@@ -146,6 +146,20 @@ fn caps_that_cannot_be_kept_are_refused_with_the_least_that_can() {
 }
 
 #[test]
+fn without_optimize_a_cap_is_a_gate_on_total_degrees() {
+    let domain = br#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
+        {}, {}, {"outside_degree": 3}, {}]}"#;
+    let mesh = |cap: &str| {
+        let arguments = ["mesh", "-", "-q", "-o", "-", "--format", "obj", "--max-degree", cap];
+        mindeg_reading(arguments, domain)
+    };
+    assert_eq!(mesh("6").code, Some(0));
+    let failed = mesh("5");
+    assert_eq!((failed.code, failed.output.len()), (Some(3), 0));
+    assert!(failed.errors.contains("6 edges, and --max-degree allows 5"), "{failed:?}");
+}
+
+#[test]
 fn what_is_too_large_for_exact_work_is_refused_with_the_way_out() {
     let large = "1025,1025,1025,1025";
     let optimized = ["--optimize", "angle", "-o", "x.obj"];
