@@ -6,3 +6,4 @@ mod inspect;
 mod mesh;
 mod run;
 mod suggest;
+mod tradeoff;

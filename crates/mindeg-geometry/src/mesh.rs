@@ -279,15 +279,24 @@ impl Mesh {
         self.triangulation.max_degree()
     }
 
-    /// The largest total degree: of edges in this mesh and on the other side of the boundary
-    /// together. O(1) where there are none outside, otherwise O(n log n).
+    /// The number of edges at a vertex, in this mesh and on the other side of the boundary together.
+    /// O(log n).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn total_degree(&self, vertex: u32) -> u32 {
+        self.degree(vertex).saturating_add(self.domain.outside_degree(vertex))
+    }
+
+    /// The largest total degree. O(1) where no vertex has edges outside, otherwise O(n log n).
     #[must_use]
     pub fn max_total_degree(&self) -> u32 {
         if !self.domain.is_constrained() {
             return self.max_degree();
         }
-        let total = |vertex| self.degree(vertex).saturating_add(self.domain.outside_degree(vertex));
-        (0..self.vertex_count()).map(total).fold(0, u32::max)
+        (0..self.vertex_count()).map(|vertex| self.total_degree(vertex)).fold(0, u32::max)
     }
 
     /// How many corners and how many other vertices have each degree. O(n).
@@ -445,7 +454,10 @@ mod tests {
             let outside = VertexConstraint { vertex, outside_degree, max_degree: None };
             let domain = square.clone().with_vertex_constraints(vec![outside]).unwrap();
             let mesh = Mesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
-            assert_eq!(mesh.max_degree(), 3);
+            assert_eq!(
+                (mesh.max_degree(), mesh.total_degree(vertex)),
+                (3, mesh.degree(vertex) + outside_degree)
+            );
             mesh.max_total_degree()
         };
         assert_eq!(Mesh::least_degree(&square).unwrap().max_total_degree(), 3);

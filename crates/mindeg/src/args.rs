@@ -9,7 +9,8 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  success (also when the reader of standard output stops early)
   1  something could not be read or written
-  2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, a broken file
+  2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, caps that
+     cannot be kept, a broken file
   3  a mesh fails --max-degree or --min-angle";
 
 /// Mesh a rectangle or convex polygon from its boundary points alone, with the least possible
@@ -101,8 +102,8 @@ pub(crate) struct MeshArguments {
     #[arg(long)]
     pub(crate) floor: bool,
 
-    /// Search all meshes for the one with the largest smallest angle, exactly, at the least
-    /// possible maximum degree or the one that --max-degree allows; up to 4096 vertices
+    /// Take the mesh with the largest smallest angle of all, exactly, at the least possible maximum
+    /// degree, or at the one that --max-degree gives, which then is no gate; up to 4096 vertices
     #[arg(long, value_name = "WHAT")]
     pub(crate) optimize: Option<Optimize>,
 

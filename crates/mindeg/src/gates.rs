@@ -58,10 +58,11 @@ impl Gates {
         Err(Failure::Gate(format!("{} (numbered from 0)", failed.join("; "))))
     }
 
-    /// Checks the mesh of a domain, of which the smallest angle is known.
+    /// Checks the mesh of a domain, of which the smallest angle is known. Degrees are total.
     pub(crate) fn check_mesh(&self, mesh: &Mesh, min_angle: f64) -> Result<(), Failure> {
+        let max_degree = mesh.max_total_degree();
         let highest_vertex = || {
-            let is_highest = |&vertex: &u32| mesh.degree(vertex) == mesh.max_degree();
+            let is_highest = |&vertex: &u32| mesh.total_degree(vertex) == max_degree;
             (0..mesh.vertex_count()).find(is_highest).unwrap_or_default()
         };
         let worst_triangle = || {
@@ -70,6 +71,6 @@ impl Gates {
             let number = worst.map_or(0, |(number, _)| number);
             NamedTriangle { number, vertices: mesh.triangle(number) }
         };
-        self.check(mesh.max_degree(), min_angle, highest_vertex, worst_triangle)
+        self.check(max_degree, min_angle, highest_vertex, worst_triangle)
     }
 }

@@ -22,7 +22,7 @@ const MARGIN: f64 = 56.0;
 const PLOT_TOP: f64 = 100.0;
 const PLOT_HEIGHT: f64 = 380.0;
 const GAP: f64 = 28.0;
-const MOST_HEIGHT: f64 = 300.0;
+const MOST_HEIGHT: f64 = 240.0;
 const CAPTION: f64 = 56.0;
 const LEGEND: f64 = 44.0;
 
@@ -66,10 +66,7 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
     let bounds = trade_off.domain().placement().bounds();
     // Every mesh gets a room of the same size, whose place is not yet known.
     let inset = |at: DVec2| {
-        Inset::new(
-            bounds,
-            Bounds { min: at, max: at + DVec2::new(width, (0.85 * width).min(MOST_HEIGHT)) },
-        )
+        Inset::new(bounds, Bounds { min: at, max: at + DVec2::new(width, MOST_HEIGHT) })
     };
     let at_origin = inset(DVec2::ZERO);
     let drawn_height = at_origin.size().y;

@@ -1,0 +1,289 @@
+use crate::mesh::{content, domains, text};
+use crate::run::{mindeg, mindeg_reading};
+use mindeg_core::{Verified, verify};
+use mindeg_geometry::import;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+
+/// What every degree from the first on buys on a rectangle of 4 by 3 with equal spacing.
+const ANGLES: [(&str, u64, &[&str]); 4] = [
+    ("10,10,10,10", 4, &["2.936", "6.340"]),
+    ("12,9,4,4", 5, &["5.528", "6.340"]),
+    ("8,6,8,5", 4, &["5.194", "9.462"]),
+    ("14,3,5,2", 5, &["5.314", "5.394", "5.413"]),
+];
+
+fn rectangle<'a>(command: &'a str, intervals: &'a str) -> Vec<&'a str> {
+    vec![command, "--rectangle", "4x3", "--intervals", intervals]
+}
+
+fn keys(value: &Value) -> Vec<&String> {
+    value.as_object().expect("an object").keys().collect()
+}
+
+#[test]
+fn json_has_the_angle_that_each_degree_buys() {
+    for (intervals, least, angles) in ANGLES {
+        let answer = mindeg([rectangle("tradeoff", intervals), vec!["--json"]].concat()).json();
+        assert_eq!(keys(&answer), ["delaunay_min_angle", "points"]);
+        let points = answer["points"].as_array().expect("a list");
+        assert_eq!(points.len(), angles.len(), "{intervals}");
+        for (degree, (point, angle)) in (least..).zip(points.iter().zip(angles)) {
+            assert_eq!(keys(point), ["exact", "max_degree", "min_angle"]);
+            assert_eq!((&point["max_degree"], &point["exact"]), (&json!(degree), &json!(true)));
+            let seen = point["min_angle"].as_f64().expect("an angle");
+            assert_eq!(format!("{seen:.3}"), *angle, "{intervals}");
+        }
+        assert_eq!(points.last().expect("a point")["min_angle"], answer["delaunay_min_angle"]);
+    }
+}
+
+#[test]
+fn the_table_is_for_reading() {
+    let run = mindeg(rectangle("tradeoff", "12,9,4,4"));
+    assert_eq!(
+        run.text(),
+        "maximum degree  smallest angle  of Delaunay's\n\
+         \x20            5          5.528°          87.2%\n\
+         \x20            6          6.340°         100.0%\n"
+    );
+    assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn reports_come_in_every_format() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = ["curve.html", "curve.svg", "curve.json"].map(|name| folder.path().join(name));
+    let mut arguments = [rectangle("tradeoff", "14,3,5,2"), vec!["--json"]].concat();
+    files.iter().for_each(|file| arguments.extend(["-o", text(file)]));
+    let answer = mindeg(arguments).json();
+
+    assert_eq!(content(folder.path()), ["curve.html", "curve.json", "curve.svg"]);
+    let read = |path: &Path| fs::read_to_string(path).expect("the file was written");
+    let [html, svg, figures] = files.each_ref().map(|file| read(file));
+    assert_eq!(serde_json::from_str::<Value>(&figures).expect("it is JSON"), answer);
+    for degree in [5, 6, 7] {
+        assert!(html.contains(&format!("href=\"#degree-{degree}\"")), "{degree}");
+        assert!(html.contains(&format!("id=\"degree-{degree}\"")), "{degree}");
+        assert!(svg.contains(&format!(">degree {degree} · 5.")), "{degree}");
+    }
+    assert!(!html.contains("<script") && !html.contains("http://") && !html.contains("https://"));
+}
+
+/// What is in an OBJ: the degrees, once the triangles are verified on the boundary.
+fn verified(obj: &[u8], intervals: &[u64]) -> Verified {
+    let mesh = import::obj::read(obj).expect("the OBJ reads back");
+    verify(intervals, mesh.triangles().iter().copied()).expect("a triangulation")
+}
+
+#[test]
+fn the_mesh_of_every_point_can_be_had() {
+    for (intervals, least, angles) in ANGLES {
+        let counts: Vec<u64> = intervals.split(',').map(|n| n.parse().expect("a count")).collect();
+        for (degree, angle) in (least..).zip(angles) {
+            let folder = tempfile::tempdir().expect("a folder");
+            let file = folder.path().join("mesh.obj");
+            let cap = degree.to_string();
+            let mut arguments = rectangle("mesh", intervals);
+            arguments.extend(["--optimize", "angle", "--json", "-o", text(&file)]);
+            if degree > least {
+                // Without a cap, it is the least.
+                arguments.extend(["--max-degree", &cap]);
+            }
+            let summary = mindeg(arguments).json();
+            assert_eq!(
+                (&summary["max_degree"], &summary["optimal_max_degree"]),
+                (&json!(degree), &json!(least))
+            );
+            let seen = summary["min_angle"].as_f64().expect("an angle");
+            assert_eq!(format!("{seen:.3}"), *angle, "{intervals}");
+            let obj = fs::read(&file).expect("the file was written");
+            assert_eq!(u64::from(verified(&obj, &counts).max_degree), degree, "{intervals}");
+        }
+    }
+}
+
+#[test]
+fn no_domain_loses_by_it() {
+    let summary = |domain: &Path, more: &[&str]| {
+        let common = ["mesh", text(domain), "-o", "/dev/null", "--format", "glb", "--json"];
+        mindeg(common.iter().chain(more)).json()
+    };
+    for domain in domains() {
+        let [plain, optimized] = [&[][..], &["--optimize", "angle"]].map(|o| summary(&domain, o));
+        assert_eq!(optimized["max_degree"], plain["max_degree"], "{domain:?}");
+        let angle = |summary: &Value| summary["min_angle"].as_f64().expect("an angle");
+        // What the solver compares is rounded to 36 bits.
+        assert!(angle(&optimized) >= angle(&plain) * (1.0 - 1e-10), "{domain:?}");
+    }
+}
+
+#[test]
+fn caps_that_cannot_be_kept_are_refused_with_the_least_that_can() {
+    let capped = |cap| {
+        let optimize = ["--optimize", "angle", "--max-degree", cap, "-o", "x.obj"];
+        mindeg(rectangle("mesh", "12,9,4,4").into_iter().chain(optimize))
+    };
+    capped("4").refuses(&["degree 4", "least is 5"]);
+    capped("0").refuses(&["least is 5"]);
+    let domain = |sides: &str| {
+        format!(r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 1, "sides": [{sides}]}}"#)
+    };
+    let all_two = domain(r#"{"max_degree": 2}, {"max_degree": 2}, {"max_degree": 2}, {}"#);
+    for command in [&["mesh", "-", "-o", "x.obj"][..], &["tradeoff", "-"]] {
+        mindeg_reading(command, all_two.as_bytes()).refuses(&["caps of single vertices", "raise"]);
+    }
+    let no_room = domain(r#"{"outside_degree": 3, "max_degree": 4}, {}, {}, {}"#);
+    mindeg_reading(["tradeoff", "-"], no_room.as_bytes()).refuses(&[
+        "line 1",
+        "sides[0].max_degree",
+        "3 outside",
+        "5 or more",
+    ]);
+    assert!(!Path::new("x.obj").exists());
+}
+
+#[test]
+fn without_optimize_a_cap_is_a_gate_on_total_degrees() {
+    let domain = br#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
+        {}, {}, {"outside_degree": 3}, {}]}"#;
+    let mesh = |cap: &str| {
+        let arguments = ["mesh", "-", "-q", "-o", "-", "--format", "obj", "--max-degree", cap];
+        mindeg_reading(arguments, domain)
+    };
+    assert_eq!(mesh("6").code, Some(0));
+    let failed = mesh("5");
+    assert_eq!((failed.code, failed.output.len()), (Some(3), 0));
+    assert!(failed.errors.contains("6 edges, and --max-degree allows 5"), "{failed:?}");
+}
+
+#[test]
+fn what_is_too_large_for_exact_work_is_refused_with_the_way_out() {
+    let large = "1025,1025,1025,1025";
+    let optimized = ["--optimize", "angle", "-o", "x.obj"];
+    mindeg(rectangle("mesh", large).into_iter().chain(optimized)).refuses(&[
+        "4100",
+        "4096",
+        "leave out --optimize",
+    ]);
+    mindeg(rectangle("tradeoff", large)).refuses(&["4100", "4096", "mindeg mesh"]);
+    let capped = br#"{"rectangle": {"width": 4, "height": 3}, "size": 0.003, "sides": [
+        {}, {"max_degree": 9}, {}, {}]}"#;
+    mindeg_reading(["mesh", "-", "-o", "x.obj"], capped)
+        .refuses(&["4096", "leave out outside_degree and max_degree"]);
+    assert!(!Path::new("x.obj").exists());
+    mindeg(rectangle("tradeoff", "3,3,2,2").into_iter().chain(["-o", "x.pdf"]))
+        .refuses(&["x.pdf", ".html"]);
+}
+
+/// A rectangle with its lower left corner at (left, 0), meshed.
+struct Plate {
+    summary: Value,
+    obj: Vec<u8>,
+}
+
+impl Plate {
+    fn new(left: u32, intervals: [u64; 4], outside_degree: &[u32]) -> Self {
+        let mut sides = intervals.map(|intervals| json!({"intervals": intervals}));
+        if !outside_degree.is_empty() {
+            sides[3]["outside_degree"] = json!(outside_degree);
+        }
+        let rectangle = json!({"width": 4, "height": 3, "origin": [left, 0]});
+        let domain = json!({"rectangle": rectangle, "sides": sides}).to_string();
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("plate.obj");
+        let run = mindeg_reading(["mesh", "-", "--json", "-o", text(&file)], domain.as_bytes());
+        Self { summary: run.json(), obj: fs::read(&file).expect("the file was written") }
+    }
+
+    fn max_degree(&self) -> u64 {
+        self.summary["max_degree"].as_u64().expect("a degree")
+    }
+}
+
+/// The largest number of edges at a point of two meshes together.
+fn joint_max_degree(plates: [&Plate; 2]) -> u64 {
+    let mut edges = BTreeSet::new();
+    for plate in plates {
+        let mesh = import::obj::read(&plate.obj[..]).expect("the OBJ reads back");
+        let point = |vertex: u32| mesh.positions()[vertex as usize].to_array().map(f64::to_bits);
+        for [a, b, c] in mesh.triangles().iter().map(|triangle| triangle.map(point)) {
+            edges.extend([[a, b], [b, c], [c, a]].map(|[from, to]| [from.min(to), from.max(to)]));
+        }
+    }
+    let mut degrees = BTreeMap::new();
+    for end in edges.into_iter().flatten() {
+        *degrees.entry(end).or_insert(0) += 1;
+    }
+    degrees.into_values().max().expect("a mesh has edges")
+}
+
+#[test]
+fn two_plates_keep_their_joint_maximum_when_the_second_knows_the_first() {
+    for (left, right, untold, joint) in [
+        ([12, 8, 5, 8], [8, 4, 8, 8], 7, 6),
+        ([30, 4, 2, 2], [2, 4, 30, 4], 11, 8),
+        ([6, 8, 6, 8], [6, 8, 6, 8], 6, 6),
+    ] {
+        let first = Plate::new(0, left, &[]);
+        assert_eq!(joint_max_degree([&first, &Plate::new(4, right, &[])]), untold, "{left:?}");
+
+        // The right side of the first runs upwards, the left side of the second downwards.
+        let degrees = verified(&first.obj, &left).degrees;
+        let (start, end) = (left[0] as usize, (left[0] + left[1]) as usize);
+        let outside: Vec<u32> = (start..=end)
+            .rev()
+            .map(|vertex| degrees[vertex] - if [start, end].contains(&vertex) { 1 } else { 2 })
+            .collect();
+        let second = Plate::new(4, right, &outside);
+        assert_eq!(second.summary["optimal_max_degree"], json!(joint));
+        assert_eq!(second.max_degree(), joint);
+        assert_eq!(joint_max_degree([&first, &second]), joint, "{left:?}");
+        assert!(first.max_degree() <= joint);
+    }
+}
+
+#[test]
+fn single_vertices_keep_to_their_caps() {
+    let domain = |vertices: &str| {
+        format!(
+            r#"{{"rectangle": {{"width": 4, "height": 3}}, "vertices": {vertices},
+                "sides": [{{"intervals": 10}}, {{"intervals": 10}},
+                          {{"intervals": 10}}, {{"intervals": 10}}]}}"#
+        )
+    };
+    let run = |vertices: &str| {
+        let arguments = ["mesh", "-", "-q", "-o", "-", "--format", "obj"];
+        mindeg_reading(arguments, domain(vertices).as_bytes())
+    };
+    let free = verified(&run("[]").output, &[10; 4]).degrees;
+    assert_eq!((free[5], free[20]), (4, 4));
+    let capped = run(r#"[{"vertex": 20, "max_degree": 2}, {"vertex": 5, "max_degree": 3}]"#);
+    let capped = verified(&capped.output, &[10; 4]).degrees;
+    assert_eq!((capped[5], capped[20]), (3, 2));
+    // Without an edge inside, a vertex would join its neighbours: on one side, that is flat.
+    run(r#"[{"vertex": 5, "max_degree": 2}]"#).refuses(&["caps of single vertices"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_nothing_behind() {
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("curve.html");
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+        .args(rectangle("tradeoff", "1000,1000,1000,1000"))
+        .args(["-o", text(&file)])
+        .stdout(Stdio::null())
+        .spawn()
+        .expect("the binary starts");
+    std::thread::sleep(Duration::from_millis(500));
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.expect("kill is there").success());
+    let status = child.wait().expect("it ends");
+    assert_eq!(status.code(), Some(130));
+    assert!(content(folder.path()).is_empty());
+}
