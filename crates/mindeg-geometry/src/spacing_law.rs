@@ -13,6 +13,9 @@
 //!
 //! Limits: parameters near 1 carry the absolute rounding of numbers near 1, some `1e-16`.
 
+mod curves;
+
+use self::curves::{Crowding, Progression, Stretching};
 use crate::spacing::{LEAST_SHARE, Spacing, SpacingError};
 
 /// A spacing law solved for a side: point `i` of `m` intervals lies at `parameter(i)` of the
@@ -45,19 +48,13 @@ pub struct SpacingLaw {
 #[derive(Clone, Debug, PartialEq)]
 enum Form {
     Uniform,
-    /// The logarithm of the ratio, not 0.
-    Geometric(f64),
-    /// Bump with ratio c < 1: artanh √(1-c) > 0.
-    CrowdedEnds(f64),
-    /// Bump with ratio c > 1: arctan √(c-1), and what it lacks to a right angle, for where the
-    /// two are so close that their difference would have no digits.
-    CrowdedMiddle {
-        angle: f64,
-        complement: f64,
-    },
-    /// artanh(1/b) > 0.
+    Geometric(Progression),
+    /// Bump with ratio below 1.
+    CrowdedEnds(Stretching),
+    /// Bump with ratio above 1.
+    CrowdedMiddle(Crowding),
     Beta {
-        width: f64,
+        stretching: Stretching,
         reversed: bool,
     },
     Parameters(Box<[f64]>),
@@ -81,16 +78,18 @@ impl SpacingLaw {
         let intervals = intervals.max(1);
         let form = match spacing {
             Spacing::Uniform => Form::Uniform,
-            Spacing::Geometric { ratio } => geometric(libm::log(positive("ratio", *ratio)?)),
+            Spacing::Geometric { ratio } => {
+                geometric(libm::log(positive("ratio", *ratio)?), intervals)
+            }
             Spacing::Bump { ratio } => bump(positive("ratio", *ratio)?),
             Spacing::Beta { beta } => roberts(*beta)?,
             Spacing::FirstLength(length) => {
                 let length = positive("first length", *length)?;
-                geometric(log_ratio(length, intervals, side_length)?)
+                geometric(log_ratio(length, intervals, side_length)?, intervals)
             }
             Spacing::LastLength(length) => {
                 let length = positive("last length", *length)?;
-                geometric(-log_ratio(length, intervals, side_length)?)
+                geometric(-log_ratio(length, intervals, side_length)?, intervals)
             }
             Spacing::Parameters(given) => explicit(given, intervals)?,
         };
@@ -122,21 +121,11 @@ impl SpacingLaw {
         }
         match &self.form {
             Form::Uniform => f64::from(i) / f64::from(m),
-            Form::Geometric(log_ratio) => geometric_share(*log_ratio, i, m),
-            Form::CrowdedEnds(width) => mirrored(i, m, |i| {
-                let double = 2.0 * width;
-                let from_end = f64::from(i) / f64::from(m) * double;
-                // exp of minus the distance to the middle, in the units of the exponent.
-                let decay = libm::exp(2.0 * from_end - double);
-                decay / (1.0 + decay) * (libm::expm1(-2.0 * from_end) / libm::expm1(-double))
-            }),
-            Form::CrowdedMiddle { angle, complement } => mirrored(i, m, |i| {
-                let from_end = 2.0 * angle * (f64::from(i) / f64::from(m));
-                libm::sin(from_end)
-                    / (2.0 * libm::cos(*complement) * libm::sin(complement + from_end))
-            }),
-            Form::Beta { width, reversed: false } => beta_share(*width, i, m),
-            Form::Beta { width, reversed: true } => 1.0 - beta_share(*width, m - i, m),
+            Form::Geometric(progression) => progression.share(i, m),
+            Form::CrowdedEnds(stretching) => mirrored(i, m, |i| stretching.half_share(i, m)),
+            Form::CrowdedMiddle(crowding) => mirrored(i, m, |i| crowding.half_share(i, m)),
+            Form::Beta { stretching, reversed: false } => stretching.share(i, m),
+            Form::Beta { stretching, reversed: true } => 1.0 - stretching.share(m - i, m),
             Form::Parameters(given) => given[i as usize - 1],
         }
     }
@@ -152,7 +141,7 @@ impl SpacingLaw {
             Form::Parameters(_) => self.shortest_of(0..=last),
             // Both ends are as short; rounding is not to prefer the last.
             Form::CrowdedEnds(_) => (0, self.parameter(1)),
-            Form::Geometric(_) | Form::CrowdedMiddle { .. } | Form::Beta { .. } => {
+            Form::Geometric(_) | Form::CrowdedMiddle(_) | Form::Beta { .. } => {
                 self.shortest_of([0, last / 2, last])
             }
         }
@@ -176,19 +165,8 @@ fn positive(what: &'static str, value: f64) -> Result<f64, SpacingError> {
     }
 }
 
-fn geometric(log_ratio: f64) -> Form {
-    if log_ratio == 0.0 { Form::Uniform } else { Form::Geometric(log_ratio) }
-}
-
-/// (r^i - 1) / (r^m - 1) for r = e^`log_ratio`, 0 < i < m.
-fn geometric_share(log_ratio: f64, i: u32, m: u32) -> f64 {
-    let (i, m) = (f64::from(i), f64::from(m));
-    if log_ratio < 0.0 {
-        libm::expm1(i * log_ratio) / libm::expm1(m * log_ratio)
-    } else {
-        // Above and below divided by r^m, which may be too large for an f64.
-        libm::exp((i - m) * log_ratio) * (libm::expm1(-i * log_ratio) / libm::expm1(-m * log_ratio))
-    }
+fn geometric(log_ratio: f64, m: u32) -> Form {
+    if log_ratio == 0.0 { Form::Uniform } else { Form::Geometric(Progression::new(log_ratio, m)) }
 }
 
 /// The logarithm of the ratio for which a geometric series of `m` intervals on a side of length
@@ -222,7 +200,7 @@ fn log_ratio(length: f64, m: u32, side_length: f64) -> Result<f64, SpacingError>
         if middle <= low || middle >= high {
             return Ok(middle);
         }
-        if geometric_share(middle, 1, m) > share {
+        if Progression::new(middle, m).share(1, m) > share {
             low = middle;
         } else {
             high = middle;
@@ -235,10 +213,10 @@ fn bump(ratio: f64) -> Form {
         Form::Uniform
     } else if ratio < 1.0 {
         // artanh x = ln(1 + x) - ln(1 - x²)/2, which stays finite where x rounds to 1.
-        Form::CrowdedEnds(libm::log1p((1.0 - ratio).sqrt()) - libm::log(ratio) / 2.0)
+        let width = libm::log1p((1.0 - ratio).sqrt()) - libm::log(ratio) / 2.0;
+        Form::CrowdedEnds(Stretching::new(width))
     } else {
-        let tangent = (ratio - 1.0).sqrt();
-        Form::CrowdedMiddle { angle: libm::atan(tangent), complement: libm::atan(1.0 / tangent) }
+        Form::CrowdedMiddle(Crowding::new((ratio - 1.0).sqrt()))
     }
 }
 
@@ -250,15 +228,11 @@ fn roberts(beta: f64) -> Result<Form, SpacingError> {
     // artanh(1/b) = ln((b + 1)/(b - 1))/2
     let width = libm::log1p(2.0 / (size - 1.0)) / 2.0;
     // The law departs from even spacing by the square of the width: here by less than an ulp.
-    Ok(if width < 1e-9 { Form::Uniform } else { Form::Beta { width, reversed: beta < 0.0 } })
-}
-
-/// 1 - tanh((1-u) w)/tanh w for u = i/m, as a product.
-fn beta_share(width: f64, i: u32, m: u32) -> f64 {
-    let from_start = 2.0 * width * (f64::from(i) / f64::from(m));
-    let from_end = 2.0 * width * (f64::from(m - i) / f64::from(m));
-    let decay = libm::exp(-from_end);
-    2.0 * decay / (1.0 + decay) * (libm::expm1(-from_start) / libm::expm1(-2.0 * width))
+    Ok(if width < 1e-9 {
+        Form::Uniform
+    } else {
+        Form::Beta { stretching: Stretching::new(width), reversed: beta < 0.0 }
+    })
 }
 
 /// The parameter of point `i` of a law that mirrors at the middle, from the law of its first
