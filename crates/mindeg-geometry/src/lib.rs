@@ -46,6 +46,7 @@ pub mod inspection;
 mod json_path;
 mod mesh;
 mod outline;
+mod parallel;
 mod placement;
 pub mod quality;
 mod rectangle;

@@ -1,32 +1,29 @@
 //! A domain's mesh: of the triangulations with the least maximum degree, the one that looks
 //! best on the actual points; or any other triangulation, given as a list.
 //!
+//! What looks at every triangle does so with all threads, and gives the same results however many
+//! there are.
+//!
 //! Limits: the best of the plans tried is not the best triangulation of that degree, let alone
 //! of any degree.
 
+mod angles;
+mod choice;
 mod faces;
 
-use glam::DVec2;
-use mindeg_core::{Boundary, Defect, Plans, Triangulation};
+use std::ops::Range;
 
+use glam::DVec2;
+use mindeg_core::{Boundary, Defect};
+use rayon::prelude::*;
+
+use self::angles::{cotangents, placed};
 use self::faces::{Faces, TriangleList};
 use crate::domain::Domain;
+use crate::parallel::blocks;
 use crate::placement::Placement;
-use crate::quality::TriangleQuality;
+use crate::quality::{QualitySummary, TriangleQuality};
 use crate::summary::DegreeHistogram;
-
-/// The most plans tried.
-const MOST_PLANS: u32 = 64;
-
-/// The most triangles visited in choosing a plan, two plans' worth aside.
-const MOST_TRIANGLES: u32 = 1 << 25;
-
-/// Up to so many vertices points are computed once and kept while plans are compared (16 MiB);
-/// beyond, they are computed anew for every plan.
-const MOST_KEPT: u32 = 1 << 20;
-
-/// How much better the least angle's cotangent must be for a later plan to be taken.
-const MARGIN: f64 = 1e-9;
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
@@ -98,18 +95,25 @@ pub struct DegreeHistograms {
     pub sides: DegreeHistogram,
 }
 
+/// Up to so many triangles are written by one thread: they take less time than to wake another.
+const LEAST_SHARED: usize = 1 << 16;
+
+/// How many triangles a thread writes at a time.
+const FILLED_AT_A_TIME: usize = 1 << 15;
+
 impl Mesh {
     /// The mesh with the least possible maximum degree that looks best on the domain's points.
     ///
-    /// The core's constructions leave choices open, all of the same degree ([`Plans`]). The
+    /// The core's constructions leave choices open, all of the same degree ([`Plans`](mindeg_core::Plans)). The
     /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
     /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
     ///
-    /// O(n) time; O(1) memory beyond some size. At most 64 plans are tried, spread evenly over
-    /// all, and fewer where they would have more than 2^25 triangles together, but at least two
-    /// if there are two. A plan is dropped at its first triangle that is no better than the best
-    /// plan's worst. Angles are compared by their cotangents, which take only the four basic
-    /// operations: so the choice is the same on every machine.
+    /// O(n) time, shared by all threads; 16 MiB of points at most are kept meanwhile. At most 64
+    /// plans are tried, spread evenly over all, and fewer where they would have more than 2^25
+    /// triangles together, but at least two if there are two. A plan is dropped at a triangle that
+    /// is no better than the best plan's worst. Angles are compared by their cotangents, which
+    /// take only the four basic operations: so the choice is the same on every machine, and
+    /// with any number of threads.
     ///
     /// # Errors
     ///
@@ -119,27 +123,7 @@ impl Mesh {
         if domain.is_constrained() {
             return Err(MeshError::Constrained);
         }
-        let placement = domain.placement();
-        let kept: Vec<DVec2> = if placement.vertex_count() <= MOST_KEPT {
-            placement.points().collect()
-        } else {
-            Vec::new()
-        };
-        let point = |vertex: u32| match kept.get(vertex as usize) {
-            Some(&point) => point,
-            None => placement.point(vertex),
-        };
-        let mut best: Option<(f64, Triangulation)> = None;
-        // Of the last plan that was dropped: if no plan is left, it is as bad as the others.
-        let mut triangle = [0; 3];
-        for plan in Plans::new(domain.boundary()).sample(plans_to_try(domain.boundary())) {
-            let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));
-            match greatest_cotangent(&plan, point, limit) {
-                Ok(worst) => best = Some((worst, plan)),
-                Err(in_the_way) => triangle = in_the_way,
-            }
-        }
-        let (_, triangulation) = best.ok_or(MeshError::NoArea { triangle })?;
+        let triangulation = choice::best_plan(domain.placement())?;
         Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
     }
 
@@ -235,12 +219,55 @@ impl Mesh {
     /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge, unless
     /// they were [given](Self::with_triangles) otherwise.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
-        self.triangulation.triangles()
+        self.triangulation.triangles_of(0..self.triangle_count())
+    }
+
+    /// Writes the triangles from number `first` on into `out`, as many as it holds, with all
+    /// threads of rayon's current pool.
+    ///
+    /// As fast as memory can be written; what is written does not depend on the threads. Memory
+    /// that was never touched costs several times as much as the triangles in it: use a buffer
+    /// again rather than allocate one for each call.
+    ///
+    /// # Panics
+    ///
+    /// When `out` is longer than the triangles from `first` on are many.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_geometry::{Domain, Mesh, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+    /// let mesh = Mesh::least_degree(&domain)?;
+    /// let mut indices = vec![[0; 3]; mesh.triangle_count() as usize];
+    /// mesh.fill_triangles(0, &mut indices);
+    /// assert!(mesh.triangles().eq(indices));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
+        let left = self.triangle_count().saturating_sub(first) as usize;
+        assert!(out.len() <= left, "{} triangles from {first} on do not exist", out.len());
+        if out.len() <= LEAST_SHARED {
+            return self.triangulation.fill(first, out);
+        }
+        out.par_chunks_mut(FILLED_AT_A_TIME).enumerate().for_each(|(part, out)| {
+            let before = (part * FILLED_AT_A_TIME) as u32;
+            self.triangulation.fill(first + before, out);
+        });
     }
 
     /// The positions of all triangles' vertices, in the order of [`triangles`](Self::triangles).
     pub fn placed_triangles(&self) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
-        placed(self.triangles(), |vertex| self.point(vertex))
+        self.placed_triangles_of(0..self.triangle_count())
+    }
+
+    fn placed_triangles_of(
+        &self,
+        range: Range<u32>,
+    ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
+        let mut walk = self.placement().walk();
+        placed(self.triangulation.triangles_of(range), move |vertex| walk.point(vertex))
     }
 
     /// The measures of all triangles, in the order of [`triangles`](Self::triangles).
@@ -248,17 +275,29 @@ impl Mesh {
         self.placed_triangles().map(|[a, b, c]| TriangleQuality::of(a, b, c))
     }
 
-    /// The least and the greatest angle. O(n) time, O(1) memory, and much faster than
+    /// The measures of all triangles summed up, as
+    /// [`QualitySummary::of`](crate::quality::QualitySummary::of) has them. O(n) time and memory.
+    #[must_use]
+    pub fn quality_summary(&self) -> QualitySummary {
+        let in_blocks = blocks(self.triangle_count(), |range| {
+            let triangles = self.placed_triangles_of(range);
+            triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c)).collect()
+        });
+        QualitySummary::of_blocks(&in_blocks).expect("a mesh has a triangle")
+    }
+
+    /// The least and the greatest angle. O(n) time, next to no memory, and much faster than
     /// [`qualities`](Self::qualities).
     #[must_use]
     pub fn angle_range(&self) -> AngleRange {
+        let worse = |[of_least, of_greatest]: [f64; 2], [least, greatest]: [f64; 2]| {
+            [of_least.max(least), of_greatest.min(greatest)]
+        };
         let extremes = [f64::NEG_INFINITY, f64::INFINITY];
-        let [least, greatest] = self.placed_triangles().map(cotangents).fold(
-            extremes,
-            |[of_least, of_greatest], [least, greatest]| {
-                [of_least.max(least), of_greatest.min(greatest)]
-            },
-        );
+        let in_blocks = blocks(self.triangle_count(), |range| {
+            self.placed_triangles_of(range).map(cotangents).fold(extremes, worse)
+        });
+        let [least, greatest] = in_blocks.into_iter().fold(extremes, worse);
         let degrees = |cotangent: f64| libm::atan2(1.0, cotangent).to_degrees();
         AngleRange { min: degrees(least), max: degrees(greatest) }
     }
@@ -303,72 +342,14 @@ impl Mesh {
     #[must_use]
     pub fn degree_histograms(&self) -> DegreeHistograms {
         let boundary = self.boundary();
-        let sides = (0..boundary.side_count())
-            .flat_map(|s| boundary.corner(s) + 1..boundary.corner(s) + boundary.intervals(s));
-        DegreeHistograms {
-            corners: (0..boundary.side_count()).map(|s| self.degree(boundary.corner(s))).collect(),
-            sides: sides.map(|vertex| self.degree(vertex)).collect(),
-        }
-    }
-}
-
-/// How many plans are worth their time.
-fn plans_to_try(boundary: &Boundary) -> u32 {
-    (MOST_TRIANGLES / (boundary.vertex_count() - 2)).clamp(2, MOST_PLANS)
-}
-
-/// The cotangent of a plan's least angle, if that is below `limit`; otherwise the first triangle
-/// in the way.
-fn greatest_cotangent(
-    plan: &Triangulation,
-    point: impl Fn(u32) -> DVec2,
-    limit: f64,
-) -> Result<f64, [u32; 3]> {
-    let mut greatest = f64::NEG_INFINITY;
-    for (number, points) in (0..).zip(placed(plan.triangles(), point)) {
-        greatest = greatest.max(cotangents(points)[0]);
-        if greatest >= limit {
-            return Err(plan.triangle(number));
-        }
-    }
-    Ok(greatest)
-}
-
-/// The vertices' positions for each triangle. Each is computed once as long as it stays in the
-/// triangles that follow on one another, as in a strip: all but some once or twice in all.
-fn placed<T: ExactSizeIterator<Item = [u32; 3]>>(
-    triangles: T,
-    point: impl Fn(u32) -> DVec2,
-) -> impl ExactSizeIterator<Item = [DVec2; 3]> {
-    let mut last = ([u32::MAX; 3], [DVec2::ZERO; 3]);
-    triangles.map(move |vertices| {
-        let (known, places) = last;
-        let points = vertices.map(|vertex| match known.iter().position(|&v| v == vertex) {
-            Some(place) => places[place],
-            None => point(vertex),
+        let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
+        let corners: DegreeHistogram = corners.map(|corner| self.degree(corner)).collect();
+        let in_blocks = blocks(self.vertex_count(), |range| {
+            let sides = range.filter(|&vertex| !boundary.is_corner(vertex));
+            sides.map(|vertex| self.degree(vertex)).collect::<DegreeHistogram>()
         });
-        last = (vertices, points);
-        points
-    })
-}
-
-/// The cotangents of a triangle's least and greatest angles. For a triangle that is not
-/// counter-clockwise, the worst there are.
-fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
-    let [x, y, z] = [c - b, a - c, b - a];
-    // A cotangent is the dot product of the edges at the vertex over their cross product, and
-    // that is twice the area at all three.
-    let dots = [-y.dot(z), -z.dot(x), -x.dot(y)];
-    let [least, greatest] = [dots[0].min(dots[1]).min(dots[2]), dots[0].max(dots[1]).max(dots[2])];
-    // At the greatest angle, the cross product cancels least.
-    let cross = if dots[0] == least {
-        y.perp_dot(z)
-    } else if dots[1] == least {
-        z.perp_dot(x)
-    } else {
-        x.perp_dot(y)
-    };
-    if cross > 0.0 { [greatest / cross, least / cross] } else { [f64::INFINITY, f64::NEG_INFINITY] }
+        DegreeHistograms { corners, sides: in_blocks.iter().sum() }
+    }
 }
 
 #[cfg(test)]
@@ -378,29 +359,6 @@ mod tests {
     use crate::domain::{Outline, Side};
     use crate::rectangle::Rectangle;
     use crate::spacing::Spacing;
-
-    #[test]
-    fn few_plans_are_tried_on_many_vertices() {
-        for (intervals, plans) in [(1, 64), (100_000, 64), (1_000_000, 8), (1_000_000_000, 2)] {
-            let boundary = Boundary::new(&[intervals; 4]).unwrap();
-            assert_eq!(plans_to_try(&boundary), plans, "{intervals}");
-        }
-    }
-
-    #[test]
-    fn cotangents_of_the_least_and_the_greatest_angle() {
-        let of = |triangle: [[f64; 2]; 3]| cotangents(triangle.map(DVec2::from));
-        let infinite = [f64::INFINITY, f64::NEG_INFINITY];
-        for (triangle, expected) in [
-            ([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], [4.0 / 3.0, 0.0]),
-            ([[0.0, 3.0], [0.0, 0.0], [4.0, 0.0]], [4.0 / 3.0, 0.0]),
-            ([[0.0, 0.0], [1.0, 0.0], [2.0, 1.0]], [3.0, -1.0]),
-            ([[0.0, 0.0], [0.0, 3.0], [4.0, 0.0]], infinite),
-            ([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], infinite),
-        ] {
-            assert_eq!(of(triangle), expected, "{triangle:?}");
-        }
-    }
 
     #[test]
     fn points_are_the_same_kept_or_not() {

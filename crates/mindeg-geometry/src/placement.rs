@@ -6,6 +6,8 @@
 //! Limits: the checks keep points apart. A triangle of three distinct points may yet be so thin
 //! that rounding turns it over; meshing refuses to give one.
 
+use std::ops::Range;
+
 use glam::DVec2;
 use mindeg_core::Boundary;
 
@@ -172,21 +174,46 @@ impl Placement {
     /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
-        let side = self.boundary.side_of(vertex);
-        self.point_on(side, vertex - self.boundary.corner(side))
+        let side = self.points_on(self.boundary.side_of(vertex));
+        side.point(vertex - side.first)
     }
 
     /// The positions of all vertices in order, side by side. O(1) each.
     pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
-        (0..self.corners.len()).flat_map(move |side| {
-            (0..self.laws[side].intervals()).map(move |i| self.point_on(side, i))
-        })
+        self.points_of(0..self.vertex_count())
     }
 
-    /// Point `i` of a side; `i` is below the side's number of intervals.
-    fn point_on(&self, side: usize, i: u32) -> DVec2 {
+    /// The positions of consecutive vertices, all below the vertex count. O(log k) to start,
+    /// O(1) each.
+    pub(crate) fn points_of(
+        &self,
+        vertices: Range<u32>,
+    ) -> impl Iterator<Item = DVec2> + Clone + '_ {
+        let Range { start, end } = vertices;
+        let first = if start < end { self.boundary.side_of(start) } else { self.corners.len() };
+        (first..self.corners.len())
+            .map(|side| self.points_on(side))
+            .take_while(move |side| side.first < end)
+            .flat_map(move |side| {
+                let from = start.saturating_sub(side.first);
+                (from..side.law.intervals().min(end - side.first)).map(move |i| side.point(i))
+            })
+    }
+
+    /// The positions of vertices asked one by one. O(1) each as long as they keep to two sides
+    /// at a time, as those of a strip do.
+    pub(crate) fn walk(&self) -> Walk<'_> {
+        Walk { placement: self, sides: [0, 1].map(|side| self.points_on(side)), last: 0 }
+    }
+
+    fn points_on(&self, side: usize) -> SidePoints<'_> {
         let start = self.corners[side];
-        start + self.laws[side].parameter(i) * (self.side_end(side) - start)
+        SidePoints {
+            first: self.boundary.corner(side),
+            start,
+            span: self.side_end(side) - start,
+            law: &self.laws[side],
+        }
     }
 
     /// The smallest box around the domain. O(k).
@@ -206,6 +233,53 @@ impl Placement {
         let origin = self.corners[0];
         let fan = self.corners[1..].windows(2);
         fan.map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum::<f64>() / 2.0
+    }
+}
+
+/// The points of one side.
+#[derive(Clone, Copy)]
+struct SidePoints<'a> {
+    /// The vertex where the side starts.
+    first: u32,
+    start: DVec2,
+    span: DVec2,
+    law: &'a SpacingLaw,
+}
+
+impl SidePoints<'_> {
+    /// Point `i`, below the number of intervals.
+    fn point(&self, i: u32) -> DVec2 {
+        self.start + self.law.parameter(i) * self.span
+    }
+
+    /// The place of a vertex on the side, if it is there and not where the side ends.
+    fn place(&self, vertex: u32) -> Option<u32> {
+        vertex.checked_sub(self.first).filter(|&place| place < self.law.intervals())
+    }
+}
+
+/// Positions of vertices one by one; see [`Placement::walk`].
+pub(crate) struct Walk<'a> {
+    placement: &'a Placement,
+    /// The last two different sides that were asked for.
+    sides: [SidePoints<'a>; 2],
+    /// Which of them was the last.
+    last: usize,
+}
+
+impl Walk<'_> {
+    /// The position of a vertex below the vertex count.
+    pub(crate) fn point(&mut self, vertex: u32) -> DVec2 {
+        for slot in [self.last, 1 - self.last] {
+            if let Some(place) = self.sides[slot].place(vertex) {
+                self.last = slot;
+                return self.sides[slot].point(place);
+            }
+        }
+        self.last = 1 - self.last;
+        let side = self.placement.points_on(self.placement.boundary.side_of(vertex));
+        self.sides[self.last] = side;
+        side.point(vertex - side.first)
     }
 }
 
@@ -239,6 +313,23 @@ mod tests {
         assert!((0..15).map(|v| placement.point(v)).eq(placement.points()));
         let [start, first, second] = [0, 1, 2].map(|v| placement.point(v).x);
         assert!(((second - first) / (first - start) - 1.7).abs() < 1e-12);
+    }
+
+    #[test]
+    fn points_are_the_same_however_asked_for() {
+        // Where the second side ends, its formula is off by a rounding.
+        let corners = [[0.1, 0.2], [0.7, 0.2], [0.9, 0.9], [0.4, 0.9]];
+        let placement = place(&corners, &Spacing::Geometric { ratio: 1.7 }, 3).unwrap();
+        for start in 0..=12 {
+            for end in start..=12 {
+                let expected = (start..end).map(|v| placement.point(v));
+                assert!(placement.points_of(start..end).eq(expected), "{start}..{end}");
+            }
+        }
+        let mut walk = placement.walk();
+        for vertex in [11, 0, 10, 1, 2, 9, 8, 3, 4, 7, 5, 6, 0, 11, 11] {
+            assert_eq!(walk.point(vertex), placement.point(vertex), "{vertex}");
+        }
     }
 
     #[test]

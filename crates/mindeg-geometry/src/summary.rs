@@ -7,6 +7,8 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
+
 use crate::quality::{METRICS, TriangleQuality};
 
 /// The angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
@@ -75,6 +77,30 @@ fn sum(values: &[f64]) -> f64 {
     values.chunks(BLOCK).map(|block| block.iter().sum::<f64>()).sum()
 }
 
+/// The measures of some triangles, each in a list of its own.
+#[derive(Default)]
+pub(crate) struct Columns {
+    values: [Vec<f64>; METRICS.len()],
+    below: [usize; ANGLES.len()],
+}
+
+impl FromIterator<TriangleQuality> for Columns {
+    fn from_iter<T: IntoIterator<Item = TriangleQuality>>(qualities: T) -> Self {
+        let qualities = qualities.into_iter();
+        let mut columns = Self::default();
+        columns.values.iter_mut().for_each(|column| column.reserve(qualities.size_hint().0));
+        for quality in qualities {
+            for (column, metric) in columns.values.iter_mut().zip(METRICS) {
+                column.push((metric.of)(&quality));
+            }
+            for (count, angle) in columns.below.iter_mut().zip(ANGLES) {
+                *count += usize::from(quality.min_angle < angle);
+            }
+        }
+        columns
+    }
+}
+
 /// The measures of all triangles of a mesh.
 ///
 /// # Example
@@ -106,23 +132,27 @@ impl QualitySummary {
     /// Sums up triangles; `None` if there are none. O(n) time and memory.
     #[must_use]
     pub fn of(qualities: impl IntoIterator<Item = TriangleQuality>) -> Option<Self> {
-        let qualities = qualities.into_iter();
-        let mut columns = METRICS.map(|_| Vec::with_capacity(qualities.size_hint().0));
+        Self::of_blocks(&[qualities.into_iter().collect()])
+    }
+
+    /// Sums up triangles block after block; `None` if there are none.
+    pub(crate) fn of_blocks(blocks: &[Columns]) -> Option<Self> {
+        let column = |metric: usize| -> Vec<f64> {
+            let parts: Vec<&[f64]> = blocks.iter().map(|block| &block.values[metric][..]).collect();
+            parts.concat()
+        };
+        let distributions: Option<Vec<_>> = (0..METRICS.len())
+            .into_par_iter()
+            .map(|metric| Distribution::of(column(metric)))
+            .collect();
+        let triangle_count = blocks.iter().map(|block| block.values[0].len()).sum();
         let mut below = [0_usize; ANGLES.len()];
-        for quality in qualities {
-            for (column, metric) in columns.iter_mut().zip(METRICS) {
-                column.push((metric.of)(&quality));
-            }
-            for (count, angle) in below.iter_mut().zip(ANGLES) {
-                *count += usize::from(quality.min_angle < angle);
-            }
+        for block in blocks {
+            below.iter_mut().zip(block.below).for_each(|(sum, count)| *sum += count);
         }
-        let triangle_count = columns[0].len();
-        let area = sum(&columns[0]);
-        let distributions: Option<Vec<_>> = columns.into_iter().map(Distribution::of).collect();
         Some(Self {
             triangle_count,
-            area,
+            area: sum(&column(0)),
             metrics: distributions?.try_into().ok()?,
             shares_below: below.map(|count| count as f64 / triangle_count as f64),
         })
@@ -182,6 +212,16 @@ impl FromIterator<u32> for DegreeHistogram {
         let mut counts = BTreeMap::new();
         for degree in degrees {
             *counts.entry(degree).or_insert(0) += 1;
+        }
+        Self { counts }
+    }
+}
+
+impl<'a> std::iter::Sum<&'a DegreeHistogram> for DegreeHistogram {
+    fn sum<I: Iterator<Item = &'a DegreeHistogram>>(histograms: I) -> Self {
+        let mut counts = BTreeMap::new();
+        for (degree, count) in histograms.flat_map(DegreeHistogram::iter) {
+            *counts.entry(degree).or_insert(0) += count;
         }
         Self { counts }
     }

@@ -3,6 +3,8 @@
 //! Limits: a list is what [`mindeg_core::verify`] has approved of, and takes memory by the
 //! triangle.
 
+use std::ops::Range;
+
 use either::Either;
 use mindeg_core::{Boundary, Defect, Triangulation, verify};
 
@@ -49,10 +51,27 @@ impl Faces {
         }
     }
 
-    pub(super) fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
-        match self {
+    /// The triangles with the given numbers, in order.
+    pub(super) fn triangles_of(
+        &self,
+        numbers: Range<u32>,
+    ) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        let all = match self {
             Self::Formula(triangulation) => Either::Left(triangulation.triangles()),
             Self::List(list) => Either::Right(list.triangles.iter().copied()),
+        };
+        // A leap is O(1) in either.
+        all.skip(numbers.start as usize).take(numbers.len())
+    }
+
+    /// Writes the triangles from number `first` on, as many as `out` holds. There must be so many.
+    pub(super) fn fill(&self, first: u32, out: &mut [[u32; 3]]) {
+        match self {
+            Self::Formula(triangulation) => triangulation.fill_triangles(first, out),
+            Self::List(list) => {
+                let first = first as usize;
+                out.copy_from_slice(&list.triangles[first..first + out.len()]);
+            }
         }
     }
 

@@ -1,0 +1,65 @@
+//! The triangles of a strip on actual points, and their least and greatest angles.
+//!
+//! Limits: angles are known by their cotangents, which compare like angles the other way round
+//! and take only the four basic operations.
+
+use glam::DVec2;
+
+/// The positions of the vertices of some triangles, in order.
+///
+/// Each is asked for once as long as it stays in the triangles that follow on one another, as in
+/// a strip: all but some once or twice in all.
+pub(super) fn placed<T: ExactSizeIterator<Item = [u32; 3]>>(
+    triangles: T,
+    mut point: impl FnMut(u32) -> DVec2,
+) -> impl ExactSizeIterator<Item = [DVec2; 3]> {
+    let mut last = ([u32::MAX; 3], [DVec2::ZERO; 3]);
+    triangles.map(move |vertices| {
+        let (known, places) = last;
+        let points = vertices.map(|vertex| match known.iter().position(|&v| v == vertex) {
+            Some(place) => places[place],
+            None => point(vertex),
+        });
+        last = (vertices, points);
+        points
+    })
+}
+
+/// The cotangents of a triangle's least and greatest angles. For a triangle that is not
+/// counter-clockwise, the worst there are.
+pub(super) fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
+    let [x, y, z] = [c - b, a - c, b - a];
+    // A cotangent is the dot product of the edges at the vertex over their cross product, and
+    // that is twice the area at all three.
+    let dots = [-y.dot(z), -z.dot(x), -x.dot(y)];
+    let [least, greatest] = [dots[0].min(dots[1]).min(dots[2]), dots[0].max(dots[1]).max(dots[2])];
+    // At the greatest angle, the cross product cancels least.
+    let cross = if dots[0] == least {
+        y.perp_dot(z)
+    } else if dots[1] == least {
+        z.perp_dot(x)
+    } else {
+        x.perp_dot(y)
+    };
+    if cross > 0.0 { [greatest / cross, least / cross] } else { [f64::INFINITY, f64::NEG_INFINITY] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cotangents_of_the_least_and_the_greatest_angle() {
+        let of = |triangle: [[f64; 2]; 3]| cotangents(triangle.map(DVec2::from));
+        let infinite = [f64::INFINITY, f64::NEG_INFINITY];
+        for (triangle, expected) in [
+            ([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], [4.0 / 3.0, 0.0]),
+            ([[0.0, 3.0], [0.0, 0.0], [4.0, 0.0]], [4.0 / 3.0, 0.0]),
+            ([[0.0, 0.0], [1.0, 0.0], [2.0, 1.0]], [3.0, -1.0]),
+            ([[0.0, 0.0], [0.0, 3.0], [4.0, 0.0]], infinite),
+            ([[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], infinite),
+        ] {
+            assert_eq!(of(triangle), expected, "{triangle:?}");
+        }
+    }
+}

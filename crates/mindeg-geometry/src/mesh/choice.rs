@@ -1,0 +1,144 @@
+//! Which of the optimal plans looks best on actual points.
+//!
+//! Limits: that a plan is dropped shows in any of its triangles, so how many are looked at before
+//! depends on the threads. What is chosen does not.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use mindeg_core::{Boundary, Plans, Triangulation};
+
+use super::MeshError;
+use super::angles::{cotangents, placed};
+use crate::parallel::{block, blocks, try_blocks};
+use crate::placement::Placement;
+
+/// The most plans tried.
+const MOST_PLANS: u32 = 64;
+
+/// The most triangles visited in choosing a plan, two plans' worth aside.
+const MOST_TRIANGLES: u32 = 1 << 25;
+
+/// Up to so many vertices points are computed once and kept while plans are compared (16 MiB);
+/// beyond, they are computed anew for every plan.
+const MOST_KEPT: u32 = 1 << 20;
+
+/// How much better the least angle's cotangent must be for a later plan to be taken.
+const MARGIN: f64 = 1e-9;
+
+/// The plan that [`Mesh::least_degree`](super::Mesh::least_degree) takes.
+pub(super) fn best_plan(placement: &Placement) -> Result<Triangulation, MeshError> {
+    let boundary = placement.boundary();
+    let points = Points::new(placement);
+    let mut best: Option<(f64, Triangulation)> = None;
+    let mut dropped = None;
+    // Plans are mostly bad in the same places: where one is worst is where to look at others.
+    let mut suspects = Vec::new();
+    for plan in Plans::new(boundary).sample(plans_to_try(boundary)) {
+        let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));
+        match points.worst(&plan, limit, &suspects) {
+            Some(Worst { cotangent, place }) => {
+                best = Some((cotangent, plan));
+                suspects.push(place);
+            }
+            None => dropped = Some(plan),
+        }
+    }
+    best.map(|(_, plan)| plan).ok_or_else(|| {
+        // Some plan was tried, and if none is left then all of them have such a triangle.
+        let triangle = dropped.and_then(|plan| points.first_without_area(&plan));
+        MeshError::NoArea { triangle: triangle.unwrap_or_default() }
+    })
+}
+
+/// The least angle of a plan.
+#[derive(Clone, Copy)]
+struct Worst {
+    cotangent: f64,
+    /// The block of triangles it is in.
+    place: usize,
+}
+
+/// How many plans are worth their time.
+fn plans_to_try(boundary: &Boundary) -> u32 {
+    (MOST_TRIANGLES / (boundary.vertex_count() - 2)).clamp(2, MOST_PLANS)
+}
+
+/// The points that plans are compared on.
+struct Points<'a> {
+    placement: &'a Placement,
+    /// All of them, or none where they are too many.
+    kept: Vec<DVec2>,
+}
+
+impl<'a> Points<'a> {
+    fn new(placement: &'a Placement) -> Self {
+        let count = placement.vertex_count();
+        let kept = if count <= MOST_KEPT {
+            blocks(count, |range| placement.points_of(range).collect::<Vec<_>>()).concat()
+        } else {
+            Vec::new()
+        };
+        Self { placement, kept }
+    }
+
+    /// The points of some triangles of a plan.
+    fn placed<'p>(
+        &'p self,
+        plan: &'p Triangulation,
+        range: Range<u32>,
+    ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + 'p {
+        let mut walk = self.placement.walk();
+        let triangles = plan.triangles().skip(range.start as usize).take(range.len());
+        placed(triangles, move |vertex| match self.kept.get(vertex as usize) {
+            Some(&point) => point,
+            None => walk.point(vertex),
+        })
+    }
+
+    /// The least angle of a plan, if its cotangent is below `limit`; `suspects` are the blocks to
+    /// look at first.
+    fn worst(&self, plan: &Triangulation, limit: f64, suspects: &[usize]) -> Option<Worst> {
+        let count = plan.triangle_count();
+        let greatest_cotangent = |range| {
+            let mut greatest = f64::NEG_INFINITY;
+            for points in self.placed(plan, range) {
+                greatest = greatest.max(cotangents(points)[0]);
+                if greatest >= limit {
+                    return Err(());
+                }
+            }
+            Ok(greatest)
+        };
+        for &place in suspects {
+            greatest_cotangent(block(place, count)).ok()?;
+        }
+        let in_blocks = try_blocks(count, greatest_cotangent).ok()?;
+        let worsts = in_blocks.into_iter().enumerate();
+        let worsts = worsts.map(|(place, cotangent)| Worst { cotangent, place });
+        worsts.reduce(|worst, next| if next.cotangent > worst.cotangent { next } else { worst })
+    }
+
+    fn first_without_area(&self, plan: &Triangulation) -> Option<[u32; 3]> {
+        let in_blocks = blocks(plan.triangle_count(), |range| {
+            let start = range.start;
+            let mut cotangents = self.placed(plan, range).map(cotangents);
+            let place = cotangents.position(|[of_least, _]| of_least == f64::INFINITY);
+            place.map(|place| plan.triangle(start + place as u32))
+        });
+        in_blocks.into_iter().flatten().next()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn few_plans_are_tried_on_many_vertices() {
+        for (intervals, plans) in [(1, 64), (100_000, 64), (1_000_000, 8), (1_000_000_000, 2)] {
+            let boundary = Boundary::new(&[intervals; 4]).unwrap();
+            assert_eq!(plans_to_try(&boundary), plans, "{intervals}");
+        }
+    }
+}

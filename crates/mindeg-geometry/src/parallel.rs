@@ -1,0 +1,57 @@
+//! Work on numbered items by all threads, with results that do not tell how many there were.
+//!
+//! The items are cut into blocks of fixed size, each block is worked on from front to back, and
+//! the results of the blocks come in order. So a sum of floats has the same bits on every machine.
+//!
+//! The threads are rayon's: those of the pool that the caller is in, else as many as the machine
+//! has cores, or as the environment variable `RAYON_NUM_THREADS` says.
+//!
+//! Limits: one result is kept for each block of 16,384 items.
+
+use rayon::prelude::*;
+use std::ops::Range;
+
+/// Items to a block: a hundred microseconds of work and more, so that handing it out costs little.
+const BLOCK: u32 = 1 << 14;
+
+/// The items of a block, by its place in the results.
+pub(crate) fn block(place: usize, count: u32) -> Range<u32> {
+    let start = place as u32 * BLOCK;
+    start..start.saturating_add(BLOCK).min(count)
+}
+
+/// The results of `work` on each block of the items `0..count`, in order; or an error of one of
+/// the blocks, no matter which, and then some blocks are left out.
+pub(crate) fn try_blocks<R: Send, E: Send>(
+    count: u32,
+    work: impl Fn(Range<u32>) -> Result<R, E> + Sync + Send,
+) -> Result<Vec<R>, E> {
+    // Waking other threads for a single block would only cost time.
+    if count <= BLOCK {
+        return work(0..count).map(|result| vec![result]);
+    }
+    let places = 0..count.div_ceil(BLOCK) as usize;
+    places.into_par_iter().map(|place| work(block(place, count))).collect()
+}
+
+/// The results of `work` on each block of the items `0..count`, in order.
+pub(crate) fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync + Send) -> Vec<R> {
+    let Ok(results) = try_blocks(count, |range| Ok::<_, std::convert::Infallible>(work(range)));
+    results
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn blocks_come_in_order_without_gap() {
+        for count in [1, BLOCK - 1, BLOCK, BLOCK + 1, 20 * BLOCK + 5] {
+            let ranges = blocks(count, |range| range);
+            assert!(ranges.iter().all(|range| range.len() <= BLOCK as usize));
+            assert!(ranges.into_iter().flatten().eq(0..count), "{count}");
+        }
+        let last = try_blocks(u32::MAX, |range| if range.start == 0 { Ok(()) } else { Err(range) });
+        assert!(last.is_err());
+    }
+}

@@ -1,0 +1,82 @@
+//! How many threads there are shows in nothing but the time.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use glam::DVec2;
+use mindeg_core::Plans;
+use mindeg_geometry::quality::TriangleQuality;
+use mindeg_geometry::{Domain, Mesh, Side, Spacing};
+use rayon::ThreadPoolBuilder;
+
+/// What `work` gives with 1, 2 and 5 threads, all the same.
+fn with_any_threads<R: PartialEq + std::fmt::Debug + Send>(work: impl Fn() -> R + Sync) -> R {
+    let [one, two, five] = [1, 2, 5].map(|threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(&work)
+    });
+    assert!(one == two && one == five);
+    one
+}
+
+/// A zig-zag, a dominant side and a corner removal, of some dozen blocks each.
+fn domains() -> impl Iterator<Item = Domain> {
+    let spacings = [Spacing::Uniform, Spacing::Bump { ratio: 0.3 }, Spacing::Beta { beta: -1.2 }];
+    let percent = [[25_u64, 25, 25, 25], [97, 1, 1, 1], [40, 30, 20, 10]];
+    spacings.into_iter().zip(percent).map(|(spacing, percent)| {
+        let side = |percent| Side::count(percent * 2011).spaced(spacing.clone());
+        Domain::rectangle(4.0, 3.0, percent.map(side).into()).unwrap()
+    })
+}
+
+#[test]
+fn the_same_plan_is_chosen_and_it_is_the_best() {
+    for domain in domains() {
+        let mesh = with_any_threads(|| Mesh::least_degree(&domain).unwrap());
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        let least_angle = |triangle: [u32; 3]| {
+            let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
+            TriangleQuality::of(a, b, c).min_angle
+        };
+        let chosen = mesh.triangles().map(least_angle).fold(180.0, f64::min);
+        for plan in Plans::new(domain.boundary()).sample(8) {
+            let other = plan.triangles().map(least_angle).fold(180.0, f64::min);
+            assert!(chosen >= other * (1.0 - 2e-9), "{chosen} and {other}");
+        }
+    }
+}
+
+#[test]
+fn an_index_buffer_is_filled_the_same_in_whole_and_in_parts() {
+    for domain in domains() {
+        let mesh = Mesh::least_degree(&domain).unwrap();
+        let whole = with_any_threads(|| {
+            let mut indices = vec![[0; 3]; mesh.triangle_count() as usize];
+            mesh.fill_triangles(0, &mut indices);
+            indices
+        });
+        assert!(mesh.triangles().eq(whole.iter().copied()));
+        let in_parts = with_any_threads(|| {
+            let mut indices = vec![[0; 3]; mesh.triangle_count() as usize];
+            let (first, second) = indices.split_at_mut(70_001);
+            mesh.fill_triangles(70_001, second);
+            mesh.fill_triangles(0, first);
+            indices
+        });
+        assert!(whole == in_parts);
+    }
+}
+
+#[test]
+fn measures_have_the_same_bits() {
+    for domain in domains() {
+        let mesh = Mesh::least_degree(&domain).unwrap();
+        let angles = with_any_threads(|| mesh.angle_range());
+        let quality = with_any_threads(|| mesh.quality_summary());
+        assert_eq!(quality.triangle_count, mesh.triangle_count() as usize);
+        let [least, greatest] = [quality.metrics[1].min, quality.metrics[2].max];
+        assert!((least / angles.min - 1.0).abs() < 1e-9, "{least} {}", angles.min);
+        assert!((greatest / angles.max - 1.0).abs() < 1e-9, "{greatest} {}", angles.max);
+        let degrees = with_any_threads(|| mesh.degree_histograms());
+        assert_eq!(degrees.sides.max_degree(), Some(mesh.max_degree()));
+    }
+}
