@@ -102,6 +102,11 @@ impl SpacingLaw {
         }
     }
 
+    /// Whether point `i` of `m` lies at `i/m`.
+    pub(crate) fn is_uniform(&self) -> bool {
+        self.form == Form::Uniform
+    }
+
     /// The number of intervals m, at least 1.
     #[must_use]
     pub fn intervals(&self) -> u32 {

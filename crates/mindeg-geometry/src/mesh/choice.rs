@@ -75,7 +75,7 @@ impl<'a> Points<'a> {
     fn new(placement: &'a Placement) -> Self {
         let count = placement.vertex_count();
         let kept = if count <= MOST_KEPT {
-            blocks(count, |range| placement.points_of(range).collect::<Vec<_>>()).concat()
+            blocks(count, |range| placement.points_of(range)).concat()
         } else {
             Vec::new()
         };
