@@ -219,7 +219,15 @@ impl Mesh {
     /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge, unless
     /// they were [given](Self::with_triangles) otherwise.
     pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
-        self.triangulation.triangles_of(0..self.triangle_count())
+        self.triangles_of(0..self.triangle_count())
+    }
+
+    /// The triangles with some numbers, in order.
+    pub(crate) fn triangles_of(
+        &self,
+        numbers: Range<u32>,
+    ) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        self.triangulation.triangles_of(numbers)
     }
 
     /// Writes the triangles from number `first` on into `out`, as many as it holds, with all
@@ -267,7 +275,7 @@ impl Mesh {
         range: Range<u32>,
     ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
         let mut walk = self.placement().walk();
-        placed(self.triangulation.triangles_of(range), move |vertex| walk.point(vertex))
+        placed(self.triangles_of(range), move |vertex| walk.point(vertex))
     }
 
     /// The measures of all triangles, in the order of [`triangles`](Self::triangles).

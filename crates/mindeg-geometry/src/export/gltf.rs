@@ -22,22 +22,18 @@ mod positions;
 
 use self::document::{binary_len, document, has_wide_indices};
 use self::positions::Positions;
-use super::blocks::write_items;
+use super::sections::{Section, write_sections};
 use super::{ExportError, SurfaceOptions, degree_color, in_box, side_edge};
 use crate::Mesh;
+use mindeg_core::Boundary;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
-/// Writes the mesh as one binary file, a `.glb`.
-///
-/// Takes O(n) time in two passes over the points and the memory of one block. Writes are
-/// large: `out` needs no buffer around it.
+/// Writes the mesh as one binary file, a `.glb`: a [`Glb`] that is made and written.
 ///
 /// # Errors
 ///
-/// Before the first byte: [`TooLargeForGlb`](ExportError::TooLargeForGlb),
-/// [`OutOfRange`](ExportError::OutOfRange) and [`Coincident`](ExportError::Coincident).
-/// After it: those of `out`.
+/// Before the first byte: those of [`Glb::new`]. After it: those of `out`.
 ///
 /// # Example
 ///
@@ -58,31 +54,98 @@ use std::io::{self, Write};
 pub fn write_glb(
     mesh: &Mesh,
     options: &SurfaceOptions,
-    mut out: impl Write,
+    out: impl Write,
 ) -> Result<(), ExportError> {
-    let binary = binary_len(mesh, options).next_multiple_of(4);
-    // The points need not be looked at where the binary alone is too large.
-    glb_len(0, binary)?;
-    let (positions, extent) = Positions::new(mesh, options.plane)?;
-    let mut json =
-        document(mesh, options, &positions, extent, None).to_vec().map_err(io::Error::from)?;
-    json.resize(json.len().next_multiple_of(4), b' ');
-    let len = glb_len(json.len() as u64, binary)?;
+    Ok(Glb::new(mesh, options)?.write(out)?)
+}
 
-    let mut head = Vec::from(*b"glTF");
-    head.extend_from_slice(&2_u32.to_le_bytes());
-    head.extend_from_slice(&len.to_le_bytes());
-    // Neither chunk is longer than the file.
-    head.extend_from_slice(&(json.len() as u32).to_le_bytes());
-    head.extend_from_slice(b"JSON");
-    head.extend_from_slice(&json);
-    head.extend_from_slice(&(binary as u32).to_le_bytes());
-    head.extend_from_slice(b"BIN\0");
-    out.write_all(&head)?;
-    write_binary(mesh, options, &positions, &mut out)?;
-    let padding = binary - binary_len(mesh, options);
-    out.write_all(&[0; 3][..padding as usize])?;
-    Ok(out.flush()?)
+/// A `.glb` of which everything is known but the large arrays, which are made as they are written.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::export::{SurfaceOptions, gltf::Glb};
+/// use mindeg_geometry::{Domain, Mesh, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+/// let (mesh, options) = (Mesh::least_degree(&domain)?, SurfaceOptions::default());
+/// let glb = Glb::new(&mesh, &options)?;
+/// let mut file = Vec::new();
+/// glb.write(&mut file)?;
+/// assert_eq!(file.len() as u64, glb.file_len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Glb<'a> {
+    arrays: Arrays<'a>,
+    /// What goes before the arrays.
+    head: Vec<u8>,
+}
+
+impl<'a> Glb<'a> {
+    /// Looks at the mesh. O(n) time, shared by all threads of rayon's current pool; next to no
+    /// memory.
+    ///
+    /// # Errors
+    ///
+    /// [`TooLargeForGlb`](ExportError::TooLargeForGlb), [`OutOfRange`](ExportError::OutOfRange)
+    /// and [`Coincident`](ExportError::Coincident).
+    pub fn new(mesh: &'a Mesh, options: &'a SurfaceOptions) -> Result<Self, ExportError> {
+        check_glb_size(mesh.boundary(), options)?;
+        let (positions, extent) = Positions::new(mesh, options.plane)?;
+        let mut json =
+            document(mesh, options, &positions, extent, None).to_vec().map_err(io::Error::from)?;
+        json.resize(json.len().next_multiple_of(4), b' ');
+        let binary = binary_len(mesh.boundary(), options).next_multiple_of(4);
+        let len = glb_len(json.len() as u64, binary)?;
+
+        let mut head = Vec::from(*b"glTF");
+        head.extend_from_slice(&2_u32.to_le_bytes());
+        head.extend_from_slice(&len.to_le_bytes());
+        // Neither chunk is longer than the file.
+        head.extend_from_slice(&(json.len() as u32).to_le_bytes());
+        head.extend_from_slice(b"JSON");
+        head.extend_from_slice(&json);
+        head.extend_from_slice(&(binary as u32).to_le_bytes());
+        head.extend_from_slice(b"BIN\0");
+        Ok(Self { arrays: Arrays { mesh, options, positions }, head })
+    }
+
+    /// The length of the file in bytes. O(1).
+    #[must_use]
+    pub fn file_len(&self) -> u64 {
+        self.head.len() as u64 + self.arrays.len().next_multiple_of(4)
+    }
+
+    /// Writes the file.
+    ///
+    /// Takes O(n) time, shared by all threads of rayon's current pool, and the memory of one block
+    /// of about half a MiB for each of them, and one more. Writes are large: `out` needs no buffer
+    /// around it. The bytes do not depend on the threads.
+    ///
+    /// # Errors
+    ///
+    /// Those of `out`; what was written until then is part of the file.
+    pub fn write(&self, mut out: impl Write) -> io::Result<()> {
+        let mut sections = vec![Section::bytes(&*self.head)];
+        sections.extend(self.arrays.sections());
+        let len = self.arrays.len();
+        let padding = len.next_multiple_of(4) - len;
+        sections.push(Section::bytes(&[0; 3][..padding as usize]));
+        write_sections(&mut out, &sections)?;
+        out.flush()
+    }
+}
+
+/// Refuses a boundary whose meshes would take more than a `.glb` holds, before there is a mesh.
+/// O(1).
+///
+/// # Errors
+///
+/// [`TooLargeForGlb`](ExportError::TooLargeForGlb). What passes here can be refused by a few
+/// bytes all the same when names and numbers are known ([`Glb::new`]).
+pub fn check_glb_size(boundary: &Boundary, options: &SurfaceOptions) -> Result<(), ExportError> {
+    glb_len(0, binary_len(boundary, options).next_multiple_of(4)).map(|_| ())
 }
 
 /// The length of a `.glb` whose chunks have these lengths.
@@ -92,16 +155,12 @@ fn glb_len(json: u64, binary: u64) -> Result<u32, ExportError> {
     u32::try_from(bytes).map_err(|_| ExportError::TooLargeForGlb { bytes })
 }
 
-/// Writes the mesh as a JSON document, the `.gltf`, and a binary, the `.bin` beside it.
-///
-/// `bin_name` is the name of the binary's file as seen from the document, with `/` between
-/// folders; it is escaped as the format asks. Takes O(n) time in two passes over the points
-/// and the memory of one block. Writes are large: the writers need no buffers around them.
+/// Writes the mesh as a JSON document, the `.gltf`, and a binary, the `.bin` beside it: a [`Gltf`]
+/// that is made and written.
 ///
 /// # Errors
 ///
-/// Before the first byte: [`OutOfRange`](ExportError::OutOfRange) and
-/// [`Coincident`](ExportError::Coincident). After it: those of the writers.
+/// Before the first byte: those of [`Gltf::new`]. After it: those of the writers.
 ///
 /// # Example
 ///
@@ -125,85 +184,149 @@ pub fn write_gltf(
     mesh: &Mesh,
     options: &SurfaceOptions,
     bin_name: &str,
-    mut gltf_out: impl Write,
-    mut bin_out: impl Write,
+    gltf_out: impl Write,
+    bin_out: impl Write,
 ) -> Result<(), ExportError> {
-    const ESCAPED: &AsciiSet =
-        &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'-').remove(b'_').remove(b'~');
-    let (positions, extent) = Positions::new(mesh, options.plane)?;
-    let uri = utf8_percent_encode(bin_name, ESCAPED).to_string();
-    let mut json = document(mesh, options, &positions, extent, Some(uri))
-        .to_vec_pretty()
-        .map_err(io::Error::from)?;
-    json.push(b'\n');
-    gltf_out.write_all(&json)?;
-    gltf_out.flush()?;
-    write_binary(mesh, options, &positions, &mut bin_out)?;
-    Ok(bin_out.flush()?)
+    Ok(Gltf::new(mesh, options, bin_name)?.write(gltf_out, bin_out)?)
 }
 
-/// The arrays in the order of the document.
-fn write_binary(
-    mesh: &Mesh,
-    options: &SurfaceOptions,
-    positions: &Positions,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let vertices = mesh.vertex_count();
-    write_items(out, vertices, |range, buffer| {
-        range.for_each(|v| push_floats(buffer, &positions.of(mesh.point(v)).to_array()));
-    })?;
-    if options.normals {
-        let normal = options.plane.normal().as_vec3().to_array();
-        write_items(out, vertices, |range, buffer| {
-            range.for_each(|_| push_floats(buffer, &normal));
-        })?;
+/// A `.gltf` with its `.bin`, of which everything is known but the large arrays.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::export::{SurfaceOptions, gltf::Gltf};
+/// use mindeg_geometry::{Domain, Mesh, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+/// let (mesh, options) = (Mesh::least_degree(&domain)?, SurfaceOptions::default());
+/// let gltf = Gltf::new(&mesh, &options, "plate.bin")?;
+/// let (mut json, mut bin) = (Vec::new(), Vec::new());
+/// gltf.write(&mut json, &mut bin)?;
+/// assert_eq!([json.len() as u64, bin.len() as u64], gltf.file_lens());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Gltf<'a> {
+    arrays: Arrays<'a>,
+    document: Vec<u8>,
+}
+
+impl<'a> Gltf<'a> {
+    /// Looks at the mesh. `bin_name` is the name of the binary's file as seen from the document,
+    /// with `/` between folders; it is escaped as the format asks.
+    ///
+    /// O(n) time, shared by all threads of rayon's current pool; next to no memory.
+    ///
+    /// # Errors
+    ///
+    /// [`OutOfRange`](ExportError::OutOfRange) and [`Coincident`](ExportError::Coincident).
+    pub fn new(
+        mesh: &'a Mesh,
+        options: &'a SurfaceOptions,
+        bin_name: &str,
+    ) -> Result<Self, ExportError> {
+        const ESCAPED: &AsciiSet =
+            &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'-').remove(b'_').remove(b'~');
+        let (positions, extent) = Positions::new(mesh, options.plane)?;
+        let uri = utf8_percent_encode(bin_name, ESCAPED).to_string();
+        let mut document = document(mesh, options, &positions, extent, Some(uri))
+            .to_vec_pretty()
+            .map_err(io::Error::from)?;
+        document.push(b'\n');
+        Ok(Self { arrays: Arrays { mesh, options, positions }, document })
     }
-    if options.texture_coordinates {
-        let bounds = mesh.placement().bounds();
-        write_items(out, vertices, |range, buffer| {
-            for v in range {
-                let [s, t] = in_box(bounds, mesh.point(v)).to_array();
-                push_floats(buffer, &[s as f32, (1.0 - t) as f32]);
+
+    /// The lengths of the document and of the binary in bytes. O(1).
+    #[must_use]
+    pub fn file_lens(&self) -> [u64; 2] {
+        [self.document.len() as u64, self.arrays.len()]
+    }
+
+    /// Writes the files, as [`Glb::write`] does.
+    ///
+    /// # Errors
+    ///
+    /// Those of the writers; what was written until then is part of the files.
+    pub fn write(&self, mut gltf_out: impl Write, mut bin_out: impl Write) -> io::Result<()> {
+        gltf_out.write_all(&self.document)?;
+        gltf_out.flush()?;
+        write_sections(&mut bin_out, &self.arrays.sections())?;
+        bin_out.flush()
+    }
+}
+
+/// What the binary holds.
+#[derive(Debug)]
+struct Arrays<'a> {
+    mesh: &'a Mesh,
+    options: &'a SurfaceOptions,
+    positions: Positions,
+}
+
+impl Arrays<'_> {
+    fn len(&self) -> u64 {
+        binary_len(self.mesh.boundary(), self.options)
+    }
+
+    /// The arrays in the order of the document.
+    fn sections(&self) -> Vec<Section<'_>> {
+        let Self { mesh, options, positions } = self;
+        let (placement, vertices) = (mesh.placement(), mesh.vertex_count());
+        let mut sections = vec![Section::new(vertices, 12, move |range, buffer| {
+            for point in placement.points_of(range) {
+                push_floats(buffer, positions.of(point).to_array());
             }
-        })?;
-    }
-    if options.degree_colors {
-        write_items(out, vertices, |range, buffer| {
-            for v in range {
-                let [red, green, blue] = degree_color::linear(mesh.degree(v));
-                buffer.extend_from_slice(&[red, green, blue, u8::MAX]);
-            }
-        })?;
-    }
-    let wide = has_wide_indices(mesh);
-    write_items(out, mesh.triangle_count(), |range, buffer| {
-        range.for_each(|i| push_indices(buffer, &mesh.triangle(i), wide));
-    })?;
-    if options.boundary_lines {
-        for side in 0..mesh.boundary().side_count() {
-            write_items(out, mesh.boundary().intervals(side), |range, buffer| {
-                range.for_each(|i| {
-                    push_indices(buffer, &side_edge(mesh.boundary(), side, i), wide);
-                });
-            })?;
+        })];
+        if options.normals {
+            let normal = options.plane.normal().as_vec3().to_array();
+            sections.push(Section::new(vertices, 12, move |range, buffer| {
+                range.for_each(|_| push_floats(buffer, normal));
+            }));
         }
+        if options.texture_coordinates {
+            let bounds = placement.bounds();
+            sections.push(Section::new(vertices, 8, move |range, buffer| {
+                for point in placement.points_of(range) {
+                    let [s, t] = in_box(bounds, point).to_array();
+                    push_floats(buffer, [s as f32, (1.0 - t) as f32]);
+                }
+            }));
+        }
+        if options.degree_colors {
+            sections.push(Section::new(vertices, 4, |range, buffer| {
+                for vertex in range {
+                    let [red, green, blue] = degree_color::linear(mesh.degree(vertex));
+                    buffer.extend_from_slice(&[red, green, blue, u8::MAX]);
+                }
+            }));
+        }
+        let wide = has_wide_indices(mesh.boundary());
+        sections.push(Section::new(mesh.triangle_count(), 12, move |range, buffer| {
+            mesh.triangles_of(range).for_each(|triangle| push_indices(buffer, triangle, wide));
+        }));
+        if options.boundary_lines {
+            let boundary = mesh.boundary();
+            sections.extend((0..boundary.side_count()).map(|side| {
+                Section::new(boundary.intervals(side), 8, move |range, buffer| {
+                    range.for_each(|i| push_indices(buffer, side_edge(boundary, side, i), wide));
+                })
+            }));
+        }
+        sections
     }
-    Ok(())
 }
 
-fn push_floats(buffer: &mut Vec<u8>, values: &[f32]) {
-    values.iter().for_each(|value| buffer.extend_from_slice(&value.to_le_bytes()));
+fn push_floats<const N: usize>(buffer: &mut Vec<u8>, values: [f32; N]) {
+    buffer.extend_from_slice(values.map(f32::to_le_bytes).as_flattened());
 }
 
-fn push_indices(buffer: &mut Vec<u8>, vertices: &[u32], wide: bool) {
-    for &vertex in vertices {
-        if wide {
-            buffer.extend_from_slice(&vertex.to_le_bytes());
-        } else {
-            // There are no more vertices than that.
-            buffer.extend_from_slice(&(vertex as u16).to_le_bytes());
-        }
+fn push_indices<const N: usize>(buffer: &mut Vec<u8>, vertices: [u32; N], wide: bool) {
+    if wide {
+        buffer.extend_from_slice(vertices.map(u32::to_le_bytes).as_flattened());
+    } else {
+        // There are no more vertices than that.
+        buffer.extend_from_slice(vertices.map(|v| (v as u16).to_le_bytes()).as_flattened());
     }
 }
 

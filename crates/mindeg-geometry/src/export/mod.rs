@@ -9,10 +9,10 @@
 //! Connectivity is never touched here. Files, paths and their replacement are the
 //! caller's; so is the question which of the formats a file name asks for.
 
-mod blocks;
 pub mod degree_color;
 pub mod gltf;
 pub mod obj;
+mod sections;
 pub mod svg;
 
 use crate::{Bounds, Mesh};

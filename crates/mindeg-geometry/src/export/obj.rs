@@ -11,15 +11,19 @@
 //! Limits: an OBJ has no units and no up axis. Vertex colors, on request, follow the
 //! coordinates as `v x y z r g b`, a common extension that some readers reject.
 
-use super::blocks::write_items;
+mod numbers;
+
+use self::numbers::{CornerNames, Decimals};
+use super::sections::{self, Section, write_sections};
 use super::{GENERATOR, SurfaceOptions, degree_color, in_box, mesh_name, side_edge, side_name};
 use crate::Mesh;
 use std::io::{self, Write};
 
 /// Writes the mesh as OBJ.
 ///
-/// Takes O(n) time and the memory of one block. Writes are large: `out` needs no buffer
-/// around it.
+/// Takes O(n) time, shared by all threads of rayon's current pool, and the memory of one block of
+/// about half a MiB for each of them, and one more. Writes are large: `out` needs no buffer
+/// around it. The bytes do not depend on the threads.
 ///
 /// # Errors
 ///
@@ -42,111 +46,118 @@ use std::io::{self, Write};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(mesh: &Mesh, options: &SurfaceOptions, mut out: impl Write) -> io::Result<()> {
-    let out = &mut out;
-    let (vertices, triangles) = (mesh.vertex_count(), mesh.triangle_count());
-    let header = format!(
-        "# {GENERATOR}\n# {vertices} vertices, {triangles} triangles, maximum degree {}\no {}\n",
-        mesh.max_degree(),
-        object_name(mesh_name(mesh)),
-    );
-    out.write_all(header.as_bytes())?;
-    write_items(out, vertices, |range, buffer| {
-        for v in range {
-            let place = options.plane.place(mesh.point(v));
-            push_numbers(buffer, "v", &place.to_array());
-            if options.degree_colors {
-                // A thousandth is enough to tell 256 levels apart.
-                let thousandths = |level: u8| (1000 * u32::from(level) + 127) / 255;
-                let color = degree_color::srgb(mesh.degree(v)).map(thousandths);
-                push_values(buffer, &color.map(|value| value as f32 / 1000.0));
-            }
-            buffer.push(b'\n');
-        }
-    })?;
-    if options.texture_coordinates {
-        let bounds = mesh.placement().bounds();
-        write_items(out, vertices, |range, buffer| {
-            for v in range {
-                let [s, t] = in_box(bounds, mesh.point(v)).as_vec2().to_array();
-                push_numbers(buffer, "vt", &[s, t]);
-                buffer.push(b'\n');
-            }
-        })?;
-    }
-    if options.normals {
-        let mut line = Vec::new();
-        push_numbers(&mut line, "vn", &options.plane.normal().to_array());
-        line.push(b'\n');
-        write_items(out, vertices, |range, buffer| {
-            range.for_each(|_| buffer.extend_from_slice(&line));
-        })?;
-    }
-    write_items(out, triangles, |range, buffer| {
-        for i in range {
-            buffer.push(b'f');
-            for v in mesh.triangle(i) {
-                push_corner(buffer, v, options);
-            }
-            buffer.push(b'\n');
-        }
-    })?;
-    if options.boundary_lines {
-        write_boundary(mesh, out)?;
-    }
+    write_sections(&mut out, &sections(mesh, options))?;
     out.flush()
 }
 
-fn write_boundary(mesh: &Mesh, out: &mut impl Write) -> io::Result<()> {
-    for side in 0..mesh.boundary().side_count() {
-        let header = format!("o {}\n", object_name(&side_name(mesh, side)));
-        out.write_all(header.as_bytes())?;
-        write_items(out, mesh.boundary().intervals(side), |range, buffer| {
-            for i in range {
-                buffer.push(b'l');
-                for v in side_edge(mesh.boundary(), side, i) {
-                    buffer.push(b' ');
-                    push_number_of(buffer, v);
-                }
-                buffer.push(b'\n');
+/// About how many bytes [`write()`] will write, within some percent. Takes microseconds.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_geometry::export::{SurfaceOptions, obj};
+/// use mindeg_geometry::{Domain, Mesh, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(1000); 4])?;
+/// let (mesh, options) = (Mesh::least_degree(&domain)?, SurfaceOptions::default());
+/// let mut file = Vec::new();
+/// obj::write(&mesh, &options, &mut file)?;
+/// let estimate = obj::estimated_len(&mesh, &options);
+/// assert!((estimate as f64 / file.len() as f64 - 1.0).abs() < 0.05);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn estimated_len(mesh: &Mesh, options: &SurfaceOptions) -> u64 {
+    sections::estimated_len(&sections(mesh, options))
+}
+
+/// The file from front to back.
+fn sections<'a>(mesh: &'a Mesh, options: &'a SurfaceOptions) -> Vec<Section<'a>> {
+    let mut sections = vec![header(mesh), coordinates(mesh, options)];
+    if options.texture_coordinates {
+        sections.push(texture_coordinates(mesh));
+    }
+    if options.normals {
+        let [x, y, z] = options.plane.normal().to_array();
+        let line = format!("vn {x} {y} {z}\n").into_bytes();
+        sections.push(Section::new(mesh.vertex_count(), 9, move |range, buffer| {
+            range.for_each(|_| buffer.extend_from_slice(&line));
+        }));
+    }
+    sections.push(Section::new(mesh.triangle_count(), 80, |range, buffer| {
+        let mut names = CornerNames::new(options);
+        mesh.triangles_of(range).for_each(|triangle| names.push_face(triangle, buffer));
+    }));
+    if options.boundary_lines {
+        sections.extend((0..mesh.boundary().side_count()).flat_map(|side| lines(mesh, side)));
+    }
+    sections
+}
+
+fn header(mesh: &Mesh) -> Section<'_> {
+    Section::bytes(format!(
+        "# {GENERATOR}\n# {} vertices, {} triangles, maximum degree {}\no {}\n",
+        mesh.vertex_count(),
+        mesh.triangle_count(),
+        mesh.max_degree(),
+        object_name(mesh_name(mesh)),
+    ))
+}
+
+fn coordinates<'a>(mesh: &'a Mesh, options: &'a SurfaceOptions) -> Section<'a> {
+    Section::new(mesh.vertex_count(), 32, |range, buffer| {
+        let mut decimals = [0; 3].map(|_| Decimals::new());
+        let mut levels = [0; 3].map(|_| Decimals::new());
+        for (vertex, point) in range.clone().zip(mesh.placement().points_of(range)) {
+            buffer.push(b'v');
+            for (decimals, value) in decimals.iter_mut().zip(options.plane.place(point).to_array())
+            {
+                decimals.push(value, buffer);
             }
-        })?;
-    }
-    Ok(())
+            if options.degree_colors {
+                // A thousandth is enough to tell 256 levels apart.
+                let thousandths = |level: u8| (1000 * u32::from(level) + 127) / 255;
+                let color = degree_color::srgb(mesh.degree(vertex)).map(thousandths);
+                for (decimals, value) in levels.iter_mut().zip(color) {
+                    decimals.push(value as f32 / 1000.0, buffer);
+                }
+            }
+            buffer.push(b'\n');
+        }
+    })
 }
 
-/// A corner of a face: the vertex with its texture coordinates and normal, where there are any.
-fn push_corner(buffer: &mut Vec<u8>, vertex: u32, options: &SurfaceOptions) {
-    buffer.push(b' ');
-    let mut digits = itoa::Buffer::new();
-    let number = digits.format(vertex + 1).as_bytes();
-    buffer.extend_from_slice(number);
-    let more: &[&[u8]] = match (options.texture_coordinates, options.normals) {
-        (true, true) => &[b"/", number, b"/", number],
-        (true, false) => &[b"/", number],
-        (false, true) => &[b"//", number],
-        (false, false) => &[],
-    };
-    more.iter().for_each(|bytes| buffer.extend_from_slice(bytes));
+fn texture_coordinates(mesh: &Mesh) -> Section<'_> {
+    let bounds = mesh.placement().bounds();
+    Section::new(mesh.vertex_count(), 24, move |range, buffer| {
+        let mut decimals = [0; 2].map(|_| Decimals::new());
+        for point in mesh.placement().points_of(range) {
+            buffer.extend_from_slice(b"vt");
+            let place = in_box(bounds, point).as_vec2().to_array();
+            for (decimals, value) in decimals.iter_mut().zip(place) {
+                decimals.push(value, buffer);
+            }
+            buffer.push(b'\n');
+        }
+    })
 }
 
-fn push_number_of(buffer: &mut Vec<u8>, vertex: u32) {
-    let mut digits = itoa::Buffer::new();
-    buffer.extend_from_slice(digits.format(vertex + 1).as_bytes());
-}
-
-fn push_numbers(buffer: &mut Vec<u8>, keyword: &str, values: &[impl zmij::Float]) {
-    buffer.extend_from_slice(keyword.as_bytes());
-    push_values(buffer, values);
-}
-
-fn push_values(buffer: &mut Vec<u8>, values: &[impl zmij::Float]) {
-    let mut digits = zmij::Buffer::new();
-    for &value in values {
-        buffer.push(b' ');
-        let number = digits.format_finite(value);
-        let number = number.strip_suffix(".0").unwrap_or(number);
-        buffer.extend_from_slice(number.as_bytes());
-    }
+/// A side as an object of line segments.
+fn lines(mesh: &Mesh, side: usize) -> [Section<'_>; 2] {
+    let boundary = mesh.boundary();
+    let header = Section::bytes(format!("o {}\n", object_name(&side_name(mesh, side))));
+    let segments = Section::new(boundary.intervals(side), 20, move |range, buffer| {
+        let mut digits = itoa::Buffer::new();
+        for i in range {
+            buffer.push(b'l');
+            for vertex in side_edge(boundary, side, i) {
+                buffer.push(b' ');
+                buffer.extend_from_slice(digits.format(vertex + 1).as_bytes());
+            }
+            buffer.push(b'\n');
+        }
+    });
+    [header, segments]
 }
 
 /// A name as an OBJ can hold it: many readers end it at the first white space. Names of

@@ -10,12 +10,13 @@
 //! run into one another. Above [`MAX_DOTS`] vertices, edges are drawn without dots. A side
 //! too short for its label goes without. Coordinates are rounded to a hundredth of a pixel.
 
-use super::blocks::write_items;
+use super::sections::{Section, write_sections};
 use super::{ExportError, GENERATOR, degree_color, mesh_name, side_name};
 use crate::{Bounds, Mesh};
 use glam::DVec2;
 use std::fmt::Write as _;
 use std::io::{self, Write};
+use std::ops::Range;
 
 /// The most vertices a picture shows.
 pub const MAX_VERTICES: u32 = 100_000;
@@ -261,6 +262,14 @@ fn outline(mesh: &Mesh, frame: &Frame, class: &str) -> String {
     }
     let points = String::from_utf8_lossy(&points);
     format!("<polygon class=\"{class}\" points=\"{points}\"/>\n")
+}
+
+fn write_items(
+    out: &mut impl Write,
+    count: u32,
+    format: impl Fn(Range<u32>, &mut Vec<u8>) + Sync,
+) -> io::Result<()> {
+    write_sections(out, &[Section::new(count, 32, format)])
 }
 
 /// Every other triangle a shade darker, so that the strips stand out.

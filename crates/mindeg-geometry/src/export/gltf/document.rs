@@ -11,6 +11,7 @@ use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked::{self, Valid};
 use gltf_json::validation::USize64;
 use gltf_json::{Accessor, Asset, Buffer, Index, Material, Node, Root, Scene, Value};
+use mindeg_core::Boundary;
 use std::collections::BTreeMap;
 
 /// Surface and line colors in linear light: a pale steel that shades well, and near black.
@@ -20,8 +21,8 @@ const WHITE: [f32; 4] = [1.0; 4];
 
 /// Whether indices take 32 bits: the largest 16-bit number restarts primitives, and so may
 /// not be an index.
-pub(super) fn has_wide_indices(mesh: &Mesh) -> bool {
-    mesh.vertex_count() > u32::from(u16::MAX)
+pub(super) fn has_wide_indices(boundary: &Boundary) -> bool {
+    boundary.vertex_count() > u32::from(u16::MAX)
 }
 
 /// The bytes a vertex takes in each of the arrays that go before the indices: position,
@@ -38,11 +39,11 @@ pub(super) fn vertex_sizes(options: &SurfaceOptions) -> [u64; 4] {
 }
 
 /// The length of the binary in bytes, without building it.
-pub(super) fn binary_len(mesh: &Mesh, options: &SurfaceOptions) -> u64 {
-    let vertices = u64::from(mesh.vertex_count());
+pub(super) fn binary_len(boundary: &Boundary, options: &SurfaceOptions) -> u64 {
+    let vertices = u64::from(boundary.vertex_count());
     let segments = if options.boundary_lines { vertices } else { 0 };
-    let indices = 3 * u64::from(mesh.triangle_count()) + 2 * segments;
-    let index_size = if has_wide_indices(mesh) { 4 } else { 2 };
+    let indices = 3 * (vertices - 2) + 2 * segments;
+    let index_size = if has_wide_indices(boundary) { 4 } else { 2 };
     vertices * vertex_sizes(options).iter().sum::<u64>() + indices * index_size
 }
 
@@ -153,7 +154,7 @@ impl Document {
 
     /// The array of all indices.
     fn index_view(&mut self, mesh: &Mesh, options: &SurfaceOptions) -> Index<View> {
-        let len = binary_len(mesh, options) - self.binary_len;
+        let len = binary_len(mesh.boundary(), options) - self.binary_len;
         self.view(len, Target::ElementArrayBuffer)
     }
 
@@ -165,7 +166,7 @@ impl Document {
         count: u64,
     ) -> Index<Accessor> {
         let component =
-            if has_wide_indices(mesh) { ComponentType::U32 } else { ComponentType::U16 };
+            if has_wide_indices(mesh.boundary()) { ComponentType::U32 } else { ComponentType::U16 };
         let offset = first * component.size() as u64;
         self.accessor(view, (offset, count), (Type::Scalar, component))
     }

@@ -1,8 +1,10 @@
 //! Positions as glTF stores them: 32-bit floats, near the origin.
 
 use crate::export::{ExportError, Plane};
+use crate::parallel::blocks;
 use crate::{Bounds, Mesh};
 use glam::{DVec2, Vec3};
+use std::ops::Range;
 
 /// A coordinate range is far from the origin when it begins this many of its own lengths
 /// away, or more: then 32-bit floats near the origin keep at least three bits more of it.
@@ -52,17 +54,28 @@ impl Positions {
         moved.then(|| self.plane.place(self.offset).as_vec3().to_array())
     }
 
-    /// Looks at every position once, in O(n) time and O(1) memory.
+    /// Looks at every position once, in O(n) time.
     ///
     /// Refuses a coordinate beyond the range of 32-bit floats, and a vertex in the same
     /// place as one of the two before it round the boundary. Two steps back suffice for
     /// uniform spacing: where neighbors differ, points meet across a sharp corner at most,
     /// and the first pair there is the closest.
     fn survey(&self, mesh: &Mesh) -> Result<Extent, ExportError> {
-        let n = mesh.vertex_count();
-        let mut before = [n - 2, n - 1].map(|v| (v, self.of(mesh.point(v))));
         let mut extent = Extent { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
-        for (vertex, point) in (0..).zip(mesh.points()) {
+        for of_block in blocks(mesh.vertex_count(), |range| self.survey_block(mesh, range)) {
+            let Extent { min, max } = of_block?;
+            extent = Extent { min: extent.min.min(min), max: extent.max.max(max) };
+        }
+        Ok(extent)
+    }
+
+    fn survey_block(&self, mesh: &Mesh, range: Range<u32>) -> Result<Extent, ExportError> {
+        let n = mesh.vertex_count();
+        let back =
+            |steps: u32| if range.start < steps { range.start + n } else { range.start } - steps;
+        let mut before = [2, 1].map(|steps| (back(steps), self.of(mesh.point(back(steps)))));
+        let mut extent = Extent { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
+        for (vertex, point) in range.clone().zip(mesh.placement().points_of(range)) {
             let position = self.of(point);
             if !position.is_finite() {
                 return Err(ExportError::OutOfRange { vertex, point });
