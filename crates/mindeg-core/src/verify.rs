@@ -274,6 +274,7 @@ fn check_edges(edges: &[[u32; 2]], vertices: u64) -> Result<Vec<u32>, Defect> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use alloc::string::ToString;
 
     /// The zig-zag of (3,3,2,2): ears at vertices 3 and 8.
     const GOOD: [[u32; 3]; 8] =
@@ -326,6 +327,30 @@ mod tests {
         }
         for intervals in [&[1, 1][..], &[1, 0, 2], &[1, u64::MAX, 2], &[1, 4_294_967_293, 1]] {
             assert_eq!(verify(intervals, []), Err(Defect::NoPolygon));
+        }
+    }
+
+    #[test]
+    fn messages_say_what_and_where() {
+        let (triangle, vertex, edge) = (7, 5, [2, 3]);
+        for (defect, message) in [
+            (Defect::NoPolygon, "the interval counts are no polygon's"),
+            (
+                Defect::WrongCount { expected: 8, found: 9 },
+                "there are 9 triangles where 8 are right",
+            ),
+            (
+                Defect::NoSuchVertex { triangle, vertex },
+                "triangle 7 names vertex 5, which does not exist",
+            ),
+            (Defect::RepeatedVertex { triangle, vertex }, "triangle 7 names vertex 5 twice"),
+            (Defect::Clockwise { triangle }, "triangle 7 runs clockwise"),
+            (Defect::Flat { triangle, side: 0 }, "triangle 7 is flat: it lies on side 1"),
+            (Defect::RepeatedEdge { edge }, "more than one triangle has the edge from 2 to 3"),
+            (Defect::OpenEdge { edge }, "the interior edge from 2 to 3 has one triangle, not two"),
+            (Defect::MissingBoundaryEdge { edge }, "the boundary edge from 2 to 3 has no triangle"),
+        ] {
+            assert_eq!(defect.to_string(), message);
         }
     }
 }
