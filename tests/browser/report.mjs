@@ -386,6 +386,39 @@ test("the index of many domains sorts, links, and lists what failed", async () =
   await opened.context().close();
 });
 
+test("points of a trade-off lead to their meshes, by the keyboard and without a script", async () => {
+  assert.equal(mindeg("tradeoff", bundled("wing-panel"), "-o", "tradeoff.html").status, 0);
+  const context = await browser.newContext({ javaScriptEnabled: false, viewport: { width: 1280, height: 900 } });
+  const opened = await context.newPage();
+  await opened.goto(pathToFileURL(page("tradeoff.html")).href);
+  assert.equal(await opened.locator("figure svg").count(), 4);
+  assert.equal(await opened.locator("tbody tr").count(), 4);
+  for (const degree of [4, 5, 6, 7]) {
+    await opened.keyboard.press("Tab");
+    assert.equal(await opened.locator(":focus").getAttribute("href"), `#degree-${degree}`);
+  }
+  await opened.keyboard.press("Enter");
+  const box = await opened.locator("#degree-7:target").boundingBox();
+  assert.ok(box.y >= 0 && box.y < 900, `at ${box.y}`);
+  await context.close();
+});
+
+test("a trade-off is dark on a dark screen, light on paper, and fits a phone", async () => {
+  const opened = await open("tradeoff.html", { colorScheme: "dark", viewport: { width: 360, height: 740 } });
+  const brightness = (selector, property) =>
+    opened.$eval(selector, (element, property) => {
+      const [red, green, blue] = getComputedStyle(element)[property].match(/\d+/g).map(Number);
+      return (red + green + blue) / 3;
+    }, property);
+  assert.ok((await brightness("h1", "color")) > 200);
+  assert.ok((await brightness(".tick", "fill")) > 120);
+  assert.ok(await opened.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await opened.emulateMedia({ media: "print" });
+  assert.ok((await brightness("h1", "color")) < 80);
+  assert.ok((await brightness(".tick", "fill")) < 120);
+  await opened.context().close();
+});
+
 test("a picture for the README", async () => {
   const opened = await open("hexagon.html", { viewport: { width: 1240, height: 1500 } });
   await opened.screenshot({ path: resolve("report.png") });
