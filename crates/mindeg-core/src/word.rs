@@ -272,6 +272,7 @@ mod tests {
             (Word::balanced(4, 0, 0), "XXXX"),
         ] {
             assert_eq!(spell(word), spelling);
+            assert_eq!(word.is_empty(), spelling.is_empty());
         }
     }
 
