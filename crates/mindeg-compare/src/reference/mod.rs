@@ -167,11 +167,7 @@ impl Reference {
         let deadline = Deadline { at: Instant::now().checked_add(time_limit), time_limit };
         let started = thread::Builder::new().spawn(move || {
             let start = Instant::now();
-            let triangles = match self {
-                Self::Delaunay => delaunay::triangulate(&boundary, &points, deadline),
-                Self::EarClipping => Ok(ear_clipping::triangulate(&points)),
-                Self::Fan => fan::triangulate(&boundary),
-            };
+            let triangles = self.run(&boundary, &points, deadline);
             let time = start.elapsed();
             // Nobody listens any more once the time is up.
             let _ = sender.send(triangles.map(|triangles| Timed { triangles, time }));
@@ -193,6 +189,38 @@ impl Reference {
         }
         timed.triangles.sort_unstable();
         Ok(timed)
+    }
+
+    /// The method's triangles on the given boundary points, unchecked and in no particular order,
+    /// however long it takes: for measuring the method and nothing else.
+    ///
+    /// # Errors
+    ///
+    /// [`NoTriangulation`], but for its time limit.
+    ///
+    /// # Panics
+    ///
+    /// When there are not as many points as boundary vertices, or the library panics.
+    pub fn triangulate_without_limit(
+        self,
+        boundary: &Boundary,
+        points: &[DVec2],
+    ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
+        assert_eq!(points.len(), boundary.vertex_count() as usize, "one point for each vertex");
+        self.run(boundary, points, Deadline { at: None, time_limit: Duration::MAX })
+    }
+
+    fn run(
+        self,
+        boundary: &Boundary,
+        points: &[DVec2],
+        deadline: Deadline,
+    ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
+        match self {
+            Self::Delaunay => delaunay::triangulate(boundary, points, deadline),
+            Self::EarClipping => Ok(ear_clipping::triangulate(points)),
+            Self::Fan => fan::triangulate(boundary),
+        }
     }
 
     fn library(self) -> &'static str {
