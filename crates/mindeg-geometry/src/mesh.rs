@@ -14,7 +14,7 @@ mod faces;
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::{Boundary, Defect};
+use mindeg_core::{Boundary, Defect, min_degree_triangulation};
 use rayon::prelude::*;
 
 use self::angles::{cotangents, placed};
@@ -125,6 +125,12 @@ impl Mesh {
         }
         let triangulation = choice::best_plan(domain.placement())?;
         Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
+    }
+
+    /// The first mesh there is, whatever it looks like. O(k) time, but for a copy of the domain.
+    pub(crate) fn first(domain: &Domain) -> Self {
+        let triangulation = min_degree_triangulation(domain.boundary());
+        Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) }
     }
 
     /// The mesh with the given triangles, which keep their numbers, under the numbers of the

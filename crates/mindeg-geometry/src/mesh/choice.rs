@@ -10,7 +10,7 @@ use mindeg_core::{Boundary, Plans, Triangulation};
 
 use super::MeshError;
 use super::angles::{cotangents, placed};
-use crate::parallel::{block, blocks, try_blocks};
+use crate::parallel::{block, blocks, first_of_blocks, try_blocks};
 use crate::placement::Placement;
 
 /// The most plans tried.
@@ -120,13 +120,12 @@ impl<'a> Points<'a> {
     }
 
     fn first_without_area(&self, plan: &Triangulation) -> Option<[u32; 3]> {
-        let in_blocks = blocks(plan.triangle_count(), |range| {
+        first_of_blocks(plan.triangle_count(), |range| {
             let start = range.start;
             let mut cotangents = self.placed(plan, range).map(cotangents);
             let place = cotangents.position(|[of_least, _]| of_least == f64::INFINITY);
             place.map(|place| plan.triangle(start + place as u32))
-        });
-        in_blocks.into_iter().flatten().next()
+        })
     }
 }
 
