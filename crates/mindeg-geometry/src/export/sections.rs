@@ -74,7 +74,7 @@ impl<'a> Section<'a> {
             };
             let within = sample.wrapping_mul(0x9e37_79b9);
             let len = part(sample + 1) - part(sample);
-            let start = (part(sample) + (len * u64::from(within) >> 32)) as u32;
+            let start = (part(sample) + ((len * u64::from(within)) >> 32)) as u32;
             (self.format)(start..start + SAMPLE, &mut sampled);
         }
         sampled.len() as u64 * u64::from(self.count) / u64::from(SAMPLES * SAMPLE)
