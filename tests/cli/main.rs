@@ -3,7 +3,13 @@
 mod compare;
 mod degree;
 mod inspect;
+#[cfg(unix)]
+mod interrupts;
+#[cfg(unix)]
+mod limits;
 mod mesh;
+#[cfg(unix)]
+mod progress;
 mod run;
 mod suggest;
 mod tradeoff;

@@ -354,8 +354,7 @@ mod tests {
         assert_eq!(
             error.to_string(),
             "a .glb holds 4 GiB at most, and this mesh would take at least 4294967296 bytes; write \
-             a .gltf with its .bin, which may be larger, or leave out normals and texture \
-             coordinates"
+             a .gltf with its .bin or an OBJ, which may be larger, or use fewer intervals"
         );
     }
 }

@@ -35,7 +35,7 @@ pub enum ExportError {
     /// A `.glb` gives its own length as a 32-bit number.
     #[error(
         "a .glb holds 4 GiB at most, and this mesh would take at least {bytes} bytes; write a \
-         .gltf with its .bin, which may be larger, or leave out normals and texture coordinates"
+         .gltf with its .bin or an OBJ, which may be larger, or use fewer intervals"
     )]
     TooLargeForGlb {
         /// The length of the file, or a lower bound of it.
