@@ -67,3 +67,34 @@ fn free(folder: &Path) -> Option<u64> {
     // Some that are no disks say that they have no room at all.
     (space.total_space() > 0).then(|| space.available_space())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_goes_to_one_file_system_is_added_up() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let other = folder.path().join("other");
+        fs::create_dir(&other).expect("a folder");
+        let Some(free) = free(folder.path()) else { return };
+        let planned =
+            |name, folder, least_len| Planned { name: Path::new(name), folder, least_len };
+        let most = free / 4 * 3;
+        let first = || planned("a.obj", folder.path(), most);
+        assert!(check([first(), planned("b.obj", &other, 0)], "").is_ok());
+        // Of a folder that is not there nothing is known.
+        let missing = folder.path().join("missing");
+        assert!(check([planned("c.obj", &missing, u64::MAX)], "").is_ok());
+        if cfg!(unix) {
+            let failure = check([first(), planned("b.obj", &other, most)], "buy one");
+            let failure = failure.expect_err("half as much again as there is");
+            let message = failure.message().expect("it says why").to_owned();
+            assert!(message.starts_with("a.obj and b.obj would take "), "{message}");
+            assert!(message.ends_with(" are free where they go; buy one"), "{message}");
+        }
+        let failure = check([planned("a.obj", folder.path(), u64::MAX)], "buy one");
+        let message = failure.expect_err("no disk takes that").message().map(str::to_owned);
+        assert!(message.is_some_and(|message| message.ends_with("where it goes; buy one")));
+    }
+}
