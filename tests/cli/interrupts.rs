@@ -100,6 +100,8 @@ fn signals_in_the_middle_of_a_file_leave_what_was_there() {
     }
 }
 
+/// Only Linux tells a process what it was started to ignore.
+#[cfg(target_os = "linux")]
 #[test]
 fn a_hangup_that_is_to_be_ignored_is() {
     let mut child = Command::new("sh")

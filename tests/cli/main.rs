@@ -8,7 +8,7 @@ mod interrupts;
 #[cfg(unix)]
 mod limits;
 mod mesh;
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod progress;
 mod run;
 mod suggest;
