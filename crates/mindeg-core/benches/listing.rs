@@ -1,21 +1,18 @@
 //! How fast triangles are listed, next to filling the same buffer with a constant.
 //!
-//! `cargo bench -p mindeg-core` prints divan's table and after it the ratios; with
-//! `MINDEG_BENCH_LARGE=1` in the environment also for 10⁸ triangles, which takes 1.2 GB.
+//! With `MINDEG_BENCH_LARGE=1` in the environment also for 10⁸ triangles, which takes 1.2 GB. The
+//! ratios of one to the other, taken in turns, are in the benchmark `ratios` of the package
+//! `mindeg`.
 //!
-//! Bias: the buffer has been written before, so no page faults are counted, and the best of many
-//! rounds counts. The constant is three different ids, as a triangle is.
+//! Bias: the buffer has been written before, so no page faults are counted. The constant is three
+//! different ids, as a triangle is.
 
 use divan::{Bencher, black_box, counter::ItemsCount};
 use mindeg_core::{Boundary, Triangulation, min_degree_triangulation};
 use std::fmt;
-use std::time::{Duration, Instant};
 
 fn main() {
     divan::main();
-    if std::env::args().any(|argument| argument == "--bench") {
-        print_ratios();
-    }
 }
 
 /// A construction, by four sides that bring it about, and the number of triangles.
@@ -114,51 +111,4 @@ fn a_thousand_degrees(bencher: Bencher<'_, '_>, input: &Input) {
             black_box(input.triangulation.degree(vertex));
         }
     });
-}
-
-/// Splits a buffer among all cores, each part with the number of its first triangle.
-fn on_all_cores(out: &mut [[u32; 3]], fill: impl Fn(u32, &mut [[u32; 3]]) + Sync) {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let len = out.len().div_ceil(cores);
-    let fill = &fill;
-    std::thread::scope(|scope| {
-        for (first, part) in (0..).step_by(len).zip(out.chunks_mut(len)) {
-            scope.spawn(move || fill(first, part));
-        }
-    });
-}
-
-fn print_ratios() {
-    println!("\nns a triangle          one core                   all cores");
-    println!("constant   filled  ratio     constant   filled  ratio");
-    for input in inputs() {
-        let mut out = buffer(&input);
-        let triangulation = &input.triangulation;
-        let rounds = (50_000_000 / out.len()).clamp(5, 500);
-        let [mut constant, mut filled, mut constants, mut filleds] = [Duration::MAX; 4];
-        // In turn, so that what else the machine does meets all alike.
-        for _ in 0..rounds {
-            let mut time = |best: &mut Duration, fill: &dyn Fn(&mut [[u32; 3]])| {
-                let start = Instant::now();
-                fill(black_box(&mut out));
-                *best = start.elapsed().min(*best);
-            };
-            time(&mut constant, &fill_with_constant);
-            time(&mut filled, &|out| triangulation.fill_triangles(0, out));
-            time(&mut constants, &|out| on_all_cores(out, |_, part| fill_with_constant(part)));
-            time(&mut filleds, &|out| {
-                on_all_cores(out, |first, part| triangulation.fill_triangles(first, part));
-            });
-        }
-        let each = |time: Duration| time.as_secs_f64() * 1e9 / input.triangles as f64;
-        println!(
-            "{:8.3} {:8.3} {:6.2}     {:8.3} {:8.3} {:6.2}  {input}",
-            each(constant),
-            each(filled),
-            filled.as_secs_f64() / constant.as_secs_f64(),
-            each(constants),
-            each(filleds),
-            filleds.as_secs_f64() / constants.as_secs_f64(),
-        );
-    }
 }

@@ -73,6 +73,11 @@ pub(crate) struct Runs {
 }
 
 impl Runs {
+    /// The longer of the two lengths.
+    pub(crate) fn longest(&self) -> u32 {
+        self.base + 1
+    }
+
     /// Goes on to the run after the next Y.
     pub(crate) fn advance(&mut self) {
         self.remainder += self.surplus;

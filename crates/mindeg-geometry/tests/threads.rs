@@ -2,8 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use mindeg_core::Plans;
+use mindeg_geometry::import::SurfaceMesh;
+use mindeg_geometry::inspection::{Inspection, InspectionOptions};
 use mindeg_geometry::quality::TriangleQuality;
 use mindeg_geometry::{Domain, Mesh, Side, Spacing};
 use rayon::ThreadPoolBuilder;
@@ -79,4 +81,80 @@ fn measures_have_the_same_bits() {
         let degrees = with_any_threads(|| mesh.degree_histograms());
         assert_eq!(degrees.sides.max_degree(), Some(mesh.max_degree()));
     }
+}
+
+/// Some copies of a piece in which everything is wrong, side by side.
+fn broken(copies: u32) -> SurfaceMesh {
+    #[rustfmt::skip]
+    let corners = [
+        [0, 0], [2, 0], [2, 2], [0, 2], [1, 1], [1, 1], [1, 3], [1, 0],
+        [4, 4], [3, 0], [4, 0], [3, 1], [4, 2], [3, 2],
+    ];
+    let triangles = [
+        [0, 1, 4],
+        [1, 2, 5],
+        [5, 3, 2],
+        [3, 0, 4],
+        [0, 4, 3],
+        [2, 6, 3],
+        [6, 2, 4],
+        [3, 2, 4],
+        [0, 7, 1],
+        [6, 6, 2],
+        [9, 10, 11],
+        [11, 12, 13],
+    ];
+    let positions = (0..copies).flat_map(|copy| {
+        corners.map(|[x, y]| DVec3::new(f64::from(5 * copy + x), f64::from(y), 0.0))
+    });
+    let triangles = (0..copies).flat_map(|copy| {
+        let first = corners.len() as u32 * copy;
+        triangles.map(|triangle| triangle.map(|vertex| first + vertex))
+    });
+    SurfaceMesh::new(positions.collect(), triangles.collect()).unwrap()
+}
+
+#[test]
+fn many_broken_pieces_are_as_broken_as_one_each() {
+    const COPIES: usize = 10_000;
+    let options = InspectionOptions { pole_degree: 4, ..InspectionOptions::default() };
+    let one = Inspection::of(&broken(1), &options);
+    let mesh = broken(COPIES as u32);
+    let all = with_any_threads(|| Inspection::of(&mesh, &options));
+    let counts = |of: &Inspection| {
+        [
+            of.welded_count,
+            of.face_count,
+            of.edge_count,
+            of.boundary_edge_count,
+            of.boundary_loop_count,
+            of.open_boundary_count,
+            of.component_count,
+            of.non_manifold_edges.len(),
+            of.non_manifold_vertices.len(),
+            of.inconsistent_edges.len(),
+            of.duplicate_triangles.len(),
+            of.zero_area_triangles.len(),
+            of.unreferenced_vertices.len(),
+            of.poles.len(),
+        ]
+    };
+    let copied = |counts: [usize; 14]| counts.map(|count| COPIES * count);
+    assert_eq!(counts(&all), copied(counts(&one)));
+    assert!(!counts(&one).contains(&0), "{one:#?}");
+    assert_eq!(all.highest_degree, one.highest_degree);
+    let last = all.duplicate_triangles.last().map(|triangle| triangle % 12);
+    assert_eq!(last, one.duplicate_triangles.last().copied());
+    for (all, one) in [
+        (&all.boundary_degrees, &one.boundary_degrees),
+        (&all.interior_degrees, &one.interior_degrees),
+    ] {
+        let copied = one.iter().map(|(degree, count)| (degree, count * COPIES as u64));
+        assert!(all.iter().eq(copied));
+    }
+    let triangles =
+        |of: &Inspection| of.worst_triangles.iter().map(|worst| worst.triangle).collect::<Vec<_>>();
+    // The flat ones, and of equal ones the first.
+    assert_eq!(triangles(&all), [8, 9, 20, 21, 32]);
+    assert_eq!(triangles(&one)[..2], [8, 9]);
 }

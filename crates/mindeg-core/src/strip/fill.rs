@@ -74,9 +74,13 @@ fn alternate([x, y]: [u32; 2], first: Letter, out: &mut [[u32; 3]]) {
     }
 }
 
-/// Runs of X, each followed by a Y, from edge (x, y) on.
-fn run_by_run([mut x, mut y]: [u32; 2], mut runs: Runs, out: &mut [[u32; 3]]) {
-    let mut rest = out;
+/// Runs of X, each followed by a Y, from an edge on.
+fn run_by_run(edge: [u32; 2], mut runs: Runs, out: &mut [[u32; 3]]) {
+    let ([mut x, mut y], mut rest) = match runs.longest() {
+        2 => short_runs::<3>(edge, &mut runs, out),
+        3 => short_runs::<4>(edge, &mut runs, out),
+        _ => (edge, out),
+    };
     loop {
         let run = rest.len().min(runs.left as usize);
         let (fan, after) = rest.split_at_mut(run);
@@ -90,4 +94,29 @@ fn run_by_run([mut x, mut y]: [u32; 2], mut runs: Runs, out: &mut [[u32; 3]]) {
         rest = after;
         runs.advance();
     }
+}
+
+/// Whole runs from edge (x, y) on, none longer than `ROOM - 1`, as long as there is room for the
+/// longest and its Y. Gives the edge that follows, and what is not filled.
+///
+/// The processor spends longer on a loop that ends after a turn or two than on its triangles. So
+/// each run is written at full length, and what is too much of it written over.
+fn short_runs<'a, const ROOM: usize>(
+    [mut x, mut y]: [u32; 2],
+    runs: &mut Runs,
+    mut out: &'a mut [[u32; 3]],
+) -> ([u32; 2], &'a mut [[u32; 3]]) {
+    while let Some(room) = out.first_chunk_mut::<ROOM>() {
+        for (k, triangle) in (0..).zip(&mut room[..ROOM - 1]) {
+            // What is too much may wrap.
+            *triangle = [x.wrapping_add(k), x.wrapping_add(k + 1), y];
+        }
+        let run = runs.left as usize;
+        x += runs.left;
+        room[run] = [x, y - 1, y];
+        y -= 1;
+        out = &mut out[run + 1..];
+        runs.advance();
+    }
+    ([x, y], out)
 }

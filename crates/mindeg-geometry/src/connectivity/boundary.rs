@@ -38,11 +38,12 @@ impl BoundaryEdges {
     /// The boundary of a mesh, from the stars of its vertices.
     pub(crate) fn new(stars: &Stars<'_>) -> Self {
         let mut boundary = Self::default();
-        stars.for_each(|vertex, star| boundary.add(vertex, star));
+        stars.for_each(0..stars.count(), |vertex, star| boundary.add(vertex, star));
         boundary
     }
 
-    /// Adds the boundary edges at a vertex. Every vertex from 0 on is to be added, in order.
+    /// Adds the boundary edges at a vertex. Every vertex from 0 on is to be added, in order,
+    /// here or to what is [appended](Self::append).
     pub(crate) fn add(&mut self, vertex: u32, star: &Star) {
         self.starts.push(self.halves.len());
         for edge in star.edges() {
@@ -52,6 +53,13 @@ impl BoundaryEdges {
                 self.halves.push(Half { from: vertex, to: ray.end, is_outgoing, across });
             }
         }
+    }
+
+    /// Adds those of the vertices that follow.
+    pub(crate) fn append(&mut self, next: Self) {
+        let before = self.halves.len();
+        self.starts.extend(next.starts.into_iter().map(|start| before + start));
+        self.halves.extend(next.halves);
     }
 
     /// The number of boundary edges.

@@ -1,6 +1,7 @@
 //! The triangles and edges at each vertex.
 
 use super::disjoint_sets::DisjointSets;
+use std::ops::Range;
 
 /// Whether a triangle has three different vertices. Only such triangles are in stars.
 pub(crate) fn is_proper([a, b, c]: [u32; 3]) -> bool {
@@ -41,12 +42,19 @@ impl<'a> Stars<'a> {
         Self { triangles, starts, at }
     }
 
-    /// Calls `visit` with every vertex, in ascending order, and its star. O(d log d) for each
+    /// The number of stars: of vertices.
+    pub(crate) fn count(&self) -> u32 {
+        // Vertices are numbered in u32.
+        (self.starts.len() - 1) as u32
+    }
+
+    /// Calls `visit` with some vertices, in ascending order, and their stars. O(d log d) for each
     /// star of d edges, beside what `visit` takes.
-    pub(crate) fn for_each(&self, mut visit: impl FnMut(u32, &Star)) {
+    pub(crate) fn for_each(&self, vertices: Range<u32>, mut visit: impl FnMut(u32, &Star)) {
         let mut star = Star::default();
-        for (vertex, range) in (0..).zip(self.starts.windows(2)) {
-            star.set(vertex, self.triangles, &self.at[range[0]..range[1]]);
+        for vertex in vertices {
+            let [start, end] = [vertex as usize, vertex as usize + 1].map(|i| self.starts[i]);
+            star.set(vertex, self.triangles, &self.at[start..end]);
             visit(vertex, &star);
         }
     }

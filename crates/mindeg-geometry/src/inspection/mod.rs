@@ -33,6 +33,7 @@
 //! not told apart.
 
 mod convex_outline;
+mod shapes;
 mod topology;
 mod weld;
 
@@ -41,7 +42,7 @@ pub use convex_outline::{ConvexOutline, NoConvexOutline};
 use crate::connectivity::stars::{Stars, is_proper};
 use crate::import::SurfaceMesh;
 use crate::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
-use glam::DVec3;
+use shapes::Shapes;
 use std::borrow::Cow;
 use topology::Topology;
 
@@ -198,7 +199,7 @@ impl Inspection {
         topology.isolated.retain(|&vertex| !is_welded(vertex));
         topology.poles.sort_by_key(|pole| (std::cmp::Reverse(pole.degree), pole.vertex));
         let used_count = vertex_count - welded_count - topology.isolated.len();
-        let Shapes { quality, worst_triangles, zero_area_triangles } = shapes(mesh);
+        let Shapes { quality, worst_triangles, zero_area_triangles } = Shapes::of(mesh);
 
         let loops = topology.boundary.loops();
         let boundary_loop_count = loops.iter().filter(|boundary| boundary.closed).count();
@@ -251,52 +252,4 @@ impl Inspection {
     pub fn max_degree(&self) -> u32 {
         self.highest_degree.map_or(0, |highest| highest.degree)
     }
-}
-
-/// What the triangles are like one by one.
-struct Shapes {
-    quality: QualitySummary,
-    worst_triangles: Vec<WorstTriangle>,
-    zero_area_triangles: Vec<u32>,
-}
-
-fn shapes(mesh: &SurfaceMesh) -> Shapes {
-    let mut worst_triangles: Vec<WorstTriangle> = Vec::with_capacity(WORST + 1);
-    let mut zero_area_triangles = Vec::new();
-    let qualities = (0..).zip(mesh.triangles()).map(|(triangle, corners)| {
-        let points = corners.map(|vertex| mesh.positions()[vertex as usize]);
-        let [a, b, c] = points;
-        let quality = TriangleQuality::in_space(a, b, c);
-        if is_flat(points, &quality) {
-            zero_area_triangles.push(triangle);
-        }
-        let place = worst_triangles
-            .iter()
-            .rposition(|worst| worst.quality.min_angle <= quality.min_angle)
-            .map_or(0, |better| better + 1);
-        if place < WORST {
-            worst_triangles.truncate(WORST - 1);
-            worst_triangles.insert(place, WorstTriangle { triangle, quality });
-        }
-        quality
-    });
-    let quality = QualitySummary::of(qualities).expect("a mesh has a triangle");
-    Shapes { quality, worst_triangles, zero_area_triangles }
-}
-
-/// Whether it takes no more than rounding to make a triangle flat.
-///
-/// To move a vertex by some length changes twice the area by that length times the edge
-/// opposite at most, and so the height on the longest edge by no more than the length times the
-/// share of that edge.
-fn is_flat(points: [DVec3; 3], quality: &TriangleQuality) -> bool {
-    const ROUNDING: f64 = 2.0 * f64::EPSILON;
-    let [a, b, c] = points;
-    let lengths = [c - b, a - c, b - a].map(|edge| edge.abs().max_element());
-    let longest = lengths.into_iter().fold(0.0, f64::max);
-    let moved = points
-        .iter()
-        .zip(lengths)
-        .map(|(point, length)| ROUNDING * point.abs().max_element() * (length / longest));
-    quality.minimum_height == 0.0 || quality.minimum_height <= moved.sum()
 }

@@ -1,0 +1,71 @@
+//! How fast files are made, without writing them anywhere, and read and inspected, from memory.
+//!
+//! A rectangle of 4 by 3 with the same number of intervals on all sides.
+
+#![expect(clippy::unwrap_used, reason = "a benchmark may panic")]
+
+use divan::Bencher;
+use divan::counter::{BytesCount, ItemsCount};
+use mindeg_geometry::export::{SurfaceOptions, gltf, obj};
+use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+use mindeg_geometry::{Domain, Mesh, Side, import};
+use std::io;
+
+fn main() {
+    divan::main();
+}
+
+const TRIANGLES: [u64; 3] = [10_000, 100_000, 2_000_000];
+
+fn mesh(triangles: u64) -> Mesh {
+    let sides = (0..4).map(|_| Side::count(triangles / 4)).collect();
+    Mesh::least_degree(&Domain::rectangle(4.0, 3.0, sides).unwrap()).unwrap()
+}
+
+fn obj_file(mesh: &Mesh) -> Vec<u8> {
+    let mut file = Vec::new();
+    obj::write(mesh, &SurfaceOptions::default(), &mut file).unwrap();
+    file
+}
+
+fn glb_file(mesh: &Mesh) -> Vec<u8> {
+    let mut file = Vec::new();
+    gltf::write_glb(mesh, &SurfaceOptions::default(), &mut file).unwrap();
+    file
+}
+
+#[divan::bench(args = TRIANGLES, sample_count = 10)]
+fn write_obj(bencher: Bencher<'_, '_>, triangles: u64) {
+    let (mesh, options) = (mesh(triangles), SurfaceOptions::default());
+    let bytes = BytesCount::of_slice(&obj_file(&mesh));
+    bencher.counter(bytes).bench_local(|| obj::write(&mesh, &options, io::sink()));
+}
+
+#[divan::bench(args = TRIANGLES, sample_count = 10)]
+fn write_glb(bencher: Bencher<'_, '_>, triangles: u64) {
+    let (mesh, options) = (mesh(triangles), SurfaceOptions::default());
+    let bytes = BytesCount::of_slice(&glb_file(&mesh));
+    bencher.counter(bytes).bench_local(|| gltf::write_glb(&mesh, &options, io::sink()));
+}
+
+#[divan::bench(args = TRIANGLES, sample_count = 5)]
+fn read_obj(bencher: Bencher<'_, '_>, triangles: u64) {
+    let file = obj_file(&mesh(triangles));
+    bencher.counter(BytesCount::of_slice(&file)).bench_local(|| import::obj::read(&file[..]));
+}
+
+#[divan::bench(args = TRIANGLES, sample_count = 5)]
+fn read_glb(bencher: Bencher<'_, '_>, triangles: u64) {
+    let file = glb_file(&mesh(triangles));
+    let no_files = |_: &str| Err(io::ErrorKind::Unsupported.into());
+    bencher
+        .counter(BytesCount::of_slice(&file))
+        .bench_local(|| import::gltf::read(&file[..], no_files));
+}
+
+#[divan::bench(args = TRIANGLES, sample_count = 5)]
+fn inspect(bencher: Bencher<'_, '_>, triangles: u64) {
+    let mesh = import::obj::read(&obj_file(&mesh(triangles))[..]).unwrap();
+    let options = InspectionOptions::default();
+    bencher.counter(ItemsCount::new(triangles)).bench_local(|| Inspection::of(&mesh, &options));
+}
