@@ -64,7 +64,8 @@ impl Bar {
         self.show_when_due();
     }
 
-    /// Hears how far work on triangles is.
+    /// Hears how far work on triangles is. A triangle may count more than once, and so the total can
+    /// be another than was thought.
     pub(crate) fn watch(&self) -> impl Fn(Progress) + Sync {
         |Progress { done, total }| {
             if self.bar.length() != Some(total) {

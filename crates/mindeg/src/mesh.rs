@@ -58,7 +58,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     outputs.check_room(WAY_OUT_OF_NO_ROOM)?;
 
     let (mesh, optimal_max_degree) = mesh(arguments, &domain, &bar)?;
-    bar.stage("measuring the angles", 0, Unit::Triangles);
+    bar.stage("measuring the angles", mesh.triangle_count().into(), Unit::Triangles);
     let angles = mesh.angle_range_watched(&bar.watch());
     arguments.gates.check_mesh(&mesh, angles.min)?;
 
@@ -97,7 +97,8 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 fn mesh(arguments: &MeshArguments, domain: &Domain, bar: &Bar) -> Result<(Mesh, u32), Failure> {
     let for_angle = arguments.optimize == Some(Optimize::Angle);
     if !for_angle && !domain.is_constrained() {
-        bar.stage("choosing the mesh", 0, Unit::Triangles);
+        let triangles = u64::from(domain.boundary().vertex_count()) - 2;
+        bar.stage("choosing the mesh", triangles, Unit::Triangles);
         let mesh = Mesh::least_degree_watched(domain, &bar.watch())
             .map_err(|error| Failure::Input(error.to_string()))?;
         return Ok((mesh, optimal_max_degree(domain.boundary())));

@@ -236,6 +236,19 @@ mod tests {
         assert_eq!(slow.0, 40);
     }
 
+    /// Whoever writes the file must get to delete it.
+    #[test]
+    fn a_panic_is_passed_on_and_holds_nobody_up() {
+        for threads in [1, 4] {
+            let sections = [Section::new(40, BLOCK_LEN, |range, _| assert!(range.start != 7))];
+            let write = || write_sections(&mut io::sink(), &sections);
+            let result = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
+                with_threads(threads, write)
+            }));
+            assert!(result.is_err());
+        }
+    }
+
     #[test]
     fn the_first_error_ends_it() {
         struct Full(usize);
