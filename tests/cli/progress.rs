@@ -29,8 +29,8 @@ fn shell(command: &str, terminal: bool) -> Option<Run> {
 
 /// An OBJ of 40 MB for a reader that takes two seconds for it.
 const SLOW: &str = "\"$MINDEG\" mesh --rectangle 4x3 --intervals 100000,100000,100000,100000 \
-     -o - --format obj QUIET | for part in 1 2 3 4 5 6 7 8 9 10; do head -c 4100000; sleep 0.2; done \
-     > /dev/null";
+     -o - --format obj QUIET | \
+     for part in 1 2 3 4 5 6 7 8 9 10; do head -c 4100000; sleep 0.2; done > /dev/null";
 
 #[test]
 fn bytes_rate_and_time_show_while_files_are_written() {

@@ -52,10 +52,13 @@ impl Bar {
 
     /// The work from here on, and how much it is; the bar starts anew.
     pub(crate) fn stage(&self, name: impl Into<String>, total: u64, unit: Unit) {
-        self.bar.set_style(style(unit));
-        self.bar.set_message(name.into());
-        self.bar.set_length(total);
-        self.bar.reset();
+        // In this order, nothing is drawn that is half of this stage and half of the last.
+        self.bar.set_style(style(name.into(), unit));
+        self.bar.update(|state| {
+            state.set_pos(0);
+            state.set_len(total);
+        });
+        self.bar.reset_eta();
     }
 
     /// So much of the stage is done.
@@ -64,8 +67,8 @@ impl Bar {
         self.show_when_due();
     }
 
-    /// Hears how far work on triangles is. A triangle may count more than once, and so the total can
-    /// be another than was thought.
+    /// Hears how far work on triangles is. A triangle may count more than once, and so the total
+    /// can be another than was thought.
     pub(crate) fn watch(&self) -> impl Fn(Progress) + Sync {
         |Progress { done, total }| {
             if self.bar.length() != Some(total) {
@@ -95,14 +98,14 @@ impl Drop for Bar {
     }
 }
 
-fn style(unit: Unit) -> ProgressStyle {
+fn style(name: String, unit: Unit) -> ProgressStyle {
     let template = match unit {
         Unit::Bytes => {
-            "{msg} {wide_bar} {decimal_bytes} of {decimal_total_bytes}, \
+            "{name} {wide_bar} {decimal_bytes} of {decimal_total_bytes}, \
              {decimal_bytes_per_sec}, {eta} left"
         }
-        Unit::Triangles => "{msg} {wide_bar} {percent}% of {triangles}, {rate}, {eta} left",
-        Unit::Parts => "{msg} {wide_bar} {percent}%, {eta} left",
+        Unit::Triangles => "{name} {wide_bar} {percent}% of {triangles}, {rate}, {eta} left",
+        Unit::Parts => "{name} {wide_bar} {percent}%, {eta} left",
     };
     let millions = |count: f64, out: &mut dyn fmt::Write| {
         // A bar that cannot be drawn is no reason to fail.
@@ -110,6 +113,9 @@ fn style(unit: Unit) -> ProgressStyle {
     };
     ProgressStyle::with_template(template)
         .expect("the templates are well formed")
+        .with_key("name", move |_: &ProgressState, out: &mut dyn fmt::Write| {
+            let _ = out.write_str(&name);
+        })
         .with_key("triangles", move |state: &ProgressState, out: &mut dyn fmt::Write| {
             millions(state.len().unwrap_or_default() as f64, out);
             let _ = out.write_str(" triangles");

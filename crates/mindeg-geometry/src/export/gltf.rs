@@ -215,8 +215,8 @@ pub struct Gltf<'a> {
 }
 
 impl<'a> Gltf<'a> {
-    /// Looks at the points of a domain. `bin_name` is the name of the binary's file as seen from the document,
-    /// with `/` between folders; it is escaped as the format asks.
+    /// Looks at the points of a domain. `bin_name` is the name of the binary's file as seen from
+    /// the document, with `/` between folders; it is escaped as the format asks.
     ///
     /// O(n) time, shared by all threads of rayon's current pool; next to no memory.
     ///
