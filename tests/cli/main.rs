@@ -3,6 +3,8 @@
 mod compare;
 mod degree;
 mod inspect;
+#[cfg(target_os = "linux")]
+mod memory;
 mod mesh;
 mod run;
 mod suggest;
