@@ -7,6 +7,8 @@ mod inspect;
 mod interrupts;
 #[cfg(unix)]
 mod limits;
+#[cfg(target_os = "linux")]
+mod memory;
 mod mesh;
 #[cfg(target_os = "linux")]
 mod progress;
