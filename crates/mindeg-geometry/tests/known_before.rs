@@ -26,7 +26,7 @@ fn the_length_of_an_obj_is_estimated() {
         ([3, 3, 2, 2], Spacing::Uniform),
         ([500, 400, 300, 200], Spacing::Uniform),
         ([1000; 4], Spacing::Uniform),
-        ([64_000; 4], Spacing::Uniform),
+        ([6400; 4], Spacing::Uniform),
         ([30_000, 90, 150, 60], Spacing::Uniform),
         ([99_999, 10_000, 100_000, 1], Spacing::Uniform),
         ([20_000; 4], graded.clone()),
