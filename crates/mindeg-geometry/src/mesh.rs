@@ -14,7 +14,7 @@ mod faces;
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::{Boundary, Defect};
+use mindeg_core::{Boundary, Defect, min_degree_triangulation};
 use rayon::prelude::*;
 
 use self::angles::{cotangents, placed};
@@ -22,6 +22,7 @@ use self::faces::{Faces, TriangleList};
 use crate::domain::Domain;
 use crate::parallel::blocks;
 use crate::placement::Placement;
+use crate::progress::{Counter, Watch, unwatched};
 use crate::quality::{QualitySummary, TriangleQuality};
 use crate::summary::DegreeHistogram;
 
@@ -120,11 +121,26 @@ impl Mesh {
     /// Points so close that some triangle has no area as f64s have it, and constraints on the
     /// domain's degrees, which this does not look at.
     pub fn least_degree(domain: &Domain) -> Result<Self, MeshError> {
+        Self::least_degree_watched(domain, &unwatched)
+    }
+
+    /// [`least_degree`](Self::least_degree), and `watch` hears how far it is.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn least_degree_watched(domain: &Domain, watch: Watch<'_>) -> Result<Self, MeshError> {
         if domain.is_constrained() {
             return Err(MeshError::Constrained);
         }
-        let triangulation = choice::best_plan(domain.placement())?;
+        let triangulation = choice::best_plan(domain.placement(), watch)?;
         Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
+    }
+
+    /// The first mesh there is, whatever it looks like. O(k) time, but for a copy of the domain.
+    pub(crate) fn first(domain: &Domain) -> Self {
+        let triangulation = min_degree_triangulation(domain.boundary());
+        Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) }
     }
 
     /// The mesh with the given triangles, which keep their numbers, under the numbers of the
@@ -298,12 +314,22 @@ impl Mesh {
     /// [`qualities`](Self::qualities).
     #[must_use]
     pub fn angle_range(&self) -> AngleRange {
+        self.angle_range_watched(&unwatched)
+    }
+
+    /// [`angle_range`](Self::angle_range), and `watch` hears how far it is.
+    #[must_use]
+    pub fn angle_range_watched(&self, watch: Watch<'_>) -> AngleRange {
+        let counter = Counter::new(self.triangle_count().into(), watch);
         let worse = |[of_least, of_greatest]: [f64; 2], [least, greatest]: [f64; 2]| {
             [of_least.max(least), of_greatest.min(greatest)]
         };
         let extremes = [f64::NEG_INFINITY, f64::INFINITY];
         let in_blocks = blocks(self.triangle_count(), |range| {
-            self.placed_triangles_of(range).map(cotangents).fold(extremes, worse)
+            let count = range.len();
+            let of_block = self.placed_triangles_of(range).map(cotangents).fold(extremes, worse);
+            counter.add(count);
+            of_block
         });
         let [least, greatest] = in_blocks.into_iter().fold(extremes, worse);
         let degrees = |cotangent: f64| libm::atan2(1.0, cotangent).to_degrees();

@@ -40,6 +40,15 @@ pub(crate) fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync 
     results
 }
 
+/// What `work` finds in the first of the blocks of the items `0..count` that has something to find.
+pub(crate) fn first_of_blocks<R: Send>(
+    count: u32,
+    work: impl Fn(Range<u32>) -> Option<R> + Sync + Send,
+) -> Option<R> {
+    let places = 0..count.div_ceil(BLOCK) as usize;
+    places.into_par_iter().find_map_first(|place| work(block(place, count)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -53,5 +62,14 @@ mod tests {
         }
         let last = try_blocks(u32::MAX, |range| if range.start == 0 { Ok(()) } else { Err(range) });
         assert!(last.is_err());
+    }
+
+    #[test]
+    fn the_first_find_is_found() {
+        for first in [0, 1, BLOCK, 7 * BLOCK - 1, 20 * BLOCK + 4] {
+            let found = first_of_blocks(20 * BLOCK + 5, |mut range| range.find(|&i| i >= first));
+            assert_eq!(found, Some(first));
+        }
+        assert_eq!(first_of_blocks(20 * BLOCK, |_| None::<()>), None);
     }
 }

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  success (also when the reader of standard output stops early)
-  1  something could not be read or written
+  1  something could not be read or written, or does not fit where it is to go
   2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, caps that
      cannot be kept, a broken file
   3  a mesh fails --max-degree or --min-angle";
@@ -74,7 +74,9 @@ pub(crate) struct SuggestArguments {
 /// point, no vertex has more edges than any triangulation must have somewhere, and among the
 /// meshes of that degree that the construction offers the one with the largest smallest angle is
 /// taken. A domain whose file gives outside_degree or max_degree is meshed as with --optimize
-/// angle. If a gate fails, nothing is written.
+/// angle. If a gate fails, nothing is written. Files appear whole or not at all, and what cannot be
+/// written is refused before the mesh is looked for. Standard output can be compressed on the way:
+/// -o - --format obj | zstd > mesh.obj.zst
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct MeshArguments {
@@ -112,7 +114,7 @@ pub(crate) struct MeshArguments {
     #[arg(long)]
     pub(crate) json: bool,
 
-    /// Print no summary on standard error
+    /// Print no summary and show no progress on standard error
     #[arg(short, long)]
     pub(crate) quiet: bool,
 

@@ -4,7 +4,8 @@ use crate::args::CompareArguments;
 use crate::domain::{domain, from_file};
 use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
-use crate::output::{Outputs, cannot_write, clean_up_on_interrupt};
+use crate::interrupt::clean_up_on_interrupt;
+use crate::output::{Outputs, cannot_write};
 use mindeg_compare::{
     Comparison, IndexEntry, Options, compare, write_html, write_index, write_json, write_markdown,
 };
@@ -61,7 +62,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     let comparison = compared(&domain(&arguments.domain)?, options)?;
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {
-        let mut file = io::BufWriter::new(outputs.create(path)?);
+        let mut file = io::BufWriter::new(outputs.create(path, 0)?);
         write(&comparison, &mut file)
             .and_then(|()| file.flush())
             .map_err(|error| cannot_write(path, &error))?;
@@ -172,7 +173,7 @@ fn write_page(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
-    let mut file = io::BufWriter::new(outputs.create(path)?);
+    let mut file = io::BufWriter::new(outputs.create(path, 0)?);
     write(&mut file).and_then(|()| file.flush()).map_err(|error| cannot_write(path, &error))?;
     drop(file);
     outputs.finish()

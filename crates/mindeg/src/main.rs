@@ -4,14 +4,17 @@
 //! libraries below it.
 
 mod args;
+mod bar;
 mod compare;
 mod degree;
 mod domain;
 mod failure;
 mod gates;
 mod inspect;
+mod interrupt;
 mod mesh;
 mod output;
+mod room;
 mod standard_output;
 mod suggest;
 mod tradeoff;

@@ -1,18 +1,27 @@
 //! `mindeg mesh`: from a domain to files.
 
-use crate::args::{Format, MeshArguments, Optimize};
+mod target;
+
+use self::target::{Prepared, Target, targets};
+use crate::args::{MeshArguments, Optimize};
+use crate::bar::{Bar, Unit};
 use crate::domain::domain;
 use crate::failure::Failure;
-use crate::output::{Outputs, cannot_write, clean_up_on_interrupt};
+use crate::interrupt::clean_up_on_interrupt;
+use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::watched::watched;
 use mindeg_compare::exact;
 use mindeg_core::optimal_max_degree;
-use mindeg_geometry::export::{ExportError, Plane, SurfaceOptions, gltf, obj, svg};
+use mindeg_geometry::export::{Plane, SurfaceOptions};
 use mindeg_geometry::{Domain, Mesh};
 use serde::Serialize;
-use std::io::{self, Write};
-use std::path::Path;
+use std::io::{self, IsTerminal, Write};
+
+/// What to do where files do not fit.
+const WAY_OUT_OF_NO_ROOM: &str = "choose a folder with more room, use fewer intervals, write glTF, \
+    which takes less than half as much as OBJ, or compress on the way: \
+    -o - --format obj | zstd > mesh.obj.zst";
 
 /// What `--json` prints; angles in degrees, an output for each `-o`. Degrees are total: edges
 /// outside the domain count.
@@ -27,41 +36,46 @@ struct Summary {
     outputs: Vec<String>,
 }
 
-/// One `-o`, understood.
-enum Target<'a> {
-    StandardOutput(Stream),
-    File(&'a Path, Stream),
-    /// A .gltf and the .bin beside it.
-    Gltf(&'a Path),
-}
-
-/// A format that is a single stream of bytes.
-#[derive(Clone, Copy)]
-enum Stream {
-    Obj,
-    Glb,
-    Svg,
-}
-
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let targets = targets(arguments)?;
     let domain = domain(&arguments.domain)?;
-    clean_up_on_interrupt()?;
-    let (mesh, optimal_max_degree) = mesh(arguments, &domain)?;
-    let angles = mesh.angle_range();
-    arguments.gates.check_mesh(&mesh, angles.min)?;
     let options = SurfaceOptions {
         degree_colors: arguments.degree_colors,
         boundary_lines: arguments.boundary_lines,
         plane: if arguments.floor { Plane::Floor } else { Plane::Xy },
         ..SurfaceOptions::default()
     };
+    let to_terminal = targets.iter().any(Target::is_standard_output) && io::stdout().is_terminal();
+    let bar = Bar::new(arguments.quiet || to_terminal);
+    clean_up_on_interrupt()?;
 
+    // What can be refused is refused before the mesh is looked for, which can take minutes: the
+    // cheapest first.
+    targets.iter().try_for_each(|target| target.check(&domain, &options))?;
     let mut outputs = Outputs::default();
-    for target in &targets {
-        write(&mesh, &options, target, &mut outputs)?;
+    let prepared = targets.into_iter().map(|it| it.prepare(&domain, &options, &mut outputs));
+    let prepared: Vec<Prepared<'_>> = prepared.collect::<Result<_, _>>()?;
+    outputs.check_room(WAY_OUT_OF_NO_ROOM)?;
+
+    let (mesh, optimal_max_degree) = mesh(arguments, &domain, &bar)?;
+    bar.stage("measuring the angles", mesh.triangle_count().into(), Unit::Triangles);
+    let angles = mesh.angle_range_watched(&bar.watch());
+    arguments.gates.check_mesh(&mesh, angles.min)?;
+
+    bar.stage("writing", prepared.iter().map(Prepared::expected_len).sum(), Unit::Bytes);
+    let mut closed_pipe = false;
+    for output in prepared {
+        match output.write(&mesh, &bar) {
+            // Nobody reads on, and the other outputs are not for that reader.
+            Err(Failure::ClosedPipe) => closed_pipe = true,
+            written => written?,
+        }
     }
     outputs.finish()?;
+    drop(bar);
+    if closed_pipe {
+        return Err(Failure::ClosedPipe);
+    }
 
     let summary = Summary {
         vertices: mesh.vertex_count(),
@@ -80,17 +94,20 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 }
 
 /// The mesh that is asked for, and the least maximum degree that there is.
-fn mesh(arguments: &MeshArguments, domain: &Domain) -> Result<(Mesh, u32), Failure> {
+fn mesh(arguments: &MeshArguments, domain: &Domain, bar: &Bar) -> Result<(Mesh, u32), Failure> {
     let for_angle = arguments.optimize == Some(Optimize::Angle);
     if !for_angle && !domain.is_constrained() {
-        let mesh = Mesh::least_degree(domain).map_err(|error| Failure::Input(error.to_string()))?;
+        let triangles = u64::from(domain.boundary().vertex_count()) - 2;
+        bar.stage("choosing the mesh", triangles, Unit::Triangles);
+        let mesh = Mesh::least_degree_watched(domain, &bar.watch())
+            .map_err(|error| Failure::Input(error.to_string()))?;
         return Ok((mesh, optimal_max_degree(domain.boundary())));
     }
     let dispensable = if for_angle { "--optimize" } else { "outside_degree and max_degree" };
     let way_out = format!(
         "leave out {dispensable} for the mesh of least degree, which can be had at any size"
     );
-    watched(arguments.quiet, &way_out, |watch| {
+    watched(bar, &way_out, |watch| {
         let least = exact::optimal_max_degree(domain, watch)?;
         let allowed = arguments.gates.max_degree.filter(|_| for_angle);
         let exact = exact::mesh(domain, allowed.unwrap_or(least), watch)?;
@@ -121,100 +138,4 @@ fn text(mesh: &Mesh, summary: &Summary) -> String {
 /// An angle as people read it; one too small for three decimals as a power of ten.
 pub(crate) fn degrees(angle: f64) -> String {
     if angle < 0.01 { format!("{angle:.1e}°") } else { format!("{angle:.3}°") }
-}
-
-fn targets(arguments: &MeshArguments) -> Result<Vec<Target<'_>>, Failure> {
-    let targets: Vec<Target<'_>> = arguments
-        .output
-        .iter()
-        .map(|path| target(path, arguments.format))
-        .collect::<Result<_, _>>()?;
-    let to_standard_output =
-        targets.iter().filter(|target| matches!(target, Target::StandardOutput(_))).count();
-    if to_standard_output + usize::from(arguments.json) > 1 {
-        let message = "standard output can take one mesh, or the summary of --json, not both";
-        return Err(Failure::Input(message.to_owned()));
-    }
-    for (number, path) in arguments.output.iter().enumerate() {
-        if arguments.output[..number].contains(path) {
-            return Err(Failure::Input(format!("-o {} is given twice", path.display())));
-        }
-    }
-    Ok(targets)
-}
-
-fn target(path: &Path, format: Option<Format>) -> Result<Target<'_>, Failure> {
-    let is_standard_output = path == Path::new("-");
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
-    let by_extension = match extension.as_deref() {
-        Some("obj") => Some(Format::Obj),
-        Some("glb") => Some(Format::Glb),
-        Some("gltf") => Some(Format::Gltf),
-        Some("svg") => Some(Format::Svg),
-        _ => None,
-    };
-    let stream = match by_extension.or(format) {
-        Some(Format::Obj) => Stream::Obj,
-        Some(Format::Glb) => Stream::Glb,
-        Some(Format::Svg) => Stream::Svg,
-        Some(Format::Gltf) if is_standard_output => {
-            let message = "a .gltf has its .bin beside it, so it cannot go to standard output; \
-                           use --format glb";
-            return Err(Failure::Input(message.to_owned()));
-        }
-        Some(Format::Gltf) => return Ok(Target::Gltf(path)),
-        None => {
-            return Err(Failure::Input(format!(
-                "-o {}: the name tells no format; end it in .obj, .glb, .gltf or .svg, or say \
-                 --format",
-                path.display()
-            )));
-        }
-    };
-    Ok(if is_standard_output { Target::StandardOutput(stream) } else { Target::File(path, stream) })
-}
-
-/// Writes one output.
-fn write(
-    mesh: &Mesh,
-    options: &SurfaceOptions,
-    target: &Target<'_>,
-    outputs: &mut Outputs,
-) -> Result<(), Failure> {
-    let (path, written) = match *target {
-        Target::StandardOutput(stream) => {
-            let mut out = io::stdout().lock();
-            let written = write_stream(mesh, options, stream, &mut out);
-            return written.and_then(|()| Ok(out.flush()?)).map_err(|error| match error {
-                ExportError::Io(error) => Failure::from_standard_output(&error),
-                refusal => Failure::Input(refusal.to_string()),
-            });
-        }
-        Target::File(path, stream) => {
-            (path, write_stream(mesh, options, stream, outputs.create(path)?))
-        }
-        Target::Gltf(path) => {
-            let binary = path.with_extension("bin");
-            let name = binary.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            let (file, binary) = (outputs.create(path)?, outputs.create(&binary)?);
-            (path, gltf::write_gltf(mesh, options, &name, file, binary))
-        }
-    };
-    written.map_err(|error| match error {
-        ExportError::Io(error) => cannot_write(path, &error),
-        refusal => Failure::Input(format!("{}: {refusal}", path.display())),
-    })
-}
-
-fn write_stream(
-    mesh: &Mesh,
-    options: &SurfaceOptions,
-    stream: Stream,
-    out: impl Write,
-) -> Result<(), ExportError> {
-    match stream {
-        Stream::Obj => Ok(obj::write(mesh, options, out)?),
-        Stream::Glb => gltf::write_glb(mesh, options, out),
-        Stream::Svg => svg::write(mesh, out),
-    }
 }

@@ -1,10 +1,12 @@
 //! `mindeg tradeoff`: what every degree buys.
 
 use crate::args::TradeoffArguments;
+use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
+use crate::interrupt::clean_up_on_interrupt;
 use crate::mesh::degrees;
-use crate::output::{Outputs, cannot_write, clean_up_on_interrupt};
+use crate::output::{Outputs, cannot_write};
 use crate::standard_output::{print, print_json};
 use crate::watched::watched;
 use mindeg_compare::exact::{self, TradeOff};
@@ -23,10 +25,12 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
     let way_out = "see mindeg mesh for the mesh of least degree, which can be had at any size";
-    let trade_off = watched(arguments.quiet, way_out, |watch| exact::trade_off(&domain, watch))?;
+    let bar = Bar::new(arguments.quiet);
+    let trade_off = watched(&bar, way_out, |watch| exact::trade_off(&domain, watch))?;
+    drop(bar);
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {
-        let mut file = io::BufWriter::new(outputs.create(path)?);
+        let mut file = io::BufWriter::new(outputs.create(path, 0)?);
         write(&trade_off, &mut file)
             .and_then(|()| file.flush())
             .map_err(|error| cannot_write(path, &error))?;

@@ -24,7 +24,7 @@ use self::document::{binary_len, document, has_wide_indices};
 use self::positions::Positions;
 use super::sections::{Section, write_sections};
 use super::{ExportError, SurfaceOptions, degree_color, in_box, side_edge};
-use crate::Mesh;
+use crate::{Domain, Mesh};
 use mindeg_core::Boundary;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
@@ -56,10 +56,11 @@ pub fn write_glb(
     options: &SurfaceOptions,
     out: impl Write,
 ) -> Result<(), ExportError> {
-    Ok(Glb::new(mesh, options)?.write(out)?)
+    Ok(Glb::new(mesh.domain(), options)?.write(mesh, out)?)
 }
 
-/// A `.glb` of which everything is known but the large arrays, which are made as they are written.
+/// A `.glb` of which everything is known but the large arrays: what is known of a domain before
+/// there is a mesh, and the same for all its meshes.
 ///
 /// # Example
 ///
@@ -68,10 +69,10 @@ pub fn write_glb(
 /// use mindeg_geometry::{Domain, Mesh, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
-/// let (mesh, options) = (Mesh::least_degree(&domain)?, SurfaceOptions::default());
-/// let glb = Glb::new(&mesh, &options)?;
+/// let options = SurfaceOptions::default();
+/// let glb = Glb::new(&domain, &options)?;
 /// let mut file = Vec::new();
-/// glb.write(&mut file)?;
+/// glb.write(&Mesh::least_degree(&domain)?, &mut file)?;
 /// assert_eq!(file.len() as u64, glb.file_len());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -83,20 +84,20 @@ pub struct Glb<'a> {
 }
 
 impl<'a> Glb<'a> {
-    /// Looks at the mesh. O(n) time, shared by all threads of rayon's current pool; next to no
-    /// memory.
+    /// Looks at the points of a domain. O(n) time, shared by all threads of rayon's current pool;
+    /// next to no memory.
     ///
     /// # Errors
     ///
     /// [`TooLargeForGlb`](ExportError::TooLargeForGlb), [`OutOfRange`](ExportError::OutOfRange)
     /// and [`Coincident`](ExportError::Coincident).
-    pub fn new(mesh: &'a Mesh, options: &'a SurfaceOptions) -> Result<Self, ExportError> {
-        check_glb_size(mesh.boundary(), options)?;
-        let (positions, extent) = Positions::new(mesh, options.plane)?;
-        let mut json =
-            document(mesh, options, &positions, extent, None).to_vec().map_err(io::Error::from)?;
+    pub fn new(domain: &'a Domain, options: &'a SurfaceOptions) -> Result<Self, ExportError> {
+        check_glb_size(domain.boundary(), options)?;
+        let (positions, extent) = Positions::new(domain.placement(), options.plane)?;
+        let document = document(domain, options, &positions, extent, None);
+        let mut json = document.to_vec().map_err(io::Error::from)?;
         json.resize(json.len().next_multiple_of(4), b' ');
-        let binary = binary_len(mesh.boundary(), options).next_multiple_of(4);
+        let binary = binary_len(domain.boundary(), options).next_multiple_of(4);
         let len = glb_len(json.len() as u64, binary)?;
 
         let mut head = Vec::from(*b"glTF");
@@ -108,7 +109,7 @@ impl<'a> Glb<'a> {
         head.extend_from_slice(&json);
         head.extend_from_slice(&(binary as u32).to_le_bytes());
         head.extend_from_slice(b"BIN\0");
-        Ok(Self { arrays: Arrays { mesh, options, positions }, head })
+        Ok(Self { arrays: Arrays { domain, options, positions }, head })
     }
 
     /// The length of the file in bytes. O(1).
@@ -117,7 +118,7 @@ impl<'a> Glb<'a> {
         self.head.len() as u64 + self.arrays.len().next_multiple_of(4)
     }
 
-    /// Writes the file.
+    /// Writes the file of a mesh of the domain.
     ///
     /// Takes O(n) time, shared by all threads of rayon's current pool, and the memory of one block
     /// of about half a MiB for each of them, and one more. Writes are large: `out` needs no buffer
@@ -125,10 +126,11 @@ impl<'a> Glb<'a> {
     ///
     /// # Errors
     ///
-    /// Those of `out`; what was written until then is part of the file.
-    pub fn write(&self, mut out: impl Write) -> io::Result<()> {
+    /// Those of `out`; what was written until then is part of the file. Before the first byte, a
+    /// mesh of another domain.
+    pub fn write(&self, mesh: &Mesh, mut out: impl Write) -> io::Result<()> {
         let mut sections = vec![Section::bytes(&*self.head)];
-        sections.extend(self.arrays.sections());
+        sections.extend(self.arrays.sections(mesh)?);
         let len = self.arrays.len();
         let padding = len.next_multiple_of(4) - len;
         sections.push(Section::bytes(&[0; 3][..padding as usize]));
@@ -187,10 +189,10 @@ pub fn write_gltf(
     gltf_out: impl Write,
     bin_out: impl Write,
 ) -> Result<(), ExportError> {
-    Ok(Gltf::new(mesh, options, bin_name)?.write(gltf_out, bin_out)?)
+    Ok(Gltf::new(mesh.domain(), options, bin_name)?.write(mesh, gltf_out, bin_out)?)
 }
 
-/// A `.gltf` with its `.bin`, of which everything is known but the large arrays.
+/// A `.gltf` with its `.bin`, of which everything is known but the large arrays, as of a [`Glb`].
 ///
 /// # Example
 ///
@@ -199,10 +201,10 @@ pub fn write_gltf(
 /// use mindeg_geometry::{Domain, Mesh, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
-/// let (mesh, options) = (Mesh::least_degree(&domain)?, SurfaceOptions::default());
-/// let gltf = Gltf::new(&mesh, &options, "plate.bin")?;
+/// let options = SurfaceOptions::default();
+/// let gltf = Gltf::new(&domain, &options, "plate.bin")?;
 /// let (mut json, mut bin) = (Vec::new(), Vec::new());
-/// gltf.write(&mut json, &mut bin)?;
+/// gltf.write(&Mesh::least_degree(&domain)?, &mut json, &mut bin)?;
 /// assert_eq!([json.len() as u64, bin.len() as u64], gltf.file_lens());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -213,8 +215,8 @@ pub struct Gltf<'a> {
 }
 
 impl<'a> Gltf<'a> {
-    /// Looks at the mesh. `bin_name` is the name of the binary's file as seen from the document,
-    /// with `/` between folders; it is escaped as the format asks.
+    /// Looks at the points of a domain. `bin_name` is the name of the binary's file as seen from
+    /// the document, with `/` between folders; it is escaped as the format asks.
     ///
     /// O(n) time, shared by all threads of rayon's current pool; next to no memory.
     ///
@@ -222,19 +224,19 @@ impl<'a> Gltf<'a> {
     ///
     /// [`OutOfRange`](ExportError::OutOfRange) and [`Coincident`](ExportError::Coincident).
     pub fn new(
-        mesh: &'a Mesh,
+        domain: &'a Domain,
         options: &'a SurfaceOptions,
         bin_name: &str,
     ) -> Result<Self, ExportError> {
         const ESCAPED: &AsciiSet =
             &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'-').remove(b'_').remove(b'~');
-        let (positions, extent) = Positions::new(mesh, options.plane)?;
+        let (positions, extent) = Positions::new(domain.placement(), options.plane)?;
         let uri = utf8_percent_encode(bin_name, ESCAPED).to_string();
-        let mut document = document(mesh, options, &positions, extent, Some(uri))
+        let mut document = document(domain, options, &positions, extent, Some(uri))
             .to_vec_pretty()
             .map_err(io::Error::from)?;
         document.push(b'\n');
-        Ok(Self { arrays: Arrays { mesh, options, positions }, document })
+        Ok(Self { arrays: Arrays { domain, options, positions }, document })
     }
 
     /// The lengths of the document and of the binary in bytes. O(1).
@@ -243,15 +245,22 @@ impl<'a> Gltf<'a> {
         [self.document.len() as u64, self.arrays.len()]
     }
 
-    /// Writes the files, as [`Glb::write`] does.
+    /// Writes the files of a mesh of the domain, as [`Glb::write`] does.
     ///
     /// # Errors
     ///
-    /// Those of the writers; what was written until then is part of the files.
-    pub fn write(&self, mut gltf_out: impl Write, mut bin_out: impl Write) -> io::Result<()> {
+    /// Those of the writers; what was written until then is part of the files. Before the first
+    /// byte, a mesh of another domain.
+    pub fn write(
+        &self,
+        mesh: &Mesh,
+        mut gltf_out: impl Write,
+        mut bin_out: impl Write,
+    ) -> io::Result<()> {
+        let arrays = self.arrays.sections(mesh)?;
         gltf_out.write_all(&self.document)?;
         gltf_out.flush()?;
-        write_sections(&mut bin_out, &self.arrays.sections())?;
+        write_sections(&mut bin_out, &arrays)?;
         bin_out.flush()
     }
 }
@@ -259,19 +268,23 @@ impl<'a> Gltf<'a> {
 /// What the binary holds.
 #[derive(Debug)]
 struct Arrays<'a> {
-    mesh: &'a Mesh,
+    domain: &'a Domain,
     options: &'a SurfaceOptions,
     positions: Positions,
 }
 
 impl Arrays<'_> {
     fn len(&self) -> u64 {
-        binary_len(self.mesh.boundary(), self.options)
+        binary_len(self.domain.boundary(), self.options)
     }
 
-    /// The arrays in the order of the document.
-    fn sections(&self) -> Vec<Section<'_>> {
-        let Self { mesh, options, positions } = self;
+    /// The arrays of a mesh in the order of the document.
+    fn sections<'m>(&'m self, mesh: &'m Mesh) -> io::Result<Vec<Section<'m>>> {
+        let Self { domain, options, positions } = self;
+        if mesh.domain() != *domain {
+            let message = "the mesh is of another domain than the file was prepared for";
+            return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+        }
         let (placement, vertices) = (mesh.placement(), mesh.vertex_count());
         let mut sections = vec![Section::new(vertices, 12, move |range, buffer| {
             for point in placement.points_of(range) {
@@ -313,7 +326,7 @@ impl Arrays<'_> {
                 })
             }));
         }
-        sections
+        Ok(sections)
     }
 }
 
@@ -341,8 +354,7 @@ mod tests {
         assert_eq!(
             error.to_string(),
             "a .glb holds 4 GiB at most, and this mesh would take at least 4294967296 bytes; write \
-             a .gltf with its .bin, which may be larger, or leave out normals and texture \
-             coordinates"
+             a .gltf with its .bin or an OBJ, which may be larger, or use fewer intervals"
         );
     }
 }

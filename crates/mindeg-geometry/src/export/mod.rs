@@ -2,12 +2,16 @@
 //!
 //! [`obj`] and [`gltf`] write the surface, [`svg`] a picture of it. Every writer takes an
 //! [`std::io::Write`] and streams: points, degrees and triangles are asked of the
-//! [`Mesh`] one block at a time, so memory does not grow with the mesh, and
+//! [`Mesh`](crate::Mesh) one block at a time, so memory does not grow with the mesh, and
 //! writers need no buffering around them. The bytes depend on the mesh and the options
 //! alone.
 //!
 //! Connectivity is never touched here. Files, paths and their replacement are the
 //! caller's; so is the question which of the formats a file name asks for.
+//!
+//! What a format cannot hold, and how long a file will be, follows from the domain and is known
+//! before there is a mesh: [`gltf::Glb`], [`gltf::Gltf`], [`obj::estimated_len`],
+//! [`svg::check_size`].
 
 pub mod degree_color;
 pub mod gltf;
@@ -15,7 +19,7 @@ pub mod obj;
 mod sections;
 pub mod svg;
 
-use crate::{Bounds, Mesh};
+use crate::{Bounds, Domain};
 use glam::{DVec2, DVec3};
 use mindeg_core::Boundary;
 use std::io;
@@ -31,7 +35,7 @@ pub enum ExportError {
     /// A `.glb` gives its own length as a 32-bit number.
     #[error(
         "a .glb holds 4 GiB at most, and this mesh would take at least {bytes} bytes; write a \
-         .gltf with its .bin, which may be larger, or leave out normals and texture coordinates"
+         .gltf with its .bin or an OBJ, which may be larger, or use fewer intervals"
     )]
     TooLargeForGlb {
         /// The length of the file, or a lower bound of it.
@@ -155,14 +159,14 @@ fn in_box(bounds: Bounds, point: DVec2) -> DVec2 {
     ((point - bounds.min) / bounds.size()).clamp(DVec2::ZERO, DVec2::ONE)
 }
 
-/// The name of the mesh, as its domain has it.
-fn mesh_name(mesh: &Mesh) -> &str {
-    mesh.domain().name().unwrap_or("mesh")
+/// The name of a mesh, as its domain has it.
+fn mesh_name(domain: &Domain) -> &str {
+    domain.name().unwrap_or("mesh")
 }
 
 /// The name of a side, counted from 0; one without a name is called by its number from 1.
-fn side_name(mesh: &Mesh, side: usize) -> String {
-    match &mesh.domain().sides()[side].name {
+fn side_name(domain: &Domain, side: usize) -> String {
+    match &domain.sides()[side].name {
         Some(name) => name.clone(),
         None => format!("side {}", side + 1),
     }

@@ -14,6 +14,7 @@ use super::sections::{Section, write_sections};
 use super::{ExportError, GENERATOR, degree_color, mesh_name, side_name};
 use crate::{Bounds, Mesh};
 use glam::DVec2;
+use mindeg_core::Boundary;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::ops::Range;
@@ -80,7 +81,7 @@ text{fill:#f0f6fc}.card{fill:#0d1117;stroke:#3d444d}.muted,.label{fill:#9198a1}\
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(mesh: &Mesh, mut out: impl Write) -> Result<(), ExportError> {
-    check_size(mesh)?;
+    check_size(mesh.boundary())?;
     let frame = Frame::of_picture(mesh.placement().bounds());
     let out = &mut out;
     out.write_all(head(mesh, &frame).as_bytes())?;
@@ -141,13 +142,18 @@ impl Inset {
     ///
     /// As [`write()`].
     pub fn write(&self, mesh: &Mesh, mut out: impl Write) -> Result<(), ExportError> {
-        check_size(mesh)?;
+        check_size(mesh.boundary())?;
         Ok(write_mesh(mesh, &self.frame, &mut out)?)
     }
 }
 
-fn check_size(mesh: &Mesh) -> Result<(), ExportError> {
-    let vertices = mesh.vertex_count();
+/// Refuses a boundary whose meshes have more vertices than a picture shows. O(1).
+///
+/// # Errors
+///
+/// [`TooLargeForSvg`](ExportError::TooLargeForSvg).
+pub fn check_size(boundary: &Boundary) -> Result<(), ExportError> {
+    let vertices = boundary.vertex_count();
     if vertices > MAX_VERTICES {
         return Err(ExportError::TooLargeForSvg { vertices, limit: MAX_VERTICES });
     }
@@ -226,7 +232,7 @@ fn corners(mesh: &Mesh, frame: &Frame) -> Vec<DVec2> {
 }
 
 fn head(mesh: &Mesh, frame: &Frame) -> String {
-    let name = escaped(mesh_name(mesh));
+    let name = escaped(mesh_name(mesh.domain()));
     let mut summary = format!(
         "{} vertices · {} triangles · maximum degree {}",
         mesh.vertex_count(),
@@ -352,7 +358,7 @@ fn labels(mesh: &Mesh, frame: &Frame) -> String {
     let mut text = String::new();
     for (side, (&start, &end)) in corners.iter().zip(next).enumerate() {
         let intervals = mesh.boundary().intervals(side);
-        let label = format!("{} · {intervals}", side_name(mesh, side));
+        let label = format!("{} · {intervals}", side_name(mesh.domain(), side));
         // A letter is about half as wide as high.
         if start.distance(end) < 8.0 * label.chars().count() as f64 {
             continue;

@@ -10,8 +10,9 @@ use mindeg_core::{Boundary, Plans, Triangulation};
 
 use super::MeshError;
 use super::angles::{cotangents, placed};
-use crate::parallel::{block, blocks, try_blocks};
+use crate::parallel::{block, blocks, first_of_blocks, try_blocks};
 use crate::placement::Placement;
+use crate::progress::{Counter, Watch};
 
 /// The most plans tried.
 const MOST_PLANS: u32 = 64;
@@ -27,22 +28,30 @@ const MOST_KEPT: u32 = 1 << 20;
 const MARGIN: f64 = 1e-9;
 
 /// The plan that [`Mesh::least_degree`](super::Mesh::least_degree) takes.
-pub(super) fn best_plan(placement: &Placement) -> Result<Triangulation, MeshError> {
+pub(super) fn best_plan(
+    placement: &Placement,
+    watch: Watch<'_>,
+) -> Result<Triangulation, MeshError> {
     let boundary = placement.boundary();
+    let plans = Plans::new(boundary);
+    let limit = plans_to_try(boundary);
+    let triangles = u64::from(boundary.vertex_count()) - 2;
+    let counter = Counter::new(plans.count().min(limit.into()) * triangles, watch);
     let points = Points::new(placement);
     let mut best: Option<(f64, Triangulation)> = None;
     let mut dropped = None;
     // Plans are mostly bad in the same places: where one is worst is where to look at others.
     let mut suspects = Vec::new();
-    for plan in Plans::new(boundary).sample(plans_to_try(boundary)) {
+    for (tried, plan) in (1..).zip(plans.sample(limit)) {
         let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));
-        match points.worst(&plan, limit, &suspects) {
+        match points.worst(&plan, limit, &suspects, &counter) {
             Some(Worst { cotangent, place }) => {
                 best = Some((cotangent, plan));
                 suspects.push(place);
             }
             None => dropped = Some(plan),
         }
+        counter.reach(tried * triangles);
     }
     best.map(|(_, plan)| plan).ok_or_else(|| {
         // Some plan was tried, and if none is left then all of them have such a triangle.
@@ -98,7 +107,13 @@ impl<'a> Points<'a> {
 
     /// The least angle of a plan, if its cotangent is below `limit`; `suspects` are the blocks to
     /// look at first.
-    fn worst(&self, plan: &Triangulation, limit: f64, suspects: &[usize]) -> Option<Worst> {
+    fn worst(
+        &self,
+        plan: &Triangulation,
+        limit: f64,
+        suspects: &[usize],
+        counter: &Counter<'_>,
+    ) -> Option<Worst> {
         let count = plan.triangle_count();
         let greatest_cotangent = |range| {
             let mut greatest = f64::NEG_INFINITY;
@@ -113,20 +128,24 @@ impl<'a> Points<'a> {
         for &place in suspects {
             greatest_cotangent(block(place, count)).ok()?;
         }
-        let in_blocks = try_blocks(count, greatest_cotangent).ok()?;
+        let in_blocks = try_blocks(count, |range| {
+            let greatest = greatest_cotangent(range.clone())?;
+            counter.add(range.len());
+            Ok::<_, ()>(greatest)
+        });
+        let in_blocks = in_blocks.ok()?;
         let worsts = in_blocks.into_iter().enumerate();
         let worsts = worsts.map(|(place, cotangent)| Worst { cotangent, place });
         worsts.reduce(|worst, next| if next.cotangent > worst.cotangent { next } else { worst })
     }
 
     fn first_without_area(&self, plan: &Triangulation) -> Option<[u32; 3]> {
-        let in_blocks = blocks(plan.triangle_count(), |range| {
+        first_of_blocks(plan.triangle_count(), |range| {
             let start = range.start;
             let mut cotangents = self.placed(plan, range).map(cotangents);
             let place = cotangents.position(|[of_least, _]| of_least == f64::INFINITY);
             place.map(|place| plan.triangle(start + place as u32))
-        });
-        in_blocks.into_iter().flatten().next()
+        })
     }
 }
 

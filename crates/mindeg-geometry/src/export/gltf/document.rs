@@ -1,7 +1,7 @@
 //! The JSON half of a glTF: what the bytes of the binary mean.
 
 use super::positions::{Extent, Positions};
-use crate::Mesh;
+use crate::Domain;
 use crate::export::{GENERATOR, SurfaceOptions, mesh_name, side_name};
 use glam::Vec3;
 use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
@@ -47,26 +47,26 @@ pub(super) fn binary_len(boundary: &Boundary, options: &SurfaceOptions) -> u64 {
     vertices * vertex_sizes(options).iter().sum::<u64>() + indices * index_size
 }
 
-/// The document for a mesh whose binary is at `uri`, or in the same file.
+/// The document for the meshes of a domain whose binary is at `uri`, or in the same file.
 pub(super) fn document(
-    mesh: &Mesh,
+    domain: &Domain,
     options: &SurfaceOptions,
     positions: &Positions,
     extent: Extent,
     uri: Option<String>,
 ) -> Root {
     let mut document = Document::default();
-    let attributes = document.vertex_arrays(mesh, options, extent);
-    let indices = document.index_view(mesh, options);
+    let attributes = document.vertex_arrays(domain, options, extent);
+    let indices = document.index_view(domain, options);
 
-    let triangles = 3 * u64::from(mesh.triangle_count());
-    let accessor = document.indices(mesh, indices, 0, triangles);
+    let triangles = 3 * (u64::from(domain.boundary().vertex_count()) - 2);
+    let accessor = document.indices(domain, indices, 0, triangles);
     let material = document.material(if options.degree_colors { WHITE } else { SURFACE });
     let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
-    let mut surface = document.node(mesh_name(mesh), primitive);
+    let mut surface = document.node(mesh_name(domain), primitive);
     surface.translation = positions.translation();
     if options.boundary_lines {
-        let sides = document.sides(mesh, attributes, indices, triangles);
+        let sides = document.sides(domain, attributes, indices, triangles);
         surface.children = Some(sides);
     }
     document.finish(surface, uri)
@@ -125,7 +125,7 @@ impl Document {
     /// The arrays with an entry for every vertex, in the order of [`vertex_sizes`].
     fn vertex_arrays(
         &mut self,
-        mesh: &Mesh,
+        domain: &Domain,
         options: &SurfaceOptions,
         extent: Extent,
     ) -> Attributes {
@@ -135,7 +135,7 @@ impl Document {
             (Semantic::TexCoords(0), Type::Vec2, ComponentType::F32),
             (Semantic::Colors(0), Type::Vec4, ComponentType::U8),
         ];
-        let count = u64::from(mesh.vertex_count());
+        let count = u64::from(domain.boundary().vertex_count());
         let mut attributes = Attributes::new();
         for ((semantic, type_, component), size) in kinds.into_iter().zip(vertex_sizes(options)) {
             if size > 0 {
@@ -153,20 +153,23 @@ impl Document {
     }
 
     /// The array of all indices.
-    fn index_view(&mut self, mesh: &Mesh, options: &SurfaceOptions) -> Index<View> {
-        let len = binary_len(mesh.boundary(), options) - self.binary_len;
+    fn index_view(&mut self, domain: &Domain, options: &SurfaceOptions) -> Index<View> {
+        let len = binary_len(domain.boundary(), options) - self.binary_len;
         self.view(len, Target::ElementArrayBuffer)
     }
 
     fn indices(
         &mut self,
-        mesh: &Mesh,
+        domain: &Domain,
         view: Index<View>,
         first: u64,
         count: u64,
     ) -> Index<Accessor> {
-        let component =
-            if has_wide_indices(mesh.boundary()) { ComponentType::U32 } else { ComponentType::U16 };
+        let component = if has_wide_indices(domain.boundary()) {
+            ComponentType::U32
+        } else {
+            ComponentType::U16
+        };
         let offset = first * component.size() as u64;
         self.accessor(view, (offset, count), (Type::Scalar, component))
     }
@@ -174,7 +177,7 @@ impl Document {
     /// A node for each side, with the boundary segments whose indices start at `first`.
     fn sides(
         &mut self,
-        mesh: &Mesh,
+        domain: &Domain,
         mut attributes: Attributes,
         indices: Index<View>,
         mut first: u64,
@@ -182,11 +185,11 @@ impl Document {
         attributes.retain(|semantic, _| *semantic == Valid(Semantic::Positions));
         let material = self.material(LINE);
         let mut nodes = Vec::new();
-        for (side, intervals) in mesh.boundary().sides().enumerate() {
+        for (side, intervals) in domain.boundary().sides().enumerate() {
             let count = 2 * u64::from(intervals);
-            let accessor = self.indices(mesh, indices, first, count);
+            let accessor = self.indices(domain, indices, first, count);
             let primitive = primitive(Mode::Lines, attributes.clone(), accessor, material);
-            let node = self.node(&side_name(mesh, side), primitive);
+            let node = self.node(&side_name(domain, side), primitive);
             nodes.push(self.root.push(node));
             first += count;
         }

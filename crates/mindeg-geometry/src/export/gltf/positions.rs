@@ -1,8 +1,8 @@
 //! Positions as glTF stores them: 32-bit floats, near the origin.
 
 use crate::export::{ExportError, Plane};
-use crate::parallel::blocks;
-use crate::{Bounds, Mesh};
+use crate::parallel::{first_of_blocks, try_blocks};
+use crate::{Bounds, Placement};
 use glam::{DVec2, Vec3};
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use std::ops::Range;
 /// away, or more: then 32-bit floats near the origin keep at least three bits more of it.
 const FAR: f64 = 8.0;
 
-/// How the points of a mesh become positions.
+/// How points become positions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Positions {
     /// What is taken off every point: a point of 32-bit floats, so that a reader that adds
@@ -27,19 +27,23 @@ pub(super) struct Extent {
 }
 
 impl Positions {
-    /// How the points of `mesh` are stored, and what range that gives.
+    /// How points are stored, and what range that gives.
     ///
-    /// Refuses what [`survey`](Self::survey) refuses, when the middle of the box as origin does
-    /// not help either.
-    pub(super) fn new(mesh: &Mesh, plane: Plane) -> Result<(Self, Extent), ExportError> {
-        let bounds = mesh.placement().bounds();
+    /// Refuses what does not pass [`survey`](Self::survey), when the middle of the box as origin
+    /// does not help either, and names the first of it.
+    pub(super) fn new(placement: &Placement, plane: Plane) -> Result<(Self, Extent), ExportError> {
+        let bounds = placement.bounds();
         let near = Self { offset: offset(bounds, FAR), plane };
-        let refusal = match near.survey(mesh) {
-            Ok(extent) => return Ok((near, extent)),
-            Err(refusal) => refusal,
-        };
         let centered = Self { offset: offset(bounds, f64::NEG_INFINITY), plane };
-        centered.survey(mesh).map(|extent| (centered, extent)).map_err(|_| refusal)
+        for positions in [near, centered] {
+            if let Some(extent) = positions.survey(placement) {
+                return Ok((positions, extent));
+            }
+        }
+        let refusal = first_of_blocks(placement.vertex_count(), |range| {
+            near.survey_block(placement, range).err()
+        });
+        Err(refusal.expect("the survey met something to refuse"))
     }
 
     /// The position of a point, relative to the [`translation`](Self::translation).
@@ -54,28 +58,29 @@ impl Positions {
         moved.then(|| self.plane.place(self.offset).as_vec3().to_array())
     }
 
-    /// Looks at every position once, in O(n) time.
+    /// Looks at every position once, in O(n) time, or until there is something to refuse.
     ///
-    /// Refuses a coordinate beyond the range of 32-bit floats, and a vertex in the same
+    /// That is a coordinate beyond the range of 32-bit floats, or a vertex in the same
     /// place as one of the two before it round the boundary. Two steps back suffice for
     /// uniform spacing: where neighbors differ, points meet across a sharp corner at most,
     /// and the first pair there is the closest.
-    fn survey(&self, mesh: &Mesh) -> Result<Extent, ExportError> {
-        let mut extent = Extent { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
-        for of_block in blocks(mesh.vertex_count(), |range| self.survey_block(mesh, range)) {
-            let Extent { min, max } = of_block?;
-            extent = Extent { min: extent.min.min(min), max: extent.max.max(max) };
-        }
-        Ok(extent)
+    fn survey(&self, placement: &Placement) -> Option<Extent> {
+        let of_block = |range| self.survey_block(placement, range);
+        let extents = try_blocks(placement.vertex_count(), of_block).ok()?;
+        extents.into_iter().reduce(|a, b| Extent { min: a.min.min(b.min), max: a.max.max(b.max) })
     }
 
-    fn survey_block(&self, mesh: &Mesh, range: Range<u32>) -> Result<Extent, ExportError> {
-        let n = mesh.vertex_count();
+    fn survey_block(
+        &self,
+        placement: &Placement,
+        range: Range<u32>,
+    ) -> Result<Extent, ExportError> {
+        let n = placement.vertex_count();
         let back =
             |steps: u32| if range.start < steps { range.start + n } else { range.start } - steps;
-        let mut before = [2, 1].map(|steps| (back(steps), self.of(mesh.point(back(steps)))));
+        let mut before = [2, 1].map(|steps| (back(steps), self.of(placement.point(back(steps)))));
         let mut extent = Extent { min: Vec3::INFINITY, max: Vec3::NEG_INFINITY };
-        for (vertex, point) in range.clone().zip(mesh.placement().points_of(range)) {
+        for (vertex, point) in range.clone().zip(placement.points_of(range)) {
             let position = self.of(point);
             if !position.is_finite() {
                 return Err(ExportError::OutOfRange { vertex, point });

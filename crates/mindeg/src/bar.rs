@@ -1,0 +1,190 @@
+//! How far long work is, as a bar on standard error.
+//!
+//! There is a bar only where standard error is a terminal, and only from a second on. It is gone
+//! when the work is done, or interrupted.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use mindeg_geometry::Progress;
+use std::fmt;
+use std::io::{self, Write};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// A run that is over before that shows nothing of itself.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// The bar that can be seen.
+static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
+
+/// Takes the bar away, if there is one, before the process ends.
+pub(crate) fn clear() {
+    if let Some(bar) = SHOWN.lock().unwrap_or_else(PoisonError::into_inner).take() {
+        bar.finish_and_clear();
+    }
+}
+
+/// What is counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unit {
+    /// Bytes written.
+    Bytes,
+    /// Triangles looked at.
+    Triangles,
+    /// Parts of work that has no other measure.
+    Parts,
+}
+
+/// The bar of a run.
+pub(crate) struct Bar {
+    start: Instant,
+    quiet: bool,
+    due: AtomicBool,
+    bar: ProgressBar,
+}
+
+impl Bar {
+    /// A bar that will not be seen if `quiet`, or if the run takes less than a second from here.
+    pub(crate) fn new(quiet: bool) -> Self {
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
+        Self { start: Instant::now(), quiet, due: AtomicBool::new(false), bar }
+    }
+
+    /// The work from here on, and how much it is; the bar starts anew.
+    pub(crate) fn stage(&self, name: impl Into<String>, total: u64, unit: Unit) {
+        // In this order, nothing is drawn that is half of this stage and half of the last.
+        self.bar.set_style(style(name.into(), unit));
+        self.bar.update(|state| {
+            state.set_pos(0);
+            state.set_len(total);
+        });
+        self.bar.reset_eta();
+    }
+
+    /// So much of the stage is done.
+    pub(crate) fn reach(&self, done: u64) {
+        self.bar.set_position(done);
+        self.show_when_due();
+    }
+
+    /// Hears how far work on triangles is. A triangle may count more than once, and so the total
+    /// can be another than was thought.
+    pub(crate) fn watch(&self) -> impl Fn(Progress) + Sync {
+        |Progress { done, total }| {
+            if self.bar.length() != Some(total) {
+                self.bar.set_length(total);
+            }
+            self.reach(done);
+        }
+    }
+
+    /// Counts bytes on their way to `out`, of which `expected` were counted in the stage's total.
+    pub(crate) fn counting<W: Write>(&self, out: W, expected: u64) -> Counting<'_, W> {
+        Counting { out, bar: self, left: expected }
+    }
+
+    fn show_when_due(&self) {
+        let due = !self.quiet && !self.due.load(Relaxed) && self.start.elapsed() >= PATIENCE;
+        if due && !self.due.swap(true, Relaxed) {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+            *SHOWN.lock().unwrap_or_else(PoisonError::into_inner) = Some(self.bar.clone());
+        }
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+fn style(name: String, unit: Unit) -> ProgressStyle {
+    let template = match unit {
+        Unit::Bytes => {
+            "{name} {wide_bar} {decimal_bytes} of {decimal_total_bytes}, \
+             {decimal_bytes_per_sec}, {eta} left"
+        }
+        Unit::Triangles => "{name} {wide_bar} {percent}% of {triangles}, {rate}, {eta} left",
+        Unit::Parts => "{name} {wide_bar} {percent}%, {eta} left",
+    };
+    let millions = |count: f64, out: &mut dyn fmt::Write| {
+        // A bar that cannot be drawn is no reason to fail.
+        let _ = write!(out, "{:.0} million", count / 1e6);
+    };
+    ProgressStyle::with_template(template)
+        .expect("the templates are well formed")
+        .with_key("name", move |_: &ProgressState, out: &mut dyn fmt::Write| {
+            let _ = out.write_str(&name);
+        })
+        .with_key("triangles", move |state: &ProgressState, out: &mut dyn fmt::Write| {
+            millions(state.len().unwrap_or_default() as f64, out);
+            let _ = out.write_str(" triangles");
+        })
+        .with_key("rate", move |state: &ProgressState, out: &mut dyn fmt::Write| {
+            millions(state.per_sec(), out);
+            let _ = out.write_str("/s");
+        })
+}
+
+/// Passes bytes on and counts them.
+///
+/// What was expected need not be what comes. The total grows with what comes beyond it, and
+/// shrinks in the end by what is missing: so the bar ends with the work, and not before.
+pub(crate) struct Counting<'a, W> {
+    out: W,
+    bar: &'a Bar,
+    /// How many more bytes are expected.
+    left: u64,
+}
+
+impl<W: Write> Write for Counting<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.out.write(bytes)?;
+        let beyond = (count as u64).saturating_sub(self.left);
+        if beyond > 0 {
+            self.bar.bar.inc_length(beyond);
+        }
+        self.left = self.left.saturating_sub(count as u64);
+        self.bar.bar.inc(count as u64);
+        self.bar.show_when_due();
+        Ok(count)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.out.flush()
+    }
+}
+
+impl<W> Drop for Counting<'_, W> {
+    fn drop(&mut self) {
+        self.bar.bar.dec_length(self.left);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stage_ends_at_its_total_whatever_was_expected() {
+        let bar = Bar::new(true);
+        for (expected, blocks) in [
+            (&[100_u64][..], &[&[40_u64, 60][..]][..]),
+            (&[100], &[&[40, 50, 60]]),
+            (&[100], &[&[40, 50]]),
+            (&[100], &[&[]]),
+            (&[100, 50, 0], &[&[90], &[70], &[5]]),
+        ] {
+            bar.stage("writing", expected.iter().sum(), Unit::Bytes);
+            for (&expected, blocks) in expected.iter().zip(blocks) {
+                let mut out = bar.counting(io::sink(), expected);
+                for &len in *blocks {
+                    assert_eq!(out.write(&vec![0; len as usize]).expect("a sink"), len as usize);
+                    assert!(Some(bar.bar.position()) <= bar.bar.length());
+                }
+            }
+            let written = blocks.iter().copied().flatten().sum();
+            assert_eq!((bar.bar.position(), bar.bar.length()), (written, Some(written)));
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! How far long work is shows on a terminal, and nowhere else.
+
+use crate::run::Run;
+use std::io::{self, Write};
+use std::process::Command;
+
+/// Runs a shell command that calls `$MINDEG`; with `terminal`, standard error is one. What the
+/// command prints, to a terminal or not, is in the output.
+fn shell(command: &str, terminal: bool) -> Option<Run> {
+    let mut run = if terminal {
+        let mut script = Command::new("script");
+        // Its standard input is empty, or it would wait for what is typed.
+        script.args(["-qec", command, "/dev/null"]).stdin(std::process::Stdio::null());
+        script
+    } else {
+        let mut shell = Command::new("sh");
+        shell.args(["-c", &format!("({command}) 2>&1")]);
+        shell
+    };
+    let run = run.env("MINDEG", env!("CARGO_BIN_EXE_mindeg")).env("TERM", "xterm").output();
+    let Ok(run) = run else {
+        // Past the harness, which keeps back what a test says as long as it passes.
+        let _ = writeln!(io::stderr(), "NOT TESTED: progress on a terminal; there is no script(1)");
+        return None;
+    };
+    let errors = String::from_utf8_lossy(&run.stderr).into_owned();
+    Some(Run { code: run.status.code(), output: run.stdout, errors })
+}
+
+/// An OBJ of 40 MB for a reader that takes two seconds for it.
+const SLOW: &str = "\"$MINDEG\" mesh --rectangle 4x3 --intervals 100000,100000,100000,100000 \
+     -o - --format obj QUIET | \
+     for part in 1 2 3 4 5 6 7 8 9 10; do head -c 4100000; sleep 0.2; done > /dev/null";
+
+#[test]
+fn bytes_rate_and_time_show_while_files_are_written() {
+    let Some(run) = shell(&SLOW.replace("QUIET", ""), true) else { return };
+    let shown = run.text();
+    for word in ["writing ", " MB of 40.", " MB/s, ", "s left"] {
+        assert!(shown.contains(word), "{word:?} is missing in {shown:?}");
+    }
+    // The line is cleared before the summary.
+    let (_, after) = shown.rsplit_once(" left").expect("a bar was there");
+    let (cleared, summary) = after.split_once("mesh: 400000 vertices").expect("a summary follows");
+    assert!(cleared.contains("\u{1b}[2K"), "{cleared:?}");
+    assert!(!summary.contains("writing"));
+    // No bar shows more than there is.
+    for bar in shown.split("writing ").skip(1) {
+        let (done, of) = bar.split_once(" MB of ").expect("a bar in MB");
+        let done: f64 = done.rsplit(' ').next().and_then(|it| it.parse().ok()).expect("a number");
+        let of: f64 = of.split(' ').next().and_then(|it| it.parse().ok()).expect("a number");
+        assert!(done <= of, "{bar:?}");
+    }
+}
+
+#[test]
+fn triangles_rate_and_time_show_while_the_mesh_is_chosen() {
+    // A gate that no mesh passes: nothing is written.
+    let command = "RAYON_NUM_THREADS=1 \"$MINDEG\" mesh --rectangle 4x3 -o /dev/null --format obj \
+                   --intervals 30000000,30000000,30000000,30000000 --max-degree 3 2>&1";
+    let Some(run) = shell(command, true) else { return };
+    let shown = run.text();
+    let words = ["choosing the mesh ", "% of 240 million triangles, ", " million/s, ", "s left"];
+    for word in words.into_iter().chain(["measuring the angles ", "% of 120 million triangles"]) {
+        assert!(shown.contains(word), "{word:?} is missing in {shown:?}");
+    }
+    assert!(shown.contains("--max-degree allows 3"));
+}
+
+#[test]
+fn no_bar_shows_where_none_is_wanted() {
+    let short = "\"$MINDEG\" mesh --rectangle 4x3 --size 0.01 -o /dev/null --format obj";
+    for (command, terminal) in [
+        // No terminal.
+        (SLOW.replace("QUIET", ""), false),
+        (SLOW.replace("QUIET", "--quiet"), true),
+        (short.to_owned(), true),
+    ] {
+        let Some(run) = shell(&command, terminal) else { return };
+        let shown = run.text();
+        assert!(!shown.contains("left") && !shown.contains('\u{1b}'), "{command}: {shown:?}");
+    }
+    // Where the mesh itself goes to the terminal, a bar would be in its way.
+    let folder = tempfile::tempdir().expect("a folder");
+    let command = "mkfifo \"$PIPE\"; (sleep 1.2; cat \"$PIPE\" > /dev/null) & \"$MINDEG\" mesh \
+                   --rectangle 4x3 --intervals 9000,9000,9000,9000 -o \"$PIPE\" -o - --format obj";
+    let pipe = folder.path().join("pipe");
+    let command = command.replace("$PIPE", pipe.to_str().expect("paths here are UTF-8"));
+    let Some(run) = shell(&command, true) else { return };
+    let shown = run.text();
+    assert!(shown.contains("\nf ") && !shown.contains('\u{1b}'), "{}", &shown[..200]);
+}
