@@ -3,12 +3,12 @@
 mod compare;
 mod degree;
 mod inspect;
-#[cfg(target_os = "linux")]
-mod memory;
 #[cfg(unix)]
 mod interrupts;
 #[cfg(unix)]
 mod limits;
+#[cfg(target_os = "linux")]
+mod memory;
 mod mesh;
 #[cfg(target_os = "linux")]
 mod progress;
