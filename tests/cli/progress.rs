@@ -68,6 +68,21 @@ fn triangles_rate_and_time_show_while_the_mesh_is_chosen() {
 }
 
 #[test]
+fn bytes_show_while_a_file_is_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // A file that comes in slowly.
+    let command = "mkfifo \"$PIPE\"; (\"$MINDEG\" mesh --rectangle 4x3 --size 0.001 -o - -q --format obj \
+                   | (head -c 100000; sleep 1.2; cat) > \"$PIPE\") & \"$MINDEG\" inspect \"$PIPE\"";
+    let pipe = folder.path().join("pipe.obj");
+    let command = command.replace("$PIPE", pipe.to_str().expect("paths here are UTF-8"));
+    let Some(run) = shell(&command, true) else { return };
+    let shown = run.text();
+    let (bar, report) = shown.rsplit_once(" left").expect("a bar was there");
+    assert!(bar.contains("reading ") && bar.contains(" of "), "{bar:?}");
+    assert!(report.contains("\u{1b}[2K") && report.contains("nothing wrong"), "{report:?}");
+}
+
+#[test]
 fn no_bar_shows_where_none_is_wanted() {
     let short = "\"$MINDEG\" mesh --rectangle 4x3 --size 0.01 -o /dev/null --format obj";
     for (command, terminal) in [

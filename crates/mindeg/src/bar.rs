@@ -6,7 +6,7 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mindeg_geometry::Progress;
 use std::fmt;
-use std::io::{self, Write};
+use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -27,7 +27,7 @@ pub(crate) fn clear() {
 /// What is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unit {
-    /// Bytes written.
+    /// Bytes read or written.
     Bytes,
     /// Triangles looked at.
     Triangles,
@@ -78,9 +78,10 @@ impl Bar {
         }
     }
 
-    /// Counts bytes on their way to `out`, of which `expected` were counted in the stage's total.
-    pub(crate) fn counting<W: Write>(&self, out: W, expected: u64) -> Counting<'_, W> {
-        Counting { out, bar: self, left: expected }
+    /// Counts bytes on their way to or from a `stream`, of which `expected` were counted in the
+    /// stage's total.
+    pub(crate) fn counting<T>(&self, stream: T, expected: u64) -> Counting<'_, T> {
+        Counting { stream, bar: self, left: expected }
     }
 
     fn show_when_due(&self) {
@@ -130,32 +131,47 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
 ///
 /// What was expected need not be what comes. The total grows with what comes beyond it, and
 /// shrinks in the end by what is missing: so the bar ends with the work, and not before.
-pub(crate) struct Counting<'a, W> {
-    out: W,
+pub(crate) struct Counting<'a, T> {
+    stream: T,
     bar: &'a Bar,
     /// How many more bytes are expected.
     left: u64,
 }
 
-impl<W: Write> Write for Counting<'_, W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let count = self.out.write(bytes)?;
-        let beyond = (count as u64).saturating_sub(self.left);
+impl<T> Counting<'_, T> {
+    fn count(&mut self, bytes: usize) {
+        let bytes = bytes as u64;
+        let beyond = bytes.saturating_sub(self.left);
         if beyond > 0 {
             self.bar.bar.inc_length(beyond);
         }
-        self.left = self.left.saturating_sub(count as u64);
-        self.bar.bar.inc(count as u64);
+        self.left = self.left.saturating_sub(bytes);
+        self.bar.bar.inc(bytes);
         self.bar.show_when_due();
+    }
+}
+
+impl<W: Write> Write for Counting<'_, W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let count = self.stream.write(bytes)?;
+        self.count(count);
         Ok(count)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        self.out.flush()
+        self.stream.flush()
     }
 }
 
-impl<W> Drop for Counting<'_, W> {
+impl<R: Read> Read for Counting<'_, R> {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.stream.read(buffer)?;
+        self.count(count);
+        Ok(count)
+    }
+}
+
+impl<T> Drop for Counting<'_, T> {
     fn drop(&mut self) {
         self.bar.bar.dec_length(self.left);
     }

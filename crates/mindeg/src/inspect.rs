@@ -4,6 +4,7 @@ mod report;
 mod text;
 
 use crate::args::InspectArguments;
+use crate::bar::{Bar, Counting, Unit};
 use crate::failure::Failure;
 use crate::gates::NamedTriangle;
 use crate::standard_output::{print, print_json};
@@ -15,7 +16,10 @@ use std::io::{self, BufReader};
 use std::path::{Component, Path};
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
-    let mesh = read(&arguments.file)?;
+    let bar = Bar::new(false);
+    let mesh = read(&arguments.file, &bar)?;
+    // Of inspecting, nothing is counted that could be shown.
+    drop(bar);
     let options = InspectionOptions {
         weld: !arguments.no_weld,
         pole_degree: arguments.poles_above,
@@ -40,10 +44,15 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     passed.and(printed)
 }
 
-/// Reads a mesh by the extension of its file.
-fn read(path: &Path) -> Result<SurfaceMesh, Failure> {
+/// Reads a mesh by the extension of its file, and lets the bar count the bytes.
+fn read(path: &Path, bar: &Bar) -> Result<SurfaceMesh, Failure> {
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
-    let open = || File::open(path).map_err(ImportError::Io);
+    let open = || -> Result<Counting<'_, File>, ImportError> {
+        let file = File::open(path)?;
+        let len = file.metadata()?.len();
+        bar.stage("reading", len, Unit::Bytes);
+        Ok(bar.counting(file, len))
+    };
     let mesh = match extension.as_deref() {
         Some("obj") => {
             open().and_then(|file| import::obj::read(BufReader::with_capacity(1 << 16, file)))
