@@ -1,14 +1,20 @@
 //! What is left to do when the process is told to stop: delete the temporary files.
 //!
-//! Limits: nobody is told of SIGKILL or of power that fails. Then `.mindeg-*.part` stays behind;
-//! what has its final name is whole even so.
+//! Limits: nobody is told of SIGKILL or of power that fails. Then `.mindeg-*.part` stays behind.
+//! Nothing waits for the disk, so what is left of a file after a power failure is up to the file
+//! system. Only Linux tells which signals are to be ignored; elsewhere all are heard.
 
 use crate::bar;
 use crate::failure::Failure;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, PoisonError, mpsc};
+use std::thread;
+use std::time::Duration;
+
+/// How long a terminal may take to clear the bar: one that is stopped takes for ever.
+const CLEARING: Duration = Duration::from_millis(100);
 
 /// The temporary files there are.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -32,13 +38,26 @@ fn end(process: impl FnOnce()) {
         // A file renamed or deleted meanwhile is no longer there under this name.
         let _ = fs::remove_file(path);
     }
-    bar::clear();
+    let (clearing, cleared) = mpsc::channel();
+    let cleaner = thread::Builder::new().spawn(move || {
+        bar::clear();
+        let _ = clearing.send(());
+    });
+    if cleaner.is_ok() {
+        let _ = cleared.recv_timeout(CLEARING);
+    }
     process();
 }
+
+/// How long cleaning may take before another signal ends the process at once.
+#[cfg(unix)]
+const CLEANING: Duration = Duration::from_secs(1);
 
 /// A signal that is to be ignored stays so: a run started by nohup outlives its terminal.
 #[cfg(unix)]
 fn listen() -> io::Result<()> {
+    use std::time::Instant;
+
     use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
     let ignored = ignored_signals();
     let heard = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU]
@@ -47,16 +66,29 @@ fn listen() -> io::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new(heard)?;
     // A file that grows beyond what the system allows is then an error of the one who writes it.
     signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default())?;
-    std::thread::Builder::new().spawn(move || {
-        if let Some(signal) = signals.forever().next() {
-            // Ended by the signal, as if nobody had listened: a shell then stops its script too.
-            end(|| {
-                let _ = signal_hook::low_level::emulate_default_handler(signal);
-                std::process::exit(128 + signal);
-            });
+    thread::Builder::new().spawn(move || {
+        let mut first: Option<Instant> = None;
+        for signal in signals.forever() {
+            match first {
+                None => {
+                    first = Some(Instant::now());
+                    let cleaner = thread::Builder::new().spawn(move || end(|| end_by(signal)));
+                    cleaner.map_or_else(|_| end(|| end_by(signal)), drop);
+                }
+                // A file system that does not answer holds up the cleaning.
+                Some(first) if first.elapsed() >= CLEANING => end_by(signal),
+                Some(_) => {}
+            }
         }
     })?;
     Ok(())
+}
+
+/// Ended by the signal, as if nobody had listened: a shell then stops its script, too.
+#[cfg(unix)]
+fn end_by(signal: i32) {
+    let _ = signal_hook::low_level::emulate_default_handler(signal);
+    std::process::exit(128 + signal);
 }
 
 /// The signals that this process was started to ignore, as bits from SIGHUP's, 1, on; none where
