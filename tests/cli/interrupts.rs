@@ -16,7 +16,9 @@ const MESH: [&str; 5] =
 const A_MOMENT: Duration = Duration::from_millis(5);
 
 fn start(folder: &Path, arguments: &[&str]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_mindeg"))
+    // Some signals would leave a core file in the folder.
+    Command::new("sh")
+        .args(["-c", "ulimit -c 0; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_mindeg")])
         .args(MESH)
         .args(arguments)
         .current_dir(folder)
@@ -144,7 +146,7 @@ fn a_named_pipe_is_written_to() {
     for (reader, least) in [("cat", 10_000_000), ("head -c 1000", 1000)] {
         let mut child = start(folder.path(), &["-o", "pipe.obj", "-q"]);
         let read = Command::new("sh")
-            .args(["-c", &format!("{reader} < \"$1\""), "sh", text(&pipe)])
+            .args(["-c", &format!("timeout 60 {reader} < \"$1\""), "sh", text(&pipe)])
             .output()
             .expect("a shell");
         assert!(read.stdout.len() >= least);

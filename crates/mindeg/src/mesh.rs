@@ -19,8 +19,8 @@ use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
 
 /// What to do where files do not fit.
-const WAY_OUT_OF_NO_ROOM: &str = "choose a folder with more room, use fewer intervals, write glTF, \
-    which takes less than half as much as OBJ, or compress on the way: \
+const WAY_OUT_OF_NO_ROOM: &str = "choose a folder with more room, use fewer intervals, write glTF \
+    rather than OBJ, which takes more than twice as much, or compress on the way: \
     -o - --format obj | zstd > mesh.obj.zst";
 
 /// What `--json` prints; angles in degrees, an output for each `-o`. Degrees are total: edges

@@ -1,7 +1,8 @@
 //! Whether files fit where they are to go.
 //!
 //! Limits: a quota shows only once it is reached, and so does what others write meanwhile. File
-//! systems that do not tell how much room they have take everything.
+//! systems that do not tell how much room they have take everything, and those that compress are
+//! taken at their word.
 
 use crate::failure::Failure;
 use indicatif::DecimalBytes;
