@@ -307,7 +307,7 @@ impl Mesh {
             let triangles = self.placed_triangles_of(range);
             triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c)).collect()
         });
-        QualitySummary::of_blocks(&in_blocks).expect("a mesh has a triangle")
+        QualitySummary::of_blocks(in_blocks).expect("a mesh has a triangle")
     }
 
     /// The least and the greatest angle. O(n) time, next to no memory, and much faster than

@@ -40,6 +40,16 @@ pub(crate) fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync 
     results
 }
 
+/// Fills a list with what `work` makes of the places in each block of it: as many values.
+pub(crate) fn fill_blocks<T: Copy + Send>(
+    values: &mut [T],
+    work: impl Fn(Range<u32>) -> Vec<T> + Sync + Send,
+) {
+    let count = values.len() as u32;
+    let parts = values.par_chunks_mut(BLOCK as usize).enumerate();
+    parts.for_each(|(place, part)| part.copy_from_slice(&work(block(place, count))));
+}
+
 /// What `work` finds in the first of the blocks of the items `0..count` that has something to find.
 pub(crate) fn first_of_blocks<R: Send>(
     count: u32,

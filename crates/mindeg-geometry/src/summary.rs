@@ -3,7 +3,8 @@
 //! Results do not depend on how the work is divided: quantiles are values that occur, and sums
 //! are taken in blocks of fixed size, in order.
 //!
-//! Limits: quantiles need all values at once, 72 bytes a triangle for all measures.
+//! Limits: quantiles need all values at once, 72 bytes a triangle for all measures, and 8 more for
+//! each thread.
 
 use std::collections::BTreeMap;
 
@@ -132,28 +133,30 @@ impl QualitySummary {
     /// Sums up triangles; `None` if there are none. O(n) time and memory.
     #[must_use]
     pub fn of(qualities: impl IntoIterator<Item = TriangleQuality>) -> Option<Self> {
-        Self::of_blocks(&[qualities.into_iter().collect()])
+        Self::of_blocks(vec![qualities.into_iter().collect()])
     }
 
     /// Sums up triangles block after block; `None` if there are none.
-    pub(crate) fn of_blocks(blocks: &[Columns]) -> Option<Self> {
-        let column = |metric: usize| -> Vec<f64> {
-            let parts: Vec<&[f64]> = blocks.iter().map(|block| &block.values[metric][..]).collect();
-            parts.concat()
-        };
-        let distributions: Option<Vec<_>> = (0..METRICS.len())
-            .into_par_iter()
-            .map(|metric| Distribution::of(column(metric)))
-            .collect();
+    pub(crate) fn of_blocks(blocks: Vec<Columns>) -> Option<Self> {
         let triangle_count = blocks.iter().map(|block| block.values[0].len()).sum();
         let mut below = [0_usize; ANGLES.len()];
+        let mut columns: [Vec<Vec<f64>>; METRICS.len()] = Default::default();
         for block in blocks {
             below.iter_mut().zip(block.below).for_each(|(sum, count)| *sum += count);
+            columns.iter_mut().zip(block.values).for_each(|(column, part)| column.push(part));
         }
+        let summed_up = Vec::from(columns).into_par_iter().map(|parts| {
+            let values = parts.concat();
+            // Not kept twice while the values are sorted out.
+            drop(parts);
+            Some((sum(&values), Distribution::of(values)?))
+        });
+        let (sums, distributions): (Vec<_>, Vec<_>) =
+            summed_up.collect::<Option<Vec<_>>>()?.into_iter().unzip();
         Some(Self {
             triangle_count,
-            area: sum(&column(0)),
-            metrics: distributions?.try_into().ok()?,
+            area: sums[0],
+            metrics: distributions.try_into().ok()?,
             shares_below: below.map(|count| count as f64 / triangle_count as f64),
         })
     }

@@ -32,7 +32,7 @@ impl Shapes {
                 .for_each(|worst| rank(worst, &mut worst_triangles));
             zero_area_triangles.extend(of_block.zero_area_triangles);
         }
-        let quality = QualitySummary::of_blocks(&columns).expect("a mesh has a triangle");
+        let quality = QualitySummary::of_blocks(columns).expect("a mesh has a triangle");
         Self { quality, worst_triangles, zero_area_triangles }
     }
 }

@@ -10,7 +10,7 @@ use mindeg_core::{Boundary, Plans, Triangulation};
 
 use super::MeshError;
 use super::angles::{cotangents, placed};
-use crate::parallel::{block, blocks, first_of_blocks, try_blocks};
+use crate::parallel::{block, fill_blocks, first_of_blocks, try_blocks};
 use crate::placement::Placement;
 use crate::progress::{Counter, Watch};
 
@@ -83,11 +83,11 @@ struct Points<'a> {
 impl<'a> Points<'a> {
     fn new(placement: &'a Placement) -> Self {
         let count = placement.vertex_count();
-        let kept = if count <= MOST_KEPT {
-            blocks(count, |range| placement.points_of(range)).concat()
-        } else {
-            Vec::new()
-        };
+        let mut kept = Vec::new();
+        if count <= MOST_KEPT {
+            kept.resize(count as usize, DVec2::ZERO);
+            fill_blocks(&mut kept, |range| placement.points_of(range));
+        }
         Self { placement, kept }
     }
 
