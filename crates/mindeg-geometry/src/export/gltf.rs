@@ -23,7 +23,7 @@ mod positions;
 use self::document::{binary_len, document, has_wide_indices};
 use self::positions::Positions;
 use super::sections::{Section, write_sections};
-use super::{ExportError, SurfaceOptions, degree_color, in_box, side_edge};
+use super::{ExportError, SurfaceOptions, boundary_edge, degree_color, in_box};
 use crate::{Domain, Mesh};
 use mindeg_core::Boundary;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
@@ -320,10 +320,8 @@ impl Arrays<'_> {
         }));
         if options.boundary_lines {
             let boundary = mesh.boundary();
-            sections.extend((0..boundary.side_count()).map(|side| {
-                Section::new(boundary.intervals(side), 8, move |range, buffer| {
-                    range.for_each(|i| push_indices(buffer, side_edge(boundary, side, i), wide));
-                })
+            sections.push(Section::new(vertices, 8, move |range, buffer| {
+                range.for_each(|start| push_indices(buffer, boundary_edge(boundary, start), wide));
             }));
         }
         Ok(sections)

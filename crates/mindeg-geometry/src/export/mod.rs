@@ -172,9 +172,8 @@ fn side_name(domain: &Domain, side: usize) -> String {
     }
 }
 
-/// Boundary edge `i` of a side, both counted from 0, from its first vertex to its second.
-fn side_edge(boundary: &Boundary, side: usize, i: u32) -> [u32; 2] {
-    let first = boundary.corner(side) + i;
-    let last = i + 1 == boundary.intervals(side);
-    [first, if last { boundary.corner(side + 1) } else { first + 1 }]
+/// The boundary edge from a vertex to the next.
+fn boundary_edge(boundary: &Boundary, start: u32) -> [u32; 2] {
+    let end = start + 1;
+    [start, if end == boundary.vertex_count() { 0 } else { end }]
 }

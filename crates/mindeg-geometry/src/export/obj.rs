@@ -15,7 +15,7 @@ mod numbers;
 
 use self::numbers::{CornerNames, Decimals};
 use super::sections::{self, Section, write_sections};
-use super::{GENERATOR, SurfaceOptions, degree_color, in_box, mesh_name, side_edge, side_name};
+use super::{GENERATOR, SurfaceOptions, boundary_edge, degree_color, in_box, mesh_name, side_name};
 use crate::{Domain, Mesh};
 use std::io::{self, Write};
 
@@ -92,7 +92,7 @@ fn sections<'a>(mesh: &'a Mesh, options: &'a SurfaceOptions) -> Vec<Section<'a>>
         mesh.triangles_of(range).for_each(|triangle| names.push_face(triangle, buffer));
     }));
     if options.boundary_lines {
-        sections.extend((0..mesh.boundary().side_count()).flat_map(|side| lines(mesh, side)));
+        sections.push(lines(mesh));
     }
     sections
 }
@@ -145,22 +145,24 @@ fn texture_coordinates(mesh: &Mesh) -> Section<'_> {
     })
 }
 
-/// A side as an object of line segments.
-fn lines(mesh: &Mesh, side: usize) -> [Section<'_>; 2] {
+/// The sides, each as an object of line segments.
+fn lines(mesh: &Mesh) -> Section<'_> {
     let boundary = mesh.boundary();
-    let header = Section::bytes(format!("o {}\n", object_name(&side_name(mesh.domain(), side))));
-    let segments = Section::new(boundary.intervals(side), 20, move |range, buffer| {
+    Section::new(mesh.vertex_count(), 20, move |range, buffer| {
         let mut digits = itoa::Buffer::new();
-        for i in range {
+        for start in range {
+            if boundary.is_corner(start) {
+                let name = side_name(mesh.domain(), boundary.side_of(start));
+                buffer.extend_from_slice(format!("o {}\n", object_name(&name)).as_bytes());
+            }
             buffer.push(b'l');
-            for vertex in side_edge(boundary, side, i) {
+            for vertex in boundary_edge(boundary, start) {
                 buffer.push(b' ');
                 buffer.extend_from_slice(digits.format(vertex + 1).as_bytes());
             }
             buffer.push(b'\n');
         }
-    });
-    [header, segments]
+    })
 }
 
 /// A name as an OBJ can hold it: many readers end it at the first white space. Names of

@@ -18,6 +18,14 @@ use std::thread;
 /// to be still in a core's cache when it is written.
 const BLOCK_LEN: u32 = 1 << 19;
 
+/// The most items formatted at a time.
+const PART: usize = 4096;
+
+/// A buffer that takes a block, also one that is longer than was thought.
+fn buffer() -> Vec<u8> {
+    Vec::with_capacity(2 * BLOCK_LEN as usize)
+}
+
 /// How a range of items becomes bytes: they are appended to the buffer.
 type Format<'a> = dyn Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a;
 
@@ -52,7 +60,11 @@ impl<'a> Section<'a> {
 
     fn format_block(&self, number: usize, buffer: &mut Vec<u8>) {
         let start = number as u32 * self.block;
-        (self.format)(start..start.saturating_add(self.block).min(self.count), buffer);
+        let end = start.saturating_add(self.block).min(self.count);
+        // In parts, so that what is made of several items at a time, such as points, stays small.
+        for part in (start..end).step_by(PART) {
+            (self.format)(part..part.saturating_add(PART as u32).min(end), buffer);
+        }
     }
 
     /// About how many bytes the section has: those of some of its items, times the share that they
@@ -91,7 +103,7 @@ pub(super) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> 
     let blocks = Blocks::new(sections);
     let lanes = rayon::current_num_threads().min(blocks.count);
     if lanes < 2 {
-        let mut buffer = Vec::new();
+        let mut buffer = buffer();
         for number in 0..blocks.count {
             buffer.clear();
             blocks.format(number, &mut buffer);
@@ -110,7 +122,7 @@ pub(super) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> 
             })?;
             handovers.push((full_buffers, empty_buffers));
         }
-        let mut written = Vec::new();
+        let mut written = buffer();
         for number in 0..blocks.count {
             let (full_buffers, empty_buffers) = &handovers[number % lanes];
             // A lane that is gone has panicked, which the scope passes on.
@@ -132,7 +144,7 @@ fn format_lane(
     empty: &Receiver<Vec<u8>>,
     full: &SyncSender<Vec<u8>>,
 ) {
-    let mut buffer = Vec::new();
+    let mut buffer = buffer();
     for number in numbers.step_by(step) {
         buffer.clear();
         blocks.format(number, &mut buffer);
