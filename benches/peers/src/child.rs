@@ -5,6 +5,7 @@ use crate::clock::Clock;
 use crate::input::{Case, Input};
 use crate::measure::{Figures, measure};
 use crate::peer::{self, Peer};
+use crate::shewchuk::TooSlow;
 use cpu_time::ProcessTime;
 use serde::{Deserialize, Serialize};
 use std::error::Error;
@@ -58,6 +59,7 @@ fn outcome(peer: &Peer, input: &Input) -> Outcome {
             let (seconds, mindeg_seconds) = clock.seconds();
             Outcome::Done { seconds, mindeg_seconds, figures: measure(input, triangles) }
         }
+        Err(error) if error.is::<TooSlow>() => Outcome::TooSlow,
         Err(error) => Outcome::Failed(error.to_string()),
     }
 }

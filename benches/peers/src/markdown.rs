@@ -75,7 +75,8 @@ fn introduction() -> Result<String, Box<dyn Error>> {
          **How.** Every program runs in a process of its own and takes turns with mindeg; the best \
          of at least {ROUNDS} rounds counts, or of as many as fit into {patience} s. Times are the \
          processor's, all threads together (mindeg's own are limited to one), which on an idle \
-         machine are the clock's. A program is given up after {limit} s. What is timed goes from \
+         machine are the clock's. A program is given up when its process has taken {limit} s, \
+         checks and all. What is timed goes from \
          points to triangles in the program's own types; in mindeg's case it starts before there \
          are points, at corners and counts.\n\n\
          Four sides are those of a rectangle of 4 by 3, or of the square. The triangle, pentagon \

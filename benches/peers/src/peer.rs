@@ -1,7 +1,7 @@
 //! The programs, each called in the way that suits it best.
 //!
 //! Timed is the program's own work on its own types; converting points before and triangles after
-//! is not.
+//! is not, where nothing else is said.
 
 use crate::clock::Clock;
 use crate::input::Input;
@@ -61,7 +61,8 @@ pub(crate) const PEERS: [Peer; 12] = [
         package: "spade",
         licence: FREE,
         called: "points inserted every 2^j-th first, each with a neighbour as the hint, the \
-                 boundary as constraints, faces outside dropped; reading the faces out is timed",
+                 boundary as constraints, faces outside dropped; timed with it are the checks of \
+                 coordinates and reading the faces out",
         run: |input, clock| {
             let run =
                 || Reference::Delaunay.triangulate_without_limit(&input.boundary, &input.points);
@@ -73,7 +74,8 @@ pub(crate) const PEERS: [Peer; 12] = [
         name: "spade, bulk load",
         package: "spade",
         licence: FREE,
-        called: "`bulk_load_cdt` with the boundary as constraints; faces outside dropped",
+        called: "`bulk_load_cdt` with the boundary as constraints, which takes a copy of both that is \
+                 timed with it; faces outside dropped",
         run: spade_bulk_load,
     },
     Peer {
@@ -123,11 +125,7 @@ pub(crate) const PEERS: [Peer; 12] = [
         package: "earcut",
         licence: FREE,
         called: "`Earcut::earcut`",
-        run: |input, clock| {
-            let run =
-                || Reference::EarClipping.triangulate_without_limit(&input.boundary, &input.points);
-            Ok(clock.time(run)?)
-        },
+        run: |input, clock| ear_clipping(input, clock, |_, _| ()),
     },
     Peer {
         id: "earcut-refine",
@@ -135,7 +133,7 @@ pub(crate) const PEERS: [Peer; 12] = [
         package: "earcut",
         licence: FREE,
         called: "`Earcut::earcut`, then `refine`: flips towards Delaunay",
-        run: earcut_refined,
+        run: |input, clock| ear_clipping(input, clock, earcut::refine),
     },
     Peer {
         id: "lyon",
@@ -209,12 +207,16 @@ fn i_triangle(
     Ok(threes(&mesh.indices.iter().map(vertex).collect::<Vec<_>>()))
 }
 
-fn earcut_refined(input: &Input, clock: &mut Clock<'_>) -> Triangles {
+fn ear_clipping(
+    input: &Input,
+    clock: &mut Clock<'_>,
+    finish: impl Fn(&mut [u32], &[[f64; 2]]),
+) -> Triangles {
     let points: Vec<[f64; 2]> = input.points.iter().map(|p| p.to_array()).collect();
     let indices: Vec<u32> = clock.time(|| {
         let mut indices = Vec::new();
         earcut::Earcut::new().earcut_slice(&points, &[], &mut indices);
-        earcut::refine(&mut indices, &points);
+        finish(&mut indices, &points);
         indices
     });
     Ok(threes(&indices))

@@ -9,9 +9,27 @@ use crate::input::Input;
 use crate::peer::Triangles;
 use std::error::Error;
 use std::ffi::OsString;
+use std::fmt;
 use std::io::Write;
+use std::os::unix::process::ExitStatusExt;
 use std::process::{Command, Stdio};
 use std::time::Duration;
+
+/// How the system ends a process that has used up its time.
+const SIGKILL: i32 = 9;
+const SIGXCPU: i32 = 24;
+
+/// Triangle was not done within the limit.
+#[derive(Debug)]
+pub(crate) struct TooSlow;
+
+impl fmt::Display for TooSlow {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("not done within the limit")
+    }
+}
+
+impl Error for TooSlow {}
 
 const PYTHON: &str = "TRIANGLE_PYTHON";
 
@@ -48,6 +66,10 @@ fn ask(python: &OsString, points: &[u8]) -> Result<(Duration, Vec<u8>), Box<dyn 
     // It reads everything before it writes anything.
     child.stdin.take().ok_or("no standard input")?.write_all(points)?;
     let output = child.wait_with_output()?;
+    // It has a limit of its own, since this process' does not count what a child takes.
+    if matches!(output.status.signal(), Some(SIGKILL | SIGXCPU)) {
+        return Err(TooSlow.into());
+    }
     if !output.status.success() {
         return Err(output.status.to_string().into());
     }

@@ -5,8 +5,8 @@
 //! measured beside its floor in the same process, in turns, and the best of several rounds
 //! counts; see [`rounds`](clock::rounds).
 //!
-//! Takes 4 GB of memory, and 2 GB in `/dev/shm` or, if it is set, in the folder that
-//! `MINDEG_BENCH_FOLDER` names.
+//! Takes 4 GB of memory; 2 GB in `/dev/shm` or, if it is set, in the folder that
+//! `MINDEG_BENCH_FOLDER` names; and 13 GB in the target folder.
 //!
 //! Limits: on a busy machine, work shared among all threads looks worse than it is.
 

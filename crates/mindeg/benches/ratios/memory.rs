@@ -16,7 +16,7 @@ pub(crate) fn print() {
     }
     let columns = ["output", "triangles", "to", "seconds", "peak memory, MB (aim 64)"];
     table::head("Memory of `mindeg mesh`", &columns);
-    // The most intervals to a side for which a .glb stays below 4 GiB.
+    // About the most intervals to a side for which a .glb stays below 4 GiB.
     let largest_glb = 24_402_000;
     for (format, intervals) in
         [("obj", 250_000), ("obj", 25_000_000), ("glb", 250_000), ("glb", largest_glb)]

@@ -34,6 +34,7 @@ pub(crate) fn at_least(ratio: f64, limit: f64) -> String {
     marked(format!("{ratio:.2}"), ratio >= limit)
 }
 
-fn marked(text: String, met: bool) -> String {
+/// A figure that is to meet its aim, in bold where it does not.
+pub(crate) fn marked(text: String, met: bool) -> String {
     if met { text } else { format!("**{text}**") }
 }
