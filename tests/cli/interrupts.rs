@@ -67,8 +67,8 @@ fn is_as_before(folder: &Path, kept: &[&str]) {
 
 #[test]
 fn a_signal_ends_the_run_and_leaves_what_was_there() {
-    // SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU
-    for signal in [1, 2, 3, 15, 24] {
+    // SIGHUP, SIGINT, SIGQUIT, SIGALRM, SIGTERM, SIGXCPU
+    for signal in [1, 2, 3, 14, 15, 24] {
         let kept = ["mesh.bin", "mesh.gltf", "mesh.obj"];
         let folder = folder_with(&kept);
         let outputs =
@@ -156,16 +156,52 @@ fn a_named_pipe_is_written_to() {
 }
 
 #[test]
-fn standard_output_is_never_replaced() {
+fn what_others_opened_is_never_replaced() {
     let folder = folder_with(&[]);
     let file = folder.path().join("x.obj");
-    let script = "(echo '# mine'; \"$1\" mesh --rectangle 4x3 --intervals 3,3,2,2 -q \
-                  --format obj -o /dev/stdout) > \"$2\"";
-    let run = Command::new("sh")
-        .args(["-c", script, "sh", env!("CARGO_BIN_EXE_mindeg"), text(&file)])
-        .status()
-        .expect("a shell");
-    assert_eq!(run.code(), Some(0));
-    let written = fs::read_to_string(&file).expect("it is there");
-    assert!(written.starts_with("# mine\n# mindeg") && written.contains("\nf "), "{written}");
+    for (output, redirection) in
+        [("/dev/stdout", ">>"), ("/dev/fd/1", ">>"), ("/dev/stderr", "2>>"), ("/dev/fd/7", "7>>")]
+    {
+        let script = format!(
+            "echo '# mine' > \"$2\"; \"$1\" mesh --rectangle 4x3 --intervals 3,3,2,2 -q \
+             --format obj -o {output} {redirection} \"$2\""
+        );
+        let run = Command::new("sh")
+            .args(["-c", &script, "sh", env!("CARGO_BIN_EXE_mindeg"), text(&file)])
+            .status()
+            .expect("a shell");
+        assert_eq!(run.code(), Some(0));
+        let written = fs::read_to_string(&file).expect("it is there");
+        assert!(written.starts_with("# mine\n# mindeg") && written.contains("\nf "), "{written}");
+    }
+}
+
+#[test]
+fn a_file_keeps_its_permissions_and_a_link_its_place() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder_with(&["private.obj", "protected.obj"]);
+    let path = |name: &str| folder.path().join(name);
+    let mode = |name: &str, mode| {
+        let permissions = fs::Permissions::from_mode(mode);
+        fs::set_permissions(path(name), permissions).expect("the file is ours");
+    };
+    mode("private.obj", 0o600);
+    mode("protected.obj", 0o444);
+    std::os::unix::fs::symlink("new.obj", path("link.obj")).expect("links can be made");
+    let write =
+        |name| start(folder.path(), &["-q", "-o", name]).wait_with_output().expect("it ends");
+
+    assert_eq!(write("private.obj").status.code(), Some(0));
+    let written = fs::metadata(path("private.obj")).expect("it is there");
+    assert!(written.len() > 10_000_000);
+    assert_eq!(written.permissions().mode() & 0o777, 0o600);
+
+    let refused = write("protected.obj");
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("protected.obj: it is read-only"));
+    assert_eq!(fs::read_to_string(path("protected.obj")).expect("it is there"), "before");
+
+    assert_eq!(write("link.obj").status.code(), Some(0));
+    assert!(fs::symlink_metadata(path("link.obj")).expect("it is there").is_symlink());
+    assert!(fs::metadata(path("new.obj")).expect("it is there").len() > 10_000_000);
 }

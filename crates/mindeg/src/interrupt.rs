@@ -58,11 +58,12 @@ const CLEANING: Duration = Duration::from_secs(1);
 fn listen() -> io::Result<()> {
     use std::time::Instant;
 
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU, SIGXFSZ};
+    use signal_hook::consts::*;
     let ignored = ignored_signals();
-    let heard = [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU]
-        .into_iter()
-        .filter(|signal| ignored >> (signal - 1) & 1 == 0);
+    // All that come from outside and end a process that does not hear them.
+    let ending =
+        [SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGXCPU, SIGUSR1, SIGUSR2, SIGALRM, SIGVTALRM, SIGPROF];
+    let heard = ending.into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0);
     let mut signals = signal_hook::iterator::Signals::new(heard)?;
     // A file that grows beyond what the system allows is then an error of the one who writes it.
     signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default())?;

@@ -22,19 +22,37 @@ mod watched;
 
 use args::{Arguments, Command};
 use clap::Parser;
+use failure::Failure;
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let result = match Arguments::parse().command {
-        Command::Degree(arguments) => degree::run(&arguments),
-        Command::Inspect(arguments) => inspect::run(&arguments),
-        Command::Mesh(arguments) => mesh::run(&arguments),
-        Command::Tradeoff(arguments) => tradeoff::run(&arguments),
-        Command::Compare(arguments) => compare::run(&arguments),
-        Command::Suggest(arguments) => suggest::run(&arguments),
+    let arguments = Arguments::parse();
+    let result = match threads() {
+        Ok(threads) => threads.install(|| run(&arguments.command)),
+        Err(error) => Err(Failure::Io(format!("cannot start threads: {error}"))),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+fn run(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Degree(arguments) => degree::run(arguments),
+        Command::Inspect(arguments) => inspect::run(arguments),
+        Command::Mesh(arguments) => mesh::run(arguments),
+        Command::Tradeoff(arguments) => tradeoff::run(arguments),
+        Command::Compare(arguments) => compare::run(arguments),
+        Command::Suggest(arguments) => suggest::run(arguments),
+    }
+}
+
+/// The threads that share all work: as many as there are cores, or this one alone where the system
+/// allows no more. Not rayon's own, which are started when first needed, or panic.
+fn threads() -> Result<ThreadPool, ThreadPoolBuildError> {
+    // As large as that of a main thread.
+    let builder = || ThreadPoolBuilder::new().stack_size(8 << 20);
+    builder().build().or_else(|_| builder().num_threads(1).use_current_thread().build())
 }

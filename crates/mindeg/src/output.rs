@@ -4,7 +4,11 @@
 //! only when every one of them is complete. An error, a panic or Ctrl-C before that leaves
 //! neither a target touched nor a temporary file behind.
 //!
-//! What is not a regular file (a device, a pipe) cannot be replaced and is written to directly.
+//! What is not a regular file (a device, a pipe) cannot be replaced and is written to directly, and
+//! so is what was opened for this process by others.
+//!
+//! Limits: a rename that fails leaves the files renamed before it. A process that runs out of
+//! memory cleans nothing up.
 
 use crate::failure::Failure;
 use crate::interrupt::temporary;
@@ -34,20 +38,20 @@ impl Outputs {
     /// written goes beside it.
     pub(crate) fn create(&mut self, path: &Path, least_len: u64) -> Result<File, Failure> {
         let failed = |error: io::Error| cannot_write(path, &error);
-        let target = match fs::metadata(path) {
-            Ok(metadata) if metadata.is_dir() => {
-                return Err(Failure::Io(format!(
-                    "cannot write {}: it is a folder",
-                    path.display()
-                )));
+        let refused = |why| Failure::Io(format!("cannot write {}: it is {why}", path.display()));
+        if names_descriptor(path) {
+            return File::options().append(true).open(path).map_err(failed);
+        }
+        let (target, permissions) = match fs::metadata(path) {
+            Ok(metadata) if metadata.is_dir() => return Err(refused("a folder")),
+            Ok(metadata) if !metadata.is_file() => {
+                return File::options().write(true).open(path).map_err(failed);
             }
+            Ok(metadata) if metadata.permissions().readonly() => return Err(refused("read-only")),
             // A link is followed, so that what it points to is replaced and not the link.
-            Ok(metadata) if metadata.is_file() => fs::canonicalize(path).map_err(failed)?,
-            Ok(_) => return File::options().write(true).open(path).map_err(failed),
+            Ok(metadata) => (fs::canonicalize(path).map_err(failed)?, Some(metadata.permissions())),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-                let folder = fs::canonicalize(folder.unwrap_or(Path::new("."))).map_err(failed)?;
-                folder.join(path.file_name().ok_or(error).map_err(failed)?)
+                (new_file(path).map_err(failed)?, None)
             }
             Err(error) => return Err(failed(error)),
         };
@@ -55,7 +59,7 @@ impl Outputs {
             let (other, path) = (other.name.display(), path.display());
             return Err(Failure::Input(format!("{other} and {path} are the same file")));
         }
-        let (file, temporary) = stage(&target).map_err(failed)?;
+        let (file, temporary) = stage(&target, permissions).map_err(failed)?;
         self.staged.push(Staged { temporary, name: path.to_path_buf(), target, least_len });
         Ok(file)
     }
@@ -73,6 +77,11 @@ impl Outputs {
     pub(crate) fn finish(self) -> Result<(), Failure> {
         // An interrupt now finds all files renamed, or none.
         let _all_or_none = temporary();
+        // What can be seen to fail fails before the first of them.
+        if let Some(folder) = self.staged.iter().find(|file| file.target.is_dir()) {
+            let error = io::ErrorKind::IsADirectory.into();
+            return Err(cannot_write(&folder.name, &error));
+        }
         for Staged { temporary, name, target, .. } in self.staged {
             temporary.persist(target).map_err(|error| cannot_write(&name, &error.error))?;
         }
@@ -80,8 +89,27 @@ impl Outputs {
     }
 }
 
-/// A temporary file beside `target`.
-fn stage(target: &Path) -> io::Result<(File, TempPath)> {
+/// Whether a path stands for a descriptor of this process. Whoever opened it may have written to
+/// what is behind it: so that is never replaced, not even if it is a file.
+fn names_descriptor(path: &Path) -> bool {
+    path == Path::new("/dev/stderr")
+        || path.starts_with("/dev/fd")
+        || path.starts_with("/proc/self/fd")
+}
+
+/// Where a file is made under a name that does not exist, or is a link to one that does not.
+fn new_file(path: &Path) -> io::Result<PathBuf> {
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")))?;
+    let target = folder.join(path.file_name().ok_or(io::ErrorKind::NotFound)?);
+    match fs::read_link(&target) {
+        Ok(link) => new_file(&folder.join(link)),
+        Err(_) => Ok(target),
+    }
+}
+
+/// A temporary file beside `target`, with the permissions of the file that it replaces.
+fn stage(target: &Path, permissions: Option<fs::Permissions>) -> io::Result<(File, TempPath)> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".mindeg-").suffix(".part");
     #[cfg(unix)]
@@ -94,6 +122,9 @@ fn stage(target: &Path) -> io::Result<(File, TempPath)> {
     let mut listed = temporary();
     let made = builder.tempfile_in(target.parent().unwrap_or(Path::new(".")))?;
     listed.push(made.path().to_path_buf());
+    if let Some(permissions) = permissions {
+        made.as_file().set_permissions(permissions)?;
+    }
     Ok(made.into_parts())
 }
 

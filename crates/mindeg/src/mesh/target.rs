@@ -64,10 +64,9 @@ impl<'a> Target<'a> {
         Ok(target)
     }
 
-    /// Whether it goes where this process prints. That has been opened already, and by whom it was
-    /// may have written to it: so it is never replaced, not even if it is a file.
+    /// Whether it goes where this process prints.
     pub(super) fn is_standard_output(&self) -> bool {
-        self.path == Path::new("-") || self.path == Path::new("/dev/stdout")
+        ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new).contains(&self.path)
     }
 
     /// Refuses a domain that has too many vertices for the format. O(1).
