@@ -83,6 +83,22 @@ fn bytes_show_while_a_file_is_read() {
 }
 
 #[test]
+fn time_shows_while_methods_are_compared() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let report = folder.path().join("report.json");
+    // Ear clipping would take longer.
+    let command = "\"$MINDEG\" compare --rectangle 4x3 --intervals 20000,20000,20000,20000 \
+                   --time-limit 1.7 -o \"$REPORT\"";
+    let command = command.replace("$REPORT", report.to_str().expect("paths here are UTF-8"));
+    let Some(run) = shell(&command, true) else { return };
+    let shown = run.text();
+    let (bar, verdict) = shown.rsplit_once(" 1s").expect("a bar was there");
+    assert!(bar.contains("comparing methods, 1.7 s at most for each method "), "{bar:?}");
+    assert!(verdict.contains("\u{1b}[2K") && verdict.contains("Delaunay"), "{verdict:?}");
+    assert!(report.exists());
+}
+
+#[test]
 fn no_bar_shows_where_none_is_wanted() {
     let short = "\"$MINDEG\" mesh --rectangle 4x3 --size 0.01 -o /dev/null --format obj";
     for (command, terminal) in [

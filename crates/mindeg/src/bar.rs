@@ -8,7 +8,9 @@ use mindeg_geometry::Progress;
 use std::fmt;
 use std::io::{self, Read, Write};
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::{Duration, Instant};
 
 /// A run that is over before that shows nothing of itself.
@@ -33,6 +35,8 @@ pub(crate) enum Unit {
     Triangles,
     /// Parts of work that has no other measure.
     Parts,
+    /// Time, of work that nothing can be counted of.
+    Time,
 }
 
 /// The bar of a run.
@@ -78,6 +82,24 @@ impl Bar {
         }
     }
 
+    /// Does work that nothing can be counted of, and shows how long it has been going on.
+    pub(crate) fn waiting<T>(&self, name: impl Into<String>, work: impl FnOnce() -> T) -> T {
+        const TICK: Duration = Duration::from_millis(100);
+        self.stage(name, 0, Unit::Time);
+        thread::scope(|scope| {
+            // Closed when the work is over, also by a panic.
+            let (_working, over) = mpsc::channel::<()>();
+            // Without a thread for it, nothing is shown.
+            let _ = thread::Builder::new().spawn_scoped(scope, move || {
+                while over.recv_timeout(TICK) == Err(RecvTimeoutError::Timeout) {
+                    self.show_when_due();
+                    self.bar.tick();
+                }
+            });
+            work()
+        })
+    }
+
     /// Counts bytes on their way to or from a `stream`, of which `expected` were counted in the
     /// stage's total.
     pub(crate) fn counting<T>(&self, stream: T, expected: u64) -> Counting<'_, T> {
@@ -107,6 +129,7 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
         }
         Unit::Triangles => "{name} {wide_bar} {percent}% of {triangles}, {rate}, {eta} left",
         Unit::Parts => "{name} {wide_bar} {percent}%, {eta} left",
+        Unit::Time => "{name} {spinner} {elapsed}",
     };
     let millions = |count: f64, out: &mut dyn fmt::Write| {
         // A bar that cannot be drawn is no reason to fail.

@@ -1,6 +1,7 @@
 //! `mindeg compare`: a domain's mesh beside what other methods give.
 
 use crate::args::CompareArguments;
+use crate::bar::Bar;
 use crate::domain::{domain, from_file};
 use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
@@ -59,7 +60,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     };
     let writers: Vec<Writer> =
         arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
-    let comparison = compared(&domain(&arguments.domain)?, options)?;
+    let comparison = compared(&domain(&arguments.domain)?, options, arguments.quiet)?;
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {
         let mut file = io::BufWriter::new(outputs.create(path, 0)?);
@@ -104,7 +105,7 @@ fn run_all(arguments: &CompareArguments, options: &Options, folder: &Path) -> Re
     for Job { name, load } in jobs {
         let page = format!("{name}.html");
         let written = load().and_then(|domain| {
-            let comparison = compared(&domain, options)?;
+            let comparison = compared(&domain, options, arguments.quiet)?;
             write_page(&folder.join(&page), |out| write_html(&comparison, out))?;
             Ok(comparison)
         });
@@ -163,8 +164,14 @@ fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
     described.files.iter().map(job).collect()
 }
 
-fn compared(domain: &Domain, options: &Options) -> Result<Comparison, Failure> {
-    compare(domain, options).map_err(|error| Failure::Input(error.to_string()))
+fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Comparison, Failure> {
+    let name = format!(
+        "comparing {}, {} s at most for each method",
+        domain.name().unwrap_or("methods"),
+        options.time_limit.as_secs_f64()
+    );
+    let comparison = Bar::new(quiet).waiting(name, || compare(domain, options));
+    comparison.map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// Writes one page of a folder, whole or not at all.

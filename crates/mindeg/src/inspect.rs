@@ -18,14 +18,13 @@ use std::path::{Component, Path};
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let bar = Bar::new(false);
     let mesh = read(&arguments.file, &bar)?;
-    // Of inspecting, nothing is counted that could be shown.
-    drop(bar);
     let options = InspectionOptions {
         weld: !arguments.no_weld,
         pole_degree: arguments.poles_above,
         corner_angle: arguments.corner_angle,
     };
-    let inspection = Inspection::of(&mesh, &options);
+    let inspection = bar.waiting("inspecting", || Inspection::of(&mesh, &options));
+    drop(bar);
     let name = arguments.file.display().to_string();
     let report = Report::new(name, &mesh, &inspection);
     let printed = if arguments.json {
