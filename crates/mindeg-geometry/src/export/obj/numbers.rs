@@ -36,6 +36,9 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
 /// How long the name of a corner can get: a space, and three numbers of ten digits with slashes.
 const LONGEST_CORNER: usize = 1 + 3 * 10 + 2;
 
+/// What a corner's name takes: longer by what makes copying all of it as fast as it gets.
+const CORNER_ROOM: usize = LONGEST_CORNER.next_multiple_of(8);
+
 /// How many corners are kept: a power of two.
 const KEPT: usize = 8;
 
@@ -54,13 +57,12 @@ struct CornerName {
     /// The vertex as the file numbers it, from 1; 0 for none yet.
     number: u32,
     len: usize,
-    /// Longer than any name by what makes copying all of it as fast as it gets.
-    text: [u8; LONGEST_CORNER.next_multiple_of(8)],
+    text: [u8; CORNER_ROOM],
 }
 
 impl CornerNames {
     pub(super) fn new(options: &SurfaceOptions) -> Self {
-        let nobody = CornerName { number: 0, len: 0, text: [0; _] };
+        let nobody = CornerName { number: 0, len: 0, text: [0; CORNER_ROOM] };
         let separators: &[&[u8]] = match (options.texture_coordinates, options.normals) {
             (true, true) => &[b" ", b"/", b"/"],
             (true, false) => &[b" ", b"/"],
@@ -72,7 +74,7 @@ impl CornerNames {
 
     /// Appends a face with these vertices, counted from 0.
     pub(super) fn push_face(&mut self, vertices: [u32; 3], buffer: &mut Vec<u8>) {
-        let mut line = [0; 1 + 3 * LONGEST_CORNER.next_multiple_of(8) + 1];
+        let mut line = [0; 1 + 3 * CORNER_ROOM + 1];
         line[0] = b'f';
         let mut end = 1;
         for vertex in vertices {
