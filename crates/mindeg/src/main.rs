@@ -27,10 +27,13 @@ use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
-    let result = match threads() {
-        Ok(threads) => threads.install(|| run(&arguments.command)),
-        Err(error) => Err(Failure::Io(format!("cannot start threads: {error}"))),
+    let result = match &Arguments::parse().command {
+        Command::Degree(arguments) => degree::run(arguments),
+        Command::Suggest(arguments) => suggest::run(arguments),
+        Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
+        Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
+        Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
+        Command::Compare(arguments) => shared(|| compare::run(arguments)),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -38,18 +41,13 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(command: &Command) -> Result<(), Failure> {
-    match command {
-        Command::Degree(arguments) => degree::run(arguments),
-        Command::Inspect(arguments) => inspect::run(arguments),
-        Command::Mesh(arguments) => mesh::run(arguments),
-        Command::Tradeoff(arguments) => tradeoff::run(arguments),
-        Command::Compare(arguments) => compare::run(arguments),
-        Command::Suggest(arguments) => suggest::run(arguments),
-    }
+/// Does work that is shared by all threads.
+fn shared(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
+    let failed = |error| Failure::Io(format!("cannot start threads: {error}"));
+    threads().map_err(failed)?.install(work)
 }
 
-/// The threads that share all work: as many as there are cores, or this one alone where the system
+/// The threads that share work: as many as there are cores, or this one alone where the system
 /// allows no more. Not rayon's own, which are started when first needed, or panic.
 fn threads() -> Result<ThreadPool, ThreadPoolBuildError> {
     // As large as that of a main thread.
