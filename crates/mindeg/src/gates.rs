@@ -1,5 +1,6 @@
 //! Limits that a mesh has to keep, so that a build can stop at one that does not.
 
+use crate::bar::Bar;
 use crate::failure::Failure;
 use clap::Args;
 use mindeg_geometry::Mesh;
@@ -58,8 +59,9 @@ impl Gates {
         Err(Failure::Gate(format!("{} (numbered from 0)", failed.join("; "))))
     }
 
-    /// Checks the mesh of a domain, of which the smallest angle is known. Degrees are total.
-    pub(crate) fn check_mesh(&self, mesh: &Mesh, min_angle: f64) -> Result<(), Failure> {
+    /// Checks the mesh of a domain, of which the smallest angle is known. Degrees are total. To name
+    /// a triangle that fails all are looked at again, and the bar shows it.
+    pub(crate) fn check_mesh(&self, mesh: &Mesh, min_angle: f64, bar: &Bar) -> Result<(), Failure> {
         let max_degree = mesh.max_total_degree();
         let highest_vertex = || {
             let is_highest = |&vertex: &u32| mesh.total_degree(vertex) == max_degree;
@@ -67,7 +69,9 @@ impl Gates {
         };
         let worst_triangle = || {
             let angles = (0..).zip(mesh.qualities().map(|quality| quality.min_angle));
-            let worst = angles.min_by(|(_, a), (_, b)| a.total_cmp(b));
+            let worst = bar.waiting("looking for the worst triangle", || {
+                angles.min_by(|(_, a), (_, b)| a.total_cmp(b))
+            });
             let number = worst.map_or(0, |(number, _)| number);
             NamedTriangle { number, vertices: mesh.triangle(number) }
         };

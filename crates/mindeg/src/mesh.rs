@@ -60,8 +60,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let (mesh, optimal_max_degree) = mesh(arguments, &domain, &bar)?;
     bar.stage("measuring the angles", mesh.triangle_count().into(), Unit::Triangles);
     let angles = mesh.angle_range_watched(&bar.watch());
-    // To name a triangle that fails, all are looked at again.
-    bar.waiting("checking the limits", || arguments.gates.check_mesh(&mesh, angles.min))?;
+    arguments.gates.check_mesh(&mesh, angles.min, &bar)?;
 
     bar.stage("writing", prepared.iter().map(Prepared::expected_len).sum(), Unit::Bytes);
     let mut closed_pipe = false;
