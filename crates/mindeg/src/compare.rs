@@ -63,10 +63,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     let comparison = compared(&domain(&arguments.domain)?, options, arguments.quiet)?;
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {
-        let mut file = io::BufWriter::new(outputs.create(path, 0)?);
-        write(&comparison, &mut file)
-            .and_then(|()| file.flush())
-            .map_err(|error| cannot_write(path, &error))?;
+        outputs.write(path, |out| write(&comparison, out))?;
     }
     outputs.finish()?;
     say(arguments, &comparison.report().verdict);
@@ -180,9 +177,7 @@ fn write_page(
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
-    let mut file = io::BufWriter::new(outputs.create(path, 0)?);
-    write(&mut file).and_then(|()| file.flush()).map_err(|error| cannot_write(path, &error))?;
-    drop(file);
+    outputs.write(path, write)?;
     outputs.finish()
 }
 

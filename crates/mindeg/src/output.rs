@@ -14,7 +14,7 @@ use crate::failure::Failure;
 use crate::interrupt::temporary;
 use crate::room::{self, Planned};
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempPath;
 
@@ -62,6 +62,16 @@ impl Outputs {
         let (file, temporary) = stage(&target, permissions).map_err(failed)?;
         self.staged.push(Staged { temporary, name: path.to_path_buf(), target, least_len });
         Ok(file)
+    }
+
+    /// Writes `path` with `write`, which need not write much at a time.
+    pub(crate) fn write(
+        &mut self,
+        path: &Path,
+        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    ) -> Result<(), Failure> {
+        let mut file = BufWriter::new(self.create(path, 0)?);
+        write(&mut file).and_then(|()| file.flush()).map_err(|error| cannot_write(path, &error))
     }
 
     /// Refuses files that do not fit where they are to go, and says what to do instead.

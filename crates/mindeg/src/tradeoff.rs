@@ -6,7 +6,7 @@ use crate::domain::domain;
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::mesh::degrees;
-use crate::output::{Outputs, cannot_write};
+use crate::output::Outputs;
 use crate::standard_output::{print, print_json};
 use crate::watched::watched;
 use mindeg_compare::exact::{self, TradeOff};
@@ -30,10 +30,7 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     drop(bar);
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {
-        let mut file = io::BufWriter::new(outputs.create(path, 0)?);
-        write(&trade_off, &mut file)
-            .and_then(|()| file.flush())
-            .map_err(|error| cannot_write(path, &error))?;
+        outputs.write(path, |out| write(&trade_off, out))?;
     }
     outputs.finish()?;
     if arguments.json {
