@@ -63,3 +63,19 @@ pub(crate) fn mindeg_reading<S: AsRef<std::ffi::OsStr>>(
         errors: String::from_utf8_lossy(&output.stderr).into_owned(),
     }
 }
+
+/// Runs `mindeg` with its standard output closed by whoever was to read it: a quiet success.
+#[track_caller]
+pub(crate) fn ends_quietly_when_nobody_reads<S: AsRef<std::ffi::OsStr>>(
+    arguments: impl IntoIterator<Item = S>,
+) {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+        .args(arguments)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the binary starts");
+    drop(child.stdout.take());
+    let output = child.wait_with_output().expect("the run ends");
+    assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
+}
