@@ -13,6 +13,7 @@ use crate::Comparison;
 use crate::number_format::{angle, count};
 use std::io::{self, Write};
 
+const HEAD: &str = include_str!("head.html");
 const PAGE: &str = include_str!("page.html");
 const STYLE: &str = include_str!("page.css");
 /// One script in parts; later parts use earlier ones.
@@ -55,8 +56,8 @@ pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()
     let page = filled(
         PAGE,
         &[
+            ("head", &head(&escaped(name), "compare", &[STYLE, PLOT_STYLE], true)),
             ("title", &escaped(name)),
-            ("style", &[STYLE, PLOT_STYLE].concat()),
             ("facts", &facts(&report.domain.intervals, report.domain.optimal_max_degree)),
             ("headline", &escaped(headline)),
             ("sentences", &sentences),
@@ -89,6 +90,20 @@ fn trade_off(comparison: &Comparison) -> String {
 /// JSON in which no string can end the script element or start a comment.
 fn script_safe(json: &str) -> String {
     json.replace('<', "\\u003c")
+}
+
+/// What every page begins with, from the first line to the command that made it. No page may fetch
+/// anything, and only one that has a script may run any.
+pub(super) fn head(title: &str, command: &str, styles: &[&str], has_script: bool) -> String {
+    filled(
+        HEAD,
+        &[
+            ("scripts", if has_script { "script-src 'unsafe-inline'; " } else { "" }),
+            ("title", title),
+            ("command", command),
+            ("style", &styles.concat()),
+        ],
+    )
 }
 
 /// The template with each `{{name}}` replaced; what is put in is not looked at again.

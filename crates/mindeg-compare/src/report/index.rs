@@ -2,7 +2,7 @@
 //!
 //! Limits: the table has what decides between mindeg and Delaunay; the rest is in the reports.
 
-use super::html::{escaped, filled};
+use super::html::{escaped, filled, head};
 use super::{MethodFigures, Report};
 use crate::number_format::{angle, count, significant};
 use crate::{MINDEG, Reference};
@@ -126,7 +126,7 @@ pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()
     let page = filled(
         PAGE,
         &[
-            ("style", STYLE),
+            ("head", &head("Comparisons", "compare", &[STYLE], true)),
             ("title", &title),
             ("columns", &columns),
             ("rows", &rows),

@@ -2,7 +2,7 @@
 //!
 //! Limits: two dozen meshes at most, evenly chosen.
 
-use super::super::html::{escaped, facts, filled, html_table};
+use super::super::html::{escaped, facts, filled, head, html_table};
 use super::super::tables::Table;
 use super::{colored_degrees, only_io, plot, spread};
 use crate::exact::{ExactMesh, TradeOff};
@@ -66,11 +66,12 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
     let [headline, rest @ ..] = &verdict(trade_off)[..] else { return Ok(()) };
     let sentences: String = rest.iter().map(|sentence| format!("<p>{sentence}</p>\n")).collect();
     let intervals: Vec<u32> = domain.boundary().sides().collect();
+    let title = escaped(domain.name().unwrap_or("Domain"));
     let page = filled(
         PAGE,
         &[
-            ("title", &escaped(domain.name().unwrap_or("Domain"))),
-            ("style", &[REPORT_STYLE, PLOT_STYLE, STYLE].concat()),
+            ("head", &head(&title, "tradeoff", &[REPORT_STYLE, PLOT_STYLE, STYLE], false)),
+            ("title", &title),
             ("facts", &facts(&intervals, meshes[0].max_degree)),
             ("headline", headline),
             ("sentences", &sentences),
