@@ -1,19 +1,17 @@
 //! A domain's exact meshes: the best one under a cap, and the whole trade-off between degree and
-//! angle, as the solver of [`mindeg_tradeoff`] finds them on the domain's points, with what the
+//! angle, as the solver of [`mindeg_exact`] finds them on the domain's points, with what the
 //! domain says of its vertices' degrees.
 //!
 //! Degrees here are total: edges outside the domain count.
 //!
-//! Limits: those of the solver, [`MAX_VERTICES`](mindeg_tradeoff::MAX_VERTICES) boundary vertices
+//! Limits: those of the solver, [`MAX_VERTICES`](mindeg_exact::MAX_VERTICES) boundary vertices
 //! above all.
 
 use std::cmp::Reverse;
 
 use glam::DVec2;
+use mindeg_exact::{Optimum, Problem, ProblemError, Unsolved, Watch, best_angle, least_max_degree};
 use mindeg_geometry::{Domain, Mesh, MeshError};
-use mindeg_tradeoff::{
-    Optimum, Problem, ProblemError, Unsolved, Watch, best_angle, least_max_degree,
-};
 
 /// A mesh with the largest minimum angle under a cap.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,7 +87,7 @@ pub enum ExactError {
 /// ```
 /// use mindeg_compare::exact;
 /// use mindeg_geometry::Domain;
-/// use mindeg_tradeoff::unwatched;
+/// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::from_json(
 ///     r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
@@ -120,7 +118,7 @@ pub fn optimal_max_degree(domain: &Domain, watch: Watch<'_>) -> Result<u32, Exac
 /// ```
 /// use mindeg_compare::exact;
 /// use mindeg_geometry::{Domain, Side};
-/// use mindeg_tradeoff::unwatched;
+/// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let exact = exact::mesh(&domain, 5, &mut unwatched)?;
@@ -143,7 +141,7 @@ pub fn mesh(domain: &Domain, max_degree: u32, watch: Watch<'_>) -> Result<ExactM
 /// ```
 /// use mindeg_compare::exact;
 /// use mindeg_geometry::{Domain, Side};
-/// use mindeg_tradeoff::unwatched;
+/// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let trade_off = exact::trade_off(&domain, &mut unwatched)?;
@@ -154,7 +152,7 @@ pub fn mesh(domain: &Domain, max_degree: u32, watch: Watch<'_>) -> Result<ExactM
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trade_off(domain: &Domain, watch: Watch<'_>) -> Result<TradeOff, ExactError> {
-    let answer = mindeg_tradeoff::trade_off(&problem(domain)?, watch)?;
+    let answer = mindeg_exact::trade_off(&problem(domain)?, watch)?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
     Ok(TradeOff {
         domain: domain.clone(),
@@ -167,7 +165,7 @@ pub fn trade_off(domain: &Domain, watch: Watch<'_>) -> Result<TradeOff, ExactErr
 fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
     let boundary = domain.boundary();
     // The solver refuses a number of vertices too large for the memory of one point each.
-    if boundary.vertex_count() > mindeg_tradeoff::MAX_VERTICES {
+    if boundary.vertex_count() > mindeg_exact::MAX_VERTICES {
         return Err(ProblemError::TooManyVertices { vertices: boundary.vertex_count() });
     }
     let points: Vec<DVec2> = domain.placement().points().collect();

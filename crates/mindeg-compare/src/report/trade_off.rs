@@ -24,7 +24,7 @@ use std::io::{self, Write};
 /// ```
 /// use mindeg_compare::{TradeOffFigures, exact};
 /// use mindeg_geometry::{Domain, Side};
-/// use mindeg_tradeoff::unwatched;
+/// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let figures = TradeOffFigures::of(&exact::trade_off(&domain, &mut unwatched)?);

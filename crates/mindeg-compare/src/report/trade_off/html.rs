@@ -37,7 +37,7 @@ const MARGIN: f64 = 9.0;
 /// ```
 /// use mindeg_compare::{exact, write_trade_off_html};
 /// use mindeg_geometry::{Domain, Side};
-/// use mindeg_tradeoff::unwatched;
+/// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let mut page = Vec::new();

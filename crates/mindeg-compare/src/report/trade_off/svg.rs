@@ -49,7 +49,7 @@ const STYLE: &str = "\
 /// ```
 /// use mindeg_compare::{exact, write_trade_off_svg};
 /// use mindeg_geometry::{Domain, Side};
-/// use mindeg_tradeoff::unwatched;
+/// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let mut picture = Vec::new();

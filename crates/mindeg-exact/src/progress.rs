@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 /// # Example
 ///
 /// ```
-/// use mindeg_tradeoff::{Progress, Stage};
+/// use mindeg_exact::{Progress, Stage};
 ///
 /// let progress = Progress { stage: Stage::Bounds, done: 0.25 };
 /// assert_eq!(progress.to_string(), "bounding the angles: 25%");

@@ -23,7 +23,7 @@ pub const SHAPE_UNIT: u64 = 1 << 36;
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_tradeoff::measure;
+/// use mindeg_exact::measure;
 ///
 /// let half_square = [DVec2::ZERO, DVec2::X, DVec2::Y];
 /// assert_eq!(measure::min_angle_tangent(half_square), 1.0);
@@ -52,7 +52,7 @@ pub fn min_angle_tangent(triangle: [DVec2; 3]) -> f64 {
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_tradeoff::measure;
+/// use mindeg_exact::measure;
 ///
 /// let half_square = [DVec2::ZERO, DVec2::X, DVec2::Y];
 /// let shape = measure::shape(half_square) as f64 / measure::SHAPE_UNIT as f64;

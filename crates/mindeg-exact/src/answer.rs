@@ -85,7 +85,7 @@ impl From<Stopped> for Unsolved {
 /// ```
 /// use glam::DVec2;
 /// use mindeg_core::Boundary;
-/// use mindeg_tradeoff::{Problem, Unsolved, best_angle, unwatched};
+/// use mindeg_exact::{Problem, Unsolved, best_angle, unwatched};
 ///
 /// // A square of 2 by 2, with two intervals to a side.
 /// let boundary = Boundary::new(&[2, 2, 2, 2])?;
@@ -132,7 +132,7 @@ pub fn best_angle(
 /// ```
 /// use glam::DVec2;
 /// use mindeg_core::Boundary;
-/// use mindeg_tradeoff::{Problem, trade_off, unwatched};
+/// use mindeg_exact::{Problem, trade_off, unwatched};
 ///
 /// let boundary = Boundary::new(&[2, 2, 2, 2])?;
 /// let points = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
@@ -181,7 +181,7 @@ pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolv
 /// ```
 /// use glam::DVec2;
 /// use mindeg_core::Boundary;
-/// use mindeg_tradeoff::{Problem, Unsolved, least_max_degree, unwatched};
+/// use mindeg_exact::{Problem, Unsolved, least_max_degree, unwatched};
 ///
 /// let boundary = Boundary::new(&[2, 1, 1])?;
 /// let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 2.0)].map(DVec2::from);

@@ -16,7 +16,7 @@ pub const MAX_VERTICES: u32 = 4096;
 /// ```
 /// use glam::DVec2;
 /// use mindeg_core::Boundary;
-/// use mindeg_tradeoff::{Problem, best_angle, unwatched};
+/// use mindeg_exact::{Problem, best_angle, unwatched};
 ///
 /// let boundary = Boundary::new(&[2, 1, 1])?;
 /// let points = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 2.0)].map(DVec2::from);

@@ -4,7 +4,7 @@
 
 use glam::DVec2;
 use mindeg_core::{Boundary, verify};
-use mindeg_tradeoff::{
+use mindeg_exact::{
     Problem, Progress, Stage, Unsolved, best_angle, least_max_degree, measure, trade_off, unwatched,
 };
 use std::collections::{BTreeSet, HashSet};

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 use mindeg_core::{Boundary, verify};
-use mindeg_tradeoff::{Optimum, Problem, measure};
+use mindeg_exact::{Optimum, Problem, measure};
 use proptest::prelude::*;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;

@@ -3,7 +3,7 @@
 use crate::bar::{Bar, Unit};
 use crate::failure::Failure;
 use mindeg_compare::exact::ExactError;
-use mindeg_tradeoff::{MAX_VERTICES, ProblemError, Progress, Stage, Watch};
+use mindeg_exact::{MAX_VERTICES, ProblemError, Progress, Stage, Watch};
 use std::ops::ControlFlow;
 
 /// The parts of the bar to one stage of the work.

@@ -5,7 +5,7 @@
 mod plain;
 
 use mindeg_core::optimal_max_degree;
-use mindeg_tradeoff::{Unsolved, best_angle, least_max_degree, trade_off, unwatched};
+use mindeg_exact::{Unsolved, best_angle, least_max_degree, trade_off, unwatched};
 use plain::{Instance, Rank, instances, regular};
 use proptest::prelude::*;
 

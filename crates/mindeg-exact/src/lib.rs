@@ -9,7 +9,7 @@
 //! ```
 //! use glam::DVec2;
 //! use mindeg_core::Boundary;
-//! use mindeg_tradeoff::{Problem, trade_off, unwatched};
+//! use mindeg_exact::{Problem, trade_off, unwatched};
 //!
 //! // A rectangle of 4 by 3, with three intervals to a side.
 //! let boundary = Boundary::new(&[3, 3, 3, 3])?;

@@ -1,7 +1,7 @@
 //! What the whole trade-off costs as the number of vertices grows.
 //!
-//! `cargo bench -p mindeg-tradeoff` runs up to 400 vertices;
-//! `cargo bench -p mindeg-tradeoff -- --include-ignored` goes on to 2,000. The bias: a 4 by 3 rectangle with equal intervals, where two or three degrees have
+//! `cargo bench -p mindeg-exact` runs up to 400 vertices;
+//! `cargo bench -p mindeg-exact -- --include-ignored` goes on to 2,000. The bias: a 4 by 3 rectangle with equal intervals, where two or three degrees have
 //! an angle of their own; `graded` has a ratio of 1.02 from each interval to the next, and more
 //! such degrees. Memory is what is allocated at the same time.
 
@@ -10,7 +10,7 @@
 use divan::{AllocProfiler, Bencher};
 use glam::DVec2;
 use mindeg_core::Boundary;
-use mindeg_tradeoff::{Problem, best_angle, least_max_degree, trade_off, unwatched};
+use mindeg_exact::{Problem, best_angle, least_max_degree, trade_off, unwatched};
 
 #[global_allocator]
 static ALLOCATOR: AllocProfiler = AllocProfiler::system();

@@ -16,7 +16,7 @@ Exit codes:
 /// Mesh a rectangle or convex polygon from its boundary points alone, with the least possible
 /// maximum degree.
 #[derive(Debug, Parser)]
-#[command(version, after_help = EXIT_CODES, max_term_width = 100)]
+#[command(name = "mindeg", version, after_help = EXIT_CODES, max_term_width = 100)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
