@@ -8,7 +8,7 @@ use crate::bar::{Bar, Counting, Unit};
 use crate::failure::Failure;
 use crate::gates::NamedTriangle;
 use crate::standard_output::{print, print_json};
-use mindeg_geometry::import::{self, ImportError, SurfaceMesh};
+use mindeg_geometry::import::{self, ImportError, TriMesh};
 use mindeg_geometry::inspection::{Inspection, InspectionOptions};
 use report::Report;
 use std::fs::{self, File};
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
 }
 
 /// Reads a mesh by the extension of its file, and lets the bar count the bytes.
-fn read(path: &Path, bar: &Bar) -> Result<SurfaceMesh, Failure> {
+fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
     let extension = path.extension().map(|extension| extension.to_string_lossy().to_lowercase());
     let open = || -> Result<Counting<'_, File>, ImportError> {
         let file = File::open(path)?;

@@ -34,37 +34,13 @@
 //! Convex outlines with straight sides, in the plane. Triangles use boundary points only, so a
 //! boundary that is dense against the width of its domain has thin triangles, whatever the plan.
 
-mod connectivity;
-mod constraint;
-mod domain;
-mod domain_error;
-mod domain_json;
-mod domain_json_error;
 pub mod export;
 pub mod import;
-pub mod inspection;
-mod json_path;
 mod mesh;
-mod outline;
-mod parallel;
-mod placement;
-mod progress;
-pub mod quality;
-mod rectangle;
-mod spacing;
-mod spacing_law;
-mod summary;
 
-pub use constraint::{ConstraintPlace, GREATEST_OUTSIDE_DEGREE, OutsideDegree, VertexConstraint};
-pub use domain::{Domain, GREATEST_COORDINATE, Intervals, LEAST_SIDE, Outline, Side};
-pub use domain_error::DomainError;
-pub use domain_json_error::DomainJsonError;
 pub use mesh::{AngleRange, DegreeHistograms, Mesh, MeshError};
-pub use placement::{Bounds, Placement};
-pub use progress::{Progress, Watch, unwatched};
-pub use rectangle::Rectangle;
-pub use spacing::{LEAST_SHARE, Spacing, SpacingError};
-pub use spacing_law::SpacingLaw;
+pub use mindeg_domain::*;
+pub use mindeg_mesh::{Bounds, Progress, Watch, inspection, quality, unwatched};
 
 /// The README's example is compiled with the others.
 #[cfg(doctest)]

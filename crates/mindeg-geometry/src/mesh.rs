@@ -19,12 +19,12 @@ use rayon::prelude::*;
 
 use self::angles::{cotangents, placed};
 use self::faces::{Faces, TriangleList};
-use crate::domain::Domain;
-use crate::parallel::blocks;
-use crate::placement::Placement;
-use crate::progress::{Counter, Watch, unwatched};
-use crate::quality::{QualitySummary, TriangleQuality};
-use crate::summary::DegreeHistogram;
+use mindeg_domain::Domain;
+use mindeg_domain::Placement;
+use mindeg_mesh::parallel::blocks;
+use mindeg_mesh::quality::DegreeHistogram;
+use mindeg_mesh::quality::{QualitySummary, TriangleQuality};
+use mindeg_mesh::{Counter, Watch, unwatched};
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
@@ -300,14 +300,15 @@ impl Mesh {
     }
 
     /// The measures of all triangles summed up, as
-    /// [`QualitySummary::of`](crate::quality::QualitySummary::of) has them. O(n) time and memory.
+    /// [`QualitySummary::of`](mindeg_mesh::quality::QualitySummary::of) has them. O(n) time and memory.
     #[must_use]
     pub fn quality_summary(&self) -> QualitySummary {
-        let in_blocks = blocks(self.triangle_count(), |range| {
+        let qualities = |range| {
             let triangles = self.placed_triangles_of(range);
-            triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c)).collect()
-        });
-        QualitySummary::of_blocks(in_blocks).expect("a mesh has a triangle")
+            triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c))
+        };
+        let summary = QualitySummary::of_ranges(self.triangle_count(), qualities);
+        summary.expect("a mesh has a triangle")
     }
 
     /// The least and the greatest angle. O(n) time, next to no memory, and much faster than
@@ -389,10 +390,10 @@ impl Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::constraint::VertexConstraint;
-    use crate::domain::{Outline, Side};
-    use crate::rectangle::Rectangle;
-    use crate::spacing::Spacing;
+    use mindeg_domain::Rectangle;
+    use mindeg_domain::Spacing;
+    use mindeg_domain::VertexConstraint;
+    use mindeg_domain::{Outline, Side};
 
     #[test]
     fn points_are_the_same_kept_or_not() {

@@ -3,9 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::{DQuat, DVec2, DVec3};
-use mindeg_core::optimal_max_degree;
 use mindeg_geometry::export::{self, Plane, SurfaceOptions};
-use mindeg_geometry::import::{self, SurfaceMesh};
+use mindeg_geometry::import::{self, TriMesh};
 use mindeg_geometry::inspection::{ConvexOutline, Inspection, InspectionOptions, NoConvexOutline};
 use mindeg_geometry::{Domain, Mesh, Side, Spacing};
 use proptest::prelude::*;
@@ -13,7 +12,7 @@ use std::f64::consts::TAU;
 use std::io;
 use std::path::Path;
 
-fn inspect(mesh: &SurfaceMesh) -> Inspection {
+fn inspect(mesh: &TriMesh) -> Inspection {
     Inspection::of(mesh, &InspectionOptions::default())
 }
 
@@ -21,7 +20,7 @@ fn inspect(mesh: &SurfaceMesh) -> Inspection {
 fn outline_of(points: &[DVec3], corner_angle: f64) -> Result<ConvexOutline, NoConvexOutline> {
     let last = points.len() as u32 - 1;
     let fan = (1..last).map(|i| [0, i, i + 1]).collect();
-    let mesh = SurfaceMesh::new(points.to_vec(), fan).unwrap();
+    let mesh = TriMesh::new(points.to_vec(), fan).unwrap();
     let options = InspectionOptions { corner_angle, ..InspectionOptions::default() };
     Inspection::of(&mesh, &options).outline
 }
@@ -30,27 +29,26 @@ fn in_xy(points: &[[f64; 2]]) -> Vec<DVec3> {
     points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect()
 }
 
-fn obj(mesh: &Mesh, options: &SurfaceOptions) -> SurfaceMesh {
+fn obj(mesh: &Mesh, options: &SurfaceOptions) -> TriMesh {
     let mut file = Vec::new();
     export::obj::write(mesh, options, &mut file).unwrap();
     import::obj::read(&file[..]).unwrap()
 }
 
-fn glb(mesh: &Mesh, options: &SurfaceOptions) -> SurfaceMesh {
+fn glb(mesh: &Mesh, options: &SurfaceOptions) -> TriMesh {
     let mut file = Vec::new();
     export::gltf::write_glb(mesh, options, &mut file).unwrap();
     import::gltf::read(&file[..], |_| Err(io::ErrorKind::Unsupported.into())).unwrap()
 }
 
 /// An inspection of a least-degree mesh that has been written and read.
-fn check(mesh: &Mesh, read: &SurfaceMesh) -> Result<(), TestCaseError> {
+fn check(mesh: &Mesh, read: &TriMesh) -> Result<(), TestCaseError> {
     let found = inspect(read);
     let boundary = mesh.boundary();
     let outline = found.outline.as_ref().unwrap();
     prop_assert!(boundary.sides().eq(outline.intervals.iter().copied()), "{:?}", outline);
     let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
     prop_assert!(corners.eq(outline.corners.iter().copied()));
-    prop_assert_eq!(outline.optimal_max_degree, optimal_max_degree(boundary));
     prop_assert_eq!(found.max_degree(), mesh.max_degree());
     let [n, k] = [mesh.vertex_count() as usize, mesh.triangle_count() as usize];
     let counts =
@@ -148,7 +146,7 @@ fn what_is_no_convex_outline_is_told_why() {
     assert_eq!(outline_of(&around(100, circle), 1.0).unwrap().intervals, [1; 100]);
 
     let of = |positions: &[[f64; 2]], triangles: &[[u32; 3]]| {
-        inspect(&SurfaceMesh::new(in_xy(positions), triangles.to_vec()).unwrap()).outline
+        inspect(&TriMesh::new(in_xy(positions), triangles.to_vec()).unwrap()).outline
     };
     let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]];
     let wheel = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
@@ -214,7 +212,7 @@ proptest! {
         let origin = mesh.point(0);
         let scale = 10.0_f64.powi(exponent);
         let place = |point: DVec2| turn * (point - origin).extend(0.0) * scale;
-        let moved = SurfaceMesh::new(mesh.points().map(place).collect(), mesh.triangles().collect());
+        let moved = TriMesh::new(mesh.points().map(place).collect(), mesh.triangles().collect());
         check(&mesh, &moved.unwrap())?;
     }
 }

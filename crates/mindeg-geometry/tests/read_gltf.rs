@@ -4,7 +4,7 @@
 
 use base64::Engine;
 use glam::DVec3;
-use mindeg_geometry::import::{ImportError, NonTriangles, SurfaceMesh, gltf};
+use mindeg_geometry::import::{ImportError, NonTriangles, TriMesh, gltf};
 use serde_json::{Value, json};
 use std::io;
 
@@ -12,7 +12,7 @@ fn no_files(_: &str) -> io::Result<Vec<u8>> {
     Err(io::ErrorKind::Unsupported.into())
 }
 
-fn read(document: &Value) -> Result<SurfaceMesh, ImportError> {
+fn read(document: &Value) -> Result<TriMesh, ImportError> {
     gltf::read(document.to_string().as_bytes(), no_files)
 }
 

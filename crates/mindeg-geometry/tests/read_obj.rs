@@ -1,9 +1,9 @@
 //! The OBJ reader on files of other programs, and on files that are none.
 
 use glam::DVec3;
-use mindeg_geometry::import::{ImportError, NonTriangles, SurfaceMesh, obj};
+use mindeg_geometry::import::{ImportError, NonTriangles, TriMesh, obj};
 
-fn read(text: &str) -> Result<SurfaceMesh, ImportError> {
+fn read(text: &str) -> Result<TriMesh, ImportError> {
     obj::read(text.as_bytes())
 }
 

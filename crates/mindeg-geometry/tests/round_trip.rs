@@ -5,7 +5,7 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_geometry::export::{self, Plane, SurfaceOptions};
-use mindeg_geometry::import::{self, SurfaceMesh};
+use mindeg_geometry::import::{self, TriMesh};
 use mindeg_geometry::{Domain, Mesh};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -73,7 +73,7 @@ fn no_files(_: &str) -> io::Result<Vec<u8>> {
 
 /// The triangles, the lines that were left out, and the boundary, which is the ring of all
 /// vertices.
-fn check(mesh: &Mesh, read: &SurfaceMesh, options: &SurfaceOptions) -> Result<(), TestCaseError> {
+fn check(mesh: &Mesh, read: &TriMesh, options: &SurfaceOptions) -> Result<(), TestCaseError> {
     prop_assert!(read.triangles().iter().copied().eq(mesh.triangles()));
     let lines = if options.boundary_lines { mesh.vertex_count() } else { 0 };
     prop_assert_eq!(read.non_triangles().line_segments, u64::from(lines));

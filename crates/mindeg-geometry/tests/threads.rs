@@ -4,7 +4,7 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_core::Plans;
-use mindeg_geometry::import::SurfaceMesh;
+use mindeg_geometry::import::TriMesh;
 use mindeg_geometry::inspection::{Inspection, InspectionOptions};
 use mindeg_geometry::quality::TriangleQuality;
 use mindeg_geometry::{Domain, Mesh, Side, Spacing};
@@ -84,7 +84,7 @@ fn measures_have_the_same_bits() {
 }
 
 /// Some copies of a piece in which everything is wrong, side by side.
-fn broken(copies: u32) -> SurfaceMesh {
+fn broken(copies: u32) -> TriMesh {
     #[rustfmt::skip]
     let corners = [
         [0, 0], [2, 0], [2, 2], [0, 2], [1, 1], [1, 1], [1, 3], [1, 0],
@@ -111,7 +111,7 @@ fn broken(copies: u32) -> SurfaceMesh {
         let first = corners.len() as u32 * copy;
         triangles.map(|triangle| triangle.map(|vertex| first + vertex))
     });
-    SurfaceMesh::new(positions.collect(), triangles.collect()).unwrap()
+    TriMesh::new(positions.collect(), triangles.collect()).unwrap()
 }
 
 #[test]

@@ -28,7 +28,7 @@ pub(crate) fn print() {
 fn print_row(
     name: &str,
     library: impl Fn(),
-    read: impl Fn() -> Result<import::SurfaceMesh, import::ImportError>,
+    read: impl Fn() -> Result<import::TriMesh, import::ImportError>,
 ) {
     let mesh = read().unwrap();
     let options = InspectionOptions::default();

@@ -1,6 +1,7 @@
 //! The findings in the words of the JSON output, which `docs/inspect.md` explains.
 
-use mindeg_geometry::import::SurfaceMesh;
+use mindeg_core::{Boundary, optimal_max_degree};
+use mindeg_geometry::import::TriMesh;
 use mindeg_geometry::inspection::Inspection;
 use mindeg_geometry::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
 use serde::Serialize;
@@ -85,7 +86,7 @@ pub(super) struct Outline {
 }
 
 impl Report {
-    pub(super) fn new(file: String, mesh: &SurfaceMesh, inspection: &Inspection) -> Self {
+    pub(super) fn new(file: String, mesh: &TriMesh, inspection: &Inspection) -> Self {
         let others = mesh.non_triangles();
         let quality = &inspection.quality;
         let [min_angle, max_angle] = ["min_angle", "max_angle"].map(|name| quality.metric(name));
@@ -150,10 +151,13 @@ impl Report {
                     max_angle: worst.quality.max_angle,
                 })
                 .collect(),
-            outline: outline.ok().map(|outline| Outline {
-                corners: outline.corners.clone(),
-                intervals: outline.intervals.clone(),
-                optimal_max_degree: outline.optimal_max_degree,
+            outline: outline.ok().and_then(|outline| {
+                let counts: Vec<u64> = outline.intervals.iter().copied().map(u64::from).collect();
+                Some(Outline {
+                    corners: outline.corners.clone(),
+                    intervals: outline.intervals.clone(),
+                    optimal_max_degree: optimal_max_degree(&Boundary::new(&counts).ok()?),
+                })
             }),
             no_outline: outline.err().map(ToString::to_string),
         }

@@ -15,7 +15,7 @@
 mod accessor;
 
 use self::accessor::Buffers;
-use super::{ImportError, NonTriangles, Part, SurfaceMesh};
+use super::{ImportError, NonTriangles, Part, TriMesh};
 use base64::Engine;
 use glam::{DMat4, DQuat, DVec3};
 use gltf::mesh::Mode;
@@ -61,7 +61,7 @@ use std::ops::Range;
 pub fn read(
     mut input: impl Read,
     mut resolve: impl FnMut(&str) -> io::Result<Vec<u8>>,
-) -> Result<SurfaceMesh, ImportError> {
+) -> Result<TriMesh, ImportError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
     let Container { json, binary } = split(&file)?;
@@ -90,12 +90,12 @@ pub fn read(
     for (node, to_scene) in placed_nodes(&document)? {
         surface.add_node(&node, to_scene)?;
     }
-    SurfaceMesh::with_parts(
+    Ok(TriMesh::with_parts(
         surface.positions,
         surface.triangles,
         surface.parts,
         surface.non_triangles,
-    )
+    )?)
 }
 
 fn place(place: impl Into<String>, problem: impl Into<String>) -> ImportError {

@@ -1,6 +1,6 @@
 //! Reading triangle meshes from files, whatever program wrote them.
 //!
-//! [`obj`] and [`gltf`] turn a file into a [`SurfaceMesh`]: positions and triangles under
+//! [`obj`] and [`gltf`] turn a file into a [`TriMesh`]: positions and triangles under
 //! the file's own vertex numbers, from which the boundary can be had again. Readers take
 //! an [`std::io::Read`] or [`std::io::BufRead`]; a malformed file is an error that says what is
 //! wrong and where, never a panic.
@@ -10,10 +10,8 @@
 
 pub mod gltf;
 pub mod obj;
-mod surface;
 
-pub use crate::connectivity::boundary::BoundaryLoop;
-pub use surface::{NonTriangles, Part, SurfaceMesh};
+pub use mindeg_mesh::{NonTriangles, Part, TriMesh, TriMeshError};
 
 use std::io;
 use thiserror::Error;
@@ -49,46 +47,7 @@ pub enum ImportError {
         /// What went wrong.
         source: io::Error,
     },
-    /// A triangle names a vertex that the mesh does not have.
-    #[error(
-        "triangle {triangle} (counted from 0) has a vertex {vertex}, and the mesh has {vertices} \
-         vertices"
-    )]
-    NoSuchVertex {
-        /// The triangle, counted from 0.
-        triangle: usize,
-        /// The vertex, counted from 0.
-        vertex: u32,
-        /// How many vertices there are.
-        vertices: usize,
-    },
-    /// A position with a coordinate that is infinite or not a number.
-    #[error("vertex {vertex} (counted from 0) has a coordinate that is not a finite number")]
-    NotFinite {
-        /// The vertex, counted from 0.
-        vertex: usize,
-    },
-    /// More vertices than there are vertex numbers.
-    #[error("the mesh has {vertices} vertices, and {} is the most that can be read", u32::MAX)]
-    TooManyVertices {
-        /// How many vertices there are.
-        vertices: usize,
-    },
-    /// More triangles than there are triangle numbers.
-    #[error("the mesh has {triangles} triangles, and {} is the most that can be read", u32::MAX)]
-    TooManyTriangles {
-        /// How many triangles there are.
-        triangles: usize,
-    },
-    /// There is no surface in the file.
-    #[error(
-        "the file holds no triangle and no other face ({vertices} vertices, {line_segments} line \
-         segments); is it a mesh in this format?"
-    )]
-    NoFaces {
-        /// How many vertices there are.
-        vertices: usize,
-        /// How many line segments there are.
-        line_segments: u64,
-    },
+    /// Points and triangles that are no mesh.
+    #[error(transparent)]
+    Mesh(#[from] TriMeshError),
 }

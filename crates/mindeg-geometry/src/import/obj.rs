@@ -12,7 +12,7 @@
 //! Limits: lines and points are counted and left out, free-form curves and surfaces are
 //! passed over. A file with the line ends of old Macintoshes (CR alone) is one long line.
 
-use super::{ImportError, NonTriangles, Part, SurfaceMesh};
+use super::{ImportError, NonTriangles, Part, TriMesh};
 use glam::DVec3;
 use std::io::{self, BufRead, Read};
 
@@ -40,7 +40,7 @@ use std::io::{self, BufRead, Read};
 /// assert_eq!(error.to_string(), "line 2: a face names vertex 3, and the file has 1 in all");
 /// # Ok::<(), mindeg_geometry::import::ImportError>(())
 /// ```
-pub fn read(input: impl BufRead) -> Result<SurfaceMesh, ImportError> {
+pub fn read(input: impl BufRead) -> Result<TriMesh, ImportError> {
     let options = tobj::LoadOptions {
         single_index: false,
         triangulate: false,
@@ -71,7 +71,7 @@ pub fn read(input: impl BufRead) -> Result<SurfaceMesh, ImportError> {
         triangles.extend(face[1..].windows(2).map(|edge| [face[0], edge[0], edge[1]]));
     }
     lines.end_part();
-    SurfaceMesh::with_parts(positions, triangles, lines.parts, lines.non_triangles)
+    Ok(TriMesh::with_parts(positions, triangles, lines.parts, lines.non_triangles)?)
 }
 
 /// The lines of an OBJ that tobj is to see, one at a time, and what the others say.

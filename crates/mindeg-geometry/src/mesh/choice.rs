@@ -10,9 +10,9 @@ use mindeg_core::{Boundary, Plans, Triangulation};
 
 use super::MeshError;
 use super::angles::{cotangents, placed};
-use crate::parallel::{block, fill_blocks, first_of_blocks, try_blocks};
-use crate::placement::Placement;
-use crate::progress::{Counter, Watch};
+use mindeg_domain::Placement;
+use mindeg_mesh::parallel::{block, fill_blocks, first_of_blocks, try_blocks};
+use mindeg_mesh::{Counter, Watch};
 
 /// The most plans tried.
 const MOST_PLANS: u32 = 64;

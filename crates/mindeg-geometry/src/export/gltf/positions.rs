@@ -1,9 +1,9 @@
 //! Positions as glTF stores them: 32-bit floats, near the origin.
 
 use crate::export::{ExportError, Plane};
-use crate::parallel::{first_of_blocks, try_blocks};
 use crate::{Bounds, Placement};
 use glam::{DVec2, Vec3};
+use mindeg_mesh::parallel::{first_of_blocks, try_blocks};
 use std::ops::Range;
 
 /// A coordinate range is far from the origin when it begins this many of its own lengths

@@ -3,11 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::DVec3;
-use mindeg_geometry::import::{SurfaceMesh, obj};
-use mindeg_geometry::inspection::{Inspection, InspectionOptions, NoConvexOutline};
+use mindeg_mesh::TriMesh;
+use mindeg_mesh::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 
 fn inspect(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Inspection {
-    let mesh = SurfaceMesh::new(positions, triangles.to_vec()).unwrap();
+    let mesh = TriMesh::new(positions, triangles.to_vec()).unwrap();
     Inspection::of(&mesh, &InspectionOptions::default())
 }
 
@@ -144,14 +144,19 @@ fn triangles_on_a_line_have_no_area_and_thin_ones_have() {
 }
 
 /// Two triangles with corners of their own, as flat shading has them.
-const SEAM: &str = "\
-v 0 0 0\nv 2 0 0\nv 2 1 0\n\
-v 0 0 0\nv 2 1 0\nv 0 1 -0\n\
-f 1 2 3\nf 4 5 6\n";
+const SEAM: [[f64; 3]; 6] = [
+    [0.0, 0.0, 0.0],
+    [2.0, 0.0, 0.0],
+    [2.0, 1.0, 0.0],
+    [0.0, 0.0, 0.0],
+    [2.0, 1.0, 0.0],
+    [0.0, 1.0, -0.0],
+];
 
 #[test]
 fn vertices_in_one_place_count_as_one_unless_asked() {
-    let mesh = obj::read(SEAM.as_bytes()).unwrap();
+    let positions = SEAM.map(DVec3::from).to_vec();
+    let mesh = TriMesh::new(positions, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
     let welded = Inspection::of(&mesh, &InspectionOptions::default());
     assert_eq!((welded.vertex_count, welded.welded_count, welded.edge_count), (6, 2, 5));
     assert_eq!((welded.component_count, welded.euler_characteristic), (1, 1));
@@ -169,8 +174,8 @@ fn vertices_in_one_place_count_as_one_unless_asked() {
 #[test]
 fn a_triangle_that_welding_closes_is_no_face() {
     // The top of a globe: the pole is there twice, and one triangle is between its copies.
-    let file = "v 0 0 1\nv 0 0 1\nv 1 0 0\nv 0 1 0\nf 1 3 4\nf 1 2 4\n";
-    let found = Inspection::of(&obj::read(file.as_bytes()).unwrap(), &InspectionOptions::default());
+    let positions = [DVec3::Z, DVec3::Z, DVec3::X, DVec3::Y].to_vec();
+    let found = inspect(positions, &[[0, 2, 3], [0, 1, 3]]);
     assert_eq!((found.triangle_count, found.face_count), (2, 1));
     assert_eq!(found.zero_area_triangles, [1]);
     assert_eq!(
@@ -186,7 +191,7 @@ fn degrees_are_split_and_poles_named_highest_first() {
     let wheel = (1..=10).map(|i| [0, i, i % 10 + 1]);
     let fan = (21..32).map(|i| [20, i, i + 1]);
     let triangles: Vec<_> = wheel.chain(fan).collect();
-    let mesh = SurfaceMesh::new(apart(33), triangles).unwrap();
+    let mesh = TriMesh::new(apart(33), triangles).unwrap();
     let found = Inspection::of(&mesh, &InspectionOptions::default());
     assert!(found.interior_degrees.iter().eq([(10, 1)]));
     assert!(found.boundary_degrees.iter().eq([(2, 2), (3, 20), (12, 1)]));

@@ -10,6 +10,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 use mindeg_core::Boundary;
+use mindeg_mesh::Bounds;
 
 use crate::spacing_law::SpacingLaw;
 
@@ -35,7 +36,7 @@ const ROUNDINGS: f64 = 8.0;
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg_domain::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(2); 4])?;
 /// let placement = domain.placement();
@@ -44,36 +45,13 @@ const ROUNDINGS: f64 = 8.0;
 /// assert_eq!(placement.points().last(), Some(placement.point(7)));
 /// assert_eq!(placement.area(), 12.0);
 /// assert_eq!(placement.bounds().max.to_array(), [4.0, 3.0]);
-/// # Ok::<(), mindeg_geometry::DomainError>(())
+/// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
     boundary: Boundary,
     corners: Vec<DVec2>,
     laws: Vec<SpacingLaw>,
-}
-
-/// The smallest box around a set of points with sides parallel to the axes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
-    /// The least coordinates.
-    pub min: DVec2,
-    /// The greatest coordinates.
-    pub max: DVec2,
-}
-
-impl Bounds {
-    /// Width and height of the box.
-    #[must_use]
-    pub fn size(&self) -> DVec2 {
-        self.max - self.min
-    }
-
-    /// The middle of the box.
-    #[must_use]
-    pub fn center(&self) -> DVec2 {
-        self.min + self.size() / 2.0
-    }
 }
 
 /// Points that f64 cannot tell apart.
@@ -188,7 +166,8 @@ impl Placement {
 
     /// The positions of consecutive vertices, all below the vertex count. Much faster than to ask
     /// for them one by one.
-    pub(crate) fn points_of(&self, vertices: Range<u32>) -> Vec<DVec2> {
+    #[must_use]
+    pub fn points_of(&self, vertices: Range<u32>) -> Vec<DVec2> {
         let Range { start, end } = vertices;
         let mut points = Vec::with_capacity(vertices.len());
         let first = if start < end { self.boundary.side_of(start) } else { self.corners.len() };
@@ -202,7 +181,8 @@ impl Placement {
 
     /// The positions of vertices asked one by one. O(1) each as long as they keep to two sides
     /// at a time, as those of a strip do.
-    pub(crate) fn walk(&self) -> Walk<'_> {
+    #[must_use]
+    pub fn walk(&self) -> Walk<'_> {
         Walk { placement: self, sides: [0, 1].map(|side| self.points_on(side)), last: 0 }
     }
 
@@ -269,7 +249,8 @@ impl SidePoints<'_> {
 }
 
 /// Positions of vertices one by one; see [`Placement::walk`].
-pub(crate) struct Walk<'a> {
+#[derive(Clone)]
+pub struct Walk<'a> {
     placement: &'a Placement,
     /// The last two different sides that were asked for.
     sides: [SidePoints<'a>; 2],
@@ -279,7 +260,7 @@ pub(crate) struct Walk<'a> {
 
 impl Walk<'_> {
     /// The position of a vertex below the vertex count.
-    pub(crate) fn point(&mut self, vertex: u32) -> DVec2 {
+    pub fn point(&mut self, vertex: u32) -> DVec2 {
         for slot in [self.last, 1 - self.last] {
             if let Some(place) = self.sides[slot].place(vertex) {
                 self.last = slot;

@@ -26,7 +26,7 @@ use crate::spacing::{LEAST_SHARE, Spacing, SpacingError};
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::{Spacing, SpacingLaw};
+/// use mindeg_domain::{Spacing, SpacingLaw};
 ///
 /// // Three intervals of lengths 1, 2 and 4 on a side of length 7.
 /// let law = SpacingLaw::solve(&Spacing::Geometric { ratio: 2.0 }, 3, 7.0)?;
@@ -37,7 +37,7 @@ use crate::spacing::{LEAST_SHARE, Spacing, SpacingError};
 /// // The same, given by the first interval.
 /// let first = SpacingLaw::solve(&Spacing::FirstLength(1.0), 3, 7.0)?;
 /// assert!((first.parameter(2) - 3.0 / 7.0).abs() < 1e-15);
-/// # Ok::<(), mindeg_geometry::SpacingError>(())
+/// # Ok::<(), mindeg_domain::SpacingError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpacingLaw {

@@ -40,8 +40,8 @@ mod weld;
 pub use convex_outline::{ConvexOutline, NoConvexOutline};
 
 use crate::connectivity::stars::{Stars, is_proper};
-use crate::import::SurfaceMesh;
 use crate::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
+use crate::tri_mesh::TriMesh;
 use shapes::Shapes;
 use std::borrow::Cow;
 use topology::Topology;
@@ -54,7 +54,7 @@ pub const WORST: usize = 5;
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::inspection::InspectionOptions;
+/// use mindeg_mesh::inspection::InspectionOptions;
 ///
 /// let options = InspectionOptions { pole_degree: 6, ..InspectionOptions::default() };
 /// assert!(options.weld);
@@ -86,12 +86,14 @@ impl Default for InspectionOptions {
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::import::obj;
-/// use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+/// use glam::DVec3;
+/// use mindeg_mesh::TriMesh;
+/// use mindeg_mesh::inspection::{Inspection, InspectionOptions};
 ///
 /// // A square cut in four at its center, one triangle the wrong way round.
-/// let file = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 2 5\nf 2 3 5\nf 5 3 4\nf 4 5 1\n";
-/// let mesh = obj::read(file.as_bytes())?;
+/// let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [1.0, 1.0]];
+/// let points = points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+/// let mesh = TriMesh::new(points, vec![[0, 1, 4], [1, 2, 4], [4, 2, 3], [3, 4, 0]])?;
 /// let inspection = Inspection::of(&mesh, &InspectionOptions::default());
 /// assert_eq!((inspection.edge_count, inspection.euler_characteristic), (8, 1));
 /// assert_eq!(inspection.interior_degrees.iter().collect::<Vec<_>>(), [(4, 1)]);
@@ -172,7 +174,7 @@ pub struct WorstTriangle {
 impl Inspection {
     /// Inspects a mesh. O(n log n) time and O(n) memory for n vertices and triangles.
     #[must_use]
-    pub fn of(mesh: &SurfaceMesh, options: &InspectionOptions) -> Self {
+    pub fn of(mesh: &TriMesh, options: &InspectionOptions) -> Self {
         let positions = mesh.positions();
         let vertex_count = positions.len();
         let triangle_count = mesh.triangles().len();

@@ -7,9 +7,9 @@
 //! each thread.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
-use rayon::prelude::*;
-
+use crate::parallel::{blocks, map_all};
 use crate::quality::{METRICS, TriangleQuality};
 
 /// The angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
@@ -26,7 +26,7 @@ const BLOCK: usize = 1024;
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::quality::Distribution;
+/// use mindeg_mesh::quality::Distribution;
 ///
 /// let spread = Distribution::of(vec![4.0, 1.0, 3.0, 2.0]).unwrap();
 /// assert_eq!((spread.min, spread.median, spread.mean, spread.max), (1.0, 2.0, 2.5, 4.0));
@@ -107,15 +107,13 @@ impl FromIterator<TriangleQuality> for Columns {
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::{Domain, Mesh, Side, quality::QualitySummary};
+/// use mindeg_mesh::quality::{QualitySummary, TriangleQuality};
 ///
-/// let domain = Domain::rectangle(2.0, 1.0, [2, 1, 2, 1].map(Side::count).into())?;
-/// let mesh = Mesh::least_degree(&domain)?;
-/// let summary = QualitySummary::of(mesh.qualities()).unwrap();
-/// assert_eq!(summary.triangle_count, 4);
+/// let right = TriangleQuality::of([0.0, 0.0].into(), [4.0, 0.0].into(), [0.0, 3.0].into());
+/// let summary = QualitySummary::of([right; 4]).unwrap();
+/// assert_eq!((summary.triangle_count, summary.area), (4, 24.0));
 /// assert_eq!(summary.metric("max_angle").unwrap().max, 90.0);
 /// assert_eq!(summary.shares_below, [0.0; 4]);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct QualitySummary {
@@ -145,20 +143,30 @@ impl QualitySummary {
             below.iter_mut().zip(block.below).for_each(|(sum, count)| *sum += count);
             columns.iter_mut().zip(block.values).for_each(|(column, part)| column.push(part));
         }
-        let summed_up = Vec::from(columns).into_par_iter().map(|parts| {
+        let summed_up = map_all(Vec::from(columns), |parts| {
             let values = parts.concat();
             // Not kept twice while the values are sorted out.
             drop(parts);
             Some((sum(&values), Distribution::of(values)?))
         });
         let (sums, distributions): (Vec<_>, Vec<_>) =
-            summed_up.collect::<Option<Vec<_>>>()?.into_iter().unzip();
+            summed_up.into_iter().collect::<Option<Vec<_>>>()?.into_iter().unzip();
         Some(Self {
             triangle_count,
             area: sums[0],
             metrics: distributions.try_into().ok()?,
             shares_below: below.map(|count| count as f64 / triangle_count as f64),
         })
+    }
+
+    /// The measures of the triangles `0..count`, of which `qualities` gives those in a range, with
+    /// all threads; `None` if there are none. O(n) time and memory.
+    #[must_use]
+    pub fn of_ranges<I: Iterator<Item = TriangleQuality>>(
+        count: u32,
+        qualities: impl Fn(Range<u32>) -> I + Sync + Send,
+    ) -> Option<Self> {
+        Self::of_blocks(blocks(count, |range| qualities(range).collect()))
     }
 
     /// The distribution of the measure of the given name.
@@ -173,7 +181,7 @@ impl QualitySummary {
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::quality::DegreeHistogram;
+/// use mindeg_mesh::quality::DegreeHistogram;
 ///
 /// let histogram: DegreeHistogram = [4, 2, 4, 3, 4].into_iter().collect();
 /// assert_eq!(histogram.max_degree(), Some(4));

@@ -3,8 +3,8 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::DVec3;
-use mindeg_geometry::import::SurfaceMesh;
-use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+use mindeg_mesh::TriMesh;
+use mindeg_mesh::inspection::{Inspection, InspectionOptions};
 use proptest::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -123,7 +123,7 @@ proptest! {
         let positions: Vec<DVec3> = points.iter().map(|p| DVec3::from(p.map(f64::from))).collect();
         let triangles: Vec<Triangle> =
             indices.iter().map(|t| t.map(|i| i.index(positions.len()) as u32)).collect();
-        let mesh = SurfaceMesh::new(positions.clone(), triangles.clone()).unwrap();
+        let mesh = TriMesh::new(positions.clone(), triangles.clone()).unwrap();
         let options = InspectionOptions { weld: false, pole_degree: 4, corner_angle };
 
         let as_it_is = Inspection::of(&mesh, &options);
@@ -160,7 +160,7 @@ proptest! {
         let positions: Vec<DVec3> = numbers.iter().map(|p| DVec3::from(p.map(finite))).collect();
         let last = positions.len() as u32 - 1;
         let fan = (1..last).map(|i| [0, i, i + 1]).chain(closed.then_some([0, last, 1])).collect();
-        let mesh = SurfaceMesh::new(positions, fan).unwrap();
+        let mesh = TriMesh::new(positions, fan).unwrap();
         let found = Inspection::of(&mesh, &InspectionOptions::default());
         prop_assert_eq!(found.triangle_count, mesh.triangles().len());
         let again = Inspection::of(&mesh, &InspectionOptions::default());

@@ -125,13 +125,13 @@ impl BoundaryEdges {
 #[cfg(test)]
 mod tests {
     use crate::connectivity::stars::is_proper;
-    use crate::import::SurfaceMesh;
+    use crate::tri_mesh::TriMesh;
     use glam::DVec3;
     use proptest::prelude::*;
 
     fn loops(triangles: &[[u32; 3]]) -> Vec<(Vec<u32>, bool)> {
         let last = triangles.iter().flatten().max().unwrap();
-        let mesh = SurfaceMesh::new(vec![DVec3::ZERO; *last as usize + 1], triangles.to_vec());
+        let mesh = TriMesh::new(vec![DVec3::ZERO; *last as usize + 1], triangles.to_vec());
         mesh.unwrap().boundary_loops().into_iter().map(|l| (l.vertices, l.closed)).collect()
     }
 

@@ -36,7 +36,7 @@ pub use crate::summary::{ANGLES, DegreeHistogram, Distribution, QualitySummary};
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::quality::TriangleQuality;
+/// use mindeg_mesh::quality::TriangleQuality;
 ///
 /// let quality = TriangleQuality::of([0.0, 0.0].into(), [4.0, 0.0].into(), [0.0, 3.0].into());
 /// assert_eq!(quality.area, 6.0);
@@ -77,7 +77,7 @@ pub struct TriangleQuality {
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::quality::METRICS;
+/// use mindeg_mesh::quality::METRICS;
 ///
 /// let shape = METRICS.iter().find(|metric| metric.name == "shape").unwrap();
 /// assert_eq!(shape.formula, "4√3 A/(x²+y²+z²)");

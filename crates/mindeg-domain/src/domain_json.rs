@@ -67,7 +67,7 @@ impl Domain {
     /// # Example
     ///
     /// ```
-    /// use mindeg_geometry::Domain;
+    /// use mindeg_domain::Domain;
     ///
     /// let domain = Domain::from_json(
     ///     r#"{
@@ -83,7 +83,7 @@ impl Domain {
     /// let error = Domain::from_json(r#"{"rectangle": {"width": 4, "hight": 3}}"#).unwrap_err();
     /// assert_eq!(error.path, "rectangle.hight");
     /// assert_eq!((error.line, error.column), (1, 34));
-    /// # Ok::<(), mindeg_geometry::DomainJsonError>(())
+    /// # Ok::<(), mindeg_domain::DomainJsonError>(())
     /// ```
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
         // A mark that some Windows programs put before UTF-8 text.

@@ -1,7 +1,7 @@
 //! Vertices that are several in a file and one place in space.
 
+use crate::parallel::sort_all;
 use glam::DVec3;
-use rayon::prelude::*;
 
 /// For every vertex the first vertex at the same position, itself if there is none before it.
 /// Positions are the same if their coordinates are equal as numbers. O(n log n), shared by all threads.
@@ -9,7 +9,7 @@ pub(super) fn first_at_position(positions: &[DVec3]) -> Vec<u32> {
     // Adding zero turns -0 into 0, so that equal numbers have equal bits.
     let bits = |position: DVec3| (position + DVec3::ZERO).to_array().map(f64::to_bits);
     let mut places: Vec<_> = (0_u32..).zip(positions).map(|(v, &p)| (bits(p), v)).collect();
-    places.par_sort_unstable();
+    sort_all(&mut places);
     let mut first = vec![0; positions.len()];
     for same in places.chunk_by(|a, b| a.0 == b.0) {
         for &(_, vertex) in same {

@@ -8,6 +8,7 @@
 //!
 //! Limits: one result is kept for each block of 16,384 items.
 
+#[cfg(feature = "parallel")]
 use rayon::prelude::*;
 use std::ops::Range;
 
@@ -15,14 +16,14 @@ use std::ops::Range;
 const BLOCK: u32 = 1 << 14;
 
 /// The items of a block, by its place in the results.
-pub(crate) fn block(place: usize, count: u32) -> Range<u32> {
+pub fn block(place: usize, count: u32) -> Range<u32> {
     let start = place as u32 * BLOCK;
     start..start.saturating_add(BLOCK).min(count)
 }
 
 /// The results of `work` on each block of the items `0..count`, in order; or an error of one of
 /// the blocks, no matter which, and then some blocks are left out.
-pub(crate) fn try_blocks<R: Send, E: Send>(
+pub fn try_blocks<R: Send, E: Send>(
     count: u32,
     work: impl Fn(Range<u32>) -> Result<R, E> + Sync + Send,
 ) -> Result<Vec<R>, E> {
@@ -31,32 +32,60 @@ pub(crate) fn try_blocks<R: Send, E: Send>(
         return work(0..count).map(|result| vec![result]);
     }
     let places = 0..count.div_ceil(BLOCK) as usize;
-    places.into_par_iter().map(|place| work(block(place, count))).collect()
+    #[cfg(feature = "parallel")]
+    return places.into_par_iter().map(|place| work(block(place, count))).collect();
+    #[cfg(not(feature = "parallel"))]
+    return places.map(|place| work(block(place, count))).collect();
 }
 
 /// The results of `work` on each block of the items `0..count`, in order.
-pub(crate) fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync + Send) -> Vec<R> {
+pub fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync + Send) -> Vec<R> {
     let Ok(results) = try_blocks(count, |range| Ok::<_, std::convert::Infallible>(work(range)));
     results
 }
 
 /// Fills a list with what `work` makes of the places in each block of it: as many values.
-pub(crate) fn fill_blocks<T: Copy + Send>(
+pub fn fill_blocks<T: Copy + Send>(
     values: &mut [T],
     work: impl Fn(Range<u32>) -> Vec<T> + Sync + Send,
 ) {
     let count = values.len() as u32;
+    #[cfg(feature = "parallel")]
     let parts = values.par_chunks_mut(BLOCK as usize).enumerate();
+    #[cfg(not(feature = "parallel"))]
+    let parts = values.chunks_mut(BLOCK as usize).enumerate();
     parts.for_each(|(place, part)| part.copy_from_slice(&work(block(place, count))));
 }
 
 /// What `work` finds in the first of the blocks of the items `0..count` that has something to find.
-pub(crate) fn first_of_blocks<R: Send>(
+pub fn first_of_blocks<R: Send>(
     count: u32,
     work: impl Fn(Range<u32>) -> Option<R> + Sync + Send,
 ) -> Option<R> {
     let places = 0..count.div_ceil(BLOCK) as usize;
-    places.into_par_iter().find_map_first(|place| work(block(place, count)))
+    #[cfg(feature = "parallel")]
+    return places.into_par_iter().find_map_first(|place| work(block(place, count)));
+    #[cfg(not(feature = "parallel"))]
+    return { places }.find_map(|place| work(block(place, count)));
+}
+
+/// What `work` makes of each of a few large items, in order.
+pub(crate) fn map_all<T: Send, R: Send>(
+    items: Vec<T>,
+    work: impl Fn(T) -> R + Sync + Send,
+) -> Vec<R> {
+    #[cfg(feature = "parallel")]
+    return items.into_par_iter().map(work).collect();
+    #[cfg(not(feature = "parallel"))]
+    return items.into_iter().map(work).collect();
+}
+
+/// Sorts values whose order decides everything about them.
+pub(crate) fn sort_all<T: Ord + Send>(values: &mut [T]) {
+    #[cfg(feature = "parallel")]
+    values.par_sort_unstable();
+    #[cfg(not(feature = "parallel"))]
+    values.sort_unstable();
 }
 
 #[cfg(test)]

@@ -1,24 +1,23 @@
 //! The sides and corners of a convex outline, from the points along it.
 
 use glam::{DVec2, DVec3};
-use mindeg_core::{Boundary, optimal_max_degree};
 
-/// The convex outline of a mesh that uses the vertices along it alone, and what the least
-/// possible maximum degree is for it.
+/// The convex outline of a mesh that uses the vertices along it alone.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::import::obj;
-/// use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+/// use glam::DVec3;
+/// use mindeg_mesh::TriMesh;
+/// use mindeg_mesh::inspection::{Inspection, InspectionOptions};
 ///
 /// // A square with a vertex in the middle of its first side.
-/// let file = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 5\nf 2 4 5\nf 2 3 4\n";
-/// let mesh = obj::read(file.as_bytes())?;
+/// let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+/// let points = points.map(|[x, y]| DVec3::new(x, y, 0.0)).to_vec();
+/// let mesh = TriMesh::new(points, vec![[0, 1, 4], [1, 3, 4], [1, 2, 3]])?;
 /// let outline = Inspection::of(&mesh, &InspectionOptions::default()).outline?;
 /// assert_eq!(outline.corners, [0, 2, 3, 4]);
 /// assert_eq!(outline.intervals, [2, 1, 1, 1]);
-/// assert_eq!(outline.optimal_max_degree, 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,9 +26,6 @@ pub struct ConvexOutline {
     pub corners: Vec<u32>,
     /// The intervals of each side: how many edges it has.
     pub intervals: Vec<u32>,
-    /// The least maximum degree of all triangulations of the outline without other vertices
-    /// ([`optimal_max_degree`]).
-    pub optimal_max_degree: u32,
 }
 
 /// Why there is no [`ConvexOutline`].
@@ -78,14 +74,12 @@ pub(super) fn convex_outline(
         if !is_straight(side, points[start], points[end % points.len()], corner_angle) {
             return Err(NoConvexOutline::Curved);
         }
-        intervals.push(end - start);
+        // Vertices are numbered in u32.
+        intervals.push((end - start) as u32);
     }
-    let counts: Vec<u64> = intervals.iter().map(|&count| count as u64).collect();
-    let boundary = Boundary::new(&counts).map_err(|_| NoConvexOutline::NotConvex)?;
     Ok(ConvexOutline {
         corners: corners.iter().map(|&corner| vertices[corner]).collect(),
-        intervals: boundary.sides().collect(),
-        optimal_max_degree: optimal_max_degree(&boundary),
+        intervals,
     })
 }
 

@@ -1,10 +1,10 @@
 //! A triangle mesh in space as a file has it.
 
-use super::ImportError;
 use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
 use crate::connectivity::stars::Stars;
 use glam::DVec3;
 use std::ops::Range;
+use thiserror::Error;
 
 /// A triangle mesh in space: any number of parts, with or without boundary, sound or not.
 ///
@@ -16,19 +16,67 @@ use std::ops::Range;
 ///
 /// ```
 /// use glam::DVec3;
-/// use mindeg_geometry::import::SurfaceMesh;
+/// use mindeg_mesh::TriMesh;
 ///
 /// let square = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
-/// let mesh = SurfaceMesh::new(square, vec![[0, 1, 2], [0, 2, 3]])?;
+/// let mesh = TriMesh::new(square, vec![[0, 1, 2], [0, 2, 3]])?;
 /// assert_eq!(mesh.boundary_loops()[0].vertices, [0, 1, 2, 3]);
-/// # Ok::<(), mindeg_geometry::import::ImportError>(())
+/// # Ok::<(), mindeg_mesh::TriMeshError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
-pub struct SurfaceMesh {
+pub struct TriMesh {
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
     parts: Vec<Part>,
     non_triangles: NonTriangles,
+}
+
+/// Why points and triangles are no [`TriMesh`].
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum TriMeshError {
+    /// A triangle names a vertex that the mesh does not have.
+    #[error(
+        "triangle {triangle} (counted from 0) has a vertex {vertex}, and the mesh has {vertices} \
+         vertices"
+    )]
+    NoSuchVertex {
+        /// The triangle, counted from 0.
+        triangle: usize,
+        /// The vertex, counted from 0.
+        vertex: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// A position with a coordinate that is infinite or not a number.
+    #[error("vertex {vertex} (counted from 0) has a coordinate that is not a finite number")]
+    NotFinite {
+        /// The vertex, counted from 0.
+        vertex: usize,
+    },
+    /// More vertices than there are vertex numbers.
+    #[error("the mesh has {vertices} vertices, and {} is the most that can be read", u32::MAX)]
+    TooManyVertices {
+        /// How many vertices there are.
+        vertices: usize,
+    },
+    /// More triangles than there are triangle numbers.
+    #[error("the mesh has {triangles} triangles, and {} is the most that can be read", u32::MAX)]
+    TooManyTriangles {
+        /// How many triangles there are.
+        triangles: usize,
+    },
+    /// There is no surface in the file.
+    #[error(
+        "the file holds no triangle and no other face ({vertices} vertices, {line_segments} line \
+         segments); is it a mesh in this format?"
+    )]
+    NoFaces {
+        /// How many vertices there are.
+        vertices: usize,
+        /// How many line segments there are.
+        line_segments: u64,
+    },
 }
 
 /// A named stretch of a mesh's triangles: an object or group of an OBJ, a node of a glTF.
@@ -53,41 +101,46 @@ pub struct NonTriangles {
     pub points: u64,
 }
 
-impl SurfaceMesh {
+impl TriMesh {
     /// A mesh from positions and triangles, as one part without a name. O(n).
     ///
     /// # Errors
     ///
     /// A position that is not finite, a triangle with a vertex that is not there, more than
     /// `u32::MAX` vertices or triangles, or no triangle at all.
-    pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, ImportError> {
+    pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, TriMeshError> {
         let parts = vec![Part { name: String::new(), triangles: 0..triangles.len() }];
         Self::with_parts(positions, triangles, parts, NonTriangles::default())
     }
 
-    pub(super) fn with_parts(
+    /// A mesh in several parts, which hold every triangle once, in order. O(n).
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    pub fn with_parts(
         positions: Vec<DVec3>,
         triangles: Vec<[u32; 3]>,
         mut parts: Vec<Part>,
         non_triangles: NonTriangles,
-    ) -> Result<Self, ImportError> {
+    ) -> Result<Self, TriMeshError> {
         let vertices = positions.len();
         if u32::try_from(vertices).is_err() {
-            return Err(ImportError::TooManyVertices { vertices });
+            return Err(TriMeshError::TooManyVertices { vertices });
         }
         if u32::try_from(triangles.len()).is_err() {
-            return Err(ImportError::TooManyTriangles { triangles: triangles.len() });
+            return Err(TriMeshError::TooManyTriangles { triangles: triangles.len() });
         }
         if triangles.is_empty() {
             let line_segments = non_triangles.line_segments;
-            return Err(ImportError::NoFaces { vertices, line_segments });
+            return Err(TriMeshError::NoFaces { vertices, line_segments });
         }
         if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
-            return Err(ImportError::NotFinite { vertex });
+            return Err(TriMeshError::NotFinite { vertex });
         }
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertices) {
-                return Err(ImportError::NoSuchVertex { triangle, vertex, vertices });
+                return Err(TriMeshError::NoSuchVertex { triangle, vertex, vertices });
             }
         }
         parts.retain(|part| !part.triangles.is_empty());
@@ -158,7 +211,7 @@ mod tests {
                 "vertex 2 (counted from 0) has a coordinate that is not a finite number",
             ),
         ] {
-            let error = SurfaceMesh::new(positions.to_vec(), triangles).unwrap_err();
+            let error = TriMesh::new(positions.to_vec(), triangles).unwrap_err();
             assert_eq!(error.to_string(), message);
         }
     }

@@ -1,10 +1,10 @@
 //! What the triangles are like one by one.
 
 use super::{WORST, WorstTriangle};
-use crate::import::SurfaceMesh;
 use crate::parallel::blocks;
 use crate::quality::{QualitySummary, TriangleQuality};
 use crate::summary::Columns;
+use crate::tri_mesh::TriMesh;
 use glam::DVec3;
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ pub(super) struct Shapes {
 
 impl Shapes {
     /// Looks at every triangle, with all threads.
-    pub(super) fn of(mesh: &SurfaceMesh) -> Self {
+    pub(super) fn of(mesh: &TriMesh) -> Self {
         // Triangles are numbered in u32.
         let count = mesh.triangles().len() as u32;
         let mut columns = Vec::new();
@@ -45,7 +45,7 @@ struct Block {
 }
 
 impl Block {
-    fn new(mesh: &SurfaceMesh, triangles: Range<u32>) -> Self {
+    fn new(mesh: &TriMesh, triangles: Range<u32>) -> Self {
         let mut worst_triangles = Vec::with_capacity(WORST);
         let mut zero_area_triangles = Vec::new();
         let qualities = triangles.map(|triangle| {

@@ -36,11 +36,11 @@ pub const LEAST_SHARE: f64 = 1e-12;
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::Spacing;
+/// use mindeg_domain::Spacing;
 ///
 /// let spacing: Spacing = "geometric:1.2".parse()?;
 /// assert_eq!(spacing, Spacing::Geometric { ratio: 1.2 });
-/// # Ok::<(), mindeg_geometry::SpacingError>(())
+/// # Ok::<(), mindeg_domain::SpacingError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
@@ -77,7 +77,7 @@ impl Spacing {
     /// # Example
     ///
     /// ```
-    /// use mindeg_geometry::Spacing;
+    /// use mindeg_domain::Spacing;
     ///
     /// assert_eq!(Spacing::FirstLength(0.1).reversed(), Spacing::LastLength(0.1));
     /// assert_eq!(Spacing::Beta { beta: 1.1 }.reversed(), Spacing::Beta { beta: -1.1 });

@@ -30,7 +30,7 @@ pub const LEAST_SIDE: f64 = 1e-100;
 /// # Example
 ///
 /// ```
-/// use mindeg_geometry::{Domain, Side, Spacing};
+/// use mindeg_domain::{Domain, Side, Spacing};
 ///
 /// let wall = Side::count(6).spaced(Spacing::Geometric { ratio: 1.3 }).named("wall");
 /// let domain = Domain::polygon(
@@ -39,7 +39,7 @@ pub const LEAST_SIDE: f64 = 1e-100;
 /// )?;
 /// assert_eq!(domain.boundary().sides().collect::<Vec<_>>(), [8, 10, 6]);
 /// assert_eq!(domain.sides()[2].name.as_deref(), Some("wall"));
-/// # Ok::<(), mindeg_geometry::DomainError>(())
+/// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Domain {

@@ -96,7 +96,7 @@ impl Domain {
     /// # Example
     ///
     /// ```
-    /// use mindeg_geometry::{Domain, OutsideDegree, Side, VertexConstraint};
+    /// use mindeg_domain::{Domain, OutsideDegree, Side, VertexConstraint};
     ///
     /// let shared = Side { outside_degree: OutsideDegree::Inside(2), ..Side::count(3) };
     /// let others = [2, 2, 2].map(Side::count);
@@ -107,7 +107,7 @@ impl Domain {
     /// assert_eq!([0, 1, 2, 3].map(|vertex| domain.outside_degree(vertex)), [0, 3, 2, 0]);
     /// assert_eq!((domain.max_degree(1), domain.max_degree(2)), (Some(6), None));
     /// assert!(domain.is_constrained());
-    /// # Ok::<(), mindeg_geometry::DomainError>(())
+    /// # Ok::<(), mindeg_domain::DomainError>(())
     /// ```
     pub fn with_vertex_constraints(
         self,

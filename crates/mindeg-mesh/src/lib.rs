@@ -1,0 +1,35 @@
+//! Any triangle mesh: what one is, how its triangles hang together, and how good they are.
+//!
+//! A [`TriMesh`] holds points and triangles of any program's mesh. [`quality`] measures
+//! triangles by Verdict's definitions, [`inspection`] counts and names what is in a mesh and what
+//! is wrong with it.
+//!
+//! ```
+//! use glam::DVec3;
+//! use mindeg_mesh::TriMesh;
+//! use mindeg_mesh::inspection::{Inspection, InspectionOptions};
+//!
+//! let square = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+//! let mesh = TriMesh::new(square, vec![[0, 1, 2], [0, 2, 3]])?;
+//! let inspection = Inspection::of(&mesh, &InspectionOptions::default());
+//! assert_eq!((inspection.max_degree(), inspection.quality.area), (3, 1.0));
+//! # Ok::<(), mindeg_mesh::TriMeshError>(())
+//! ```
+//!
+//! Vertices, triangles and groups count from 0. Triangles are counter-clockwise seen from their
+//! front. Coordinates are f64 in the user's unit of length. Transcendental functions come from
+//! `libm`, so the same input gives the same bits on every machine.
+
+mod bounds;
+mod connectivity;
+pub mod inspection;
+pub mod parallel;
+mod progress;
+pub mod quality;
+mod summary;
+mod tri_mesh;
+
+pub use bounds::Bounds;
+pub use connectivity::boundary::BoundaryLoop;
+pub use progress::{Counter, Progress, Watch, unwatched};
+pub use tri_mesh::{NonTriangles, Part, TriMesh, TriMeshError};
