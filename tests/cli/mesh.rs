@@ -1,6 +1,6 @@
 use crate::run::{Run, ends_quietly_when_nobody_reads, mindeg, mindeg_reading};
 use mindeg_core::verify;
-use mindeg_geometry::import;
+use mindeg_formats::obj;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,7 @@ fn every_domain_is_meshed_into_every_format() {
         );
 
         let read = |path: &Path| fs::read(path).expect("the file was written");
-        let obj = import::obj::read(&read(&files[0])[..]).expect("the OBJ reads back");
+        let obj = obj::read(&read(&files[0])[..]).expect("the OBJ reads back");
         let vertices = summary["vertices"].as_u64().expect("a count");
         assert_eq!(obj.positions().len() as u64, vertices, "{domain:?}");
         assert_eq!(obj.triangles().len() as u64, summary["triangles"].as_u64().expect("a count"));
@@ -73,7 +73,7 @@ fn the_mesh_written_is_the_proven_one() {
         "-q",
     ]);
     assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
-    let mesh = import::obj::read(&run.output[..]).expect("the OBJ reads back");
+    let mesh = obj::read(&run.output[..]).expect("the OBJ reads back");
     let verified = verify(&[12, 9, 4, 4], mesh.triangles().iter().copied());
     assert_eq!(verified.expect("a triangulation").max_degree, 5);
 }

@@ -1,7 +1,7 @@
 use crate::mesh::{content, domains, text};
 use crate::run::{mindeg, mindeg_reading};
 use mindeg_core::{Verified, verify};
-use mindeg_geometry::import;
+use mindeg_formats::obj;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -74,7 +74,7 @@ fn reports_come_in_every_format() {
 
 /// What is in an OBJ: the degrees, once the triangles are verified on the boundary.
 fn verified(obj: &[u8], intervals: &[u64]) -> Verified {
-    let mesh = import::obj::read(obj).expect("the OBJ reads back");
+    let mesh = obj::read(obj).expect("the OBJ reads back");
     verify(intervals, mesh.triangles().iter().copied()).expect("a triangulation")
 }
 
@@ -207,7 +207,7 @@ impl Plate {
 fn joint_max_degree(plates: [&Plate; 2]) -> u64 {
     let mut edges = BTreeSet::new();
     for plate in plates {
-        let mesh = import::obj::read(&plate.obj[..]).expect("the OBJ reads back");
+        let mesh = obj::read(&plate.obj[..]).expect("the OBJ reads back");
         let point = |vertex: u32| mesh.positions()[vertex as usize].to_array().map(f64::to_bits);
         for [a, b, c] in mesh.triangles().iter().map(|triangle| triangle.map(point)) {
             edges.extend([[a, b], [b, c], [c, a]].map(|[from, to]| [from.min(to), from.max(to)]));

@@ -3,7 +3,7 @@
 use Outline::{Rectangle, Regular};
 use glam::DVec2;
 use mindeg_core::{Boundary, BoundaryError};
-use mindeg_geometry::{Domain, DomainError, Side};
+use mindeg::{Domain, DomainError, Side};
 
 /// A boundary to triangulate.
 pub(crate) struct Case {

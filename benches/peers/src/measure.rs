@@ -2,7 +2,7 @@
 
 use crate::input::Input;
 use mindeg_core::verify;
-use mindeg_geometry::quality::TriangleQuality;
+use mindeg::quality::TriangleQuality;
 use serde::{Deserialize, Serialize};
 
 /// What can be said of a peer's triangles.

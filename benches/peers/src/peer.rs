@@ -10,7 +10,7 @@ use i_triangle::float::triangulation::{RawTriangulation, Triangulation};
 use i_triangle::float::unchecked::UncheckedTriangulatable;
 use mindeg_compare::Reference;
 use mindeg_core::min_degree_triangulation;
-use mindeg_geometry::Mesh;
+use mindeg::BoundaryMesh;
 use std::collections::{HashMap, HashSet};
 use std::error::Error;
 
@@ -42,7 +42,7 @@ pub(crate) const PEERS: [Peer; 12] = [
         name: "mindeg",
         package: "mindeg-geometry",
         licence: FREE,
-        called: "`Mesh::least_degree` from corners and counts, which computes the points and \
+        called: "`BoundaryMesh::least_degree` from corners and counts, which computes the points and \
                  chooses the plan that looks best on them; then all triangles into a new list",
         run: |input, clock| clock.time(|| mindeg(input)),
     },
@@ -147,7 +147,7 @@ pub(crate) const PEERS: [Peer; 12] = [
 
 /// From corners and counts to the list of triangles of the plan chosen.
 pub(crate) fn mindeg(input: &Input) -> Triangles {
-    Ok(Mesh::least_degree(&input.domain()?)?.triangles().collect())
+    Ok(BoundaryMesh::least_degree(&input.domain()?)?.triangles().collect())
 }
 
 fn mindeg_without_choosing(input: &Input) -> Triangles {

@@ -1,8 +1,10 @@
 //! The arguments as they are typed.
 
 use crate::gates::Gates;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use mindeg_geometry::Spacing;
+use mindeg::Spacing;
+use mindeg_formats::{Format, Plane, SurfaceOptions};
 use std::path::PathBuf;
 
 const EXIT_CODES: &str = "\
@@ -30,6 +32,7 @@ pub(crate) enum Command {
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
+    Convert(ConvertArguments),
 }
 
 /// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
@@ -89,20 +92,11 @@ pub(crate) struct MeshArguments {
     pub(crate) output: Vec<PathBuf>,
 
     /// The format where the extension does not tell it
-    #[arg(long, value_name = "FORMAT")]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser())]
     pub(crate) format: Option<Format>,
 
-    /// Give each vertex a colour by its degree (OBJ, glTF)
-    #[arg(long)]
-    pub(crate) degree_colors: bool,
-
-    /// Add each side as a named line (OBJ, glTF)
-    #[arg(long)]
-    pub(crate) boundary_lines: bool,
-
-    /// Lay the mesh on the floor, the XZ plane facing +Y, instead of upright in XY (OBJ, glTF)
-    #[arg(long)]
-    pub(crate) floor: bool,
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArguments,
 
     /// Take the mesh with the largest smallest angle of all, exactly, at the least possible maximum
     /// degree, or at the one that --max-degree gives, which then is no gate; up to 4096 vertices
@@ -163,6 +157,69 @@ pub(crate) struct InspectArguments {
 fn parse_corner_angle(text: &str) -> Result<f64, String> {
     let angle = text.parse().ok().filter(|angle| (0.0..=90.0).contains(angle));
     angle.ok_or_else(|| "give degrees from 0 to 90".to_owned())
+}
+
+/// Write a mesh of any program in other formats
+///
+/// Positions, triangles, names and groups stay; normals are made anew.
+#[derive(Debug, Args)]
+#[command(after_help = EXIT_CODES)]
+pub(crate) struct ConvertArguments {
+    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder)
+    #[arg(value_name = "MESH")]
+    pub(crate) file: PathBuf,
+
+    /// Where to write, by extension .obj, .glb, .gltf (with its .bin) or .svg; - is standard
+    /// output. May be given several times
+    #[arg(short, long, value_name = "FILE", required = true)]
+    pub(crate) output: Vec<PathBuf>,
+
+    /// The format where the extension does not tell it
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser())]
+    pub(crate) format: Option<Format>,
+
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArguments,
+
+    /// Show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
+
+/// What a file holds besides points and triangles.
+#[derive(Debug, Args)]
+pub(crate) struct SurfaceArguments {
+    /// Give each vertex a colour by its degree (OBJ, glTF)
+    #[arg(long)]
+    pub(crate) degree_colors: bool,
+
+    /// Add each side as a named line (OBJ, glTF)
+    #[arg(long)]
+    pub(crate) boundary_lines: bool,
+
+    /// Lay the mesh on the floor, the XZ plane facing +Y, instead of upright in XY (OBJ, glTF)
+    #[arg(long)]
+    pub(crate) floor: bool,
+}
+
+impl SurfaceArguments {
+    pub(crate) fn options(&self) -> SurfaceOptions {
+        SurfaceOptions {
+            degree_colors: self.degree_colors,
+            boundary_lines: self.boundary_lines,
+            plane: if self.floor { Plane::Floor } else { Plane::Xy },
+            ..SurfaceOptions::default()
+        }
+    }
+}
+
+fn format_parser() -> impl TypedValueParser<Value = Format> {
+    let values = Format::WRITTEN
+        .map(|format| PossibleValue::new(format.extension()).help(format.description()));
+    PossibleValuesParser::new(values).map(|name| {
+        let is_named = |format: &Format| format.extension() == name;
+        Format::WRITTEN.into_iter().find(is_named).expect("one of the possible values")
+    })
 }
 
 /// What a mesh is chosen for.
@@ -252,19 +309,6 @@ pub(crate) struct DomainArguments {
     /// beta:BETA or first-length:LENGTH
     #[arg(long, value_name = "LAW")]
     pub(crate) spacing: Option<Spacing>,
-}
-
-/// A file format that `mindeg mesh` writes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Wavefront OBJ
-    Obj,
-    /// glTF 2.0 in one binary file
-    Glb,
-    /// glTF 2.0 as JSON, with a .bin file beside it
-    Gltf,
-    /// A picture
-    Svg,
 }
 
 /// Width and height.

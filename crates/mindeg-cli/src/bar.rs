@@ -4,9 +4,10 @@
 //! when the work is done, or interrupted.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use mindeg_geometry::Progress;
+use mindeg_mesh::Step;
 use std::fmt;
 use std::io::{self, Read, Write};
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::sync::{Mutex, PoisonError};
@@ -31,9 +32,7 @@ pub(crate) fn clear() {
 pub(crate) enum Unit {
     /// Bytes read or written.
     Bytes,
-    /// Triangles looked at.
-    Triangles,
-    /// Parts of work that has no other measure.
+    /// Parts of work.
     Parts,
     /// Time, of work that nothing can be counted of.
     Time,
@@ -45,13 +44,21 @@ pub(crate) struct Bar {
     quiet: bool,
     due: AtomicBool,
     bar: ProgressBar,
+    /// The stage that the callback was last called with.
+    last_stage: Mutex<String>,
 }
 
 impl Bar {
     /// A bar that will not be seen if `quiet`, or if the run takes less than a second from here.
     pub(crate) fn new(quiet: bool) -> Self {
         let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::hidden());
-        Self { start: Instant::now(), quiet, due: AtomicBool::new(false), bar }
+        Self {
+            start: Instant::now(),
+            quiet,
+            due: AtomicBool::new(false),
+            bar,
+            last_stage: Mutex::default(),
+        }
     }
 
     /// The work from here on, and how much it is; the bar starts anew.
@@ -71,14 +78,17 @@ impl Bar {
         self.show_when_due();
     }
 
-    /// Hears how far work on triangles is. A triangle may count more than once, and so the total
-    /// can be another than was thought.
-    pub(crate) fn watch(&self) -> impl Fn(Progress) + Sync {
-        |Progress { done, total }| {
-            if self.bar.length() != Some(total) {
-                self.bar.set_length(total);
+    /// A progress callback that shows each stage and never cancels.
+    pub(crate) fn callback(&self) -> impl Fn(Step<'_>) -> ControlFlow<()> + Sync {
+        |Step { stage, done, total }| {
+            let mut last = self.last_stage.lock().unwrap_or_else(PoisonError::into_inner);
+            if *last != stage {
+                stage.clone_into(&mut last);
+                self.stage(stage, total, Unit::Parts);
             }
+            drop(last);
             self.reach(done);
+            ControlFlow::Continue(())
         }
     }
 
@@ -127,8 +137,7 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
             "{name} {wide_bar} {decimal_bytes} of {decimal_total_bytes}, \
              {decimal_bytes_per_sec}, {eta} left"
         }
-        Unit::Triangles => "{name} {wide_bar} {percent}% of {triangles}, {rate}, {eta} left",
-        Unit::Parts => "{name} {wide_bar} {percent}%, {eta} left",
+        Unit::Parts => "{name} {wide_bar} {percent}%{million}, {eta} left",
         Unit::Time => "{name} {spinner} {elapsed}",
     };
     let millions = |count: f64, out: &mut dyn fmt::Write| {
@@ -140,13 +149,16 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
         .with_key("name", move |_: &ProgressState, out: &mut dyn fmt::Write| {
             let _ = out.write_str(&name);
         })
-        .with_key("triangles", move |state: &ProgressState, out: &mut dyn fmt::Write| {
-            millions(state.len().unwrap_or_default() as f64, out);
-            let _ = out.write_str(" triangles");
-        })
-        .with_key("rate", move |state: &ProgressState, out: &mut dyn fmt::Write| {
-            millions(state.per_sec(), out);
-            let _ = out.write_str("/s");
+        .with_key("million", move |state: &ProgressState, out: &mut dyn fmt::Write| {
+            let total = state.len().unwrap_or_default();
+            // Where so much is counted, it is triangles.
+            if total >= 1_000_000 {
+                let _ = out.write_str(" of ");
+                millions(total as f64, out);
+                let _ = out.write_str(" triangles, ");
+                millions(state.per_sec(), out);
+                let _ = out.write_str("/s");
+            }
         })
 }
 

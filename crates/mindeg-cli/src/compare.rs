@@ -7,10 +7,10 @@ use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::output::{Outputs, cannot_write};
+use mindeg::Domain;
 use mindeg_compare::{
     Comparison, IndexEntry, Options, compare, write_html, write_index, write_json, write_markdown,
 };
-use mindeg_geometry::Domain;
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};

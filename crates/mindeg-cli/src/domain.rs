@@ -2,7 +2,7 @@
 
 use crate::args::DomainArguments;
 use crate::failure::Failure;
-use mindeg_geometry::{Domain, Intervals, Outline, Rectangle, Side};
+use mindeg::{Domain, Intervals, Outline, Rectangle, Side};
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -58,7 +58,7 @@ fn from_options(arguments: &DomainArguments) -> Result<Domain, Failure> {
     Domain::new(outline, sides).map_err(bad)
 }
 
-fn bad(error: mindeg_geometry::DomainError) -> Failure {
+fn bad(error: mindeg::DomainError) -> Failure {
     Failure::Input(error.to_string())
 }
 

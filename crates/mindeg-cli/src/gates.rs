@@ -3,7 +3,7 @@
 use crate::bar::Bar;
 use crate::failure::Failure;
 use clap::Args;
-use mindeg_geometry::Mesh;
+use mindeg::BoundaryMesh;
 
 /// What a mesh must be to pass.
 #[derive(Debug, Args)]
@@ -61,7 +61,12 @@ impl Gates {
 
     /// Checks the mesh of a domain, of which the smallest angle is known. Degrees are total. To name
     /// a triangle that fails all are looked at again, and the bar shows it.
-    pub(crate) fn check_mesh(&self, mesh: &Mesh, min_angle: f64, bar: &Bar) -> Result<(), Failure> {
+    pub(crate) fn check_mesh(
+        &self,
+        mesh: &BoundaryMesh,
+        min_angle: f64,
+        bar: &Bar,
+    ) -> Result<(), Failure> {
         let max_degree = mesh.max_total_degree();
         let highest_vertex = || {
             let is_highest = |&vertex: &u32| mesh.total_degree(vertex) == max_degree;

@@ -6,6 +6,7 @@
 mod args;
 mod bar;
 mod compare;
+mod convert;
 mod degree;
 mod domain;
 mod failure;
@@ -13,12 +14,12 @@ mod gates;
 mod inspect;
 mod interrupt;
 mod mesh;
+mod mesh_file;
 mod output;
-mod room;
 mod standard_output;
 mod suggest;
+mod targets;
 mod tradeoff;
-mod watched;
 
 use args::{Arguments, Command};
 use clap::Parser;
@@ -31,6 +32,7 @@ fn main() -> ExitCode {
         Command::Degree(arguments) => degree::run(arguments),
         Command::Suggest(arguments) => suggest::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
+        Command::Convert(arguments) => shared(|| convert::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),

@@ -1,27 +1,18 @@
 //! `mindeg mesh`: from a domain to files.
 
-mod target;
-
-use self::target::{Prepared, Target, targets};
 use crate::args::{MeshArguments, Optimize};
-use crate::bar::{Bar, Unit};
+use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
-use crate::watched::watched;
-use mindeg_compare::exact;
-use mindeg_core::optimal_max_degree;
-use mindeg_geometry::export::{Plane, SurfaceOptions};
-use mindeg_geometry::{Domain, Mesh};
+use crate::targets::Targets;
+use mindeg::exact::ExactError;
+use mindeg::{BoundaryMesh, Domain, Goal, Meshed, Progress};
+use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
-
-/// What to do where files do not fit.
-const WAY_OUT_OF_NO_ROOM: &str = "choose a folder with more room, use fewer intervals, write glTF \
-    rather than OBJ, which takes more than twice as much, or compress on the way: \
-    -o - --format obj | zstd > mesh.obj.zst";
 
 /// What `--json` prints; angles in degrees, an output for each `-o`. Degrees are total: edges
 /// outside the domain count.
@@ -37,43 +28,30 @@ struct Summary {
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
-    let targets = targets(arguments)?;
+    let options = arguments.surface.options();
+    let mut targets = Targets::new(&arguments.output, arguments.format, options, arguments.json)?;
     let domain = domain(&arguments.domain)?;
-    let options = SurfaceOptions {
-        degree_colors: arguments.degree_colors,
-        boundary_lines: arguments.boundary_lines,
-        plane: if arguments.floor { Plane::Floor } else { Plane::Xy },
-        ..SurfaceOptions::default()
-    };
-    let to_terminal = targets.iter().any(Target::is_standard_output) && io::stdout().is_terminal();
+    let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
 
-    // What can be refused is refused before the mesh is looked for, which can take minutes: the
-    // cheapest first.
-    targets.iter().try_for_each(|target| target.check(&domain, &options))?;
+    // What can be refused is refused before the mesh is looked for, which can take minutes.
+    targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
     let mut outputs = Outputs::default();
-    let prepared = targets.into_iter().map(|it| it.prepare(&domain, &options, &mut outputs));
-    let prepared: Vec<Prepared<'_>> = prepared.collect::<Result<_, _>>()?;
-    outputs.check_room(WAY_OUT_OF_NO_ROOM)?;
+    targets.open(&mut outputs)?;
 
-    let (mesh, optimal_max_degree) = mesh(arguments, &domain, &bar)?;
-    bar.stage("measuring the angles", mesh.triangle_count().into(), Unit::Triangles);
-    let angles = mesh.angle_range_watched(&bar.watch());
+    let callback = bar.callback();
+    let progress = Progress::new(&callback);
+    let Meshed { mesh, least_max_degree } = mesh(arguments, &domain, progress)?;
+    let angles =
+        mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
     arguments.gates.check_mesh(&mesh, angles.min, &bar)?;
 
-    bar.stage("writing", prepared.iter().map(Prepared::expected_len).sum(), Unit::Bytes);
-    let mut closed_pipe = false;
-    for output in prepared {
-        match output.write(&mesh, &bar) {
-            // Nobody reads on, and the other outputs are not for that reader.
-            Err(Failure::ClosedPipe) => closed_pipe = true,
-            written => written?,
-        }
-    }
+    let all_taken = targets.write(&mesh, &bar)?;
     outputs.finish()?;
+    drop(callback);
     drop(bar);
-    if closed_pipe {
+    if !all_taken {
         return Err(Failure::ClosedPipe);
     }
 
@@ -81,7 +59,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
         max_degree: mesh.max_total_degree(),
-        optimal_max_degree,
+        optimal_max_degree: least_max_degree,
         min_angle: angles.min,
         max_angle: angles.max,
         outputs: arguments.output.iter().map(|path| path.display().to_string()).collect(),
@@ -93,29 +71,40 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
-/// The mesh that is asked for, and the least maximum degree that there is.
-fn mesh(arguments: &MeshArguments, domain: &Domain, bar: &Bar) -> Result<(Mesh, u32), Failure> {
-    let for_angle = arguments.optimize == Some(Optimize::Angle);
-    if !for_angle && !domain.is_constrained() {
-        let triangles = u64::from(domain.boundary().vertex_count()) - 2;
-        bar.stage("choosing the mesh", triangles, Unit::Triangles);
-        let mesh = Mesh::least_degree_watched(domain, &bar.watch())
-            .map_err(|error| Failure::Input(error.to_string()))?;
-        return Ok((mesh, optimal_max_degree(domain.boundary())));
-    }
-    let dispensable = if for_angle { "--optimize" } else { "outside_degree and max_degree" };
-    let way_out = format!(
-        "leave out {dispensable} for the mesh of least degree, which can be had at any size"
-    );
-    watched(bar, &way_out, |watch| {
-        let least = exact::optimal_max_degree(domain, watch)?;
-        let allowed = arguments.gates.max_degree.filter(|_| for_angle);
-        let exact = exact::mesh(domain, allowed.unwrap_or(least), watch)?;
-        Ok((exact.mesh, least))
+/// The mesh that is asked for.
+fn mesh(
+    arguments: &MeshArguments,
+    domain: &Domain,
+    progress: Progress<'_>,
+) -> Result<Meshed, Failure> {
+    let goal = match arguments.optimize {
+        Some(Optimize::Angle) => Goal::LargestAngle { max_degree: arguments.gates.max_degree },
+        None => Goal::LeastDegree,
+    };
+    let dispensable = match goal {
+        Goal::LargestAngle { .. } => "--optimize",
+        Goal::LeastDegree => "outside_degree and max_degree",
+    };
+    mindeg::mesh(domain, goal, progress).map_err(|error| {
+        unsolved(
+            &error,
+            &format!("leave out {dispensable} for the mesh of least degree at any size"),
+        )
     })
 }
 
-fn text(mesh: &Mesh, summary: &Summary) -> String {
+/// Why a domain has no mesh; where it is for its size, `way_out` says what to do.
+pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
+    Failure::Input(match error {
+        ExactError::Problem(ProblemError::TooManyVertices { vertices }) => format!(
+            "the domain has {vertices} boundary vertices; exact work takes at most {MAX_VERTICES}; \
+             use fewer intervals, or {way_out}"
+        ),
+        error => error.to_string(),
+    })
+}
+
+fn text(mesh: &BoundaryMesh, summary: &Summary) -> String {
     let reversed = if mesh.domain().was_reversed() {
         "The corners ran clockwise and were reversed; each side kept its edge.\n"
     } else {

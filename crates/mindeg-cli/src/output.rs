@@ -12,7 +12,6 @@
 
 use crate::failure::Failure;
 use crate::interrupt::temporary;
-use crate::room::{self, Planned};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -30,13 +29,11 @@ struct Staged {
     /// As the user named it.
     name: PathBuf,
     target: PathBuf,
-    least_len: u64,
 }
 
 impl Outputs {
-    /// Opens `path` for writing `least_len` bytes or more; until [`finish`](Self::finish), what is
-    /// written goes beside it.
-    pub(crate) fn create(&mut self, path: &Path, least_len: u64) -> Result<File, Failure> {
+    /// Opens `path` for writing; until [`finish`](Self::finish), what is written goes beside it.
+    pub(crate) fn create(&mut self, path: &Path) -> Result<File, Failure> {
         let failed = |error: io::Error| cannot_write(path, &error);
         let refused = |why| Failure::Io(format!("cannot write {}: it is {why}", path.display()));
         if names_descriptor(path) {
@@ -60,7 +57,7 @@ impl Outputs {
             return Err(Failure::Input(format!("{other} and {path} are the same file")));
         }
         let (file, temporary) = stage(&target, permissions).map_err(failed)?;
-        self.staged.push(Staged { temporary, name: path.to_path_buf(), target, least_len });
+        self.staged.push(Staged { temporary, name: path.to_path_buf(), target });
         Ok(file)
     }
 
@@ -70,17 +67,8 @@ impl Outputs {
         path: &Path,
         write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
     ) -> Result<(), Failure> {
-        let mut file = BufWriter::new(self.create(path, 0)?);
+        let mut file = BufWriter::new(self.create(path)?);
         write(&mut file).and_then(|()| file.flush()).map_err(|error| cannot_write(path, &error))
-    }
-
-    /// Refuses files that do not fit where they are to go, and says what to do instead.
-    pub(crate) fn check_room(&self, way_out: &str) -> Result<(), Failure> {
-        let planned = self.staged.iter().map(|Staged { temporary, name, least_len, .. }| {
-            let folder = temporary.parent().unwrap_or(Path::new("."));
-            Planned { name, folder, least_len: *least_len }
-        });
-        room::check(planned, way_out)
     }
 
     /// Gives every file its name.

@@ -5,11 +5,11 @@ use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::mesh::degrees;
+use crate::mesh::{degrees, unsolved};
 use crate::output::Outputs;
 use crate::standard_output::{print, print_json};
-use crate::watched::watched;
-use mindeg_compare::exact::{self, TradeOff};
+use mindeg::Progress;
+use mindeg::exact::{self, TradeOff};
 use mindeg_compare::{
     TradeOffFigures, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
@@ -24,9 +24,11 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
         arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
-    let way_out = "see mindeg mesh for the mesh of least degree, which can be had at any size";
     let bar = Bar::new(arguments.quiet);
-    let trade_off = watched(&bar, way_out, |watch| exact::trade_off(&domain, watch))?;
+    let callback = bar.callback();
+    let trade_off = exact::trade_off(&domain, Progress::new(&callback))
+        .map_err(|error| unsolved(&error, "take mindeg mesh for the mesh of least degree"))?;
+    drop(callback);
     drop(bar);
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {

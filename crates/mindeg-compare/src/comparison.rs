@@ -1,13 +1,13 @@
 //! One domain, triangulated by every method.
 
-use crate::exact::{self, ExactMesh, TradeOff};
 use crate::reference::Reference;
 use crate::report::{
     DefectKind, DomainFigures, MethodDefect, MethodFigures, Report, TradeOffFigures,
 };
 use crate::{NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
-use mindeg_geometry::{Domain, Mesh, MeshError};
+use mindeg::exact::{self, ExactMesh, TradeOff};
+use mindeg::{BoundaryMesh, Domain, MeshError, Progress, Step};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
@@ -63,7 +63,7 @@ pub enum CompareError {
 ///
 /// ```
 /// use mindeg_compare::{Options, compare};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 ///
 /// let sides = [1000, 3, 5, 2].map(Side::count).to_vec();
 /// let comparison = compare(&Domain::rectangle(4.0, 3.0, sides)?, &Options::default())?;
@@ -140,7 +140,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         return Err(CompareError::TooManyVertices { vertices });
     }
     let start = Instant::now();
-    let mesh = Mesh::least_degree(domain)?;
+    let mesh = BoundaryMesh::least_degree(domain)?;
     let own: Vec<[u32; 3]> = mesh.triangles().collect();
     let own_time = start.elapsed();
 
@@ -211,14 +211,14 @@ fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
         return None;
     }
     let start = Instant::now();
-    let mut in_time = |_| {
+    let in_time = |_: Step<'_>| {
         if start.elapsed() < options.time_limit {
             ControlFlow::Continue(())
         } else {
             ControlFlow::Break(())
         }
     };
-    exact::trade_off(domain, &mut in_time).ok()
+    exact::trade_off(domain, Progress::new(&in_time)).ok()
 }
 
 /// Of the points of the curve those that a comparison shows: the least degree, the next, and the
@@ -241,7 +241,7 @@ fn without_triangles(reason: &NoTriangulation) -> MethodFigures {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg_geometry::Side;
+    use mindeg::Side;
 
     #[test]
     fn only_delaunay_has_ties() {

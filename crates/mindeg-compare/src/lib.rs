@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use mindeg_compare::{Options, compare};
-//! use mindeg_geometry::{Domain, Side};
+//! use mindeg::{Domain, Side};
 //!
 //! let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 //! let comparison = compare(&domain, &Options::default())?;
@@ -28,7 +28,6 @@
 //! not compared.
 
 mod comparison;
-pub mod exact;
 mod measure;
 mod number_format;
 pub mod reference;

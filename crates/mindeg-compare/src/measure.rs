@@ -7,8 +7,8 @@ use crate::report::{
     DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
 };
 use glam::DVec2;
+use mindeg::quality::{ANGLES, DegreeHistogram, QualitySummary, TriangleQuality};
 use mindeg_core::{Boundary, Defect, verify};
-use mindeg_geometry::quality::{ANGLES, DegreeHistogram, QualitySummary, TriangleQuality};
 
 /// How many of the worst triangles are listed.
 const WORST: usize = 5;
@@ -145,7 +145,7 @@ fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<WorstTria
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg_geometry::{Domain, Side};
+    use mindeg::{Domain, Side};
 
     /// The figures of some triangles on a square of two intervals a side.
     fn square(triangles: &[[u32; 3]]) -> MethodFigures {

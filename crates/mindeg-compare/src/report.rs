@@ -21,7 +21,7 @@ pub use trade_off::{
     TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
 
-use mindeg_geometry::quality;
+use mindeg::quality;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -33,7 +33,7 @@ use std::io::{self, Write};
 ///
 /// ```
 /// use mindeg_compare::{Options, compare};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let comparison = compare(&domain, &Options::default())?;
@@ -211,7 +211,7 @@ pub enum DefectKind {
 ///
 /// ```
 /// use mindeg_compare::{Options, compare, write_json};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let mut json = Vec::new();

@@ -2,9 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::DVec2;
+use mindeg::{Domain, Side, Spacing};
 use mindeg_compare::report::DefectKind;
 use mindeg_compare::{Comparison, Options, compare};
-use mindeg_geometry::{Domain, Side, Spacing};
 
 /// How far an angle in degrees may be off: the cross and dot products of two edges have
 /// rounding errors of at most two units each relative to the product of the lengths, and the

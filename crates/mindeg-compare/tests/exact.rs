@@ -1,7 +1,7 @@
 //! The exact trade-off beside Delaunay: two computations that share nothing.
 
+use mindeg::Domain;
 use mindeg_compare::{Options, compare};
-use mindeg_geometry::Domain;
 use std::fs;
 use std::path::Path;
 

@@ -1,8 +1,8 @@
 //! The published schema of `report.json` is that of the types, and holds for real reports.
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use mindeg::{Domain, Side};
 use mindeg_compare::{Options, compare, report_schema};
-use mindeg_geometry::{Domain, Side};
 use serde_json::{Value, json};
 use std::time::Duration;
 

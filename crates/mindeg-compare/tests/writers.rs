@@ -1,8 +1,8 @@
 //! The same domain gives the same bytes, but for times; and what is written is what is known.
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use mindeg::{Domain, Side};
 use mindeg_compare::{Options, compare, write_html, write_json, write_markdown};
-use mindeg_geometry::{Domain, Side};
 
 fn domain() -> Domain {
     let corners = [[0.0, 0.0], [5.0, 1.0], [6.0, 4.0], [1.0, 5.0]].map(glam::DVec2::from);

@@ -255,6 +255,19 @@ impl Domain {
         &self.sides
     }
 
+    /// The name of a side; one without a name is called by its number from 1, such as "side 2".
+    ///
+    /// # Panics
+    ///
+    /// If the domain has no such side.
+    #[must_use]
+    pub fn side_name(&self, side: usize) -> String {
+        match &self.sides[side].name {
+            Some(name) => name.clone(),
+            None => format!("side {}", side + 1),
+        }
+    }
+
     /// What is said of single vertices, sorted by vertex.
     #[must_use]
     pub fn vertex_constraints(&self) -> &[VertexConstraint] {

@@ -6,11 +6,9 @@
 //! Limits: the checks keep points apart. A triangle of three distinct points may yet be so thin
 //! that rounding turns it over; meshing refuses to give one.
 
-use std::ops::Range;
-
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use mindeg_core::Boundary;
-use mindeg_mesh::Bounds;
+use mindeg_mesh::{Bounds, Positions};
 
 use crate::spacing_law::SpacingLaw;
 
@@ -164,19 +162,46 @@ impl Placement {
         })
     }
 
-    /// The positions of consecutive vertices, all below the vertex count. Much faster than to ask
-    /// for them one by one.
-    #[must_use]
-    pub fn points_of(&self, vertices: Range<u32>) -> Vec<DVec2> {
-        let Range { start, end } = vertices;
-        let mut points = Vec::with_capacity(vertices.len());
-        let first = if start < end { self.boundary.side_of(start) } else { self.corners.len() };
-        let sides = (first..self.corners.len()).map(|side| self.points_on(side));
-        for side in sides.take_while(|side| side.first < end) {
-            let places = start.saturating_sub(side.first)..end - side.first;
-            side.push_points(places.start..places.end.min(side.law.intervals()), &mut points);
+    /// Writes the positions of the vertices from `first` on into `out`, as many as it holds. Much
+    /// faster than to ask for them one by one.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` vertices remain from `first` on.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::{DVec2, DVec3};
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(2); 4])?;
+    /// let mut points = [DVec2::ZERO; 3];
+    /// domain.placement().fill_points(1, &mut points);
+    /// assert_eq!(points, [[2.0, 0.0], [4.0, 0.0], [4.0, 1.5]].map(DVec2::from));
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn fill_points(&self, first: u32, out: &mut [DVec2]) {
+        self.fill(first, out, |point| point);
+    }
+
+    /// [`fill_points`](Self::fill_points), of what is made of each point.
+    fn fill<T>(&self, first: u32, mut out: &mut [T], of: impl Fn(DVec2) -> T) {
+        if out.is_empty() {
+            return;
         }
-        points
+        let sides = (self.boundary.side_of(first)..).map(|side| self.points_on(side));
+        let mut vertex = first;
+        for side in sides {
+            let index = vertex - side.first;
+            let count = out.len().min((side.law.intervals() - index) as usize);
+            let (here, later) = out.split_at_mut(count);
+            side.fill(index, here, &of);
+            if later.is_empty() {
+                return;
+            }
+            (out, vertex) = (later, side.first + side.law.intervals());
+        }
     }
 
     /// The positions of vertices asked one by one. O(1) each as long as they keep to two sides
@@ -199,11 +224,7 @@ impl Placement {
     /// The smallest box around the domain. O(k).
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        let first = Bounds { min: self.corners[0], max: self.corners[0] };
-        self.corners.iter().fold(first, |bounds, &corner| Bounds {
-            min: bounds.min.min(corner),
-            max: bounds.max.max(corner),
-        })
+        Bounds::of(self.corners.iter().copied()).expect("a polygon has corners")
     }
 
     /// The area of the domain, in square units. O(k).
@@ -213,6 +234,25 @@ impl Placement {
         let origin = self.corners[0];
         let fan = self.corners[1..].windows(2);
         fan.map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum::<f64>() / 2.0
+    }
+}
+
+/// In the plane z = 0.
+impl Positions for Placement {
+    fn vertex_count(&self) -> u32 {
+        self.vertex_count()
+    }
+
+    fn fill_positions(&self, first: u32, out: &mut [DVec3]) {
+        self.fill(first, out, |point| point.extend(0.0));
+    }
+
+    fn bounds(&self) -> Bounds<DVec3> {
+        self.bounds().in_space()
+    }
+
+    fn is_ring(&self) -> bool {
+        true
     }
 }
 
@@ -232,13 +272,17 @@ impl SidePoints<'_> {
         self.start + self.law.parameter(i) * self.span
     }
 
-    fn push_points(&self, places: Range<u32>, points: &mut Vec<DVec2>) {
+    /// Points from index `first` on, as many as `out` holds.
+    fn fill<T>(&self, first: u32, out: &mut [T], of: impl Fn(DVec2) -> T) {
+        let indexed = (first..).zip(out);
         if self.law.is_uniform() {
             // The same formula, without a call: the compiler makes several points at a time.
             let intervals = f64::from(self.law.intervals());
-            points.extend(places.map(|i| self.start + f64::from(i) / intervals * self.span));
+            indexed.for_each(|(i, out)| {
+                *out = of(self.start + f64::from(i) / intervals * self.span);
+            });
         } else {
-            points.extend(places.map(|i| self.point(i)));
+            indexed.for_each(|(i, out)| *out = of(self.point(i)));
         }
     }
 
@@ -315,7 +359,9 @@ mod tests {
             for start in 0..=12 {
                 for end in start..=12 {
                     let expected: Vec<_> = (start..end).map(|v| placement.point(v)).collect();
-                    assert_eq!(placement.points_of(start..end), expected, "{start}..{end}");
+                    let mut points = vec![DVec2::ZERO; expected.len()];
+                    placement.fill_points(start, &mut points);
+                    assert_eq!(points, expected, "{start}..{end}");
                 }
             }
             let mut walk = placement.walk();

@@ -1,6 +1,7 @@
 //! Any triangle mesh: what one is, how its triangles hang together, and how good they are.
 //!
-//! A [`TriMesh`] holds points and triangles of any program's mesh. [`quality`] measures
+//! [`Positions`] and [`Triangles`] are the two halves of a mesh, whether it is a formula or a list;
+//! a [`TriMesh`] is a list, such as a reader gives. [`quality`] measures
 //! triangles by Verdict's definitions, [`inspection`] counts and names what is in a mesh and what
 //! is wrong with it.
 //!
@@ -23,6 +24,8 @@
 mod bounds;
 mod connectivity;
 pub mod inspection;
+mod mesh;
+mod normals;
 pub mod parallel;
 mod progress;
 pub mod quality;
@@ -31,5 +34,7 @@ mod tri_mesh;
 
 pub use bounds::Bounds;
 pub use connectivity::boundary::BoundaryLoop;
-pub use progress::{Counter, Progress, Watch, unwatched};
-pub use tri_mesh::{NonTriangles, Part, TriMesh, TriMeshError};
+pub use mesh::{Group, Line, Mesh, Positions, Triangles, filled};
+pub use normals::vertex_normals;
+pub use progress::{Cancelled, Counter, Progress, Step};
+pub use tri_mesh::{NonTriangles, Polygons, TriMesh, TriMeshError};

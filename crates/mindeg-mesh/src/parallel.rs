@@ -44,17 +44,13 @@ pub fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync + Send)
     results
 }
 
-/// Fills a list with what `work` makes of the places in each block of it: as many values.
-pub fn fill_blocks<T: Copy + Send>(
-    values: &mut [T],
-    work: impl Fn(Range<u32>) -> Vec<T> + Sync + Send,
-) {
-    let count = values.len() as u32;
+/// Fills a list block by block: `fill` gets the index of the first value and the block.
+pub fn fill_blocks<T: Send>(values: &mut [T], fill: impl Fn(u32, &mut [T]) + Sync + Send) {
     #[cfg(feature = "parallel")]
     let parts = values.par_chunks_mut(BLOCK as usize).enumerate();
     #[cfg(not(feature = "parallel"))]
     let parts = values.chunks_mut(BLOCK as usize).enumerate();
-    parts.for_each(|(place, part)| part.copy_from_slice(&work(block(place, count))));
+    parts.for_each(|(place, part)| fill(place as u32 * BLOCK, part));
 }
 
 /// What `work` finds in the first of the blocks of the items `0..count` that has something to find.

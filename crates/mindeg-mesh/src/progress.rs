@@ -1,50 +1,111 @@
-//! Watching work on very many triangles.
-//!
-//! Limits: what hears of progress cannot stop the work.
+//! How far long work is, and whether it is to go on.
 
+use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// How far the work is.
+/// How far a stage of the work is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Progress {
-    /// How many triangles have been dealt with, 0 to `total`. What turned out not to be worth
-    /// looking at counts as well.
+pub struct Step<'a> {
+    /// The stage in words, such as "choosing among candidates".
+    pub stage: &'a str,
+    /// How much of the stage is done, 0 to `total`. It never falls within a stage.
     pub done: u64,
-    /// How many there are to deal with; a triangle counts anew in each plan that is tried.
+    /// How much there is to do; a guess where that is not known before.
     pub total: u64,
 }
 
-/// Hears of progress every ten thousand triangles or so, on any of the threads that work. Two of
-/// them may tell in the wrong order. [`unwatched`] is one.
-pub type Watch<'a> = &'a (dyn Fn(Progress) + Sync);
+type Callback<'a> = dyn Fn(Step<'_>) -> ControlFlow<()> + Sync + 'a;
 
-/// A [`Watch`] that looks away.
-pub fn unwatched(_: Progress) {}
-
-/// Counts what is done, for a watch.
-pub struct Counter<'a> {
-    done: AtomicU64,
-    total: u64,
-    watch: Watch<'a>,
+/// A callback that long work calls with every [`Step`], and that cancels the work by a break.
+///
+/// Worker threads call it many times a second, possibly out of order.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_mesh::{Cancelled, Progress};
+/// use std::ops::ControlFlow;
+///
+/// let at_most_one_half = |step: mindeg_mesh::Step<'_>| {
+///     if 2 * step.done <= step.total { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+/// };
+/// let progress = Progress::new(&at_most_one_half);
+/// assert_eq!(progress.report("counting", 1, 2), Ok(()));
+/// assert_eq!(progress.report("counting", 2, 2), Err(Cancelled));
+/// assert_eq!(Progress::NONE.report("counting", 2, 2), Ok(()));
+/// ```
+#[derive(Clone, Copy)]
+pub struct Progress<'a> {
+    callback: Option<&'a Callback<'a>>,
 }
 
-impl<'a> Counter<'a> {
-    /// Nothing is done yet.
+/// A [`Progress`] callback has cancelled the work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("cancelled")]
+pub struct Cancelled;
+
+impl<'a> Progress<'a> {
+    /// Calls nobody and never cancels.
+    pub const NONE: Progress<'static> = Progress { callback: None };
+
+    /// Calls `callback`.
     #[must_use]
-    pub fn new(total: u64, watch: Watch<'a>) -> Self {
-        Self { done: AtomicU64::new(0), total, watch }
+    pub fn new(callback: &'a Callback<'a>) -> Self {
+        Self { callback: Some(callback) }
     }
 
-    /// So many more are done.
-    pub fn add(&self, count: usize) {
+    /// Reports that `done` of `total` is done in a stage.
+    ///
+    /// # Errors
+    ///
+    /// [`Cancelled`], if the callback breaks.
+    pub fn report(&self, stage: &str, done: u64, total: u64) -> Result<(), Cancelled> {
+        match self.callback.map(|callback| callback(Step { stage, done, total })) {
+            None | Some(ControlFlow::Continue(())) => Ok(()),
+            Some(ControlFlow::Break(())) => Err(Cancelled),
+        }
+    }
+
+    /// A counter of what is done in a stage, for several threads.
+    #[must_use]
+    pub fn counter<'b>(&'b self, stage: &'b str, total: u64) -> Counter<'b> {
+        Counter { progress: self, stage, done: AtomicU64::new(0), total }
+    }
+}
+
+impl std::fmt::Debug for Progress<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(if self.callback.is_some() { "Progress(callback)" } else { "Progress::NONE" })
+    }
+}
+
+/// Counts what is done in a stage, on any number of threads.
+pub struct Counter<'a> {
+    progress: &'a Progress<'a>,
+    stage: &'a str,
+    done: AtomicU64,
+    total: u64,
+}
+
+impl Counter<'_> {
+    /// `count` more are done.
+    ///
+    /// # Errors
+    ///
+    /// [`Cancelled`], if the callback breaks.
+    pub fn add(&self, count: usize) -> Result<(), Cancelled> {
         let count = count as u64;
         let done = self.done.fetch_add(count, Relaxed) + count;
-        (self.watch)(Progress { done, total: self.total });
+        self.progress.report(self.stage, done, self.total)
     }
 
-    /// So many are done in all, no less than before; nobody works meanwhile.
-    pub fn reach(&self, done: u64) {
+    /// `done` are done in all, no fewer than before; no other thread works at this time.
+    ///
+    /// # Errors
+    ///
+    /// [`Cancelled`], if the callback breaks.
+    pub fn reach(&self, done: u64) -> Result<(), Cancelled> {
         self.done.store(done, Relaxed);
-        (self.watch)(Progress { done, total: self.total });
+        self.progress.report(self.stage, done, self.total)
     }
 }

@@ -1,16 +1,21 @@
-//! A triangle mesh in space as a file has it.
+//! A triangle mesh as lists: what every reader gives.
 
-use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
-use crate::connectivity::stars::Stars;
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
 use glam::DVec3;
-use std::ops::Range;
 use thiserror::Error;
 
-/// A triangle mesh in space: any number of parts, with or without boundary, sound or not.
+use crate::bounds::Bounds;
+use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
+use crate::connectivity::stars::Stars;
+use crate::mesh::{Group, Line, Positions, Triangles};
+
+/// A triangle mesh in space: any number of groups, with or without boundary, sound or not.
 ///
-/// Vertices are numbered from 0 in the order of the file, whether a triangle uses them or not.
-/// Every triangle names existing vertices, and every position is finite; nothing else is
-/// promised: triangles may repeat, be flat, disagree in orientation or meet three at an edge.
+/// Every triangle names existing vertices, every position is finite, and there is at least one
+/// triangle. Nothing else is promised: triangles may repeat, be flat, disagree in orientation
+/// or meet three at an edge. A vertex that no triangle names is kept.
 ///
 /// # Example
 ///
@@ -19,31 +24,89 @@ use thiserror::Error;
 /// use mindeg_mesh::TriMesh;
 ///
 /// let square = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
-/// let mesh = TriMesh::new(square, vec![[0, 1, 2], [0, 2, 3]])?;
+/// let mesh = TriMesh::new(square, vec![[0, 1, 2], [0, 2, 3]])?.named("square");
 /// assert_eq!(mesh.boundary_loops()[0].vertices, [0, 1, 2, 3]);
+/// assert_eq!(mesh.degrees(), [3, 2, 3, 2]);
 /// # Ok::<(), mindeg_mesh::TriMeshError>(())
 /// ```
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct TriMesh {
+    name: Option<String>,
     positions: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
-    parts: Vec<Part>,
+    groups: Vec<Group>,
+    segments: Vec<[u32; 2]>,
+    lines: Vec<Line>,
+    polygons: Option<Polygons>,
     non_triangles: NonTriangles,
+    degrees: OnceLock<Vec<u32>>,
+}
+
+/// The polygons that a mesh's triangles were cut from.
+///
+/// The triangles of a polygon follow one another, in the order of polygons; a polygon of k corners
+/// has k - 2 of them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Polygons {
+    /// Where the triangles of each polygon start, and after the last of them the number of
+    /// triangles.
+    pub triangle_starts: Vec<u32>,
+    /// The corners of the first polygon in order, then those of the next.
+    pub corners: Vec<u32>,
+}
+
+impl Polygons {
+    /// The number of polygons.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.triangle_starts.len().saturating_sub(1)
+    }
+
+    /// The corners of a polygon in order.
+    ///
+    /// # Panics
+    ///
+    /// If `polygon` is not below [`count`](Self::count).
+    #[must_use]
+    pub fn corners(&self, polygon: usize) -> &[u32] {
+        let start = |i: usize| self.triangle_starts[i] as usize + 2 * i;
+        &self.corners[start(polygon)..start(polygon + 1)]
+    }
+
+    /// The corners of all polygons.
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
+        (0..self.count()).map(|polygon| self.corners(polygon))
+    }
+}
+
+/// What a file held besides triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct NonTriangles {
+    /// Faces with four corners. Each was cut into two triangles.
+    pub quads: u64,
+    /// Faces with more corners. Each was cut into triangles.
+    pub polygons: u64,
+    /// Line segments.
+    pub line_segments: u64,
+    /// Single points. They were left out.
+    pub points: u64,
 }
 
 /// Why points and triangles are no [`TriMesh`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum TriMeshError {
-    /// A triangle names a vertex that the mesh does not have.
+    /// A triangle or segment names a vertex that the mesh does not have.
     #[error(
-        "triangle {triangle} (counted from 0) has a vertex {vertex}, and the mesh has {vertices} \
-         vertices"
+        "{what} {index} (counted from 0) names vertex {vertex} (counted from 0); the mesh has \
+         {vertices} vertices"
     )]
     NoSuchVertex {
-        /// The triangle, counted from 0.
-        triangle: usize,
-        /// The vertex, counted from 0.
+        /// "triangle" or "segment".
+        what: &'static str,
+        /// The index of the triangle or segment.
+        index: usize,
+        /// The index of the vertex.
         vertex: u32,
         /// How many vertices there are.
         vertices: usize,
@@ -51,100 +114,129 @@ pub enum TriMeshError {
     /// A position with a coordinate that is infinite or not a number.
     #[error("vertex {vertex} (counted from 0) has a coordinate that is not a finite number")]
     NotFinite {
-        /// The vertex, counted from 0.
+        /// The index of the vertex.
         vertex: usize,
     },
-    /// More vertices than there are vertex numbers.
-    #[error("the mesh has {vertices} vertices, and {} is the most that can be read", u32::MAX)]
+    /// More vertices than 32-bit indices can tell apart.
+    #[error("the mesh has {vertices} vertices; the maximum is {}", u32::MAX)]
     TooManyVertices {
         /// How many vertices there are.
         vertices: usize,
     },
-    /// More triangles than there are triangle numbers.
-    #[error("the mesh has {triangles} triangles, and {} is the most that can be read", u32::MAX)]
+    /// More triangles than 32-bit indices can tell apart.
+    #[error("the mesh has {triangles} triangles; the maximum is {}", u32::MAX)]
     TooManyTriangles {
         /// How many triangles there are.
         triangles: usize,
     },
-    /// There is no surface in the file.
-    #[error(
-        "the file holds no triangle and no other face ({vertices} vertices, {line_segments} line \
-         segments); is it a mesh in this format?"
-    )]
-    NoFaces {
+    /// No triangle.
+    #[error("the mesh has no triangle ({vertices} vertices)")]
+    NoTriangles {
         /// How many vertices there are.
         vertices: usize,
-        /// How many line segments there are.
-        line_segments: u64,
     },
 }
 
-/// A named stretch of a mesh's triangles: an object or group of an OBJ, a node of a glTF.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Part {
-    /// The name in the file; empty where there is none.
-    pub name: String,
-    /// The triangles of the part; never empty.
-    pub triangles: Range<usize>,
-}
-
-/// What a file held besides triangles.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct NonTriangles {
-    /// Faces with four corners. Each was split into two triangles at its first corner.
-    pub quads: u64,
-    /// Faces with more corners. Each was split into a fan from its first corner.
-    pub polygons: u64,
-    /// Line segments. They were left out.
-    pub line_segments: u64,
-    /// Single points. They were left out.
-    pub points: u64,
-}
-
 impl TriMesh {
-    /// A mesh from positions and triangles, as one part without a name. O(n).
+    /// A mesh of positions and triangles, as one group without a name. O(n).
     ///
     /// # Errors
     ///
-    /// A position that is not finite, a triangle with a vertex that is not there, more than
-    /// `u32::MAX` vertices or triangles, or no triangle at all.
+    /// A position that is not finite, a triangle with a vertex that the mesh does not have, more
+    /// than `u32::MAX` vertices or triangles, or no triangle at all.
     pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, TriMeshError> {
-        let parts = vec![Part { name: String::new(), triangles: 0..triangles.len() }];
-        Self::with_parts(positions, triangles, parts, NonTriangles::default())
-    }
-
-    /// A mesh in several parts, which hold every triangle once, in order. O(n).
-    ///
-    /// # Errors
-    ///
-    /// As [`new`](Self::new).
-    pub fn with_parts(
-        positions: Vec<DVec3>,
-        triangles: Vec<[u32; 3]>,
-        mut parts: Vec<Part>,
-        non_triangles: NonTriangles,
-    ) -> Result<Self, TriMeshError> {
         let vertices = positions.len();
         if u32::try_from(vertices).is_err() {
             return Err(TriMeshError::TooManyVertices { vertices });
         }
-        if u32::try_from(triangles.len()).is_err() {
+        let Ok(triangle_count) = u32::try_from(triangles.len()) else {
             return Err(TriMeshError::TooManyTriangles { triangles: triangles.len() });
-        }
-        if triangles.is_empty() {
-            let line_segments = non_triangles.line_segments;
-            return Err(TriMeshError::NoFaces { vertices, line_segments });
+        };
+        if triangle_count == 0 {
+            return Err(TriMeshError::NoTriangles { vertices });
         }
         if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
             return Err(TriMeshError::NotFinite { vertex });
         }
-        for (triangle, corners) in triangles.iter().enumerate() {
-            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertices) {
-                return Err(TriMeshError::NoSuchVertex { triangle, vertex, vertices });
-            }
+        check_vertices("triangle", &triangles, vertices)?;
+        Ok(Self {
+            name: None,
+            positions,
+            triangles,
+            groups: vec![Group { name: String::new(), triangles: 0..triangle_count }],
+            segments: Vec::new(),
+            lines: Vec::new(),
+            polygons: None,
+            non_triangles: NonTriangles::default(),
+            degrees: OnceLock::new(),
+        })
+    }
+
+    /// The same mesh with a name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: Some(name.into()), ..self }
+    }
+
+    /// The same mesh in groups, which are to hold every triangle once, in order; empty ones are
+    /// left out.
+    ///
+    /// # Panics
+    ///
+    /// If the groups do not hold every triangle once, in order.
+    #[must_use]
+    pub fn with_groups(self, mut groups: Vec<Group>) -> Self {
+        groups.retain(|group| !group.triangles.is_empty());
+        let mut end = 0;
+        for group in &groups {
+            assert_eq!(group.triangles.start, end, "groups follow one another");
+            end = group.triangles.end;
         }
-        parts.retain(|part| !part.triangles.is_empty());
-        Ok(Self { positions, triangles, parts, non_triangles })
+        assert_eq!(end as usize, self.triangles.len(), "groups hold every triangle");
+        Self { groups, ..self }
+    }
+
+    /// The same mesh with lines, which are to hold every segment once, in order.
+    ///
+    /// # Errors
+    ///
+    /// A segment with a vertex that the mesh does not have.
+    ///
+    /// # Panics
+    ///
+    /// If the lines do not hold every segment once, in order.
+    pub fn with_lines(
+        self,
+        lines: Vec<Line>,
+        segments: Vec<[u32; 2]>,
+    ) -> Result<Self, TriMeshError> {
+        check_vertices("segment", &segments, self.positions.len())?;
+        let mut end = 0;
+        for line in &lines {
+            assert_eq!(line.segments.start, end, "lines follow one another");
+            end = line.segments.end;
+        }
+        assert_eq!(end as usize, segments.len(), "lines hold every segment");
+        Ok(Self { lines, segments, ..self })
+    }
+
+    /// The same mesh with the polygons that its triangles were cut from.
+    ///
+    /// # Panics
+    ///
+    /// If the polygons do not have as many triangles as the mesh, or not two corners more each.
+    #[must_use]
+    pub fn with_polygons(self, polygons: Polygons) -> Self {
+        let triangles = polygons.triangle_starts.last().map_or(0, |&count| count as usize);
+        assert_eq!(triangles, self.triangles.len(), "every triangle is of a polygon");
+        assert_eq!(polygons.corners.len(), triangles + 2 * polygons.count(), "k - 2 triangles");
+        Self { polygons: Some(polygons), ..self }
+    }
+
+    /// The same mesh, said to come from a file that held this besides triangles.
+    #[must_use]
+    pub fn with_non_triangles(self, non_triangles: NonTriangles) -> Self {
+        Self { non_triangles, ..self }
     }
 
     /// The positions of the vertices, in units of the file.
@@ -159,10 +251,41 @@ impl TriMesh {
         &self.triangles
     }
 
-    /// The parts, which hold every triangle once, in order.
+    /// The groups, which hold every triangle once, in order.
     #[must_use]
-    pub fn parts(&self) -> &[Part] {
-        &self.parts
+    pub fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    /// The segments of all [lines](Triangles::lines), one line after the other.
+    #[must_use]
+    pub fn segments(&self) -> &[[u32; 2]] {
+        &self.segments
+    }
+
+    /// The polygons that the triangles were cut from, if the file had others than triangles.
+    #[must_use]
+    pub fn polygons(&self) -> Option<&Polygons> {
+        self.polygons.as_ref()
+    }
+
+    /// What the file held besides triangles.
+    #[must_use]
+    pub fn non_triangles(&self) -> NonTriangles {
+        self.non_triangles
+    }
+
+    /// The number of edges at each vertex. O(n log d) for degrees of d, once.
+    #[must_use]
+    pub fn degrees(&self) -> &[u32] {
+        self.degrees.get_or_init(|| {
+            let mut degrees = vec![0; self.positions.len()];
+            let stars = Stars::new(self.positions.len(), &self.triangles);
+            stars.for_each(0..stars.count(), |vertex, star| {
+                degrees[vertex as usize] = star.degree() as u32;
+            });
+            degrees
+        })
     }
 
     /// The loops of edges that belong to one triangle only, in the order of their first
@@ -177,12 +300,95 @@ impl TriMesh {
     pub fn boundary_loops(&self) -> Vec<BoundaryLoop> {
         BoundaryEdges::new(&Stars::new(self.positions.len(), &self.triangles)).loops()
     }
+}
 
-    /// What the file held besides triangles.
-    #[must_use]
-    pub fn non_triangles(&self) -> NonTriangles {
-        self.non_triangles
+/// Two meshes are equal if they have the same points, triangles, names, groups, lines and polygons.
+impl PartialEq for TriMesh {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+            && self.positions == other.positions
+            && self.triangles == other.triangles
+            && self.groups == other.groups
+            && self.segments == other.segments
+            && self.lines == other.lines
+            && self.polygons == other.polygons
+            && self.non_triangles == other.non_triangles
     }
+}
+
+impl Positions for TriMesh {
+    fn vertex_count(&self) -> u32 {
+        // Checked when the mesh was made.
+        self.positions.len() as u32
+    }
+
+    fn fill_positions(&self, first: u32, out: &mut [DVec3]) {
+        out.copy_from_slice(&self.positions[first as usize..][..out.len()]);
+    }
+
+    fn bounds(&self) -> Bounds<DVec3> {
+        let none = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
+        Bounds::of_space(self.positions.iter().copied()).unwrap_or(none)
+    }
+}
+
+impl Triangles for TriMesh {
+    fn triangle_count(&self) -> u32 {
+        // Checked when the mesh was made.
+        self.triangles.len() as u32
+    }
+
+    fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
+        out.copy_from_slice(&self.triangles[first as usize..][..out.len()]);
+    }
+
+    fn fill_degrees(&self, first: u32, out: &mut [u32]) {
+        out.copy_from_slice(&self.degrees()[first as usize..][..out.len()]);
+    }
+
+    fn max_degree(&self) -> u32 {
+        self.degrees().iter().copied().max().unwrap_or(0)
+    }
+
+    /// +Z, if all vertices have the same z and no triangle is clockwise seen from there.
+    fn normal(&self) -> Option<DVec3> {
+        let z = self.positions.first()?.z;
+        let is_upward = |corners: &[u32; 3]| {
+            let [a, b, c] = corners.map(|vertex| self.positions[vertex as usize].truncate());
+            (b - a).perp_dot(c - a) >= 0.0
+        };
+        let is_flat = self.positions.iter().all(|position| position.z == z);
+        (is_flat && self.triangles.iter().all(is_upward)).then_some(DVec3::Z)
+    }
+
+    fn name(&self) -> Option<&str> {
+        self.name.as_deref()
+    }
+
+    fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    fn lines(&self) -> Cow<'_, [Line]> {
+        Cow::Borrowed(&self.lines)
+    }
+
+    fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
+        out.copy_from_slice(&self.segments[first as usize..][..out.len()]);
+    }
+}
+
+fn check_vertices<const N: usize>(
+    what: &'static str,
+    items: &[[u32; N]],
+    vertices: usize,
+) -> Result<(), TriMeshError> {
+    for (index, corners) in items.iter().enumerate() {
+        if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertices) {
+            return Err(TriMeshError::NoSuchVertex { what, index, vertex, vertices });
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -195,15 +401,11 @@ mod tests {
         let mut broken = square;
         broken[2].y = f64::NAN;
         for (positions, triangles, message) in [
-            (
-                square,
-                vec![],
-                "the file holds no triangle and no other face (4 vertices, 0 line segments); is it a mesh in this format?",
-            ),
+            (square, vec![], "the mesh has no triangle (4 vertices)"),
             (
                 square,
                 vec![[0, 1, 2], [0, 2, 4]],
-                "triangle 1 (counted from 0) has a vertex 4, and the mesh has 4 vertices",
+                "triangle 1 (counted from 0) names vertex 4 (counted from 0); the mesh has 4 vertices",
             ),
             (
                 broken,
@@ -214,5 +416,28 @@ mod tests {
             let error = TriMesh::new(positions.to_vec(), triangles).unwrap_err();
             assert_eq!(error.to_string(), message);
         }
+    }
+
+    #[test]
+    fn a_plane_that_faces_up_has_a_normal() {
+        let points = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let mesh = |points: [DVec3; 4], second| {
+            TriMesh::new(points.to_vec(), vec![[0, 1, 2], second]).unwrap()
+        };
+        assert_eq!(mesh(points, [0, 2, 3]).normal(), Some(DVec3::Z));
+        assert_eq!(mesh(points.map(|p| p + DVec3::Z), [0, 2, 3]).normal(), Some(DVec3::Z));
+        assert_eq!(mesh(points, [0, 3, 2]).normal(), None);
+        assert_eq!(mesh(points.map(|p| DVec3::new(p.x, 0.0, p.y)), [0, 2, 3]).normal(), None);
+    }
+
+    #[test]
+    fn polygons_know_their_corners() {
+        let points = (0..5).map(|i| DVec3::new(f64::from(i), f64::from(i * i), 0.0)).collect();
+        let polygons =
+            Polygons { triangle_starts: vec![0, 2, 3], corners: vec![0, 1, 2, 3, 0, 3, 4] };
+        let mesh = TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3], [0, 3, 4]]).unwrap();
+        let mesh = mesh.with_polygons(polygons);
+        let corners: Vec<&[u32]> = mesh.polygons().unwrap().iter().collect();
+        assert_eq!(corners, [&[0, 1, 2, 3][..], &[0, 3, 4]]);
     }
 }

@@ -5,7 +5,7 @@
 
 use crate::clock::rounds;
 use crate::{CONSTRUCTIONS, rectangle, table};
-use mindeg_geometry::{Domain, Mesh, Side, Spacing};
+use mindeg::{BoundaryMesh, Domain, Side, Spacing};
 use std::hint::black_box;
 
 pub(crate) fn print() {
@@ -33,13 +33,13 @@ pub(crate) fn print() {
         (name.to_owned(), Domain::rectangle(4.0, 3.0, sides).unwrap())
     });
     for (name, domain) in even.into_iter().chain(graded) {
-        let mesh = Mesh::least_degree(&domain).unwrap();
+        let mesh = BoundaryMesh::least_degree(&domain).unwrap();
         let mut points = Vec::with_capacity(mesh.vertex_count() as usize);
         let [with_one, with_all, angles, degrees, all_points] = rounds(
             3,
             [
-                &mut || drop(black_box(one.install(|| Mesh::least_degree(&domain)))),
-                &mut || drop(black_box(Mesh::least_degree(&domain))),
+                &mut || drop(black_box(one.install(|| BoundaryMesh::least_degree(&domain)))),
+                &mut || drop(black_box(BoundaryMesh::least_degree(&domain))),
                 &mut || {
                     black_box(mesh.angle_range());
                 },

@@ -7,7 +7,7 @@
 
 use crate::clock::rounds;
 use crate::{CONSTRUCTIONS, rectangle, table};
-use mindeg_geometry::Mesh;
+use mindeg::BoundaryMesh;
 use rayon::prelude::*;
 use std::cell::RefCell;
 use std::hint::black_box;
@@ -30,7 +30,7 @@ pub(crate) fn print() {
     for count in [10_000, 1_000_000, 100_000_000] {
         let mut buffer = vec![[1; 3]; count as usize];
         for (name, percent) in CONSTRUCTIONS {
-            let mesh = Mesh::least_degree(&rectangle(count, percent)).unwrap();
+            let mesh = BoundaryMesh::least_degree(&rectangle(count, percent)).unwrap();
             one.install(|| mesh.fill_triangles(0, &mut buffer));
             let by_one = checksum(&buffer);
             mesh.fill_triangles(0, &mut buffer);
@@ -63,7 +63,7 @@ struct Times {
 }
 
 /// The times with all threads of the current pool.
-fn times(mesh: &Mesh, buffer: &mut [[u32; 3]], often: u32) -> Times {
+fn times(mesh: &BoundaryMesh, buffer: &mut [[u32; 3]], often: u32) -> Times {
     let part = buffer.len().div_ceil(rayon::current_num_threads());
     // Each needs the buffer for itself, one at a time.
     let buffer = RefCell::new(buffer);
@@ -94,7 +94,7 @@ fn checksum(triangles: &[[u32; 3]]) -> u64 {
 }
 
 /// Nanoseconds for a triangle by its number, in an order that no cache foresees.
-fn at_random(mesh: &Mesh) -> f64 {
+fn at_random(mesh: &BoundaryMesh) -> f64 {
     const CALLS: u32 = 100_000;
     let count = u64::from(mesh.triangle_count());
     let mut state = 1_u64;

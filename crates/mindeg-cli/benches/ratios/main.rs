@@ -20,7 +20,7 @@ mod readers;
 mod table;
 mod writers;
 
-use mindeg_geometry::{Domain, Mesh, Side};
+use mindeg::{BoundaryMesh, Domain, Side};
 
 fn main() {
     let parts: [(&str, fn()); 5] = [
@@ -56,6 +56,6 @@ fn rectangle(triangles: u64, percent: [u64; 4]) -> Domain {
     Domain::rectangle(4.0, 3.0, sides.map(Side::count).into()).unwrap()
 }
 
-fn even(triangles: u64) -> Mesh {
-    Mesh::least_degree(&rectangle(triangles, [25; 4])).unwrap()
+fn even(triangles: u64) -> BoundaryMesh {
+    BoundaryMesh::least_degree(&rectangle(triangles, [25; 4])).unwrap()
 }

@@ -5,9 +5,9 @@
 
 use crate::clock::rounds;
 use crate::{even, table};
-use mindeg_geometry::export::{SurfaceOptions, gltf, obj};
-use mindeg_geometry::import;
-use mindeg_geometry::inspection::{Inspection, InspectionOptions};
+use mindeg::inspection::{Inspection, InspectionOptions};
+use mindeg_formats::{ReadError, SurfaceOptions, glb, obj};
+use mindeg_mesh::TriMesh;
 use std::hint::black_box;
 
 pub(crate) fn print() {
@@ -18,18 +18,14 @@ pub(crate) fn print() {
     let options = SurfaceOptions::default();
     let mut file = Vec::new();
     obj::write(&mesh, &options, &mut file).unwrap();
-    print_row("OBJ, tobj", || drop(with_tobj(&file)), || import::obj::read(&file[..]));
+    print_row("OBJ, tobj", || drop(with_tobj(&file)), || obj::read(&file[..]));
     file.clear();
-    gltf::write_glb(&mesh, &options, &mut file).unwrap();
+    glb::write(&mesh, &options, &mut file).unwrap();
     let no_files = |_: &str| Err(std::io::ErrorKind::Unsupported.into());
-    print_row("GLB, gltf", || drop(with_gltf(&file)), || import::gltf::read(&file[..], no_files));
+    print_row("GLB, gltf", || drop(with_gltf(&file)), || glb::read(&file[..], no_files));
 }
 
-fn print_row(
-    name: &str,
-    library: impl Fn(),
-    read: impl Fn() -> Result<import::TriMesh, import::ImportError>,
-) {
+fn print_row(name: &str, library: impl Fn(), read: impl Fn() -> Result<TriMesh, ReadError>) {
     let mesh = read().unwrap();
     let options = InspectionOptions::default();
     let [library, reads, inspects] = rounds(

@@ -3,8 +3,8 @@
 
 use crate::clock::rounds;
 use crate::{even, table};
-use mindeg_geometry::Mesh;
-use mindeg_geometry::export::{SurfaceOptions, gltf, obj};
+use mindeg::BoundaryMesh;
+use mindeg_formats::{SurfaceOptions, glb, obj};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
@@ -49,7 +49,7 @@ pub(crate) fn print() {
         );
         print_row("OBJ", count, bytes.len(), raw, ours, 0.5, Some(naive));
 
-        let write_glb = |file| gltf::write_glb(&mesh, &options, file).unwrap();
+        let write_glb = |file| glb::write(&mesh, &options, file).unwrap();
         let bytes = written(&write_glb);
         let [raw, ours] = rounds(
             often,
@@ -98,7 +98,7 @@ fn write_raw(bytes: &[u8], mut file: File) {
 }
 
 /// An OBJ writer without a thought for speed.
-fn jot_down(mesh: &Mesh, file: File) -> io::Result<()> {
+fn jot_down(mesh: &BoundaryMesh, file: File) -> io::Result<()> {
     let mut out = BufWriter::new(file);
     writeln!(out, "# mindeg {}", env!("CARGO_PKG_VERSION"))?;
     let (vertices, triangles) = (mesh.vertex_count(), mesh.triangle_count());

@@ -1,9 +1,9 @@
 //! The findings in the words of the JSON output, which `docs/inspect.md` explains.
 
+use mindeg::inspection::Inspection;
+use mindeg::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
 use mindeg_core::{Boundary, optimal_max_degree};
-use mindeg_geometry::import::TriMesh;
-use mindeg_geometry::inspection::Inspection;
-use mindeg_geometry::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
+use mindeg_mesh::TriMesh;
 use serde::Serialize;
 use std::collections::BTreeMap;
 

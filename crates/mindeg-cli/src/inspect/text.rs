@@ -1,8 +1,8 @@
 //! The findings as people read them: what is wrong first.
 
 use super::report::{Report, Spread};
-use mindeg_geometry::inspection::{Inspection, InspectionOptions, NoConvexOutline};
-use mindeg_geometry::quality::METRICS;
+use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
+use mindeg::quality::METRICS;
 use std::fmt::{Display, Write};
 
 /// How many of a kind are named one by one.

@@ -5,13 +5,15 @@
 //! Limits: a method past its time limit is given up. Ear clipping is another crate's loop and
 //! cannot be told to stop: its thread runs on unheeded until it is done or the program ends.
 
-mod delaunay;
 mod ear_clipping;
 mod fan;
 mod ties;
 
 use glam::DVec2;
 use mindeg_core::Boundary;
+use mindeg_delaunay::DelaunayError;
+use mindeg_mesh::{Progress, Step};
+use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -73,37 +75,9 @@ pub enum NoTriangulation {
          intervals, or two neighboring sides of 1 interval each"
     )]
     EveryFanIsFlat,
-    /// Delaunay: a coordinate for which the predicates are not exact.
-    #[error(
-        "vertex {vertex} has a coordinate that is neither 0 nor of magnitude 1.8e-43 to 3.2e60, \
-         where the predicates are exact; use another unit of length"
-    )]
-    CoordinateOutOfRange {
-        /// The first such vertex.
-        vertex: u32,
-    },
-    /// Delaunay: two vertices have the same position in f64.
-    #[error(
-        "vertices {} and {} coincide once their coordinates are rounded to f64; use fewer \
-         intervals there, or an origin near the domain",
-        vertices[0],
-        vertices[1]
-    )]
-    CoincidentPoints {
-        /// The vertices.
-        vertices: [u32; 2],
-    },
-    /// Delaunay: the boundary through the rounded points crosses itself.
-    #[error(
-        "the boundary edge from {} to {} crosses another once coordinates are rounded to f64; \
-         use fewer intervals there, or an origin near the domain",
-        edge[0],
-        edge[1]
-    )]
-    CrossingBoundary {
-        /// The edge, counter-clockwise.
-        edge: [u32; 2],
-    },
+    /// Delaunay: points without a triangulation.
+    #[error(transparent)]
+    Delaunay(DelaunayError),
     /// The crate behind the method failed.
     #[error("the {library} library failed on these points")]
     LibraryFailed {
@@ -217,7 +191,7 @@ impl Reference {
         deadline: Deadline,
     ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
         match self {
-            Self::Delaunay => delaunay::triangulate(boundary, points, deadline),
+            Self::Delaunay => delaunay(boundary, points, deadline),
             Self::EarClipping => Ok(ear_clipping::triangulate(points)),
             Self::Fan => fan::triangulate(boundary),
         }
@@ -240,20 +214,29 @@ struct Deadline {
     time_limit: Duration,
 }
 
-impl Deadline {
-    fn check(self) -> Result<(), NoTriangulation> {
-        if self.at.is_some_and(|at| Instant::now() >= at) {
-            return Err(NoTriangulation::TimeLimit { limit: self.time_limit });
-        }
-        Ok(())
-    }
+/// A Delaunay triangulation, unless the deadline comes first.
+fn delaunay(
+    boundary: &Boundary,
+    points: &[DVec2],
+    deadline: Deadline,
+) -> Result<Vec<[u32; 3]>, NoTriangulation> {
+    let corners: Vec<u32> = (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
+    let in_time = |_: Step<'_>| match deadline.at {
+        Some(at) if Instant::now() >= at => ControlFlow::Break(()),
+        _ => ControlFlow::Continue(()),
+    };
+    let triangles = mindeg_delaunay::of_boundary(points, &corners, Progress::new(&in_time));
+    triangles.map_err(|error| match error {
+        DelaunayError::Cancelled(_) => NoTriangulation::TimeLimit { limit: deadline.time_limit },
+        error => NoTriangulation::Delaunay(error),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg::{Domain, Side};
     use mindeg_core::verify;
-    use mindeg_geometry::{Domain, Side};
 
     fn triangulate(
         reference: Reference,

@@ -69,7 +69,7 @@ fn is_tie([a, b, c, d]: [DVec2; 4], rounding: f64) -> bool {
 mod tests {
     use super::*;
     use crate::Reference;
-    use mindeg_geometry::{Domain, Outline, Rectangle, Side};
+    use mindeg::{Domain, Outline, Rectangle, Side};
     use std::time::Duration;
 
     fn ties(rectangle: Rectangle, sides: [u64; 4]) -> u32 {

@@ -37,7 +37,7 @@ const MAX_SIDES_LISTED: usize = 12;
 ///
 /// ```
 /// use mindeg_compare::{Options, compare, write_html};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let mut page = Vec::new();
@@ -245,7 +245,7 @@ pub(super) fn html_table(table: &Table, level: u8) -> String {
 mod tests {
     use super::*;
     use crate::{Options, compare};
-    use mindeg_geometry::{Domain, Side};
+    use mindeg::{Domain, Side};
 
     #[test]
     fn parts_are_put_in_once() {

@@ -33,7 +33,7 @@ const COLUMNS: [(&str, &str); 8] = [
 ///
 /// ```
 /// use mindeg_compare::{IndexEntry, Options, compare, write_index};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let comparison = compare(&domain, &Options::default())?;

@@ -17,7 +17,7 @@ use std::io::{self, Write};
 ///
 /// ```
 /// use mindeg_compare::{Options, compare, write_markdown};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let mut markdown = Vec::new();

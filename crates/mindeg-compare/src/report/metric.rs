@@ -1,7 +1,7 @@
 //! The measures a report shows, and how it speaks of them.
 
 use super::{Distribution, MetricFigures};
-use mindeg_geometry::quality::{METRICS, Metric};
+use mindeg::quality::{METRICS, Metric};
 
 /// A measure in a report.
 #[derive(Clone, Copy)]

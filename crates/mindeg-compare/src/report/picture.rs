@@ -14,7 +14,7 @@ use crate::{Comparison, MINDEG, Reference, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
-use mindeg_geometry::export::degree_color;
+use mindeg_formats::degree_color;
 use serde::Serialize;
 
 /// The most triangles of one method in a picture.

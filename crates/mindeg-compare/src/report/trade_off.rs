@@ -11,8 +11,8 @@ pub use html::write_trade_off_html;
 pub(super) use html::{PLOT_STYLE, curve};
 pub use svg::write_trade_off_svg;
 
-use crate::exact::TradeOff;
-use mindeg_geometry::export::{ExportError, degree_color};
+use mindeg::exact::TradeOff;
+use mindeg_formats::{WriteError, degree_color};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -23,7 +23,7 @@ use std::io::{self, Write};
 ///
 /// ```
 /// use mindeg_compare::{TradeOffFigures, exact};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 /// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
@@ -55,7 +55,7 @@ impl TradeOffFigures {
     /// The figures of a trade-off.
     #[must_use]
     pub fn of(trade_off: &TradeOff) -> Self {
-        let point = |exact: &crate::exact::ExactMesh| TradeOffPoint {
+        let point = |exact: &mindeg::exact::ExactMesh| TradeOffPoint {
             max_degree: exact.max_degree,
             min_angle: exact.min_angle,
             exact: true,
@@ -95,9 +95,9 @@ fn colored_degrees(trade_off: &TradeOff) -> impl Iterator<Item = (String, String
 }
 
 /// What a picture of a mesh cannot fail at but writing: exact meshes are small enough for any.
-fn only_io(error: ExportError) -> io::Error {
+fn only_io(error: WriteError) -> io::Error {
     match error {
-        ExportError::Io(error) => error,
+        WriteError::Io(error) => error,
         other => io::Error::other(other),
     }
 }

@@ -5,11 +5,11 @@
 use super::super::html::{escaped, facts, filled, head, html_table};
 use super::super::tables::Table;
 use super::{colored_degrees, only_io, plot, spread};
-use crate::exact::{ExactMesh, TradeOff};
 use crate::number_format::{count, percent, steady_angle};
 use glam::DVec2;
-use mindeg_geometry::Bounds;
-use mindeg_geometry::export::svg::Inset;
+use mindeg::Bounds;
+use mindeg::exact::{ExactMesh, TradeOff};
+use mindeg_formats::svg::Inset;
 use std::io::{self, Write};
 
 const PAGE: &str = include_str!("page.html");
@@ -36,7 +36,7 @@ const MARGIN: f64 = 9.0;
 ///
 /// ```
 /// use mindeg_compare::{exact, write_trade_off_html};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 /// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;

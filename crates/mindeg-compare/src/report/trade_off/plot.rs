@@ -5,10 +5,10 @@
 //!
 //! Limits: of labels that would run into one another, only every so many are there.
 
-use crate::exact::{ExactMesh, TradeOff};
 use crate::number_format::{count, percent, significant, steady_angle};
 use glam::DVec2;
-use mindeg_geometry::Bounds;
+use mindeg::Bounds;
+use mindeg::exact::{ExactMesh, TradeOff};
 use std::fmt::Write;
 
 /// Room for numbers left of the axis and below it, and for a name right of the ceiling.

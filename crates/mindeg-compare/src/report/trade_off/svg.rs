@@ -4,11 +4,11 @@
 
 use super::super::html::escaped;
 use super::{colored_degrees, only_io, plot, spread};
-use crate::exact::TradeOff;
 use crate::number_format::{count, percent, steady_angle};
 use glam::DVec2;
-use mindeg_geometry::Bounds;
-use mindeg_geometry::export::svg::{self, Inset};
+use mindeg::Bounds;
+use mindeg::exact::TradeOff;
+use mindeg_formats::svg::{self, Inset};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -48,7 +48,7 @@ const STYLE: &str = "\
 ///
 /// ```
 /// use mindeg_compare::{exact, write_trade_off_svg};
-/// use mindeg_geometry::{Domain, Side};
+/// use mindeg::{Domain, Side};
 /// use mindeg_exact::unwatched;
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;

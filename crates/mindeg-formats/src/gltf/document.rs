@@ -1,0 +1,287 @@
+//! The JSON half of a glTF: what the bytes of the binary mean.
+
+use super::positions::Stored;
+use crate::{GENERATOR, SurfaceOptions, mesh_name};
+use glam::{DVec3, Vec3};
+use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
+use gltf_json::buffer::{Target, View};
+use gltf_json::material::{PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
+use gltf_json::mesh::{Mode, Primitive, Semantic};
+use gltf_json::validation::Checked::{self, Valid};
+use gltf_json::validation::USize64;
+use gltf_json::{Accessor, Asset, Buffer, Index, Material, Node, Root, Scene, Value};
+use mindeg_mesh::{Bounds, Mesh};
+use std::collections::BTreeMap;
+
+/// Surface and line colors in linear light: a pale steel that shades well, and near black.
+const SURFACE: [f32; 4] = [0.6, 0.68, 0.8, 1.0];
+const LINE: [f32; 4] = [0.02, 0.02, 0.02, 1.0];
+const WHITE: [f32; 4] = [1.0; 4];
+
+/// Which arrays the binary has, and how long they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Layout {
+    pub(super) vertices: u32,
+    pub(super) triangles: u32,
+    /// 0 unless lines are wanted.
+    pub(super) segments: u32,
+    pub(super) normals: bool,
+    pub(super) texture_coordinates: bool,
+    pub(super) degree_colors: bool,
+}
+
+impl Layout {
+    pub(super) fn new(mesh: &dyn Mesh, options: &SurfaceOptions) -> Self {
+        let layout = Self::in_plane(mesh.vertex_count(), mesh.triangle_count(), options);
+        let segments = mesh.lines().last().map_or(0, |line| line.segments.end);
+        Self {
+            segments: if options.boundary_lines { segments } else { 0 },
+            texture_coordinates: layout.texture_coordinates && mesh.normal().is_some(),
+            ..layout
+        }
+    }
+
+    /// The layout of a mesh in the plane, without lines.
+    pub(super) fn in_plane(vertices: u32, triangles: u32, options: &SurfaceOptions) -> Self {
+        let SurfaceOptions { normals, texture_coordinates, degree_colors, .. } = *options;
+        Self { vertices, triangles, segments: 0, normals, texture_coordinates, degree_colors }
+    }
+
+    /// Whether indices take 32 bits: the largest 16-bit number restarts primitives, and so may
+    /// not be an index.
+    pub(super) fn has_wide_indices(&self) -> bool {
+        self.vertices > u32::from(u16::MAX)
+    }
+
+    /// The bytes a vertex takes in each of the arrays that go before the indices: position,
+    /// normal, texture coordinates, color. All are multiples of four, so that arrays laid one
+    /// after the other are aligned.
+    fn vertex_sizes(&self) -> [u64; 4] {
+        let size = |wanted, size| if wanted { size } else { 0 };
+        let Self { normals, texture_coordinates, degree_colors, .. } = *self;
+        [12, size(normals, 12), size(texture_coordinates, 8), size(degree_colors, 4)]
+    }
+
+    /// The length of the binary in bytes, without building it.
+    pub(super) fn binary_len(&self) -> u64 {
+        let indices = 3 * u64::from(self.triangles) + 2 * u64::from(self.segments);
+        let index_size = if self.has_wide_indices() { 4 } else { 2 };
+        u64::from(self.vertices) * self.vertex_sizes().iter().sum::<u64>() + indices * index_size
+    }
+}
+
+/// The document of a mesh whose binary is at `uri`, or in the same file.
+pub(super) fn document(
+    mesh: &dyn Mesh,
+    layout: &Layout,
+    stored: &Stored,
+    uri: Option<String>,
+) -> Root {
+    let mut document = Document { layout: *layout, root: Root::default(), binary_len: 0 };
+    let attributes = document.vertex_arrays(stored.range);
+    let indices = document.index_view();
+    let material = document.material(if layout.degree_colors { WHITE } else { SURFACE });
+
+    let groups = mesh.groups();
+    let mut children = Vec::new();
+    let mut surface = if groups.len() < 2 {
+        let accessor = document.indices(indices, 0, 3 * u64::from(layout.triangles));
+        let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
+        document.node(mesh_name(mesh), primitive)
+    } else {
+        for (group, number) in groups.iter().zip(1..) {
+            let count = 3 * group.triangles.len() as u64;
+            let accessor = document.indices(indices, 3 * u64::from(group.triangles.start), count);
+            let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
+            let unnamed = format!("group {number}");
+            let name = if group.name.is_empty() { &unnamed } else { &group.name };
+            let node = document.node(name, primitive);
+            children.push(document.root.push(node));
+        }
+        Node { name: Some(mesh_name(mesh).to_owned()), ..Default::default() }
+    };
+    surface.translation = stored.translation();
+    if layout.segments > 0 {
+        children.extend(document.lines(mesh, attributes, indices));
+    }
+    surface.children = (!children.is_empty()).then_some(children);
+    document.finish(surface, uri)
+}
+
+type Attributes = BTreeMap<Checked<Semantic>, Index<Accessor>>;
+
+/// A document under construction.
+struct Document {
+    layout: Layout,
+    root: Root,
+    /// The bytes of the binary that have a meaning so far.
+    binary_len: u64,
+}
+
+impl Document {
+    /// An array that follows what is in the binary so far.
+    fn view(&mut self, len: u64, target: Target) -> Index<View> {
+        let byte_offset = Some(USize64(self.binary_len));
+        self.binary_len += len;
+        self.root.push(View {
+            buffer: Index::new(0),
+            byte_length: USize64(len),
+            byte_offset,
+            byte_stride: None,
+            name: None,
+            target: Some(Valid(target)),
+            extensions: None,
+            extras: None,
+        })
+    }
+
+    fn accessor(
+        &mut self,
+        view: Index<View>,
+        (offset, count): (u64, u64),
+        (type_, component): (Type, ComponentType),
+    ) -> Index<Accessor> {
+        self.root.push(Accessor {
+            buffer_view: Some(view),
+            byte_offset: Some(USize64(offset)),
+            count: USize64(count),
+            component_type: Valid(GenericComponentType(component)),
+            type_: Valid(type_),
+            // Colors are the one array of bytes, and they stand for fractions.
+            normalized: component == ComponentType::U8,
+            min: None,
+            max: None,
+            name: None,
+            sparse: None,
+            extensions: None,
+            extras: None,
+        })
+    }
+
+    /// The arrays with an entry for every vertex, in the order of [`Layout::vertex_sizes`].
+    fn vertex_arrays(&mut self, range: Bounds<DVec3>) -> Attributes {
+        let kinds = [
+            (Semantic::Positions, Type::Vec3, ComponentType::F32),
+            (Semantic::Normals, Type::Vec3, ComponentType::F32),
+            (Semantic::TexCoords(0), Type::Vec2, ComponentType::F32),
+            (Semantic::Colors(0), Type::Vec4, ComponentType::U8),
+        ];
+        let count = u64::from(self.layout.vertices);
+        let mut attributes = Attributes::new();
+        for ((semantic, type_, component), size) in
+            kinds.into_iter().zip(self.layout.vertex_sizes())
+        {
+            if size > 0 {
+                let view = self.view(size * count, Target::ArrayBuffer);
+                let accessor = self.accessor(view, (0, count), (type_, component));
+                attributes.insert(Valid(semantic), accessor);
+            }
+        }
+        // Positions are the first array there is.
+        if let Some(positions) = self.root.accessors.first_mut() {
+            positions.min = Some(numbers(range.min.as_vec3()));
+            positions.max = Some(numbers(range.max.as_vec3()));
+        }
+        attributes
+    }
+
+    /// The array of all indices.
+    fn index_view(&mut self) -> Index<View> {
+        let len = self.layout.binary_len() - self.binary_len;
+        self.view(len, Target::ElementArrayBuffer)
+    }
+
+    fn indices(&mut self, view: Index<View>, first: u64, count: u64) -> Index<Accessor> {
+        let wide = self.layout.has_wide_indices();
+        let component = if wide { ComponentType::U32 } else { ComponentType::U16 };
+        let offset = first * component.size() as u64;
+        self.accessor(view, (offset, count), (Type::Scalar, component))
+    }
+
+    /// A node for each line. Its segments follow the triangles.
+    fn lines(
+        &mut self,
+        mesh: &dyn Mesh,
+        mut attributes: Attributes,
+        indices: Index<View>,
+    ) -> Vec<Index<Node>> {
+        attributes.retain(|semantic, _| *semantic == Valid(Semantic::Positions));
+        let material = self.material(LINE);
+        let after_triangles = 3 * u64::from(self.layout.triangles);
+        let mut nodes = Vec::new();
+        for line in mesh.lines().iter() {
+            let first = after_triangles + 2 * u64::from(line.segments.start);
+            let accessor = self.indices(indices, first, 2 * line.segments.len() as u64);
+            let primitive = primitive(Mode::Lines, attributes.clone(), accessor, material);
+            let node = self.node(&line.name, primitive);
+            nodes.push(self.root.push(node));
+        }
+        nodes
+    }
+
+    fn material(&mut self, color: [f32; 4]) -> Index<Material> {
+        self.root.push(Material {
+            double_sided: true,
+            pbr_metallic_roughness: PbrMetallicRoughness {
+                base_color_factor: PbrBaseColorFactor(color),
+                metallic_factor: StrengthFactor(0.0),
+                roughness_factor: StrengthFactor(1.0),
+                ..Default::default()
+            },
+            ..Default::default()
+        })
+    }
+
+    fn node(&mut self, name: &str, primitive: Primitive) -> Node {
+        let mesh = self.root.push(gltf_json::Mesh {
+            name: Some(name.to_owned()),
+            primitives: vec![primitive],
+            weights: None,
+            extensions: None,
+            extras: None,
+        });
+        Node { name: Some(name.to_owned()), mesh: Some(mesh), ..Default::default() }
+    }
+
+    fn finish(mut self, node: Node, uri: Option<String>) -> Root {
+        let node = self.root.push(node);
+        let scene = Scene { nodes: vec![node], name: None, extensions: None, extras: None };
+        self.root.scene = Some(self.root.push(scene));
+        self.root.push(Buffer {
+            byte_length: USize64(self.binary_len),
+            uri,
+            name: None,
+            extensions: None,
+            extras: None,
+        });
+        self.root.asset = Asset { generator: Some(GENERATOR.to_owned()), ..Default::default() };
+        self.root
+    }
+}
+
+fn primitive(
+    mode: Mode,
+    attributes: Attributes,
+    indices: Index<Accessor>,
+    material: Index<Material>,
+) -> Primitive {
+    Primitive {
+        attributes,
+        indices: Some(indices),
+        material: Some(material),
+        mode: Valid(mode),
+        targets: None,
+        extensions: None,
+        extras: None,
+    }
+}
+
+/// The three numbers as JSON: whole ones without a fraction, and the rest as the exact value
+/// of the 32-bit float.
+fn numbers(vector: Vec3) -> Value {
+    let number = |value: f32| {
+        let whole = value as i64;
+        if whole as f32 == value { Value::from(whole) } else { Value::from(value) }
+    };
+    vector.to_array().map(number).to_vec().into()
+}

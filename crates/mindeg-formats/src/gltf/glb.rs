@@ -1,0 +1,128 @@
+//! glTF 2.0 in one binary file, a `.glb`.
+
+use super::document::Layout;
+use super::positions::Stored;
+use super::write::Arrays;
+use crate::sections::{Section, write_sections};
+use crate::{SurfaceOptions, WriteError};
+use mindeg_mesh::Mesh;
+use std::io::{self, Write};
+
+pub use super::read::read;
+
+/// Writes a mesh as one binary file. Time and memory are those of
+/// [`gltf::write`](super::write()).
+///
+/// # Errors
+///
+/// Before the first byte: those of [`Stored::new`], and
+/// [`TooLargeForGlb`](WriteError::TooLargeForGlb). After it: those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{SurfaceOptions, glb, obj};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n".as_bytes())?;
+/// let mut file = Vec::new();
+/// glb::write(&mesh, &SurfaceOptions::default(), &mut file)?;
+/// assert!(file.starts_with(b"glTF"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(mesh: &dyn Mesh, options: &SurfaceOptions, out: impl Write) -> Result<(), WriteError> {
+    let stored = Stored::new(mesh, options.plane)?;
+    write_stored(mesh, &stored, options, out)
+}
+
+/// [`write`](write()), of a mesh whose positions have been looked at before.
+///
+/// # Errors
+///
+/// As [`write`](write()), but for those of [`Stored::new`].
+pub fn write_stored(
+    mesh: &dyn Mesh,
+    stored: &Stored,
+    options: &SurfaceOptions,
+    mut out: impl Write,
+) -> Result<(), WriteError> {
+    let arrays = Arrays::new(mesh, stored, options);
+    let len = arrays.layout.binary_len();
+    let mut sections = vec![Section::bytes(head(&arrays)?)];
+    sections.extend(arrays.sections());
+    let padding = len.next_multiple_of(4) - len;
+    sections.push(Section::bytes(&[0; 3][..padding as usize]));
+    write_sections(&mut out, &sections)?;
+    Ok(out.flush()?)
+}
+
+/// The length of the file in bytes. O(1) but for a mesh's groups and lines.
+///
+/// # Errors
+///
+/// [`TooLargeForGlb`](WriteError::TooLargeForGlb).
+pub fn file_len(
+    mesh: &dyn Mesh,
+    stored: &Stored,
+    options: &SurfaceOptions,
+) -> Result<u64, WriteError> {
+    let arrays = Arrays::new(mesh, stored, options);
+    Ok(head(&arrays)?.len() as u64 + arrays.layout.binary_len().next_multiple_of(4))
+}
+
+/// Refuses a mesh in the plane that takes more than a `.glb` holds, lines apart. O(1); the mesh
+/// need not exist yet.
+///
+/// # Errors
+///
+/// [`TooLargeForGlb`](WriteError::TooLargeForGlb). What passes here can be refused by a few
+/// bytes all the same when names and numbers are known.
+pub fn check_size(
+    vertices: u32,
+    triangles: u32,
+    options: &SurfaceOptions,
+) -> Result<(), WriteError> {
+    let layout = Layout::in_plane(vertices, triangles, options);
+    len(0, layout.binary_len().next_multiple_of(4)).map(|_| ())
+}
+
+/// What goes before the arrays.
+fn head(arrays: &Arrays<'_>) -> Result<Vec<u8>, WriteError> {
+    let mut json = arrays.document(None).to_vec().map_err(io::Error::from)?;
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let binary = arrays.layout.binary_len().next_multiple_of(4);
+    let len = len(json.len() as u64, binary)?;
+
+    let mut head = Vec::from(*b"glTF");
+    head.extend_from_slice(&2_u32.to_le_bytes());
+    head.extend_from_slice(&len.to_le_bytes());
+    // Neither chunk is longer than the file.
+    head.extend_from_slice(&(json.len() as u32).to_le_bytes());
+    head.extend_from_slice(b"JSON");
+    head.extend_from_slice(&json);
+    head.extend_from_slice(&(binary as u32).to_le_bytes());
+    head.extend_from_slice(b"BIN\0");
+    Ok(head)
+}
+
+/// The length of a `.glb` whose chunks have these lengths.
+fn len(json: u64, binary: u64) -> Result<u32, WriteError> {
+    const HEADERS: u64 = 12 + 8 + 8;
+    let bytes = HEADERS + json + binary;
+    u32::try_from(bytes).map_err(|_| WriteError::TooLargeForGlb { bytes })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_glb_ends_where_its_length_does() {
+        assert_eq!(len(1000, (1 << 32) - 1032).unwrap(), u32::MAX - 3);
+        let error = len(1000, (1 << 32) - 1028).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "a .glb holds 4 GiB at most, and this mesh would take at least 4294967296 bytes; write \
+             a .gltf with its .bin or an OBJ, which may be larger, or use fewer intervals"
+        );
+    }
+}

@@ -1,0 +1,44 @@
+//! Triangle meshes in and out of files.
+//!
+//! One module a format, reader and writer side by side: [`obj`], [`gltf`] and [`glb`], and [`svg`]
+//! for pictures. Every reader gives a [`TriMesh`](mindeg_mesh::TriMesh), every writer takes any
+//! [`Mesh`](mindeg_mesh::Mesh): so what was read can be written in any format.
+//!
+//! ```
+//! use mindeg_formats::{SurfaceOptions, glb, obj};
+//!
+//! let file = "o roof\nv 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nf 1 2 3 4\n";
+//! let mesh = obj::read(file.as_bytes())?;
+//! let mut binary = Vec::new();
+//! glb::write(&mesh, &SurfaceOptions::default(), &mut binary)?;
+//! assert!(binary.starts_with(b"glTF"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Writers take an [`std::io::Write`] and stream: they ask the mesh for one block at a time, so
+//! memory does not grow with a mesh that is a formula, and they need no buffering around
+//! them. The bytes depend on the mesh and the options alone. Writers never compute connectivity.
+//! Readers take an [`std::io::Read`] or [`std::io::BufRead`]. A malformed file is an error that says
+//! what is wrong and where, never a panic. Files, paths and their replacement are the caller's.
+
+pub mod degree_color;
+mod error;
+mod format;
+pub mod gltf;
+pub mod obj;
+mod options;
+mod sections;
+pub mod svg;
+
+pub use self::gltf::glb;
+pub use error::{ReadError, WriteError};
+pub use format::Format;
+pub use options::{Plane, SurfaceOptions};
+
+/// The program and its version, as files name their maker.
+const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));
+
+/// The name of a mesh in a file.
+fn mesh_name(mesh: &dyn mindeg_mesh::Mesh) -> &str {
+    mesh.name().unwrap_or("mesh")
+}

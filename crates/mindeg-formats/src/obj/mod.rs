@@ -1,0 +1,19 @@
+//! Wavefront OBJ.
+//!
+//! One object for the surface; on request one more for each side, holding the boundary
+//! segments `l a b` of that side, since readers take a surface that shares its object with
+//! lines for lines. A vertex has a normal and texture coordinates of its own under its own
+//! number, so that `f i/i/i` never makes a reader split a vertex. Numbers are the shortest
+//! decimals that read back as the same `f64` (`f32` for texture coordinates and colors, of
+//! which no reader keeps more); negative zero is written `0`. Vertex numbers
+//! start at 1 in the file and nowhere else.
+//!
+//! Limits: an OBJ has no units and no up axis. Vertex colors, on request, follow the
+//! coordinates as `v x y z r g b`, a common extension that some readers reject.
+
+mod numbers;
+mod read;
+mod write;
+
+pub use read::read;
+pub use write::{estimated_len, write};

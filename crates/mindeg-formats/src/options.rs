@@ -1,0 +1,78 @@
+//! What a surface file holds besides points and triangles, and how it lies.
+
+use glam::{DVec2, DVec3};
+use mindeg_mesh::Bounds;
+
+/// What a surface file (OBJ, glTF) holds besides points and triangles, and how it lies.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{Plane, SurfaceOptions};
+///
+/// let options = SurfaceOptions { boundary_lines: true, ..SurfaceOptions::default() };
+/// assert!(options.normals && options.texture_coordinates && !options.degree_colors);
+/// assert_eq!(options.plane, Plane::Xy);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SurfaceOptions {
+    /// A unit normal for every vertex. On by default: some viewers show nothing useful without.
+    pub normals: bool,
+    /// Texture coordinates for every vertex: its position in the bounding box, so that an
+    /// image laid over the box is neither turned nor mirrored. On by default.
+    pub texture_coordinates: bool,
+    /// A color for every vertex, by its degree ([`degree_color`](crate::degree_color)). Off by default: some OBJ
+    /// readers reject vertex colors.
+    pub degree_colors: bool,
+    /// The boundary as line segments, one object for each side, named after it. Off by
+    /// default: some readers take the lines of a glTF for degenerate triangles, and MeshLab
+    /// 2025.7 can crash on them.
+    pub boundary_lines: bool,
+    /// The plane the mesh lies in.
+    pub plane: Plane,
+}
+
+impl Default for SurfaceOptions {
+    fn default() -> Self {
+        Self {
+            normals: true,
+            texture_coordinates: true,
+            degree_colors: false,
+            boundary_lines: false,
+            plane: Plane::Xy,
+        }
+    }
+}
+
+/// The plane of space a mesh is put into. Triangles stay counter-clockwise seen from where
+/// the normal points.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Plane {
+    /// Points stay where they are. A mesh in the plane has the normal `+Z`: it faces the viewer in
+    /// programs where `+Y` is up, as it is in glTF.
+    #[default]
+    Xy,
+    /// `(x, y, z)` becomes `(x, z, -y)`. A mesh in the plane has the normal `+Y`: it lies on the
+    /// floor in programs where `+Y` is up. Programs with `+Z` up turn it into their XY plane as
+    /// they read it.
+    Floor,
+}
+
+impl Plane {
+    /// Where a point of the mesh lies in space. No coordinate is a negative zero.
+    pub(crate) fn place(self, point: DVec3) -> DVec3 {
+        // Adding zero turns -0 into 0.
+        let placed = match self {
+            Self::Xy => point,
+            Self::Floor => DVec3::new(point.x, point.z, -point.y),
+        };
+        placed + DVec3::ZERO
+    }
+}
+
+/// The position of `point` in the box, x and y each in 0 to 1 from the lower left.
+pub(crate) fn in_box(bounds: Bounds<DVec3>, point: DVec3) -> DVec2 {
+    let Bounds { min, max } = bounds.in_plane();
+    // Rounding can put a point a little beyond the corners.
+    ((point.truncate() - min) / (max - min)).clamp(DVec2::ZERO, DVec2::ONE)
+}

@@ -1,0 +1,290 @@
+//! The mesh itself: faces, edges, outline, dots and labels.
+
+use super::frame::Frame;
+use super::{LARGEST_DOT, MAX_DOTS, escaped, hex};
+use crate::degree_color;
+use glam::{DVec2, DVec3};
+use mindeg_mesh::{Line, Mesh, filled};
+use std::fmt::Write as _;
+use std::io::{self, Write};
+
+/// A mesh in a picture.
+pub(super) struct Drawing<'a> {
+    frame: &'a Frame,
+    /// The points in the picture.
+    points: Vec<DVec2>,
+    triangles: Vec<[u32; 3]>,
+    /// The colored degree of each vertex; empty if there are too many for dots.
+    classes: Vec<u32>,
+    /// The edges of one triangle only, as it runs, sorted.
+    boundary: Vec<[u32; 2]>,
+    lines: Vec<Line>,
+    segments: Vec<[u32; 2]>,
+}
+
+impl<'a> Drawing<'a> {
+    pub(super) fn new(mesh: &dyn Mesh, frame: &'a Frame) -> Self {
+        let vertices = 0..mesh.vertex_count();
+        let fill = |first, out: &mut [DVec3]| mesh.fill_positions(first, out);
+        let points: Vec<DVec3> = filled(vertices.clone(), DVec3::ZERO, fill);
+        let fill = |first, out: &mut [[u32; 3]]| mesh.fill_triangles(first, out);
+        let triangles = filled(0..mesh.triangle_count(), [0; 3], fill);
+        let mut classes = Vec::new();
+        if mesh.vertex_count() <= MAX_DOTS {
+            classes = filled(vertices, 0, |first, out| mesh.fill_degrees(first, out));
+            classes.iter_mut().for_each(|degree| *degree = degree_class(*degree));
+        }
+        let lines = mesh.lines().into_owned();
+        let segment_count = lines.last().map_or(0, |line| line.segments.end);
+        let fill = |first, out: &mut [[u32; 2]]| mesh.fill_segments(first, out);
+        Self {
+            frame,
+            points: points.into_iter().map(|point| frame.place(point.truncate())).collect(),
+            boundary: boundary(&triangles),
+            triangles,
+            classes,
+            lines,
+            segments: filled(0..segment_count, [0; 2], fill),
+        }
+    }
+
+    pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        let outline = self.outline();
+        write_outline(&outline, "face", out)?;
+        if !self.classes.is_empty() {
+            self.write_shade(out)?;
+        }
+        self.write_edges(out)?;
+        write_outline(&outline, "outline", out)?;
+        for (class, _) in self.degree_classes() {
+            self.write_dots(class, out)?;
+        }
+        Ok(())
+    }
+
+    /// The loops of the boundary, without the points inside straight lines.
+    fn outline(&self) -> Vec<Vec<DVec2>> {
+        // Where lines go once round, their ends are the corners.
+        let is_one_loop = self.segments.len() == self.boundary.len()
+            && self.lines.iter().all(|line| line.is_straight)
+            && self.segments.first().map(|s| s[0]) == self.segments.last().map(|s| s[1]);
+        if is_one_loop && !self.lines.is_empty() {
+            let starts =
+                self.lines.iter().map(|line| self.segments[line.segments.start as usize][0]);
+            return vec![starts.map(|vertex| self.point(vertex)).collect()];
+        }
+        let mut used = vec![false; self.boundary.len()];
+        let mut loops = Vec::new();
+        for first in 0..used.len() {
+            let mut points = Vec::new();
+            let mut at = first;
+            while !std::mem::replace(&mut used[at], true) {
+                let [from, to] = self.boundary[at];
+                points.push(self.point(from));
+                let next = self.boundary.partition_point(|edge| edge[0] < to);
+                let goes_on = |&i: &usize| self.boundary.get(i).is_some_and(|edge| edge[0] == to);
+                at = (next..).take_while(goes_on).find(|&i| !used[i]).unwrap_or(first);
+            }
+            if points.len() > 1 {
+                loops.push(points);
+            }
+        }
+        loops
+    }
+
+    fn point(&self, vertex: u32) -> DVec2 {
+        self.points[vertex as usize]
+    }
+
+    /// Every other triangle a shade darker, so that the strips stand out.
+    fn write_shade(&self, out: &mut impl Write) -> io::Result<()> {
+        let mut buffer = b"<path class=\"shade\" d=\"".to_vec();
+        for triangle in self.triangles.iter().skip(1).step_by(2) {
+            for (&vertex, command) in triangle.iter().zip(*b"MLL") {
+                buffer.push(command);
+                push_point(&mut buffer, self.point(vertex));
+            }
+            buffer.push(b'Z');
+        }
+        buffer.extend_from_slice(b"\"/>\n");
+        out.write_all(&buffer)
+    }
+
+    /// Every interior edge once. A triangulation has each of them in two triangles, which run
+    /// through it in opposite directions, and each boundary edge in one.
+    fn write_edges(&self, out: &mut impl Write) -> io::Result<()> {
+        let width = (0.06 * self.spacing()).clamp(0.3, 1.6);
+        let mut buffer =
+            format!("<path class=\"edge\" stroke-width=\"{width:.2}\" d=\"").into_bytes();
+        for &[a, b, c] in &self.triangles {
+            for [from, to] in [[a, b], [b, c], [c, a]] {
+                if from < to && self.boundary.binary_search(&[from, to]).is_err() {
+                    buffer.push(b'M');
+                    push_point(&mut buffer, self.point(from));
+                    buffer.push(b'L');
+                    push_point(&mut buffer, self.point(to));
+                }
+            }
+        }
+        buffer.extend_from_slice(b"\"/>\n");
+        out.write_all(&buffer)
+    }
+
+    /// The mean length of the boundary edges, in pixels.
+    fn spacing(&self) -> f64 {
+        let length = |&[from, to]: &[u32; 2]| self.point(from).distance(self.point(to));
+        self.boundary.iter().map(length).sum::<f64>() / self.boundary.len().max(1) as f64
+    }
+
+    /// The degrees with a color that occur, in ascending order, with the number of vertices; none
+    /// where there are too many vertices for dots.
+    pub(super) fn degree_classes(&self) -> Vec<(u32, usize)> {
+        degree_color::DISTINCT
+            .map(|class| (class, self.classes.iter().filter(|&&c| c == class).count()))
+            .filter(|&(_, count)| count > 0)
+            .collect()
+    }
+
+    /// The vertices that have the color of `class`.
+    fn write_dots(&self, class: u32, out: &mut impl Write) -> io::Result<()> {
+        let size = self.frame.size;
+        let largest = (0.2 * size.min_element()).min(LARGEST_DOT * size.max_element());
+        let largest = largest.clamp(0.6, 8.0);
+        let nearest = self.nearest();
+        let mut buffer = format!("<g fill=\"{}\">\n", hex(class)).into_bytes();
+        for ((&point, &of_vertex), nearest) in self.points.iter().zip(&self.classes).zip(nearest) {
+            if of_vertex == class {
+                push_dot(&mut buffer, point, (0.3 * nearest).clamp(0.6, largest));
+            }
+        }
+        buffer.extend_from_slice(b"</g>\n");
+        out.write_all(&buffer)
+    }
+
+    /// The length of the shortest boundary edge at each vertex, or of the shortest edge if it has
+    /// none.
+    fn nearest(&self) -> Vec<f64> {
+        let shortest = |edges: &mut dyn Iterator<Item = [u32; 2]>| {
+            let mut shortest = vec![f64::INFINITY; self.points.len()];
+            for [from, to] in edges {
+                let length = self.point(from).distance(self.point(to));
+                for vertex in [from, to] {
+                    shortest[vertex as usize] = shortest[vertex as usize].min(length);
+                }
+            }
+            shortest
+        };
+        let on_boundary = shortest(&mut self.boundary.iter().copied());
+        let of_all =
+            shortest(&mut self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]));
+        let choose = |(on_boundary, all): (f64, f64)| {
+            if on_boundary.is_finite() { on_boundary } else { all }
+        };
+        on_boundary.into_iter().zip(of_all).map(choose).collect()
+    }
+
+    /// Names and intervals along the lines, outside, where there is space.
+    pub(super) fn labels(&self) -> String {
+        let mut text = String::new();
+        for line in &self.lines {
+            let [first, last] = [line.segments.start, line.segments.end - 1].map(|i| i as usize);
+            let start = self.point(self.segments[first][0]);
+            let end = self.point(self.segments[last][1]);
+            let label = format!("{} · {}", line.name, line.segments.len());
+            // A letter is about half as wide as high.
+            if start.distance(end) < 8.0 * label.chars().count() as f64 {
+                continue;
+            }
+            let along = (end - start).normalize();
+            // Left of the way round in the mesh is inside; in the picture, y is turned over.
+            let outward = DVec2::new(-along.y, along.x);
+            // Read from left to right, and upwards where the side is upright.
+            let upright = along.x.abs() < 1e-6;
+            let forward = if upright { along.y < 0.0 } else { along.x > 0.0 };
+            // Adding zero turns -0 into 0.
+            let DVec2 { x, y } = if forward { along } else { -along } + DVec2::ZERO;
+            let at = start.midpoint(end) + 24.0 * outward;
+            let _ = writeln!(
+                text,
+                r#"<text class="label" dy=".35em" transform="matrix({x:.4} {y:.4} {:.4} {x:.4} {:.2} {:.2})">{}</text>"#,
+                0.0 - y,
+                at.x,
+                at.y,
+                escaped(&label),
+            );
+        }
+        text
+    }
+}
+
+/// The edges of one triangle only, as it runs, sorted.
+fn boundary(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    // The same edge of two triangles is one after the other once sorted.
+    let mut edges: Vec<([u32; 2], [u32; 2])> = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+        .map(|[from, to]| ([from.min(to), from.max(to)], [from, to]))
+        .collect();
+    edges.sort_unstable();
+    let single = edges.chunk_by(|a, b| a.0 == b.0).filter(|same| same.len() == 1);
+    let mut boundary: Vec<[u32; 2]> = single.map(|same| same[0].1).collect();
+    boundary.sort_unstable();
+    boundary
+}
+
+/// The degree whose color stands for `degree`.
+fn degree_class(degree: u32) -> u32 {
+    degree.clamp(*degree_color::DISTINCT.start(), *degree_color::DISTINCT.end())
+}
+
+fn write_outline(loops: &[Vec<DVec2>], class: &str, out: &mut impl Write) -> io::Result<()> {
+    let mut buffer = Vec::new();
+    if let [points] = loops {
+        buffer.extend_from_slice(format!("<polygon class=\"{class}\" points=\"").as_bytes());
+        for (i, &point) in points.iter().enumerate() {
+            if i > 0 {
+                buffer.push(b' ');
+            }
+            push_point(&mut buffer, point);
+        }
+    } else {
+        let start = format!("<path class=\"{class}\" fill-rule=\"evenodd\" d=\"");
+        buffer.extend_from_slice(start.as_bytes());
+        for points in loops {
+            for (i, &point) in points.iter().enumerate() {
+                buffer.push(if i == 0 { b'M' } else { b'L' });
+                push_point(&mut buffer, point);
+            }
+            buffer.push(b'Z');
+        }
+    }
+    buffer.extend_from_slice(b"\"/>\n");
+    out.write_all(&buffer)
+}
+
+fn push_dot(buffer: &mut Vec<u8>, center: DVec2, radius: f64) {
+    // A ring sets a dot off from the edges; it would drown a small one.
+    let ring: &[u8] =
+        if radius >= 3.0 { b"<circle class=\"ring\" cx=\"" } else { b"<circle cx=\"" };
+    buffer.extend_from_slice(ring);
+    push_pixels(buffer, center.x);
+    buffer.extend_from_slice(b"\" cy=\"");
+    push_pixels(buffer, center.y);
+    buffer.extend_from_slice(b"\" r=\"");
+    push_pixels(buffer, radius);
+    buffer.extend_from_slice(b"\"/>\n");
+}
+
+fn push_point(buffer: &mut Vec<u8>, point: DVec2) {
+    push_pixels(buffer, point.x);
+    buffer.push(b' ');
+    push_pixels(buffer, point.y);
+}
+
+/// A length in pixels, to a hundredth.
+fn push_pixels(buffer: &mut Vec<u8>, pixels: f64) {
+    let hundredths = (pixels * 100.0).round();
+    let mut digits = zmij::Buffer::new();
+    let number = digits.format_finite(hundredths / 100.0);
+    buffer.extend_from_slice(number.strip_suffix(".0").unwrap_or(number).as_bytes());
+}

@@ -1,0 +1,50 @@
+//! Where a mesh lies in a picture.
+
+use super::{BOTTOM, MAX_HEIGHT, MAX_SLENDERNESS, SIDE_MARGIN, TOP, WIDTH};
+use glam::DVec2;
+use mindeg_mesh::Bounds;
+
+/// How points of the mesh become points of the picture, whose y runs downwards.
+pub(super) struct Frame {
+    /// Pixels to a unit of length in x and in y.
+    scale: DVec2,
+    /// The upper left corner of the mesh's box, in the mesh and in the picture.
+    from: DVec2,
+    to: DVec2,
+    /// The size of the mesh's box in the picture.
+    pub(super) size: DVec2,
+}
+
+impl Frame {
+    /// The place of the mesh in a picture of its own.
+    pub(super) fn of_picture(bounds: Bounds) -> Self {
+        let min = DVec2::new(SIDE_MARGIN, TOP);
+        Self::new(bounds, Bounds { min, max: DVec2::new(WIDTH - SIDE_MARGIN, TOP + MAX_HEIGHT) })
+    }
+
+    pub(super) fn new(bounds: Bounds, room: Bounds) -> Self {
+        let length = bounds.size();
+        let thinnest = length.max_element() / MAX_SLENDERNESS;
+        let drawn = length.max(DVec2::splat(thinnest));
+        let size = drawn * (room.size() / drawn).min_element();
+        let scale = size / length;
+        let to = DVec2::new(room.center().x - size.x / 2.0, room.min.y);
+        Self { scale, from: DVec2::new(bounds.min.x, bounds.max.y), to, size }
+    }
+
+    pub(super) fn place(&self, point: DVec2) -> DVec2 {
+        self.to + (point - self.from) * self.scale * DVec2::new(1.0, -1.0)
+    }
+
+    /// What the picture makes larger than it is, if anything.
+    pub(super) fn stretch(&self) -> Option<String> {
+        let DVec2 { x, y } = self.scale;
+        let (what, factor) = if x > y { ("width", x / y) } else { ("height", y / x) };
+        (factor > 1.0 + 1e-6)
+            .then(|| format!("{what} drawn {} times too large", (factor * 10.0).round() / 10.0))
+    }
+
+    pub(super) fn height(&self) -> f64 {
+        TOP + self.size.y + BOTTOM
+    }
+}

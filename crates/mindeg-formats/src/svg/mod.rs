@@ -1,0 +1,241 @@
+//! A picture of the mesh, as SVG.
+//!
+//! The outline, every interior edge, the vertices colored by degree with a legend that
+//! counts them, and along every line of the mesh its name and number of intervals. The picture stands
+//! alone: no script, no font of its own, nothing fetched; it brings its background along
+//! and turns dark where the reader's system is dark. Lines and dots shrink with the
+//! distance between vertices.
+//!
+//! A mesh in space is seen along the z axis.
+//!
+//! Limits: a mesh of more than [`MAX_VERTICES`] vertices is refused, since its edges would
+//! run into one another. Above [`MAX_DOTS`] vertices, edges are drawn without dots. A side
+//! too short for its label goes without. Coordinates are rounded to a hundredth of a pixel.
+
+mod drawing;
+mod frame;
+
+use self::drawing::Drawing;
+use self::frame::Frame;
+use crate::{GENERATOR, WriteError, degree_color, mesh_name};
+use glam::DVec2;
+use mindeg_mesh::{Bounds, Mesh};
+use std::fmt::Write as _;
+use std::io::Write;
+
+/// The most vertices a picture shows.
+pub const MAX_VERTICES: u32 = 100_000;
+
+/// The most vertices that are drawn as dots.
+pub const MAX_DOTS: u32 = 5_000;
+
+/// The width of the picture and the room round the mesh, in pixels.
+const WIDTH: f64 = 960.0;
+const SIDE_MARGIN: f64 = 56.0;
+const TOP: f64 = 124.0;
+const BOTTOM: f64 = 104.0;
+/// The most a mesh takes from top to bottom.
+const MAX_HEIGHT: f64 = 640.0;
+/// The radius of the largest dots as a share of the mesh's longer extent.
+const LARGEST_DOT: f64 = 0.0125;
+/// A mesh more slender than that is widened for the picture, which says so.
+const MAX_SLENDERNESS: f64 = 10.0;
+
+/// The colors of what [`Inset::write`] draws and of the classes `card`, `title`, `muted`, `key` and
+/// `label`, as a style sheet, on a light background and on a dark one.
+pub const STYLE: &str = "\
+text{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;\
+fill:#1f2328}\
+.card{fill:#fff;stroke:#d1d9e0}\
+.title{font-size:22px;font-weight:600}\
+.muted{font-size:15px;fill:#59636e}\
+.key{font-size:15px;font-weight:600}\
+.label{font-size:14px;fill:#59636e;text-anchor:middle}\
+.face{fill:#eef2fb}.shade{fill:#e0e7f5}\
+.edge{fill:none;stroke:#7f8ca3;stroke-linecap:round}\
+.outline{fill:none;stroke:#2b3440;stroke-width:2;stroke-linejoin:round}\
+.ring{stroke:#fff}\
+@media(prefers-color-scheme:dark){\
+text{fill:#f0f6fc}.card{fill:#0d1117;stroke:#3d444d}.muted,.label{fill:#9198a1}\
+.face{fill:#171e2b}.shade{fill:#1f2838}.edge{stroke:#66738a}.outline{stroke:#c3ccd8}.ring{stroke:#f0f6fc}}";
+
+/// Writes a picture of a mesh.
+///
+/// Takes O(n log n) time and O(n) memory for n vertices.
+///
+/// # Errors
+///
+/// [`TooLargeForSvg`](WriteError::TooLargeForSvg) before the first byte, and those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{BoundaryMesh, Domain};
+/// use mindeg_formats::svg;
+///
+/// let domain = Domain::from_json(
+///     r#"{"name": "plate", "rectangle": {"width": 4, "height": 3},
+///         "sides": [{"intervals": 3}, {"intervals": 3}, {"intervals": 2}, {"intervals": 2}]}"#,
+/// )?;
+/// let mut picture = Vec::new();
+/// svg::write(&BoundaryMesh::least_degree(&domain)?, &mut picture)?;
+/// let picture = String::from_utf8(picture)?;
+/// assert!(picture.contains("10 vertices · 8 triangles · maximum degree 4"));
+/// assert_eq!(picture.matches("<circle").count(), 10 + 3); // and three in the legend
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
+    check_size(mesh.vertex_count())?;
+    let frame = Frame::of_picture(mesh.bounds().in_plane());
+    let drawing = Drawing::new(mesh, &frame);
+    out.write_all(head(mesh, &frame).as_bytes())?;
+    drawing.write(&mut out)?;
+    out.write_all(drawing.labels().as_bytes())?;
+    out.write_all(legend(mesh, &drawing, &frame).as_bytes())?;
+    out.write_all(b"</svg>\n")?;
+    Ok(out.flush()?)
+}
+
+/// A mesh as a part of a larger picture, without title, labels and legend.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg::{BoundaryMesh, Bounds, Domain, Side};
+/// use mindeg_formats::svg::Inset;
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+/// let room = Bounds { min: DVec2::splat(20.0), max: DVec2::new(220.0, 190.0) };
+/// let inset = Inset::new(domain.placement().bounds(), room);
+/// assert_eq!(inset.size().to_array(), [200.0, 150.0]);
+///
+/// let mut drawing = Vec::new();
+/// inset.write(&BoundaryMesh::least_degree(&domain)?, &mut drawing)?;
+/// assert_eq!(String::from_utf8(drawing)?.matches("<circle").count(), 10);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Inset {
+    frame: Frame,
+}
+
+impl Inset {
+    /// Fits what lies in `bounds` into a frame of a picture, which is in pixels, y downwards:
+    /// as large as it can be, in the middle and at the top.
+    #[must_use]
+    pub fn new(bounds: Bounds, frame: Bounds) -> Self {
+        Self { frame: Frame::new(bounds, frame) }
+    }
+
+    /// The size of what is fitted, in pixels.
+    #[must_use]
+    pub fn size(&self) -> DVec2 {
+        self.frame.size
+    }
+
+    /// What the picture makes larger than it is, if anything: words such as "height drawn 20
+    /// times too large".
+    #[must_use]
+    pub fn stretch(&self) -> Option<String> {
+        self.frame.stretch()
+    }
+
+    /// Draws a mesh that lies in the bounds; [`STYLE`] has its colors.
+    ///
+    /// # Errors
+    ///
+    /// As [`write()`].
+    pub fn write(&self, mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
+        check_size(mesh.vertex_count())?;
+        Ok(Drawing::new(mesh, &self.frame).write(&mut out)?)
+    }
+}
+
+/// Refuses a mesh with more vertices than a picture shows. O(1).
+///
+/// # Errors
+///
+/// [`TooLargeForSvg`](WriteError::TooLargeForSvg).
+pub fn check_size(vertices: u32) -> Result<(), WriteError> {
+    if vertices > MAX_VERTICES {
+        return Err(WriteError::TooLargeForSvg { vertices, limit: MAX_VERTICES });
+    }
+    Ok(())
+}
+
+fn head(mesh: &dyn Mesh, frame: &Frame) -> String {
+    let name = escaped(mesh_name(mesh));
+    let mut summary = format!(
+        "{} vertices · {} triangles · maximum degree {}",
+        mesh.vertex_count(),
+        mesh.triangle_count(),
+        mesh.max_degree()
+    );
+    if let Some(stretch) = frame.stretch() {
+        summary += " · ";
+        summary += &stretch;
+    }
+    let (height, inner) = (frame.height(), frame.height() - 1.0);
+    format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{WIDTH}" height="{height:.0}" viewBox="0 0 {WIDTH} {height:.0}" role="img" aria-labelledby="title summary">
+<title id="title">{name}</title>
+<desc id="summary">{summary}</desc>
+<metadata>{GENERATOR}</metadata>
+<style>{STYLE}</style>
+<rect class="card" x="0.5" y="0.5" width="{}" height="{inner:.0}" rx="12"/>
+<text class="title" x="{SIDE_MARGIN}" y="46">{name}</text>
+<text class="muted" x="{SIDE_MARGIN}" y="70">{summary}</text>
+"#,
+        WIDTH - 1.0,
+    )
+}
+
+/// What the colors mean, and how many vertices have each.
+fn legend(mesh: &dyn Mesh, drawing: &Drawing<'_>, frame: &Frame) -> String {
+    let classes = drawing.degree_classes();
+    let y = frame.height() - 34.0;
+    if classes.is_empty() {
+        return format!(
+            "<text class=\"muted\" x=\"{SIDE_MARGIN}\" y=\"{y:.0}\">\
+             dots only up to {MAX_DOTS} vertices</text>\n"
+        );
+    }
+    let mut text =
+        format!("<text class=\"muted\" x=\"{SIDE_MARGIN}\" y=\"{y:.0}\">degree</text>\n");
+    let mut x = SIDE_MARGIN + 76.0;
+    for (class, count) in classes {
+        let above = class == *degree_color::DISTINCT.end() && mesh.max_degree() > class;
+        let (degree, count) =
+            (format!("{class}{}", if above { "+" } else { "" }), count.to_string());
+        let _ = writeln!(
+            text,
+            r#"<circle class="ring" cx="{x:.0}" cy="{:.0}" r="7" fill="{}"/><text x="{:.0}" y="{y:.0}"><tspan class="key">{degree}</tspan><tspan class="muted" dx="6">× {count}</tspan></text>"#,
+            y - 5.0,
+            hex(class),
+            x + 14.0,
+        );
+        x += 67.0 + 9.0 * (degree.len() + count.len()) as f64;
+    }
+    text
+}
+
+fn hex(degree: u32) -> String {
+    let [red, green, blue] = degree_color::srgb(degree);
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// Text as XML can hold it. Names have no control characters; what else XML has no place for
+/// is left out.
+fn escaped(text: &str) -> String {
+    let mut escaped = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '\u{fffe}' | '\u{ffff}' => {}
+            c => escaped.push(c),
+        }
+    }
+    escaped
+}

@@ -1,0 +1,353 @@
+//! The glTF reader on files of other programs, and on files that are none.
+
+#![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use base64::Engine;
+use glam::DVec3;
+use mindeg_formats::{ReadError, gltf};
+use mindeg_mesh::{NonTriangles, TriMesh};
+use serde_json::{Value, json};
+use std::io;
+
+fn no_files(_: &str) -> io::Result<Vec<u8>> {
+    Err(io::ErrorKind::Unsupported.into())
+}
+
+fn read(document: &Value) -> Result<TriMesh, ReadError> {
+    gltf::read(document.to_string().as_bytes(), no_files)
+}
+
+/// A document with the unit square's corners as positions, and these indices to them.
+fn square(indices: &[u16]) -> Value {
+    let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0_f32]];
+    let mut bytes: Vec<u8> = positions.concat().iter().flat_map(|x| x.to_le_bytes()).collect();
+    bytes.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
+    let data = base64::engine::general_purpose::STANDARD.encode(&bytes);
+    json!({
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "name": "square"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+            {"bufferView": 1, "componentType": 5123, "count": indices.len(), "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteLength": 48},
+            {"buffer": 0, "byteLength": 2 * indices.len(), "byteOffset": 48},
+        ],
+        "buffers": [{
+            "byteLength": bytes.len(),
+            "uri": format!("data:application/octet-stream;base64,{data}"),
+        }],
+    })
+}
+
+/// The document with the value at a JSON pointer replaced, or put there.
+fn with(mut document: Value, pointer: &str, value: Value) -> Value {
+    let (parent, key) = pointer.rsplit_once('/').unwrap();
+    match document.pointer_mut(parent).unwrap() {
+        Value::Object(object) => drop(object.insert(key.to_owned(), value)),
+        Value::Array(array) => match key.parse::<usize>() {
+            Ok(i) => array[i] = value,
+            Err(_) => array.push(value),
+        },
+        other => panic!("{other}"),
+    }
+    document
+}
+
+const TWO: [u16; 6] = [0, 1, 2, 0, 2, 3];
+
+#[test]
+fn every_mode_of_triangles_and_none_of_the_others() {
+    for (mode, indices, triangles) in [
+        (4, &TWO[..], &[[0, 1, 2], [0, 2, 3]][..]),
+        (5, &[0, 1, 3, 2], &[[0, 1, 3], [1, 2, 3]]),
+        // A strip that repeats vertices to jump.
+        (5, &[0, 1, 3, 3, 1, 1, 3, 2], &[[0, 1, 3], [1, 2, 3]]),
+        (6, &[0, 1, 2, 3], &[[1, 2, 0], [2, 3, 0]]),
+    ] {
+        let mesh =
+            read(&with(square(indices), "/meshes/0/primitives/0/mode", json!(mode))).unwrap();
+        assert_eq!(mesh.triangles(), triangles, "mode {mode}");
+        assert_eq!(mesh.positions()[2], DVec3::new(1.0, 1.0, 0.0));
+        assert_eq!((mesh.groups()[0].name.as_str(), mesh.parts().len()), ("square", 1));
+    }
+    for (mode, line_segments, points) in [(0, 0, 6), (1, 3, 0), (2, 6, 0), (3, 5, 0)] {
+        let extra = json!({"attributes": {"POSITION": 0}, "indices": 1, "mode": mode});
+        let mesh = read(&with(square(&TWO), "/meshes/0/primitives/-", extra)).unwrap();
+        assert_eq!(mesh.triangles().len(), 2);
+        let expected = NonTriangles { line_segments, points, ..NonTriangles::default() };
+        assert_eq!(mesh.non_triangles(), expected);
+    }
+}
+
+#[test]
+fn indices_of_every_width_or_none() {
+    let bytes = square(&[0x0100, 0x0002]);
+    let bytes = with(bytes, "/accessors/1/componentType", json!(5121));
+    let bytes = with(bytes, "/accessors/1/count", json!(3));
+    assert_eq!(read(&bytes).unwrap().triangles(), [[0, 1, 2]]);
+    let words = with(square(&[0, 0, 1, 0, 2, 0]), "/accessors/1/componentType", json!(5125));
+    let words = with(words, "/accessors/1/count", json!(3));
+    assert_eq!(read(&words).unwrap().triangles(), [[0, 1, 2]]);
+    let none = with(square(&TWO), "/accessors/0/count", json!(3));
+    let none = with(none, "/meshes/0/primitives/0", json!({"attributes": {"POSITION": 0}}));
+    assert_eq!(read(&none).unwrap().triangles(), [[0, 1, 2]]);
+}
+
+#[test]
+fn nodes_move_their_meshes() {
+    let placed = |node: Value| {
+        let node = with(node, "/mesh", json!(0));
+        let mesh = read(&with(square(&TWO), "/nodes/0", node)).unwrap();
+        (mesh.positions()[1], mesh.triangles()[0])
+    };
+    let half = 0.5_f64.sqrt();
+    for (node, position, triangle) in [
+        (
+            json!({"translation": [500_000, 4_650_000, 0.5]}),
+            [500_001.0, 4_650_000.0, 0.5],
+            [0, 1, 2],
+        ),
+        (json!({"scale": [3, 2, 1]}), [3.0, 0.0, 0.0], [0, 1, 2]),
+        // A quarter turn about z.
+        (json!({"rotation": [0, 0, half, half]}), [0.0, 1.0, 0.0], [0, 1, 2]),
+        // Mirrored: triangles are turned back.
+        (json!({"scale": [-1, 1, 1]}), [-1.0, 0.0, 0.0], [0, 2, 1]),
+        (json!({"matrix": [0,2,0,0, -2,0,0,0, 0,0,2,0, 5,6,7,1]}), [5.0, 8.0, 7.0], [0, 1, 2]),
+    ] {
+        let (found, found_triangle) = placed(node.clone());
+        assert!(found.distance(DVec3::from_array(position)) < 1e-9, "{node}: {found}");
+        assert_eq!(found_triangle, triangle, "{node}");
+    }
+    // A parent moves its children; a mesh used twice is there twice, parents first.
+    let nodes = json!([
+        {"mesh": 0, "name": "parent", "translation": [10, 0, 0], "children": [1, 2]},
+        {"mesh": 0, "name": "child", "scale": [2, 2, 2]},
+        {"mesh": 0, "name": "second"},
+    ]);
+    let mesh = read(&with(square(&TWO), "/nodes", nodes)).unwrap();
+    assert_eq!(mesh.positions().len(), 12);
+    assert_eq!(mesh.positions()[1], DVec3::new(11.0, 0.0, 0.0));
+    assert_eq!(mesh.positions()[5], DVec3::new(12.0, 0.0, 0.0));
+    assert_eq!(mesh.triangles()[2], [4, 5, 6]);
+    let names: Vec<_> = mesh.groups().iter().map(|part| part.name.as_str()).collect();
+    assert_eq!(names, ["parent", "child", "second"]);
+}
+
+#[test]
+fn primitives_of_one_node_share_vertices_where_they_share_positions() {
+    let extra = json!({"attributes": {"POSITION": 0}, "indices": 1});
+    let mesh = read(&with(square(&TWO), "/meshes/0/primitives/-", extra)).unwrap();
+    assert_eq!(mesh.positions().len(), 4);
+    assert_eq!(mesh.triangles().len(), 4);
+}
+
+#[test]
+fn without_a_scene_the_nodes_without_a_parent_are_shown() {
+    let mut document = square(&TWO);
+    document.as_object_mut().unwrap().remove("scene");
+    assert_eq!(read(&document).unwrap().triangles().len(), 2);
+    document.as_object_mut().unwrap().remove("scenes");
+    let nodes = json!([{"mesh": 0}, {"children": [0], "translation": [0, 0, 9]}]);
+    let mesh = read(&with(document, "/nodes", nodes)).unwrap();
+    assert_eq!(mesh.positions()[0], DVec3::new(0.0, 0.0, 9.0));
+}
+
+#[test]
+fn sparse_positions_are_patched() {
+    let mut document = square(&[0, 1, 2, 2, 0, 0]);
+    // The position of vertex 2 (index at byte 52) becomes that of vertex 3.
+    document["bufferViews"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({"buffer": 0, "byteLength": 2, "byteOffset": 52}));
+    document["bufferViews"]
+        .as_array_mut()
+        .unwrap()
+        .push(json!({"buffer": 0, "byteLength": 12, "byteOffset": 36}));
+    let sparse = json!({"count": 1, "indices": {"bufferView": 2, "componentType": 5123}, "values": {"bufferView": 3}});
+    let document = with(document, "/accessors/0/sparse", sparse);
+    assert_eq!(read(&document).unwrap().positions()[2], DVec3::Y);
+}
+
+#[test]
+fn data_comes_from_files_by_their_unescaped_names() {
+    let mut document = square(&TWO);
+    let uri = document["buffers"][0]["uri"].as_str().unwrap().to_owned();
+    let data = uri.rsplit(',').next().unwrap();
+    let data = base64::engine::general_purpose::STANDARD.decode(data).unwrap();
+    document["buffers"][0]["uri"] = json!("sub/my%20f%C3%BCr.bin");
+    let text = document.to_string();
+    let mesh = gltf::read(text.as_bytes(), |name| {
+        assert_eq!(name, "sub/my für.bin");
+        Ok(data.clone())
+    });
+    assert_eq!(mesh.unwrap().triangles().len(), 2);
+    let missing = gltf::read(text.as_bytes(), |_| Err(io::ErrorKind::NotFound.into()));
+    assert_eq!(
+        missing.unwrap_err().to_string(),
+        "the file \"sub/my für.bin\", which this one needs, could not be read: entity not found"
+    );
+    let short = gltf::read(text.as_bytes(), |_| Ok(data[1..].to_vec()));
+    assert_eq!(
+        short.unwrap_err().to_string(),
+        "buffers[0]: is 60 bytes long, of which 59 are there"
+    );
+}
+
+#[test]
+fn extensions_are_refused_unless_they_leave_geometry_alone() {
+    let required = |name: &str| with(square(&TWO), "/extensionsRequired", json!([name]));
+    assert_eq!(read(&required("KHR_materials_unlit")).unwrap().triangles().len(), 2);
+    assert_eq!(read(&required("KHR_texture_transform")).unwrap().triangles().len(), 2);
+    for name in ["KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"] {
+        assert_eq!(
+            read(&required(name)).unwrap_err().to_string(),
+            format!("extensionsRequired[0] = \"{name}\": Unsupported extension")
+        );
+    }
+    // A texture whose image only an extension knows is no reason.
+    let texture = with(required("KHR_texture_basisu"), "/textures", json!([{}]));
+    assert!(read(&texture).is_ok());
+    // Attributes of an application's own are none either.
+    let own = json!({"POSITION": 0, "_BATCH": 0});
+    assert!(read(&with(square(&TWO), "/meshes/0/primitives/0/attributes", own)).is_ok());
+}
+
+#[test]
+fn errors_name_the_place() {
+    let huge = json!(u64::MAX - 3);
+    for (pointer, value, message) in [
+        ("/nodes/0/children", json!([0]), "nodes[0]: is reached twice, and nodes must form trees"),
+        ("/scenes/0/nodes", json!([0, 0]), "nodes[0]: is reached twice, and nodes must form trees"),
+        ("/scenes/0/nodes", json!([1]), "scenes[0].nodes[0]: Index out of bounds"),
+        ("/nodes/0/mesh", json!(7), "nodes[0].mesh: Index out of bounds"),
+        (
+            "/nodes/0/rotation",
+            json!([0, 0, 0, 0]),
+            "vertex 0 (counted from 0) has a coordinate that is not a finite number",
+        ),
+        (
+            "/meshes/0/primitives/0/indices",
+            json!(2),
+            "meshes[0].primitives[0].indices: Index out of bounds",
+        ),
+        (
+            "/meshes/0/primitives/0/attributes/POSITION",
+            json!(2),
+            "meshes[0].primitives[0].attributes: names an accessor that the document does not have",
+        ),
+        (
+            "/meshes/0/primitives/0/attributes",
+            json!({"NORMAL": 0}),
+            "meshes[0].primitives[0].attributes[\"POSITION\"]: Missing data",
+        ),
+        (
+            "/accessors/0/type",
+            json!("VEC2"),
+            "accessors[0]: is used for positions, and those are three 32-bit floats",
+        ),
+        (
+            "/accessors/0/componentType",
+            json!(5123),
+            "accessors[0]: is used for positions, and those are three 32-bit floats",
+        ),
+        ("/accessors/0/count", json!(5), "accessors[0]: reaches beyond bufferViews[0]"),
+        (
+            "/accessors/0/count",
+            json!(0),
+            "accessors[0]: holds no items, and must hold at least one",
+        ),
+        ("/accessors/0/count", huge.clone(), "accessors[0]: reaches beyond bufferViews[0]"),
+        ("/accessors/0/byteOffset", huge.clone(), "accessors[0]: reaches beyond bufferViews[0]"),
+        (
+            "/accessors/1/componentType",
+            json!(5126),
+            "accessors[1]: is used for indices, and those are unsigned integers",
+        ),
+        (
+            "/accessors/1/count",
+            json!(5),
+            "meshes[0].primitives[0]: is a list of triangles with 5 indices, no multiple of 3",
+        ),
+        (
+            "/accessors/0/sparse",
+            json!({"count": 9, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0}}),
+            "accessors[0]: reaches beyond bufferViews[1]",
+        ),
+        (
+            "/accessors/0/sparse",
+            json!({"count": 0, "indices": {"bufferView": 1, "componentType": 5123}, "values": {"bufferView": 0}}),
+            "accessors[0]: holds no items, and must hold at least one",
+        ),
+        (
+            "/bufferViews/0/byteStride",
+            json!(8),
+            "accessors[0]: has items of 12 bytes, 8 bytes apart",
+        ),
+        (
+            "/bufferViews/0/byteLength",
+            huge.clone(),
+            "accessors[0]: lies in bufferViews[0], which reaches beyond buffers[0]",
+        ),
+        (
+            "/bufferViews/0/byteOffset",
+            huge.clone(),
+            "accessors[0]: lies in bufferViews[0], which reaches beyond buffers[0]",
+        ),
+        (
+            "/bufferViews/1/byteOffset",
+            json!(50),
+            "accessors[1]: lies in bufferViews[1], which reaches beyond buffers[0]",
+        ),
+        (
+            "/buffers/0/byteLength",
+            huge,
+            "buffers[0]: is 18446744073709551612 bytes long, of which 60 are there",
+        ),
+        (
+            "/buffers/0/uri",
+            json!("data:text/plain,abc"),
+            "a data URI: is not in base64, which is all that is read",
+        ),
+        ("/buffers/0/uri", json!("data:;base64,@"), "a data URI: Invalid symbol 64, offset 0."),
+        (
+            "/buffers/0",
+            json!({"byteLength": 60}),
+            "buffers[0]: is 60 bytes long, of which 0 are there",
+        ),
+        ("/meshes", json!([]), "nodes[0].mesh: Index out of bounds"),
+        (
+            "/nodes/0",
+            json!({}),
+            "the file holds no triangle and no other face (0 vertices, 0 line segments); is it a mesh in this format?",
+        ),
+    ] {
+        let error = read(&with(square(&TWO), pointer, value.clone())).unwrap_err();
+        assert_eq!(error.to_string(), message, "{pointer} = {value}");
+    }
+    let error = read(&square(&[0, 1, 4])).unwrap_err();
+    assert_eq!(error.to_string(), "meshes[0].primitives[0]: has the index 4, and 4 vertices");
+}
+
+#[test]
+fn no_file_of_another_kind_passes_for_one() {
+    for (bytes, message) in [
+        (&b""[..], "the JSON document: EOF while parsing a value at line 1 column 0"),
+        (b"v 0 0 0\n", "the JSON document: expected value at line 1 column 1"),
+        (b"{}", "the JSON document: missing field `asset` at line 1 column 2"),
+        (b"glTF", "the .glb header: the file ends before its header does"),
+        (
+            b"glTF\x02\0\0\0\x03\0\0\0",
+            "the .glb header: the file claims to be shorter than its header",
+        ),
+        (b"glTF\x02\0\0\0\xff\0\0\0", "the .glb container: could not completely read the object"),
+        (b"glTF\x01\0\0\0\x0c\0\0\0", "the .glb container: unsupported version"),
+    ] {
+        assert_eq!(gltf::read(bytes, no_files).unwrap_err().to_string(), message);
+    }
+}

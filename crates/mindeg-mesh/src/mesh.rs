@@ -1,0 +1,133 @@
+//! What a triangle mesh is to a writer, a measure or a picture.
+//!
+//! A mesh has two halves. [`Positions`] tells where the vertices are; a domain knows that before it
+//! has a mesh. [`Triangles`] tells which vertices are joined, in which groups, under which names.
+//! Both give ranges at a time, so a mesh that is a formula streams through a writer, and a mesh that
+//! is a list is copied.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use glam::DVec3;
+
+use crate::bounds::Bounds;
+
+/// Where vertices are.
+pub trait Positions: Sync {
+    /// The number of vertices.
+    fn vertex_count(&self) -> u32;
+
+    /// Writes the positions of the vertices from `first` on into `out`, as many as it holds.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` vertices remain from `first` on.
+    fn fill_positions(&self, first: u32, out: &mut [DVec3]);
+
+    /// The smallest box around all vertices.
+    fn bounds(&self) -> Bounds<DVec3>;
+
+    /// Whether each vertex follows the one before round a boundary, and the first the last: then
+    /// no two of them may become one point in a file.
+    fn is_ring(&self) -> bool {
+        false
+    }
+}
+
+/// Which vertices are joined to triangles, and what the parts are called.
+pub trait Triangles: Sync {
+    /// The number of triangles.
+    fn triangle_count(&self) -> u32;
+
+    /// Writes the triangles from `first` on into `out`, as many as it holds. Each is
+    /// counter-clockwise seen from its front.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` triangles remain from `first` on.
+    fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]);
+
+    /// Writes the degrees of the vertices from `first` on into `out`, as many as it holds.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` vertices remain from `first` on.
+    fn fill_degrees(&self, first: u32, out: &mut [u32]);
+
+    /// The largest degree.
+    fn max_degree(&self) -> u32;
+
+    /// The unit normal of all triangles, if they lie in one plane and face the same way.
+    fn normal(&self) -> Option<DVec3> {
+        None
+    }
+
+    /// What the mesh is called.
+    fn name(&self) -> Option<&str> {
+        None
+    }
+
+    /// The named groups, which hold every triangle once, in order; empty for a mesh in one piece.
+    fn groups(&self) -> &[Group] {
+        &[]
+    }
+
+    /// The named lines of the mesh, such as the sides of its domain, which hold every segment
+    /// once, in order.
+    fn lines(&self) -> Cow<'_, [Line]> {
+        Cow::Borrowed(&[])
+    }
+
+    /// Writes the segments from `first` on into `out`, as many as it holds. The segments of a line
+    /// follow one another.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` segments remain from `first` on.
+    fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
+        assert!(out.is_empty(), "the mesh has no segment {first}");
+    }
+}
+
+/// Any triangle mesh: positions and triangles.
+pub trait Mesh: Positions + Triangles {}
+
+impl<T: Positions + Triangles + ?Sized> Mesh for T {}
+
+/// A named range of a mesh's triangles: an object or group of an OBJ, a node of a glTF.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// The name; empty if there is none.
+    pub name: String,
+    /// The triangles; never empty.
+    pub triangles: Range<u32>,
+}
+
+/// A named range of a mesh's segments, each of which starts where the one before ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// The name; never empty.
+    pub name: String,
+    /// The segments; never empty.
+    pub segments: Range<u32>,
+    /// Whether all points of the line are on the straight line between its ends, but for rounding.
+    pub is_straight: bool,
+}
+
+/// The values of a range, from a function that fills a slice.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_mesh::filled;
+///
+/// let squares = filled(2..5, 0, |first, out: &mut [u32]| {
+///     (first..).zip(out).for_each(|(i, value)| *value = i * i);
+/// });
+/// assert_eq!(squares, [4, 9, 16]);
+/// ```
+pub fn filled<T: Clone>(range: Range<u32>, empty: T, fill: impl FnOnce(u32, &mut [T])) -> Vec<T> {
+    let mut values = vec![empty; range.len()];
+    fill(range.start, &mut values);
+    values
+}

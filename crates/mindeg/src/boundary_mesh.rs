@@ -1,0 +1,474 @@
+//! A domain's mesh: of the triangulations with the least maximum degree, the one that looks
+//! best on the actual points; or any other triangulation, given as a list.
+//!
+//! What looks at every triangle does so with all threads, and gives the same results however many
+//! there are.
+//!
+//! Limits: the best of the plans tried is not the best triangulation of that degree, let alone
+//! of any degree.
+
+mod angles;
+mod choice;
+mod faces;
+mod source;
+
+use std::ops::Range;
+
+use glam::DVec2;
+use mindeg_core::{Boundary, Defect};
+#[cfg(feature = "parallel")]
+use rayon::prelude::*;
+
+use self::angles::{cotangents, placed};
+use self::faces::{Faces, TriangleList};
+use mindeg_domain::Domain;
+use mindeg_domain::Placement;
+use mindeg_mesh::parallel::{blocks, try_blocks};
+use mindeg_mesh::quality::DegreeHistogram;
+use mindeg_mesh::quality::{QualitySummary, TriangleQuality};
+use mindeg_mesh::{Cancelled, Progress};
+
+/// A triangulation of a domain's boundary vertices, and their positions.
+///
+/// A mesh of [least degree](Self::least_degree) stores nothing per vertex or triangle: both follow
+/// from formulas. So a mesh of billions of triangles can be made, asked and written in the memory
+/// of a small one. Only a mesh [with given triangles](Self::with_triangles) stores these.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Domain, BoundaryMesh, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+/// let mesh = BoundaryMesh::least_degree(&domain)?;
+/// assert_eq!((mesh.vertex_count(), mesh.triangle_count()), (10, 8));
+/// assert_eq!(mesh.max_degree(), 4);
+/// assert_eq!(mesh.point(3).to_array(), [4.0, 0.0]);
+/// let area: f64 = mesh.qualities().map(|quality| quality.area).sum();
+/// assert!((area - 12.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct BoundaryMesh {
+    domain: Domain,
+    triangulation: Faces,
+}
+
+/// Why a domain has no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// Every plan tried has a triangle that is not counter-clockwise once its points are rounded
+    /// to f64.
+    #[error(
+        "triangle {triangle:?} is so thin that it has no area at the precision of its \
+         coordinates; use fewer intervals or gentler spacing laws, or move the domain towards the \
+         origin"
+    )]
+    NoArea {
+        /// The vertices of such a triangle.
+        triangle: [u32; 3],
+    },
+    /// The domain [is constrained](Domain::is_constrained), and formulas do not look at that.
+    #[error(
+        "the domain says what its vertices have outside or may have in all, which takes an exact \
+         solver; leave out outside_degree and max_degree for a mesh of least degree"
+    )]
+    Constrained,
+    /// The [`Progress`] callback has cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// The triangles given do not triangulate the domain's boundary.
+    #[error("the triangles are no mesh of the domain: {0}")]
+    Triangles(#[from] Defect),
+}
+
+/// The least and the greatest angle of a mesh, in degrees.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AngleRange {
+    /// In (0, 60].
+    pub min: f64,
+    /// In [60, 180).
+    pub max: f64,
+}
+
+/// How many vertices have each degree, corners apart from the others.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DegreeHistograms {
+    /// The degrees of the corners.
+    pub corners: DegreeHistogram,
+    /// The degrees of the vertices inside sides.
+    pub sides: DegreeHistogram,
+}
+
+/// Up to so many triangles are written by one thread: they take less time than to wake another.
+const LEAST_SHARED: usize = 1 << 16;
+
+/// How many triangles a thread writes at a time.
+const FILLED_AT_A_TIME: usize = 1 << 15;
+
+impl BoundaryMesh {
+    /// The mesh with the least possible maximum degree that looks best on the domain's points.
+    ///
+    /// The core's constructions leave choices open, all of the same degree ([`Plans`](mindeg_core::Plans)). The
+    /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
+    /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
+    ///
+    /// O(n) time, shared by all threads; 16 MiB of points at most are kept meanwhile. At most 64
+    /// plans are tried, spread evenly over all, and fewer where they would have more than 2^25
+    /// triangles together, but at least two if there are two. A plan is dropped at a triangle that
+    /// is no better than the best plan's worst. Angles are compared by their cotangents, which
+    /// take only the four basic operations: so the choice is the same on every machine, and
+    /// with any number of threads.
+    ///
+    /// # Errors
+    ///
+    /// Points so close that some triangle has no area as f64s have it, and constraints on the
+    /// domain's degrees, which this does not look at.
+    pub fn least_degree(domain: &Domain) -> Result<Self, MeshError> {
+        Self::of_formula(domain, Progress::NONE)
+    }
+
+    /// [`least_degree`](Self::least_degree), and `progress` is told how far it is.
+    pub(crate) fn of_formula(domain: &Domain, progress: Progress<'_>) -> Result<Self, MeshError> {
+        if domain.is_constrained() {
+            return Err(MeshError::Constrained);
+        }
+        let triangulation = choice::best_plan(domain.placement(), progress)?;
+        Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
+    }
+
+    /// The mesh with the given triangles, which keep their numbers, under the numbers of the
+    /// domain's vertices.
+    ///
+    /// What the domain says of degrees is not looked at. O(n log n) time, O(n) memory.
+    ///
+    /// # Errors
+    ///
+    /// Triangles that do not triangulate the domain's boundary
+    /// ([`verify`](mindeg_core::verify) says why), or one that has no area as f64s have it.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg::{Domain, BoundaryMesh, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(1); 4])?;
+    /// let mesh = BoundaryMesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!([0, 1, 2, 3].map(|vertex| mesh.degree(vertex)), [3, 2, 3, 2]);
+    /// assert!(BoundaryMesh::with_triangles(&domain, vec![[0, 1, 2], [0, 1, 3]]).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn with_triangles(domain: &Domain, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
+        let list = TriangleList::new(domain.boundary(), triangles)?;
+        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list) };
+        let without_area = mesh
+            .triangles()
+            .zip(mesh.placed_triangles())
+            .find(|&(_, points)| cotangents(points)[0] == f64::INFINITY);
+        if let Some((triangle, _)) = without_area {
+            return Err(MeshError::NoArea { triangle });
+        }
+        Ok(mesh)
+    }
+
+    /// The domain.
+    #[must_use]
+    pub fn domain(&self) -> &Domain {
+        &self.domain
+    }
+
+    /// The domain's boundary: sides, corners, counts.
+    #[must_use]
+    pub fn boundary(&self) -> &Boundary {
+        self.domain.boundary()
+    }
+
+    /// The positions of the vertices.
+    #[must_use]
+    pub fn placement(&self) -> &Placement {
+        self.domain.placement()
+    }
+
+    /// The number of vertices n.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.triangulation.vertex_count()
+    }
+
+    /// The number of triangles, n - 2.
+    #[must_use]
+    pub fn triangle_count(&self) -> u32 {
+        self.triangulation.triangle_count()
+    }
+
+    /// The position of a vertex. O(log k) for k sides.
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn point(&self, vertex: u32) -> DVec2 {
+        self.placement().point(vertex)
+    }
+
+    /// The positions of all vertices, counter-clockwise from the first corner.
+    pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
+        self.placement().points()
+    }
+
+    /// The triangle with the given number, counter-clockwise. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `number` is not below [`triangle_count`](Self::triangle_count).
+    #[must_use]
+    pub fn triangle(&self, number: u32) -> [u32; 3] {
+        self.triangulation.triangle(number)
+    }
+
+    /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge, unless
+    /// they were [given](Self::with_triangles) otherwise.
+    pub fn triangles(&self) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        self.triangles_of(0..self.triangle_count())
+    }
+
+    /// The triangles with some numbers, in order.
+    fn triangles_of(&self, numbers: Range<u32>) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        self.triangulation.triangles_of(numbers)
+    }
+
+    /// Writes the triangles from number `first` on into `out`, as many as it holds, with all
+    /// threads of rayon's current pool.
+    ///
+    /// As fast as memory can be written; what is written does not depend on the threads. Memory
+    /// that was never touched costs several times as much as the triangles in it: use a buffer
+    /// again rather than allocate one for each call.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` triangles remain from `first` on.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg::{Domain, BoundaryMesh, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+    /// let mesh = BoundaryMesh::least_degree(&domain)?;
+    /// let mut indices = vec![[0; 3]; mesh.triangle_count() as usize];
+    /// mesh.fill_triangles(0, &mut indices);
+    /// assert!(mesh.triangles().eq(indices));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
+        let left = self.triangle_count().saturating_sub(first) as usize;
+        assert!(out.len() <= left, "{} triangles from {first} on do not exist", out.len());
+        if out.len() <= LEAST_SHARED {
+            return self.triangulation.fill(first, out);
+        }
+        #[cfg(feature = "parallel")]
+        let parts = out.par_chunks_mut(FILLED_AT_A_TIME).enumerate();
+        #[cfg(not(feature = "parallel"))]
+        let parts = out.chunks_mut(FILLED_AT_A_TIME).enumerate();
+        parts.for_each(|(part, out)| {
+            let before = (part * FILLED_AT_A_TIME) as u32;
+            self.triangulation.fill(first + before, out);
+        });
+    }
+
+    /// The positions of all triangles' vertices, in the order of [`triangles`](Self::triangles).
+    pub fn placed_triangles(&self) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
+        self.placed_triangles_of(0..self.triangle_count())
+    }
+
+    fn placed_triangles_of(
+        &self,
+        range: Range<u32>,
+    ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
+        let mut walk = self.placement().walk();
+        placed(self.triangles_of(range), move |vertex| walk.point(vertex))
+    }
+
+    /// The measures of all triangles, in the order of [`triangles`](Self::triangles).
+    pub fn qualities(&self) -> impl ExactSizeIterator<Item = TriangleQuality> + '_ {
+        self.placed_triangles().map(|[a, b, c]| TriangleQuality::of(a, b, c))
+    }
+
+    /// The measures of all triangles summed up, as
+    /// [`QualitySummary::of`](mindeg_mesh::quality::QualitySummary::of) has them. O(n) time and memory.
+    #[must_use]
+    pub fn quality_summary(&self) -> QualitySummary {
+        let qualities = |range| {
+            let triangles = self.placed_triangles_of(range);
+            triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c))
+        };
+        let summary = QualitySummary::of_ranges(self.triangle_count(), qualities);
+        summary.expect("a mesh has a triangle")
+    }
+
+    /// The least and the greatest angle. O(n) time, next to no memory, and much faster than
+    /// [`qualities`](Self::qualities).
+    #[must_use]
+    pub fn angle_range(&self) -> AngleRange {
+        self.measure_angles(Progress::NONE).expect("nothing cancels the work")
+    }
+
+    /// [`angle_range`](Self::angle_range), and `progress` is told how far it is.
+    ///
+    /// # Errors
+    ///
+    /// [`Cancelled`].
+    pub fn measure_angles(&self, progress: Progress<'_>) -> Result<AngleRange, Cancelled> {
+        let counter = progress.counter("measuring the angles", self.triangle_count().into());
+        let worse = |[of_least, of_greatest]: [f64; 2], [least, greatest]: [f64; 2]| {
+            [of_least.max(least), of_greatest.min(greatest)]
+        };
+        let extremes = [f64::NEG_INFINITY, f64::INFINITY];
+        let in_blocks = try_blocks(self.triangle_count(), |range| {
+            let count = range.len();
+            let of_block = self.placed_triangles_of(range).map(cotangents).fold(extremes, worse);
+            counter.add(count)?;
+            Ok::<_, Cancelled>(of_block)
+        })?;
+        let [least, greatest] = in_blocks.into_iter().fold(extremes, worse);
+        let degrees = |cotangent: f64| libm::atan2(1.0, cotangent).to_degrees();
+        Ok(AngleRange { min: degrees(least), max: degrees(greatest) })
+    }
+
+    /// The number of edges at a vertex, the two along the boundary included. O(1).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn degree(&self, vertex: u32) -> u32 {
+        self.triangulation.degree(vertex)
+    }
+
+    /// The largest degree. O(1).
+    #[must_use]
+    pub fn max_degree(&self) -> u32 {
+        self.triangulation.max_degree()
+    }
+
+    /// The number of edges at a vertex, in this mesh and on the other side of the boundary together.
+    /// O(log n).
+    ///
+    /// # Panics
+    ///
+    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn total_degree(&self, vertex: u32) -> u32 {
+        self.degree(vertex).saturating_add(self.domain.outside_degree(vertex))
+    }
+
+    /// The largest total degree. O(1) where no vertex has edges outside, otherwise O(n log n).
+    #[must_use]
+    pub fn max_total_degree(&self) -> u32 {
+        if !self.domain.is_constrained() {
+            return self.max_degree();
+        }
+        (0..self.vertex_count()).map(|vertex| self.total_degree(vertex)).fold(0, u32::max)
+    }
+
+    /// How many corners and how many other vertices have each degree. O(n).
+    #[must_use]
+    pub fn degree_histograms(&self) -> DegreeHistograms {
+        let boundary = self.boundary();
+        let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
+        let corners: DegreeHistogram = corners.map(|corner| self.degree(corner)).collect();
+        let in_blocks = blocks(self.vertex_count(), |range| {
+            let sides = range.filter(|&vertex| !boundary.is_corner(vertex));
+            sides.map(|vertex| self.degree(vertex)).collect::<DegreeHistogram>()
+        });
+        DegreeHistograms { corners, sides: in_blocks.iter().sum() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_domain::Rectangle;
+    use mindeg_domain::Spacing;
+    use mindeg_domain::VertexConstraint;
+    use mindeg_domain::{Outline, Side};
+
+    #[test]
+    fn points_are_the_same_kept_or_not() {
+        let domain = Domain::rectangle(4.0, 3.0, [9, 7, 5, 2].map(Side::count).into()).unwrap();
+        let mesh = BoundaryMesh::least_degree(&domain).unwrap();
+        let one_by_one = mesh.triangles().map(|triangle| triangle.map(|v| mesh.point(v)));
+        assert!(mesh.placed_triangles().eq(one_by_one));
+    }
+
+    #[test]
+    fn a_list_is_as_good_as_the_formula() {
+        let domain = Domain::rectangle(4.0, 3.0, [9, 7, 5, 2].map(Side::count).into()).unwrap();
+        let formula = BoundaryMesh::least_degree(&domain).unwrap();
+        let list = BoundaryMesh::with_triangles(&domain, formula.triangles().collect()).unwrap();
+        assert_eq!(list.vertex_count(), formula.vertex_count());
+        assert_eq!(list.triangle_count(), formula.triangle_count());
+        assert!(list.triangles().eq(formula.triangles()));
+        assert!((0..21).all(|number| list.triangle(number) == formula.triangle(number)));
+        assert!((0..23).all(|vertex| list.degree(vertex) == formula.degree(vertex)));
+        assert_eq!(list.max_degree(), formula.max_degree());
+        assert_eq!(list.degree_histograms(), formula.degree_histograms());
+        assert_eq!(list.angle_range(), formula.angle_range());
+    }
+
+    #[test]
+    fn refuses_what_is_no_mesh_of_the_domain() {
+        let square =
+            |sides: [u64; 4]| Domain::rectangle(1.0, 1.0, sides.map(Side::count).into()).unwrap();
+        let refused = |domain: &Domain, triangles: &[[u32; 3]]| {
+            BoundaryMesh::with_triangles(domain, triangles.to_vec()).unwrap_err().to_string()
+        };
+        assert_eq!(
+            refused(&square([1; 4]), &[[0, 1, 2]]),
+            "the triangles are no mesh of the domain: there are 1 triangles where 2 are right"
+        );
+        assert!(
+            refused(&square([2, 1, 1, 1]), &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]).contains("flat")
+        );
+
+        let capped = Side { max_degree: Some(9), ..Side::count(1) };
+        let sides = [vec![capped], vec![Side::count(1); 3]].concat();
+        let capped = Domain::rectangle(1.0, 1.0, sides).unwrap();
+        assert_eq!(BoundaryMesh::least_degree(&capped), Err(MeshError::Constrained));
+        assert!(BoundaryMesh::with_triangles(&capped, vec![[0, 1, 2], [0, 2, 3]]).is_ok());
+    }
+
+    #[test]
+    fn edges_outside_count_towards_the_total() {
+        let square = Domain::rectangle(1.0, 1.0, vec![Side::count(1); 4]).unwrap();
+        let total = |vertex, outside_degree| {
+            let outside = VertexConstraint { vertex, outside_degree, max_degree: None };
+            let domain = square.clone().with_vertex_constraints(vec![outside]).unwrap();
+            let mesh = BoundaryMesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+            assert_eq!(
+                (mesh.max_degree(), mesh.total_degree(vertex)),
+                (3, mesh.degree(vertex) + outside_degree)
+            );
+            mesh.max_total_degree()
+        };
+        assert_eq!(BoundaryMesh::least_degree(&square).unwrap().max_total_degree(), 3);
+        assert_eq!([total(0, 4), total(1, 4), total(3, 1)], [7, 6, 3]);
+    }
+
+    /// Points are apart, and yet a triangle between two slanted sides is too thin for f64.
+    #[test]
+    fn refuses_a_mesh_with_a_triangle_that_rounding_turns_over() {
+        let sides = [(7, 33.65), (2, 2.0575e10), (4, 1018.57), (4, 0.1683)]
+            .map(|(m, ratio)| Side::count(m).spaced(Spacing::Geometric { ratio }));
+        let origin = DVec2::splat(881.702_365_756_015_1);
+        let rectangle = Rectangle { origin, rotation: 30.0, ..Rectangle::new(1.0, 0.308) };
+        let domain = Domain::new(Outline::Rectangle(rectangle), sides.into()).unwrap();
+        let error = BoundaryMesh::least_degree(&domain).unwrap_err();
+        assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
+
+        let plan = mindeg_core::min_degree_triangulation(domain.boundary());
+        let error = BoundaryMesh::with_triangles(&domain, plan.triangles().collect()).unwrap_err();
+        assert!(matches!(error, MeshError::NoArea { .. }), "{error}");
+    }
+}

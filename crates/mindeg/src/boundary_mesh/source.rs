@@ -1,0 +1,74 @@
+//! The mesh as writers and measures see it: positions and triangles by range.
+
+use std::borrow::Cow;
+
+use glam::DVec3;
+use mindeg_mesh::{Bounds, Line, Positions, Triangles};
+
+use super::BoundaryMesh;
+
+impl Positions for BoundaryMesh {
+    fn vertex_count(&self) -> u32 {
+        self.vertex_count()
+    }
+
+    fn fill_positions(&self, first: u32, out: &mut [DVec3]) {
+        self.placement().fill_positions(first, out);
+    }
+
+    fn bounds(&self) -> Bounds<DVec3> {
+        Positions::bounds(self.placement())
+    }
+
+    fn is_ring(&self) -> bool {
+        true
+    }
+}
+
+/// The lines are the domain's sides.
+impl Triangles for BoundaryMesh {
+    fn triangle_count(&self) -> u32 {
+        self.triangle_count()
+    }
+
+    fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
+        self.triangulation.fill(first, out);
+    }
+
+    fn fill_degrees(&self, first: u32, out: &mut [u32]) {
+        (first..).zip(out).for_each(|(vertex, degree)| *degree = self.degree(vertex));
+    }
+
+    fn max_degree(&self) -> u32 {
+        self.max_degree()
+    }
+
+    fn normal(&self) -> Option<DVec3> {
+        Some(DVec3::Z)
+    }
+
+    fn name(&self) -> Option<&str> {
+        self.domain().name()
+    }
+
+    fn lines(&self) -> Cow<'_, [Line]> {
+        let boundary = self.boundary();
+        let line = |side| {
+            let start = boundary.corner(side);
+            Line {
+                name: self.domain().side_name(side),
+                segments: start..start + boundary.intervals(side),
+                is_straight: true,
+            }
+        };
+        Cow::Owned((0..boundary.side_count()).map(line).collect())
+    }
+
+    fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
+        let count = self.vertex_count();
+        for (start, segment) in (first..).zip(out) {
+            assert!(start < count, "the boundary has {count} edges");
+            *segment = [start, if start + 1 == count { 0 } else { start + 1 }];
+        }
+    }
+}
