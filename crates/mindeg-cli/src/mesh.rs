@@ -12,7 +12,7 @@ use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::watched::watched;
 use mindeg_compare::exact;
-use mindeg_core::optimal_max_degree;
+use mindeg_core::least_max_degree;
 use mindeg_geometry::export::{Plane, SurfaceOptions};
 use mindeg_geometry::{Domain, Mesh};
 use serde::Serialize;
@@ -101,7 +101,7 @@ fn mesh(arguments: &MeshArguments, domain: &Domain, bar: &Bar) -> Result<(Mesh, 
         bar.stage("choosing the mesh", triangles, Unit::Triangles);
         let mesh = Mesh::least_degree_watched(domain, &bar.watch())
             .map_err(|error| Failure::Input(error.to_string()))?;
-        return Ok((mesh, optimal_max_degree(domain.boundary())));
+        return Ok((mesh, least_max_degree(domain.boundary())));
     }
     let dispensable = if for_angle { "--optimize" } else { "outside_degree and max_degree" };
     let way_out = format!(

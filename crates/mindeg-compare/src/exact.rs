@@ -98,7 +98,7 @@ pub enum ExactError {
 /// ```
 pub fn optimal_max_degree(domain: &Domain, watch: Watch<'_>) -> Result<u32, ExactError> {
     if !domain.is_constrained() {
-        return Ok(mindeg_core::optimal_max_degree(domain.boundary()));
+        return Ok(mindeg_core::least_max_degree(domain.boundary()));
     }
     Ok(least_max_degree(&problem(domain)?, watch)?)
 }

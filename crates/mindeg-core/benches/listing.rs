@@ -8,7 +8,7 @@
 //! different ids, as a triangle is.
 
 use divan::{Bencher, black_box, counter::ItemsCount};
-use mindeg_core::{Boundary, Triangulation, min_degree_triangulation};
+use mindeg_core::{Boundary, Triangulation, least_degree_triangulation};
 use std::fmt;
 
 fn main() {
@@ -45,7 +45,7 @@ fn inputs() -> Vec<Input> {
         sides[0] += 1;
         sides[2] += 1;
         let boundary = Boundary::new(&sides).expect("four sides within the limit");
-        Input { name, triangles, triangulation: min_degree_triangulation(&boundary) }
+        Input { name, triangles, triangulation: least_degree_triangulation(&boundary) }
     };
     sizes.into_iter().flat_map(|size| percent.map(|percent| input(size, percent))).collect()
 }

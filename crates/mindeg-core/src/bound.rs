@@ -36,8 +36,8 @@ pub fn interior_edge_count(boundary: &Boundary) -> u32 {
 /// Lemma 2: every triangulation has at least this many isolated corners, 2.
 ///
 /// ```
-/// # use mindeg_core::{Boundary, bound, min_degree_triangulation};
-/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// # use mindeg_core::{Boundary, bound, least_degree_triangulation};
+/// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
 /// assert!(triangulation.isolated_corners().len() >= bound::LEAST_ISOLATED_CORNERS);
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```

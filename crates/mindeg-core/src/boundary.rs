@@ -2,6 +2,7 @@
 //!
 //! Limits: no positions. That the polygon is convex is for whoever places it to see to.
 
+use crate::ring::Ring;
 use alloc::vec::Vec;
 use core::fmt;
 
@@ -157,6 +158,45 @@ impl Boundary {
         if side == self.side_count() { 0 } else { self.corners[side] }
     }
 
+    /// The vertex after `vertex`, counter-clockwise. O(1).
+    ///
+    /// ```
+    /// # use mindeg_core::Boundary;
+    /// let boundary = Boundary::new(&[3, 3, 2, 2])?;
+    /// assert_eq!([boundary.next(4), boundary.next(9)], [5, 0]);
+    /// assert_eq!([boundary.previous(4), boundary.previous(0)], [3, 9]);
+    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn next(&self, vertex: u32) -> u32 {
+        self.assert_exists(vertex);
+        self.ring().forward(vertex, 1)
+    }
+
+    /// The vertex before `vertex`, counter-clockwise. O(1).
+    ///
+    /// # Panics
+    ///
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn previous(&self, vertex: u32) -> u32 {
+        self.assert_exists(vertex);
+        self.ring().backward(vertex, 1)
+    }
+
+    pub(crate) fn ring(&self) -> Ring {
+        Ring::new(self.vertex_count())
+    }
+
+    fn assert_exists(&self, vertex: u32) {
+        let n = self.vertex_count();
+        assert!(vertex < n, "vertex {vertex} does not exist; the boundary has {n} vertices");
+    }
+
     /// The side on which `vertex` lies; a corner belongs to the side that starts there.
     /// O(log k).
     ///
@@ -165,7 +205,7 @@ impl Boundary {
     /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn side_of(&self, vertex: u32) -> usize {
-        assert!(vertex < self.vertex_count(), "vertex {vertex} is not on the boundary");
+        self.assert_exists(vertex);
         self.corners.partition_point(|&corner| corner <= vertex) - 1
     }
 

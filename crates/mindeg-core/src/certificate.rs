@@ -67,16 +67,16 @@ pub fn certificate(boundary: &Boundary) -> Certificate {
 /// The least possible maximum degree D*. O(k).
 ///
 /// ```
-/// # use mindeg_core::{Boundary, optimal_max_degree};
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[1, 1, 1])?), 2);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[8, 6, 8, 5])?), 4);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
+/// # use mindeg_core::{Boundary, least_max_degree};
+/// assert_eq!(least_max_degree(&Boundary::new(&[1, 1, 1])?), 2);
+/// assert_eq!(least_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
+/// assert_eq!(least_max_degree(&Boundary::new(&[8, 6, 8, 5])?), 4);
+/// assert_eq!(least_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
+/// assert_eq!(least_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 #[must_use]
-pub fn optimal_max_degree(boundary: &Boundary) -> u32 {
+pub fn least_max_degree(boundary: &Boundary) -> u32 {
     certificate(boundary).max_degree()
 }
 

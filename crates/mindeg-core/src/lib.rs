@@ -8,10 +8,10 @@
 //! (2005), carried over from rectangles to every convex polygon.
 //!
 //! ```
-//! use mindeg_core::{Boundary, min_degree_triangulation};
+//! use mindeg_core::{Boundary, least_degree_triangulation};
 //!
 //! let boundary = Boundary::new(&[3, 3, 2, 2])?;
-//! let triangulation = min_degree_triangulation(&boundary);
+//! let triangulation = least_degree_triangulation(&boundary);
 //! assert_eq!(triangulation.max_degree(), 4);
 //! for [a, b, c] in triangulation.triangles() {
 //!     println!("{a} {b} {c}");
@@ -25,7 +25,7 @@
 //!
 //! # What is here
 //!
-//! - [`min_degree_triangulation`] builds one optimal triangulation, [`Plans`] all that the
+//! - [`least_degree_triangulation`] builds one optimal triangulation, [`Candidates`] all that the
 //!   constructions allow.
 //! - [`certificate`] says what the optimum is and why it cannot be less, [`bound`] has the
 //!   statements behind it, and [`suggest`] what to change for a lower one.
@@ -50,11 +50,13 @@ extern crate alloc;
 
 pub mod bound;
 mod boundary;
+mod candidates;
 mod certificate;
+mod construction;
 mod cut;
 pub mod exact;
-mod min_degree;
-mod plans;
+mod least_degree;
+mod ring;
 mod strip;
 mod suggest;
 mod triangles;
@@ -63,10 +65,10 @@ mod verify;
 mod word;
 
 pub use boundary::{Boundary, BoundaryError, MAX_VERTICES};
-pub use certificate::{Certificate, CertificateError, certificate, optimal_max_degree};
+pub use candidates::Candidates;
+pub use certificate::{Certificate, CertificateError, certificate, least_max_degree};
 pub use cut::{Cut, best_cuts, least_imbalance};
-pub use min_degree::min_degree_triangulation;
-pub use plans::Plans;
+pub use least_degree::least_degree_triangulation;
 pub use strip::{Chain, End, Strip};
 pub use suggest::{Change, Suggestion, suggest, suggestions};
 pub use triangles::Triangles;

@@ -4,7 +4,7 @@
 //! to a boundary near [`MAX_VERTICES`](crate::MAX_VERTICES) may pass that limit, which
 //! [`Boundary::new`] then says.
 
-use crate::{Boundary, Certificate, best_cuts, certificate, optimal_max_degree};
+use crate::{Boundary, Certificate, best_cuts, certificate, least_max_degree};
 use alloc::vec::Vec;
 
 /// The least change of interval counts that brings the optimum down; see [`suggest`].
@@ -124,7 +124,7 @@ pub fn suggest(boundary: &Boundary, target: u32) -> Option<Suggestion> {
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 pub fn suggestions(boundary: &Boundary) -> impl Iterator<Item = Suggestion> + '_ {
-    let mut degree = optimal_max_degree(boundary);
+    let mut degree = least_max_degree(boundary);
     core::iter::from_fn(move || {
         let suggestion = suggest(boundary, degree - 1)?;
         degree = suggestion.max_degree;

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mindeg_core::{Boundary, Suggestion, optimal_max_degree, suggest, suggestions};
+use mindeg_core::{Boundary, Suggestion, least_max_degree, suggest, suggestions};
 use proptest::prelude::*;
 use std::cmp::Reverse;
 
@@ -21,7 +21,7 @@ fn for_each_change(sides: &[u64], cost: u64, visit: &mut dyn FnMut(&[u64])) {
 }
 
 fn optimum(sides: &[u64]) -> u32 {
-    optimal_max_degree(&Boundary::new(sides).unwrap())
+    least_max_degree(&Boundary::new(sides).unwrap())
 }
 
 /// What makes one change better than another, the least first.

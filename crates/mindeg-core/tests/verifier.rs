@@ -3,7 +3,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mindeg_core::{Boundary, Plans, verify};
+use mindeg_core::{Boundary, Candidates, verify};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
@@ -175,14 +175,14 @@ proptest! {
     #[test]
     fn edited_lists_are_judged_rightly(
         sides in prop::collection::vec(1_u64..5, 3..7),
-        plan in any::<prop::sample::Index>(),
+        candidate in any::<prop::sample::Index>(),
         swaps in prop::collection::vec((any::<usize>(), any::<usize>()), 0..20),
         edits in prop::collection::vec(edits(), 0..4),
     ) {
         let boundary = Boundary::new(&sides).unwrap();
         let vertices = boundary.vertex_count();
-        let plans: Vec<_> = Plans::new(&boundary).sample(8).collect();
-        let mut list: Vec<[u32; 3]> = plan.get(&plans).triangles().collect();
+        let candidates: Vec<_> = Candidates::new(&boundary).sample(8).collect();
+        let mut list: Vec<[u32; 3]> = candidate.get(&candidates).triangles().collect();
         // A walk through right lists, far from what this crate would build.
         for (a, corner) in swaps {
             let before = list.clone();

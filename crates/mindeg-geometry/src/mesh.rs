@@ -14,7 +14,7 @@ mod faces;
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::{Boundary, Defect, min_degree_triangulation};
+use mindeg_core::{Boundary, Defect, least_degree_triangulation};
 use rayon::prelude::*;
 
 use self::angles::{cotangents, placed};
@@ -105,8 +105,9 @@ const FILLED_AT_A_TIME: usize = 1 << 15;
 impl Mesh {
     /// The mesh with the least possible maximum degree that looks best on the domain's points.
     ///
-    /// The core's constructions leave choices open, all of the same degree ([`Plans`](mindeg_core::Plans)). The
-    /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
+    /// The core's constructions leave choices open, all of the same degree
+    /// ([`Candidates`](mindeg_core::Candidates)). The mesh takes the
+    /// plan whose least angle is largest. Of plans that agree in its cotangent to
     /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
     ///
     /// O(n) time, shared by all threads; 16 MiB of points at most are kept meanwhile. At most 64
@@ -139,7 +140,7 @@ impl Mesh {
 
     /// The first mesh there is, whatever it looks like. O(k) time, but for a copy of the domain.
     pub(crate) fn first(domain: &Domain) -> Self {
-        let triangulation = min_degree_triangulation(domain.boundary());
+        let triangulation = least_degree_triangulation(domain.boundary());
         Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) }
     }
 
@@ -467,7 +468,7 @@ mod tests {
         let error = Mesh::least_degree(&domain).unwrap_err();
         assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
 
-        let plan = mindeg_core::min_degree_triangulation(domain.boundary());
+        let plan = mindeg_core::least_degree_triangulation(domain.boundary());
         let error = Mesh::with_triangles(&domain, plan.triangles().collect()).unwrap_err();
         assert!(matches!(error, MeshError::NoArea { .. }), "{error}");
     }

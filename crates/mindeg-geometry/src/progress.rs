@@ -66,7 +66,7 @@ impl<'a> Counter<'a> {
 mod tests {
     use super::*;
     use crate::{Domain, Mesh, Side, Spacing};
-    use mindeg_core::Plans;
+    use mindeg_core::Candidates;
     use std::sync::Mutex;
 
     #[test]
@@ -82,7 +82,7 @@ mod tests {
             let mesh = alone.install(|| Mesh::least_degree_watched(&domain, &watch)).unwrap();
             assert_eq!(Ok(&mesh), Mesh::least_degree(&domain).as_ref());
             let triangles = u64::from(mesh.triangle_count());
-            let plans = Plans::new(domain.boundary()).count().min(64);
+            let plans = Candidates::new(domain.boundary()).count().min(64);
             let all = Progress { done: plans * triangles, total: plans * triangles };
             let told_of_plans = std::mem::take(&mut *told.lock().unwrap());
             assert!(told_of_plans.is_sorted_by_key(|told| told.done), "{told_of_plans:?}");

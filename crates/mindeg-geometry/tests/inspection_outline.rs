@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::{DQuat, DVec2, DVec3};
-use mindeg_core::optimal_max_degree;
+use mindeg_core::least_max_degree;
 use mindeg_geometry::export::{self, Plane, SurfaceOptions};
 use mindeg_geometry::import::{self, SurfaceMesh};
 use mindeg_geometry::inspection::{ConvexOutline, Inspection, InspectionOptions, NoConvexOutline};
@@ -50,7 +50,7 @@ fn check(mesh: &Mesh, read: &SurfaceMesh) -> Result<(), TestCaseError> {
     prop_assert!(boundary.sides().eq(outline.intervals.iter().copied()), "{:?}", outline);
     let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
     prop_assert!(corners.eq(outline.corners.iter().copied()));
-    prop_assert_eq!(outline.optimal_max_degree, optimal_max_degree(boundary));
+    prop_assert_eq!(outline.optimal_max_degree, least_max_degree(boundary));
     prop_assert_eq!(found.max_degree(), mesh.max_degree());
     let [n, k] = [mesh.vertex_count() as usize, mesh.triangle_count() as usize];
     let counts =

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::{DVec2, DVec3};
-use mindeg_core::Plans;
+use mindeg_core::Candidates;
 use mindeg_geometry::import::SurfaceMesh;
 use mindeg_geometry::inspection::{Inspection, InspectionOptions};
 use mindeg_geometry::quality::TriangleQuality;
@@ -40,7 +40,7 @@ fn the_same_plan_is_chosen_and_it_is_the_best() {
             TriangleQuality::of(a, b, c).min_angle
         };
         let chosen = mesh.triangles().map(least_angle).fold(180.0, f64::min);
-        for plan in Plans::new(domain.boundary()).sample(8) {
+        for plan in Candidates::new(domain.boundary()).sample(8) {
             let other = plan.triangles().map(least_angle).fold(180.0, f64::min);
             assert!(chosen >= other * (1.0 - 2e-9), "{chosen} and {other}");
         }

@@ -1,7 +1,7 @@
 //! The sides and corners of a convex outline, from the points along it.
 
 use glam::{DVec2, DVec3};
-use mindeg_core::{Boundary, optimal_max_degree};
+use mindeg_core::{Boundary, least_max_degree};
 
 /// The convex outline of a mesh that uses the vertices along it alone, and what the least
 /// possible maximum degree is for it.
@@ -28,7 +28,7 @@ pub struct ConvexOutline {
     /// The intervals of each side: how many edges it has.
     pub intervals: Vec<u32>,
     /// The least maximum degree of all triangulations of the outline without other vertices
-    /// ([`optimal_max_degree`]).
+    /// ([`least_max_degree`]).
     pub optimal_max_degree: u32,
 }
 
@@ -85,7 +85,7 @@ pub(super) fn convex_outline(
     Ok(ConvexOutline {
         corners: corners.iter().map(|&corner| vertices[corner]).collect(),
         intervals: boundary.sides().collect(),
-        optimal_max_degree: optimal_max_degree(&boundary),
+        optimal_max_degree: least_max_degree(&boundary),
     })
 }
 

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::{Boundary, Plans, Triangulation};
+use mindeg_core::{Boundary, Candidates, Triangulation};
 
 use super::MeshError;
 use super::angles::{cotangents, placed};
@@ -33,7 +33,7 @@ pub(super) fn best_plan(
     watch: Watch<'_>,
 ) -> Result<Triangulation, MeshError> {
     let boundary = placement.boundary();
-    let plans = Plans::new(boundary);
+    let plans = Candidates::new(boundary);
     let limit = plans_to_try(boundary);
     let triangles = u64::from(boundary.vertex_count()) - 2;
     let counter = Counter::new(plans.count().min(limit.into()) * triangles, watch);

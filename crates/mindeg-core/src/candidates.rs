@@ -1,20 +1,20 @@
 //! Every optimal triangulation that the constructions allow, by number.
 //!
-//! As degrees go all plans are equal; geometry can choose among them.
+//! As degrees go all candidates are equal; geometry can choose among them.
 //!
-//! Limits: not every optimal triangulation is a plan, only those of one strip, or one strip and
+//! Limits: not every optimal triangulation is a candidate, only those of one strip, or one strip and
 //! one cap, that [`min_degree`](crate::min_degree) builds.
 
-use crate::min_degree::{Construction, Heavy, greatest_common_divisor};
+use crate::construction::{Construction, Heavy};
 use crate::word::Letter;
-use crate::{Boundary, Cut, Triangulation, best_cuts, bound, optimal_max_degree};
+use crate::{Boundary, Cut, Triangulation, best_cuts, bound, least_max_degree};
 use alloc::vec::Vec;
 use core::ops::Range;
 
 /// The optimal triangulations that the constructions allow, no two of them the same.
 ///
 /// There are three constructions, and the evenest cut decides which one applies; see
-/// [`min_degree_triangulation`](crate::min_degree_triangulation). The choices they leave open:
+/// [`least_degree_triangulation`](crate::least_degree_triangulation). The choices they leave open:
 ///
 /// - **Zig-zag**: each balanced cut, and where its runs are equal, both alternations.
 /// - **Dominant side**: every rotation of the balanced word.
@@ -22,29 +22,29 @@ use core::ops::Range;
 ///   of the edge under the cap to take the second edge of the cap, and either alternation of the
 ///   main strip.
 ///
-/// That may be O(k²) plans, or O(n) for a dominant side; none is built before it is asked for.
+/// That may be O(k²) candidates, or O(n) for a dominant side; none is built before it is asked for.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, Plans};
+/// use mindeg_core::{Boundary, Candidates};
 ///
 /// let boundary = Boundary::new(&[4, 4, 4, 4])?;
-/// let plans = Plans::new(&boundary);
-/// assert_eq!(plans.count(), 4); // two cuts, two alternations
-/// assert!(plans.iter().all(|triangulation| triangulation.max_degree() == 4));
+/// let candidates = Candidates::new(&boundary);
+/// assert_eq!(candidates.count(), 4); // two cuts, two alternations
+/// assert!(candidates.iter().all(|triangulation| triangulation.max_degree() == 4));
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Plans<'a> {
+pub struct Candidates<'a> {
     boundary: &'a Boundary,
     max_degree: u32,
-    /// Each with the number of plans in the families before it.
+    /// Each with the number of candidates in the families before it.
     families: Vec<(u64, Family)>,
     count: u64,
 }
 
-/// Plans that differ in one number alone.
+/// Candidates that differ in one number alone.
 #[derive(Clone, Debug)]
 enum Family {
     SingleTriangle,
@@ -64,8 +64,8 @@ impl Family {
     }
 }
 
-impl<'a> Plans<'a> {
-    /// The plans for a boundary. O(k) time and memory.
+impl<'a> Candidates<'a> {
+    /// The candidates for a boundary. O(k) time and memory.
     #[must_use]
     pub fn new(boundary: &'a Boundary) -> Self {
         let mut count = 0;
@@ -75,51 +75,51 @@ impl<'a> Plans<'a> {
             count += family.len();
             numbered.push((before, family));
         }
-        Self { boundary, max_degree: optimal_max_degree(boundary), families: numbered, count }
+        Self { boundary, max_degree: least_max_degree(boundary), families: numbered, count }
     }
 
-    /// The number of plans, at least 1. O(1).
+    /// The number of candidates, at least 1. O(1).
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// All plans, each built in O(log k).
+    /// All candidates, each built in O(log k).
     ///
     /// The order is fixed: alternations and the choice of an end change slowest, then the cut in
-    /// the order of [`best_cuts`], then the corner or the rotation. The first plan is the one of
-    /// [`min_degree_triangulation`](crate::min_degree_triangulation).
+    /// the order of [`best_cuts`], then the corner or the rotation. The first candidate is the one of
+    /// [`least_degree_triangulation`](crate::least_degree_triangulation).
     pub fn iter(&self) -> impl Iterator<Item = Triangulation> + '_ {
-        (0..self.count).map(|number| self.plan(number))
+        (0..self.count).map(|number| self.candidate(number))
     }
 
-    /// As many plans as there are, but at most `limit.max(1)`: spread evenly over the order of
+    /// As many candidates as there are, but at most `limit.max(1)`: spread evenly over the order of
     /// [`iter`](Self::iter), the first one always among them.
     ///
     /// ```
-    /// # use mindeg_core::{Boundary, Plans};
+    /// # use mindeg_core::{Boundary, Candidates};
     /// let boundary = Boundary::new(&[1000, 3, 5, 2])?;
-    /// let plans = Plans::new(&boundary);
-    /// assert_eq!(plans.count(), 9);
-    /// assert_eq!(plans.sample(4).count(), 4);
-    /// assert_eq!(plans.sample(100).count(), 9);
+    /// let candidates = Candidates::new(&boundary);
+    /// assert_eq!(candidates.count(), 9);
+    /// assert_eq!(candidates.sample(4).count(), 4);
+    /// assert_eq!(candidates.sample(100).count(), 9);
     /// # Ok::<(), mindeg_core::BoundaryError>(())
     /// ```
     pub fn sample(&self, limit: u32) -> impl Iterator<Item = Triangulation> + '_ {
         let samples = self.count.min(u64::from(limit.max(1)));
         let spread =
             move |i: u64| (u128::from(i) * u128::from(self.count) / u128::from(samples)) as u64;
-        (0..samples).map(move |i| self.plan(spread(i)))
+        (0..samples).map(move |i| self.candidate(spread(i)))
     }
 
-    /// The plan with the given number, below the count.
-    fn plan(&self, number: u64) -> Triangulation {
-        // Of families that start alike only the last has plans.
+    /// The candidate with the given number, below the count.
+    fn candidate(&self, number: u64) -> Triangulation {
+        // Of families that start alike only the last has candidates.
         let family = self.families.partition_point(|&(before, _)| before <= number) - 1;
         let (before, family) = &self.families[family];
         let number = number - before;
         let construction = |cut| Construction::new(self.boundary, cut);
-        let (main, cap) = match family {
+        let (main, corner_strip) = match family {
             Family::SingleTriangle => (Construction::single_triangle(), None),
             Family::MedialTriangle => Construction::medial_triangle(),
             Family::ZigZag { cut, first } => (construction(cut).zig_zag(*first), None),
@@ -135,7 +135,7 @@ impl<'a> Plans<'a> {
                 construction(cut).corner_removal(corner, *heavy, *first)
             }
         };
-        Triangulation::new(self.boundary.vertex_count(), self.max_degree, main, cap)
+        Triangulation::new(self.boundary.ring(), self.max_degree, main, corner_strip)
     }
 }
 
@@ -181,7 +181,7 @@ fn families(boundary: &Boundary) -> Vec<Family> {
 ///
 /// All of them when X comes first with f heavy, or Y with g heavy. Otherwise the adjustment of
 /// the main word may lack the neighbour it needs; and where the smaller run has 3 intervals the
-/// adjusted word is the other alternation, so that the plan is there already. No other two plans
+/// adjusted word is the other alternation, so that the candidate is there already. No other two candidates
 /// are the same: the tests see to it on every small boundary.
 fn removable_corners(boundary: &Boundary, cut: &Cut, heavy: Heavy, first: Letter) -> Range<usize> {
     let fewer = cut.imbalance().div_ceil(2);
@@ -201,4 +201,8 @@ fn removable_corners(boundary: &Boundary, cut: &Cut, heavy: Heavy, first: Letter
         _ => {}
     }
     corners
+}
+
+fn greatest_common_divisor(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }
