@@ -8,7 +8,7 @@ use mindeg_core::{
 };
 use std::collections::HashSet;
 
-/// Every way to give `sides` sides `vertices` intervals in all, one for each class under
+/// Every way to divide `vertices` intervals among `sides` sides, one for each class under
 /// rotation and reflection.
 fn boundaries(sides: usize, vertices: u64) -> Vec<Vec<u64>> {
     fn extend(prefix: &mut Vec<u64>, sides: usize, left: u64, found: &mut Vec<Vec<u64>>) {
@@ -60,13 +60,13 @@ fn check(sides: &[u64]) -> usize {
             triangle.rotate_left(least);
         }
         triangles.sort_unstable();
-        assert!(seen.insert(triangles), "{sides:?}: {candidate:?} comes twice");
+        assert!(seen.insert(triangles), "{sides:?}: {candidate:?} occurs twice");
     }
     assert!(!seen.is_empty() && seen.len() as u64 == candidates.count());
     seen.len()
 }
 
-/// The paper's statements hold, each by itself.
+/// Checks each statement of the paper.
 fn check_bounds(boundary: &Boundary, optimum: u32) {
     assert!(bound::counting_bound(boundary) <= optimum, "{boundary:?}");
     let side_bounds = (0..boundary.side_count()).map(|side| bound::side_bound(boundary, side));
@@ -79,8 +79,8 @@ fn check_bounds(boundary: &Boundary, optimum: u32) {
     );
 }
 
-/// The number of candidates was found by trying every variant of a construction at every corner and
-/// leaving out what fails or comes twice.
+/// `all_candidates` was found separately: by every variant of a construction at every corner,
+/// without the ones that fail or occur twice.
 fn check_all(sides: usize, largest: u64, all_candidates: usize) {
     let mut candidates = 0;
     for vertices in sides as u64..=largest {
@@ -121,7 +121,7 @@ fn every_octagon() {
     check_all(8, 24, 260_876);
 }
 
-/// The enumeration leaves nothing out: its classes are as many as are known from elsewhere.
+/// The enumeration is complete: the number of its classes is the known one.
 #[test]
 fn boundaries_are_enumerated_up_to_symmetry() {
     // Partitions of n into 3 parts: the integer nearest to n²/12.

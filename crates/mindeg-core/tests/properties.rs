@@ -1,5 +1,5 @@
-//! Random boundaries, up to a million vertices: candidates through the verifier, and the closed forms
-//! against the list of triangles that they describe.
+//! Random boundaries of up to a million vertices: the verifier checks candidates, and the list of
+//! triangles checks the closed forms.
 
 use mindeg_core::{
     Boundary, Candidates, Certificate, Letter, Triangulation, certificate,
@@ -7,12 +7,12 @@ use mindeg_core::{
 };
 use proptest::prelude::*;
 
-/// Sides of very different sizes, so that every construction comes up.
+/// Sides of very different sizes, so that every construction occurs.
 fn sides(most_sides: usize, most_intervals: u64) -> impl Strategy<Value = Vec<u64>> {
     let bits = most_intervals.ilog2();
     let side = (0..=bits).prop_flat_map(|bits| (1 << bits) / 2 + 1..=1_u64 << bits);
     let any = prop::collection::vec(side.clone(), 3..=most_sides);
-    // A run of sides and one that balances it but for a little.
+    // A run of sides and a run that almost balances it.
     let nearly_balanced = (prop::collection::vec(side, 2..=most_sides - 2), 0_u64..40).prop_map(
         |(mut sides, excess)| {
             let total: u64 = sides.iter().sum();
@@ -36,7 +36,7 @@ fn neighbors_from_list(vertices: u32, triangulation: &Triangulation) -> Vec<Vec<
         }
     }
     for (vertex, neighbors) in (0..vertices).zip(&mut neighbors) {
-        // Round a convex polygon, counter-clockwise is the order of the ring.
+        // In a convex polygon, the neighbours in counter-clockwise order follow the ring.
         neighbors.sort_unstable_by_key(|&other| (other + vertices - vertex) % vertices);
         neighbors.dedup();
     }
@@ -66,14 +66,14 @@ proptest! {
         let sample: Vec<Triangulation> = candidates.sample(limit).collect();
         prop_assert_eq!(sample.len() as u64, candidates.count().min(u64::from(limit.max(1))));
         prop_assert_eq!(sample[0], least_degree_triangulation(&boundary));
-        // In the order of all candidates, and so no candidate twice.
+        // The sample keeps the order of all candidates, so none occurs twice.
         let mut candidates = candidates.iter();
         prop_assert!(sample.iter().all(|one| candidates.any(|other| other == *one)));
     }
 
     #[test]
     fn a_certificate_proves_no_more_than_the_truth(
-        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, number in 0_usize..6
+        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, side in 0_usize..6
     ) {
         let optimum = least_max_degree(&Boundary::new(&about).unwrap());
         let own = certificate(&Boundary::new(&of).unwrap());
@@ -81,7 +81,7 @@ proptest! {
             Certificate::BalancedCut { cut, .. } =>
                 Certificate::BalancedCut { cut, max_degree: degree },
             Certificate::LongSide { .. } =>
-                Certificate::LongSide { side: number, max_degree: degree },
+                Certificate::LongSide { side, max_degree: degree },
             other => other,
         };
         for certificate in [own, claimed] {
@@ -140,14 +140,14 @@ proptest! {
         let candidates: Vec<Triangulation> = Candidates::new(&boundary).sample(40).collect();
         let candidate = candidate.get(&candidates);
         let count = candidate.triangle_count();
-        let one_by_one: Vec<[u32; 3]> = (0..count).map(|number| candidate.triangle(number)).collect();
+        let one_by_one: Vec<[u32; 3]> = (0..count).map(|index| candidate.triangle(index)).collect();
 
         let mut filled = vec![[0; 3]; count as usize];
-        let (mut rest, mut number) = (&mut filled[..], 0);
+        let (mut rest, mut index) = (&mut filled[..], 0);
         for len in lens.into_iter().chain([usize::MAX]) {
             let (block, after) = rest.split_at_mut(len.min(rest.len()));
-            candidate.fill_triangles(number, block);
-            (rest, number) = (after, number + block.len() as u32);
+            candidate.fill_triangles(index, block);
+            (rest, index) = (after, index + block.len() as u32);
         }
         prop_assert_eq!(&filled, &one_by_one);
 
@@ -169,11 +169,11 @@ proptest! {
         let candidate = least_degree_triangulation(&Boundary::new(&sides).unwrap());
         let from_strips: Vec<[u32; 3]> = candidate
             .strips()
-            .flat_map(|strip| (0..strip.triangle_count()).map(|number| strip.triangle(number)))
+            .flat_map(|strip| (0..strip.triangle_count()).map(|index| strip.triangle(index)))
             .collect();
         prop_assert_eq!(&from_strips, &candidate.triangles().collect::<Vec<_>>());
         for strip in candidate.strips() {
-            let letters = (0..strip.word().len()).map(|place| strip.word().letter(place));
+            let letters = (0..strip.word().len()).map(|index| strip.word().letter(index));
             let xs = letters.filter(|&letter| letter == Letter::X).count();
             prop_assert_eq!(xs as u32 + 1, strip.x().len());
             prop_assert_eq!(strip.word().ys() + 1, strip.y().len());
@@ -228,8 +228,8 @@ fn check_here_and_there(boundary: &Boundary, candidate: &Triangulation) {
     for first in (0..last).step_by(100_000_007).chain([last]).chain(ends) {
         let mut block = [[0; 3]; WINDOW as usize];
         candidate.fill_triangles(first, &mut block);
-        for (number, triangle) in (first..).zip(block) {
-            assert_eq!(triangle, candidate.triangle(number), "{boundary:?}");
+        for (index, triangle) in (first..).zip(block) {
+            assert_eq!(triangle, candidate.triangle(index), "{boundary:?}");
             assert!(!boundary.is_flat(triangle), "{boundary:?}: {triangle:?}");
             for (vertex, other) in triangle.into_iter().zip([triangle[1], triangle[2], triangle[0]])
             {
