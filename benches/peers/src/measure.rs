@@ -117,7 +117,7 @@ mod tests {
             ),
             (
                 &[[0, 1, 4], [1, 3, 4], [1, 2, 9]],
-                invalid(0, 0, "triangle 2 names vertex 9, which does not exist"),
+                invalid(0, 0, "triangle 2 has vertex 9, which does not exist"),
                 4,
             ),
             (&[], invalid(0, 3, "there are 0 triangles where 3 are right"), 2),

@@ -9,7 +9,7 @@ use crate::shewchuk;
 use i_triangle::float::triangulation::{RawTriangulation, Triangulation};
 use i_triangle::float::unchecked::UncheckedTriangulatable;
 use mindeg_compare::Reference;
-use mindeg_core::min_degree_triangulation;
+use mindeg_core::least_degree_triangulation;
 use mindeg::BoundaryMesh;
 use std::collections::{HashMap, HashSet};
 use std::error::Error;
@@ -51,7 +51,7 @@ pub(crate) const PEERS: [Peer; 12] = [
         name: "mindeg, not choosing",
         package: "mindeg-core",
         licence: FREE,
-        called: "`min_degree_triangulation` from counts, then `fill_triangles` into a new list; \
+        called: "`least_degree_triangulation` from counts, then `fill_triangles` into a new list; \
                  never looks at a point",
         run: |input, clock| clock.time(|| mindeg_without_choosing(input)),
     },
@@ -151,7 +151,7 @@ pub(crate) fn mindeg(input: &Input) -> Triangles {
 }
 
 fn mindeg_without_choosing(input: &Input) -> Triangles {
-    let triangulation = min_degree_triangulation(&input.new_boundary()?);
+    let triangulation = least_degree_triangulation(&input.new_boundary()?);
     let mut triangles = vec![[0; 3]; triangulation.triangle_count() as usize];
     triangulation.fill_triangles(0, &mut triangles);
     Ok(triangles)

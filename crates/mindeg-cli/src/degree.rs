@@ -139,7 +139,7 @@ It is reached by the triangle through the three midpoints.\n"
             "It cannot be less: degree 4 needs two runs of consecutive sides whose intervals \
              differ by at most 1,\nand here every two differ by {least_imbalance} or more \
              (Liu 2005, Theorems 5 and 10).\n\
-             It is reached by a cap at one corner and a zig-zag across the rest.\n"
+             It is reached by a corner strip and a zig-zag across the rest.\n"
         ),
     }
 }

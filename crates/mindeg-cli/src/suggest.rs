@@ -3,7 +3,7 @@
 use crate::args::SuggestArguments;
 use crate::failure::Failure;
 use crate::standard_output::{print, print_json};
-use mindeg_core::{Boundary, Change, Suggestion, optimal_max_degree, suggest, suggestions};
+use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 
 /// What `--json` prints; sides count from 0 like the lists of intervals.
@@ -33,7 +33,7 @@ struct SideChange {
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
     let intervals = &arguments.intervals.0;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
-    let today = optimal_max_degree(&boundary);
+    let today = least_max_degree(&boundary);
     let rows: Vec<Suggestion> = match arguments.target {
         None => suggestions(&boundary).collect(),
         Some(target) => vec![suggest(&boundary, target).ok_or_else(|| {

@@ -145,7 +145,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     let own_time = start.elapsed();
 
     let points: Vec<DVec2> = domain.placement().points().collect();
-    let optimal_max_degree = mindeg_core::optimal_max_degree(boundary);
+    let optimal_max_degree = mindeg_core::least_max_degree(boundary);
     let figures =
         |triangles: &[[u32; 3]]| measure::figures(boundary, &points, triangles, optimal_max_degree);
     let mut methods = vec![MethodFigures {

@@ -1,21 +1,20 @@
-//! How fast triangles are listed, next to filling the same buffer with a constant.
+//! The time to list triangles, beside the time to fill the same buffer with a constant.
 //!
-//! With `MINDEG_BENCH_LARGE=1` in the environment also for 10⁸ triangles, which takes 1.2 GB. The
-//! ratios of one to the other, taken in turns, are in the benchmark `ratios` of the package
-//! `mindeg`.
+//! `MINDEG_BENCH_LARGE=1` in the environment adds 10⁸ triangles, which take 1.2 GB. The benchmark
+//! `ratios` of the package `mindeg-cli` measures the two in turns and gives their ratio.
 //!
-//! Bias: the buffer has been written before, so no page faults are counted. The constant is three
-//! different ids, as a triangle is.
+//! Bias: the buffer was written before, so the times exclude page faults. The constant has three
+//! different indices, like a triangle.
 
 use divan::{Bencher, black_box, counter::ItemsCount};
-use mindeg_core::{Boundary, Triangulation, min_degree_triangulation};
+use mindeg_core::{Boundary, Triangulation, least_degree_triangulation};
 use std::fmt;
 
 fn main() {
     divan::main();
 }
 
-/// A construction, by four sides that bring it about, and the number of triangles.
+/// A triangulation, with the name of its construction and the number of its triangles.
 struct Input {
     name: &'static str,
     triangles: u64,
@@ -41,17 +40,17 @@ fn inputs() -> Vec<Input> {
     ];
     let input = |triangles, (name, percent): (&'static str, [u64; 4])| {
         let mut sides = percent.map(|percent| percent * triangles / 100);
-        // Two more vertices than triangles, and an even zig-zag.
+        // Two more vertices than triangles, and equal runs for the zig-zag.
         sides[0] += 1;
         sides[2] += 1;
         let boundary = Boundary::new(&sides).expect("four sides within the limit");
-        Input { name, triangles, triangulation: min_degree_triangulation(&boundary) }
+        Input { name, triangles, triangulation: least_degree_triangulation(&boundary) }
     };
     sizes.into_iter().flat_map(|size| percent.map(|percent| input(size, percent))).collect()
 }
 
 fn buffer(input: &Input) -> Vec<[u32; 3]> {
-    // Not zero, which the allocator could provide untouched.
+    // Not zero: the allocator could provide zeroed pages without touching them.
     vec![[1; 3]; input.triangulation.triangle_count() as usize]
 }
 
@@ -84,7 +83,7 @@ fn triangles(bencher: Bencher<'_, '_>, input: &Input) {
     });
 }
 
-/// Ids below `count` in an order that no cache foresees.
+/// Indices below `count` in an order that no cache predicts.
 fn scattered(count: u32) -> impl Iterator<Item = u32> {
     let mut state = 1_u64;
     (0..1000).map(move |_| {
@@ -95,10 +94,10 @@ fn scattered(count: u32) -> impl Iterator<Item = u32> {
 
 #[divan::bench(args = inputs())]
 fn a_thousand_triangles(bencher: Bencher<'_, '_>, input: &Input) {
-    let numbers: Vec<u32> = scattered(input.triangulation.triangle_count()).collect();
-    bencher.counter(ItemsCount::of_iter(&numbers)).bench_local(|| {
-        for &number in &numbers {
-            black_box(input.triangulation.triangle(number));
+    let indices: Vec<u32> = scattered(input.triangulation.triangle_count()).collect();
+    bencher.counter(ItemsCount::of_iter(&indices)).bench_local(|| {
+        for &index in &indices {
+            black_box(input.triangulation.triangle(index));
         }
     });
 }

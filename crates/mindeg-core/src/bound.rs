@@ -1,15 +1,15 @@
-//! How low the maximum degree can be: the statements of Liu 2005, by their numbers there.
+//! Lower bounds on the maximum degree: the statements of Liu 2005, by their numbers there.
 //!
-//! C.-L. Liu, "Minimum degree triangulation for rectangular domains", 2005. All of them hold
-//! for every convex polygon, not only for rectangles; Theorem 10 needs one correction, given at
+//! C.-L. Liu, "Minimum degree triangulation for rectangular domains", 2005. All statements hold
+//! for every convex polygon, not only for rectangles. Theorem 10 needs one correction; see
 //! [`is_medial_exception`].
 //!
-//! Limits: each function is one statement. Which of them is the sharp one for a boundary is
-//! [`certificate`](crate::certificate)'s to say.
+//! Limits: each function is one statement. [`certificate`](crate::certificate()) selects the sharp
+//! one for a boundary.
 
 use crate::{Boundary, Cut, best_cuts};
 
-/// Lemma 1: the number of triangles in every triangulation of a boundary, `n-2`.
+/// Lemma 1: the number of triangles in every triangulation of a boundary, `n-2`. O(1).
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};
@@ -21,7 +21,7 @@ pub fn triangle_count(boundary: &Boundary) -> u32 {
     boundary.vertex_count() - 2
 }
 
-/// Lemma 1: the number of interior edges in every triangulation of a boundary, `n-3`.
+/// Lemma 1: the number of interior edges in every triangulation of a boundary, `n-3`. O(1).
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};
@@ -33,20 +33,20 @@ pub fn interior_edge_count(boundary: &Boundary) -> u32 {
     boundary.vertex_count() - 3
 }
 
-/// Lemma 2: every triangulation has at least this many isolated corners, 2.
+/// Lemma 2: every triangulation has at least 2 isolated corners.
 ///
 /// ```
-/// # use mindeg_core::{Boundary, bound, min_degree_triangulation};
-/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// # use mindeg_core::{Boundary, bound, least_degree_triangulation};
+/// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
 /// assert!(triangulation.isolated_corners().len() >= bound::LEAST_ISOLATED_CORNERS);
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 pub const LEAST_ISOLATED_CORNERS: usize = 2;
 
-/// Theorems 3 and 8: the bound on the maximum degree from counting edges.
+/// Theorems 3 and 8: the bound on the maximum degree from counting edges. O(1).
 ///
-/// The degrees add up to `4n-6`. Two isolated corners take 4 of that, so one of the other
-/// vertices has at least `(4n-10)/(n-2)`, rounded up: 2 for n = 3, 3 for n = 4, else 4.
+/// The sum of the degrees is `4n-6`. Two isolated corners have 4 of it, so another vertex has at
+/// least `(4n-10)/(n-2)`, rounded up: 2 for n = 3, 3 for n = 4, otherwise 4.
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};
@@ -61,15 +61,15 @@ pub fn counting_bound(boundary: &Boundary) -> u32 {
     (4 * vertices - 10).div_ceil(vertices - 2) as u32
 }
 
-/// Theorem 4: the bound on the maximum degree from the a intervals of one side.
+/// Theorem 4: the bound on the maximum degree from the a intervals of one side. O(1).
 ///
-/// Each of the `n-3` interior edges has an end among the `n-a-1` vertices off that side, so
-/// one of these has at least `(n-3)/(n-a-1)` of them, rounded up, and two boundary edges.
-/// The paper writes the same number as `(a-2)/(n-a-1)`, rounded up, plus 3.
+/// Each of the `n-3` interior edges has an end among the `n-a-1` vertices that are not on that
+/// side. So one of these vertices has at least `(n-3)/(n-a-1)` of them, rounded up, and two
+/// boundary edges. The paper writes the same value as `(a-2)/(n-a-1)`, rounded up, plus 3.
 ///
 /// # Panics
 ///
-/// When `side` is not below [`Boundary::side_count`].
+/// If `side` is not below [`Boundary::side_count`].
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};
@@ -86,7 +86,7 @@ pub fn side_bound(boundary: &Boundary, side: usize) -> u32 {
 
 /// The zig-zag condition of Theorems 5 and 10: a cut whose runs differ by at most one. O(k).
 ///
-/// With at least 7 intervals, degree 4 can be had if and only if there is one.
+/// With at least 7 intervals, some triangulation has degree 4 if and only if such a cut exists.
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};
@@ -99,14 +99,14 @@ pub fn zig_zag_condition(boundary: &Boundary) -> Option<Cut> {
     best_cuts(boundary).next().filter(Cut::is_balanced)
 }
 
-/// Whether this is the triangle with every side halved, the only boundary that has degree 4
-/// without a balanced cut.
+/// Whether this is (2,2,2), the triangle with every side halved: the only boundary with degree 4
+/// and no balanced cut. O(k).
 ///
-/// As printed, Theorem 10 asks for `k+3` intervals on a k-sided polygon and so covers (2,2,2),
-/// where it fails: the medial triangle and three ears have degree 4. The hypothesis that works
-/// is at least 7 intervals, whatever k is. If three ears and degree 4 go together, every other
-/// vertex has two interior edges, the three edges of the triangle between the ears close up,
-/// and so n = 6.
+/// The printed Theorem 10 requires at least `k+3` intervals on a k-sided polygon. It thus covers
+/// (2,2,2), where it fails: the medial triangle and three ears have degree 4. The correct
+/// hypothesis is at least 7 intervals, whatever k is. The reason: if a triangulation has three
+/// ears and degree 4, every other vertex has two interior edges, the three edges of the triangle
+/// between the ears form a closed ring, and so n = 6.
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};

@@ -1,20 +1,21 @@
 //! The input: how many intervals each side of a convex polygon has.
 //!
-//! Limits: no positions. That the polygon is convex is for whoever places it to see to.
+//! Limits: no positions. The code that places the vertices must ensure a convex polygon.
 
+use crate::ring::Ring;
 use alloc::vec::Vec;
 use core::fmt;
 
-/// The largest number of boundary vertices, `2^32 - 2`.
+/// The maximum number of boundary vertices, `2^32 - 2`.
 ///
-/// Vertex ids are `u32` and `u32::MAX` stays free, since graphics programs give it a
-/// meaning of its own (primitive restart).
+/// Vertex indices are `u32`, and none is `u32::MAX`: graphics programs use that value for
+/// primitive restart.
 pub const MAX_VERTICES: u32 = u32::MAX - 1;
 
-/// A convex polygon whose sides are divided into intervals; no positions.
+/// A convex polygon with each side divided into intervals; no positions.
 ///
-/// Boundary vertices are numbered `0 … n-1` counter-clockwise, vertex 0 being the corner
-/// where side 0 starts. Sides are counted from 0 in the interface and from 1 in messages.
+/// Boundary vertices have the indices `0 … n-1`, counter-clockwise; vertex 0 is the corner
+/// where side 0 starts. The interface counts sides from 0, messages count them from 1.
 /// Memory is O(k) for k sides, whatever the number of intervals.
 ///
 /// # Example
@@ -36,7 +37,7 @@ pub struct Boundary {
     corners: Vec<u32>,
 }
 
-/// Why a list of interval counts is not a boundary.
+/// The reason why a list of interval counts does not describe a boundary.
 ///
 /// # Example
 ///
@@ -52,7 +53,7 @@ pub struct Boundary {
 pub enum BoundaryError {
     /// Fewer than three sides.
     TooFewSides {
-        /// How many there are.
+        /// The number of sides.
         sides: usize,
     },
     /// A side without an interval.
@@ -62,9 +63,10 @@ pub enum BoundaryError {
     },
     /// More boundary vertices than [`MAX_VERTICES`].
     TooManyVertices {
-        /// The side, counted from 0, at which the running total passes the limit.
+        /// The first side, counted from 0, with which the sum of the intervals exceeds the
+        /// maximum.
         side: usize,
-        /// The intervals of that side.
+        /// The number of intervals of that side.
         intervals: u64,
     },
 }
@@ -72,18 +74,17 @@ pub enum BoundaryError {
 impl fmt::Display for BoundaryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::TooFewSides { sides } => write!(
-                f,
-                "a polygon needs at least 3 sides, and {sides} {} given",
-                if sides == 1 { "is" } else { "are" }
-            ),
+            Self::TooFewSides { sides } => {
+                let plural = if sides == 1 { "" } else { "s" };
+                write!(f, "found {sides} side{plural}; a polygon needs at least 3")
+            }
             Self::NoIntervals { side } => {
                 write!(f, "side {} has 0 intervals; every side needs at least 1", side + 1)
             }
             Self::TooManyVertices { side, intervals } => write!(
                 f,
-                "with side {} ({intervals} intervals) the boundary passes the limit of \
-                 {MAX_VERTICES} vertices; use fewer intervals",
+                "side {} has {intervals} intervals, with which the boundary exceeds the maximum \
+                 of {MAX_VERTICES} vertices; use fewer intervals",
                 side + 1
             ),
         }
@@ -93,11 +94,13 @@ impl fmt::Display for BoundaryError {
 impl core::error::Error for BoundaryError {}
 
 impl Boundary {
-    /// A boundary from the interval count of each side, counter-clockwise. O(k).
+    /// A boundary from the number of intervals of each side, counter-clockwise: at least 3 sides,
+    /// at least 1 interval on each. O(k).
     ///
     /// # Errors
     ///
-    /// Fewer than three sides, a side with no interval, or more than [`MAX_VERTICES`] in all.
+    /// Fewer than three sides, a side without intervals, or more than [`MAX_VERTICES`] intervals
+    /// in total.
     pub fn new(intervals: &[u64]) -> Result<Self, BoundaryError> {
         if intervals.len() < 3 {
             let sides = intervals.len();
@@ -132,45 +135,83 @@ impl Boundary {
         self.corners[self.side_count()]
     }
 
-    /// The intervals of `side`, in `1..=n-2`.
+    /// The number of intervals of `side`, in `1..=n-2`. O(1).
     ///
     /// # Panics
     ///
-    /// When `side` is not below [`side_count`](Self::side_count).
+    /// If `side` is not below [`side_count`](Self::side_count).
     #[must_use]
     pub fn intervals(&self, side: usize) -> u32 {
         self.corners[side + 1] - self.corners[side]
     }
 
-    /// The interval counts of all sides, side 0 first.
+    /// The number of intervals of each side, side 0 first.
     pub fn sides(&self) -> impl ExactSizeIterator<Item = u32> + '_ {
         self.corners.windows(2).map(|pair| pair[1] - pair[0])
     }
 
-    /// The vertex where `side` starts; `corner(k)` is the corner where side 0 starts, again.
+    /// The vertex where `side` starts; `corner(k)` is vertex 0 again. O(1).
     ///
     /// # Panics
     ///
-    /// When `side` is above [`side_count`](Self::side_count).
+    /// If `side` is above [`side_count`](Self::side_count).
     #[must_use]
     pub fn corner(&self, side: usize) -> u32 {
         if side == self.side_count() { 0 } else { self.corners[side] }
     }
 
-    /// The side on which `vertex` lies; a corner belongs to the side that starts there.
+    /// The vertex after `vertex`, counter-clockwise. O(1).
+    ///
+    /// ```
+    /// # use mindeg_core::Boundary;
+    /// let boundary = Boundary::new(&[3, 3, 2, 2])?;
+    /// assert_eq!([boundary.next(4), boundary.next(9)], [5, 0]);
+    /// assert_eq!([boundary.previous(4), boundary.previous(0)], [3, 9]);
+    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// ```
+    ///
+    /// # Panics
+    ///
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn next(&self, vertex: u32) -> u32 {
+        self.assert_exists(vertex);
+        self.ring().forward(vertex, 1)
+    }
+
+    /// The vertex before `vertex`, counter-clockwise. O(1).
+    ///
+    /// # Panics
+    ///
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn previous(&self, vertex: u32) -> u32 {
+        self.assert_exists(vertex);
+        self.ring().backward(vertex, 1)
+    }
+
+    pub(crate) fn ring(&self) -> Ring {
+        Ring::new(self.vertex_count())
+    }
+
+    fn assert_exists(&self, vertex: u32) {
+        let n = self.vertex_count();
+        assert!(vertex < n, "vertex {vertex} does not exist; the boundary has {n} vertices");
+    }
+
+    /// The side of `vertex`; a corner belongs to the side that starts there.
     /// O(log k).
     ///
     /// # Panics
     ///
-    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn side_of(&self, vertex: u32) -> usize {
-        assert!(vertex < self.vertex_count(), "vertex {vertex} is not on the boundary");
+        self.assert_exists(vertex);
         self.corners.partition_point(|&corner| corner <= vertex) - 1
     }
 
-    /// Whether `vertex` is a corner; no vertex from [`vertex_count`](Self::vertex_count) on is.
-    /// O(log k).
+    /// Whether `vertex` is a corner; false for vertices that do not exist. O(log k).
     #[must_use]
     pub fn is_corner(&self, vertex: u32) -> bool {
         self.corners[..self.side_count()].binary_search(&vertex).is_ok()
@@ -180,7 +221,7 @@ impl Boundary {
     ///
     /// # Panics
     ///
-    /// When a vertex is not below [`vertex_count`](Self::vertex_count).
+    /// If a vertex is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn is_flat(&self, triangle: [u32; 3]) -> bool {
         let on_side = |side: usize| {
@@ -189,8 +230,8 @@ impl Boundary {
                     || vertex == self.corner(side + 1)
             })
         };
-        // Of three vertices on one side at most one is the corner where the next side starts;
-        // the others are on that side by `side_of` too.
+        // If three vertices lie on one side, at most one of them is the corner where the next side
+        // starts. `side_of` gives that one side for the others.
         triangle.iter().any(|&vertex| on_side(self.side_of(vertex)))
     }
 }
@@ -201,7 +242,7 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    fn numbers_vertices_from_the_first_corner() {
+    fn indices_start_at_the_first_corner() {
         let boundary = Boundary::new(&[3, 1, 2]).unwrap();
         assert_eq!(boundary.vertex_count(), 6);
         assert_eq!((0..=3).map(|s| boundary.corner(s)).collect::<Vec<_>>(), [0, 3, 4, 0]);
@@ -228,20 +269,20 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_is_no_polygon_and_names_the_side() {
+    fn a_refused_list_of_counts_names_the_side() {
         for (intervals, message) in [
-            (&[][..], "a polygon needs at least 3 sides, and 0 are given"),
-            (&[5], "a polygon needs at least 3 sides, and 1 is given"),
+            (&[][..], "found 0 sides; a polygon needs at least 3"),
+            (&[5], "found 1 side; a polygon needs at least 3"),
             (&[1, 0, 1], "side 2 has 0 intervals; every side needs at least 1"),
             (
                 &[1, 1, 1 << 40],
-                "with side 3 (1099511627776 intervals) the boundary passes the limit of \
-                 4294967294 vertices; use fewer intervals",
+                "side 3 has 1099511627776 intervals, with which the boundary exceeds the maximum \
+                 of 4294967294 vertices; use fewer intervals",
             ),
             (
                 &[4_294_967_292, 1, 2],
-                "with side 3 (2 intervals) the boundary passes the limit of 4294967294 \
-                 vertices; use fewer intervals",
+                "side 3 has 2 intervals, with which the boundary exceeds the maximum of \
+                 4294967294 vertices; use fewer intervals",
             ),
         ] {
             assert_eq!(Boundary::new(intervals).unwrap_err().to_string(), message);

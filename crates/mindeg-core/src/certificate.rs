@@ -1,14 +1,13 @@
-//! Why the maximum degree cannot be less, in a form that is easy to check.
+//! A proof that no triangulation has a smaller maximum degree, in a form that is easy to check.
 //!
-//! A certificate names a lower bound and a witness for it. [`Certificate::check`] tests it
-//! against nothing but the interval counts, in O(k²) and without any of the code that found
-//! it. That the bound is attained is shown by a triangulation, through
-//! [`verify`](crate::verify).
+//! A certificate is a lower bound with a witness. [`Certificate::check`] tests it against the
+//! interval counts alone, in O(k²), and shares no code with the search for certificates. A
+//! triangulation proves that the bound is attained; [`verify`](crate::verify()) checks it.
 
 use crate::{Boundary, Cut, best_cuts, bound};
 use core::fmt;
 
-/// A lower bound on the maximum degree that some triangulation attains, and its witness.
+/// A lower bound on the maximum degree, attained by some triangulation, and its witness.
 ///
 /// # Example
 ///
@@ -22,24 +21,24 @@ use core::fmt;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Certificate {
-    /// Counting edges gives 2, 3 or 4 (Theorems 3 and 8), and this balanced cut shows that it
-    /// is attained.
+    /// Counting edges gives the bound 2, 3 or 4 (Theorems 3 and 8), and a zig-zag across this
+    /// balanced cut attains it.
     BalancedCut {
         /// A cut whose runs differ by at most one interval.
         cut: Cut,
-        /// The degree.
+        /// The bound.
         max_degree: u32,
     },
-    /// Counting edges gives 4, and the medial triangle of (2,2,2) attains it.
+    /// Counting edges gives the bound 4, and the medial triangle of (2,2,2) attains it.
     MedialTriangle,
-    /// One side has so many intervals that the vertices off it must share them (Theorem 4).
+    /// The vertices that are not on one long side share almost all interior edges (Theorem 4).
     LongSide {
         /// The side, counted from 0.
         side: usize,
-        /// The degree.
+        /// The bound.
         max_degree: u32,
     },
-    /// No cut is balanced, so 4 cannot be had and 5 is the least (Theorems 5 and 10).
+    /// No cut is balanced, so degree 4 is impossible and the bound is 5 (Theorems 5 and 10).
     NoBalancedCut {
         /// The least imbalance over all cuts, at least 2.
         least_imbalance: u32,
@@ -55,8 +54,8 @@ pub fn certificate(boundary: &Boundary) -> Certificate {
     } else if bound::is_medial_exception(boundary) {
         Certificate::MedialTriangle
     } else if cut.side_count == 1 {
-        // More than half of the intervals are on one side, by two or more: its bound is 5 at
-        // least.
+        // One side has at least two intervals more than all others together, so its bound is at
+        // least 5.
         let side = cut.first_side;
         Certificate::LongSide { side, max_degree: bound::side_bound(boundary, side) }
     } else {
@@ -67,20 +66,20 @@ pub fn certificate(boundary: &Boundary) -> Certificate {
 /// The least possible maximum degree D*. O(k).
 ///
 /// ```
-/// # use mindeg_core::{Boundary, optimal_max_degree};
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[1, 1, 1])?), 2);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[8, 6, 8, 5])?), 4);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
-/// assert_eq!(optimal_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
+/// # use mindeg_core::{Boundary, least_max_degree};
+/// assert_eq!(least_max_degree(&Boundary::new(&[1, 1, 1])?), 2);
+/// assert_eq!(least_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
+/// assert_eq!(least_max_degree(&Boundary::new(&[8, 6, 8, 5])?), 4);
+/// assert_eq!(least_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
+/// assert_eq!(least_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 #[must_use]
-pub fn optimal_max_degree(boundary: &Boundary) -> u32 {
+pub fn least_max_degree(boundary: &Boundary) -> u32 {
     certificate(boundary).max_degree()
 }
 
-/// Why a certificate does not hold for some interval counts.
+/// The reason why a certificate does not hold for some interval counts.
 ///
 /// # Example
 ///
@@ -88,7 +87,7 @@ pub fn optimal_max_degree(boundary: &Boundary) -> u32 {
 /// use mindeg_core::Certificate;
 ///
 /// let error = Certificate::MedialTriangle.check(&[2, 2, 3]).unwrap_err();
-/// assert_eq!(error.to_string(), "only (2,2,2) has the medial triangle");
+/// assert_eq!(error.to_string(), "the medial triangle proves a bound for (2,2,2) only");
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CertificateError(&'static str);
@@ -102,7 +101,7 @@ impl fmt::Display for CertificateError {
 impl core::error::Error for CertificateError {}
 
 impl Certificate {
-    /// The degree that this certificate says is the least possible.
+    /// The least possible maximum degree according to this certificate. O(1).
     #[must_use]
     pub fn max_degree(&self) -> u32 {
         match *self {
@@ -112,17 +111,18 @@ impl Certificate {
         }
     }
 
-    /// Checks the witness against the interval counts and gives the bound it proves. O(k²).
+    /// Checks the witness against the interval counts and returns the bound it proves. O(k²).
     ///
-    /// It uses the definitions alone: sums of runs, and for [`NoBalancedCut`](Self::NoBalancedCut)
-    /// every cut there is. That some triangulation attains the bound is another matter, and
-    /// [`verify`](crate::verify)'s.
+    /// The check uses the definitions alone: sums of runs, and all cuts for
+    /// [`NoBalancedCut`](Self::NoBalancedCut). It does not prove that some triangulation attains
+    /// the bound; for that, [`verify`](crate::verify()) one.
     ///
     /// # Errors
     ///
-    /// What about the witness is not so, or that the counts are no polygon's.
+    /// The counts do not describe a polygon, or the witness does not fit them. The message says
+    /// which part of it.
     pub fn check(&self, intervals: &[u64]) -> Result<u32, CertificateError> {
-        let no_polygon = CertificateError("the interval counts are no polygon's");
+        let no_polygon = CertificateError("the interval counts do not describe a polygon");
         let sides = intervals.len();
         // The first vertex of every side, then the total.
         let mut corners = alloc::vec![0_u64];
@@ -137,12 +137,12 @@ impl Certificate {
         let (proven, max_degree) = match *self {
             Self::BalancedCut { cut, max_degree } => {
                 if cut.first_side >= sides || !(1..sides).contains(&cut.side_count) {
-                    return Err(CertificateError("the cut names sides that do not exist"));
+                    return Err(CertificateError("the cut has a side that does not exist"));
                 }
                 let run = intervals.iter().cycle().skip(cut.first_side).take(cut.side_count);
                 let larger: u64 = run.sum();
                 if larger != u64::from(cut.larger) || total - larger != u64::from(cut.smaller) {
-                    return Err(CertificateError("the runs of the cut have other sums"));
+                    return Err(CertificateError("the interval sums of the cut's runs are wrong"));
                 }
                 if larger.abs_diff(total - larger) > 1 {
                     return Err(CertificateError("the runs of the cut differ by more than 1"));
@@ -156,23 +156,27 @@ impl Certificate {
                 (counting, max_degree)
             }
             Self::MedialTriangle if intervals != [2, 2, 2] => {
-                return Err(CertificateError("only (2,2,2) has the medial triangle"));
+                return Err(CertificateError(
+                    "the medial triangle proves a bound for (2,2,2) only",
+                ));
             }
             Self::MedialTriangle => (4, 4),
             Self::LongSide { side, max_degree } => {
                 let Some(&long) = intervals.get(side) else {
                     return Err(CertificateError("the long side does not exist"));
                 };
-                // All n-3 interior edges end at one of the vertices off the side.
+                // Each of the n-3 interior edges has an end that is not on the side.
                 let off_side = total - long - 1;
                 ((total - 3).div_ceil(off_side) as u32 + 2, max_degree)
             }
             Self::NoBalancedCut { least_imbalance } => {
                 if least_imbalance < 2 {
-                    return Err(CertificateError("a cut with that imbalance is balanced"));
+                    return Err(CertificateError(
+                        "the least imbalance is below 2, so a balanced cut exists",
+                    ));
                 }
                 if total < 7 {
-                    return Err(CertificateError("below 7 intervals degree 4 needs no cut"));
+                    return Err(CertificateError("this bound needs at least 7 intervals"));
                 }
                 let ends = |from| (from + 1..sides).map(move |to| (from, to));
                 let least = (0..sides)
@@ -180,7 +184,7 @@ impl Certificate {
                     .map(|(from, to)| (2 * (corners[to] - corners[from])).abs_diff(total))
                     .min();
                 if least != Some(u64::from(least_imbalance)) {
-                    return Err(CertificateError("the cuts have another least imbalance"));
+                    return Err(CertificateError("the least imbalance of the cuts is wrong"));
                 }
                 (5, 5)
             }
@@ -188,7 +192,7 @@ impl Certificate {
         if proven == max_degree {
             Ok(proven)
         } else {
-            Err(CertificateError("the witness proves another bound"))
+            Err(CertificateError("the witness proves a different bound"))
         }
     }
 }
@@ -198,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn certificates_are_found_and_hold() {
+    fn each_certificate_holds() {
         let cut = |first_side, side_count, larger, smaller| Cut {
             first_side,
             side_count,

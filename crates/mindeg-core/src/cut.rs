@@ -1,15 +1,14 @@
 //! Cuts of the ring of sides, and the zig-zag condition.
 //!
-//! A cut splits the sides into two runs of consecutive sides. How even the evenest cut is
-//! decides what the least degree can be: this is the paper's zig-zag condition (Theorem 5 for
-//! rectangles, Theorem 10 for convex polygons) with the imbalance kept as a number.
+//! A cut splits the sides into two runs of consecutive sides. The imbalance of the most balanced
+//! cut decides the least maximum degree: this is the paper's zig-zag condition (Theorem 5 for
+//! rectangles, Theorem 10 for convex polygons), with the imbalance as a number.
 //!
-//! Limits: a cut runs through two corners. Cuts elsewhere would have their ear at a vertex inside
-//! a side, where it is flat, so they never help.
+//! Limits: a cut goes through two corners. A cut elsewhere would have a flat ear, inside a side.
 
 use crate::Boundary;
 
-/// Two runs of consecutive sides that make up the whole boundary.
+/// Two runs of consecutive sides that together are the whole boundary.
 ///
 /// # Example
 ///
@@ -25,31 +24,31 @@ use crate::Boundary;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
-    /// The first side of the larger run, counted from 0. Where the runs are equal, "larger"
-    /// is the one without the last side.
+    /// The first side of the larger run, counted from 0. If the runs are equal, the larger run is
+    /// the one without the last side.
     pub first_side: usize,
-    /// How many sides the larger run has, in `1..=k-1`; it wraps past the last side.
+    /// The number of sides of the larger run, in `1..=k-1`; the run may wrap past the last side.
     pub side_count: usize,
-    /// The intervals of the larger run.
+    /// The number of intervals of the larger run.
     pub larger: u32,
-    /// The intervals of the smaller run.
+    /// The number of intervals of the smaller run.
     pub smaller: u32,
 }
 
 impl Cut {
-    /// By how many intervals the runs differ; it has the parity of the vertex count.
+    /// The difference of the runs, in intervals; it has the parity of the vertex count.
     #[must_use]
     pub fn imbalance(&self) -> u32 {
         self.larger.abs_diff(self.smaller)
     }
 
-    /// Whether the runs differ by at most one interval, so that a zig-zag joins them.
+    /// Whether the runs differ by at most one interval, so that a zig-zag can join them.
     #[must_use]
     pub fn is_balanced(&self) -> bool {
         self.imbalance() <= 1
     }
 
-    /// The cut whose one run goes from corner `from` up to corner `to`, `from < to < k`.
+    /// The cut through the corners `from` and `to`, `from < to < k`.
     fn between(boundary: &Boundary, from: usize, to: usize) -> Self {
         let inner = boundary.corner(to) - boundary.corner(from);
         let outer = boundary.vertex_count() - inner;
@@ -62,7 +61,7 @@ impl Cut {
     }
 }
 
-/// The least imbalance `e*` over all cuts. O(k) by two pointers.
+/// The least imbalance `e*` over all cuts, in intervals. O(k), by two pointers.
 ///
 /// ```
 /// # use mindeg_core::{Boundary, least_imbalance};
@@ -72,12 +71,11 @@ impl Cut {
 /// ```
 #[must_use]
 pub fn least_imbalance(boundary: &Boundary) -> u32 {
-    even_cuts(boundary).map(|cut| cut.imbalance()).min().expect("three sides have cuts")
+    most_balanced_cuts(boundary).map(|cut| cut.imbalance()).min().expect("three sides have cuts")
 }
 
-/// Every cut that has the least imbalance, each once. O(k) in all.
-///
-/// They come in the order of the first of the two corners that they run through.
+/// Every cut with the least imbalance, each once, in the order of the first of its two corners.
+/// O(k) for all.
 ///
 /// ```
 /// # use mindeg_core::{Boundary, best_cuts};
@@ -87,18 +85,18 @@ pub fn least_imbalance(boundary: &Boundary) -> u32 {
 /// ```
 pub fn best_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
     let least = least_imbalance(boundary);
-    even_cuts(boundary).filter(move |cut| cut.imbalance() == least)
+    most_balanced_cuts(boundary).filter(move |cut| cut.imbalance() == least)
 }
 
-/// For each corner the evenest cuts from it to a later corner: at most two, one on either
-/// side of an even split. Every cut of least imbalance is among them.
-fn even_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
+/// For each corner, the most balanced cuts from it to a later corner: at most two, one on each
+/// side of an equal split. Every cut of least imbalance is among them.
+fn most_balanced_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
     let sides = boundary.side_count();
     let half_reached = move |from: usize, to: usize| {
         let run = u64::from(boundary.corner(to) - boundary.corner(from));
         2 * run >= u64::from(boundary.vertex_count())
     };
-    // A run of half the intervals is not empty, so that `to` stays ahead of `from`.
+    // A run of half the intervals is not empty, so `to` stays ahead of `from`.
     let mut to = 1;
     (0..sides).flat_map(move |from| {
         while to < sides && !half_reached(from, to) {

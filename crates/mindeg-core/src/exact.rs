@@ -1,18 +1,16 @@
-//! An exact solver that knows nothing of zig-zags: the yardstick for everything else here.
+//! An exact solver that shares no code with the constructions, to test them.
 //!
-//! Interval dynamic programming over chords. A chord (i, j) cuts off the boundary from i to j;
-//! what is beyond the chord sees that part only through the number of interior edges it has at
-//! i and at j. So it is enough to know, for every number of edges allowed at i, the least
-//! number at j.
+//! Interval dynamic programming over chords. A chord (i, j) cuts off the boundary from i to j. The
+//! rest of the polygon depends on that part only through the number of its interior edges at i
+//! and at j. So for each number of edges allowed at i, the solver stores the least number at j.
 //!
-//! Limits: O(n³ D) time and 8 n² (D-1) bytes for a degree D, and no guard against running out of
-//! either. It is meant for checking the closed forms on boundaries of up to a few hundred
-//! vertices.
+//! Limits: O(n³ D) time and 8 n² (D-1) bytes for a degree D, without a guard against long times or
+//! lack of memory. Use it to check the closed forms on boundaries of up to a few hundred vertices.
 
 use crate::Boundary;
 use alloc::vec::Vec;
 
-/// The least possible maximum degree, by trying 2, 3, … until [`is_feasible`]. O(n³ D²).
+/// The least possible maximum degree: tries 2, 3, … until [`is_feasible`]. O(n³ D²).
 ///
 /// ```
 /// # use mindeg_core::{Boundary, exact};
@@ -24,7 +22,7 @@ use alloc::vec::Vec;
 pub fn least_max_degree(boundary: &Boundary) -> u32 {
     (2..boundary.vertex_count())
         .find(|&max_degree| is_feasible(boundary, max_degree))
-        .expect("n - 1 neighbours are the most a vertex can have")
+        .expect("a vertex has at most n - 1 neighbours")
 }
 
 /// Whether some triangulation has no vertex of degree above `max_degree`. O(n³ D).
@@ -38,13 +36,13 @@ pub fn least_max_degree(boundary: &Boundary) -> u32 {
 /// ```
 #[must_use]
 pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
-    // No vertex has more than n - 1 neighbours, so no higher cap can matter.
+    // No vertex has more than n - 1 neighbours, so a higher limit has no effect.
     let max_degree = max_degree.min(boundary.vertex_count() - 1);
     let Some(most) = max_degree.checked_sub(2) else { return false };
     let vertices = boundary.vertex_count() as usize;
     let states = most as usize + 1;
-    // For chord (i, j): entry a is the least number of edges at j if i may have a of them, the
-    // chord itself not counted at either; none where that cannot be.
+    // For chord (i, j): entry a is the least number of edges at j if i may have a edges; neither
+    // count includes the chord. None if that is impossible.
     let mut least: Vec<Option<u32>> = alloc::vec![None; vertices * vertices * states];
     let at = |i: usize, j: usize| (i * vertices + j) * states;
 
@@ -82,7 +80,7 @@ pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
 mod tests {
     use super::*;
 
-    /// Tries every triangulation of the ring part from `i` to `j`, with no table at all.
+    /// Tries every triangulation of the polygon from `i` to `j`, without a table.
     fn every(boundary: &Boundary, i: u32, j: u32, degrees: &mut [u32]) -> u32 {
         fn go(boundary: &Boundary, chords: &mut Vec<(u32, u32)>, degrees: &mut [u32]) -> u32 {
             let Some((i, j)) = chords.pop() else {

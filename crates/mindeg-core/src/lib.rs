@@ -1,17 +1,19 @@
-//! The triangulation of a convex polygon from its boundary points alone, with the least
-//! possible maximum degree, as a formula.
+//! Triangulations of convex polygons from their boundary points alone, with the least possible
+//! maximum degree, as a formula.
 //!
-//! A mesh generator often knows only how many intervals each side of a domain gets. From these
-//! counts this crate gives a triangulation that uses no other points, in which the busiest
-//! vertex has as few edges as any triangulation can have, and says why it cannot be fewer. The
-//! mathematics is that of C.-L. Liu, "Minimum degree triangulation for rectangular domains"
-//! (2005), carried over from rectangles to every convex polygon.
+//! A mesh generator often knows only the number of intervals on each side of a domain. From these
+//! counts, this crate computes a triangulation that adds no points and whose largest vertex degree
+//! is as small as possible, with a proof. The degree of a vertex is the number of its edges, its
+//! two boundary edges included (graphics programs call it "valence").
+//!
+//! Source: C.-L. Liu, "Minimum degree triangulation for rectangular domains" (2005), extended from
+//! rectangles to every convex polygon.
 //!
 //! ```
-//! use mindeg_core::{Boundary, min_degree_triangulation};
+//! use mindeg_core::{Boundary, least_degree_triangulation};
 //!
 //! let boundary = Boundary::new(&[3, 3, 2, 2])?;
-//! let triangulation = min_degree_triangulation(&boundary);
+//! let triangulation = least_degree_triangulation(&boundary);
 //! assert_eq!(triangulation.max_degree(), 4);
 //! for [a, b, c] in triangulation.triangles() {
 //!     println!("{a} {b} {c}");
@@ -19,42 +21,44 @@
 //! # Ok::<(), mindeg_core::BoundaryError>(())
 //! ```
 //!
-//! A triangulation is one [`Strip`] between two [`Chain`]s, in the order that a [`Word`] spells,
-//! or two strips that share an edge. It is found in O(k) time for k sides, whatever the number
-//! of intervals, and any triangle or degree follows in O(1).
+//! A triangulation is one [`Strip`] between two [`Chain`]s, in the order of the letters of a
+//! [`Word`], or two strips that share an edge. The construction takes O(k) time for k sides,
+//! whatever the number of intervals, and any triangle or degree takes O(1) more.
 //!
-//! # What is here
+//! # Contents
 //!
-//! - [`min_degree_triangulation`] builds one optimal triangulation, [`Plans`] all that the
-//!   constructions allow.
-//! - [`certificate`] says what the optimum is and why it cannot be less, [`bound`] has the
-//!   statements behind it, and [`suggest`] what to change for a lower one.
-//! - [`verify`] checks triangles from whatever source, and [`exact`] finds the optimum by search:
-//!   both know nothing of the constructions.
+//! - [`least_degree_triangulation`] builds one optimal triangulation and shows the three
+//!   constructions in figures; [`Candidates`] lists all that the constructions allow.
+//! - [`least_max_degree`] is the optimum. [`certificate`] proves that no triangulation has less,
+//!   [`bound`] has the theorems that it uses, and [`suggest`] finds the smallest change of counts
+//!   for a lower optimum.
+//! - [`verify`] checks a list of triangles from any source, and [`exact`] finds the optimum by
+//!   search. Neither shares code with the constructions.
 //!
-//! # Numbers
+//! # Indices
 //!
-//! Vertices are plain `u32`, `0..n` counter-clockwise from the corner where the first side
-//! starts, as index buffers hold them; a triangle is a counter-clockwise `[u32; 3]`. Sides are
-//! `usize` indices from 0. Interval counts come in as `u64`, so that a count that is too large
-//! is refused here and not cut off before.
+//! Vertices are `u32` indices `0..n`, counter-clockwise from the corner where the first side
+//! starts. A triangle is a counter-clockwise `[u32; 3]`, as in an index buffer. Sides are `usize`
+//! indices from 0; messages count sides from 1. Interval counts are `u64`, so that this crate can
+//! refuse a count that is too large.
 //!
 //! # Limits
 //!
-//! Convex polygons only, at most [`MAX_VERTICES`] boundary vertices, and no positions: how the
-//! triangles look is up to the geometry they are placed on. A small degree does not by itself
-//! make good angles.
+//! Polygons are convex and have at most [`MAX_VERTICES`] boundary vertices. The crate does not
+//! know positions, so it does not control angles: a small degree alone does not make good angles.
 #![no_std]
 
 extern crate alloc;
 
 pub mod bound;
 mod boundary;
+mod candidates;
 mod certificate;
+mod construction;
 mod cut;
 pub mod exact;
-mod min_degree;
-mod plans;
+mod least_degree;
+mod ring;
 mod strip;
 mod suggest;
 mod triangles;
@@ -63,10 +67,10 @@ mod verify;
 mod word;
 
 pub use boundary::{Boundary, BoundaryError, MAX_VERTICES};
-pub use certificate::{Certificate, CertificateError, certificate, optimal_max_degree};
+pub use candidates::Candidates;
+pub use certificate::{Certificate, CertificateError, certificate, least_max_degree};
 pub use cut::{Cut, best_cuts, least_imbalance};
-pub use min_degree::min_degree_triangulation;
-pub use plans::Plans;
+pub use least_degree::least_degree_triangulation;
 pub use strip::{Chain, End, Strip};
 pub use suggest::{Change, Suggestion, suggest, suggestions};
 pub use triangles::Triangles;

@@ -1,25 +1,27 @@
 //! Strips: triangles between two chains of boundary vertices, in the order of a word.
 //!
-//! An optimal triangulation is one strip, or two that share an edge. A strip knows its
-//! chains, its word and its ears and nothing else, so it takes O(1) memory.
+//! An optimal triangulation is one strip, or two that share an edge. A strip stores its chains,
+//! its word and its ears, so it takes O(1) memory.
 //!
-//! Limits: what is here suffices for the constructions of this crate. A strip always starts with
-//! an ear, and a chain has one jump at most.
+//! Limits: strips and chains are only as general as the constructions of this crate need. A
+//! strip always starts with an ear, and a chain has at most one jump.
 
 mod fill;
 
+use crate::ring::Ring;
 use crate::word::{Letter, Word};
 use core::ops::RangeInclusive;
 
-/// Consecutive boundary vertices, with at most one jump over vertices cut off by another strip.
+/// Consecutive boundary vertices, with at most one jump over vertices that another strip covers.
+/// O(1) memory.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, min_degree_triangulation};
+/// use mindeg_core::{Boundary, least_degree_triangulation};
 ///
-/// // The main strip leaves 28, 0 and 1 to the cap at corner 0.
-/// let triangulation = min_degree_triangulation(&Boundary::new(&[12, 9, 4, 4])?);
+/// // The corner strip at corner 0 covers 28, 0 and 1.
+/// let triangulation = least_degree_triangulation(&Boundary::new(&[12, 9, 4, 4])?);
 /// let chain = *triangulation.strips().next().unwrap().x();
 /// let vertices: Vec<u32> = (0..chain.len()).map(|index| chain.vertex(index)).collect();
 /// assert_eq!(vertices, [26, 27, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
@@ -31,7 +33,7 @@ pub struct Chain {
     len: u32,
     direction: Direction,
     jump: Option<Jump>,
-    vertex_count: u32,
+    ring: Ring,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,7 +42,7 @@ pub(crate) enum Direction {
     Clockwise,
 }
 
-/// After the vertex at index `after` the chain leaves out `skipped` boundary vertices.
+/// After the vertex at index `after` the chain skips `skipped` boundary vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Jump {
     pub(crate) after: u32,
@@ -48,10 +50,10 @@ pub(crate) struct Jump {
 }
 
 impl Chain {
-    /// `len` vertices from `first` on, on a ring of `vertex_count`.
-    pub(crate) fn new(first: u32, len: u32, direction: Direction, vertex_count: u32) -> Self {
-        debug_assert!(first < vertex_count && 0 < len && len < vertex_count);
-        Self { first, len, direction, jump: None, vertex_count }
+    /// `len` vertices from `first` on.
+    pub(crate) fn new(first: u32, len: u32, direction: Direction, ring: Ring) -> Self {
+        debug_assert!(first < ring.len() && 0 < len && len < ring.len());
+        Self { first, len, direction, jump: None, ring }
     }
 
     pub(crate) fn with_jump(self, jump: Jump) -> Self {
@@ -69,37 +71,30 @@ impl Chain {
     ///
     /// # Panics
     ///
-    /// When `index` is not below [`len`](Self::len).
+    /// If `index` is not below [`len`](Self::len).
     #[must_use]
     pub fn vertex(&self, index: u32) -> u32 {
-        assert!(index < self.len, "a chain of {} vertices has none at {index}", self.len);
+        assert!(
+            index < self.len,
+            "index {index} is out of range; the chain has {} vertices",
+            self.len
+        );
         let steps = match self.jump {
             Some(jump) if index > jump.after => index + jump.skipped,
             _ => index,
         };
-        // Steps and first are below the vertex count, so one subtraction wraps the ring.
         match self.direction {
-            Direction::CounterClockwise => {
-                let to_end = self.vertex_count - self.first;
-                if steps < to_end { self.first + steps } else { steps - to_end }
-            }
-            Direction::Clockwise => {
-                if steps <= self.first {
-                    self.first - steps
-                } else {
-                    self.vertex_count - (steps - self.first)
-                }
-            }
+            Direction::CounterClockwise => self.ring.forward(self.first, steps),
+            Direction::Clockwise => self.ring.backward(self.first, steps),
         }
     }
 
-    /// The index of `vertex`, or none when it is not on the chain. O(1).
+    /// The index of `vertex`, or none if it is not on the chain. O(1).
     fn index_of(&self, vertex: u32) -> Option<u32> {
-        let (from, to) = match self.direction {
-            Direction::CounterClockwise => (self.first, vertex),
-            Direction::Clockwise => (vertex, self.first),
+        let steps = match self.direction {
+            Direction::CounterClockwise => self.ring.steps(self.first, vertex),
+            Direction::Clockwise => self.ring.steps(vertex, self.first),
         };
-        let steps = if to >= from { to - from } else { self.vertex_count - (from - to) };
         let index = match self.jump {
             Some(jump) if steps > jump.after + jump.skipped => steps - jump.skipped,
             Some(jump) if steps > jump.after => return None,
@@ -108,44 +103,52 @@ impl Chain {
         (index < self.len).then_some(index)
     }
 
-    /// The steps, by the index they start from, that do not lead to a neighbouring id: over a
-    /// jump, and between vertices n-1 and 0.
-    fn uneven_steps(&self) -> [Option<u32>; 2] {
+    /// The indices of the vertices from which the next one does not have a neighbouring id:
+    /// before a jump, and between vertices n-1 and 0.
+    fn irregular_steps(&self) -> [Option<u32>; 2] {
         let last_id = match self.direction {
-            Direction::CounterClockwise => self.vertex_count - 1,
+            Direction::CounterClockwise => self.ring.len() - 1,
             Direction::Clockwise => 0,
         };
         [self.jump.map(|jump| jump.after), self.index_of(last_id)]
     }
 }
 
-/// What lies beyond the last edge across a strip; see [`Strip`].
+/// What follows the last cross edge of a strip; see [`Strip`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// One more triangle, an ear with this tip.
     Ear(u32),
-    /// Another strip, along a shared edge that this strip counts as its own.
+    /// Another strip. The two share the edge, and this strip counts it as its own.
     Shared,
-    /// Nothing: the edge is a boundary edge. Only the single triangle needs this.
+    /// Nothing: the edge is a boundary edge. Only the boundary (1,1,1) has this.
     Boundary,
 }
 
 /// Triangles between an x chain, which runs counter-clockwise, and a y chain, which runs
 /// clockwise beside it.
 ///
-/// First comes an ear, the triangle (tip, x_0, y_0). From the edge (x_0, y_0) on, each letter of
-/// the word moves one end of the current edge (x_i, y_j): X adds the triangle (x_i, x_{i+1}, y_j),
-/// Y adds (x_i, y_{j+1}, y_j). What follows the last edge is an [`End`].
+/// A **cross edge** (x_i, y_j) joins the two. The first triangle is an ear, (tip, x_0, y_0). From
+/// the cross edge (x_0, y_0) on, each letter of the [`Word`] moves one end of the current cross
+/// edge: X adds the triangle (x_i, x_{i+1}, y_j), Y adds (x_i, y_{j+1}, y_j). An [`End`] follows
+/// the last cross edge.
 ///
-/// With an alternating word this is what graphics libraries call a triangle strip; other words
-/// make it a generalized one.
+/// ```text
+///     y_j                     y_j --- y_{j+1}
+///      |  \                     |  Y  /
+///      |  X  \                  |  /
+///     x_i --- x_{i+1}          x_i
+/// ```
+///
+/// With an alternating word, this is a triangle strip of graphics libraries; with other words, a
+/// generalized one.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, End, Letter, min_degree_triangulation};
+/// use mindeg_core::{Boundary, End, Letter, least_degree_triangulation};
 ///
-/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
 /// let strip = triangulation.strips().next().unwrap();
 /// assert_eq!(strip.tip(), 3);
 /// assert_eq!(strip.triangle(0), [3, 4, 2]);
@@ -183,19 +186,19 @@ impl Strip {
         &self.y
     }
 
-    /// The order of advances.
+    /// The order in which the strip advances.
     #[must_use]
     pub fn word(&self) -> &Word {
         &self.word
     }
 
-    /// The tip of the ear that every strip starts with, before the first edge across.
+    /// The tip of the ear that every strip starts with, before the first cross edge.
     #[must_use]
     pub fn tip(&self) -> u32 {
         self.tip
     }
 
-    /// What lies after the last edge across.
+    /// What follows the last cross edge.
     #[must_use]
     pub fn end(&self) -> End {
         self.end
@@ -207,67 +210,70 @@ impl Strip {
         1 + self.word.len() + u32::from(matches!(self.end, End::Ear(_)))
     }
 
-    /// The triangle with the given number, in `0..triangle_count`, counter-clockwise. O(1).
+    /// The triangle at `index`, in `0..triangle_count`, counter-clockwise. O(1).
     ///
-    /// The ear at the start is number 0, then comes one triangle for each letter of the word,
-    /// then the ear at the end if there is one.
+    /// Index 0 is the ear at the start. One triangle for each letter of the word follows, then
+    /// the ear at the end if the strip has one.
     ///
     /// # Panics
     ///
-    /// When `number` is not below [`triangle_count`](Self::triangle_count).
+    /// If `index` is not below [`triangle_count`](Self::triangle_count).
     #[must_use]
-    pub fn triangle(&self, number: u32) -> [u32; 3] {
-        assert!(number < self.triangle_count(), "triangle {number} does not exist");
-        if number == 0 {
+    pub fn triangle(&self, index: u32) -> [u32; 3] {
+        let count = self.triangle_count();
+        assert!(index < count, "index {index} is out of range; the strip has {count} triangles");
+        if index == 0 {
             return [self.tip, self.x.vertex(0), self.y.vertex(0)];
         }
-        let place = number - 1;
-        let i = self.word.xs_before(place);
-        let j = place - i;
+        let letter = index - 1;
+        let i = self.word.xs_before(letter);
+        let j = letter - i;
         let (x, y) = (self.x.vertex(i), self.y.vertex(j));
         match self.end {
-            End::Ear(tip) if place == self.word.len() => [x, tip, y],
-            _ => match self.word.letter(place) {
+            End::Ear(tip) if letter == self.word.len() => [x, tip, y],
+            _ => match self.word.letter(letter) {
                 Letter::X => [x, self.x.vertex(i + 1), y],
                 Letter::Y => [x, self.y.vertex(j + 1), y],
             },
         }
     }
 
-    /// The number of interior edges across the strip, a shared edge included.
+    /// The number of cross edges that are interior edges, a shared edge included.
     pub(crate) fn interior_edge_count(&self) -> u32 {
         self.word.len() + u32::from(self.end != End::Boundary)
     }
 
-    /// The edge across with the given number, from the x chain to the y chain. O(1).
-    pub(crate) fn edge(&self, number: u32) -> [u32; 2] {
-        let i = self.word.xs_before(number);
-        [self.x.vertex(i), self.y.vertex(number - i)]
+    /// The cross edge at `index`, from the x chain to the y chain. O(1).
+    pub(crate) fn edge(&self, index: u32) -> [u32; 2] {
+        let i = self.word.xs_before(index);
+        [self.x.vertex(i), self.y.vertex(index - i)]
     }
 
-    /// The vertices across from `vertex` in this strip, counter-clockwise. O(1).
-    pub(crate) fn across(&self, vertex: u32) -> Option<Across> {
+    /// The vertices that cross edges join to `vertex`, counter-clockwise; none if `vertex` is not
+    /// on a chain. O(1).
+    pub(crate) fn opposite(&self, vertex: u32) -> Option<Opposite> {
         if self.end == End::Boundary {
             return None;
         }
         if let Some(index) = self.x.index_of(vertex) {
-            let indices = self.indices_across_x(index);
-            return Some(Across { seen_from: Letter::X, chain: self.y, indices });
+            let indices = self.opposite_of_x(index);
+            return Some(Opposite { from: Letter::X, chain: self.y, indices });
         }
         let index = self.y.index_of(vertex)?;
-        let indices = self.indices_across_y(index);
-        Some(Across { seen_from: Letter::Y, chain: self.x, indices })
+        let indices = self.opposite_of_y(index);
+        Some(Opposite { from: Letter::Y, chain: self.x, indices })
     }
 
-    /// The indices on the y chain that the vertex at `index` of the x chain is joined to.
-    fn indices_across_x(&self, index: u32) -> RangeInclusive<u32> {
+    /// The indices on the y chain that cross edges join to index `index` on the x chain.
+    fn opposite_of_x(&self, index: u32) -> RangeInclusive<u32> {
         let first = if index == 0 { 0 } else { self.word.ys_before_x(index - 1) };
         let last =
             if index == self.word.xs() { self.word.ys() } else { self.word.ys_before_x(index) };
         first..=last
     }
 
-    fn indices_across_y(&self, index: u32) -> RangeInclusive<u32> {
+    /// The indices on the x chain that cross edges join to index `index` on the y chain.
+    fn opposite_of_y(&self, index: u32) -> RangeInclusive<u32> {
         let first = if index == 0 { 0 } else { self.word.xs_before_y(index - 1) };
         let last =
             if index == self.word.ys() { self.word.xs() } else { self.word.xs_before_y(index) };
@@ -275,26 +281,27 @@ impl Strip {
     }
 }
 
-/// The part of the opposite chain that one vertex is joined to.
+/// The consecutive vertices of one chain that cross edges join to one vertex of the other.
 #[derive(Clone, Debug)]
-pub(crate) struct Across {
-    /// The chain of the one vertex. From x, counter-clockwise order runs through y backwards.
-    pub(crate) seen_from: Letter,
+pub(crate) struct Opposite {
+    /// The chain of the one vertex. Counter-clockwise round a vertex of x, the y chain runs
+    /// backwards.
+    pub(crate) from: Letter,
     chain: Chain,
     indices: RangeInclusive<u32>,
 }
 
-impl Across {
+impl Opposite {
     pub(crate) fn len(&self) -> u32 {
         if self.indices.is_empty() { 0 } else { self.indices.end() - self.indices.start() + 1 }
     }
 }
 
-impl Iterator for Across {
+impl Iterator for Opposite {
     type Item = u32;
 
     fn next(&mut self) -> Option<u32> {
-        let index = match self.seen_from {
+        let index = match self.from {
             Letter::X => self.indices.next_back(),
             Letter::Y => self.indices.next(),
         };
@@ -309,7 +316,7 @@ mod tests {
 
     #[test]
     fn a_chain_walks_the_ring_both_ways_and_jumps() {
-        let ring = 10;
+        let ring = Ring::new(10);
         let jump = Jump { after: 1, skipped: 3 };
         for (chain, vertices) in [
             (Chain::new(8, 4, Direction::CounterClockwise, ring), &[8, 9, 0, 1][..]),
@@ -319,9 +326,9 @@ mod tests {
         ] {
             let walked: Vec<u32> = (0..chain.len()).map(|index| chain.vertex(index)).collect();
             assert_eq!(walked, vertices);
-            for vertex in 0..ring {
-                let place = vertices.iter().position(|&other| other == vertex);
-                assert_eq!(chain.index_of(vertex), place.map(|place| place as u32), "{vertex}");
+            for vertex in 0..ring.len() {
+                let index = vertices.iter().position(|&other| other == vertex);
+                assert_eq!(chain.index_of(vertex), index.map(|index| index as u32), "{vertex}");
             }
         }
     }
@@ -331,8 +338,8 @@ mod tests {
         // A ring of 8: ears at 0 and 4, x = 1 2 3, y = 7 6 5.
         let strip = Strip::new(
             0,
-            Chain::new(1, 3, Direction::CounterClockwise, 8),
-            Chain::new(7, 3, Direction::Clockwise, 8),
+            Chain::new(1, 3, Direction::CounterClockwise, Ring::new(8)),
+            Chain::new(7, 3, Direction::Clockwise, Ring::new(8)),
             Word::alternating(Letter::X, 2, 2),
             End::Ear(4),
         );
@@ -340,9 +347,9 @@ mod tests {
         assert_eq!(triangles, [[0, 1, 7], [1, 2, 7], [2, 6, 7], [2, 3, 6], [3, 5, 6], [3, 4, 5]]);
         let edges: Vec<_> = (0..strip.interior_edge_count()).map(|i| strip.edge(i)).collect();
         assert_eq!(edges, [[1, 7], [2, 7], [2, 6], [3, 6], [3, 5]]);
-        let across = |vertex| strip.across(vertex).map(|across| across.collect::<Vec<_>>());
-        assert_eq!(across(2), Some([6, 7].into()));
-        assert_eq!(across(7), Some([1, 2].into()));
-        assert_eq!(across(0), None);
+        let opposite = |vertex| strip.opposite(vertex).map(|run| run.collect::<Vec<_>>());
+        assert_eq!(opposite(2), Some([6, 7].into()));
+        assert_eq!(opposite(7), Some([1, 2].into()));
+        assert_eq!(opposite(0), None);
     }
 }

@@ -1,13 +1,13 @@
-//! Which interval counts to change, and by how little, for a lower optimum.
+//! The smallest change of interval counts that lowers the optimum.
 //!
-//! Limits: a suggestion looks at counts alone, not at how long the intervals become. Additions
-//! to a boundary near [`MAX_VERTICES`](crate::MAX_VERTICES) may pass that limit, which
-//! [`Boundary::new`] then says.
+//! Limits: a suggestion considers counts alone, not the lengths of the intervals. It may add so
+//! many intervals that [`Boundary::new`] refuses the result, if the boundary is near
+//! [`MAX_VERTICES`](crate::MAX_VERTICES).
 
-use crate::{Boundary, Certificate, best_cuts, certificate, optimal_max_degree};
+use crate::{Boundary, Certificate, best_cuts, certificate, least_max_degree};
 use alloc::vec::Vec;
 
-/// The least change of interval counts that brings the optimum down; see [`suggest`].
+/// The smallest change of interval counts that lowers the optimum; see [`suggest`].
 ///
 /// # Example
 ///
@@ -23,29 +23,30 @@ use alloc::vec::Vec;
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Suggestion {
-    /// The sides to change, in ascending order. Empty where no change is needed.
+    /// The sides to change, in ascending order. Empty if no change is needed.
     pub changes: Vec<Change>,
     /// The least possible maximum degree after the changes.
     pub max_degree: u32,
 }
 
-/// How to change one side; see [`Suggestion`].
+/// A change of one side; see [`Suggestion`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Change {
     /// The side, counted from 0.
     pub side: usize,
-    /// The intervals to add, or with a minus to take away. Not 0.
+    /// The number of intervals to add, or to remove if negative. Never 0.
     pub by: i64,
 }
 
 impl Suggestion {
-    /// How many intervals are added or taken away in all.
+    /// The total number of intervals to add or remove.
     #[must_use]
     pub fn cost(&self) -> u64 {
         self.changes.iter().map(|change| change.by.unsigned_abs()).sum()
     }
 
-    /// The interval counts of all sides after the changes, for the boundary they were made for.
+    /// The number of intervals of each side after the changes. `boundary` is the one that the
+    /// suggestion was made for.
     #[must_use]
     pub fn intervals(&self, boundary: &Boundary) -> Vec<u64> {
         let mut intervals: Vec<u64> = boundary.sides().map(u64::from).collect();
@@ -58,29 +59,29 @@ impl Suggestion {
     }
 }
 
-/// The least change of interval counts after which the optimum is at most `target`, or none
-/// where no change can bring that about. O(k).
+/// The smallest change of interval counts after which the optimum is at most `target`, or none
+/// if no change achieves this. O(k).
 ///
-/// Least means the fewest intervals added or taken away in all; every side keeps at least one. Of
-/// several such changes it is the one that takes the fewest intervals away, as adding never
-/// coarsens a mesh; then the one that touches the fewest sides; then the one that leaves the first
-/// side with the most intervals, then the second, and so on. The optimum may come out below the
-/// target: it does not pass through all degrees as a side grows. Below 4 there are only the
-/// boundaries of three or four intervals.
+/// The smallest change adds or removes the fewest intervals in total; every side keeps at least
+/// one. Ties are decided in this order: remove the fewest intervals, because adding never coarsens
+/// a mesh; change the fewest sides; leave the first side with the most intervals, then the second,
+/// and so on. The new optimum may be below the target, because some degrees do not occur while a
+/// side grows. Only boundaries of three or four intervals have an optimum below 4.
 ///
-/// # Why it is least
+/// # Why it is the smallest
 ///
 /// - **Target 5 or more.** An optimum above 5 is Theorem 4's, `(a-2)/(r-1)` rounded up plus 3,
-///   for a side of a intervals and r on the other sides. With `λ = target - 3`, that side must
-///   come to `a - 2 <= λ (r-1)`. A unit of change raises the right side by at most λ, or lowers
-///   the left by 1, so it takes at least `((a-2) - λ (r-1)) / λ` units, rounded up. As many added
-///   to any other side are enough: side a stays the largest.
-/// - **Target 4.** Some cut must become balanced. Its imbalance was at least `e*`, and a unit of
-///   change moves it by 1, so it takes at least `e* - 1` units. As many added to a side of the
-///   smaller run of a best cut are enough. (2,2,2), which needs no balanced cut, is always
-///   farther: its three cuts have imbalance 2, the first unit of change away from it moves one of
-///   them down to 1, and so `e* <= d` for a boundary d units away.
-/// - **Target 3 or 2.** Only boundaries with 4 or 3 intervals have such an optimum.
+///   for a side of a intervals and r intervals on the other sides. With `λ = target - 3`, that
+///   side must satisfy `a - 2 <= λ (r-1)`. Each interval of change raises the right-hand side by
+///   at most λ, or lowers the left-hand side by 1. So at least `((a-2) - λ (r-1)) / λ` intervals,
+///   rounded up, must change. To add that many to any other side is enough: side a stays the
+///   largest.
+/// - **Target 4.** Some cut must become balanced. Its imbalance is at least `e*`, and each interval
+///   of change moves it by 1, so at least `e* - 1` intervals must change. To add that many to a
+///   side of the smaller run of a best cut is enough. (2,2,2), which needs no balanced cut, is
+///   always farther away: its three cuts have imbalance 2, and the first change away from it
+///   lowers one of them to 1. So a boundary at distance d from it has `e* <= d`.
+/// - **Target 3 or 2.** Only boundaries of 4 or 3 intervals have such an optimum.
 ///
 /// # Example
 ///
@@ -103,28 +104,28 @@ pub fn suggest(boundary: &Boundary, target: u32) -> Option<Suggestion> {
         (0..=3, _) => fewest_intervals(boundary, target),
         (4, _) => Some(balance_a_cut(boundary)),
         (_, Certificate::LongSide { side, .. }) => Some(relieve_long_side(boundary, side, target)),
-        // All others have an optimum of 5 at most.
+        // All other boundaries have an optimum of at most 5.
         _ => None,
     }
 }
 
-/// For each optimum below today's that a least change leads to, that change: degrees descend,
+/// The smallest change for each lower optimum that a smallest change reaches: degrees decrease,
 /// costs do not.
 ///
-/// Each is what [`suggest`] answers for the degree before it less one, and for every target down
-/// to its own degree. O(k) for each.
+/// The first is [`suggest`] for the current optimum minus 1, the next is [`suggest`] for the
+/// degree of the first minus 1, and so on. O(k) for each.
 ///
 /// ```
 /// use mindeg_core::{Boundary, suggestions};
 ///
-/// let boundary = Boundary::new(&[30, 2, 4, 2])?; // today's optimum is 7
+/// let boundary = Boundary::new(&[30, 2, 4, 2])?; // its optimum is 7
 /// let table: Vec<(u32, u64)> =
 ///     suggestions(&boundary).map(|one| (one.max_degree, one.cost())).collect();
 /// assert_eq!(table, [(6, 3), (5, 7), (4, 21), (3, 34)]);
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 pub fn suggestions(boundary: &Boundary) -> impl Iterator<Item = Suggestion> + '_ {
-    let mut degree = optimal_max_degree(boundary);
+    let mut degree = least_max_degree(boundary);
     core::iter::from_fn(move || {
         let suggestion = suggest(boundary, degree - 1)?;
         degree = suggestion.max_degree;
@@ -145,7 +146,7 @@ fn relieve_long_side(boundary: &Boundary, long_side: usize, target: u32) -> Sugg
 
 fn balance_a_cut(boundary: &Boundary) -> Suggestion {
     let sides = boundary.side_count();
-    // The smaller run starts where the larger one ends, and may wrap past the last side.
+    // The smaller run starts where the larger one ends. It may wrap past the last side.
     let first_of_smaller = best_cuts(boundary).map(|cut| {
         let end = cut.first_side + cut.side_count;
         if end < sides && cut.first_side > 0 { 0 } else { end % sides }
@@ -155,9 +156,9 @@ fn balance_a_cut(boundary: &Boundary) -> Suggestion {
     Suggestion { changes: [Change { side, by }].into(), max_degree: 4 }
 }
 
-/// The boundaries with three or four intervals are few enough to try.
+/// Tries every boundary of three or four intervals.
 fn fewest_intervals(boundary: &Boundary, target: u32) -> Option<Suggestion> {
-    // Of equally good ones the first is preferred.
+    // In order of preference.
     let candidates: &[&[i64]] = match (boundary.side_count(), target) {
         (3, 2) => &[&[1, 1, 1]],
         (3, 3) => &[&[2, 1, 1], &[1, 2, 1], &[1, 1, 2]],

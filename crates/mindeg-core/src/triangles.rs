@@ -1,24 +1,24 @@
-//! All triangles in turn, a block at a time.
+//! An iterator over all triangles, which computes them in blocks.
 //!
-//! Limits: what is asked for one by one is still written in blocks, so the first triangle after a
-//! leap costs as much as the next dozens together.
+//! Limits: the iterator always fills a whole block, so the first triangle after a jump costs as
+//! much as the next 63 together.
 
 use crate::Triangulation;
 
-/// How many triangles are written at a time: enough to forget the cost of starting, and few enough
-/// for the iterator to be moved about.
+/// The number of triangles in a block: enough to amortise the start of a block, and few enough
+/// to move the iterator cheaply.
 const BLOCK: u32 = 64;
 
 /// The triangles of a triangulation; see [`Triangulation::triangles`].
 ///
-/// Leaps ([`nth`](Iterator::nth), [`skip`](Iterator::skip)) are O(1).
+/// [`nth`](Iterator::nth) and [`skip`](Iterator::skip) are O(1).
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, Triangles, min_degree_triangulation};
+/// use mindeg_core::{Boundary, Triangles, least_degree_triangulation};
 ///
-/// let triangulation = min_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
+/// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
 /// let mut triangles: Triangles<'_> = triangulation.triangles();
 /// assert_eq!(triangles.next(), Some([3, 4, 2]));
 /// assert_eq!(triangles.nth(6), Some([7, 8, 9]));
@@ -28,18 +28,21 @@ const BLOCK: u32 = 64;
 #[derive(Clone, Debug)]
 pub struct Triangles<'a> {
     triangulation: &'a Triangulation,
-    /// The number of the next triangle.
+    /// The index of the next triangle.
     next: u32,
-    /// The triangles `block_start..block_end`, and what was there before.
+    /// The triangles `block_start..block_end`; the rest of the array is out of date.
     block: [[u32; 3]; BLOCK as usize],
     block_start: u32,
     block_end: u32,
 }
 
-impl<'a> Triangles<'a> {
-    pub(crate) fn new(triangulation: &'a Triangulation) -> Self {
+// This method is here, not in `triangulation.rs`, so that the two files do not use each other.
+impl Triangulation {
+    /// All `n-2` triangles, each counter-clockwise, strip by strip. Amortised O(1) for each; to
+    /// fill a buffer, [`fill_triangles`](Self::fill_triangles) is faster.
+    pub fn triangles(&self) -> Triangles<'_> {
         let block = [[0; 3]; BLOCK as usize];
-        Self { triangulation, next: 0, block, block_start: 0, block_end: 0 }
+        Triangles { triangulation: self, next: 0, block, block_start: 0, block_end: 0 }
     }
 }
 
@@ -72,7 +75,7 @@ impl ExactSizeIterator for Triangles<'_> {}
 impl core::iter::FusedIterator for Triangles<'_> {}
 
 impl Triangles<'_> {
-    /// Writes the next triangle and those after it into the block, or says that there is none.
+    /// Fills the block from the next triangle on; none if no triangle remains.
     fn fill_block(&mut self) -> Option<()> {
         let len = (self.triangulation.triangle_count() - self.next).min(BLOCK);
         if len == 0 {

@@ -1,15 +1,15 @@
-//! A checker for any triangle list on a boundary, from whatever source.
+//! A checker for any list of triangles on a boundary, from any source.
 //!
-//! It works from the interval counts and the list alone and shares no code with the
-//! algorithm, so that the one can be trusted to find faults in the other.
+//! It uses the interval counts and the list alone and shares no code with the constructions, so
+//! that it can find their faults.
 //!
-//! Limits: positions are not looked at. A polygon that is not convex can pass here and fold
-//! over in the plane.
+//! Limits: it ignores positions. A list that passes can fold over in the plane if the polygon is
+//! not convex.
 
 use alloc::vec::Vec;
 use core::fmt;
 
-/// What a correct triangulation turns out to be; see [`verify`].
+/// The degrees of a correct triangulation; see [`verify`].
 ///
 /// # Example
 ///
@@ -28,9 +28,9 @@ pub struct Verified {
     pub degrees: Vec<u32>,
 }
 
-/// The first thing found wrong with a list of triangles.
+/// The first defect in a list of triangles.
 ///
-/// Triangles are counted from 0 in the order given.
+/// A triangle is its index in the list, counted from 0.
 ///
 /// # Example
 ///
@@ -44,36 +44,36 @@ pub struct Verified {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Defect {
-    /// The interval counts are no polygon's: too few sides, an empty one, or too many vertices.
-    /// [`Boundary::new`](crate::Boundary::new) says which.
+    /// The interval counts do not describe a polygon: too few sides, a side without intervals, or
+    /// too many vertices. [`Boundary::new`](crate::Boundary::new) reports which.
     NoPolygon,
-    /// There are not exactly n - 2 triangles.
+    /// The list does not have n - 2 triangles.
     WrongCount {
         /// n - 2.
         expected: u64,
         /// The length of the list.
         found: u64,
     },
-    /// A vertex id is not below n.
+    /// A vertex index is not below n.
     NoSuchVertex {
         /// The triangle.
         triangle: u64,
-        /// The id.
+        /// The vertex.
         vertex: u32,
     },
-    /// A triangle names a vertex twice.
+    /// A triangle has a vertex twice.
     RepeatedVertex {
         /// The triangle.
         triangle: u64,
         /// The vertex.
         vertex: u32,
     },
-    /// A triangle runs clockwise.
+    /// A triangle is clockwise.
     Clockwise {
         /// The triangle.
         triangle: u64,
     },
-    /// A triangle has all vertices on one side, hence no area.
+    /// A triangle has all vertices on one side, so it has no area.
     Flat {
         /// The triangle.
         triangle: u64,
@@ -82,12 +82,12 @@ pub enum Defect {
     },
     /// More than one triangle has an edge in this direction.
     RepeatedEdge {
-        /// The edge, in the direction in which it is met too often.
+        /// The edge, in the direction that occurs more than once.
         edge: [u32; 2],
     },
-    /// An interior edge has a triangle on one side only.
+    /// An interior edge has only one triangle.
     OpenEdge {
-        /// The edge, in the direction in which it is met.
+        /// The edge, in the direction that occurs.
         edge: [u32; 2],
     },
     /// A boundary edge has no triangle.
@@ -100,19 +100,24 @@ pub enum Defect {
 impl fmt::Display for Defect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::NoPolygon => f.write_str("the interval counts are no polygon's"),
+            Self::NoPolygon => f.write_str(
+                "the interval counts do not describe a polygon: use at least 3 sides, at least 1 \
+                 interval on each and at most 4294967294 in total",
+            ),
             Self::WrongCount { expected, found } => {
-                write!(f, "there are {found} triangles where {expected} are right")
+                write!(f, "found {found} triangles, expected {expected}")
             }
             Self::NoSuchVertex { triangle, vertex } => {
-                write!(f, "triangle {triangle} names vertex {vertex}, which does not exist")
+                write!(f, "triangle {triangle} has vertex {vertex}, which does not exist")
             }
             Self::RepeatedVertex { triangle, vertex } => {
-                write!(f, "triangle {triangle} names vertex {vertex} twice")
+                write!(f, "triangle {triangle} has vertex {vertex} twice")
             }
-            Self::Clockwise { triangle } => write!(f, "triangle {triangle} runs clockwise"),
+            Self::Clockwise { triangle } => {
+                write!(f, "triangle {triangle} is clockwise; reverse its vertices")
+            }
             Self::Flat { triangle, side } => {
-                write!(f, "triangle {triangle} is flat: it lies on side {}", side + 1)
+                write!(f, "triangle {triangle} is flat: all its vertices lie on side {}", side + 1)
             }
             Self::RepeatedEdge { edge: [from, to] } => {
                 write!(f, "more than one triangle has the edge from {from} to {to}")
@@ -131,18 +136,18 @@ impl core::error::Error for Defect {}
 
 /// Checks that `triangles` triangulate the boundary with these interval counts.
 ///
-/// That is: n-2 triangles, each counter-clockwise and none flat, every boundary edge once and
-/// every interior edge twice, in opposite directions. O(n log n) time, O(n) memory.
+/// The requirements are: n-2 triangles, each counter-clockwise and none flat; every boundary edge
+/// once; every interior edge twice, in opposite directions. O(n log n) time, O(n) memory.
 ///
-/// Why that suffices: in a convex polygon a counter-clockwise triangle of three boundary vertices,
-/// not all on one side, has positive area. If every interior edge is met once in either
-/// direction, the triangles' outlines cancel to the polygon's own, so every point inside is
-/// covered exactly once, whatever the positions.
+/// These requirements suffice. In a convex polygon, a counter-clockwise triangle of three boundary
+/// vertices that are not all on one side has positive area. If every interior edge occurs once in
+/// each direction, the outlines of the triangles cancel except for the outline of the polygon, so
+/// the triangles cover every inner point exactly once, whatever the positions.
 ///
 /// # Errors
 ///
-/// The first defect: triangles are looked at in the order given, then boundary edges from vertex
-/// 0 on, then interior edges in the order of their smaller vertex.
+/// The first defect. The checks run over the triangles in the given order, then over boundary
+/// edges from vertex 0 on, then over interior edges in the order of their smaller vertex.
 ///
 /// # Example
 ///
@@ -177,7 +182,7 @@ pub fn verify(
     if found != expected {
         return Err(Defect::WrongCount { expected, found });
     }
-    // Both directions of an edge come together.
+    // This brings both directions of an edge together.
     edges.sort_unstable_by_key(|&[a, b]| (a.min(b), a.max(b), a));
     let degrees = check_edges(&edges, vertices)?;
     let max_degree = degrees.iter().copied().max().unwrap_or(0);
@@ -200,39 +205,39 @@ impl Sides {
         if intervals.len() < 3 { Err(Defect::NoPolygon) } else { Ok(Self { starts }) }
     }
 
-    fn check(&self, number: u64, triangle: [u32; 3]) -> Result<(), Defect> {
+    fn check(&self, index: u64, triangle: [u32; 3]) -> Result<(), Defect> {
         let vertices = self.starts[self.starts.len() - 1];
         let exists = |vertex: u32| u64::from(vertex) < vertices;
         if let Some(&vertex) = triangle.iter().find(|&&vertex| !exists(vertex)) {
-            return Err(Defect::NoSuchVertex { triangle: number, vertex });
+            return Err(Defect::NoSuchVertex { triangle: index, vertex });
         }
         let [a, b, c] = triangle;
         if a == b || a == c {
-            return Err(Defect::RepeatedVertex { triangle: number, vertex: a });
+            return Err(Defect::RepeatedVertex { triangle: index, vertex: a });
         }
         if b == c {
-            return Err(Defect::RepeatedVertex { triangle: number, vertex: b });
+            return Err(Defect::RepeatedVertex { triangle: index, vertex: b });
         }
-        // Of a -> b -> c -> a exactly one step passes vertex 0, or else two do.
+        // In a -> b -> c -> a, one step descends if the triangle is counter-clockwise, two if not.
         let descents = u32::from(b < a) + u32::from(c < b) + u32::from(a < c);
         if descents != 1 {
-            return Err(Defect::Clockwise { triangle: number });
+            return Err(Defect::Clockwise { triangle: index });
         }
         let [low, middle, high] = {
             let mut sorted = triangle.map(u64::from);
             sorted.sort_unstable();
             sorted
         };
-        // The side that holds the middle vertex in its inside, or ends or starts there.
+        // The side of the middle vertex. If that is a corner, the side that starts there.
         let last = self.starts.len() - 2;
         let side = self.starts.partition_point(|&start| start <= middle) - 1;
         let holds = |side: usize| self.starts[side] <= low && high <= self.starts[side + 1];
         if holds(side) {
-            return Err(Defect::Flat { triangle: number, side });
+            return Err(Defect::Flat { triangle: index, side });
         }
         // The last side ends at vertex 0.
         if low == 0 && middle >= self.starts[last] {
-            return Err(Defect::Flat { triangle: number, side: last });
+            return Err(Defect::Flat { triangle: index, side: last });
         }
         Ok(())
     }
@@ -256,8 +261,8 @@ fn check_edges(edges: &[[u32; 2]], vertices: u64) -> Result<Vec<u32>, Defect> {
         if let Some(pair) = same.windows(2).find(|pair| pair[0] == pair[1]) {
             return Err(Defect::RepeatedEdge { edge: pair[0] });
         }
-        // What is left is one direction or both. A counter-clockwise triangle never has a
-        // boundary edge backwards.
+        // The edge now has one direction or both. A counter-clockwise triangle never has a boundary
+        // edge backwards.
         let [from, to] = same[0];
         if is_boundary_edge(same[0]) {
             continue;
@@ -280,9 +285,9 @@ mod tests {
     const GOOD: [[u32; 3]; 8] =
         [[3, 4, 2], [4, 1, 2], [4, 5, 1], [5, 0, 1], [5, 6, 0], [6, 9, 0], [6, 7, 9], [7, 8, 9]];
 
-    fn with(place: usize, triangle: [u32; 3]) -> Vec<[u32; 3]> {
+    fn with(index: usize, triangle: [u32; 3]) -> Vec<[u32; 3]> {
         let mut triangles = GOOD.to_vec();
-        triangles[place] = triangle;
+        triangles[index] = triangle;
         triangles
     }
 
@@ -334,18 +339,22 @@ mod tests {
     fn messages_say_what_and_where() {
         let (triangle, vertex, edge) = (7, 5, [2, 3]);
         for (defect, message) in [
-            (Defect::NoPolygon, "the interval counts are no polygon's"),
             (
-                Defect::WrongCount { expected: 8, found: 9 },
-                "there are 9 triangles where 8 are right",
+                Defect::NoPolygon,
+                "the interval counts do not describe a polygon: use at least 3 sides, at least 1 \
+                 interval on each and at most 4294967294 in total",
             ),
+            (Defect::WrongCount { expected: 8, found: 9 }, "found 9 triangles, expected 8"),
             (
                 Defect::NoSuchVertex { triangle, vertex },
-                "triangle 7 names vertex 5, which does not exist",
+                "triangle 7 has vertex 5, which does not exist",
             ),
-            (Defect::RepeatedVertex { triangle, vertex }, "triangle 7 names vertex 5 twice"),
-            (Defect::Clockwise { triangle }, "triangle 7 runs clockwise"),
-            (Defect::Flat { triangle, side: 0 }, "triangle 7 is flat: it lies on side 1"),
+            (Defect::RepeatedVertex { triangle, vertex }, "triangle 7 has vertex 5 twice"),
+            (Defect::Clockwise { triangle }, "triangle 7 is clockwise; reverse its vertices"),
+            (
+                Defect::Flat { triangle, side: 0 },
+                "triangle 7 is flat: all its vertices lie on side 1",
+            ),
             (Defect::RepeatedEdge { edge }, "more than one triangle has the edge from 2 to 3"),
             (Defect::OpenEdge { edge }, "the interior edge from 2 to 3 has one triangle, not two"),
             (Defect::MissingBoundaryEdge { edge }, "the boundary edge from 2 to 3 has no triangle"),

@@ -1,15 +1,17 @@
 //! Words: the order in which a strip advances along its two chains.
 //!
-//! A word of letters X and Y is a monotone staircase. All words here are given by a formula,
-//! so where a letter stands and what stands at a place are O(1) integer arithmetic.
+//! A word of letters X and Y is a monotone staircase. A formula gives every word here, so the
+//! letter at an index and the index of a letter are O(1) integer arithmetic.
 //!
-//! Two kinds suffice for an optimal triangulation of any boundary: alternating words, with at
-//! most one pair of neighbouring letters exchanged (the paper's final adjustment), and balanced
-//! words, which spread many X among few Y as evenly as integers allow (Christoffel words and
-//! their rotations).
+//! Two kinds suffice for an optimal triangulation of every boundary:
 //!
-//! Limits: words come from the constructions of this crate; there is no general word, which would
-//! have to be stored letter by letter.
+//! - alternating words, with at most one pair of neighbouring letters swapped (the paper's final
+//!   adjustment);
+//! - balanced words, which spread many X among few Y as equally as integers allow (Christoffel
+//!   words and their rotations).
+//!
+//! Limits: only the constructions of this crate make words. A general word would have to be
+//! stored letter by letter.
 
 /// Which chain of a strip a triangle advances along; see [`Word`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,19 +24,19 @@ pub enum Letter {
 
 /// The order in which a strip advances along its chains: a word in closed form.
 ///
-/// It alternates, but for one pair of neighbours that may be exchanged, or it spreads many X among
-/// few Y as evenly as integers allow (a rotation of a Christoffel word). So it takes O(1) memory,
-/// and what stands where is integer arithmetic.
+/// Either it alternates, with at most one pair of neighbouring letters swapped, or it spreads many
+/// X among few Y as equally as integers allow (a rotation of a Christoffel word). So it takes O(1)
+/// memory, and integer arithmetic gives each letter.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, Letter, min_degree_triangulation};
+/// use mindeg_core::{Boundary, Letter, least_degree_triangulation};
 ///
-/// // 8 intervals of the first side between its ends, shared by 3 vertices off it.
-/// let triangulation = min_degree_triangulation(&Boundary::new(&[10, 2, 1, 1])?);
+/// // 3 vertices share the 8 intervals between the inner vertices of the first side.
+/// let triangulation = least_degree_triangulation(&Boundary::new(&[10, 2, 1, 1])?);
 /// let word = *triangulation.strips().next().unwrap().word();
-/// let letters = (0..word.len()).map(|place| word.letter(place));
+/// let letters = (0..word.len()).map(|index| word.letter(index));
 /// let spelled: String = letters.map(|l| if l == Letter::X { 'X' } else { 'Y' }).collect();
 /// assert_eq!(spelled, "XXXYXXYXXX");
 /// # Ok::<(), mindeg_core::BoundaryError>(())
@@ -48,25 +50,24 @@ pub struct Word {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Order {
-    /// X and Y in turn, the letters at `swapped` and `swapped + 1` exchanged.
+    /// X and Y in turn, with the letters at `swapped` and `swapped + 1` swapped.
     Alternating { first: Letter, swapped: Option<u32> },
-    /// Before the j-th Y, counted from 1, stand `(j * xs + shift) / (ys + 1)` X, rounded down.
-    /// How many Y stand before something is the number of j for which that is small enough, and
-    /// so a quotient again.
+    /// `(j * xs + shift) / (ys + 1)` X, rounded down, precede the j-th Y, counted from 1. The
+    /// inverse, the number of Y before a letter, is again a quotient.
     Balanced { shift: u32 },
 }
 
-/// The lengths of the runs of X in a balanced word, one after the other: the quotient of
-/// [`Order::Balanced`], kept up by adding where it would be divided.
+/// The lengths of the runs of X in a balanced word, in order: the quotient of
+/// [`Order::Balanced`], updated by additions instead of a division for each run.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Runs {
-    /// The X left in the present run.
+    /// The number of X left in the current run.
     pub(crate) left: u32,
     /// The shorter of the two lengths, `xs / count`.
     base: u32,
-    /// What that leaves over, `xs % count`.
+    /// The remainder of that division, `xs % count`.
     surplus: u32,
-    /// What is left over so far, below `count`; where it would reach `count`, a run is longer.
+    /// The sum of the surpluses so far, modulo `count`. A run is longer where the sum wraps.
     remainder: u32,
     /// The number of runs, `ys + 1`.
     count: u32,
@@ -78,7 +79,7 @@ impl Runs {
         self.base + 1
     }
 
-    /// Goes on to the run after the next Y.
+    /// Moves to the run after the next Y.
     pub(crate) fn advance(&mut self) {
         self.remainder += self.surplus;
         self.left = self.base;
@@ -90,9 +91,9 @@ impl Runs {
 }
 
 impl Word {
-    /// The word that alternates, beginning with `first`.
+    /// The alternating word that starts with `first`.
     ///
-    /// The letter it begins with occurs as often as the other one or once more.
+    /// `first` occurs as often as the other letter, or once more.
     pub(crate) fn alternating(first: Letter, xs: u32, ys: u32) -> Self {
         debug_assert!(match first {
             Letter::X => xs == ys || xs == ys + 1,
@@ -101,19 +102,19 @@ impl Word {
         Self { xs, ys, order: Order::Alternating { first, swapped: None } }
     }
 
-    /// This alternating word with the letters at `place` and `place + 1` exchanged.
-    pub(crate) fn with_swap(mut self, place: u32) -> Self {
-        debug_assert!(place + 1 < self.len());
+    /// This alternating word with the letters at `index` and `index + 1` swapped.
+    pub(crate) fn with_swap(mut self, index: u32) -> Self {
+        debug_assert!(index + 1 < self.len());
         debug_assert!(matches!(self.order, Order::Alternating { swapped: None, .. }));
         if let Order::Alternating { swapped, .. } = &mut self.order {
-            *swapped = Some(place);
+            *swapped = Some(index);
         }
         self
     }
 
     /// The word `X…X Y X…X Y … Y X…X` whose `ys + 1` runs of X differ by at most one.
     ///
-    /// `shift`, in `0..=ys`, says where the longer runs fall.
+    /// `shift`, in `0..=ys`, selects which runs are the longer ones.
     pub(crate) fn balanced(xs: u32, ys: u32, shift: u32) -> Self {
         debug_assert!(xs > ys && shift <= ys);
         Self { xs, ys, order: Order::Balanced { shift } }
@@ -143,90 +144,92 @@ impl Word {
         self.len() == 0
     }
 
-    /// The letter at `place`, in `0..len`. O(1).
+    /// The letter at `index`, in `0..len`. O(1).
     ///
     /// # Panics
     ///
-    /// When `place` is not below [`len`](Self::len).
+    /// If `index` is not below [`len`](Self::len).
     #[must_use]
-    pub fn letter(&self, place: u32) -> Letter {
-        assert!(place < self.len(), "a word of {} letters has none at {place}", self.len());
-        if self.xs_before(place + 1) > self.xs_before(place) { Letter::X } else { Letter::Y }
+    pub fn letter(&self, index: u32) -> Letter {
+        let len = self.len();
+        assert!(index < len, "index {index} is out of range; the word has {len} letters");
+        if self.xs_before(index + 1) > self.xs_before(index) { Letter::X } else { Letter::Y }
     }
 
-    /// How many X stand before `place`, in `0..=len`. O(1).
-    pub(crate) fn xs_before(&self, place: u32) -> u32 {
+    /// The number of X before `index`, in `0..=len`. O(1).
+    pub(crate) fn xs_before(&self, index: u32) -> u32 {
         match self.order {
             Order::Alternating { first, swapped } => {
-                let plain = |place: u32| match first {
-                    Letter::X => place.div_ceil(2),
-                    Letter::Y => place / 2,
+                let plain = |index: u32| match first {
+                    Letter::X => index.div_ceil(2),
+                    Letter::Y => index / 2,
                 };
-                // Between two exchanged letters the count is what it would be without the
-                // first and with the second.
+                // Between the two swapped letters, the count includes the second letter of the
+                // plain word and not the first.
                 match swapped {
-                    Some(swap) if place == swap + 1 => plain(swap) + plain(swap + 2) - plain(place),
-                    _ => plain(place),
+                    Some(swap) if index == swap + 1 => plain(swap) + plain(swap + 2) - plain(index),
+                    _ => plain(index),
                 }
             }
             Order::Balanced { shift } => {
                 let (xs, runs) = (u64::from(self.xs), u64::from(self.ys) + 1);
-                let ys = ((u64::from(place) + 1) * runs - u64::from(shift) - 1) / (xs + runs);
-                place - ys as u32
+                let ys = ((u64::from(index) + 1) * runs - u64::from(shift) - 1) / (xs + runs);
+                index - ys as u32
             }
         }
     }
 
-    /// How many Y stand before the X with the given number, in `0..xs`. O(1).
-    pub(crate) fn ys_before_x(&self, number: u32) -> u32 {
+    /// The number of Y before the k-th X, `k` in `0..xs`. O(1).
+    pub(crate) fn ys_before_x(&self, k: u32) -> u32 {
         match self.order {
             Order::Alternating { first, .. } => {
-                self.place_in_word(2 * number + u32::from(first == Letter::Y)) - number
+                self.after_swap(2 * k + u32::from(first == Letter::Y)) - k
             }
             Order::Balanced { shift } => {
                 let (xs, runs) = (u64::from(self.xs), u64::from(self.ys) + 1);
-                (((u64::from(number) + 1) * runs - u64::from(shift) - 1) / xs) as u32
+                (((u64::from(k) + 1) * runs - u64::from(shift) - 1) / xs) as u32
             }
         }
     }
 
-    /// How many X stand before the Y with the given number, in `0..ys`. O(1).
-    pub(crate) fn xs_before_y(&self, number: u32) -> u32 {
+    /// The number of X before the k-th Y, `k` in `0..ys`. O(1).
+    pub(crate) fn xs_before_y(&self, k: u32) -> u32 {
         match self.order {
             Order::Alternating { first, .. } => {
-                self.place_in_word(2 * number + u32::from(first == Letter::X)) - number
+                self.after_swap(2 * k + u32::from(first == Letter::X)) - k
             }
             Order::Balanced { shift } => {
                 let (xs, runs) = (u64::from(self.xs), u64::from(self.ys) + 1);
-                (((u64::from(number) + 1) * xs + u64::from(shift)) / runs) as u32
+                (((u64::from(k) + 1) * xs + u64::from(shift)) / runs) as u32
             }
         }
     }
 
-    /// Where the X with the given number stands, if there are so many. O(1).
-    pub(crate) fn place_of_x(&self, number: u32) -> Option<u32> {
-        (number < self.xs).then(|| number + self.ys_before_x(number))
+    /// The index of the k-th X, counted from 0, if the word has it. O(1).
+    pub(crate) fn index_of_x(&self, k: u32) -> Option<u32> {
+        (k < self.xs).then(|| k + self.ys_before_x(k))
     }
 
-    /// Where the Y with the given number stands, if there are so many. O(1).
-    pub(crate) fn place_of_y(&self, number: u32) -> Option<u32> {
-        (number < self.ys).then(|| number + self.xs_before_y(number))
+    /// The index of the k-th Y, counted from 0, if the word has it. O(1).
+    pub(crate) fn index_of_y(&self, k: u32) -> Option<u32> {
+        (k < self.ys).then(|| k + self.xs_before_y(k))
     }
 
-    /// The places of the two letters that are exchanged.
-    pub(crate) fn swapped_places(&self) -> [Option<u32>; 2] {
+    /// The indices of the two swapped letters.
+    pub(crate) fn swapped_letters(&self) -> [Option<u32>; 2] {
         match self.order {
             Order::Alternating { swapped: Some(swap), .. } => [Some(swap), Some(swap + 1)],
             _ => [None, None],
         }
     }
 
-    /// The runs of X in a balanced word, the first without its letters before `place`.
-    pub(crate) fn runs_from(&self, place: u32) -> Option<Runs> {
+    /// The runs of X in a balanced word from `index` on: the first run is without its letters
+    /// before `index`. None for an alternating word.
+    pub(crate) fn runs_from(&self, index: u32) -> Option<Runs> {
         let Order::Balanced { shift } = self.order else { return None };
-        let i = self.xs_before(place);
+        let i = self.xs_before(index);
         let (xs, count) = (u64::from(self.xs), u64::from(self.ys) + 1);
-        let end = u64::from(place - i + 1) * xs + u64::from(shift);
+        let end = u64::from(index - i + 1) * xs + u64::from(shift);
         Some(Runs {
             left: (end / count) as u32 - i,
             base: (xs / count) as u32,
@@ -236,12 +239,12 @@ impl Word {
         })
     }
 
-    /// Where the letter at `place` of the plain alternating word stands in this one.
-    fn place_in_word(&self, place: u32) -> u32 {
+    /// The index in this word of the letter at `index` of the plain alternating word.
+    fn after_swap(&self, index: u32) -> u32 {
         match self.order {
-            Order::Alternating { swapped: Some(swap), .. } if place == swap => swap + 1,
-            Order::Alternating { swapped: Some(swap), .. } if place == swap + 1 => swap,
-            _ => place,
+            Order::Alternating { swapped: Some(swap), .. } if index == swap => swap + 1,
+            Order::Alternating { swapped: Some(swap), .. } if index == swap + 1 => swap,
+            _ => index,
         }
     }
 }
@@ -254,7 +257,7 @@ mod tests {
 
     fn spell(word: Word) -> String {
         (0..word.len())
-            .map(|place| match word.letter(place) {
+            .map(|index| match word.letter(index) {
                 Letter::X => 'X',
                 Letter::Y => 'Y',
             })
@@ -305,8 +308,8 @@ mod tests {
             let spelling = spell(word);
             prop_assert_eq!(spelling.matches('X').count(), word.xs() as usize);
             let (mut xs, mut ys) = (0, 0);
-            for (place, letter) in (0_u32..).zip(spelling.chars()) {
-                prop_assert_eq!(word.xs_before(place), xs);
+            for (index, letter) in (0_u32..).zip(spelling.chars()) {
+                prop_assert_eq!(word.xs_before(index), xs);
                 if letter == 'X' {
                     prop_assert_eq!(word.ys_before_x(xs), ys);
                     xs += 1;

@@ -1,14 +1,14 @@
-//! Every small boundary: the closed form of the optimum, the certificate and every plan against
+//! Every small boundary: the closed form of the optimum, the certificate and every candidate against
 //! the exact solver and the verifier.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use mindeg_core::{
-    Boundary, Certificate, Plans, bound, certificate, exact, optimal_max_degree, verify,
+    Boundary, Candidates, Certificate, bound, certificate, exact, least_max_degree, verify,
 };
 use std::collections::HashSet;
 
-/// Every way to give `sides` sides `vertices` intervals in all, one for each class under
+/// Every way to divide `vertices` intervals among `sides` sides, one for each class under
 /// rotation and reflection.
 fn boundaries(sides: usize, vertices: u64) -> Vec<Vec<u64>> {
     fn extend(prefix: &mut Vec<u64>, sides: usize, left: u64, found: &mut Vec<Vec<u64>>) {
@@ -38,35 +38,35 @@ fn boundaries(sides: usize, vertices: u64) -> Vec<Vec<u64>> {
     found
 }
 
-/// Checks one boundary and counts its plans.
+/// Checks one boundary and counts its candidates.
 fn check(sides: &[u64]) -> usize {
     let boundary = Boundary::new(sides).unwrap();
     let optimum = exact::least_max_degree(&boundary);
-    assert_eq!(optimal_max_degree(&boundary), optimum, "{sides:?}");
+    assert_eq!(least_max_degree(&boundary), optimum, "{sides:?}");
     let certificate = certificate(&boundary);
     assert_eq!(certificate.check(sides), Ok(optimum), "{sides:?}");
     check_bounds(&boundary, optimum);
 
     let mut seen = HashSet::new();
-    let plans = Plans::new(&boundary);
-    for plan in plans.iter() {
-        let mut triangles: Vec<[u32; 3]> = plan.triangles().collect();
+    let candidates = Candidates::new(&boundary);
+    for candidate in candidates.iter() {
+        let mut triangles: Vec<[u32; 3]> = candidate.triangles().collect();
         let verified = verify(sides, triangles.iter().copied())
-            .unwrap_or_else(|defect| panic!("{sides:?}: {defect} in {plan:?}"));
-        assert_eq!(verified.max_degree, optimum, "{sides:?}: {plan:?}");
-        assert_eq!(plan.max_degree(), optimum, "{sides:?}");
+            .unwrap_or_else(|defect| panic!("{sides:?}: {defect} in {candidate:?}"));
+        assert_eq!(verified.max_degree, optimum, "{sides:?}: {candidate:?}");
+        assert_eq!(candidate.max_degree(), optimum, "{sides:?}");
         for triangle in &mut triangles {
             let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap();
             triangle.rotate_left(least);
         }
         triangles.sort_unstable();
-        assert!(seen.insert(triangles), "{sides:?}: {plan:?} comes twice");
+        assert!(seen.insert(triangles), "{sides:?}: {candidate:?} occurs twice");
     }
-    assert!(!seen.is_empty() && seen.len() as u64 == plans.count());
+    assert!(!seen.is_empty() && seen.len() as u64 == candidates.count());
     seen.len()
 }
 
-/// The paper's statements hold, each by itself.
+/// Checks each statement of the paper.
 fn check_bounds(boundary: &Boundary, optimum: u32) {
     assert!(bound::counting_bound(boundary) <= optimum, "{boundary:?}");
     let side_bounds = (0..boundary.side_count()).map(|side| bound::side_bound(boundary, side));
@@ -79,16 +79,16 @@ fn check_bounds(boundary: &Boundary, optimum: u32) {
     );
 }
 
-/// The number of plans was found by trying every variant of a construction at every corner and
-/// leaving out what fails or comes twice.
-fn check_all(sides: usize, largest: u64, all_plans: usize) {
-    let mut plans = 0;
+/// `all_candidates` was found separately: by every variant of a construction at every corner,
+/// without the ones that fail or occur twice.
+fn check_all(sides: usize, largest: u64, all_candidates: usize) {
+    let mut candidates = 0;
     for vertices in sides as u64..=largest {
         for boundary in boundaries(sides, vertices) {
-            plans += check(&boundary);
+            candidates += check(&boundary);
         }
     }
-    assert_eq!(plans, all_plans);
+    assert_eq!(candidates, all_candidates);
 }
 
 #[test]
@@ -121,7 +121,7 @@ fn every_octagon() {
     check_all(8, 24, 260_876);
 }
 
-/// The enumeration leaves nothing out: its classes are as many as are known from elsewhere.
+/// The enumeration is complete: the number of its classes is the known one.
 #[test]
 fn boundaries_are_enumerated_up_to_symmetry() {
     // Partitions of n into 3 parts: the integer nearest to n²/12.

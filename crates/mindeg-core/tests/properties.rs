@@ -1,18 +1,18 @@
-//! Random boundaries, up to a million vertices: plans through the verifier, and the closed forms
-//! against the list of triangles that they describe.
+//! Random boundaries of up to a million vertices: the verifier checks candidates, and the list of
+//! triangles checks the closed forms.
 
 use mindeg_core::{
-    Boundary, Certificate, Letter, Plans, Triangulation, certificate, min_degree_triangulation,
-    optimal_max_degree, verify,
+    Boundary, Candidates, Certificate, Letter, Triangulation, certificate,
+    least_degree_triangulation, least_max_degree, verify,
 };
 use proptest::prelude::*;
 
-/// Sides of very different sizes, so that every construction comes up.
+/// Sides of very different sizes, so that every construction occurs.
 fn sides(most_sides: usize, most_intervals: u64) -> impl Strategy<Value = Vec<u64>> {
     let bits = most_intervals.ilog2();
     let side = (0..=bits).prop_flat_map(|bits| (1 << bits) / 2 + 1..=1_u64 << bits);
     let any = prop::collection::vec(side.clone(), 3..=most_sides);
-    // A run of sides and one that balances it but for a little.
+    // A run of sides and a run that almost balances it.
     let nearly_balanced = (prop::collection::vec(side, 2..=most_sides - 2), 0_u64..40).prop_map(
         |(mut sides, excess)| {
             let total: u64 = sides.iter().sum();
@@ -36,7 +36,7 @@ fn neighbors_from_list(vertices: u32, triangulation: &Triangulation) -> Vec<Vec<
         }
     }
     for (vertex, neighbors) in (0..vertices).zip(&mut neighbors) {
-        // Round a convex polygon, counter-clockwise is the order of the ring.
+        // In a convex polygon, the neighbours in counter-clockwise order follow the ring.
         neighbors.sort_unstable_by_key(|&other| (other + vertices - vertex) % vertices);
         neighbors.dedup();
     }
@@ -45,16 +45,16 @@ fn neighbors_from_list(vertices: u32, triangulation: &Triangulation) -> Vec<Vec<
 
 proptest! {
     #[test]
-    fn every_sampled_plan_is_a_triangulation_of_the_proven_degree(sides in sides(64, 512)) {
+    fn every_sampled_candidate_is_a_triangulation_of_the_proven_degree(sides in sides(64, 512)) {
         let boundary = Boundary::new(&sides).unwrap();
         let certificate = certificate(&boundary);
         prop_assert_eq!(certificate.check(&sides), Ok(certificate.max_degree()));
-        for plan in Plans::new(&boundary).sample(12) {
-            let verified = verify(&sides, plan.triangles());
+        for candidate in Candidates::new(&boundary).sample(12) {
+            let verified = verify(&sides, candidate.triangles());
             let verified = verified.map_err(|defect| TestCaseError::fail(defect.to_string()))?;
             prop_assert_eq!(verified.max_degree, certificate.max_degree());
-            prop_assert_eq!(verified.max_degree, plan.max_degree());
-            let degrees: Vec<u32> = (0..plan.vertex_count()).map(|v| plan.degree(v)).collect();
+            prop_assert_eq!(verified.max_degree, candidate.max_degree());
+            let degrees: Vec<u32> = (0..candidate.vertex_count()).map(|v| candidate.degree(v)).collect();
             prop_assert_eq!(&degrees, &verified.degrees);
         }
     }
@@ -62,26 +62,26 @@ proptest! {
     #[test]
     fn a_sample_is_as_large_as_it_may_be(sides in sides(16, 64), limit in 0_u32..40) {
         let boundary = Boundary::new(&sides).unwrap();
-        let plans = Plans::new(&boundary);
-        let sample: Vec<Triangulation> = plans.sample(limit).collect();
-        prop_assert_eq!(sample.len() as u64, plans.count().min(u64::from(limit.max(1))));
-        prop_assert_eq!(sample[0], min_degree_triangulation(&boundary));
-        // In the order of all plans, and so no plan twice.
-        let mut plans = plans.iter();
-        prop_assert!(sample.iter().all(|one| plans.any(|other| other == *one)));
+        let candidates = Candidates::new(&boundary);
+        let sample: Vec<Triangulation> = candidates.sample(limit).collect();
+        prop_assert_eq!(sample.len() as u64, candidates.count().min(u64::from(limit.max(1))));
+        prop_assert_eq!(sample[0], least_degree_triangulation(&boundary));
+        // The sample keeps the order of all candidates, so none occurs twice.
+        let mut candidates = candidates.iter();
+        prop_assert!(sample.iter().all(|one| candidates.any(|other| other == *one)));
     }
 
     #[test]
     fn a_certificate_proves_no_more_than_the_truth(
-        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, number in 0_usize..6
+        of in sides(6, 8), about in sides(6, 8), degree in 2_u32..9, side in 0_usize..6
     ) {
-        let optimum = optimal_max_degree(&Boundary::new(&about).unwrap());
+        let optimum = least_max_degree(&Boundary::new(&about).unwrap());
         let own = certificate(&Boundary::new(&of).unwrap());
         let claimed = match own {
             Certificate::BalancedCut { cut, .. } =>
                 Certificate::BalancedCut { cut, max_degree: degree },
             Certificate::LongSide { .. } =>
-                Certificate::LongSide { side: number, max_degree: degree },
+                Certificate::LongSide { side, max_degree: degree },
             other => other,
         };
         for certificate in [own, claimed] {
@@ -96,16 +96,16 @@ proptest! {
     fn closed_forms_describe_the_list(sides in sides(12, 64)) {
         let boundary = Boundary::new(&sides).unwrap();
         let vertices = boundary.vertex_count();
-        for plan in Plans::new(&boundary).sample(5) {
-            let from_list = neighbors_from_list(vertices, &plan);
+        for candidate in Candidates::new(&boundary).sample(5) {
+            let from_list = neighbors_from_list(vertices, &candidate);
             for (vertex, expected) in (0_u32..).zip(&from_list) {
-                let neighbors = plan.neighbors(vertex);
+                let neighbors = candidate.neighbors(vertex);
                 prop_assert_eq!(neighbors.len(), expected.len());
                 prop_assert_eq!(&neighbors.collect::<Vec<_>>(), expected);
             }
 
-            let mut edges: Vec<[u32; 2]> = plan.interior_edges().collect();
-            prop_assert_eq!(edges.len(), plan.interior_edges().len());
+            let mut edges: Vec<[u32; 2]> = candidate.interior_edges().collect();
+            prop_assert_eq!(edges.len(), candidate.interior_edges().len());
             prop_assert_eq!(edges.len() as u32, vertices - 3);
             edges.iter_mut().for_each(|edge| edge.sort_unstable());
             edges.sort_unstable();
@@ -116,43 +116,43 @@ proptest! {
                 prop_assert!(b - a > 1 && b - a < vertices - 1);
             }
 
-            let isolated: Vec<u32> = (0..vertices).filter(|&v| plan.degree(v) == 2).collect();
+            let isolated: Vec<u32> = (0..vertices).filter(|&v| candidate.degree(v) == 2).collect();
             prop_assert!(isolated.len() >= 2);
             prop_assert!(isolated.iter().all(|&v| boundary.is_corner(v)));
-            prop_assert_eq!(plan.isolated_corners(), isolated);
+            prop_assert_eq!(candidate.isolated_corners(), isolated);
 
-            let histogram = plan.degree_histogram();
+            let histogram = candidate.degree_histogram();
             for (&degree, &count) in &histogram {
                 let having = from_list.iter().filter(|list| list.len() as u32 == degree);
                 prop_assert_eq!(having.count() as u32, count);
             }
-            prop_assert_eq!(histogram.last_key_value().unwrap().0, &plan.max_degree());
+            prop_assert_eq!(histogram.last_key_value().unwrap().0, &candidate.max_degree());
             prop_assert_eq!(histogram.values().sum::<u32>(), vertices);
         }
     }
 
     #[test]
     fn blocks_hold_the_same_triangles_however_they_are_cut(
-        sides in sides(12, 512), plan in any::<prop::sample::Index>(),
+        sides in sides(12, 512), candidate in any::<prop::sample::Index>(),
         lens in prop::collection::vec(0_usize..150, 1..8), leap in 0_usize..300
     ) {
         let boundary = Boundary::new(&sides).unwrap();
-        let plans: Vec<Triangulation> = Plans::new(&boundary).sample(40).collect();
-        let plan = plan.get(&plans);
-        let count = plan.triangle_count();
-        let one_by_one: Vec<[u32; 3]> = (0..count).map(|number| plan.triangle(number)).collect();
+        let candidates: Vec<Triangulation> = Candidates::new(&boundary).sample(40).collect();
+        let candidate = candidate.get(&candidates);
+        let count = candidate.triangle_count();
+        let one_by_one: Vec<[u32; 3]> = (0..count).map(|index| candidate.triangle(index)).collect();
 
         let mut filled = vec![[0; 3]; count as usize];
-        let (mut rest, mut number) = (&mut filled[..], 0);
+        let (mut rest, mut index) = (&mut filled[..], 0);
         for len in lens.into_iter().chain([usize::MAX]) {
             let (block, after) = rest.split_at_mut(len.min(rest.len()));
-            plan.fill_triangles(number, block);
-            (rest, number) = (after, number + block.len() as u32);
+            candidate.fill_triangles(index, block);
+            (rest, index) = (after, index + block.len() as u32);
         }
         prop_assert_eq!(&filled, &one_by_one);
 
-        prop_assert!(plan.triangles().eq(one_by_one.iter().copied()));
-        let (mut triangles, mut expected) = (plan.triangles(), one_by_one.into_iter());
+        prop_assert!(candidate.triangles().eq(one_by_one.iter().copied()));
+        let (mut triangles, mut expected) = (candidate.triangles(), one_by_one.into_iter());
         loop {
             prop_assert_eq!(triangles.len(), expected.len());
             let triangle = triangles.nth(leap);
@@ -166,14 +166,14 @@ proptest! {
 
     #[test]
     fn strips_spell_the_triangles(sides in sides(8, 64)) {
-        let plan = min_degree_triangulation(&Boundary::new(&sides).unwrap());
-        let from_strips: Vec<[u32; 3]> = plan
+        let candidate = least_degree_triangulation(&Boundary::new(&sides).unwrap());
+        let from_strips: Vec<[u32; 3]> = candidate
             .strips()
-            .flat_map(|strip| (0..strip.triangle_count()).map(|number| strip.triangle(number)))
+            .flat_map(|strip| (0..strip.triangle_count()).map(|index| strip.triangle(index)))
             .collect();
-        prop_assert_eq!(&from_strips, &plan.triangles().collect::<Vec<_>>());
-        for strip in plan.strips() {
-            let letters = (0..strip.word().len()).map(|place| strip.word().letter(place));
+        prop_assert_eq!(&from_strips, &candidate.triangles().collect::<Vec<_>>());
+        for strip in candidate.strips() {
+            let letters = (0..strip.word().len()).map(|index| strip.word().letter(index));
             let xs = letters.filter(|&letter| letter == Letter::X).count();
             prop_assert_eq!(xs as u32 + 1, strip.x().len());
             prop_assert_eq!(strip.word().ys() + 1, strip.y().len());
@@ -188,8 +188,8 @@ proptest! {
     fn a_million_vertices_verify(sides in sides(64, 1 << 18)) {
         prop_assume!(sides.iter().sum::<u64>() <= 1_000_000);
         let boundary = Boundary::new(&sides).unwrap();
-        let plan = min_degree_triangulation(&boundary);
-        let verified = verify(&sides, plan.triangles());
+        let candidate = least_degree_triangulation(&boundary);
+        let verified = verify(&sides, candidate.triangles());
         let verified = verified.map_err(|defect| TestCaseError::fail(defect.to_string()))?;
         prop_assert_eq!(verified.max_degree, certificate(&boundary).max_degree());
     }
@@ -211,31 +211,31 @@ fn the_largest_boundaries_are_answered_at_once() {
         let boundary = Boundary::new(&sides).unwrap();
         let certificate = certificate(&boundary);
         assert_eq!(certificate.check(&sides), Ok(max_degree), "{sides:?}");
-        for plan in Plans::new(&boundary).sample(9) {
-            assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
-            check_here_and_there(&boundary, &plan);
+        for candidate in Candidates::new(&boundary).sample(9) {
+            assert_eq!(candidate.max_degree(), max_degree, "{sides:?}");
+            check_here_and_there(&boundary, &candidate);
         }
     }
 }
 
-fn check_here_and_there(boundary: &Boundary, plan: &Triangulation) {
+fn check_here_and_there(boundary: &Boundary, candidate: &Triangulation) {
     const WINDOW: u32 = 200;
-    let last = plan.triangle_count() - WINDOW;
-    let ends = plan.strips().scan(0_u32, |end, strip| {
+    let last = candidate.triangle_count() - WINDOW;
+    let ends = candidate.strips().scan(0_u32, |end, strip| {
         *end += strip.triangle_count();
         Some(end.saturating_sub(WINDOW / 2).min(last))
     });
     for first in (0..last).step_by(100_000_007).chain([last]).chain(ends) {
         let mut block = [[0; 3]; WINDOW as usize];
-        plan.fill_triangles(first, &mut block);
-        for (number, triangle) in (first..).zip(block) {
-            assert_eq!(triangle, plan.triangle(number), "{boundary:?}");
+        candidate.fill_triangles(first, &mut block);
+        for (index, triangle) in (first..).zip(block) {
+            assert_eq!(triangle, candidate.triangle(index), "{boundary:?}");
             assert!(!boundary.is_flat(triangle), "{boundary:?}: {triangle:?}");
             for (vertex, other) in triangle.into_iter().zip([triangle[1], triangle[2], triangle[0]])
             {
-                let neighbors = plan.neighbors(vertex);
-                assert_eq!(neighbors.len() as u32, plan.degree(vertex));
-                assert!(plan.degree(vertex) <= plan.max_degree());
+                let neighbors = candidate.neighbors(vertex);
+                assert_eq!(neighbors.len() as u32, candidate.degree(vertex));
+                assert!(candidate.degree(vertex) <= candidate.max_degree());
                 if neighbors.len() < 1000 {
                     assert!(neighbors.into_iter().any(|neighbor| neighbor == other));
                 }
@@ -263,8 +263,12 @@ fn the_table_of_known_optima() {
         (&[1000, 1, 10, 2, 500, 1, 3, 100], 5),
         (&[100_000, 1, 1, 1], 50_002),
     ] {
-        let plan = min_degree_triangulation(&Boundary::new(sides).unwrap());
-        assert_eq!(plan.max_degree(), max_degree, "{sides:?}");
-        assert_eq!(verify(sides, plan.triangles()).unwrap().max_degree, max_degree, "{sides:?}");
+        let candidate = least_degree_triangulation(&Boundary::new(sides).unwrap());
+        assert_eq!(candidate.max_degree(), max_degree, "{sides:?}");
+        assert_eq!(
+            verify(sides, candidate.triangles()).unwrap().max_degree,
+            max_degree,
+            "{sides:?}"
+        );
     }
 }

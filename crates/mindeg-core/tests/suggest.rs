@@ -1,13 +1,13 @@
-//! Suggestions against every change of counts that costs as much or less.
+//! Compares suggestions with every change of counts of the same cost or less.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mindeg_core::{Boundary, Suggestion, optimal_max_degree, suggest, suggestions};
+use mindeg_core::{Boundary, Suggestion, least_max_degree, suggest, suggestions};
 use proptest::prelude::*;
 use std::cmp::Reverse;
 
-/// Calls `visit` with all counts of `len` sides, at least 1, that are `cost` away from `sides` in
-/// all or less.
+/// Calls `visit` with all counts, each at least 1, whose total distance from `sides` is at most
+/// `cost`.
 fn for_each_change(sides: &[u64], cost: u64, visit: &mut dyn FnMut(&[u64])) {
     fn go(sides: &[u64], counts: &mut Vec<u64>, cost: u64, visit: &mut dyn FnMut(&[u64])) {
         let Some(&side) = sides.get(counts.len()) else { return visit(counts) };
@@ -21,10 +21,10 @@ fn for_each_change(sides: &[u64], cost: u64, visit: &mut dyn FnMut(&[u64])) {
 }
 
 fn optimum(sides: &[u64]) -> u32 {
-    optimal_max_degree(&Boundary::new(sides).unwrap())
+    least_max_degree(&Boundary::new(sides).unwrap())
 }
 
-/// What makes one change better than another, the least first.
+/// The order of preference among changes, the best first.
 fn preference(sides: &[u64], counts: &[u64]) -> impl Ord + std::fmt::Debug + use<> {
     let pairs = || sides.iter().zip(counts);
     let cost: u64 = pairs().map(|(a, b)| a.abs_diff(*b)).sum();
@@ -37,7 +37,7 @@ fn preference(sides: &[u64], counts: &[u64]) -> impl Ord + std::fmt::Debug + use
 fn check(sides: &[u64]) {
     let boundary = Boundary::new(sides).unwrap();
     for target in 0..=optimum(sides) {
-        // Nothing has a degree below 2, and it takes 3 or 4 intervals to be below 4.
+        // No degree is below 2, and only 3 or 4 intervals allow a degree below 4.
         let is_possible = target >= if sides.len() <= 4 { sides.len() as u32 - 1 } else { 4 };
         let Some(suggestion) = suggest(&boundary, target) else {
             assert!(!is_possible, "{sides:?}: {target}");

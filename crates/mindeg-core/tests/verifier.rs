@@ -1,16 +1,16 @@
-//! The verifier against an oracle that knows geometry and nothing else: exact areas and exact
-//! separating lines on a strictly convex lattice polygon with collinear side points.
+//! Compares the verifier with an oracle that uses geometry alone: exact areas and exact separating
+//! lines on a strictly convex lattice polygon with collinear side points.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mindeg_core::{Boundary, Plans, verify};
+use mindeg_core::{Boundary, Candidates, verify};
 use proptest::prelude::*;
 use std::collections::BTreeSet;
 
 type Point = (i64, i64);
 
-/// Boundary points with corners on a parabola, which runs convex and counter-clockwise, scaled so
-/// that every side divides evenly.
+/// Boundary points with corners on a parabola, which is convex and counter-clockwise. The scale
+/// makes every point an integer.
 fn points(sides: &[u64]) -> Vec<Point> {
     let scale: i64 = sides.iter().map(|&count| count as i64).product();
     let corner = |side: usize| {
@@ -32,15 +32,17 @@ fn area(a: Point, b: Point, c: Point) -> i64 {
     (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
 
-/// Whether the line along an edge of `one` has all of `other` beyond it. Two convex figures are
-/// disjoint inside if and only if an edge of one of them does that.
+/// Whether all of `other` lies beyond the line along an edge of `one`. The insides of two convex
+/// figures are disjoint if and only if this holds for an edge of one of them.
 fn an_edge_separates(one: [Point; 3], other: [Point; 3]) -> bool {
     (0..3).any(|edge| other.iter().all(|&p| area(one[edge], one[(edge + 1) % 3], p) <= 0))
 }
 
-/// Whether the triangles tile the polygon: n - 2 of positive area, disjoint, with its area in all.
+/// Whether the triangles tile the polygon: n - 2 disjoint triangles of positive area, with its
+/// area in total.
 ///
-/// A tiling by fewer vertices has fewer triangles, so the count rules out vertices inside edges.
+/// A tiling that uses fewer vertices has fewer triangles, so the count excludes vertices inside
+/// edges.
 fn tiles(sides: &[u64], triangles: &[[u32; 3]]) -> bool {
     let points = points(sides);
     let n = points.len();
@@ -60,7 +62,7 @@ fn tiles(sides: &[u64], triangles: &[[u32; 3]]) -> bool {
         })
 }
 
-/// The largest number of edges at a vertex, by collecting them.
+/// The largest number of edges at a vertex, from a set of all edges.
 fn max_degree(vertices: u32, triangles: &[[u32; 3]]) -> u32 {
     let ends = |&[a, b, c]: &[u32; 3]| [(a, b), (b, a), (b, c), (c, b), (c, a), (a, c)];
     let edges: BTreeSet<(u32, u32)> = triangles.iter().flat_map(ends).collect();
@@ -87,14 +89,14 @@ fn check_every_list(sides: &[u64], valid: usize) {
         }
     }
     let len = vertices as usize - 2;
-    let mut places = vec![0; len];
+    let mut choice = vec![0; len];
     let mut accepted = 0;
     loop {
-        let list: Vec<[u32; 3]> = places.iter().map(|&place| every[place]).collect();
+        let list: Vec<[u32; 3]> = choice.iter().map(|&index| every[index]).collect();
         accepted += usize::from(agree(sides, &list));
-        let Some(step) = places.iter().rposition(|&place| place + 1 < every.len()) else { break };
-        let next = places[step] + 1;
-        places[step..].fill(next);
+        let Some(step) = choice.iter().rposition(|&index| index + 1 < every.len()) else { break };
+        let next = choice[step] + 1;
+        choice[step..].fill(next);
     }
     assert_eq!(accepted, valid, "{sides:?}");
 }
@@ -112,7 +114,7 @@ fn exactly_the_triangulations_are_accepted() {
     check_every_list(&[1, 1, 3, 1], 4);
 }
 
-/// One change to a list of triangles; some keep it right, most do not.
+/// One change to a list of triangles. Most changes make it invalid.
 #[derive(Clone, Debug)]
 enum Edit {
     Rotate(usize),
@@ -126,16 +128,16 @@ enum Edit {
 }
 
 fn edits() -> impl Strategy<Value = Edit> {
-    let place = || any::<usize>();
+    let index = || any::<usize>();
     prop_oneof![
-        1 => place().prop_map(Edit::Rotate),
-        1 => place().prop_map(Edit::Reverse),
-        1 => place().prop_map(Edit::Drop),
-        1 => place().prop_map(Edit::Repeat),
-        1 => (place(), place()).prop_map(|(to, from)| Edit::Overwrite(to, from)),
-        1 => (place(), place()).prop_map(|(a, b)| Edit::Reorder(a, b)),
-        1 => (place(), place(), any::<u32>()).prop_map(|(at, i, v)| Edit::Rename(at, i, v)),
-        6 => (place(), place()).prop_map(|(a, b)| Edit::SwapDiagonal(a, b)),
+        1 => index().prop_map(Edit::Rotate),
+        1 => index().prop_map(Edit::Reverse),
+        1 => index().prop_map(Edit::Drop),
+        1 => index().prop_map(Edit::Repeat),
+        1 => (index(), index()).prop_map(|(to, from)| Edit::Overwrite(to, from)),
+        1 => (index(), index()).prop_map(|(a, b)| Edit::Reorder(a, b)),
+        1 => (index(), index(), any::<u32>()).prop_map(|(at, i, v)| Edit::Rename(at, i, v)),
+        6 => (index(), index()).prop_map(|(a, b)| Edit::SwapDiagonal(a, b)),
     ]
 }
 
@@ -173,17 +175,17 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
-    fn edited_lists_are_judged_rightly(
+    fn the_verifier_and_the_oracle_agree_on_edited_lists(
         sides in prop::collection::vec(1_u64..5, 3..7),
-        plan in any::<prop::sample::Index>(),
+        candidate in any::<prop::sample::Index>(),
         swaps in prop::collection::vec((any::<usize>(), any::<usize>()), 0..20),
         edits in prop::collection::vec(edits(), 0..4),
     ) {
         let boundary = Boundary::new(&sides).unwrap();
         let vertices = boundary.vertex_count();
-        let plans: Vec<_> = Plans::new(&boundary).sample(8).collect();
-        let mut list: Vec<[u32; 3]> = plan.get(&plans).triangles().collect();
-        // A walk through right lists, far from what this crate would build.
+        let candidates: Vec<_> = Candidates::new(&boundary).sample(8).collect();
+        let mut list: Vec<[u32; 3]> = candidate.get(&candidates).triangles().collect();
+        // A walk through valid lists, far from the ones that this crate builds.
         for (a, corner) in swaps {
             let before = list.clone();
             apply(Edit::SwapDiagonal(a, corner), vertices, &mut list);

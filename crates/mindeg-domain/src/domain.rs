@@ -423,7 +423,7 @@ mod tests {
             ),
             (
                 polygon(&CORNERS, with(0, Side::size(1e-300))),
-                "with side 1 (18446744073709551615 intervals) the boundary passes the limit of 4294967294 vertices; use fewer intervals",
+                "side 1 has 18446744073709551615 intervals, with which the boundary exceeds the maximum of 4294967294 vertices; use fewer intervals",
             ),
             (
                 polygon(&CORNERS, with(1, Side::count(2).spaced(Spacing::Bump { ratio: 0.0 }))),

@@ -4,7 +4,6 @@ use crate::measure;
 use crate::problem::Problem;
 use crate::progress::{Stopped, Watch};
 use crate::search::{Search, is_feasible};
-use mindeg_core::optimal_max_degree;
 use thiserror::Error;
 
 /// The triangulation with the largest minimum angle under a cap.
@@ -194,7 +193,7 @@ pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolv
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn least_max_degree(problem: &Problem, watch: Watch<'_>) -> Result<u32, Unsolved> {
-    let least = optimal_max_degree(problem.boundary());
+    let least = mindeg_core::least_max_degree(problem.boundary());
     if problem.is_plain() {
         return Ok(least);
     }

@@ -4,7 +4,6 @@
 
 mod plain;
 
-use mindeg_core::optimal_max_degree;
 use mindeg_exact::{Unsolved, best_angle, least_max_degree, trade_off, unwatched};
 use plain::{Instance, Rank, instances, regular};
 use proptest::prelude::*;
@@ -99,7 +98,7 @@ proptest! {
     #[test]
     fn agrees_with_all_triangulations_of_twelve_vertices(instance in instances(12)) {
         prop_assume!(instance.points.len() == 12);
-        let cap = optimal_max_degree(&instance.boundary) + 1;
+        let cap = mindeg_core::least_max_degree(&instance.boundary) + 1;
         let best = instance.best_of_all(cap);
         match best_angle(&instance.problem(), cap, &mut unwatched) {
             Ok(optimum) => instance.check(&optimum, cap, best.unwrap()),

@@ -73,7 +73,7 @@ fn every_mode_of_triangles_and_none_of_the_others() {
             read(&with(square(indices), "/meshes/0/primitives/0/mode", json!(mode))).unwrap();
         assert_eq!(mesh.triangles(), triangles, "mode {mode}");
         assert_eq!(mesh.positions()[2], DVec3::new(1.0, 1.0, 0.0));
-        assert_eq!((mesh.groups()[0].name.as_str(), mesh.parts().len()), ("square", 1));
+        assert_eq!((mesh.groups()[0].name.as_str(), mesh.groups().len()), ("square", 1));
     }
     for (mode, line_segments, points) in [(0, 0, 6), (1, 3, 0), (2, 6, 0), (3, 5, 0)] {
         let extra = json!({"attributes": {"POSITION": 0}, "indices": 1, "mode": mode});

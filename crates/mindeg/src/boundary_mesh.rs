@@ -110,7 +110,7 @@ const FILLED_AT_A_TIME: usize = 1 << 15;
 impl BoundaryMesh {
     /// The mesh with the least possible maximum degree that looks best on the domain's points.
     ///
-    /// The core's constructions leave choices open, all of the same degree ([`Plans`](mindeg_core::Plans)). The
+    /// The core's constructions leave choices open, all of the same degree ([`Candidates`](mindeg_core::Candidates)). The
     /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
     /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
     ///
@@ -467,7 +467,7 @@ mod tests {
         let error = BoundaryMesh::least_degree(&domain).unwrap_err();
         assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
 
-        let plan = mindeg_core::min_degree_triangulation(domain.boundary());
+        let plan = mindeg_core::least_degree_triangulation(domain.boundary());
         let error = BoundaryMesh::with_triangles(&domain, plan.triangles().collect()).unwrap_err();
         assert!(matches!(error, MeshError::NoArea { .. }), "{error}");
     }

@@ -101,7 +101,7 @@ pub enum ExactError {
 /// ```
 pub fn optimal_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, ExactError> {
     if !domain.is_constrained() {
-        return Ok(mindeg_core::optimal_max_degree(domain.boundary()));
+        return Ok(mindeg_core::least_max_degree(domain.boundary()));
     }
     let problem = problem(domain)?;
     Ok(reporting(progress, |watch| mindeg_exact::least_max_degree(&problem, watch))?)

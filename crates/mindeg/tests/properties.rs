@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use glam::DVec2;
 use mindeg::quality::{QualitySummary, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, Intervals, Outline, Side, Spacing};
-use mindeg_core::{Plans, verify};
+use mindeg_core::{Candidates, verify};
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 
@@ -125,7 +125,7 @@ proptest! {
         let domain = Domain::polygon(corners, sides).unwrap();
         let mesh = BoundaryMesh::least_degree(&domain).unwrap();
         let chosen = least_angle(&mesh, mesh.triangles());
-        let plans = Plans::new(domain.boundary());
+        let plans = Candidates::new(domain.boundary());
         for plan in plans.sample(64) {
             prop_assert!(chosen >= least_angle(&mesh, plan.triangles()) * (1.0 - 2e-9));
         }

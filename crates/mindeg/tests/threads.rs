@@ -3,11 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::{DVec2, DVec3};
+use mindeg::TriMesh;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
 use mindeg::{BoundaryMesh, Domain, Side, Spacing};
-use mindeg_core::Plans;
-use mindeg::TriMesh;
+use mindeg_core::Candidates;
 use rayon::ThreadPoolBuilder;
 
 /// What `work` gives with 1, 2 and 5 threads, all the same.
@@ -40,7 +40,7 @@ fn the_same_plan_is_chosen_and_it_is_the_best() {
             TriangleQuality::of(a, b, c).min_angle
         };
         let chosen = mesh.triangles().map(least_angle).fold(180.0, f64::min);
-        for plan in Plans::new(domain.boundary()).sample(8) {
+        for plan in Candidates::new(domain.boundary()).sample(8) {
             let other = plan.triangles().map(least_angle).fold(180.0, f64::min);
             assert!(chosen >= other * (1.0 - 2e-9), "{chosen} and {other}");
         }

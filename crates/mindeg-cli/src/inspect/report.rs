@@ -2,7 +2,7 @@
 
 use mindeg::inspection::Inspection;
 use mindeg::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
-use mindeg_core::{Boundary, optimal_max_degree};
+use mindeg_core::{Boundary, least_max_degree};
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -156,7 +156,7 @@ impl Report {
                 Some(Outline {
                     corners: outline.corners.clone(),
                     intervals: outline.intervals.clone(),
-                    optimal_max_degree: optimal_max_degree(&Boundary::new(&counts).ok()?),
+                    optimal_max_degree: least_max_degree(&Boundary::new(&counts).ok()?),
                 })
             }),
             no_outline: outline.err().map(ToString::to_string),

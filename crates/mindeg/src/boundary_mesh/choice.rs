@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::{Boundary, Plans, Triangulation};
+use mindeg_core::{Boundary, Candidates, Triangulation};
 
 use super::MeshError;
 use super::angles::{cotangents, placed};
@@ -33,7 +33,7 @@ pub(super) fn best_plan(
     progress: Progress<'_>,
 ) -> Result<Triangulation, MeshError> {
     let boundary = placement.boundary();
-    let plans = Plans::new(boundary);
+    let plans = Candidates::new(boundary);
     let limit = plans_to_try(boundary);
     let triangles = u64::from(boundary.vertex_count()) - 2;
     let total = plans.count().min(limit.into()) * triangles;
@@ -41,7 +41,7 @@ pub(super) fn best_plan(
     let points = Points::new(placement);
     let mut best: Option<(f64, Triangulation)> = None;
     let mut dropped = None;
-    // Plans are mostly bad in the same places: where one is worst is where to look at others.
+    // Candidates are mostly bad in the same places: where one is worst is where to look at others.
     let mut suspects = Vec::new();
     for (tried, plan) in (1..).zip(plans.sample(limit)) {
         let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));

@@ -1,50 +1,52 @@
-//! Every optimal triangulation that the constructions allow, by number.
+//! Every optimal triangulation that the constructions allow, by index.
 //!
-//! As degrees go all plans are equal; geometry can choose among them.
+//! All candidates have the same maximum degree; a caller that knows positions can choose among
+//! them by their angles.
 //!
-//! Limits: not every optimal triangulation is a plan, only those of one strip, or one strip and
-//! one cap, that [`min_degree`](crate::min_degree) builds.
+//! Limits: not every optimal triangulation is a candidate, only the ones that a construction
+//! builds from one strip, or from a main strip and a corner strip.
 
-use crate::min_degree::{Construction, Heavy, greatest_common_divisor};
+use crate::construction::{Construction, Heavy};
 use crate::word::Letter;
-use crate::{Boundary, Cut, Triangulation, best_cuts, bound, optimal_max_degree};
+use crate::{Boundary, Cut, Triangulation, best_cuts, bound, least_max_degree};
 use alloc::vec::Vec;
 use core::ops::Range;
 
-/// The optimal triangulations that the constructions allow, no two of them the same.
+/// The optimal triangulations that the constructions allow, no two of them equal.
 ///
-/// There are three constructions, and the evenest cut decides which one applies; see
-/// [`min_degree_triangulation`](crate::min_degree_triangulation). The choices they leave open:
+/// The cut with the least imbalance selects one of three constructions, which
+/// [`least_degree_triangulation`](crate::least_degree_triangulation) shows in figures. Each leaves
+/// choices open:
 ///
-/// - **Zig-zag**: each balanced cut, and where its runs are equal, both alternations.
+/// - **Zig-zag**: each balanced cut, and both alternations if its runs are equal.
 /// - **Dominant side**: every rotation of the balanced word.
-/// - **Corner removal**: each best cut, each corner inside its larger run for the cap, either end
-///   of the edge under the cap to take the second edge of the cap, and either alternation of the
-///   main strip.
+/// - **Corner removal**: each best cut, each corner inside its larger run, either end of the
+///   strips' shared edge as the one with two edges of the corner strip, and either alternation
+///   of the main strip.
 ///
-/// That may be O(k²) plans, or O(n) for a dominant side; none is built before it is asked for.
+/// This may be O(k²) candidates, or O(n) for a dominant side. Each is built on demand.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, Plans};
+/// use mindeg_core::{Boundary, Candidates};
 ///
 /// let boundary = Boundary::new(&[4, 4, 4, 4])?;
-/// let plans = Plans::new(&boundary);
-/// assert_eq!(plans.count(), 4); // two cuts, two alternations
-/// assert!(plans.iter().all(|triangulation| triangulation.max_degree() == 4));
+/// let candidates = Candidates::new(&boundary);
+/// assert_eq!(candidates.count(), 4); // two cuts, two alternations
+/// assert!(candidates.iter().all(|triangulation| triangulation.max_degree() == 4));
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Plans<'a> {
+pub struct Candidates<'a> {
     boundary: &'a Boundary,
     max_degree: u32,
-    /// Each with the number of plans in the families before it.
+    /// Each family, with the number of candidates in the families before it.
     families: Vec<(u64, Family)>,
     count: u64,
 }
 
-/// Plans that differ in one number alone.
+/// Candidates that differ in one number only.
 #[derive(Clone, Debug)]
 enum Family {
     SingleTriangle,
@@ -64,78 +66,78 @@ impl Family {
     }
 }
 
-impl<'a> Plans<'a> {
-    /// The plans for a boundary. O(k) time and memory.
+impl<'a> Candidates<'a> {
+    /// The candidates for a boundary. O(k) time and memory; builds none of them.
     #[must_use]
     pub fn new(boundary: &'a Boundary) -> Self {
         let mut count = 0;
-        let mut numbered = Vec::new();
+        let mut indexed = Vec::new();
         for family in families(boundary) {
             let before = count;
             count += family.len();
-            numbered.push((before, family));
+            indexed.push((before, family));
         }
-        Self { boundary, max_degree: optimal_max_degree(boundary), families: numbered, count }
+        Self { boundary, max_degree: least_max_degree(boundary), families: indexed, count }
     }
 
-    /// The number of plans, at least 1. O(1).
+    /// The number of candidates, at least 1. O(1).
     #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }
 
-    /// All plans, each built in O(log k).
+    /// All candidates, each built in O(log k).
     ///
-    /// The order is fixed: alternations and the choice of an end change slowest, then the cut in
-    /// the order of [`best_cuts`], then the corner or the rotation. The first plan is the one of
-    /// [`min_degree_triangulation`](crate::min_degree_triangulation).
+    /// The order is fixed. The alternation and the choice of an end change slowest, then the cut
+    /// in the order of [`best_cuts`], then the corner or the rotation.
+    /// [`least_degree_triangulation`](crate::least_degree_triangulation) is the first candidate.
     pub fn iter(&self) -> impl Iterator<Item = Triangulation> + '_ {
-        (0..self.count).map(|number| self.plan(number))
+        (0..self.count).map(|index| self.candidate(index))
     }
 
-    /// As many plans as there are, but at most `limit.max(1)`: spread evenly over the order of
-    /// [`iter`](Self::iter), the first one always among them.
+    /// At most `limit.max(1)` candidates, at equal distances in the order of
+    /// [`iter`](Self::iter). The first candidate is always one of them.
     ///
     /// ```
-    /// # use mindeg_core::{Boundary, Plans};
+    /// # use mindeg_core::{Boundary, Candidates};
     /// let boundary = Boundary::new(&[1000, 3, 5, 2])?;
-    /// let plans = Plans::new(&boundary);
-    /// assert_eq!(plans.count(), 9);
-    /// assert_eq!(plans.sample(4).count(), 4);
-    /// assert_eq!(plans.sample(100).count(), 9);
+    /// let candidates = Candidates::new(&boundary);
+    /// assert_eq!(candidates.count(), 9);
+    /// assert_eq!(candidates.sample(4).count(), 4);
+    /// assert_eq!(candidates.sample(100).count(), 9);
     /// # Ok::<(), mindeg_core::BoundaryError>(())
     /// ```
     pub fn sample(&self, limit: u32) -> impl Iterator<Item = Triangulation> + '_ {
         let samples = self.count.min(u64::from(limit.max(1)));
         let spread =
             move |i: u64| (u128::from(i) * u128::from(self.count) / u128::from(samples)) as u64;
-        (0..samples).map(move |i| self.plan(spread(i)))
+        (0..samples).map(move |i| self.candidate(spread(i)))
     }
 
-    /// The plan with the given number, below the count.
-    fn plan(&self, number: u64) -> Triangulation {
-        // Of families that start alike only the last has plans.
-        let family = self.families.partition_point(|&(before, _)| before <= number) - 1;
+    /// The candidate at `index`, in `0..count`.
+    fn candidate(&self, index: u64) -> Triangulation {
+        // Among families with the same `before`, only the last is not empty.
+        let family = self.families.partition_point(|&(before, _)| before <= index) - 1;
         let (before, family) = &self.families[family];
-        let number = number - before;
+        let index = index - before;
         let construction = |cut| Construction::new(self.boundary, cut);
-        let (main, cap) = match family {
+        let (main, corner_strip) = match family {
             Family::SingleTriangle => (Construction::single_triangle(), None),
             Family::MedialTriangle => Construction::medial_triangle(),
             Family::ZigZag { cut, first } => (construction(cut).zig_zag(*first), None),
             Family::DominantSide { cut, rotations } => {
-                // The middle rotation comes first: it is the most symmetric.
-                let rotation = (number as u32 + rotations / 2) % rotations;
-                // Shifts within one multiple of the common divisor spell the same word.
+                // The middle rotation is first because it is the most symmetric.
+                let rotation = (index as u32 + rotations / 2) % rotations;
+                // Shifts below one multiple of the common divisor give the same word.
                 let shift = rotation * ((cut.smaller - 1) / rotations);
                 (construction(cut).dominant_side(shift), None)
             }
             Family::CornerRemoval { cut, heavy, first, corners } => {
-                let corner = corners.start + number as usize;
+                let corner = corners.start + index as usize;
                 construction(cut).corner_removal(corner, *heavy, *first)
             }
         };
-        Triangulation::new(self.boundary.vertex_count(), self.max_degree, main, cap)
+        Triangulation::new(self.boundary.ring(), self.max_degree, main, corner_strip)
     }
 }
 
@@ -145,8 +147,8 @@ fn families(boundary: &Boundary) -> Vec<Family> {
     if boundary.vertex_count() == 3 {
         [Family::SingleTriangle].into()
     } else if cut.is_balanced() {
-        // Where one run is longer it goes first and last, and with no letters (n = 4) there is
-        // nothing to alternate. All best cuts have one imbalance.
+        // A longer run has the first and the last letter, so it leaves no choice. A word without
+        // letters (n = 4) has no alternation. All best cuts have the same imbalance.
         let both = cut.imbalance() == 0 && cut.smaller > 2;
         let firsts = if both { &[Letter::X, Letter::Y][..] } else { &[Letter::X] };
         firsts
@@ -177,12 +179,12 @@ fn families(boundary: &Boundary) -> Vec<Family> {
     }
 }
 
-/// The corners of a cut's larger run, counted from its start, that a variant can cap.
+/// The corners of a cut's larger run, counted from its start, that a variant can remove.
 ///
-/// All of them when X comes first with f heavy, or Y with g heavy. Otherwise the adjustment of
-/// the main word may lack the neighbour it needs; and where the smaller run has 3 intervals the
-/// adjusted word is the other alternation, so that the plan is there already. No other two plans
-/// are the same: the tests see to it on every small boundary.
+/// These are all corners if X is first and f is heavy, or Y is first and g is heavy. Otherwise
+/// the swap in the main word may lack the neighbour it needs. And if the smaller run has 3
+/// intervals, the swapped word is the other alternation, which is already a candidate. No other
+/// two candidates are equal: the tests check this on every small boundary.
 fn removable_corners(boundary: &Boundary, cut: &Cut, heavy: Heavy, first: Letter) -> Range<usize> {
     let fewer = cut.imbalance().div_ceil(2);
     let last_side = (cut.first_side + cut.side_count - 1) % boundary.side_count();
@@ -190,15 +192,19 @@ fn removable_corners(boundary: &Boundary, cut: &Cut, heavy: Heavy, first: Letter
     match (heavy, first) {
         (Heavy::F, Letter::X) | (Heavy::G, Letter::Y) => {}
         _ if cut.smaller == 3 => corners.end = corners.start,
-        // f would be x_1, with no x before it to take its first Y.
+        // f would be x_1, with no x before it to receive its Y.
         (Heavy::F, Letter::Y) if boundary.intervals(cut.first_side) == fewer + 1 => {
             corners.start += 1;
         }
-        // g would be x_{Q-1}, with no x after it to take its last Y.
+        // g would be x_{Q-1}, with no x after it to receive its Y.
         (Heavy::G, Letter::X) if boundary.intervals(last_side) == fewer + 1 => {
             corners.end -= 1;
         }
         _ => {}
     }
     corners
+}
+
+fn greatest_common_divisor(a: u32, b: u32) -> u32 {
+    if b == 0 { a } else { greatest_common_divisor(b, a % b) }
 }

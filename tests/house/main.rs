@@ -1,0 +1,164 @@
+//! Checks the sources themselves: the arrows of ARCHITECTURE.md, sizes and words.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod modules;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The most lines of a file without its tests.
+const MOST_LINES: usize = 400;
+
+/// Phrases that a mesh engineer must read twice. Write subject, verb, object instead.
+const RETIRED: [&str; 10] = [
+    "cannot be had",
+    "can be had",
+    "hears of",
+    "looks away",
+    "said of",
+    "is served",
+    "are served",
+    "so many are",
+    "smallest angle",
+    "busiest vertex",
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
+}
+
+/// All files below `folder` with one of the endings, in the order of their paths.
+fn files(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
+    let mut entries: Vec<PathBuf> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    entries.sort();
+    let mut found = Vec::new();
+    for path in entries {
+        let name = path.file_name().unwrap().to_string_lossy();
+        if path.is_dir() {
+            if !name.starts_with('.') && name != "target" && name != "node_modules" {
+                found.extend(files(&path, endings));
+            }
+        } else if endings.iter().any(|ending| name.ends_with(ending)) {
+            found.push(path);
+        }
+    }
+    found
+}
+
+/// The folder of each crate, by its name.
+fn crates() -> BTreeMap<String, PathBuf> {
+    let manifests = files(&root().join("crates"), &["Cargo.toml"]);
+    let folders = manifests.iter().map(|path| path.parent().unwrap().to_owned());
+    folders.map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), path)).collect()
+}
+
+/// The lines of a file before its tests.
+fn without_tests(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    let lines = text.lines().take_while(|line| *line != "#[cfg(test)]");
+    lines.flat_map(|line| [line, "\n"]).collect()
+}
+
+fn assert_none(faults: &[String], what_to_do: &str) {
+    assert!(faults.is_empty(), "{what_to_do}:\n  {}", faults.join("\n  "));
+}
+
+#[test]
+fn arrows_between_crates_are_those_of_the_architecture_page() {
+    let page = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let arrows = page.lines().filter_map(|line| line.split_once(" -> "));
+    let drawn: BTreeMap<&str, BTreeSet<&str>> = arrows
+        .map(|(from, to)| (from.trim(), to.split(',').map(str::trim).collect()))
+        .map(|(from, to): (_, BTreeSet<&str>)| (from, &to - &["nothing"].into()))
+        .collect();
+    let mut faults = Vec::new();
+    let crates = crates();
+    for (name, folder) in &crates {
+        let manifest = fs::read_to_string(folder.join("Cargo.toml")).unwrap();
+        let mut section = "";
+        let mut real = BTreeSet::new();
+        for line in manifest.lines() {
+            section = if line.starts_with('[') { line } else { section };
+            let key = line.split(['.', ' ', '=']).next().unwrap_or("");
+            if section.ends_with("dependencies]")
+                && !section.contains("dev-")
+                && crates.contains_key(key)
+            {
+                real.insert(key);
+            }
+        }
+        if drawn.get(name.as_str()) != Some(&real) {
+            faults.push(format!(
+                "{name}: the manifest has {real:?}, the page {:?}",
+                drawn.get(&**name)
+            ));
+        }
+    }
+    let gone = drawn.keys().filter(|name| !crates.contains_key(**name));
+    faults.extend(gone.map(|name| format!("{name}: the page has it, crates/ has not")));
+    assert_none(&faults, "correct the arrows in ARCHITECTURE.md or the manifests");
+}
+
+#[test]
+fn no_file_is_long() {
+    let mut faults = Vec::new();
+    for path in crates().values().flat_map(|folder| files(&folder.join("src"), &[".rs"])) {
+        let lines = without_tests(&path).lines().count();
+        if lines > MOST_LINES {
+            faults.push(format!("{}: {lines} lines", path.strip_prefix(root()).unwrap().display()));
+        }
+    }
+    assert_none(&faults, &format!("split files above {MOST_LINES} lines without tests"));
+}
+
+#[test]
+fn no_crate_has_more_than_a_quarter_of_the_lines() {
+    let lines = |folder: &PathBuf| -> usize {
+        let files = files(&folder.join("src"), &[".rs"]);
+        files.iter().map(|path| fs::read_to_string(path).unwrap().lines().count()).sum()
+    };
+    let sizes: Vec<(String, usize)> =
+        crates().iter().map(|(name, folder)| (name.clone(), lines(folder))).collect();
+    let all: usize = sizes.iter().map(|(_, lines)| lines).sum();
+    let large = sizes.iter().filter(|(_, lines)| 4 * lines > all);
+    let faults: Vec<String> =
+        large.map(|(name, lines)| format!("{name}: {lines} of {all} lines")).collect();
+    assert_none(&faults, "split the crate");
+}
+
+#[test]
+fn no_modules_of_a_crate_use_each_other_in_a_circle() {
+    let mut faults = Vec::new();
+    for (name, folder) in crates() {
+        let src = folder.join("src");
+        let source =
+            |path: PathBuf| (path.strip_prefix(&src).unwrap().to_owned(), without_tests(&path));
+        let sources: Vec<_> = files(&src, &[".rs"]).into_iter().map(source).collect();
+        let circles = modules::circles(&sources);
+        faults.extend(circles.iter().map(|arrow| format!("{name}: {arrow}")));
+    }
+    assert_none(&faults, "break the circles that these arrows form");
+}
+
+#[test]
+fn no_phrase_is_retired() {
+    let root = root();
+    let mut faults = Vec::new();
+    for path in files(&root, &[".rs", ".md", ".py"]) {
+        if path.ends_with("tests/house/main.rs") {
+            continue;
+        }
+        // A phrase may go on in the next line of a comment.
+        let text = fs::read_to_string(&path).unwrap().to_lowercase();
+        let words =
+            text.split_whitespace().filter(|word| !["//", "///", "//!", "#"].contains(word));
+        let text = words.collect::<Vec<_>>().join(" ");
+        for phrase in RETIRED.iter().filter(|phrase| text.contains(**phrase)) {
+            faults.push(format!("{}: {phrase:?}", path.strip_prefix(&root).unwrap().display()));
+        }
+    }
+    assert_none(&faults, "write these sentences in plain words");
+}
