@@ -5,7 +5,7 @@
 
 use glam::{DVec2, DVec3};
 use mindeg::{BoundaryMesh, Domain};
-use mindeg_formats::{Plane, SurfaceOptions, glb, obj};
+use mindeg_formats::{Plane, SurfaceOptions, glb, gltf, obj};
 use mindeg_mesh::TriMesh;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -113,7 +113,7 @@ proptest! {
         }
 
         let (mut json, mut bin) = (Vec::new(), Vec::new());
-        export::gltf::write(&mesh, &options, "a b.bin", &mut json, &mut bin).unwrap();
+        gltf::write(&mesh, &options, "a b.bin", &mut json, &mut bin).unwrap();
         let again = glb::read(json.as_slice(), |name| {
             assert_eq!(name, "a b.bin");
             Ok(bin.clone())
@@ -191,7 +191,7 @@ proptest! {
             }
         }
         let (mut json, mut bin) = (Vec::new(), Vec::new());
-        export::gltf::write(&mesh, &options, "x.bin", &mut json, &mut bin).unwrap();
+        gltf::write(&mesh, &options, "x.bin", &mut json, &mut bin).unwrap();
         let json = damaged(json, &damages);
         if let Ok(mesh) = glb::read(json.as_slice(), |_| Ok(bin.clone())) {
             let _ = mesh.boundary_loops();
