@@ -7,8 +7,8 @@
 use divan::Bencher;
 use divan::counter::{BytesCount, ItemsCount};
 use mindeg::inspection::{Inspection, InspectionOptions};
-use mindeg::{BoundaryMesh, Domain, Side, import};
-use mindeg_formats::{SurfaceOptions, gltf, obj};
+use mindeg::{BoundaryMesh, Domain, Side};
+use mindeg_formats::{SurfaceOptions, glb, obj};
 use std::io;
 
 fn main() {
