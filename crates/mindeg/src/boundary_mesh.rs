@@ -426,7 +426,7 @@ mod tests {
         };
         assert_eq!(
             refused(&square([1; 4]), &[[0, 1, 2]]),
-            "the triangles are no mesh of the domain: there are 1 triangles where 2 are right"
+            "the triangles are no mesh of the domain: found 1 triangles, expected 2"
         );
         assert!(
             refused(&square([2, 1, 1, 1]), &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]).contains("flat")

@@ -22,12 +22,11 @@ use std::io::{self, Write};
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{TradeOffFigures, exact};
-/// use mindeg::{Domain, Side};
-/// use mindeg_exact::unwatched;
+/// use mindeg_compare::TradeOffFigures;
+/// use mindeg::{Domain, Progress, Side, exact};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-/// let figures = TradeOffFigures::of(&exact::trade_off(&domain, &mut unwatched)?);
+/// let figures = TradeOffFigures::of(&exact::trade_off(&domain, Progress::NONE)?);
 /// assert_eq!(figures.points[0].max_degree, 4);
 /// assert!(figures.points[0].min_angle < figures.delaunay_min_angle);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

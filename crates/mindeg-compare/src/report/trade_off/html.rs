@@ -35,13 +35,12 @@ const MARGIN: f64 = 9.0;
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{exact, write_trade_off_html};
-/// use mindeg::{Domain, Side};
-/// use mindeg_exact::unwatched;
+/// use mindeg_compare::write_trade_off_html;
+/// use mindeg::{Domain, Progress, Side, exact};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let mut page = Vec::new();
-/// write_trade_off_html(&exact::trade_off(&domain, &mut unwatched)?, &mut page)?;
+/// write_trade_off_html(&exact::trade_off(&domain, Progress::NONE)?, &mut page)?;
 /// let page = String::from_utf8(page)?;
 /// assert!(page.contains("<h1>plate</h1>") && page.contains("id=\"degree-5\""));
 /// # Ok::<(), Box<dyn std::error::Error>>(())

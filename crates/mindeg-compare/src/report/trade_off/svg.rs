@@ -47,13 +47,12 @@ const STYLE: &str = "\
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{exact, write_trade_off_svg};
-/// use mindeg::{Domain, Side};
-/// use mindeg_exact::unwatched;
+/// use mindeg_compare::write_trade_off_svg;
+/// use mindeg::{Domain, Progress, Side, exact};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let mut picture = Vec::new();
-/// write_trade_off_svg(&exact::trade_off(&domain, &mut unwatched)?, &mut picture)?;
+/// write_trade_off_svg(&exact::trade_off(&domain, Progress::NONE)?, &mut picture)?;
 /// let picture = String::from_utf8(picture)?;
 /// assert!(picture.contains(">plate</text>") && picture.contains("degree 5 · 6.340°"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
