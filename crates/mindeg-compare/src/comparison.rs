@@ -5,14 +5,11 @@ use crate::reference::Reference;
 use crate::report::{
     DefectKind, DomainFigures, MethodDefect, MethodFigures, Report, TradeOffFigures,
 };
-use crate::{NoTriangulation, measure, tie_count, verdict};
+use crate::{Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg_geometry::{Domain, Mesh, MeshError};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-
-/// The name of mindeg's own mesh in a report.
-pub const MINDEG: &str = "mindeg";
 
 /// The largest number of boundary vertices that can be compared: unlike mindeg's own meshes,
 /// the others are lists in memory.
@@ -146,48 +143,36 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
 
     let points: Vec<DVec2> = domain.placement().points().collect();
     let optimal_max_degree = mindeg_core::optimal_max_degree(boundary);
-    let figures =
-        |triangles: &[[u32; 3]]| measure::figures(boundary, &points, triangles, optimal_max_degree);
+    let figures = |method, triangles: &[[u32; 3]]| MethodFigures {
+        method,
+        description: method.description().into_owned(),
+        ..measure::figures(boundary, &points, triangles, optimal_max_degree)
+    };
     let mut methods = vec![MethodFigures {
-        name: MINDEG.to_owned(),
-        description: "The least possible maximum degree, and among the meshes with that degree \
-                      which mindeg tries the one with the largest smallest angle."
-            .to_owned(),
         seconds: Some(own_time.as_secs_f64()),
-        ..figures(&own)
+        ..figures(Method::LeastDegree, &own)
     }];
     let mut triangles = vec![own];
     for reference in Reference::ALL {
+        let method = Method::Reference(reference);
         let outcome = reference.triangulate(boundary, &points, options.time_limit);
         let (measured, list) = match outcome {
             Ok(timed) => {
-                let measured = figures(&timed.triangles);
+                let measured = figures(method, &timed.triangles);
                 let is_delaunay = reference == Reference::Delaunay && measured.valid;
                 let ties = is_delaunay.then(|| tie_count(&points, &timed.triangles));
                 let seconds = Some(timed.time.as_secs_f64());
                 (MethodFigures { ties, seconds, ..measured }, timed.triangles)
             }
-            Err(reason) => (without_triangles(&reason), Vec::new()),
+            Err(reason) => (without_triangles(method, &reason), Vec::new()),
         };
-        methods.push(MethodFigures {
-            name: reference.name().to_owned(),
-            description: reference.description().to_owned(),
-            ..measured
-        });
+        methods.push(measured);
         triangles.push(list);
     }
     let trade_off = exact_trade_off(domain, options);
     for exact in trade_off.iter().flat_map(shown) {
         let list: Vec<[u32; 3]> = exact.mesh.triangles().collect();
-        methods.push(MethodFigures {
-            name: format!("Exact, degree {}", exact.max_degree),
-            description: format!(
-                "The largest smallest angle that any triangulation with at most {} edges at a \
-                 vertex has, by exhaustive dynamic programming.",
-                exact.max_degree
-            ),
-            ..figures(&list)
-        });
+        methods.push(figures(Method::Exact { max_degree: exact.max_degree }, &list));
         triangles.push(list);
     }
     let domain = DomainFigures {
@@ -229,13 +214,18 @@ fn shown(trade_off: &TradeOff) -> impl Iterator<Item = &ExactMesh> {
     meshes.iter().enumerate().filter(move |&(place, _)| place < 2 || place == last).map(|(_, m)| m)
 }
 
-fn without_triangles(reason: &NoTriangulation) -> MethodFigures {
+fn without_triangles(method: Method, reason: &NoTriangulation) -> MethodFigures {
     let kind = match reason {
         NoTriangulation::TimeLimit { .. } => DefectKind::TimeLimit,
         _ => DefectKind::NoTriangles,
     };
     let defect = MethodDefect { kind, count: None, message: reason.to_string() };
-    MethodFigures { defects: vec![defect], ..MethodFigures::default() }
+    MethodFigures {
+        method,
+        description: method.description().into_owned(),
+        defects: vec![defect],
+        ..MethodFigures::default()
+    }
 }
 
 #[cfg(test)]
@@ -260,7 +250,7 @@ mod tests {
         let report = comparison.report();
         assert!(report.methods[0].valid);
         for method in &report.methods[1..3] {
-            assert_eq!(method.defects[0].kind, DefectKind::TimeLimit, "{}", method.name);
+            assert_eq!(method.defects[0].kind, DefectKind::TimeLimit, "{}", method.method);
             assert_eq!((method.valid, method.max_degree, method.seconds), (false, None, None));
         }
         assert!(report.verdict.starts_with(

@@ -11,6 +11,7 @@ mod index;
 mod markdown;
 mod metric;
 mod picture;
+mod svg;
 mod tables;
 mod trade_off;
 
@@ -21,6 +22,7 @@ pub use trade_off::{
     TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
 
+use crate::Method;
 use mindeg_geometry::quality;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -85,7 +87,8 @@ pub struct DomainFigures {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct MethodFigures {
     /// The name of the method.
-    pub name: String,
+    #[serde(rename = "name")]
+    pub method: Method,
     /// What the method does, in a sentence.
     pub description: String,
     /// The largest number of edges at a vertex, boundary edges included.

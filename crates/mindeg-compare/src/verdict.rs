@@ -6,9 +6,9 @@
 //! Limits: it speaks of the maximum degree and the smallest angle alone. Whether degree or
 //! angle matters more is the reader's to know.
 
+use crate::Method;
 use crate::number_format::{angle, count, significant};
 use crate::report::{DomainFigures, MethodFigures};
-use crate::{MINDEG, Reference};
 
 /// Angles closer than this, relatively, are the same: a smallest angle of a millionth of a
 /// degree, rounded in f64, is known to about eight digits.
@@ -19,15 +19,15 @@ const GOOD_ANGLE: f64 = 20.0;
 
 /// The verdict, sentence by sentence; the first can stand alone.
 pub(crate) fn verdict(domain: &DomainFigures, methods: &[MethodFigures]) -> Vec<String> {
-    let find = |name: &str| methods.iter().find(|method| method.name == name);
-    let Some(mindeg) = find(MINDEG) else { return Vec::new() };
-    let mut sentences = match find(Reference::Delaunay.name()) {
+    let find = |wanted| methods.iter().find(|method| method.method == wanted);
+    let Some(mindeg) = find(Method::LeastDegree) else { return Vec::new() };
+    let mut sentences = match find(Method::DELAUNAY) {
         Some(delaunay) => against_delaunay(domain, mindeg, delaunay),
         None => Vec::new(),
     };
     let others = methods
         .iter()
-        .filter(|method| method.name != MINDEG && method.name != Reference::Delaunay.name());
+        .filter(|method| ![Method::LeastDegree, Method::DELAUNAY].contains(&method.method));
     sentences.extend(others.map(|method| in_short(domain, method)));
     sentences
 }
@@ -125,7 +125,7 @@ fn against_delaunay(
 
 /// A method other than the two that matter.
 fn in_short(domain: &DomainFigures, method: &MethodFigures) -> String {
-    let name = &method.name;
+    let name = method.method;
     let Some((smallest, degree)) = outcome(method) else {
         let gives = if method.max_degree.is_some() { "no valid triangulation" } else { "nothing" };
         return format!("{name} gives {gives} here: {}.", reasons(method));
@@ -173,7 +173,10 @@ fn factor(ratio: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Reference;
     use crate::report::{DefectKind, MethodDefect};
+
+    const FAN: Method = Method::Reference(Reference::Fan);
 
     fn domain() -> DomainFigures {
         DomainFigures {
@@ -187,9 +190,9 @@ mod tests {
         }
     }
 
-    fn method(name: &str, degree: u32, smallest: f64) -> MethodFigures {
+    fn method(method: Method, degree: u32, smallest: f64) -> MethodFigures {
         MethodFigures {
-            name: name.to_owned(),
+            method,
             max_degree: Some(degree),
             vertices_above_optimum: (5..=degree).map(|degree| (degree, 1)).collect(),
             min_angle: Some(smallest),
@@ -198,14 +201,14 @@ mod tests {
         }
     }
 
-    fn failed(name: &str, max_degree: Option<u32>, messages: &[&str]) -> MethodFigures {
+    fn failed(method: Method, max_degree: Option<u32>, messages: &[&str]) -> MethodFigures {
         let defect = |message: &&str| MethodDefect {
             kind: DefectKind::NoTriangles,
             count: None,
             message: (*message).to_owned(),
         };
         MethodFigures {
-            name: name.to_owned(),
+            method,
             max_degree,
             min_angle: max_degree.map(|_| 0.0),
             defects: messages.iter().map(defect).collect(),
@@ -243,7 +246,7 @@ mod tests {
             ),
         ] {
             check(
-                &[method(MINDEG, 4, own), method("Delaunay", 6, there)],
+                &[method(Method::LeastDegree, 4, own), method(Method::DELAUNAY, 6, there)],
                 &[
                     first,
                     "mindeg has the smaller maximum degree: at most 4 edges at a vertex, the least possible, against 6 in Delaunay, where 2 of 40 vertices have more than 4.",
@@ -251,7 +254,7 @@ mod tests {
             );
         }
         check(
-            &[method(MINDEG, 4, 25.0), method("Delaunay", 5, 30.0)],
+            &[method(Method::LeastDegree, 4, 25.0), method(Method::DELAUNAY, 5, 30.0)],
             &[
                 "Delaunay has the larger smallest angle: 30° against 25° for mindeg, 20% larger.",
                 "mindeg has the smaller maximum degree: at most 4 edges at a vertex, the least possible, against 5 in Delaunay, where 1 of 40 vertices has more than 4.",
@@ -262,14 +265,14 @@ mod tests {
     #[test]
     fn says_so_when_mindeg_gains_nothing() {
         check(
-            &[method(MINDEG, 4, 25.0), method("Delaunay", 4, 30.0)],
+            &[method(Method::LeastDegree, 4, 25.0), method(Method::DELAUNAY, 4, 30.0)],
             &[
                 "Delaunay has the larger smallest angle: 30° against 25° for mindeg, 20% larger.",
                 "Degree does not speak for mindeg here: both have at most 4 edges at a vertex, the least possible.",
             ],
         );
         check(
-            &[method(MINDEG, 4, 30.0), method("Delaunay", 4, 30.000_000_000_1)],
+            &[method(Method::LeastDegree, 4, 30.0), method(Method::DELAUNAY, 4, 30.000_000_000_1)],
             &[
                 "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 30°.",
             ],
@@ -279,7 +282,7 @@ mod tests {
     #[test]
     fn says_so_when_the_lower_degree_is_free() {
         check(
-            &[method(MINDEG, 4, 30.0), method("Delaunay", 5, 30.0)],
+            &[method(Method::LeastDegree, 4, 30.0), method(Method::DELAUNAY, 5, 30.0)],
             &[
                 "mindeg and Delaunay have the same smallest angle, 30°: the lower degree costs no angle here.",
                 "mindeg has the smaller maximum degree: at most 4 edges at a vertex, the least possible, against 5 in Delaunay, where 1 of 40 vertices has more than 4.",
@@ -290,7 +293,7 @@ mod tests {
     #[test]
     fn an_angle_above_delaunays_is_reported_as_a_fault() {
         check(
-            &[method(MINDEG, 4, 30.0), method("Delaunay", 4, 29.0)],
+            &[method(Method::LeastDegree, 4, 30.0), method(Method::DELAUNAY, 4, 29.0)],
             &[
                 "Something is wrong: mindeg's smallest angle, 30°, is larger than Delaunay's, 29°, and no triangulation of the same points can have that. Please report this domain.",
                 "Degree does not speak for mindeg here: both have at most 4 edges at a vertex, the least possible.",
@@ -300,18 +303,18 @@ mod tests {
 
     #[test]
     fn tells_the_limit_and_the_ties() {
-        let delaunay = MethodFigures { ties: Some(7), ..method("Delaunay", 4, 12.5) };
+        let delaunay = MethodFigures { ties: Some(7), ..method(Method::DELAUNAY, 4, 12.5) };
         check(
-            &[method(MINDEG, 4, 12.5), delaunay],
+            &[method(Method::LeastDegree, 4, 12.5), delaunay],
             &[
                 "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 12.5°.",
                 "No triangulation of these boundary points alone has a smallest angle above 12.5°; to do better, change the intervals or add points inside.",
                 "The Delaunay triangulation is one of several: across 7 of its 37 interior edges four points lie on one circle and either diagonal will do, so its degrees are arbitrary among ties; its smallest angle is not.",
             ],
         );
-        let delaunay = MethodFigures { ties: Some(0), ..method("Delaunay", 4, 25.0) };
+        let delaunay = MethodFigures { ties: Some(0), ..method(Method::DELAUNAY, 4, 25.0) };
         check(
-            &[method(MINDEG, 4, 25.0), delaunay],
+            &[method(Method::LeastDegree, 4, 25.0), delaunay],
             &[
                 "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.",
             ],
@@ -321,37 +324,40 @@ mod tests {
     #[test]
     fn without_a_valid_method_there_is_nothing_to_conclude() {
         check(
-            &[method(MINDEG, 4, 25.0), failed("Delaunay", None, &["too slow"])],
+            &[method(Method::LeastDegree, 4, 25.0), failed(Method::DELAUNAY, None, &["too slow"])],
             &[
                 "There is no Delaunay triangulation to compare with: too slow. mindeg has at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.",
             ],
         );
         check(
-            &[failed(MINDEG, Some(4), &["it folds"]), method("Delaunay", 4, 25.0)],
+            &[
+                failed(Method::LeastDegree, Some(4), &["it folds"]),
+                method(Method::DELAUNAY, 4, 25.0),
+            ],
             &["mindeg has no valid mesh here: it folds."],
         );
     }
 
     #[test]
     fn the_others_are_told_in_short() {
-        let pair = || [method(MINDEG, 4, 25.0), method("Delaunay", 4, 25.0)];
+        let pair = || [method(Method::LeastDegree, 4, 25.0), method(Method::DELAUNAY, 4, 25.0)];
         let level = "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.";
         for (other, told) in [
             (
-                method("Fan", 4, 1.0),
+                method(FAN, 4, 1.0),
                 "Fan: at most 4 edges at a vertex (the least possible), smallest angle 1°.",
             ),
             (
-                method("Fan", 5, 1.0),
+                method(FAN, 5, 1.0),
                 "Fan: at most 5 edges at a vertex (1 vertex has more than 4), smallest angle 1°.",
             ),
             (
-                method("Fan", 6, 0.001),
+                method(FAN, 6, 0.001),
                 "Fan: at most 6 edges at a vertex (2 vertices have more than 4), smallest angle 0.001°.",
             ),
-            (failed("Fan", None, &["too slow"]), "Fan gives nothing here: too slow."),
+            (failed(FAN, None, &["too slow"]), "Fan gives nothing here: too slow."),
             (
-                failed("Fan", Some(9), &["1 flat", "2 missing"]),
+                failed(FAN, Some(9), &["1 flat", "2 missing"]),
                 "Fan gives no valid triangulation here: 1 flat; 2 missing.",
             ),
         ] {

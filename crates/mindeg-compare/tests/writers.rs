@@ -36,7 +36,7 @@ fn the_markdown_has_every_figure() {
         assert!(line.ends_with('|'), "{line}");
     }
     for method in &comparison.report().methods {
-        let row = format!("| {} | {} |", method.name, method.max_degree.unwrap());
+        let row = format!("| {} | {} |", method.method, method.max_degree.unwrap());
         assert!(markdown.contains(&row), "{row}");
     }
 }

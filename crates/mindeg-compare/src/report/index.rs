@@ -2,15 +2,14 @@
 //!
 //! Limits: the table has what decides between mindeg and Delaunay; the rest is in the reports.
 
-use super::html::{escaped, filled, head};
-use super::{MethodFigures, Report};
+use super::html::{STYLE, VERSION, rendered};
+use super::{Report, svg};
+use crate::Method;
 use crate::number_format::{angle, count, significant};
-use crate::{MINDEG, Reference};
+use askama::Template;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
-const PAGE: &str = include_str!("index.html");
-const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("index.js");
 
 /// What is escaped in a link: everything but letters, digits and these.
@@ -68,15 +67,15 @@ impl IndexEntry {
     /// its parts.
     #[must_use]
     pub fn compared(name: impl Into<String>, path: &str, report: &Report) -> Self {
-        let outcome = |name: &str| {
-            let method: &MethodFigures = report.methods.iter().find(|m| m.name == name)?;
+        let outcome = |wanted| {
+            let method = report.methods.iter().find(|method| method.method == wanted)?;
             method.max_degree.zip(method.min_angle).filter(|_| method.valid)
         };
         let line = Line {
             link: link(path),
             vertices: report.domain.vertices,
-            mindeg: outcome(MINDEG),
-            delaunay: outcome(Reference::Delaunay.name()),
+            mindeg: outcome(Method::LeastDegree),
+            delaunay: outcome(Method::DELAUNAY),
         };
         Self { name: name.into(), outcome: Ok(line) }
     }
@@ -88,68 +87,76 @@ impl IndexEntry {
     }
 }
 
+#[derive(Template)]
+#[template(path = "index.html")]
+struct Page<'a> {
+    title: String,
+    version: &'static str,
+    style: String,
+    columns: &'static [(&'static str, &'static str)],
+    rows: Vec<Row<'a>>,
+    /// Names, each with a reason.
+    failures: Vec<(&'a str, &'a str)>,
+    script: &'static str,
+}
+
+/// A comparison in the table.
+struct Row<'a> {
+    name: &'a str,
+    link: &'a str,
+    cells: Vec<Cell>,
+}
+
+/// A figure: what is sorted by, and what is read.
+struct Cell {
+    value: String,
+    text: String,
+}
+
+impl Cell {
+    fn new(value: Option<f64>, text: impl FnOnce(f64) -> String) -> Self {
+        Self {
+            value: value.map(|value| value.to_string()).unwrap_or_default(),
+            text: value.map_or("–".into(), text),
+        }
+    }
+}
+
 /// Writes the index as one self-contained HTML page.
 ///
 /// # Errors
 ///
 /// Those of `out`.
 pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()> {
-    let columns: String = COLUMNS
-        .iter()
-        .map(|(title, kind)| {
-            format!("<th scope=\"col\" data-kind=\"{kind}\"><button type=\"button\">{title}</button></th>")
-        })
-        .collect();
-    let mut rows = String::new();
-    let mut failures = String::new();
-    for entry in entries {
-        let name = escaped(&entry.name);
-        match &entry.outcome {
-            Ok(line) => rows += &row(&name, line),
-            Err(reason) => {
-                failures +=
-                    &format!("<dt>{name}</dt><dd class=\"defect\">{}</dd>", escaped(reason));
-            }
+    let mut rows = Vec::new();
+    let mut failures = Vec::new();
+    for IndexEntry { name, outcome } in entries {
+        match outcome {
+            Ok(line) => rows.push(Row { name, link: &line.link, cells: cells(line) }),
+            Err(reason) => failures.push((name.as_str(), reason.as_str())),
         }
     }
-    let failed = entries.iter().filter(|entry| entry.outcome.is_err()).count() as u32;
-    if failed > 0 {
-        failures = format!(
-            "<section><h2>Not compared: {}</h2><dl>{failures}</dl></section>\n",
-            count(failed)
-        );
-    }
-    let title = match entries.len() as u32 {
-        1 => "1 domain".to_owned(),
-        domains => format!("{} domains", count(domains)),
+    let page = Page {
+        title: match entries.len() as u32 {
+            1 => "1 domain".to_owned(),
+            domains => format!("{} domains", count(domains)),
+        },
+        version: VERSION,
+        style: svg::page_style(&[STYLE]),
+        columns: &COLUMNS,
+        rows,
+        failures,
+        script: SCRIPT,
     };
-    let page = filled(
-        PAGE,
-        &[
-            ("head", &head("Comparisons", "compare", &[STYLE], true)),
-            ("title", &title),
-            ("columns", &columns),
-            ("rows", &rows),
-            ("failures", &failures),
-            ("version", env!("CARGO_PKG_VERSION")),
-            ("script", SCRIPT),
-        ],
-    );
-    out.write_all(page.as_bytes())
+    out.write_all(rendered(&page)?.as_bytes())
 }
 
-fn row(name: &str, line: &Line) -> String {
-    let cell = |value: Option<f64>, text: String| {
-        let value = value.map(|value| value.to_string()).unwrap_or_default();
-        format!("<td data-value=\"{value}\">{text}</td>")
-    };
-    let whole = |value: Option<u32>| cell(value.map(f64::from), value.map_or("–".into(), count));
-    let degrees = |value: Option<f64>| cell(value, value.map_or("–".into(), angle));
-    let ratio = |value: Option<f64>| {
-        cell(value, value.map_or("–".into(), |value| format!("{}×", significant(value, 3))))
-    };
+fn cells(line: &Line) -> Vec<Cell> {
+    let whole = |value: Option<u32>| Cell::new(value.map(f64::from), |value| count(value as u32));
+    let degrees = |value| Cell::new(value, angle);
+    let ratio = |value| Cell::new(value, |value| format!("{}×", significant(value, 3)));
     let pair = line.mindeg.zip(line.delaunay);
-    let cells = [
+    vec![
         whole(Some(line.vertices)),
         whole(line.mindeg.map(|(degree, _)| degree)),
         whole(line.delaunay.map(|(degree, _)| degree)),
@@ -157,12 +164,7 @@ fn row(name: &str, line: &Line) -> String {
         degrees(line.mindeg.map(|(_, smallest)| smallest)),
         degrees(line.delaunay.map(|(_, smallest)| smallest)),
         ratio(pair.map(|(mindeg, delaunay)| delaunay.1 / mindeg.1)),
-    ];
-    format!(
-        "<tr><th scope=\"row\" data-value=\"{name}\"><a href=\"{}\">{name}</a></th>{}</tr>\n",
-        escaped(&line.link),
-        cells.concat()
-    )
+    ]
 }
 
 /// A relative path as a link, in which nothing has a meaning of its own: neither `?` nor `#`, and

@@ -58,7 +58,12 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     }
     writeln!(out, "## Methods\n")?;
     for method in &report.methods {
-        writeln!(out, "- **{}**: {}", escaped(&method.name), escaped(&method.description))?;
+        writeln!(
+            out,
+            "- **{}**: {}",
+            escaped(&method.method.to_string()),
+            escaped(&method.description)
+        )?;
     }
     Ok(())
 }

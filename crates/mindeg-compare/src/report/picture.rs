@@ -8,9 +8,8 @@
 //! picture. Charts and tables always count all.
 
 use super::metric::{SHOWN, ShownMetric};
-use super::tables;
-use super::{MethodFigures, Report};
-use crate::{Comparison, MINDEG, Reference, measure};
+use super::{MethodFigures, Report, svg, tables};
+use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
@@ -58,7 +57,7 @@ struct Measure {
 /// One method's mesh.
 #[derive(Serialize)]
 struct Drawing {
-    name: String,
+    name: Method,
     /// Three indices into the shown vertices for each drawn triangle, u32.
     triangles: String,
     /// The numbers of the drawn triangles, u32; empty where all are drawn.
@@ -101,12 +100,7 @@ pub(crate) fn picture(comparison: &Comparison) -> Picture {
             packed(shown.vertices.iter().map(|vertex| vertex.to_le_bytes()))
         },
         optimal_max_degree: report.domain.optimal_max_degree,
-        degree_colors: degree_color::DISTINCT
-            .map(|degree| {
-                let [red, green, blue] = degree_color::srgb(degree);
-                format!("#{red:02x}{green:02x}{blue:02x}")
-            })
-            .collect(),
+        degree_colors: degree_color::DISTINCT.map(svg::degree_hex).collect(),
         lowest_colored_degree: *degree_color::DISTINCT.start(),
         degrees: ranges.iter().map(|range| (tables::degree_name(range), *range.start())).collect(),
         methods: methods.map(|place| drawing(comparison, place, &shown, &metrics)).collect(),
@@ -185,7 +179,7 @@ fn drawing(comparison: &Comparison, place: usize, shown: &Shown, metrics: &[Meas
     let indices = drawn.iter().flat_map(|&number| triangles[number]);
     let worst = method.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
     Drawing {
-        name: method.name.clone(),
+        name: method.method,
         triangles: packed(indices.map(|vertex| (shown.place_of(vertex) as u32).to_le_bytes())),
         numbers: if drawn.len() == triangles.len() {
             String::new()
@@ -253,7 +247,7 @@ fn measure(report: &Report, shown: &ShownMetric) -> Measure {
 /// flatten the differences between these two. What is beyond goes to the ends.
 fn axis(report: &Report, shown: &ShownMetric) -> [f64; 2] {
     let spreads = report.methods.iter().filter(|method| {
-        method.valid && [MINDEG, Reference::Delaunay.name()].contains(&&*method.name)
+        method.valid && [Method::LeastDegree, Method::DELAUNAY].contains(&method.method)
     });
     let spreads = spreads.filter_map(|method| method.metrics.as_ref().map(shown.of));
     let [low, high] = spreads.fold([f64::INFINITY, 0.0_f64], |[low, high], spread| {

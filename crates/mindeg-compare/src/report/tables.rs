@@ -29,7 +29,7 @@ pub(crate) fn overview(report: &Report) -> Table {
         let has_mesh = method.max_degree.is_some();
         let busier: u64 = method.vertices_above_optimum.values().sum();
         vec![
-            method.name.clone(),
+            method.method.to_string(),
             text(method.max_degree, count),
             text(has_mesh.then_some(busier), count),
             text(method.min_angle, angle),
@@ -112,7 +112,7 @@ pub(crate) fn metrics(report: &Report) -> Vec<Table> {
             let values =
                 [spread.min, spread.p01, spread.median, spread.mean, spread.p99, spread.max];
             let values = values.map(|value| significant(value, 4));
-            Some([method.name.clone()].into_iter().chain(values).collect())
+            Some([method.method.to_string()].into_iter().chain(values).collect())
         });
         Table {
             title: shown.title_with_unit(),
@@ -129,7 +129,7 @@ pub(crate) fn metrics(report: &Report) -> Vec<Table> {
 /// The worst triangles, a table for each method.
 pub(crate) fn worst(report: &Report) -> Vec<Table> {
     let tables = with_triangles(report).into_iter().map(|method| Table {
-        title: format!("Worst triangles: {}", method.name),
+        title: format!("Worst triangles: {}", method.method),
         note: String::new(),
         columns: ["Triangle", "Vertices", "Smallest angle", "Largest angle"]
             .map(str::to_owned)
@@ -193,7 +193,10 @@ fn with_triangles(report: &Report) -> Vec<&MethodFigures> {
 }
 
 fn header(first: &str, methods: &[&MethodFigures]) -> Vec<String> {
-    [first.to_owned()].into_iter().chain(methods.iter().map(|method| method.name.clone())).collect()
+    [first.to_owned()]
+        .into_iter()
+        .chain(methods.iter().map(|method| method.method.to_string()))
+        .collect()
 }
 
 fn text<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> String {

@@ -2,29 +2,56 @@
 //!
 //! Limits: two dozen meshes at most, evenly chosen.
 
-use super::super::html::{escaped, facts, filled, head, html_table};
+use super::super::html::{STYLE, VERSION, curve_picture, facts, rendered};
+use super::super::svg::{self, CURVE_STYLE, DegreeColor};
 use super::super::tables::Table;
-use super::{colored_degrees, only_io, plot, spread};
+use super::spread;
 use crate::exact::{ExactMesh, TradeOff};
 use crate::number_format::{count, percent, steady_angle};
+use askama::Template;
 use glam::DVec2;
 use mindeg_geometry::Bounds;
 use mindeg_geometry::export::svg::Inset;
 use std::io::{self, Write};
 
-const PAGE: &str = include_str!("page.html");
-const REPORT_STYLE: &str = include_str!("../page.css");
-const STYLE: &str = include_str!("page.css");
-pub(in crate::report) const PLOT_STYLE: &str = include_str!("plot.css");
+const MESHES_STYLE: &str = include_str!("page.css");
 
 /// The most meshes shown.
 const MOST_MESHES: usize = 24;
 
-/// The size of the plot, and of the room for a mesh, in the pictures' own pixels.
-const PLOT: DVec2 = DVec2::new(900.0, 400.0);
+/// The space for a mesh, in the picture's own pixels.
 const MESH: DVec2 = DVec2::new(480.0, 400.0);
-/// Room for the dots on the outline.
+/// Space for the dots on the outline.
 const MARGIN: f64 = 9.0;
+
+#[derive(Template)]
+#[template(path = "trade_off.html")]
+struct Page<'a> {
+    title: &'a str,
+    version: &'static str,
+    style: String,
+    facts: String,
+    headline: &'a str,
+    sentences: &'a [String],
+    curve: String,
+    chosen: String,
+    legend: Vec<DegreeColor>,
+    /// The size of every mesh's picture.
+    size: DVec2,
+    /// How the pictures are not to scale, if they are not.
+    stretch: Option<String>,
+    figures: Vec<Figure>,
+    table: Table,
+}
+
+/// A mesh with its figures.
+struct Figure {
+    max_degree: u32,
+    degree: String,
+    angle: String,
+    share: String,
+    drawing: String,
+}
 
 /// Writes a trade-off as one self-contained HTML page.
 ///
@@ -55,49 +82,38 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
     } else {
         String::new()
     };
-    let figures = shown
-        .iter()
-        .map(|&place| figure(trade_off, &meshes[place]))
-        .collect::<io::Result<String>>()?;
-    let marker = |place: usize, marker: String| match shown.binary_search(&place) {
-        Ok(_) => format!("<a href=\"#degree-{}\">{marker}</a>", meshes[place].max_degree),
-        Err(_) => marker,
+    let bounds = domain.placement().bounds();
+    let space = Bounds { min: DVec2::splat(MARGIN), max: MESH - MARGIN };
+    let figure = |&place: &usize| {
+        let exact = &meshes[place];
+        Ok(Figure {
+            max_degree: exact.max_degree,
+            degree: count(exact.max_degree),
+            angle: steady_angle(exact.min_angle),
+            share: percent(trade_off.share(exact)),
+            drawing: svg::mesh(&exact.mesh, bounds, space)?,
+        })
     };
-    let [headline, rest @ ..] = &verdict(trade_off)[..] else { return Ok(()) };
-    let sentences: String = rest.iter().map(|sentence| format!("<p>{sentence}</p>\n")).collect();
+    let is_shown = |degree| shown.iter().any(|&place| meshes[place].max_degree == degree);
+    let [headline, sentences @ ..] = &verdict(trade_off)[..] else { return Ok(()) };
     let intervals: Vec<u32> = domain.boundary().sides().collect();
-    let title = escaped(domain.name().unwrap_or("Domain"));
-    let page = filled(
-        PAGE,
-        &[
-            ("head", &head(&title, "tradeoff", &[REPORT_STYLE, PLOT_STYLE, STYLE], false)),
-            ("title", &title),
-            ("facts", &facts(&intervals, meshes[0].max_degree)),
-            ("headline", headline),
-            ("sentences", &sentences),
-            ("plot", &curve(trade_off, marker)),
-            ("table", &html_table(&table(trade_off), 0)),
-            ("chosen", &chosen),
-            ("legend", &legend(trade_off)),
-            ("figures", &figures),
-            ("version", env!("CARGO_PKG_VERSION")),
-        ],
-    );
-    out.write_all(page.as_bytes())
-}
-
-/// The curve as an SVG element; its looks are [`PLOT_STYLE`].
-pub(in crate::report) fn curve(
-    trade_off: &TradeOff,
-    wrap: impl Fn(usize, String) -> String,
-) -> String {
-    let room = Bounds { min: DVec2::ZERO, max: PLOT };
-    let plot = plot::plot(trade_off, room, wrap);
-    format!(
-        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"group\" \
-         aria-labelledby=\"curve-title\">\n{plot}</svg>\n",
-        PLOT.x, PLOT.y
-    )
+    let inset = Inset::new(bounds, space);
+    let page = Page {
+        title: domain.name().unwrap_or("Domain"),
+        version: VERSION,
+        style: svg::page_style(&[STYLE, CURVE_STYLE, MESHES_STYLE]),
+        facts: facts(&intervals, meshes[0].max_degree),
+        headline,
+        sentences,
+        curve: curve_picture(trade_off, is_shown)?,
+        chosen,
+        legend: svg::degree_legend(trade_off),
+        size: DVec2::new(MESH.x, inset.size().y + 2.0 * MARGIN).round(),
+        stretch: inset.stretch(),
+        figures: shown.iter().map(figure).collect::<io::Result<_>>()?,
+        table: table(trade_off),
+    };
+    out.write_all(rendered(&page)?.as_bytes())
 }
 
 /// What the curve says, in sentences; the first is the headline.
@@ -162,38 +178,4 @@ fn table(trade_off: &TradeOff) -> Table {
             .into(),
         rows: trade_off.meshes().iter().map(row).collect(),
     }
-}
-
-/// The degrees that occur, with their colors.
-fn legend(trade_off: &TradeOff) -> String {
-    let degree = |(color, name): (String, String)| {
-        format!(
-            "<span class=\"degree\"><span class=\"dot\" style=\"background:{color}\"></span>\
-             {name}</span>"
-        )
-    };
-    format!("degree {}", colored_degrees(trade_off).map(degree).collect::<String>())
-}
-
-fn figure(trade_off: &TradeOff, exact: &ExactMesh) -> io::Result<String> {
-    let room = Bounds { min: DVec2::splat(MARGIN), max: MESH - MARGIN };
-    let inset = Inset::new(trade_off.domain().placement().bounds(), room);
-    let mut drawing = Vec::new();
-    inset.write(&exact.mesh, &mut drawing).map_err(only_io)?;
-    let stretched = inset
-        .stretch()
-        .map(|stretch| format!("<p class=\"stretched\">Not to scale: {stretch}.</p>"));
-    let degree = exact.max_degree;
-    Ok(format!(
-        "<figure class=\"mesh\" id=\"degree-{degree}\"><figcaption><h3>Degree {}</h3><p>smallest angle \
-         {} · {} of Delaunay's</p></figcaption>{}<svg viewBox=\"0 0 {} {:.0}\" role=\"img\" \
-         aria-label=\"The mesh of degree {degree}\">\n{}</svg></figure>\n",
-        count(degree),
-        steady_angle(exact.min_angle),
-        percent(trade_off.share(exact)),
-        stretched.unwrap_or_default(),
-        MESH.x,
-        inset.size().y + 2.0 * MARGIN,
-        String::from_utf8_lossy(&drawing),
-    ))
 }
