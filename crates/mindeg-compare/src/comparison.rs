@@ -3,9 +3,9 @@
 use crate::exact::{self, ExactMesh, TradeOff};
 use crate::reference::Reference;
 use crate::report::{
-    DefectKind, DomainFigures, MethodDefect, MethodFigures, Report, TradeOffFigures,
+    DefectKind, DomainFigures, MethodDefect, MethodFigures, Provenance, Report, TradeOffFigures,
 };
-use crate::{Method, NoTriangulation, measure, tie_count, verdict};
+use crate::{Advice, KEPT, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg_geometry::{Domain, Mesh, MeshError};
 use std::ops::ControlFlow;
@@ -116,9 +116,11 @@ impl Comparison {
         self
     }
 
-    /// The verdict, sentence by sentence.
-    pub(crate) fn verdict(&self) -> Vec<String> {
-        verdict::verdict(&self.report.domain, &self.report.methods)
+    /// The same comparison with what made it, for reports to say.
+    #[must_use]
+    pub fn made_by(mut self, provenance: Provenance) -> Self {
+        self.report.provenance = provenance;
+        self
     }
 }
 
@@ -175,18 +177,26 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         methods.push(figures(Method::Exact { max_degree: exact.max_degree }, &list));
         triangles.push(list);
     }
+    mark_same_meshes(&mut methods, &triangles);
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: boundary.sides().collect(),
+        side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
         vertices,
         triangles: vertices - 2,
         interior_edges: vertices - 3,
         optimal_max_degree,
     };
-    let verdict = verdict::verdict(&domain, &methods).join(" ");
-    let trade_off_figures = trade_off.as_ref().map(TradeOffFigures::of);
-    let report = Report { domain, methods, trade_off: trade_off_figures, verdict };
+    let mut report = Report {
+        provenance: Provenance::default(),
+        domain,
+        advice: Advice::of(&methods, trade_off.is_some()),
+        methods,
+        trade_off: trade_off.as_ref().map(TradeOffFigures::of),
+        verdict: String::new(),
+    };
+    report.verdict = verdict::verdict(&report).text();
     Ok(Comparison { report, points, triangles, trade_off })
 }
 
@@ -206,12 +216,40 @@ fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
     exact::trade_off(domain, &mut in_time).ok()
 }
 
-/// Of the points of the curve those that a comparison shows: the least degree, the next, and the
-/// first with all of the angle.
+/// Of the points of the curve those that a comparison shows: the least degree, the next, the first
+/// with enough of the angle and the first with all of it.
 fn shown(trade_off: &TradeOff) -> impl Iterator<Item = &ExactMesh> {
     let meshes = trade_off.meshes();
     let last = meshes.len().saturating_sub(1);
-    meshes.iter().enumerate().filter(move |&(place, _)| place < 2 || place == last).map(|(_, m)| m)
+    let kept = meshes.iter().position(|exact| trade_off.share(exact) >= KEPT).unwrap_or(last);
+    let is_shown = move |place| place < 2 || place == kept || place == last;
+    meshes.iter().enumerate().filter(move |&(place, _)| is_shown(place)).map(|(_, mesh)| mesh)
+}
+
+/// Notes of every method which one before it has the same triangles.
+fn mark_same_meshes(methods: &mut [MethodFigures], triangles: &[Vec<[u32; 3]>]) {
+    // Meshes that differ mostly have different histograms; few are sorted to be compared.
+    let sorted = |triangles: &[[u32; 3]]| {
+        let mut sorted = triangles.to_vec();
+        for triangle in &mut sorted {
+            let first = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
+            triangle.rotate_left(first);
+        }
+        sorted.sort_unstable();
+        sorted
+    };
+    for place in 0..methods.len() {
+        let method = &methods[place];
+        let same = method.outcome().and_then(|(degree, _)| {
+            (0..place).find(|&other| {
+                let other_degree = methods[other].outcome().map(|(degree, _)| degree);
+                other_degree == Some(degree)
+                    && methods[other].degree_histogram == method.degree_histogram
+                    && sorted(&triangles[other]) == sorted(&triangles[place])
+            })
+        });
+        methods[place].same_mesh_as = same.map(|other| methods[other].method);
+    }
 }
 
 fn without_triangles(method: Method, reason: &NoTriangulation) -> MethodFigures {

@@ -27,6 +27,7 @@
 //! methods use the boundary points alone: how much better a mesh with points inside would be is
 //! not compared.
 
+mod advice;
 mod comparison;
 pub mod exact;
 mod measure;
@@ -36,10 +37,12 @@ pub mod reference;
 pub mod report;
 mod verdict;
 
+pub use advice::{Advice, KEPT, advised_command};
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
-    IndexEntry, Report, TradeOffFigures, TradeOffPoint, report_schema, write_html, write_index,
-    write_json, write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
+    IndexEntry, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint, report_schema,
+    write_html, write_index, write_json, write_linked_html, write_markdown, write_trade_off_html,
+    write_trade_off_json, write_trade_off_svg,
 };

@@ -40,11 +40,11 @@ impl Method {
         match self {
             Self::LeastDegree => "The least possible maximum degree, and among the meshes with \
                                   that degree which mindeg tries the one with the largest \
-                                  smallest angle."
+                                  minimum angle."
                 .into(),
             Self::Reference(reference) => reference.description().into(),
             Self::Exact { max_degree } => format!(
-                "The largest smallest angle that any triangulation with at most {max_degree} \
+                "The largest minimum angle that any triangulation with at most {max_degree} \
                  edges at a vertex has, by exhaustive dynamic programming."
             )
             .into(),

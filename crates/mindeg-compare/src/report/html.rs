@@ -9,14 +9,16 @@
 //! happens.
 
 use super::picture::{self, MAX_DRAWN};
-use super::svg::{self, CURVE_STYLE, Curve};
+use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
-use super::{MethodDefect, MethodFigures};
-use crate::Comparison;
+use super::{MethodDefect, MethodFigures, Provenance, Report};
 use crate::exact::TradeOff;
 use crate::number_format::{angle, count};
+use crate::verdict::{Verdict, verdict};
+use crate::{Comparison, Method, advised_command};
 use askama::Template;
 use glam::DVec2;
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
 /// The style of every page.
@@ -30,27 +32,51 @@ const SCRIPT: &str = concat!(
     include_str!("page.js")
 );
 
-/// The version on every page.
-pub(super) const VERSION: &str = env!("CARGO_PKG_VERSION");
+/// What is escaped in a link: everything but letters, digits and these.
+const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'/');
 
 /// The intervals of so many sides are listed under the title.
 const MAX_SIDES_LISTED: usize = 12;
 
-/// The size of the curve, in its own pixels.
-const CURVE: DVec2 = DVec2::new(900.0, 400.0);
+/// The size of a curve beside text or on a phone, in its own pixels.
+pub(super) const SMALL_CURVE: DVec2 = DVec2::new(380.0, 290.0);
+
+/// Where a page's neighbors are: relative paths, with `/` between their parts.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::PageLinks;
+///
+/// let links = PageLinks { index: Some("index.html".to_owned()), ..PageLinks::default() };
+/// assert_eq!(links.next, None);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PageLinks {
+    /// The page that lists all.
+    pub index: Option<String>,
+    /// The name of the page before this in the list, and its path.
+    pub previous: Option<(String, String)>,
+    /// The name of the page after this in the list, and its path.
+    pub next: Option<(String, String)>,
+}
 
 #[derive(Template)]
 #[template(path = "comparison.html")]
 struct Page<'a> {
     title: &'a str,
-    version: &'static str,
+    provenance: &'a Provenance,
+    links: Links<'a>,
     style: String,
     facts: String,
-    headline: &'a str,
-    sentences: &'a [String],
-    overview: Table,
-    figures: Vec<Figure<'a>>,
+    verdict: Verdict,
+    choice: Table,
+    command: String,
     curve: Option<String>,
+    main_figures: Vec<Figure<'a>>,
+    other_figures: Vec<Figure<'a>>,
+    overview: Table,
+    sides: Table,
     all_figures: Vec<Table>,
     worst: Vec<Table>,
     methods: &'a [MethodFigures],
@@ -58,10 +84,18 @@ struct Page<'a> {
     script: &'static str,
 }
 
+/// [`PageLinks`] as they stand in a page.
+struct Links<'a> {
+    index: Option<String>,
+    previous: Option<(&'a str, String)>,
+    next: Option<(&'a str, String)>,
+}
+
 /// A place for a method's picture, or why there is none.
 struct Figure<'a> {
     place: usize,
     name: String,
+    is_advised: bool,
     described: String,
     defects: &'a [MethodDefect],
     thinned: Option<String>,
@@ -86,23 +120,62 @@ struct Figure<'a> {
 /// assert!(String::from_utf8(page)?.contains("<h1>plate</h1>"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()> {
+pub fn write_html(comparison: &Comparison, out: impl Write) -> io::Result<()> {
+    write_linked_html(comparison, &PageLinks::default(), out)
+}
+
+/// Writes a comparison as one self-contained HTML page that leads to others.
+///
+/// # Errors
+///
+/// Those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::{Options, PageLinks, compare, write_linked_html};
+/// use mindeg_geometry::{Domain, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
+/// let links = PageLinks {
+///     index: Some("index.html".to_owned()),
+///     next: Some(("wing".to_owned(), "wing.html".to_owned())),
+///     ..PageLinks::default()
+/// };
+/// let mut page = Vec::new();
+/// write_linked_html(&compare(&domain, &Options::default())?, &links, &mut page)?;
+/// assert!(String::from_utf8(page)?.contains(r#"<a href="wing.html""#));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_linked_html(
+    comparison: &Comparison,
+    links: &PageLinks,
+    mut out: impl Write,
+) -> io::Result<()> {
     let report = comparison.report();
     let data = serde_json::to_string(&picture::picture(comparison))?;
-    let verdict = comparison.verdict();
-    let (headline, sentences) = verdict.split_first().map_or(("", &[][..]), |(h, s)| (h, s));
     let mut all_figures = vec![tables::degrees(report), tables::shares(report)];
     all_figures.extend(tables::metrics(report));
+    let (main_figures, other_figures) = figures(comparison);
+    let input = report.provenance.input.as_deref();
     let page = Page {
-        title: report.domain.name.as_deref().unwrap_or("Domain"),
-        version: VERSION,
+        title: report.domain.name.as_deref().or(input).unwrap_or("Domain"),
+        provenance: &report.provenance,
+        links: Links {
+            index: links.index.as_deref().map(link),
+            previous: links.previous.as_ref().map(|(name, path)| (name.as_str(), link(path))),
+            next: links.next.as_ref().map(|(name, path)| (name.as_str(), link(path))),
+        },
         style: svg::page_style(&[STYLE, CURVE_STYLE]),
         facts: facts(&report.domain.intervals, report.domain.optimal_max_degree),
-        headline,
-        sentences,
+        verdict: verdict(report),
+        choice: tables::choice(report),
+        command: advised_command(input.unwrap_or("DOMAIN.json")),
+        curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
+        main_figures,
+        other_figures,
         overview: tables::overview(report),
-        figures: figures(comparison),
-        curve: comparison.trade_off().map(|curve| curve_picture(curve, |_| false)).transpose()?,
+        sides: tables::sides(report),
         all_figures,
         worst: tables::worst(report),
         methods: &report.methods,
@@ -112,21 +185,48 @@ pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()
     out.write_all(rendered(&page)?.as_bytes())
 }
 
+/// The curve of a comparison, with what the verdict compares marked; none of a single point.
+fn small_curve(report: &Report, trade_off: &TradeOff) -> io::Result<String> {
+    let delaunay = report.methods.iter().find(|figures| figures.method == Method::DELAUNAY);
+    let marks = Marks {
+        advised: report.advice.map(|advice| advice.max_degree),
+        delaunay: delaunay.and_then(|figures| figures.max_degree),
+    };
+    curve_picture(trade_off, SMALL_CURVE, "small", marks, |_| false)
+}
+
+/// A relative path as a link, in which nothing has a meaning of its own: neither `?` nor `#`, and
+/// a colon makes no scheme.
+pub(super) fn link(path: &str) -> String {
+    utf8_percent_encode(path, PLAIN).to_string()
+}
+
 /// What a template writes.
 pub(super) fn rendered(template: &impl Template) -> io::Result<String> {
     template.render().map_err(io::Error::other)
 }
 
-/// The curve of a trade-off as an SVG element of a page that has its style.
+/// The curve of a trade-off as an SVG element of a page that has its style; nothing where it is a
+/// single point.
 pub(super) fn curve_picture(
     trade_off: &TradeOff,
+    size: DVec2,
+    class: &str,
+    marks: Marks,
     is_linked: impl Fn(u32) -> bool,
 ) -> io::Result<String> {
-    let curve = rendered(&Curve::new(trade_off, svg::space(CURVE), is_linked))?;
+    let [first, .., last] = trade_off.meshes() else { return Ok(String::new()) };
+    let curve = rendered(&Curve::new(trade_off, svg::space(size), marks, is_linked))?;
     Ok(format!(
-        "<svg class=\"plot\" viewBox=\"0 0 {} {}\" role=\"group\" \
-         aria-labelledby=\"curve-title\">\n{curve}</svg>\n",
-        CURVE.x, CURVE.y
+        "<svg class=\"plot {class}\" viewBox=\"0 0 {} {}\" role=\"group\" aria-label=\"The curve: a minimum \
+         angle of {} at degree {} up to {} at degree {}; Delaunay has {}.\">\n{curve}</svg>\n",
+        size.x,
+        size.y,
+        angle(first.min_angle),
+        count(first.max_degree),
+        angle(last.min_angle),
+        count(last.max_degree),
+        angle(trade_off.delaunay_min_angle()),
     ))
 }
 
@@ -152,33 +252,46 @@ pub(super) fn facts(intervals: &[u32], optimal_max_degree: u32) -> String {
     )
 }
 
-fn figures(comparison: &Comparison) -> Vec<Figure<'_>> {
-    let mut figures = Vec::new();
-    for (place, (method, triangles)) in comparison.methods().enumerate() {
+/// The meshes that the verdict compares, the advised one first, and the others.
+fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
+    let report = comparison.report();
+    let advised = report.advice.map(|advice| tables::first_with_mesh_of(report, advice.method));
+    let mut main = Vec::new();
+    let mut others = Vec::new();
+    for (place, named) in tables::named(report).into_iter().enumerate() {
+        let method = named.figures;
+        let triangles = comparison.triangles(named.place).len();
         let described = match method.max_degree.zip(method.min_angle) {
-            Some((degree, smallest)) => {
-                format!("maximum degree {} · smallest angle {}", count(degree), angle(smallest))
+            Some((degree, least)) => {
+                format!("maximum degree {} · minimum angle {}", count(degree), angle(least))
             }
             None => "no triangulation".to_owned(),
         };
-        let thinned = (triangles.len() > MAX_DRAWN).then(|| {
+        let thinned = (triangles > MAX_DRAWN).then(|| {
             format!(
                 "Thinned out: {} of {} triangles are drawn, the largest and others evenly. Figures \
                  and charts count all.",
                 count(MAX_DRAWN as u32),
-                count(triangles.len() as u32)
+                count(triangles as u32)
             )
         });
-        figures.push(Figure {
+        let is_advised = advised == Some(method.method);
+        let figure = Figure {
             place,
-            name: method.method.to_string(),
+            name: named.name,
+            is_advised,
             described,
             defects: &method.defects,
             thinned,
-            has_triangles: !triangles.is_empty(),
-        });
+            has_triangles: triangles > 0,
+        };
+        match method.method {
+            _ if is_advised => main.insert(0, figure),
+            Method::LeastDegree | Method::DELAUNAY => main.push(figure),
+            _ => others.push(figure),
+        }
     }
-    figures
+    (main, others)
 }
 
 #[cfg(test)]
@@ -186,6 +299,36 @@ mod tests {
     use super::*;
     use crate::{Options, compare};
     use mindeg_geometry::{Domain, Side};
+
+    #[test]
+    fn links_hold_any_name() {
+        for (path, expected) in [
+            ("out/plate.html", "out/plate.html"),
+            ("a b#1?.html", "a%20b%231%3F.html"),
+            ("javascript:x", "javascript%3Ax"),
+            ("é.html", "%C3%A9.html"),
+        ] {
+            assert_eq!(link(path), expected);
+        }
+    }
+
+    #[test]
+    fn the_page_says_what_made_it_and_how_to_make_the_mesh() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
+        let command = "mindeg compare 'a b.json' -o <x>".to_owned();
+        let made_by = Provenance {
+            input: Some("a b.json".to_owned()),
+            command: Some(command),
+            ..Provenance::default()
+        };
+        let comparison = compare(&domain, &Options::default()).unwrap().made_by(made_by);
+        let mut page = Vec::new();
+        write_html(&comparison, &mut page).unwrap();
+        let page = String::from_utf8(page).unwrap();
+        assert!(page.contains("<h1>a b.json</h1>"));
+        assert!(page.contains("mindeg mesh &#39;a b.json&#39; --keep-angle 95% -o mesh.obj"));
+        assert!(page.contains("<code>mindeg compare &#39;a b.json&#39; -o &#60;x&#62;</code>"));
+    }
 
     #[test]
     fn data_cannot_break_out() {

@@ -2,28 +2,25 @@
 //!
 //! Limits: the table has what decides between mindeg and Delaunay; the rest is in the reports.
 
-use super::html::{STYLE, VERSION, rendered};
-use super::{Report, svg};
-use crate::Method;
-use crate::number_format::{angle, count, significant};
+use super::html::{STYLE, link, rendered};
+use super::{Provenance, Report, svg};
+use crate::number_format::{Column, count, steady_percent};
+use crate::{Advice, Method};
 use askama::Template;
-use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
 const SCRIPT: &str = include_str!("index.js");
 
-/// What is escaped in a link: everything but letters, digits and these.
-const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'/');
-
+/// The headings, and how a column is sorted.
 const COLUMNS: [(&str, &str); 8] = [
     ("Domain", "text"),
     ("Boundary vertices", "number"),
-    ("Maximum degree, mindeg", "number"),
-    ("Maximum degree, Delaunay", "number"),
-    ("Delaunay’s as a multiple", "number"),
-    ("Smallest angle, mindeg", "number"),
-    ("Smallest angle, Delaunay", "number"),
-    ("Delaunay’s as a multiple", "number"),
+    ("Advised degree", "number"),
+    ("Angle kept at it", "number"),
+    ("Least degree", "number"),
+    ("Its minimum angle", "number"),
+    ("Delaunay degree", "number"),
+    ("Delaunay minimum angle", "number"),
 ];
 
 /// One line of the index: a comparison, or why there is none.
@@ -58,6 +55,7 @@ pub struct IndexEntry {
 struct Line {
     link: String,
     vertices: u32,
+    advice: Option<Advice>,
     mindeg: Option<(u32, f64)>,
     delaunay: Option<(u32, f64)>,
 }
@@ -69,11 +67,12 @@ impl IndexEntry {
     pub fn compared(name: impl Into<String>, path: &str, report: &Report) -> Self {
         let outcome = |wanted| {
             let method = report.methods.iter().find(|method| method.method == wanted)?;
-            method.max_degree.zip(method.min_angle).filter(|_| method.valid)
+            method.outcome()
         };
         let line = Line {
             link: link(path),
             vertices: report.domain.vertices,
+            advice: report.advice,
             mindeg: outcome(Method::LeastDegree),
             delaunay: outcome(Method::DELAUNAY),
         };
@@ -91,7 +90,7 @@ impl IndexEntry {
 #[template(path = "index.html")]
 struct Page<'a> {
     title: String,
-    version: &'static str,
+    provenance: Provenance,
     style: String,
     columns: &'static [(&'static str, &'static str)],
     rows: Vec<Row<'a>>,
@@ -109,17 +108,11 @@ struct Row<'a> {
 
 /// A figure: what is sorted by, and what is read.
 struct Cell {
+    heading: &'static str,
     value: String,
     text: String,
-}
-
-impl Cell {
-    fn new(value: Option<f64>, text: impl FnOnce(f64) -> String) -> Self {
-        Self {
-            value: value.map(|value| value.to_string()).unwrap_or_default(),
-            text: value.map_or("–".into(), text),
-        }
-    }
+    /// Whether it is the better of the two figures of its kind.
+    is_better: bool,
 }
 
 /// Writes the index as one self-contained HTML page.
@@ -128,11 +121,12 @@ impl Cell {
 ///
 /// Those of `out`.
 pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()> {
+    let angles = angles(entries);
     let mut rows = Vec::new();
     let mut failures = Vec::new();
     for IndexEntry { name, outcome } in entries {
         match outcome {
-            Ok(line) => rows.push(Row { name, link: &line.link, cells: cells(line) }),
+            Ok(line) => rows.push(Row { name, link: &line.link, cells: cells(line, angles) }),
             Err(reason) => failures.push((name.as_str(), reason.as_str())),
         }
     }
@@ -141,7 +135,7 @@ pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()
             1 => "1 domain".to_owned(),
             domains => format!("{} domains", count(domains)),
         },
-        version: VERSION,
+        provenance: Provenance::default(),
         style: svg::page_style(&[STYLE]),
         columns: &COLUMNS,
         rows,
@@ -151,26 +145,35 @@ pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()
     out.write_all(rendered(&page)?.as_bytes())
 }
 
-fn cells(line: &Line) -> Vec<Cell> {
-    let whole = |value: Option<u32>| Cell::new(value.map(f64::from), |value| count(value as u32));
-    let degrees = |value| Cell::new(value, angle);
-    let ratio = |value| Cell::new(value, |value| format!("{}×", significant(value, 3)));
-    let pair = line.mindeg.zip(line.delaunay);
-    vec![
-        whole(Some(line.vertices)),
-        whole(line.mindeg.map(|(degree, _)| degree)),
-        whole(line.delaunay.map(|(degree, _)| degree)),
-        ratio(pair.map(|(mindeg, delaunay)| f64::from(delaunay.0) / f64::from(mindeg.0))),
-        degrees(line.mindeg.map(|(_, smallest)| smallest)),
-        degrees(line.delaunay.map(|(_, smallest)| smallest)),
-        ratio(pair.map(|(mindeg, delaunay)| delaunay.1 / mindeg.1)),
-    ]
+/// All angles of the table, which share their decimals.
+fn angles(entries: &[IndexEntry]) -> Column {
+    let lines = entries.iter().filter_map(|entry| entry.outcome.as_ref().ok());
+    let outcomes = lines.flat_map(|line| [line.mindeg, line.delaunay]).flatten();
+    Column::new(outcomes.map(|(_, angle)| angle), 2)
 }
 
-/// A relative path as a link, in which nothing has a meaning of its own: neither `?` nor `#`, and
-/// a colon makes no scheme.
-fn link(path: &str) -> String {
-    utf8_percent_encode(path, PLAIN).to_string()
+fn cells(line: &Line, angles: Column) -> Vec<Cell> {
+    let whole = |value: u32| (f64::from(value), count(value));
+    let lower = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.0 < there.0);
+    let larger = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.1 < 0.999 * there.1);
+    let figures = [
+        (Some(whole(line.vertices)), false),
+        (line.advice.map(|advice| whole(advice.max_degree)), false),
+        (line.advice.map(|a| (a.share_of_delaunay, steady_percent(a.share_of_delaunay))), false),
+        (line.mindeg.map(|(degree, _)| whole(degree)), lower),
+        (line.mindeg.map(|(_, angle)| (angle, angles.angle(angle))), false),
+        (line.delaunay.map(|(degree, _)| whole(degree)), false),
+        (line.delaunay.map(|(_, angle)| (angle, angles.angle(angle))), larger),
+    ];
+    let headings = COLUMNS.iter().skip(1).map(|(heading, _)| *heading);
+    let cells = headings.zip(figures).map(|(heading, (figure, is_better))| {
+        let (value, text) = match figure {
+            Some((value, text)) => (value.to_string(), text),
+            None => (String::new(), "–".to_owned()),
+        };
+        Cell { heading, value, text, is_better }
+    });
+    cells.collect()
 }
 
 #[cfg(test)]
@@ -178,14 +181,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn links_hold_any_name() {
-        for (path, expected) in [
-            ("out/plate.html", "out/plate.html"),
-            ("a b#1?.html", "a%20b%231%3F.html"),
-            ("javascript:x", "javascript%3Ax"),
-            ("é.html", "%C3%A9.html"),
-        ] {
-            assert_eq!(link(path), expected);
-        }
+    fn no_two_headings_are_the_same() {
+        let mut headings = COLUMNS.map(|(heading, _)| heading);
+        headings.sort_unstable();
+        assert!(headings.windows(2).all(|pair| pair[0] != pair[1]));
     }
 }

@@ -5,6 +5,7 @@
 use super::tables::{self, Table};
 use crate::Comparison;
 use crate::number_format::count;
+use crate::verdict::verdict;
 use std::io::{self, Write};
 
 /// Writes a comparison as Markdown.
@@ -38,8 +39,8 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
         count(domain.interior_edges),
         count(domain.optimal_max_degree)
     )?;
-    for sentence in comparison.verdict() {
-        writeln!(out, "{}\n", escaped(&sentence))?;
+    for sentence in verdict(report).sentences() {
+        writeln!(out, "{}\n", escaped(sentence))?;
     }
     write_table(&mut out, 2, &tables::overview(report))?;
     write_table(&mut out, 2, &tables::degrees(report))?;

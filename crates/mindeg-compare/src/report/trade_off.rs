@@ -34,7 +34,7 @@ use std::io::{self, Write};
 pub struct TradeOffFigures {
     /// A point for every maximum degree, in ascending order.
     pub points: Vec<TradeOffPoint>,
-    /// The smallest angle of a Delaunay triangulation, in degrees.
+    /// The minimum angle of a Delaunay triangulation, in degrees.
     pub delaunay_min_angle: f64,
 }
 
@@ -43,7 +43,7 @@ pub struct TradeOffFigures {
 pub struct TradeOffPoint {
     /// The most edges that a vertex may have.
     pub max_degree: u32,
-    /// The largest smallest angle there is then, in degrees.
+    /// The largest minimum angle there is then, in degrees.
     pub min_angle: f64,
     /// Whether that is proven: always, so far.
     pub exact: bool,

@@ -1,4 +1,4 @@
-//! The curve: the largest smallest angle over the maximum degree.
+//! The curve: the largest minimum angle over the maximum degree.
 //!
 //! It is a step function, since a degree is a whole number, and it starts from no angle at all,
 //! so that heights compare as angles do. The dashed line is Delaunay's angle.
@@ -7,18 +7,21 @@
 
 use super::pixel;
 use crate::exact::{ExactMesh, TradeOff};
-use crate::number_format::{count, percent, significant, steady_angle};
+use crate::number_format::{Column, count, percent, significant};
 use askama::Template;
 use glam::DVec2;
 use mindeg_geometry::Bounds;
 
-/// Space for numbers left of the axis and below it, and for a name right of the ceiling.
-const LEFT: f64 = 72.0;
-const RIGHT: f64 = 76.0;
+/// Space for numbers left of the axis and below it, and for what reaches over the right end.
+const LEFT: f64 = 68.0;
+const RIGHT: f64 = 12.0;
 const BELOW: f64 = 52.0;
 
-/// How much higher than the highest point the curve's box is.
-const HEADROOM: f64 = 1.15;
+/// How much higher than the highest point the curve's box is: that much holds a name.
+const HEADROOM: f64 = 1.2;
+
+/// The least distance of two numbers on the axis of degrees.
+const LEAST_STEP: f64 = 30.0;
 
 /// The least distance of two labels.
 const APART: f64 = 58.0;
@@ -38,10 +41,11 @@ pub(in crate::report) struct Curve {
     angles: Vec<Tick>,
     degrees: Vec<Tick>,
     ceiling: f64,
-    ceiling_x: f64,
-    ceiling_name_y: f64,
-    ceiling_value_y: f64,
+    ceiling_label_x: f64,
+    ceiling_label_y: f64,
     ceiling_label: String,
+    /// Where Delaunay's own degree is on the ceiling.
+    delaunay_x: Option<f64>,
     /// The steps, as SVG's path commands.
     path: String,
     points: Vec<Point>,
@@ -64,6 +68,16 @@ struct Point {
     max_degree: u32,
     title: String,
     is_linked: bool,
+    is_advised: bool,
+}
+
+/// What a curve shows besides the meshes of a trade-off.
+#[derive(Clone, Copy, Default)]
+pub(in crate::report) struct Marks {
+    /// The degree to take.
+    pub(in crate::report) advised: Option<u32>,
+    /// The maximum degree of the Delaunay triangulation.
+    pub(in crate::report) delaunay: Option<u32>,
 }
 
 /// An angle beside its point.
@@ -80,11 +94,14 @@ impl Curve {
     pub(in crate::report) fn new(
         trade_off: &TradeOff,
         space: Bounds,
+        marks: Marks,
         is_linked: impl Fn(u32) -> bool,
     ) -> Self {
-        let axes = Axes::new(trade_off, space);
+        let axes = Axes::new(trade_off, space, marks);
+        let column = column(trade_off);
         let Bounds { min, max } = axes.space;
         let ceiling = axes.y(trade_off.delaunay_min_angle());
+        let delaunay_angle = column.angle(trade_off.delaunay_min_angle());
         let radius = (0.3 * axes.step).clamp(2.0, 6.0);
         let point = |exact: &ExactMesh| {
             let place = axes.place(exact);
@@ -95,10 +112,11 @@ impl Curve {
                 title: format!(
                     "degree {}: {}, {} of Delaunay's",
                     count(exact.max_degree),
-                    steady_angle(exact.min_angle),
+                    column.angle(exact.min_angle),
                     percent(trade_off.share(exact)),
                 ),
                 is_linked: is_linked(exact.max_degree),
+                is_advised: marks.advised == Some(exact.max_degree),
             }
         };
         let points: Vec<Point> = trade_off.meshes().iter().map(point).collect();
@@ -108,23 +126,31 @@ impl Curve {
             bottom: pixel(max.y),
             middle: axes.space.center().map(pixel),
             numbers_x: pixel(min.x - 8.0),
-            angle_title_x: pixel(min.x - 60.0),
+            angle_title_x: pixel(min.x - 54.0),
             degree_title_y: pixel(max.y + 44.0),
             angles: axes.angles(),
             degrees: axes.degrees(),
             ceiling: pixel(ceiling),
-            ceiling_x: pixel(max.x + 8.0),
-            ceiling_name_y: pixel(ceiling - 2.0),
-            ceiling_value_y: pixel(ceiling + 14.0),
-            ceiling_label: steady_angle(trade_off.delaunay_min_angle()),
+            ceiling_label_x: pixel(min.x + 6.0),
+            ceiling_label_y: pixel(ceiling - 16.0),
+            ceiling_label: match marks.delaunay {
+                Some(degree) => format!("Delaunay, degree {}: {delaunay_angle}", count(degree)),
+                None => format!("Delaunay: {delaunay_angle}"),
+            },
+            delaunay_x: marks.delaunay.map(|degree| pixel(axes.x(degree))),
             path: steps(&points),
             points,
             // A ring sets a point off from the line; it would drown a small one.
             point_class: if radius < 4.0 { "point" } else { "point ringed" },
             radius: pixel(radius),
-            labels: axes.labels(trade_off),
+            labels: axes.labels(trade_off, marks),
         }
     }
+}
+
+/// The angles of a curve, which share their decimals.
+fn column(trade_off: &TradeOff) -> Column {
+    Column::new(trade_off.meshes().iter().map(|exact| exact.min_angle), 3)
 }
 
 /// A level line from each point to the next, then up.
@@ -148,8 +174,9 @@ struct Axes {
 }
 
 impl Axes {
-    fn new(trade_off: &TradeOff, space: Bounds) -> Self {
-        let degrees = trade_off.meshes().iter().map(|exact| exact.max_degree);
+    fn new(trade_off: &TradeOff, space: Bounds, marks: Marks) -> Self {
+        let meshes = trade_off.meshes().iter().map(|exact| exact.max_degree);
+        let degrees = meshes.chain(marks.delaunay);
         let [first, last] = [degrees.clone().min(), degrees.max()].map(Option::unwrap_or_default);
         let space = Bounds {
             min: space.min + DVec2::new(LEFT, 0.0),
@@ -187,33 +214,41 @@ impl Axes {
     }
 
     fn degrees(&self) -> Vec<Tick> {
-        let apart = round_step(f64::from(self.count) / 16.0).max(1.0) as u32;
+        let apart = round_step(LEAST_STEP / self.step).max(1.0) as u32;
         let degrees = (self.first..self.first + self.count).filter(|d| d.is_multiple_of(apart));
         let label_at = pixel(self.space.max.y + 20.0);
         degrees.map(|d| Tick { at: pixel(self.x(d)), label_at, label: count(d) }).collect()
     }
 
-    /// The angles themselves, below the steps on their right, where no line is; the last one above
-    /// the point where there is no space to its right.
-    fn labels(&self, trade_off: &TradeOff) -> Vec<Label> {
+    /// The angles themselves, below the steps on their right, where no line is: of the advised mesh,
+    /// of the first, and of as many others as there is space for. Delaunay's is on its line.
+    fn labels(&self, trade_off: &TradeOff, marks: Marks) -> Vec<Label> {
+        let column = column(trade_off);
+        let is_advised = |exact: &ExactMesh| marks.advised == Some(exact.max_degree);
+        let meshes = || trade_off.meshes().iter();
+        let others = meshes()
+            .filter(|exact| !is_advised(exact) && exact.min_angle < trade_off.delaunay_min_angle());
+        let mut taken: Vec<f64> = Vec::new();
         let mut labels = Vec::new();
-        let mut free_from = f64::NEG_INFINITY;
-        let last = self.x(self.first + self.count - 1);
-        for exact in trade_off.meshes() {
+        for exact in meshes().filter(|exact| is_advised(exact)).chain(others) {
             let DVec2 { x, y } = self.place(exact);
-            let is_last = x == last;
-            if !is_last && (x < free_from || x > last - APART) {
+            let has_space = x + APART < self.space.max.x + RIGHT;
+            if !has_space || taken.iter().any(|other| (other - x).abs() < APART) {
                 continue;
             }
-            free_from = x + APART;
+            let text = column.angle(exact.min_angle);
+            // Degrees that change nothing need no second label.
+            if labels.iter().any(|label: &Label| label.text == text) {
+                continue;
+            }
+            taken.push(x);
             let is_low = y > self.space.max.y - 24.0;
-            let (anchor, x, y) = if is_last && x + APART > self.space.max.x {
-                ("end", x + 4.0, y - 12.0)
-            } else {
-                ("start", x + 8.0, if is_low { y - 9.0 } else { y + 18.0 })
-            };
-            let text = steady_angle(exact.min_angle);
-            labels.push(Label { x: pixel(x), y: pixel(y), anchor, text });
+            labels.push(Label {
+                x: pixel(x + 8.0),
+                y: pixel(if is_low { y - 9.0 } else { y + 18.0 }),
+                anchor: "start",
+                text,
+            });
         }
         labels
     }

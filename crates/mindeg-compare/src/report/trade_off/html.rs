@@ -2,12 +2,14 @@
 //!
 //! Limits: two dozen meshes at most, evenly chosen.
 
-use super::super::html::{STYLE, VERSION, curve_picture, facts, rendered};
-use super::super::svg::{self, CURVE_STYLE, DegreeColor};
+use super::super::Provenance;
+use super::super::html::{SMALL_CURVE, STYLE, curve_picture, facts, rendered};
+use super::super::svg::{self, CURVE_STYLE, DegreeColor, Marks};
 use super::super::tables::Table;
 use super::spread;
+use crate::KEPT;
 use crate::exact::{ExactMesh, TradeOff};
-use crate::number_format::{count, percent, steady_angle};
+use crate::number_format::{Column, count, percent, steady_angle, steady_percent};
 use askama::Template;
 use glam::DVec2;
 use mindeg_geometry::Bounds;
@@ -19,6 +21,9 @@ const MESHES_STYLE: &str = include_str!("page.css");
 /// The most meshes shown.
 const MOST_MESHES: usize = 24;
 
+/// The size of the curve on a screen wide enough, in its own pixels.
+const WIDE_CURVE: DVec2 = DVec2::new(900.0, 400.0);
+
 /// The space for a mesh, in the picture's own pixels.
 const MESH: DVec2 = DVec2::new(480.0, 400.0);
 /// Space for the dots on the outline.
@@ -28,7 +33,7 @@ const MARGIN: f64 = 9.0;
 #[template(path = "trade_off.html")]
 struct Page<'a> {
     title: &'a str,
-    version: &'static str,
+    provenance: Provenance,
     style: String,
     facts: String,
     headline: &'a str,
@@ -95,17 +100,20 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         })
     };
     let is_shown = |degree| shown.iter().any(|&place| meshes[place].max_degree == degree);
+    let marks =
+        Marks { advised: advised(trade_off).map(|exact| exact.max_degree), ..Marks::default() };
     let [headline, sentences @ ..] = &verdict(trade_off)[..] else { return Ok(()) };
     let intervals: Vec<u32> = domain.boundary().sides().collect();
     let inset = Inset::new(bounds, space);
     let page = Page {
         title: domain.name().unwrap_or("Domain"),
-        version: VERSION,
+        provenance: Provenance::default(),
         style: svg::page_style(&[STYLE, CURVE_STYLE, MESHES_STYLE]),
         facts: facts(&intervals, meshes[0].max_degree),
         headline,
         sentences,
-        curve: curve_picture(trade_off, is_shown)?,
+        curve: curve_picture(trade_off, WIDE_CURVE, "wide", marks, is_shown)?
+            + &curve_picture(trade_off, SMALL_CURVE, "narrow", marks, is_shown)?,
         chosen,
         legend: svg::degree_legend(trade_off),
         size: DVec2::new(MESH.x, inset.size().y + 2.0 * MARGIN).round(),
@@ -114,6 +122,11 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         table: table(trade_off),
     };
     out.write_all(rendered(&page)?.as_bytes())
+}
+
+/// The first mesh that keeps enough of Delaunay's minimum angle.
+fn advised(trade_off: &TradeOff) -> Option<&ExactMesh> {
+    trade_off.meshes().iter().find(|exact| trade_off.share(exact) >= KEPT)
 }
 
 /// What the curve says, in sentences; the first is the headline.
@@ -128,52 +141,55 @@ fn verdict(trade_off: &TradeOff) -> Vec<String> {
     let meshes = trade_off.meshes();
     let delaunay = steady_angle(trade_off.delaunay_min_angle());
     let (Some(first), Some(last)) = (meshes.first(), meshes.last()) else { return Vec::new() };
-    let has_all = last.min_angle >= trade_off.delaunay_min_angle();
     let (least, most) = (count(first.max_degree), count(last.max_degree));
-    let mut sentences = vec![match (meshes.len(), has_all) {
-        (1, true) => format!(
-            "The least possible maximum degree, {least}, costs no angle: the smallest is {delaunay}, \
-             as large as in any triangulation."
-        ),
-        (_, true) => format!(
-            "Degree {least}, the least possible, has a smallest angle of at most {}; degree {most} \
-             has Delaunay's {delaunay} in full.",
+    let mut sentences = Vec::new();
+    match advised(trade_off) {
+        Some(taken) if taken.max_degree == first.max_degree => sentences.push(format!(
+            "Take degree {least}, the least possible: its minimum angle is {}.",
             describe(first)
-        ),
-        (1, false) => format!(
-            "Degree {least}, the least possible, has a smallest angle of at most {}, and more \
-             degrees do not help.",
+        )),
+        Some(taken) => {
+            let degree = count(taken.max_degree);
+            sentences
+                .push(format!("Take degree {degree}: its minimum angle is {}.", describe(taken)));
+            sentences.push(format!(
+                "Degree {least}, the least possible, has at most {}.",
+                describe(first)
+            ));
+        }
+        None => sentences.push(format!(
+            "Degree {least}, the least possible, has a minimum angle of at most {}.",
             describe(first)
-        ),
-        (_, false) => format!(
-            "Degree {least}, the least possible, has a smallest angle of at most {}; degree {most} \
-             has {}, and more do not help.",
-            describe(first),
-            describe(last)
-        ),
-    }];
-    if let [_, second, _, ..] = meshes {
-        sentences.push(format!("One degree above the least buys {}.", describe(second)));
+        )),
     }
-    if !has_all {
-        sentences.push(format!("Caps of single vertices stand against Delaunay's {delaunay}."));
+    if last.min_angle < trade_off.delaunay_min_angle() {
+        sentences.push(format!(
+            "More than degree {most}, with {}, does not help: the degree limits of single vertices \
+             prevent Delaunay's {delaunay}.",
+            describe(last)
+        ));
+    } else if meshes.len() > 1 {
+        sentences.push(format!("Degree {most} has Delaunay's {delaunay} in full."));
     }
     sentences
 }
 
 fn table(trade_off: &TradeOff) -> Table {
+    let meshes = trade_off.meshes();
+    let least = Column::new(meshes.iter().map(|exact| exact.min_angle), 3);
+    let greatest = Column::new(meshes.iter().map(|exact| exact.mesh.angle_range().max), 4);
     let row = |exact: &ExactMesh| {
         vec![
             count(exact.max_degree),
-            steady_angle(exact.min_angle),
-            percent(trade_off.share(exact)),
-            steady_angle(exact.mesh.angle_range().max),
+            least.angle(exact.min_angle),
+            steady_percent(trade_off.share(exact)),
+            greatest.angle(exact.mesh.angle_range().max),
         ]
     };
     Table {
         title: "What each degree buys".to_owned(),
         note: String::new(),
-        columns: ["Maximum degree", "Smallest angle", "Share of Delaunay's", "Largest angle"]
+        columns: ["Maximum degree", "Minimum angle", "Share of Delaunay's", "Maximum angle"]
             .map(str::to_owned)
             .into(),
         rows: trade_off.meshes().iter().map(row).collect(),

@@ -2,8 +2,8 @@
 //!
 //! Limits: eight meshes at most, evenly chosen.
 
-use super::super::html::{VERSION, rendered};
-use super::super::svg::{self, CURVE_STYLE, Curve};
+use super::super::html::rendered;
+use super::super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::spread;
 use crate::exact::TradeOff;
 use crate::number_format::{count, percent, steady_angle};
@@ -93,12 +93,14 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
     // Every mesh gets a space of the same size, whose place is not yet known.
     let at_origin = Inset::new(bounds, svg::space(DVec2::new(width, MOST_HEIGHT)));
     let drawn_height = at_origin.size().y;
-    let first_row = PLOT_TOP + PLOT_HEIGHT + GAP;
+    // A single point makes no curve.
+    let has_curve = meshes.len() > 1;
+    let first_row = PLOT_TOP + if has_curve { PLOT_HEIGHT + GAP } else { 0.0 };
     let rows = shown.len().div_ceil(columns);
     let height = first_row + rows as f64 * (drawn_height + CAPTION) + LEGEND;
 
     let mut summary = format!(
-        "{} boundary vertices · the largest smallest angle for each maximum degree",
+        "{} boundary vertices · the largest minimum angle for each maximum degree",
         count(trade_off.domain().boundary().vertex_count())
     );
     if let Some(stretch) = at_origin.stretch() {
@@ -132,13 +134,16 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
         max: DVec2::new(WIDTH - MARGIN, PLOT_TOP + PLOT_HEIGHT),
     };
     let picture = Picture {
-        version: VERSION,
+        version: env!("CARGO_PKG_VERSION"),
         name: trade_off.domain().name().unwrap_or("mesh"),
         summary,
         style: STYLE.to_owned() + &svg::standalone_style(CURVE_STYLE) + CAPTION_STYLE,
         size: DVec2::new(WIDTH, height).round(),
         margin: MARGIN,
-        curve: rendered(&Curve::new(trade_off, curve_space, |_| false))?,
+        curve: match has_curve {
+            true => rendered(&Curve::new(trade_off, curve_space, Marks::default(), |_| false))?,
+            false => String::new(),
+        },
         meshes: shown.into_iter().enumerate().map(small_mesh).collect::<io::Result<_>>()?,
         legend: legend.collect(),
         legend_y: svg::pixel(height - 26.0),
