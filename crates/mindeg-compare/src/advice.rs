@@ -74,16 +74,24 @@ impl Advice {
 /// ```
 #[must_use]
 pub fn advised_command(input: &str) -> String {
-    format!("mindeg mesh {} --keep-angle 95% -o mesh.obj", quoted(input))
+    // A file name that begins with a dash would be taken for an option.
+    let folder = if input.starts_with('-') { "./" } else { "" };
+    let input = shell_word(&format!("{folder}{input}"));
+    format!("mindeg mesh {input} --keep-angle 95% -o mesh.obj")
 }
 
-/// A word of a command line, in quotes where it needs them.
-fn quoted(word: &str) -> String {
+/// A word as a POSIX shell reads it back: in quotes where it needs them.
+///
+/// ```
+/// use mindeg_compare::shell_word;
+///
+/// assert_eq!(["--size", "0,0 4,0", "it's"].map(shell_word), ["--size", "'0,0 4,0'", r"'it'\''s'"]);
+/// ```
+#[must_use]
+pub fn shell_word(word: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./+,:@%=".contains(c);
-    if !word.is_empty() && !word.starts_with('-') && word.chars().all(is_plain) {
+    if !word.is_empty() && word.chars().all(is_plain) {
         word.to_owned()
-    } else if word.starts_with('-') {
-        quoted(&format!("./{word}"))
     } else {
         format!("'{}'", word.replace('\'', r"'\''"))
     }
@@ -130,7 +138,8 @@ mod tests {
         for (input, word) in
             [("a.json", "a.json"), ("it's.json", r"'it'\''s.json'"), ("-x", "./-x"), ("", "''")]
         {
-            assert_eq!(quoted(input), word);
+            let command = format!("mindeg mesh {word} --keep-angle 95% -o mesh.obj");
+            assert_eq!(advised_command(input), command);
         }
     }
 }

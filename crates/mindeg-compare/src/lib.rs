@@ -37,7 +37,7 @@ pub mod reference;
 pub mod report;
 mod verdict;
 
-pub use advice::{Advice, KEPT, advised_command};
+pub use advice::{Advice, KEPT, advised_command, shell_word};
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
