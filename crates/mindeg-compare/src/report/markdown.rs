@@ -3,9 +3,9 @@
 //! Limits: tables need a reader that knows GitHub's extension. No pictures.
 
 use super::tables::{self, Table};
-use crate::Comparison;
 use crate::number_format::count;
 use crate::verdict::verdict;
+use crate::{Comparison, advised_command};
 use std::io::{self, Write};
 
 /// Writes a comparison as Markdown.
@@ -42,6 +42,9 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     for sentence in verdict(report).sentences() {
         writeln!(out, "{}\n", escaped(sentence))?;
     }
+    let input = report.provenance.input.as_deref().unwrap_or("DOMAIN.json");
+    writeln!(out, "```sh\n{}\n```\n", advised_command(input))?;
+    write_table(&mut out, 2, &tables::choice(report))?;
     write_table(&mut out, 2, &tables::overview(report))?;
     write_table(&mut out, 2, &tables::degrees(report))?;
     write_table(&mut out, 2, &tables::shares(report))?;
