@@ -537,6 +537,17 @@ test("the index of many domains sorts, links, and lists what failed", async () =
   await opened.locator("tbody a").first().click();
   await settled(opened);
   assert.equal(await opened.locator(".stage").first().isVisible(), true);
+  // From page to page, and back to the list; each says what made it.
+  assert.match(await opened.locator("footer").textContent(), /from .*\.json with mindeg compare .* -o out\//);
+  const first = await opened.locator("h1").textContent();
+  const next = opened.locator("nav a[rel=next]");
+  const name = (await next.textContent()).replace(" →", "");
+  await next.click();
+  await settled(opened);
+  assert.equal(await opened.locator("h1").textContent(), name);
+  assert.ok((await opened.locator("nav a[rel=prev]").textContent()).endsWith(first));
+  await opened.locator("nav a").first().click();
+  assert.equal(await rows.count(), all.length);
   await opened.context().close();
 });
 
