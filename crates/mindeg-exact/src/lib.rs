@@ -50,13 +50,16 @@
 mod answer;
 mod bottleneck;
 mod chords;
+mod delaunay;
 pub mod measure;
 mod merit;
 mod pieces;
 mod problem;
 mod progress;
 mod search;
+mod triangulation;
+mod visibility;
 
 pub use answer::{Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off};
-pub use problem::{MAX_VERTICES, Problem, ProblemError};
+pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use progress::{Progress, Stage, Watch, unwatched};
