@@ -49,6 +49,7 @@
 
 mod answer;
 mod bottleneck;
+pub mod check;
 mod chords;
 mod delaunay;
 pub mod measure;

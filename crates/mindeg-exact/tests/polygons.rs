@@ -1,0 +1,112 @@
+//! Polygons that are not convex: against all triangulations, and known answers.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod outlines;
+
+use mindeg_exact::{Unsolved, best_angle, check, least_max_degree, trade_off, unwatched};
+use outlines::{Measured, Outline, Random, Rank};
+
+/// Compares the answers under every limit with the best of all triangulations.
+fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
+    let n = outline.len() as u32;
+    let mut problem = outline.problem();
+    for (vertex, (&outside, &own)) in (0..).zip(outside.iter().zip(own)) {
+        problem.set_outside_degree(vertex, outside);
+        if let Some(own) = own {
+            problem.set_max_degree(vertex, own);
+        }
+    }
+    let all = outline.triangulations();
+    let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
+    assert!(!all.is_empty(), "{outline:?}");
+    let limits = |cap: u32| own.iter().map(|own| own.unwrap_or(cap).min(cap)).collect::<Vec<_>>();
+    let best = |cap: u32| -> Option<Rank> {
+        let limits = limits(cap);
+        let ranks = all.iter().filter_map(|it| it.rank(&limits, outside));
+        ranks.max_by(|a, b| a.partial_cmp(b).unwrap())
+    };
+    let most = n + outside.iter().max().unwrap();
+    let least = (0..=most).find(|&cap| best(cap).is_some());
+    let Some(least) = least else {
+        assert_eq!(least_max_degree(&problem, &mut unwatched), Err(Unsolved::VertexCaps));
+        return;
+    };
+    assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least), "{outline:?}");
+    let check = |optimum: &mindeg_exact::Optimum, cap: u32| {
+        let checked =
+            check::triangulation(&outline.points, &[(0..n).collect()], &optimum.triangles);
+        let measured = Measured::new(&outline.points, &optimum.triangles);
+        assert_eq!(checked.unwrap().degrees, measured.degrees);
+        let rank = measured.rank(&limits(cap), outside);
+        assert_eq!(rank, best(cap), "{outline:?}, {cap}");
+        assert_eq!(optimum.vertices_at_cap, rank.unwrap().1.0);
+        assert_eq!(optimum.min_angle, libm::atan(measured.tangent).to_degrees());
+    };
+    let trade_off = trade_off(&problem, &mut unwatched).unwrap();
+    let free = best(u32::MAX).unwrap().0;
+    for (cap, optimum) in (least..).zip(&trade_off.optima) {
+        check(optimum, cap);
+        assert_eq!(best(cap).unwrap().0 == free, cap == least + trade_off.optima.len() as u32 - 1);
+    }
+    for cap in [least - 1, least, least + 1, most] {
+        match best_angle(&problem, cap, &mut unwatched) {
+            Ok(optimum) => check(&optimum, cap),
+            Err(error) => {
+                assert_eq!(cap, least - 1, "{outline:?}");
+                assert_eq!(error, Unsolved::Infeasible { max_degree: cap, least });
+            }
+        }
+    }
+}
+
+/// Calls `test` with random simple polygons, as many as asked for.
+fn for_random(seed: u64, count: usize, most: usize, mut test: impl FnMut(&Outline, &mut Random)) {
+    let mut random = Random(seed);
+    let mut done = 0;
+    while done < count {
+        let corners = 3 + random.below(most as u64 - 4) as usize;
+        let Some(outline) = Outline::random(&mut random, corners, most) else { continue };
+        if outline.len() >= 4 {
+            test(&outline, &mut random);
+            done += 1;
+        }
+    }
+}
+
+#[test]
+fn random_polygons_agree_with_all_triangulations() {
+    for_random(1, 600, 11, |outline, _| {
+        let n = outline.len();
+        compare(outline, &vec![0; n], &vec![None; n]);
+    });
+}
+
+#[test]
+fn limits_of_single_vertices_agree_with_all_triangulations() {
+    for_random(2, 300, 9, |outline, random| {
+        let n = outline.len();
+        let outside: Vec<u32> = (0..n).map(|_| random.below(3) as u32).collect();
+        let own = |_| (random.below(4) == 0).then(|| 2 + random.below(5) as u32);
+        let own: Vec<_> = (0..n).map(own).collect();
+        compare(outline, &outside, &own);
+    });
+}
+
+#[test]
+fn known_least_degrees() {
+    for (name, outline, least) in [
+        ("L 50", Outline::l_shape([13, 6, 6, 6, 6, 13]), 5),
+        ("L 102", Outline::l_shape([25, 13, 13, 13, 13, 25]), 5),
+        ("L 200", Outline::l_shape([50, 25, 25, 25, 25, 50]), 4),
+        ("U inner floor", Outline::u_shape([2, 2, 2, 2, 60, 2, 2, 2]), 23),
+        ("U outer floor", Outline::u_shape([90, 2, 2, 2, 2, 2, 2, 2]), 14),
+        ("L first side", Outline::l_shape([60, 2, 2, 2, 2, 2]), 11),
+        ("comb", Outline::comb(8, 200, 1), 11),
+        ("spiral", Outline::spiral(5), 4),
+    ] {
+        assert!(outline.is_simple(), "{name}");
+        let problem = outline.problem();
+        assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least), "{name} {}", outline.len());
+    }
+}
