@@ -60,7 +60,10 @@ mod progress;
 mod search;
 mod triangulation;
 mod visibility;
+mod window;
+mod windows;
 
 pub use answer::{Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use progress::{Progress, Stage, Watch, unwatched};
+pub use windows::{WindowGoal, Windowed, windows};

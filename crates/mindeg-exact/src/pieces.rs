@@ -116,11 +116,20 @@ impl<'a, M: Merit> Pieces<'a, M> {
                 continue;
             }
             if are_few || starts.len() <= BATCH {
-                let batch = pieces.batch(&mut grid, starts, span);
-                pieces.add(starts, span, batch);
+                for &i in starts {
+                    let j = i + span as u32;
+                    let left_out = pieces.fill(&mut grid, i as usize, j as usize);
+                    pieces.left_out = pieces.left_out.max(left_out);
+                    let start = pieces.states.len();
+                    grid.append_front(&mut pieces.states);
+                    let len = pieces.states.len() - start;
+                    if len > 0 {
+                        pieces.put_front(i, j, start as u32, len as u32);
+                    }
+                }
                 continue;
             }
-            let work = |starts: &[u32]| pieces.batch(&mut Grid::new(), starts, span);
+            let work = |starts: &[u32]| pieces.batch(starts, span);
             let batches: Vec<Batch<M>> = starts.par_chunks(BATCH).map(work).collect();
             for (starts, batch) in starts.chunks(BATCH).zip(batches) {
                 pieces.add(starts, span, batch);
@@ -129,12 +138,13 @@ impl<'a, M: Merit> Pieces<'a, M> {
         Ok(pieces)
     }
 
-    fn batch(&self, grid: &mut Grid<M>, starts: &[u32], span: usize) -> Batch<M> {
+    fn batch(&self, starts: &[u32], span: usize) -> Batch<M> {
+        let mut grid = Grid::new();
         let mut batch = Batch { lens: Vec::new(), states: Vec::new(), left_out: f64::NEG_INFINITY };
         for &start in starts {
             let before = batch.states.len();
             let (i, j) = (start as usize, start as usize + span);
-            let left_out = self.fill(grid, i, j);
+            let left_out = self.fill(&mut grid, i, j);
             grid.append_front(&mut batch.states);
             batch.lens.push((batch.states.len() - before) as u32);
             batch.left_out = batch.left_out.max(left_out);
@@ -268,11 +278,6 @@ impl<'a, M: Merit> Pieces<'a, M> {
             }
         }
         best
-    }
-
-    /// Whether the rules allow any triangulation.
-    pub(crate) fn is_possible(&self) -> bool {
-        self.best().is_some()
     }
 
     /// A best triangulation, every triangle before those beneath it, and its merit; none where the rules

@@ -4,7 +4,9 @@
 
 mod outlines;
 
-use mindeg_exact::{Unsolved, best_angle, check, least_max_degree, trade_off, unwatched};
+use mindeg_exact::{
+    Unsolved, WindowGoal, best_angle, check, least_max_degree, trade_off, unwatched, windows,
+};
 use outlines::{Measured, Outline, Random, Rank};
 
 /// Compares the answers under every limit with the best of all triangulations.
@@ -109,4 +111,34 @@ fn known_least_degrees() {
         let problem = outline.problem();
         assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least), "{name} {}", outline.len());
     }
+}
+
+#[test]
+fn windows_never_go_below_the_least_and_keep_the_angle() {
+    let mut reached = 0;
+    for_random(3, 300, 11, |outline, random| {
+        let n = outline.len() as u32;
+        let problem = outline.problem();
+        let all = outline.triangulations();
+        let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
+        let start = Measured::new(&outline.points, &outline.ears());
+        let min_tangent = if random.below(2) == 0 { 0.0 } else { start.tangent };
+        let least = all
+            .iter()
+            .filter(|it| it.tangent >= min_tangent)
+            .map(|it| it.degrees.iter().copied().max().unwrap())
+            .min();
+        let goal = WindowGoal { max_degree: 0, min_tangent };
+        let windowed = windows(&problem, goal, &mut unwatched).unwrap();
+        let rings = [(0..n).collect()];
+        let checked = check::triangulation(&outline.points, &rings, &windowed.triangles).unwrap();
+        assert_eq!(checked.max_degree, windowed.max_degree);
+        let measured = Measured::new(&outline.points, &windowed.triangles);
+        assert!(measured.tangent >= min_tangent, "{outline:?}");
+        // Ears may join vertices of one side, which no window does.
+        if let Some(least) = least {
+            reached += u32::from(windowed.max_degree == least);
+        }
+    });
+    assert!(reached > 290, "{reached}");
 }
