@@ -1,7 +1,8 @@
 //! The answers: the best angle under a cap, and the whole trade-off.
 
-use crate::measure;
 use crate::chords::Chords;
+use crate::degree::degree_range;
+use crate::measure;
 use crate::problem::{Domain, NoChords, Problem};
 use crate::progress::{Stopped, Watch};
 use crate::search::{Search, any_triangulation};
@@ -79,7 +80,7 @@ impl From<Stopped> for Unsolved {
 }
 
 impl Problem {
-    fn chords_or_refusal(&self) -> Result<Chords, Unsolved> {
+    pub(crate) fn chords_or_refusal(&self) -> Result<Chords, Unsolved> {
         self.chords().map_err(|reason| match reason {
             NoChords::TooMany => Unsolved::TooLarge { max_triples: self.max_triples() },
             NoChords::Rings => Unsolved::NotAPolygon,
@@ -145,7 +146,7 @@ pub fn best_angle(
             let tangent = search.best_tangent(&caps, 0.0, watch)?;
             Ok(search.optimum(&caps, tangent, watch)?)
         }
-        _ => Err(Unsolved::Infeasible { max_degree, least: least_of(problem, &chords, watch)? }),
+        _ => Err(Unsolved::Infeasible { max_degree, least: least_max_degree(problem, watch)? }),
     }
 }
 
@@ -175,7 +176,7 @@ pub fn best_angle(
 /// ```
 pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolved> {
     let chords = problem.chords_or_refusal()?;
-    let least = least_of(problem, &chords, watch)?;
+    let least = least_max_degree(problem, watch)?;
     let mut search = Search::new(problem, &chords, watch)?;
     let caps = |max_degree| problem.caps(max_degree).expect("no cap below the least is asked for");
     let most = if problem.is_plain() {
@@ -226,38 +227,47 @@ pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolv
 pub fn least_max_degree(problem: &Problem, watch: Watch<'_>) -> Result<u32, Unsolved> {
     match problem.closed_form() {
         Some(least) => Ok(least),
-        None => least_of(problem, &problem.chords_or_refusal()?, watch),
+        None => {
+            // Refused at once where it may come to nothing.
+            if let Domain::Rings(_) = problem.domain {
+                return Err(Unsolved::NotAPolygon);
+            }
+            let range = degree_range(problem, watch)?;
+            let max_triples = problem.max_triples();
+            if range.is_proven() {
+                Ok(range.max_degree)
+            } else {
+                Err(Unsolved::TooLarge { max_triples })
+            }
+        }
     }
 }
 
-fn least_of(problem: &Problem, chords: &Chords, watch: Watch<'_>) -> Result<u32, Unsolved> {
-    if let Some(least) = problem.closed_form() {
-        return Ok(least);
-    }
-    let least = match &problem.domain {
-        Domain::Convex(boundary) => optimal_max_degree(boundary),
-        _ => 4.min(problem.points().len() as u32 - 1),
-    };
+/// The least maximum degree and a triangulation that has it, whatever the limits.
+pub(crate) fn least_by_search(
+    problem: &Problem,
+    chords: &Chords,
+    watch: Watch<'_>,
+) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
     let none = problem.no_cap();
-    let mut is_feasible = |max_degree| -> Result<bool, Stopped> {
-        Ok(any_triangulation(problem, chords, max_degree, watch)?.is_some())
-    };
-    if !problem.is_plain() && !is_feasible(none)? {
-        return Err(Unsolved::VertexCaps);
-    }
+    let mut found = any_triangulation(problem, chords, none, watch)?.ok_or(Unsolved::VertexCaps)?;
     // Up in growing steps, then down by halves, since small caps take the least time.
+    let least = 4.min(problem.points().len() as u32 - 1);
     let (mut too_small, mut enough) = (least - 1, least.min(none));
-    while enough < none && !is_feasible(enough)? {
+    while enough < none {
+        if let Some(triangles) = any_triangulation(problem, chords, enough, watch)? {
+            found = triangles;
+            break;
+        }
         let step = enough - too_small;
         (too_small, enough) = (enough, enough.saturating_add(2 * step).min(none));
     }
     while enough - too_small > 1 {
         let middle = too_small + (enough - too_small) / 2;
-        if is_feasible(middle)? {
-            enough = middle;
-        } else {
-            too_small = middle;
+        match any_triangulation(problem, chords, middle, watch)? {
+            Some(triangles) => (enough, found) = (middle, triangles),
+            None => too_small = middle,
         }
     }
-    Ok(enough)
+    Ok((enough, found))
 }

@@ -52,14 +52,19 @@ impl Bottleneck {
                 }
                 let j = i + span as u32;
                 let mut best = f64::NEG_INFINITY;
-                meet(up.of(i), down.of(j), |end| end.other, |left, right| {
-                    let pieces = done[left.index as usize].min(done[right.index as usize]);
-                    if pieces > best {
-                        let triangle = [at(i), at(left.other), at(j)];
-                        best = best.max(pieces.min(min_angle_tangent(triangle)));
-                    }
-                    ControlFlow::Continue(())
-                });
+                meet(
+                    up.of(i),
+                    down.of(j),
+                    |end| end.other,
+                    |left, right| {
+                        let pieces = done[left.index as usize].min(done[right.index as usize]);
+                        if pieces > best {
+                            let triangle = [at(i), at(left.other), at(j)];
+                            best = best.max(pieces.min(min_angle_tangent(triangle)));
+                        }
+                        ControlFlow::Continue(())
+                    },
+                );
                 best
             };
             each_of_span(chords.of_span(span), &mut rest[..range.len()], best_inside);
@@ -92,14 +97,24 @@ impl Bottleneck {
                 };
                 let beyond = up.of(i);
                 let beyond = &beyond[beyond.partition_point(|end| end.other <= j)..];
-                both(beyond, up.of(j), |end| end.other, |long, short| {
-                    improve(outside_of(long).min(inside[short.index as usize]), long.other);
-                });
+                both(
+                    beyond,
+                    up.of(j),
+                    |end| end.other,
+                    |long, short| {
+                        improve(outside_of(long).min(inside[short.index as usize]), long.other);
+                    },
+                );
                 let before = down.of(j);
                 let before = &before[before.partition_point(|end| end.other >= i)..];
-                both(before, down.of(i), |end| u32::MAX - end.other, |long, short| {
-                    improve(outside_of(long).min(inside[short.index as usize]), long.other);
-                });
+                both(
+                    before,
+                    down.of(i),
+                    |end| u32::MAX - end.other,
+                    |long, short| {
+                        improve(outside_of(long).min(inside[short.index as usize]), long.other);
+                    },
+                );
                 best
             };
             each_of_span(chords.of_span(span), &mut rest[range.start..], best_outside);

@@ -46,7 +46,9 @@ pub enum CheckError {
         triangles: usize,
     },
     /// Another edge that is not the edge of one triangle on either side.
-    #[error("the edge from {from} to {to} has {left} triangles on the left and {right} on the right")]
+    #[error(
+        "the edge from {from} to {to} has {left} triangles on the left and {right} on the right"
+    )]
     InnerEdge {
         /// The smaller end.
         from: u32,
@@ -137,7 +139,8 @@ mod tests {
 
     #[test]
     fn every_kind_of_error_is_found() {
-        let points = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (1.0, 1.0), (1.0, 2.0), (2.0, 2.0)];
+        let points =
+            [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (1.0, 1.0), (1.0, 2.0), (2.0, 2.0)];
         let points = points.map(DVec2::from);
         let outer = vec![0, 1, 2, 3];
         let check = |rings: &[Vec<u32>], triangles: &[[u32; 3]]| {
@@ -161,9 +164,7 @@ mod tests {
 
         // A hole: clockwise, and nothing in it.
         let hole = vec![4, 5, 6];
-        let around = [
-            [0, 1, 4], [1, 6, 4], [1, 2, 6], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5],
-        ];
+        let around = [[0, 1, 4], [1, 6, 4], [1, 2, 6], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
         let degrees = Ok(vec![4, 4, 3, 4, 4, 4, 5]);
         assert_eq!(check(&[outer.clone(), hole], &around), degrees);
         assert!(check(&[outer, vec![4, 6, 5]], &around).is_err());

@@ -99,6 +99,7 @@ impl Chords {
     }
 
     /// Whether the set has this edge; i < j. O(log n).
+    #[cfg(test)]
     pub(crate) fn has(&self, i: u32, j: u32) -> bool {
         self.of_span((j - i) as usize).binary_search(&i).is_ok()
     }
@@ -182,7 +183,8 @@ impl<T: Copy + Default> Lists<T> {
     }
 
     pub(crate) fn of(&self, vertex: u32) -> &[T] {
-        &self.entries[self.offsets[vertex as usize] as usize..][..self.lens[vertex as usize] as usize]
+        &self.entries[self.offsets[vertex as usize] as usize..]
+            [..self.lens[vertex as usize] as usize]
     }
 }
 
@@ -276,9 +278,9 @@ mod tests {
             assert_eq!(chords.degrees(), degrees);
             let all: Vec<_> = chords.ends().collect();
             let kept = chords.filtered(|index| all[index][0] > 0);
-            assert!(all.iter().all(|&[i, j]| {
-                kept.has(i, j) == (i > 0 || j == 1 || j == n - 1)
-            }));
+            assert!(
+                all.iter().all(|&[i, j]| { kept.has(i, j) == (i > 0 || j == 1 || j == n - 1) })
+            );
         }
     }
 
@@ -287,10 +289,19 @@ mod tests {
         let mut met = Vec::new();
         let mut collect = |a: &[u32], b: &[u32], most| {
             met.clear();
-            meet(a, b, |&v| v, |a, _| {
-                met.push(*a);
-                if met.len() == most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            });
+            meet(
+                a,
+                b,
+                |&v| v,
+                |a, _| {
+                    met.push(*a);
+                    if met.len() == most {
+                        ControlFlow::Break(())
+                    } else {
+                        ControlFlow::Continue(())
+                    }
+                },
+            );
             met.clone()
         };
         assert_eq!(collect(&[1, 3, 4, 7, 9], &[10, 9, 4, 3, 2], 9), [3, 4, 9]);

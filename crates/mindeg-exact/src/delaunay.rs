@@ -34,7 +34,8 @@ pub(crate) fn make_delaunay(mesh: &mut Triangulation, points: &[DVec2], sides: &
         let across = mesh.across[triangle as usize];
         let other_across = mesh.across[beyond as usize];
         let (over_bc, over_ca) = (across[(edge + 1) % 3], across[(edge + 2) % 3]);
-        let (over_ad, over_db) = (other_across[(other_edge + 1) % 3], other_across[(other_edge + 2) % 3]);
+        let (over_ad, over_db) =
+            (other_across[(other_edge + 1) % 3], other_across[(other_edge + 2) % 3]);
         mesh.triangles[triangle as usize] = [c, a, d];
         mesh.across[triangle as usize] = [over_ca, over_ad, beyond];
         mesh.triangles[beyond as usize] = [d, b, c];

@@ -48,9 +48,11 @@
 //! Angles and shapes are compared to 36 bits, see [`measure`].
 
 mod answer;
+mod apex;
 mod bottleneck;
 pub mod check;
 mod chords;
+mod degree;
 mod delaunay;
 pub mod measure;
 mod merit;
@@ -62,8 +64,12 @@ mod triangulation;
 mod visibility;
 mod window;
 mod windows;
+mod zigzag;
 
 pub use answer::{Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off};
+pub use apex::ApexBound;
+pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use progress::{Progress, Stage, Watch, unwatched};
 pub use windows::{WindowGoal, Windowed, windows};
+pub use zigzag::ZigZag;

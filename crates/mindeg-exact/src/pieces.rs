@@ -102,8 +102,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         let vertices = chords.vertex_count();
         let states = vec![State { at_i: 0, at_j: 0, merit: M::EMPTY }];
         let [up, down] = chords.end_counts().map(|counts| Lists::new(&counts));
-        let mut pieces =
-            Self { rules, vertices, states, up, down, left_out: f64::NEG_INFINITY };
+        let mut pieces = Self { rules, vertices, states, up, down, left_out: f64::NEG_INFINITY };
         for i in 0..vertices as u32 - 1 {
             pieces.put_front(i, i + 1, 0, 1);
         }
@@ -207,11 +206,16 @@ impl<'a, M: Merit> Pieces<'a, M> {
         let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
         let mut last_seen = i;
         let mut is_settled = false;
-        meet(up, down, |front| front.other, |left, right| {
-            last_seen = left.other as usize;
-            is_settled = visit(left, right);
-            if is_settled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
+        meet(
+            up,
+            down,
+            |front| front.other,
+            |left, right| {
+                last_seen = left.other as usize;
+                is_settled = visit(left, right);
+                if is_settled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        );
         if is_settled
             && last_seen < j - 1
             && let (Some(left), Some(right)) = (up.last(), down.first())
@@ -306,21 +310,27 @@ impl<'a, M: Merit> Pieces<'a, M> {
         // The lists have pieces of larger spans, too, by now.
         let up = &up[..up.partition_point(|front| (front.other as usize) < j)];
         let down = &down[..down.partition_point(|front| front.other as usize > i)];
-        meet(up, down, |front| front.other, |left, right| {
-            let triangle = [i, left.other as usize, j];
-            let corners = self.corners(triangle);
-            if min_angle_tangent(corners) < self.rules.threshold {
-                return ControlFlow::Continue(());
-            }
-            let own = M::of_triangle(corners);
-            let pieces = [self.states(left), self.states(right)];
-            self.join(triangle, pieces, |left, right, state| {
-                if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole {
-                    found = Some((triangle[1], left, right));
+        meet(
+            up,
+            down,
+            |front| front.other,
+            |left, right| {
+                let triangle = [i, left.other as usize, j];
+                let corners = self.corners(triangle);
+                if min_angle_tangent(corners) < self.rules.threshold {
+                    return ControlFlow::Continue(());
                 }
-            });
-            if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-        });
+                let own = M::of_triangle(corners);
+                let pieces = [self.states(left), self.states(right)];
+                self.join(triangle, pieces, |left, right, state| {
+                    if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole
+                    {
+                        found = Some((triangle[1], left, right));
+                    }
+                });
+                if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        );
         found
     }
 

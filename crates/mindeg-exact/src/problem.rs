@@ -18,6 +18,9 @@ pub const MAX_VERTICES: u32 = 4096;
 /// 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
 pub const MAX_TRIPLES: u64 = 4_000_000_000;
 
+/// More edges outside are not told apart where only windows are at work.
+pub(crate) const MANY_EDGES: u32 = 1 << 30;
+
 /// The most chords that exact work keeps, about 30 bytes each.
 const MAX_CHORDS: usize = 1 << 25;
 
@@ -297,9 +300,10 @@ impl Problem {
         &self.sides
     }
 
-    /// The edges beyond the boundary at `vertex`.
+    /// The edges beyond the boundary at `vertex`, at most [`MANY_EDGES`], so that adding to them
+    /// does not overflow.
     pub(crate) fn outside_degree(&self, vertex: u32) -> u32 {
-        self.outside_degrees[vertex as usize]
+        self.outside_degrees[vertex as usize].min(MANY_EDGES)
     }
 
     /// The vertex's own limit.

@@ -71,7 +71,8 @@ impl Eye {
             let over_right = across[(edge + 1) % 3];
             if is_left_of_right && over_right != NONE {
                 let left_limit = if is_right_of_left { apex } else { left_limit };
-                let view = View { triangle: over_right, right, left: apex, right_limit, left_limit };
+                let view =
+                    View { triangle: over_right, right, left: apex, right_limit, left_limit };
                 self.open.push(view);
             }
             let over_left = across[(edge + 2) % 3];

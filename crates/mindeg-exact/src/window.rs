@@ -102,8 +102,7 @@ impl<'a> Work<'a> {
     }
 
     fn window(&mut self, vertex: u32, start: u32, fan: usize, size: usize) -> (Window, u32) {
-        let mut window =
-            Window { triangles: Vec::new(), vertices: Vec::new(), next: Vec::new() };
+        let mut window = Window { triangles: Vec::new(), vertices: Vec::new(), next: Vec::new() };
         let (at, _) = self.mesh.enter(start, vertex);
         let corners = self.mesh.triangles[start as usize];
         for corner in 0..3 {
@@ -178,8 +177,7 @@ impl<'a> Work<'a> {
         }
         let points: Vec<DVec2> =
             ring.iter().map(|&vertex| self.problem.points()[vertex as usize]).collect();
-        let place =
-            |vertex: u32| position[self.vertex_in_window[vertex as usize] as usize];
+        let place = |vertex: u32| position[self.vertex_in_window[vertex as usize] as usize];
         let local = Triangulation {
             triangles: window
                 .triangles
@@ -253,8 +251,7 @@ impl<'a> Work<'a> {
         self.mesh.across[slot(0) as usize][2] = NONE;
         for (index, &[i, apex, j]) in triangles.iter().enumerate() {
             let own = slot(index);
-            self.mesh.triangles[own as usize] =
-                [i, apex, j].map(|place| ring[place as usize]);
+            self.mesh.triangles[own as usize] = [i, apex, j].map(|place| ring[place as usize]);
             let left = index + 1;
             let right = index + (apex - i) as usize;
             for (edge, [from, to], child) in [(0, [i, apex], left), (1, [apex, j], right)] {

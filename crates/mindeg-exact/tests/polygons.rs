@@ -5,7 +5,8 @@
 mod outlines;
 
 use mindeg_exact::{
-    Unsolved, WindowGoal, best_angle, check, least_max_degree, trade_off, unwatched, windows,
+    DegreeRange, LowerBound, Reached, Unsolved, WindowGoal, ZigZag, best_angle, check,
+    degree_range, least_max_degree, trade_off, unwatched, windows,
 };
 use outlines::{Measured, Outline, Random, Rank};
 
@@ -109,7 +110,11 @@ fn known_least_degrees() {
     ] {
         assert!(outline.is_simple(), "{name}");
         let problem = outline.problem();
-        assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least), "{name} {}", outline.len());
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        assert_eq!((range.max_degree, range.lower_bound), (least, least), "{name}");
+        check_range(&outline, &range);
+        assert_eq!(matches!(range.reached_by, Reached::ZigZag(_)), least == 4, "{name}");
+        assert_eq!(matches!(range.bounded_by, LowerBound::Apexes(_)), name == "U inner floor");
     }
 }
 
@@ -141,4 +146,56 @@ fn windows_never_go_below_the_least_and_keep_the_angle() {
         }
     });
     assert!(reached > 290, "{reached}");
+}
+
+/// The answer is a triangulation, and what proves it holds.
+fn check_range(outline: &Outline, range: &DegreeRange) {
+    let n = outline.len() as u32;
+    let rings = [(0..n).collect()];
+    let checked = check::triangulation(&outline.points, &rings, &range.triangles).unwrap();
+    assert_eq!(checked.max_degree, range.max_degree);
+    assert!(range.lower_bound <= range.max_degree);
+    let may_join = |a: u32, b: u32| outline.may_join(a as usize, b as usize);
+    match &range.bounded_by {
+        LowerBound::BlockedZigZags(blocked) => {
+            let zigzags: Vec<_> = ZigZag::all(n).collect();
+            assert_eq!(blocked.len(), zigzags.len());
+            for (zigzag, &[a, b]) in zigzags.iter().zip(blocked) {
+                assert!(zigzag.chords().any(|chord| chord == [a, b] || chord == [b, a]));
+                assert!(!may_join(a, b), "{outline:?}");
+            }
+        }
+        LowerBound::Apexes(bound) => {
+            assert_eq!(bound.max_degree(), range.lower_bound);
+            for &e in &bound.edges {
+                let [before, to, after] = [n - 1, 1, 2].map(|step| (e + step) % n);
+                assert!(!may_join(before, to) && !may_join(e, after));
+                for apex in (0..n).filter(|&apex| apex != e && apex != to) {
+                    let sees_both = may_join(apex, e) && may_join(apex, to);
+                    assert!(!sees_both || bound.apexes.contains(&apex));
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn degree_ranges_are_right_and_their_proofs_hold() {
+    for_random(4, 400, 11, |outline, _| {
+        let all = outline.triangulations();
+        let degree =
+            |t: &Vec<[u32; 3]>| *Measured::new(&outline.points, t).degrees.iter().max().unwrap();
+        let least = all.iter().map(degree).min().unwrap();
+        let problem = outline.problem();
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        assert_eq!((range.max_degree, range.lower_bound), (least, least), "{outline:?}");
+        check_range(outline, &range);
+        // With no exact work allowed, nothing wrong is said.
+        let mut problem = problem;
+        problem.set_max_triples(0);
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        assert!(range.lower_bound <= least && least <= range.max_degree);
+        check_range(outline, &range);
+    });
 }

@@ -142,9 +142,8 @@ impl Outline {
         };
         !(0..n).any(is_spike)
             && (0..n).all(|a| {
-                (a + 2..n).all(|b| {
-                    (b + 1) % n == a || !touch([at(a), at(a + 1)], [at(b), at(b + 1)])
-                })
+                (a + 2..n)
+                    .all(|b| (b + 1) % n == a || !touch([at(a), at(a + 1)], [at(b), at(b + 1)]))
             })
     }
 
@@ -178,9 +177,7 @@ impl Outline {
     /// Whether an edge of a triangulation may join two vertices.
     pub(crate) fn may_join(&self, i: usize, j: usize) -> bool {
         let span = i.abs_diff(j);
-        span == 1
-            || span + 1 == self.len()
-            || (self.is_visible(i, j) && !self.is_on_one_side(i, j))
+        span == 1 || span + 1 == self.len() || (self.is_visible(i, j) && !self.is_on_one_side(i, j))
     }
 
     /// A triangulation by cutting off ears.
@@ -192,7 +189,8 @@ impl Outline {
             let ear = (0..n).find(|&i| {
                 let ear = [ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]];
                 let [a, b, c] = ear.map(|v| self.points[v]);
-                let is_in = |p| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
+                let is_in =
+                    |p| turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0;
                 turn(a, b, c) > 0.0
                     && !ring.iter().any(|v| !ear.contains(v) && is_in(self.points[*v]))
             });
@@ -248,11 +246,7 @@ fn touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let sign = |x: f64| if x > 0.0 { 1 } else { -i32::from(x < 0.0) };
     let (s, t) = (sign(turn(a, b, c)), sign(turn(a, b, d)));
     let (u, v) = (sign(turn(c, d, a)), sign(turn(c, d, b)));
-    (s * t < 0 && u * v < 0)
-        || on(c, [a, b])
-        || on(d, [a, b])
-        || on(a, [c, d])
-        || on(b, [c, d])
+    (s * t < 0 && u * v < 0) || on(c, [a, b]) || on(d, [a, b]) || on(a, [c, d]) || on(b, [c, d])
 }
 
 /// Whether a point is on a closed segment.
