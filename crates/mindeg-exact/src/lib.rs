@@ -49,7 +49,6 @@
 
 mod answer;
 mod apex;
-mod bottleneck;
 pub mod check;
 mod chords;
 mod degree;
@@ -59,6 +58,7 @@ mod merit;
 mod pieces;
 mod problem;
 mod progress;
+mod reach;
 mod search;
 mod triangulation;
 mod visibility;

@@ -1,7 +1,6 @@
 //! The search for the largest minimum angle, and the choice of a mesh that has it.
 
 use crate::answer::Optimum;
-use crate::bottleneck::Bottleneck;
 use crate::chords::Chords;
 use crate::delaunay::{least_tangent, make_delaunay};
 use crate::measure::{self, min_angle_tangent};
@@ -9,6 +8,17 @@ use crate::merit::TieBreak;
 use crate::pieces::{Pieces, Room, Rules};
 use crate::problem::{Caps, Problem};
 use crate::progress::{Passes, Stage, Stopped, Watch, report};
+use crate::reach::reaching;
+use glam::DVec2;
+
+/// More than the tangent of 60 degrees, the largest that there can be.
+const LARGEST_TANGENT: f64 = 1.75;
+
+fn smallest_tangent(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
+    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| points[vertex as usize]);
+    let tangents = triangles.iter().map(|triangle| min_angle_tangent(corners(triangle)));
+    tangents.fold(f64::INFINITY, f64::min)
+}
 
 /// A triangulation of these chords that keeps to the cap for all and to those of single
 /// vertices, if there is one.
@@ -37,52 +47,96 @@ impl Caps {
     }
 }
 
-/// A problem with the bounds that prune the work on all caps.
+/// A problem with the edges that matter.
 pub(crate) struct Search<'a> {
     problem: &'a Problem,
-    chords: &'a Chords,
-    bottleneck: Bottleneck,
-    /// Edges with smaller bounds are not in `bottleneck`.
+    all: &'a Chords,
+    /// Those of `all` that are in a triangulation without a tangent below the floor.
+    chords: Chords,
     floor: f64,
+    /// The tangent of the largest minimum angle of all triangulations.
+    uncapped: f64,
+    passes: Passes,
 }
 
 impl<'a> Search<'a> {
-    /// Starts from the angle of a Delaunay triangulation: no degree limit allows a larger one, and
-    /// few edges have as large a bound.
+    /// Finds the largest minimum angle of all, which is a Delaunay triangulation's; the search
+    /// only makes sure that no other one is better by rounding.
     pub(crate) fn new(
         problem: &'a Problem,
-        chords: &'a Chords,
+        all: &'a Chords,
         watch: Watch<'_>,
     ) -> Result<Self, Stopped> {
         let mut mesh = problem.triangulation();
         make_delaunay(&mut mesh, problem.points(), problem.sides());
-        let floor = least_tangent(&mesh, problem.points(), problem.sides());
-        let watch = |done| report(watch, Stage::Bounds, done);
-        let bottleneck = Bottleneck::new(chords, problem.points(), floor, watch)?;
-        Ok(Self { problem, chords, bottleneck, floor })
+        let known = least_tangent(&mesh, problem.points(), problem.sides());
+        let chords = all.clone();
+        let passes = Passes::new();
+        let mut search = Self { problem, all, chords, floor: 0.0, uncapped: known, passes };
+        search.raise_floor(known, watch)?;
+        // Usually the first pass ends it: nothing is above what is known.
+        let (mut possible, mut bound) = (search.uncapped, LARGEST_TANGENT);
+        let mut threshold = possible.next_up();
+        while possible < bound {
+            let points = problem.points();
+            match search.reaching(threshold, watch)? {
+                None => bound = threshold.next_down(),
+                Some(chords) => {
+                    let rooms = vec![Room::Unlimited; points.len()];
+                    let rules = Rules { points, threshold, rooms };
+                    let pieces = Pieces::<()>::solve(rules, &chords, |_| Ok(()))?;
+                    let (triangles, ()) = pieces.triangles().expect("the edges reach it");
+                    possible = smallest_tangent(points, &triangles);
+                    (search.chords, search.floor) = (chords, threshold);
+                }
+            }
+            let middle = possible + (bound - possible) / 2.0;
+            threshold = if middle > possible { middle } else { bound };
+        }
+        search.uncapped = possible;
+        search.set_floor(possible, watch)?;
+        Ok(search)
     }
 
-    /// Goes down to edges with bounds from `floor` on.
-    fn lower(&mut self, floor: f64, watch: Watch<'_>) -> Result<(), Stopped> {
+    fn reaching(&mut self, threshold: f64, watch: Watch<'_>) -> Result<Option<Chords>, Stopped> {
+        let passes = &self.passes;
+        let chords = reaching(&self.chords, self.problem.points(), threshold, |share| {
+            report(watch, Stage::Bounds, passes.done(share))
+        })?;
+        self.passes.next();
+        Ok(chords)
+    }
+
+    /// Goes on with the edges that reach this floor, which is not below the one before.
+    fn raise_floor(&mut self, floor: f64, watch: Watch<'_>) -> Result<(), Stopped> {
+        let chords = self.reaching(floor, watch)?;
+        (self.chords, self.floor) = (chords.expect("some triangulation reaches it"), floor);
+        Ok(())
+    }
+
+    /// Goes on with the edges that reach this floor, wherever it was before.
+    fn set_floor(&mut self, floor: f64, watch: Watch<'_>) -> Result<(), Stopped> {
         if floor < self.floor {
-            let watch = |done| report(watch, Stage::Bounds, done);
-            self.bottleneck = Bottleneck::new(self.chords, self.problem.points(), floor, watch)?;
-            self.floor = floor;
+            self.chords = self.all.clone();
+        }
+        if floor != self.floor {
+            self.raise_floor(floor, watch)?;
         }
         Ok(())
     }
 
     /// The tangent of the largest minimum angle of all triangulations.
     pub(crate) fn uncapped_tangent(&self) -> f64 {
-        self.bottleneck.of_all()
+        self.uncapped
     }
 
     /// The tangent of the largest minimum angle under the caps, when `known` is possible.
     ///
     /// It halves the interval between what is possible and what is not exceeded. A pass that
     /// finds a triangulation raises the one to that triangulation's smallest angle; a pass that
-    /// finds none lowers the other to the largest angle of what was left out, of triangles and of edges. So both are
-    /// angles of actual triangles, as far as edges above the floor go, and they meet.
+    /// finds none lowers the other to the largest angle of what was left out. So both are
+    /// angles of actual triangles, and they meet. Edges are left out that do not reach what is
+    /// possible, and at first those that do not reach the threshold: of these no more is known.
     pub(crate) fn best_tangent(
         &mut self,
         caps: &Caps,
@@ -91,31 +145,26 @@ impl<'a> Search<'a> {
     ) -> Result<f64, Stopped> {
         let max_degree = caps.max_degree;
         let points = self.problem.points();
-        let (mut possible, mut bound) = (known, self.uncapped_tangent());
+        let (mut possible, mut bound) = (known, self.uncapped);
         // The bound itself first: often the cap costs nothing.
         let mut threshold = bound;
         while possible < bound {
             let [at_least, at_most] = [possible, bound].map(measure::degrees);
             let stage = Stage::Search { max_degree, at_least, at_most };
             let bits = libm::log2(bound / (bound - possible));
-            if threshold < self.floor {
-                self.lower(possible.max(threshold / 2.0), watch)?;
-            }
-            let (chords, bound_of_others) = self.bottleneck.edges_from(threshold);
-            // Of edges below the floor no more is known.
-            let bound_of_others = bound_of_others.max(self.floor.next_down());
-            let rooms = caps.rooms(&chords, |chords, cap| chords > cap);
+            // While nothing is possible, edges that only reach 0 would be almost all.
+            let floor = if possible > 0.0 && threshold < bound { possible } else { threshold };
+            self.set_floor(floor, watch)?;
+            let rooms = caps.rooms(&self.chords, |chords, cap| chords > cap);
             let rules = Rules { points, threshold, rooms };
-            let pieces = Pieces::<()>::solve(rules, &chords, |_| {
+            let pieces = Pieces::<()>::solve(rules, &self.chords, |_| {
                 report(watch, stage, (bits / 36.0).min(1.0))
             })?;
             if let Some((triangles, ())) = pieces.triangles() {
-                let corners = |triangle: &[u32; 3]| triangle.map(|vertex| points[vertex as usize]);
-                let tangents =
-                    triangles.iter().map(|triangle| min_angle_tangent(corners(triangle)));
-                possible = tangents.fold(f64::INFINITY, f64::min);
+                possible = smallest_tangent(points, &triangles);
             } else {
-                bound = possible.max(bound_of_others).max(pieces.left_out());
+                let of_others = if floor > possible { floor.next_down() } else { possible };
+                bound = possible.max(of_others).max(pieces.left_out());
             }
             let middle = possible + (bound - possible) / 2.0;
             threshold = if middle > possible { middle } else { bound };
@@ -137,8 +186,8 @@ impl<'a> Search<'a> {
     ) -> Result<Optimum, Stopped> {
         const SMALL: u32 = 4;
         let max_degree = caps.max_degree;
-        self.lower(tangent, watch)?;
-        let (chords, _) = self.bottleneck.edges_from(tangent);
+        self.set_floor(tangent, watch)?;
+        let chords = self.chords.clone();
         let can_meet = |chords, cap| chords >= cap;
         let mut rooms = caps.rooms(&chords, |chords, cap| can_meet(chords, cap) && cap <= SMALL);
         let all_rooms = caps.rooms(&chords, can_meet);
