@@ -47,6 +47,9 @@
 //! interval is a hundredth longer than the one before have 73 such degrees and take minutes.
 //! Angles and shapes are compared to 36 bits, see [`measure`].
 
+#[cfg(test)]
+extern crate self as mindeg_exact;
+
 mod answer;
 mod apex;
 pub mod check;

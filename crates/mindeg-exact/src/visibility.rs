@@ -172,3 +172,53 @@ pub(crate) fn sees(
     }
     false
 }
+
+#[cfg(test)]
+#[path = "../tests/outlines/mod.rs"]
+mod outlines;
+
+#[cfg(test)]
+mod tests {
+    use super::outlines::{Outline, Random};
+    use super::*;
+
+    #[test]
+    fn what_is_seen_is_what_the_definition_says() {
+        let mut random = Random(5);
+        let mut outlines = vec![
+            Outline::l_shape([4, 3, 2, 1, 2, 3]),
+            Outline::comb(4, 9, 2),
+            Outline::gear(8, 2),
+            Outline::spiral(3),
+        ];
+        while outlines.len() < 300 {
+            let corners = 4 + random.below(17) as usize;
+            outlines.extend(Outline::random(&mut random, corners, 30));
+        }
+        for outline in outlines {
+            let n = outline.points.len();
+            let mesh = Triangulation::new(outline.ears()).unwrap();
+            let sides = Sides::of_triangulation(&mesh, &outline.side_of);
+            let found = chords(&mesh, &outline.points, &sides, n * n).unwrap();
+            let corners = Corners::new(n, &mesh.triangles);
+            for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
+                assert_eq!(found.has(i as u32, j as u32), outline.may_join(i, j), "{outline:?}");
+                if j > i + 1 && j < i + n - 1 {
+                    let ends = [i as u32, j as u32];
+                    let sees = sees(&mesh, &outline.points, &corners, ends, &mut 0);
+                    assert_eq!(sees, outline.is_visible(i, j), "{i}, {j}: {outline:?}");
+                }
+            }
+            let is_triple = |i: usize, k: usize, j: usize| {
+                outline.may_join(i, j) && outline.may_join(i, k) && outline.may_join(k, j)
+            };
+            let triples = (0..n).flat_map(|i| (i + 1..n).map(move |k| (i, k)));
+            let triples: usize =
+                triples.map(|(i, k)| (k + 1..n).filter(|&j| is_triple(i, k, j)).count()).sum();
+            assert_eq!(found.count_triples(u64::MAX), Some(triples as u64));
+            assert_eq!(found.count_triples(triples as u64 - 1), None);
+            let few = found.len() - n - 1;
+            assert!(chords(&mesh, &outline.points, &sides, few).is_none() || found.len() <= n);
+        }
+    }
+}

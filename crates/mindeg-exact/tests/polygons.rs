@@ -4,8 +4,9 @@
 
 mod outlines;
 
+use glam::DVec2;
 use mindeg_exact::{
-    DegreeRange, LowerBound, Reached, Unsolved, WindowGoal, ZigZag, best_angle, check,
+    DegreeRange, LowerBound, Problem, Reached, Unsolved, WindowGoal, ZigZag, best_angle, check,
     degree_range, least_max_degree, trade_off, unwatched, windows,
 };
 use outlines::{Measured, Outline, Random, Rank};
@@ -198,4 +199,105 @@ fn degree_ranges_are_right_and_their_proofs_hold() {
         assert!(range.lower_bound <= least && least <= range.max_degree);
         check_range(outline, &range);
     });
+}
+
+/// A frame between two squares, with equal numbers of edges to a side outside and inside.
+fn frame(outer: u32, inner: u32) -> (Vec<DVec2>, Vec<u32>, Vec<Vec<u32>>, Vec<[u32; 3]>) {
+    let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
+    let around = Outline::new(&square(2.0), &[outer; 4]);
+    let hole = Outline::new(&square(1.0), &[inner; 4]);
+    let (n, m) = (around.len() as u32, hole.len() as u32);
+    // Clockwise: the domain is on the left.
+    let index = |step: u32| n + (m - step % m) % m;
+    let mut points = around.points.clone();
+    points.push(hole.points[0]);
+    points.extend(hole.points[1..].iter().rev());
+    let mut side_of = around.side_of.clone();
+    side_of.extend((0..m).map(|v| 4 + (m - 1 - v) / inner));
+    // A fan at every corner of the hole, from the corner of the outside and its two sides' halves.
+    let mut triangles = Vec::new();
+    for corner in 0..4 {
+        let (tip, next) = (index(corner * inner), index((corner + 1) * inner));
+        let from = corner * outer;
+        // The whole outer side to the hole's corner where it begins.
+        triangles.extend((0..outer).map(|step| [from + step, (from + step + 1) % n, tip]));
+        // The hole's side to the outer corner where it ends.
+        let end = (from + outer) % n;
+        let steps = (0..inner)
+            .map(|step| [end, index(corner * inner + step + 1), index(corner * inner + step)]);
+        triangles.extend(steps);
+        assert_eq!(next, index(corner * inner + inner));
+    }
+    (points, side_of, vec![(0..n).collect(), (n..n + m).collect()], triangles)
+}
+
+#[test]
+fn windows_take_domains_with_holes() {
+    for (outer, inner) in [(1, 1), (4, 2), (10, 5), (100, 50)] {
+        let (points, side_of, rings, triangles) = frame(outer, inner);
+        let before = check::triangulation(&points, &rings, &triangles).unwrap();
+        let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        let after = check::triangulation(&points, &rings, &range.triangles).unwrap();
+        assert_eq!((range.max_degree, range.lower_bound), (after.max_degree, 4));
+        assert!(after.max_degree <= before.max_degree);
+        if outer == 4 {
+            // 4 is impossible here, as an exhaustive search by other means has shown.
+            assert_eq!(after.max_degree, 5);
+        }
+        assert_eq!(least_max_degree(&problem, &mut unwatched), Err(Unsolved::NotAPolygon));
+        assert_eq!(best_angle(&problem, 9, &mut unwatched), Err(Unsolved::NotAPolygon));
+    }
+}
+
+#[test]
+fn answers_do_not_depend_on_the_number_of_threads() {
+    let outlines = [Outline::l_shape([60, 30, 30, 30, 30, 60]), Outline::gear(12, 6)];
+    for outline in outlines {
+        let problem = outline.problem();
+        let solve = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let goal = WindowGoal { max_degree: 0, min_tangent: 1e-6 };
+                let answers = (
+                    trade_off(&problem, &mut unwatched).unwrap(),
+                    degree_range(&problem, &mut unwatched).unwrap(),
+                    windows(&problem, goal, &mut unwatched).unwrap(),
+                );
+                answers
+            })
+        };
+        let one = solve(1);
+        assert_eq!(solve(2), one);
+        assert_eq!(solve(5), one);
+    }
+}
+
+#[test]
+fn what_is_no_triangulation_is_refused() {
+    let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (1.0, 1.0)].map(DVec2::from);
+    let refusal = |count: usize, triangles: &[[u32; 3]]| {
+        let side_of: Vec<u32> = (0..count as u32).collect();
+        Problem::triangulated(&points[..count], &side_of, triangles).unwrap_err().to_string()
+    };
+    for (count, triangles, message) in [
+        (4, &[[0, 1, 4]][..], "triangle 0 has vertex 4, but the vertices are 0 to 3"),
+        (
+            4,
+            &[[0, 1, 2], [0, 3, 2]],
+            "triangle 1 is clockwise or has no area; a triangulation has neither",
+        ),
+        (4, &[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has two triangles on the same side"),
+        (
+            5,
+            &[[0, 1, 2], [0, 2, 3]],
+            "the boundary passes vertex 4 0 times; every vertex has to be on the boundary, and rings may not touch",
+        ),
+    ] {
+        assert_eq!(refusal(count, triangles), message);
+    }
+    // A vertex of some other ring order is a domain for windows only.
+    let turned = [points[0], points[2], points[1], points[3]];
+    let problem = Problem::triangulated(&turned, &[0, 1, 2, 3], &[[0, 2, 1], [0, 1, 3]]).unwrap();
+    assert_eq!(trade_off(&problem, &mut unwatched), Err(Unsolved::NotAPolygon));
 }
