@@ -11,6 +11,9 @@ use crate::progress::{Passes, Stage, Stopped, Watch, report};
 use crate::reach::reaching;
 use glam::DVec2;
 
+/// From this multiple of what is possible on, a threshold is far above it.
+const FAR: f64 = 1.02;
+
 /// More than the tangent of 60 degrees, the largest that there can be.
 const LARGEST_TANGENT: f64 = 1.75;
 
@@ -117,9 +120,9 @@ impl<'a> Search<'a> {
     /// Goes on with the edges that reach this floor, wherever it was before.
     fn set_floor(&mut self, floor: f64, watch: Watch<'_>) -> Result<(), Stopped> {
         if floor < self.floor {
-            self.chords = self.all.clone();
+            (self.chords, self.floor) = (self.all.clone(), 0.0);
         }
-        if floor != self.floor {
+        if floor > self.floor {
             self.raise_floor(floor, watch)?;
         }
         Ok(())
@@ -135,8 +138,8 @@ impl<'a> Search<'a> {
     /// It halves the interval between what is possible and what is not exceeded. A pass that
     /// finds a triangulation raises the one to that triangulation's smallest angle; a pass that
     /// finds none lowers the other to the largest angle of what was left out. So both are
-    /// angles of actual triangles, and they meet. Edges are left out that do not reach what is
-    /// possible, and at first those that do not reach the threshold: of these no more is known.
+    /// angles of actual triangles, and they meet. At first, edges that do not reach the threshold
+    /// are left out as well, and no more is known of those.
     pub(crate) fn best_tangent(
         &mut self,
         caps: &Caps,
@@ -152,18 +155,21 @@ impl<'a> Search<'a> {
             let [at_least, at_most] = [possible, bound].map(measure::degrees);
             let stage = Stage::Search { max_degree, at_least, at_most };
             let bits = libm::log2(bound / (bound - possible));
-            // While nothing is possible, edges that only reach 0 would be almost all.
-            let floor = if possible > 0.0 && threshold < bound { possible } else { threshold };
-            self.set_floor(floor, watch)?;
-            let rooms = caps.rooms(&self.chords, |chords, cap| chords > cap);
+            // Far from what is possible, few edges reach the threshold. Near it, all that reach what
+            // is possible are there, so that what is left out tells how far the bound may fall.
+            self.set_floor(possible, watch)?;
+            let is_far = threshold > FAR * possible;
+            let reaching = if is_far { self.reaching(threshold, watch)? } else { None };
+            let chords = reaching.as_ref().unwrap_or(&self.chords);
+            let rooms = caps.rooms(chords, |chords, cap| chords > cap);
             let rules = Rules { points, threshold, rooms };
-            let pieces = Pieces::<()>::solve(rules, &self.chords, |_| {
+            let pieces = Pieces::<()>::solve(rules, chords, |_| {
                 report(watch, stage, (bits / 36.0).min(1.0))
             })?;
             if let Some((triangles, ())) = pieces.triangles() {
                 possible = smallest_tangent(points, &triangles);
             } else {
-                let of_others = if floor > possible { floor.next_down() } else { possible };
+                let of_others = if is_far { threshold.next_down() } else { possible };
                 bound = possible.max(of_others).max(pieces.left_out());
             }
             let middle = possible + (bound - possible) / 2.0;
