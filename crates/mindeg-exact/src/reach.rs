@@ -79,8 +79,8 @@ fn is_roughly([a, b, c]: [DVec2; 3], threshold: f64) -> bool {
     let squares = [(b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared()];
     let [x, y, z] = squares;
     let longer = x + y + z - 2.0 * x.min(y).min(z);
-    // Written so that what is not a number passes.
-    !(2.0 * (b - a).perp_dot(c - a) < threshold * longer * (1.0 - 1e-9))
+    let excess = 2.0 * (b - a).perp_dot(c - a) - threshold * longer * (1.0 - 1e-9);
+    excess >= 0.0 || excess.is_nan()
 }
 
 /// The answers for all edges of one span.

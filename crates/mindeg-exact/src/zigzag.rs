@@ -46,9 +46,10 @@ impl ZigZag {
     pub fn all(vertices: u32) -> impl Iterator<Item = Self> {
         // Each begins at either of its ends. With an even number of vertices the ends are opposite and it
         // goes the same way from both; else it goes the other way from the other end.
-        let last = if vertices % 2 == 0 { vertices / 2 } else { vertices };
-        let both = [true, false].into_iter().take(if vertices % 2 == 0 { 2 } else { 1 });
-        both.flat_map(move |is_upward| (0..last).map(move |tip| Self { vertices, tip, is_upward }))
+        let is_even = vertices.is_multiple_of(2);
+        let last = if is_even { vertices / 2 } else { vertices };
+        let ways = [true, false].into_iter().take(if is_even { 2 } else { 1 });
+        ways.flat_map(move |is_upward| (0..last).map(move |tip| Self { vertices, tip, is_upward }))
     }
 
     /// Its n-3 chords from the tip on.

@@ -202,7 +202,7 @@ fn degree_ranges_are_right_and_their_proofs_hold() {
 }
 
 /// A frame between two squares, with equal numbers of edges to a side outside and inside.
-fn frame(outer: u32, inner: u32) -> (Vec<DVec2>, Vec<u32>, Vec<Vec<u32>>, Vec<[u32; 3]>) {
+fn frame(outer: u32, inner: u32) -> (Outline, Vec<Vec<u32>>, Vec<[u32; 3]>) {
     let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
     let around = Outline::new(&square(2.0), &[outer; 4]);
     let hole = Outline::new(&square(1.0), &[inner; 4]);
@@ -228,13 +228,13 @@ fn frame(outer: u32, inner: u32) -> (Vec<DVec2>, Vec<u32>, Vec<Vec<u32>>, Vec<[u
         triangles.extend(steps);
         assert_eq!(next, index(corner * inner + inner));
     }
-    (points, side_of, vec![(0..n).collect(), (n..n + m).collect()], triangles)
+    (Outline { points, side_of }, vec![(0..n).collect(), (n..n + m).collect()], triangles)
 }
 
 #[test]
 fn windows_take_domains_with_holes() {
     for (outer, inner) in [(1, 1), (4, 2), (10, 5), (100, 50)] {
-        let (points, side_of, rings, triangles) = frame(outer, inner);
+        let (Outline { points, side_of }, rings, triangles) = frame(outer, inner);
         let before = check::triangulation(&points, &rings, &triangles).unwrap();
         let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
         let range = degree_range(&problem, &mut unwatched).unwrap();
@@ -259,12 +259,11 @@ fn answers_do_not_depend_on_the_number_of_threads() {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
                 let goal = WindowGoal { max_degree: 0, min_tangent: 1e-6 };
-                let answers = (
+                (
                     trade_off(&problem, &mut unwatched).unwrap(),
                     degree_range(&problem, &mut unwatched).unwrap(),
                     windows(&problem, goal, &mut unwatched).unwrap(),
-                );
-                answers
+                )
             })
         };
         let one = solve(1);
