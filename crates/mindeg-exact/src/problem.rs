@@ -21,8 +21,8 @@ pub const MAX_TRIPLES: u64 = 4_000_000_000;
 /// More edges outside are not told apart where only windows are at work.
 pub(crate) const MANY_EDGES: u32 = 1 << 30;
 
-/// The most chords that exact work keeps, about 30 bytes each.
-const MAX_CHORDS: usize = 1 << 25;
+/// The most chords that exact work keeps, some 50 bytes each.
+const MAX_CHORDS: usize = 1 << 24;
 
 /// A placed boundary, with what its vertices already have or may not exceed.
 ///

@@ -93,8 +93,8 @@ pub(crate) fn chords(
     sides: &Sides,
     most: usize,
 ) -> Option<Chords> {
-    const CHUNK: usize = 64;
-    const ROUND: usize = 64 * CHUNK;
+    const CHUNK: usize = 16;
+    const ROUND: usize = 32 * CHUNK;
     let vertices = points.len();
     let corners = Corners::new(vertices, &mesh.triangles);
     let seen_by = |from: usize| {
