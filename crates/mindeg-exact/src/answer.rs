@@ -175,6 +175,37 @@ pub fn best_angle(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolved> {
+    trade_off_until(problem, &mut |_, _| false, watch)
+}
+
+/// The [`trade_off`] up to the first optimum for which `is_enough` is true; it also gets the
+/// largest minimum angle of all triangulations, in degrees.
+///
+/// # Errors
+///
+/// As [`trade_off`].
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_core::Boundary;
+/// use mindeg_exact::{Problem, trade_off_until, unwatched};
+///
+/// let boundary = Boundary::new(&[2, 2, 2, 2])?;
+/// let points = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+/// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+/// let problem = Problem::new(&boundary, &points)?;
+/// let has_a_third = &mut |optimum: &mindeg_exact::Optimum, most| optimum.min_angle > most / 3.0;
+/// let kept = trade_off_until(&problem, has_a_third, &mut unwatched)?;
+/// assert_eq!(kept.optima.last().unwrap().max_degree, 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn trade_off_until(
+    problem: &Problem,
+    is_enough: &mut dyn FnMut(&Optimum, f64) -> bool,
+    watch: Watch<'_>,
+) -> Result<TradeOff, Unsolved> {
     let chords = problem.chords_or_refusal()?;
     let least = least_max_degree(problem, watch)?;
     let mut search = Search::new(problem, &chords, watch)?;
@@ -184,17 +215,19 @@ pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolv
     } else {
         search.best_tangent(&caps(problem.no_cap()), 0.0, watch)?
     };
+    let uncapped_min_angle = measure::degrees(search.uncapped_tangent());
     let mut optima = Vec::new();
     let mut tangent = 0.0;
     for max_degree in least..=problem.no_cap() {
         let caps = caps(max_degree);
         tangent = search.best_tangent(&caps, tangent, watch)?;
-        optima.push(search.optimum(&caps, tangent, watch)?);
-        if tangent == most {
+        let optimum = search.optimum(&caps, tangent, watch)?;
+        let is_last = tangent == most || is_enough(&optimum, uncapped_min_angle);
+        optima.push(optimum);
+        if is_last {
             break;
         }
     }
-    let uncapped_min_angle = measure::degrees(search.uncapped_tangent());
     Ok(TradeOff { optima, uncapped_min_angle })
 }
 
