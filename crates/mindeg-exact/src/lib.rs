@@ -86,7 +86,9 @@ mod window;
 mod windows;
 mod zigzag;
 
-pub use answer::{Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off, trade_off_until};
+pub use answer::{
+    Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off, trade_off_until,
+};
 pub use apex::ApexBound;
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};

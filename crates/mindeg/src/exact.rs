@@ -11,6 +11,7 @@ use std::cmp::Reverse;
 use std::ops::ControlFlow;
 
 use glam::DVec2;
+use mindeg_delaunay::DelaunayError;
 use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, Problem, ProblemError, Stage, Unsolved, best_angle};
 use mindeg_mesh::Progress;
@@ -74,6 +75,9 @@ pub enum ExactError {
     /// The caps cannot be kept, or the work was stopped.
     #[error(transparent)]
     Unsolved(#[from] Unsolved),
+    /// Its points have no Delaunay triangulation to start from.
+    #[error(transparent)]
+    Delaunay(#[from] DelaunayError),
     /// Its points are too close together.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -159,8 +163,25 @@ pub fn mesh(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, ExactError> {
+    trade_off_until(domain, |_, _| false, progress)
+}
+
+/// The [`trade_off`] up to the first mesh for which `is_enough` is true of its minimum angle and of
+/// Delaunay's, in degrees.
+///
+/// # Errors
+///
+/// As [`mesh()`].
+pub fn trade_off_until(
+    domain: &Domain,
+    mut is_enough: impl FnMut(f64, f64) -> bool,
+    progress: Progress<'_>,
+) -> Result<TradeOff, ExactError> {
     let problem = problem(domain)?;
-    let answer = reporting(progress, |watch| mindeg_exact::trade_off(&problem, watch))?;
+    let mut is_enough = |optimum: &Optimum, most: f64| is_enough(optimum.min_angle, most);
+    let answer = reporting(progress, |watch| {
+        mindeg_exact::trade_off_until(&problem, &mut is_enough, watch)
+    })?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
     Ok(TradeOff {
         domain: domain.clone(),
@@ -170,7 +191,10 @@ pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, Ex
 }
 
 /// Does the solver's work and reports how far it is.
-fn reporting<T>(progress: Progress<'_>, work: impl FnOnce(mindeg_exact::Watch<'_>) -> T) -> T {
+pub(crate) fn reporting<T>(
+    progress: Progress<'_>,
+    work: impl FnOnce(mindeg_exact::Watch<'_>) -> T,
+) -> T {
     /// The parts that a stage is reported in.
     const PARTS: u64 = 1000;
     work(&mut |mindeg_exact::Progress { stage, done }| match progress.report(
@@ -189,6 +213,9 @@ fn name(stage: Stage) -> String {
         Stage::Bounds => "bounding the angles".to_owned(),
         Stage::Search { max_degree, .. } => format!("degree {max_degree}: the best angle"),
         Stage::Ties { max_degree } => format!("degree {max_degree}: the best mesh"),
+        Stage::Windows { max_degree } => {
+            format!("taking edges off vertices of degree {max_degree}")
+        }
         _ => "working".to_owned(),
     }
 }
@@ -202,15 +229,20 @@ fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
     }
     let points: Vec<DVec2> = domain.placement().points().collect();
     let mut problem = Problem::new(boundary, &points)?;
+    constrain(&mut problem, domain);
+    Ok(problem)
+}
+
+/// Tells the solver what the domain says of its vertices' degrees.
+pub(crate) fn constrain(problem: &mut Problem, domain: &Domain) {
     if domain.is_constrained() {
-        for vertex in 0..boundary.vertex_count() {
+        for vertex in 0..domain.boundary().vertex_count() {
             problem.set_outside_degree(vertex, domain.outside_degree(vertex));
             if let Some(max_degree) = domain.max_degree(vertex) {
                 problem.set_max_degree(vertex, max_degree);
             }
         }
     }
-    Ok(problem)
 }
 
 fn placed(domain: &Domain, optimum: Optimum) -> Result<ExactMesh, ExactError> {

@@ -30,10 +30,11 @@
 mod boundary_mesh;
 pub mod exact;
 mod goal;
+mod keep_angle;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
-pub use goal::{Goal, Meshed, mesh};
+pub use goal::{FoundBy, Goal, HigherDegree, Meshed, mesh};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
     Bounds, Cancelled, Group, Line, Mesh, Positions, Progress, Step, TriMesh, TriMeshError,
