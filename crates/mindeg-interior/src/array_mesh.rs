@@ -1,0 +1,426 @@
+//! The mesh that the optimiser works on: arrays of triangles and neighbours, with an undo log.
+//!
+//! # Invariants
+//!
+//! 1. Triangles are counter-clockwise; a dead one has [`NONE`] as its first vertex.
+//! 2. `neighbours[i]` lies across the edge opposite `vertices[i]`, and knows this triangle in turn; [`NONE`]
+//!    marks a boundary edge.
+//! 3. `locked` has bit i if the edge opposite vertex i is fixed; both triangles agree.
+//! 4. `anchor` of a vertex is one of its triangles, or [`NONE`] if it is dead;
+//!    `triangles` is their number.
+//! 5. The triangles at a vertex form one fan: closed inside, open at the boundary.
+//!
+//! `check` tests them all; `replace` tests what it touched in debug builds.
+
+use crate::exact::orientation;
+use crate::goal::Goal;
+use glam::DVec2;
+
+/// No triangle, no vertex.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// What may be done with a vertex.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// On the boundary: stays.
+    Boundary,
+    /// Inside, but wanted by the user: stays.
+    Fixed,
+    /// Inside: may move and go.
+    Free,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Vertex {
+    pub(crate) at: DVec2,
+    /// The wanted edge length here.
+    pub(crate) size: f64,
+    pub(crate) anchor: u32,
+    /// The index of a boundary vertex's goal.
+    pub(crate) goal: u32,
+    pub(crate) triangles: u32,
+    pub(crate) kind: Kind,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Triangle {
+    pub(crate) vertices: [u32; 3],
+    pub(crate) neighbours: [u32; 3],
+    pub(crate) locked: u8,
+}
+
+impl Triangle {
+    pub(crate) fn is_alive(&self) -> bool {
+        self.vertices[0] != NONE
+    }
+
+    /// Where `vertex` is among the three.
+    pub(crate) fn corner(&self, vertex: u32) -> usize {
+        if self.vertices[0] == vertex {
+            0
+        } else if self.vertices[1] == vertex {
+            1
+        } else {
+            2
+        }
+    }
+}
+
+/// One write, with what was there before.
+#[derive(Debug, Clone, Copy)]
+enum Change {
+    Triangle(u32, Triangle),
+    Vertex(u32, Vertex),
+    NewTriangle,
+    NewVertex,
+}
+
+/// The triangles, the vertices, and the way back.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct ArrayMesh {
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) triangles: Vec<Triangle>,
+    pub(crate) goals: Vec<Goal>,
+    log: Vec<Change>,
+    is_recording: bool,
+}
+
+/// An edge of a cavity's rim, seen from inside the cavity.
+#[derive(Debug, Clone, Copy)]
+struct Rim {
+    from: u32,
+    to: u32,
+    neighbour: u32,
+    is_locked: bool,
+}
+
+impl ArrayMesh {
+    /// Links triangles into a mesh.
+    ///
+    /// `locked` are edges that must stay. Fails with a vertex where the triangles do not
+    /// form one fan, or with an edge that two triangles use in one direction.
+    pub(crate) fn new(
+        vertices: Vec<Vertex>,
+        triangles: &[[u32; 3]],
+        goals: Vec<Goal>,
+        locked: &[[u32; 2]],
+    ) -> Result<Self, String> {
+        let triangles = triangles
+            .iter()
+            .map(|t| Triangle { vertices: *t, neighbours: [NONE; 3], locked: 0 })
+            .collect();
+        let mut mesh = Self { vertices, triangles, goals, log: Vec::new(), is_recording: false };
+        mesh.link()?;
+        mesh.anchor()?;
+        for [a, b] in locked {
+            mesh.lock(*a, *b)?;
+        }
+        Ok(mesh)
+    }
+
+    fn link(&mut self) -> Result<(), String> {
+        // Half-edges by their lower vertex, in lists: no hash map, no sorting.
+        let count = self.vertices.len();
+        let mut heads = vec![NONE; count];
+        let mut nexts = vec![NONE; 3 * self.triangles.len()];
+        for half in 0..nexts.len() as u32 {
+            let (from, to) = self.ends(half);
+            let mut other = heads[from.min(to) as usize];
+            while other != NONE {
+                let ends = self.ends(other);
+                if ends == (from, to) {
+                    return Err(format!("two triangles use edge {from}-{to} in one direction"));
+                }
+                if ends == (to, from) {
+                    let (t, i) = (half as usize / 3, half as usize % 3);
+                    let (u, j) = (other as usize / 3, other as usize % 3);
+                    self.triangles[t].neighbours[i] = u as u32;
+                    self.triangles[u].neighbours[j] = t as u32;
+                }
+                other = nexts[other as usize];
+            }
+            nexts[half as usize] = heads[from.min(to) as usize];
+            heads[from.min(to) as usize] = half;
+        }
+        Ok(())
+    }
+
+    /// The directed edge opposite corner `half % 3` of triangle `half / 3`.
+    fn ends(&self, half: u32) -> (u32, u32) {
+        let vertices = self.triangles[half as usize / 3].vertices;
+        let corner = half as usize % 3;
+        (vertices[(corner + 1) % 3], vertices[(corner + 2) % 3])
+    }
+
+    fn anchor(&mut self) -> Result<(), String> {
+        for (t, triangle) in (0..).zip(&self.triangles) {
+            for v in triangle.vertices {
+                self.vertices[v as usize].anchor = t;
+                self.vertices[v as usize].triangles += 1;
+            }
+        }
+        let mut star = Vec::new();
+        for v in 0..self.vertices.len() as u32 {
+            let vertex = self.vertices[v as usize];
+            if vertex.anchor == NONE {
+                continue;
+            }
+            self.star(v, &mut star);
+            if star.len() as u32 != vertex.triangles {
+                return Err(format!("the triangles at vertex {v} form more than one fan"));
+            }
+        }
+        Ok(())
+    }
+
+    fn lock(&mut self, a: u32, b: u32) -> Result<(), String> {
+        let mut star = Vec::new();
+        self.star(a, &mut star);
+        let mut found = false;
+        for t in star {
+            let triangle = &mut self.triangles[t as usize];
+            if triangle.vertices.contains(&b) {
+                let corner = (0..3).find(|i| ![a, b].contains(&triangle.vertices[*i]));
+                triangle.locked |= 1 << corner.unwrap_or(0);
+                found = true;
+            }
+        }
+        if found { Ok(()) } else { Err(format!("edge {a}-{b} is missing")) }
+    }
+
+    pub(crate) fn at(&self, vertex: u32) -> DVec2 {
+        self.vertices[vertex as usize].at
+    }
+
+    pub(crate) fn corners(&self, triangle: u32) -> [DVec2; 3] {
+        self.triangles[triangle as usize].vertices.map(|v| self.at(v))
+    }
+
+    /// The triangles at a vertex, counter-clockwise, from the boundary if it has one. True if closed.
+    pub(crate) fn star(&self, vertex: u32, out: &mut Vec<u32>) -> bool {
+        out.clear();
+        let start = self.vertices[vertex as usize].anchor;
+        let mut at = start;
+        // Backwards to the boundary first, or once round.
+        loop {
+            let triangle = &self.triangles[at as usize];
+            let before = triangle.neighbours[(triangle.corner(vertex) + 2) % 3];
+            if before == NONE || before == start {
+                break;
+            }
+            at = before;
+        }
+        let first = at;
+        loop {
+            out.push(at);
+            let triangle = &self.triangles[at as usize];
+            let next = triangle.neighbours[(triangle.corner(vertex) + 1) % 3];
+            if next == NONE {
+                return false;
+            }
+            if next == first {
+                return true;
+            }
+            at = next;
+        }
+    }
+
+    /// From now on writes are kept, to be undone.
+    pub(crate) fn record(&mut self) {
+        self.is_recording = true;
+    }
+
+    /// A place in the log to go back to.
+    pub(crate) fn mark(&self) -> usize {
+        self.log.len()
+    }
+
+    /// Takes back all writes since `mark`, the last first.
+    pub(crate) fn undo(&mut self, mark: usize) {
+        while self.log.len() > mark {
+            match self.log.pop() {
+                Some(Change::Triangle(t, before)) => self.triangles[t as usize] = before,
+                Some(Change::Vertex(v, before)) => self.vertices[v as usize] = before,
+                Some(Change::NewTriangle) => drop(self.triangles.pop()),
+                Some(Change::NewVertex) => drop(self.vertices.pop()),
+                None => {}
+            }
+        }
+    }
+
+    /// Keeps all writes for good and stops recording.
+    pub(crate) fn commit(&mut self) {
+        self.log.clear();
+        self.is_recording = false;
+    }
+
+    fn keep_triangle(&mut self, triangle: u32) {
+        if self.is_recording {
+            self.log.push(Change::Triangle(triangle, self.triangles[triangle as usize]));
+        }
+    }
+
+    fn keep_vertex(&mut self, vertex: u32) {
+        if self.is_recording {
+            self.log.push(Change::Vertex(vertex, self.vertices[vertex as usize]));
+        }
+    }
+
+    pub(crate) fn move_to(&mut self, vertex: u32, at: DVec2) {
+        self.keep_vertex(vertex);
+        self.vertices[vertex as usize].at = at;
+    }
+
+    /// A new free vertex, to be used by the next [`replace`](Self::replace).
+    pub(crate) fn push_vertex(&mut self, at: DVec2, size: f64) -> u32 {
+        self.vertices.push(Vertex {
+            at,
+            size,
+            anchor: NONE,
+            goal: NONE,
+            triangles: 0,
+            kind: Kind::Free,
+        });
+        if self.is_recording {
+            self.log.push(Change::NewVertex);
+        }
+        self.vertices.len() as u32 - 1
+    }
+
+    /// Replaces connected triangles by others that fill the same cavity.
+    ///
+    /// The caller has made sure that `added` has the rim of `removed`, and that no locked edge lies between removed
+    /// triangles ([`has_lock`](Self::has_lock)). New triangles get indices at the end.
+    pub(crate) fn replace(&mut self, removed: &[u32], added: &[[u32; 3]]) {
+        let mut rim = Vec::with_capacity(removed.len() + 2);
+        for t in removed {
+            let triangle = self.triangles[*t as usize];
+            for i in 0..3 {
+                let neighbour = triangle.neighbours[i];
+                if neighbour == NONE || !removed.contains(&neighbour) {
+                    rim.push(Rim {
+                        from: triangle.vertices[(i + 1) % 3],
+                        to: triangle.vertices[(i + 2) % 3],
+                        neighbour,
+                        is_locked: triangle.locked >> i & 1 == 1,
+                    });
+                }
+            }
+        }
+        for t in removed {
+            self.keep_triangle(*t);
+            for v in self.triangles[*t as usize].vertices {
+                self.keep_vertex(v);
+                let vertex = &mut self.vertices[v as usize];
+                vertex.triangles -= 1;
+                vertex.anchor = NONE;
+            }
+            self.triangles[*t as usize] =
+                Triangle { vertices: [NONE; 3], neighbours: [NONE; 3], locked: 0 };
+        }
+        let first = self.triangles.len() as u32;
+        for (t, vertices) in (first..).zip(added) {
+            let mut triangle = Triangle { vertices: *vertices, neighbours: [NONE; 3], locked: 0 };
+            for i in 0..3 {
+                let (from, to) = (vertices[(i + 1) % 3], vertices[(i + 2) % 3]);
+                if let Some(edge) = rim.iter().find(|edge| (edge.from, edge.to) == (from, to)) {
+                    triangle.neighbours[i] = edge.neighbour;
+                    triangle.locked |= u8::from(edge.is_locked) << i;
+                    if edge.neighbour != NONE {
+                        self.keep_triangle(edge.neighbour);
+                        let other = &mut self.triangles[edge.neighbour as usize];
+                        let corner = (0..3).find(|j| {
+                            (other.vertices[(j + 1) % 3], other.vertices[(j + 2) % 3]) == (to, from)
+                        });
+                        debug_assert!(corner.is_some());
+                        other.neighbours[corner.unwrap_or(0)] = t;
+                    }
+                } else {
+                    let opposite = added.iter().position(|other| {
+                        (0..3).any(|j| (other[(j + 1) % 3], other[(j + 2) % 3]) == (to, from))
+                    });
+                    debug_assert!(opposite.is_some(), "a new edge needs two triangles");
+                    triangle.neighbours[i] = opposite.map_or(NONE, |u| first + u as u32);
+                }
+            }
+            self.triangles.push(triangle);
+            if self.is_recording {
+                self.log.push(Change::NewTriangle);
+            }
+            for v in *vertices {
+                self.keep_vertex(v);
+                self.vertices[v as usize].anchor = t;
+                self.vertices[v as usize].triangles += 1;
+            }
+        }
+        // A vertex of the rim that lost its anchor has one again; others are gone.
+        #[cfg(debug_assertions)]
+        self.check_near(&rim.iter().map(|edge| edge.from).collect::<Vec<_>>());
+    }
+
+    /// True if a locked edge lies between two of the triangles.
+    pub(crate) fn has_lock(&self, triangles: &[u32]) -> bool {
+        triangles.iter().any(|t| {
+            let triangle = &self.triangles[*t as usize];
+            triangle.locked != 0
+                && (0..3).any(|i| {
+                    triangle.locked >> i & 1 == 1 && triangles.contains(&triangle.neighbours[i])
+                })
+        })
+    }
+
+    /// Checks the invariants round some vertices.
+    #[cfg(debug_assertions)]
+    fn check_near(&self, vertices: &[u32]) {
+        let mut star = Vec::new();
+        for v in vertices {
+            let vertex = self.vertices[*v as usize];
+            assert_ne!(vertex.anchor, NONE, "vertex {v} of the rim is dead");
+            let is_closed = self.star(*v, &mut star);
+            assert_eq!(star.len() as u32, vertex.triangles, "fan of vertex {v}");
+            assert_eq!(is_closed, vertex.kind != Kind::Boundary, "kind of vertex {v}");
+            star.iter()
+                .for_each(|t| self.check_triangle(*t).unwrap_or_else(|e| unreachable!("{e}")));
+        }
+    }
+
+    /// Checks all invariants; for tests and at the end of a run.
+    pub(crate) fn check(&self) -> Result<(), String> {
+        let mut counts = vec![0; self.vertices.len()];
+        for t in 0..self.triangles.len() as u32 {
+            if self.triangles[t as usize].is_alive() {
+                self.check_triangle(t)?;
+                for v in self.triangles[t as usize].vertices {
+                    counts[v as usize] += 1;
+                }
+            }
+        }
+        let wrong = (0..counts.len()).find(|v| counts[*v] != self.vertices[*v].triangles);
+        wrong.map_or(Ok(()), |v| Err(format!("vertex {v} counts its triangles wrongly")))
+    }
+
+    fn check_triangle(&self, t: u32) -> Result<(), String> {
+        let triangle = self.triangles[t as usize];
+        let [a, b, c] = self.corners(t);
+        if orientation(a, b, c) <= 0.0 {
+            return Err(format!("triangle {t} is not counter-clockwise"));
+        }
+        for i in 0..3 {
+            let neighbour = triangle.neighbours[i];
+            if neighbour == NONE {
+                continue;
+            }
+            let other = self.triangles[neighbour as usize];
+            let (from, to) = (triangle.vertices[(i + 1) % 3], triangle.vertices[(i + 2) % 3]);
+            let knows = (0..3).any(|j| {
+                other.neighbours[j] == t
+                    && (other.vertices[(j + 1) % 3], other.vertices[(j + 2) % 3]) == (to, from)
+                    && (other.locked >> j & 1) == (triangle.locked >> i & 1)
+            });
+            if !knows {
+                return Err(format!("triangles {t} and {neighbour} disagree"));
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,29 @@
+//! Interior points for a fixed boundary.
+#![cfg_attr(test, allow(clippy::float_cmp))]
+
+mod array_mesh;
+mod edge_tree;
+mod energy;
+mod exact;
+mod fixed;
+mod generate;
+mod goal;
+pub mod limits;
+mod near;
+mod operations;
+mod optimise;
+mod options;
+mod outline;
+mod packing;
+mod report;
+#[cfg(test)]
+mod samples;
+mod size;
+mod smooth;
+mod trial;
+mod triangle;
+
+pub use generate::{InteriorMesh, generate};
+pub use options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+pub use outline::{Outline, OutlineError};
+pub use report::{Report, Violation};

@@ -1,0 +1,169 @@
+//! Trying an operation: do it, smooth round it, compare costs, and take it back or keep it.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::energy::Cost;
+use crate::goal::Weights;
+use crate::operations::{Cavity, Operation};
+use crate::smooth::{Ring, smooth};
+
+/// The mesh under work, with what trials need again and again.
+pub(crate) struct Bench<'a> {
+    pub(crate) mesh: &'a mut ArrayMesh,
+    pub(crate) weights: Weights,
+    pub(crate) cavity: Cavity,
+    ring: Ring,
+    star: Vec<u32>,
+    patch: Vec<u32>,
+    /// When a triangle was last put into a patch.
+    seen: Vec<u32>,
+    round: u32,
+}
+
+/// What an operation did.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effect {
+    pub(crate) before: Cost,
+    pub(crate) after: Cost,
+}
+
+impl Effect {
+    /// By how much the energy falls.
+    pub(crate) fn gain(&self) -> f64 {
+        self.before.energy - self.after.energy
+    }
+
+    /// True if the energy falls and no angle below `floor` gets smaller: the hard guard.
+    pub(crate) fn is_good(&self, floor: f64) -> bool {
+        self.gain() > 1e-7 * (1.0 + self.after.energy.abs())
+            && self.after.min_angle >= self.before.min_angle.min(floor)
+    }
+}
+
+impl<'a> Bench<'a> {
+    pub(crate) fn new(mesh: &'a mut ArrayMesh, weights: Weights) -> Self {
+        let seen = vec![0; mesh.triangles.len()];
+        Self {
+            mesh,
+            weights,
+            cavity: Cavity::default(),
+            ring: Ring::default(),
+            star: Vec::new(),
+            patch: Vec::new(),
+            seen,
+            round: 0,
+        }
+    }
+
+    /// The cost of some vertices, of all triangles at those that can move, and of further triangles.
+    pub(crate) fn cost(&mut self, vertices: &[u32], further: impl Iterator<Item = u32>) -> Cost {
+        self.round += 1;
+        self.seen.resize(self.mesh.triangles.len().max(self.seen.len()), 0);
+        self.patch.clear();
+        let mut cost = Cost { energy: 0.0, min_angle: 180.0, hard: 0.0 };
+        for t in further {
+            put(&mut self.patch, &mut self.seen, self.round, t);
+        }
+        for v in vertices {
+            let vertex = &self.mesh.vertices[*v as usize];
+            if vertex.triangles == 0 {
+                continue;
+            }
+            let (all, hard) = self.weights.vertex(self.mesh, *v);
+            cost.energy += all;
+            cost.hard += hard;
+            if vertex.kind == Kind::Free {
+                self.mesh.star(*v, &mut self.star);
+                for t in &self.star {
+                    put(&mut self.patch, &mut self.seen, self.round, *t);
+                }
+            }
+        }
+        for t in &self.patch {
+            let (energy, angle) = self.weights.triangle(self.mesh, *t);
+            cost.energy += energy;
+            cost.min_angle = cost.min_angle.min(angle);
+        }
+        cost
+    }
+
+    /// Does an operation and smooths the cavity. None if it is not possible; whatever was done is in the log.
+    pub(crate) fn perform(&mut self, operation: Operation, sweeps: usize) -> Option<Effect> {
+        let mut cavity = std::mem::take(&mut self.cavity);
+        let effect = self.perform_in(&mut cavity, operation, sweeps);
+        self.cavity = cavity;
+        effect
+    }
+
+    fn perform_in(
+        &mut self,
+        cavity: &mut Cavity,
+        operation: Operation,
+        sweeps: usize,
+    ) -> Option<Effect> {
+        if !cavity.open(self.mesh, operation) {
+            return None;
+        }
+        let before = self.cost(&cavity.vertices, cavity.removed.iter().copied());
+        let first = self.mesh.triangles.len() as u32;
+        if !cavity.apply(self.mesh, operation) {
+            return None;
+        }
+        let added = first..self.mesh.triangles.len() as u32;
+        for _ in 0..sweeps {
+            for v in &cavity.vertices {
+                let vertex = &self.mesh.vertices[*v as usize];
+                if vertex.kind == Kind::Free && vertex.triangles > 0 {
+                    smooth(self.mesh, *v, 4, &mut self.ring);
+                }
+            }
+        }
+        let after = self.cost(&cavity.vertices, added);
+        Some(Effect { before, after })
+    }
+
+    /// The change of the degrees' cost alone that an operation would bring, without doing it.
+    ///
+    /// Cheap; what it cannot foresee (new vertices' soft costs) it leaves out.
+    pub(crate) fn lacks_hope(&self, operation: Operation, available: f64) -> bool {
+        // A flip or split that makes a new hard violation never pays.
+        let grow = |v: u32| self.changed(v, 1);
+        match operation {
+            Operation::Flip { triangle, corner } => {
+                let t = &self.mesh.triangles[triangle as usize];
+                let across = t.neighbours[corner as usize];
+                let Some(other) = self.mesh.triangles.get(across as usize) else { return true };
+                let [c, a, b] = [0, 1, 2].map(|i| t.vertices[(corner as usize + i) % 3]);
+                let d = other.vertices.into_iter().find(|v| *v != a && *v != b).unwrap_or(c);
+                let change = grow(c) + grow(d) + self.changed(a, -1) + self.changed(b, -1);
+                change > available
+            }
+            _ => false,
+        }
+    }
+
+    /// The change of a vertex's cost if its number of triangles changes by `by`.
+    fn changed(&self, vertex: u32, by: i32) -> f64 {
+        let mut v = self.mesh.vertices[vertex as usize];
+        let cost = |triangles: u32| {
+            let limit = self.mesh.goals.get(v.goal as usize);
+            let (least, most, ideal) = match limit {
+                Some(goal) => (0, goal.triangles, goal.ideal),
+                None => (*self.weights.interior.start(), *self.weights.interior.end(), 6.0),
+            };
+            let excess = triangles.saturating_sub(most).max(least.saturating_sub(triangles));
+            let slack = if limit.is_some() { 0.5 } else { 0.0 };
+            let soft = ((f64::from(triangles) - ideal).abs() - slack).max(0.0);
+            0.3 * soft * soft + self.weights.degree * f64::from(excess * excess)
+        };
+        let before = cost(v.triangles);
+        v.triangles = v.triangles.saturating_add_signed(by);
+        cost(v.triangles) - before
+    }
+}
+
+fn put(patch: &mut Vec<u32>, seen: &mut [u32], round: u32, triangle: u32) {
+    if seen[triangle as usize] != round {
+        seen[triangle as usize] = round;
+        patch.push(triangle);
+    }
+}
