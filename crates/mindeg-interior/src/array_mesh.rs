@@ -424,3 +424,104 @@ impl ArrayMesh {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::operations::{Cavity, operations};
+    use crate::samples;
+    use proptest::prelude::*;
+
+    /// A square of 2 by 2 cells on each side, each cell cut in two, with a locked edge inside.
+    fn grid(cells: u32) -> ArrayMesh {
+        let across = cells + 1;
+        let on_rim = |i: u32| i == 0 || i == cells;
+        let vertex = |v: u32| Vertex {
+            at: DVec2::new(f64::from(v % across), f64::from(v / across)),
+            size: 1.0,
+            anchor: NONE,
+            goal: NONE,
+            triangles: 0,
+            kind: match (
+                on_rim(v % across) || on_rim(v / across),
+                v == across + 1 || v == across + 2,
+            ) {
+                (true, _) => Kind::Boundary,
+                (false, true) => Kind::Fixed,
+                (false, false) => Kind::Free,
+            },
+        };
+        let vertices = (0..across * across).map(vertex).collect();
+        let triangles: Vec<[u32; 3]> = (0..cells * cells)
+            .map(|cell| cell / cells * across + cell % cells)
+            .flat_map(|v| [[v, v + 1, v + across + 1], [v, v + across + 1, v + across]])
+            .collect();
+        ArrayMesh::new(vertices, &triangles, Vec::new(), &[[across + 1, across + 2]]).unwrap()
+    }
+
+    proptest! {
+        /// Whatever operations are done, the invariants hold, the locked edge stays, and undoing restores
+        /// the mesh bit for bit.
+        #[test]
+        fn random_operations_keep_the_invariants(
+            steps in prop::collection::vec((any::<prop::sample::Index>(), any::<prop::sample::Index>()), 1..60),
+        ) {
+            let mut mesh = grid(5);
+            let start = mesh.clone();
+            mesh.record();
+            let mut cavity = Cavity::default();
+            let mut list = Vec::new();
+            for (place, choice) in steps {
+                let alive: Vec<u32> = (0..mesh.vertices.len() as u32)
+                    .filter(|v| mesh.vertices[*v as usize].triangles > 0)
+                    .collect();
+                operations(&mesh, *place.get(&alive), true, &mut list);
+                if list.is_empty() {
+                    continue;
+                }
+                let operation = *choice.get(&list);
+                let mark = mesh.mark();
+                let before = mesh.clone();
+                let is_done = cavity.open(&mesh, operation) && cavity.apply(&mut mesh, operation);
+                mesh.check().map_err(TestCaseError::fail)?;
+                if !is_done {
+                    mesh.undo(mark);
+                    prop_assert_eq!(&mesh.triangles, &before.triangles);
+                    prop_assert_eq!(&mesh.vertices, &before.vertices);
+                }
+                let area: f64 = (0..mesh.triangles.len() as u32)
+                    .filter(|t| mesh.triangles[*t as usize].is_alive())
+                    .map(|t| crate::triangle::doubled_area(mesh.corners(t)))
+                    .sum();
+                prop_assert!((area - 50.0).abs() < 1e-9);
+                let locked = mesh.triangles.iter().filter(|t| t.is_alive() && t.locked != 0).count();
+                prop_assert_eq!(locked, 2);
+            }
+            mesh.undo(0);
+            prop_assert_eq!(&mesh.triangles, &start.triangles);
+            prop_assert_eq!(&mesh.vertices, &start.vertices);
+        }
+    }
+
+    #[test]
+    fn stars_are_counter_clockwise_and_begin_at_the_boundary() {
+        let mesh = grid(3);
+        let mut star = Vec::new();
+        for v in 0..16 {
+            let is_closed = mesh.star(v, &mut star);
+            assert_eq!(is_closed, mesh.vertices[v as usize].kind != Kind::Boundary);
+            for pair in star.windows(2) {
+                let triangle = mesh.triangles[pair[0] as usize];
+                assert_eq!(triangle.neighbours[(triangle.corner(v) + 1) % 3], pair[1]);
+            }
+        }
+    }
+
+    #[test]
+    fn the_sample_outline_has_boundary_angles() {
+        let outline = samples::plate_with_hole();
+        let total: f64 = (0..outline.points().len() as u32).map(|v| outline.angle(v)).sum();
+        // Rings of n and m vertices: (n - 2) pi inside the outer one, (m + 2) pi round the hole.
+        assert!((total / std::f64::consts::PI - 92.0).abs() < 1e-9);
+    }
+}

@@ -143,11 +143,6 @@ impl EdgeTree {
         }
     }
 
-    /// True if there is nothing to find.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.nodes.is_empty()
-    }
-
     pub(crate) fn nodes(&self) -> &[Node] {
         &self.nodes
     }

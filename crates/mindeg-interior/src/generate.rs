@@ -13,6 +13,7 @@ use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
 use crate::report::{Report, measure};
 use crate::size::SizeField;
+use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
 use std::collections::VecDeque;
 use std::error::Error;
@@ -29,15 +30,6 @@ pub struct InteriorMesh {
     /// What was reached.
     pub report: Report,
 }
-
-/// The angle aimed at where neither the boundary nor the user says less, in degrees.
-const FLOOR: f64 = 30.0;
-/// The angle up to which a share of the limit counts.
-pub(crate) const ENOUGH: f64 = 35.0;
-/// With at least this share of the limit and no violation, no other seed is tried.
-const GOOD_SHARE: f64 = 0.95;
-/// Meshes with more vertices get no second seed: the time would double.
-const MOST_FOR_SEEDS: usize = 200_000;
 
 /// One way to begin: growth over the wanted growth, least distance of points in sizes, and whether to search
 /// for pairs of operations.
@@ -82,14 +74,9 @@ where
 {
     options.check()?;
     let limits = limits(outline, options.boundary_degree);
-    if let Some(target) = options.target_angle {
-        if target > limits.angle() {
-            let (limit, vertex) = (limits.angle(), limits.vertex());
-            return Err(InteriorError::TargetAboveLimit { target, limit, vertex });
-        }
-    }
+    check_target(&limits, options)?;
     let goals = goals(outline, options);
-    let floor = options.target_angle.map_or(FLOOR, |angle| (angle + 1.0).max(FLOOR));
+    let floor = floor(options);
     let mut best: Option<InteriorMesh> = None;
     for (index, seed) in SEEDS.iter().enumerate() {
         let grown = Options { growth: options.growth * seed.growth, ..options.clone() };
@@ -101,43 +88,23 @@ where
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         optimise(&mut mesh, &weights(options, floor), seed.pairs, &mut part)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
-        let (points, triangles) = compact(&mesh);
+        let (points, triangles, _) = compact(&mesh);
         let goal = |v: u32| goals.get(v as usize);
         let report = measure(&points, &triangles, &options.interior_degree, goal, limits);
         let found =
             InteriorMesh { points, triangles, fixed_edges: breaklines.edges.clone(), report };
-        let is_better =
-            best.as_ref().is_none_or(|best| rank(&found, options) < rank(best, options));
+        let is_better = best
+            .as_ref()
+            .is_none_or(|best| rank(&found.report, options) < rank(&best.report, options));
         if is_better {
             best = Some(found);
         }
-        if best.as_ref().is_some_and(|best| is_enough(best, options)) {
+        if best.as_ref().is_some_and(|best| is_enough(&best.report, options)) {
             break;
         }
     }
+    crate::options::report(progress, 1.0)?;
     best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
-}
-
-fn share(mesh: &InteriorMesh, options: &Options) -> f64 {
-    let limit = mesh.report.limits.angle().min(options.target_angle.unwrap_or(ENOUGH));
-    (mesh.report.min_angle / limit).min(1.0)
-}
-
-fn is_enough(mesh: &InteriorMesh, options: &Options) -> bool {
-    let is_good = mesh.report.violations.is_empty()
-        && share(mesh, options) >= options.target_angle.map_or(GOOD_SHARE, |_| 1.0);
-    is_good || mesh.points.len() > MOST_FOR_SEEDS
-}
-
-/// Less is better.
-fn rank(mesh: &InteriorMesh, options: &Options) -> [f64; 3] {
-    let (lack, wrong) = (1.0 - share(mesh, options), mesh.report.violations.len() as f64);
-    let size = mesh.triangles.len() as f64;
-    match options.prefer {
-        crate::Prefer::Degree => [wrong, lack, size],
-        // Shares that differ by less than a hundredth are alike.
-        crate::Prefer::Angle => [libm::floor(lack * 100.0), wrong, lack],
-    }
 }
 
 /// The size field, with fixed points and segments taken in.
@@ -307,14 +274,8 @@ fn inside(
     Ok(all.iter().zip(is_inside).filter(|(_, inside)| *inside).map(|(t, _)| *t).collect())
 }
 
-/// The living vertices and triangles, in order.
-pub(crate) fn compact(mesh: &ArrayMesh) -> (Vec<DVec2>, Vec<[u32; 3]>) {
-    let (points, triangles, _) = compact_with_sources(mesh);
-    (points, triangles)
-}
-
-/// The same, with the index that each point had in the array mesh.
-pub(crate) fn compact_with_sources(mesh: &ArrayMesh) -> (Vec<DVec2>, Vec<[u32; 3]>, Vec<u32>) {
+/// The living vertices and triangles, in order, with the index that each point had in the array mesh.
+pub(crate) fn compact(mesh: &ArrayMesh) -> (Vec<DVec2>, Vec<[u32; 3]>, Vec<u32>) {
     let mut renamed = vec![NONE; mesh.vertices.len()];
     let (mut points, mut sources) = (Vec::new(), Vec::new());
     for (v, vertex) in (0..).zip(&mesh.vertices) {

@@ -8,6 +8,7 @@ mod exact;
 mod fixed;
 mod generate;
 mod goal;
+mod improve;
 pub mod limits;
 mod near;
 mod operations;
@@ -22,8 +23,10 @@ mod size;
 mod smooth;
 mod trial;
 mod triangle;
+mod verdict;
 
 pub use generate::{InteriorMesh, generate};
+pub use improve::{Improved, Keep, improve};
 pub use options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
 pub use outline::{Outline, OutlineError};
 pub use report::{Report, Violation};

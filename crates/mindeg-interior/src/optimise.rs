@@ -4,7 +4,7 @@ use crate::array_mesh::{ArrayMesh, Kind};
 use crate::goal::Weights;
 use crate::operations::{Operation, operations};
 use crate::options::{InteriorError, Progress, report};
-use crate::smooth::{Sweeper, polish};
+use crate::smooth::{Power, Sweeper, polish};
 use crate::trial::Bench;
 use std::collections::VecDeque;
 
@@ -32,9 +32,9 @@ pub(crate) fn optimise(
     progress: Progress<'_>,
 ) -> Result<(), InteriorError> {
     let mut sweeper = Sweeper::new();
-    sweeper.run(mesh, 2, 10);
+    sweeper.run(mesh, Power::Two, 10);
     report(progress, 0.3)?;
-    sweeper.run(mesh, 4, 5);
+    sweeper.run(mesh, Power::Four, 5);
     report(progress, 0.45)?;
     for round in 0..ROUNDS {
         let mut changes = 0;
@@ -47,7 +47,7 @@ pub(crate) fn optimise(
         if changes == 0 && round > 0 {
             break;
         }
-        sweeper.run(mesh, 4, 5);
+        sweeper.run(mesh, Power::Four, 5);
         report(progress, 0.5 + 0.1 * round as f32)?;
     }
     polish_all(mesh, weights, &mut sweeper);
@@ -95,7 +95,7 @@ fn singles(
             break;
         }
         left -= 1;
-        if left % 256 == 0 {
+        if left.is_multiple_of(256) {
             report(progress, 0.5)?;
         }
         if !is_needy(&mut bench, vertex, need, &mut star) {
@@ -178,10 +178,10 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
     let mut ranked = Vec::new();
     for (index, operation) in firsts.iter().enumerate() {
         let mark = bench.mesh.mark();
-        if let Some(effect) = bench.perform(*operation, SWEEPS) {
-            if effect.after.hard - effect.before.hard < 2.1 * bench.weights.degree {
-                ranked.push((-effect.gain(), index));
-            }
+        if let Some(effect) = bench.perform(*operation, SWEEPS)
+            && effect.after.hard - effect.before.hard < 2.1 * bench.weights.degree
+        {
+            ranked.push((-effect.gain(), index));
         }
         bench.mesh.undo(mark);
     }

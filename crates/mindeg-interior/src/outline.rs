@@ -96,12 +96,7 @@ impl Outline {
         if count > MAX_POINTS {
             return Err(OutlineError::TooManyPoints { max: MAX_POINTS });
         }
-        let mut outline = Self {
-            points: Vec::with_capacity(count),
-            next: Vec::with_capacity(count),
-            previous: Vec::with_capacity(count),
-            starts: Vec::with_capacity(rings.len() + 1),
-        };
+        let mut outline = Self::with_capacity(count);
         for (ring, points) in rings.iter().map(AsRef::as_ref).enumerate() {
             outline.push(ring, points)?;
         }
@@ -109,6 +104,32 @@ impl Outline {
         outline.check_crossings()?;
         outline.check_nesting()?;
         Ok(outline)
+    }
+
+    fn with_capacity(count: usize) -> Self {
+        Self {
+            points: Vec::with_capacity(count),
+            next: Vec::with_capacity(count),
+            previous: Vec::with_capacity(count),
+            starts: Vec::new(),
+        }
+    }
+
+    /// An outline from rings that are known to bound triangles, in any number and order.
+    pub(crate) fn of_mesh(rings: &[Vec<DVec2>]) -> Self {
+        let mut outline = Self::with_capacity(0);
+        rings.iter().for_each(|ring| outline.link(ring));
+        outline.starts.push(outline.points.len() as u32);
+        outline
+    }
+
+    fn link(&mut self, points: &[DVec2]) {
+        let start = self.points.len() as u32;
+        let end = start + points.len() as u32;
+        self.starts.push(start);
+        self.points.extend(points);
+        self.next.extend((start + 1..end).chain([start]));
+        self.previous.extend([end - 1].into_iter().chain(start..end - 1));
     }
 
     fn push(&mut self, ring: usize, points: &[DVec2]) -> Result<(), OutlineError> {
@@ -120,11 +141,7 @@ impl Outline {
             let at = points[bad].to_array();
             return Err(OutlineError::Coordinate { vertex: start + bad as u32, at });
         }
-        self.starts.push(start);
-        self.points.extend(points);
-        let end = start + count as u32;
-        self.next.extend((start + 1..end).chain([start]));
-        self.previous.extend([end - 1].into_iter().chain(start..end - 1));
+        self.link(points);
         let area: f64 =
             (1..count - 1).map(|i| cross(points[i] - points[0], points[i + 1] - points[0])).sum();
         if (area < 0.0) == (ring == 0) {
@@ -315,7 +332,7 @@ mod tests {
         );
         assert_eq!(
             error(&[outer.clone(), hole(1.0, 1.0, 4.0), hole(2.0, 2.0, 1.0)]),
-            OutlineError::Nesting { ring: 1 }
+            OutlineError::Nesting { ring: 2 }
         );
         assert!(matches!(
             error(&[outer.clone(), hole(8.0, 8.0, 4.0)]),

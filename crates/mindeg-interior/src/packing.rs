@@ -153,10 +153,10 @@ impl Ground<'_> {
         let mut place = guess;
         if reach > 0.0 {
             // A cheap look first: most places round a point are taken.
-            if let Some((other, distance)) = near.nearest(guess, reach) {
-                if distance < 0.5 * self.spacing * sizes[other as usize].min(reach) {
-                    return None;
-                }
+            if let Some((other, distance)) = near.nearest(guess, reach)
+                && distance < 0.5 * self.spacing * sizes[other as usize].min(reach)
+            {
+                return None;
             }
             let between = candidate.from + candidate.step / 2.0;
             place = candidate.from + candidate.step * (self.field.at(between) / reach);

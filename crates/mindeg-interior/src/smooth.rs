@@ -4,6 +4,28 @@ use crate::array_mesh::{ArrayMesh, Kind};
 use crate::triangle::{SQRT_3, cross, distortion, min_angle};
 use glam::DVec2;
 
+/// The exponent of distortion in what smoothing minimises. More weighs bad triangles more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Power {
+    Two,
+    Four,
+}
+
+// By multiplication: the library's integer powers may differ from machine to machine.
+impl Power {
+    fn exponent(self) -> f64 {
+        if self == Self::Two { 2.0 } else { 4.0 }
+    }
+
+    fn of(self, x: f64) -> f64 {
+        x * x * self.of_two_less(x)
+    }
+
+    fn of_two_less(self, x: f64) -> f64 {
+        if self == Self::Two { 1.0 } else { x * x }
+    }
+}
+
 /// The two ring points of each triangle at a vertex, so that a move needs no look-ups.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Ring {
@@ -22,9 +44,8 @@ impl Ring {
         }
     }
 
-    fn distortion(&self, x: DVec2, power: i32) -> f64 {
-        let each = self.edges.iter().map(|[b, c]| distortion([x, *b, *c]).powi(power));
-        each.sum()
+    fn distortion(&self, x: DVec2, power: Power) -> f64 {
+        self.edges.iter().map(|[b, c]| power.of(distortion([x, *b, *c]))).sum()
     }
 
     fn min_angle(&self, x: DVec2) -> f64 {
@@ -40,13 +61,13 @@ impl Ring {
 
 /// One step of Newton's method on the sum of distortion^power over the triangles at a free vertex.
 /// The sum is convex where no triangle is inverted. Returns how far the vertex moved.
-pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: i32, ring: &mut Ring) -> f64 {
+pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut Ring) -> f64 {
     debug_assert_eq!(mesh.vertices[vertex as usize].kind, Kind::Free);
     ring.load(mesh, vertex);
     let x = mesh.at(vertex);
     let (mut before, mut slope) = (0.0, DVec2::ZERO);
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-    let p = f64::from(power);
+    let p = power.exponent();
     for [b, c] in &ring.edges {
         // distortion = s / (2 sqrt3 d): s the sum of squares, d the doubled area, linear in x.
         let (u, v) = (*b - x, *c - x);
@@ -64,7 +85,7 @@ pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: i32, ring: &mut R
         let curve = |diagonal: f64, mixed: f64, square: f64| {
             (diagonal - mixed / d + square * s / (d * d)) * unit
         };
-        let low = value.powi(power - 2);
+        let low = power.of_two_less(value);
         let (first, second) = (p * low * value, p * (p - 1.0) * low);
         before += low * value * value;
         slope += gradient * first;
@@ -161,7 +182,7 @@ impl Sweeper {
     }
 
     /// `sweeps` sweeps over all vertices.
-    pub(crate) fn run(&mut self, mesh: &mut ArrayMesh, power: i32, sweeps: usize) {
+    pub(crate) fn run(&mut self, mesh: &mut ArrayMesh, power: Power, sweeps: usize) {
         self.is_active.clear();
         self.is_active.resize(mesh.vertices.len(), true);
         for _ in 0..sweeps {

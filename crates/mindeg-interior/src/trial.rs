@@ -4,7 +4,7 @@ use crate::array_mesh::{ArrayMesh, Kind};
 use crate::energy::Cost;
 use crate::goal::Weights;
 use crate::operations::{Cavity, Operation};
-use crate::smooth::{Ring, smooth};
+use crate::smooth::{Power, Ring, smooth};
 
 /// The mesh under work, with what trials need again and again.
 pub(crate) struct Bench<'a> {
@@ -113,51 +113,12 @@ impl<'a> Bench<'a> {
             for v in &cavity.vertices {
                 let vertex = &self.mesh.vertices[*v as usize];
                 if vertex.kind == Kind::Free && vertex.triangles > 0 {
-                    smooth(self.mesh, *v, 4, &mut self.ring);
+                    smooth(self.mesh, *v, Power::Four, &mut self.ring);
                 }
             }
         }
         let after = self.cost(&cavity.vertices, added);
         Some(Effect { before, after })
-    }
-
-    /// The change of the degrees' cost alone that an operation would bring, without doing it.
-    ///
-    /// Cheap; what it cannot foresee (new vertices' soft costs) it leaves out.
-    pub(crate) fn lacks_hope(&self, operation: Operation, available: f64) -> bool {
-        // A flip or split that makes a new hard violation never pays.
-        let grow = |v: u32| self.changed(v, 1);
-        match operation {
-            Operation::Flip { triangle, corner } => {
-                let t = &self.mesh.triangles[triangle as usize];
-                let across = t.neighbours[corner as usize];
-                let Some(other) = self.mesh.triangles.get(across as usize) else { return true };
-                let [c, a, b] = [0, 1, 2].map(|i| t.vertices[(corner as usize + i) % 3]);
-                let d = other.vertices.into_iter().find(|v| *v != a && *v != b).unwrap_or(c);
-                let change = grow(c) + grow(d) + self.changed(a, -1) + self.changed(b, -1);
-                change > available
-            }
-            _ => false,
-        }
-    }
-
-    /// The change of a vertex's cost if its number of triangles changes by `by`.
-    fn changed(&self, vertex: u32, by: i32) -> f64 {
-        let mut v = self.mesh.vertices[vertex as usize];
-        let cost = |triangles: u32| {
-            let limit = self.mesh.goals.get(v.goal as usize);
-            let (least, most, ideal) = match limit {
-                Some(goal) => (0, goal.triangles, goal.ideal),
-                None => (*self.weights.interior.start(), *self.weights.interior.end(), 6.0),
-            };
-            let excess = triangles.saturating_sub(most).max(least.saturating_sub(triangles));
-            let slack = if limit.is_some() { 0.5 } else { 0.0 };
-            let soft = ((f64::from(triangles) - ideal).abs() - slack).max(0.0);
-            0.3 * soft * soft + self.weights.degree * f64::from(excess * excess)
-        };
-        let before = cost(v.triangles);
-        v.triangles = v.triangles.saturating_add_signed(by);
-        cost(v.triangles) - before
     }
 }
 

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
-pub fn triangulate(points: &[DVec2], edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, String> {
+pub(crate) fn triangulate(points: &[DVec2], edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, String> {
     let sites: Vec<Point2<f64>> = points.iter().map(|p| Point2::new(p.x, p.y)).collect();
     let edges = edges.iter().map(|e| e.map(|v| v as usize)).collect();
     let mut conflict = None;

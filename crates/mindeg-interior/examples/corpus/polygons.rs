@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 /// SplitMix64.
-pub struct Random(pub u64);
+pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -25,7 +25,7 @@ impl Random {
 }
 
 /// The points of a polygon with equal intervals on each side.
-pub fn ring(corners: &[DVec2], intervals: &[u32]) -> Vec<DVec2> {
+pub(crate) fn ring(corners: &[DVec2], intervals: &[u32]) -> Vec<DVec2> {
     let spread = |side: usize, i: u32| f64::from(i) / f64::from(intervals[side]);
     spaced(corners, intervals, &spread)
 }
@@ -40,7 +40,7 @@ fn spaced(corners: &[DVec2], intervals: &[u32], at: &dyn Fn(usize, u32) -> f64) 
 }
 
 /// A random convex polygon of 3 to 8 sides on an ellipse, with 3 to 60 intervals on each side.
-pub fn random_polygon(random: &mut Random) -> Vec<DVec2> {
+pub(crate) fn random_polygon(random: &mut Random) -> Vec<DVec2> {
     let sides = random.between(3, 8) as usize;
     let flat = 0.4 + 0.6 * random.unit();
     let corners = loop {
@@ -85,7 +85,7 @@ fn shares(lengths: &[f64]) -> Vec<f64> {
 }
 
 /// The domains of `assets/domains`, by name.
-pub fn domains() -> Vec<(&'static str, Vec<DVec2>)> {
+pub(crate) fn domains() -> Vec<(&'static str, Vec<DVec2>)> {
     let points = |list: &[[f64; 2]]| list.iter().copied().map(DVec2::from).collect::<Vec<_>>();
     let box_of = |w: f64, h: f64| points(&[[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]);
     let sized = |corners: &[DVec2], size: f64| {
@@ -107,8 +107,9 @@ pub fn domains() -> Vec<(&'static str, Vec<DVec2>)> {
     };
     let wing = {
         let rib = bump(0.25, 16);
-        let at =
-            |side: usize, i: u32| if side % 2 == 0 { rib[i as usize] } else { f64::from(i) / 20.0 };
+        let at = |side: usize, i: u32| {
+            if side.is_multiple_of(2) { rib[i as usize] } else { f64::from(i) / 20.0 }
+        };
         let corners = points(&[[0.0, 0.0], [2.4, 0.0], [2.0, 4.0], [0.9, 4.0]]);
         spaced(&corners, &[16, 20, 16, 20], &at)
     };
