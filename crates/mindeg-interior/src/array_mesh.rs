@@ -482,7 +482,10 @@ mod tests {
                 let operation = *choice.get(&list);
                 let mark = mesh.mark();
                 let before = mesh.clone();
-                let is_done = cavity.open(&mesh, operation) && cavity.apply(&mut mesh, operation);
+                let is_done = cavity.open(&mesh, operation) && cavity.plan(&mut mesh, operation);
+                if is_done {
+                    cavity.carry_out(&mut mesh);
+                }
                 mesh.check().map_err(TestCaseError::fail)?;
                 if !is_done {
                     mesh.undo(mark);

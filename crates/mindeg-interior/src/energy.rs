@@ -57,12 +57,17 @@ impl Weights {
 
     /// By how much a vertex's degree is out of its range.
     pub(crate) fn excess(&self, mesh: &ArrayMesh, vertex: u32) -> u32 {
+        self.excess_of(mesh, vertex, mesh.vertices[vertex as usize].triangles)
+    }
+
+    /// The same if it had so many triangles.
+    pub(crate) fn excess_of(&self, mesh: &ArrayMesh, vertex: u32, triangles: u32) -> u32 {
         let v = &mesh.vertices[vertex as usize];
         match (v.kind, mesh.goals.get(v.goal as usize)) {
-            (Kind::Boundary, Some(goal)) => v.triangles.saturating_sub(goal.triangles),
+            (Kind::Boundary, Some(goal)) => triangles.saturating_sub(goal.triangles),
             _ => {
                 let (least, most) = (*self.interior.start(), *self.interior.end());
-                v.triangles.saturating_sub(most).max(least.saturating_sub(v.triangles))
+                triangles.saturating_sub(most).max(least.saturating_sub(triangles))
             }
         }
     }

@@ -48,16 +48,18 @@ pub(crate) struct Weights {
     pub(crate) degree: f64,
     /// The degrees wanted inside.
     pub(crate) interior: RangeInclusive<u32>,
+    /// True if a better shape may cost a violation more.
+    pub(crate) may_violate: bool,
 }
 
 impl Weights {
     /// The weights of single operations.
     pub(crate) fn single(options: &Options, floor: f64) -> Self {
-        let degree = match options.prefer {
-            Prefer::Degree => 1e3,
-            Prefer::Angle => 20.0,
+        let (degree, may_violate) = match options.prefer {
+            Prefer::Degree => (1e3, false),
+            Prefer::Angle => (20.0, true),
         };
-        Self { floor, angle: 2.0, degree, interior: options.interior_degree.clone() }
+        Self { floor, angle: 2.0, degree, interior: options.interior_degree.clone(), may_violate }
     }
 
     /// The weights of the search for pairs of operations: angles count more, so that no good fan is

@@ -71,9 +71,9 @@ impl Cavity {
         !mesh.has_lock(&self.removed)
     }
 
-    /// Does the operation whose triangles [`open`](Self::open) has found; false, and nothing
-    /// done that `undo` does not take back, if a new triangle would be inverted or flat.
-    pub(crate) fn apply(&mut self, mesh: &mut ArrayMesh, operation: Operation) -> bool {
+    /// Finds the triangles that the operation puts in place of those that [`open`](Self::open) has
+    /// found; false if one would be inverted or flat. A new vertex is in the mesh from here on.
+    pub(crate) fn plan(&mut self, mesh: &mut ArrayMesh, operation: Operation) -> bool {
         self.added.clear();
         match operation {
             Operation::Flip { triangle, .. } => {
@@ -97,7 +97,7 @@ impl Cavity {
             }
             Operation::SplitVertex { vertex, .. } => return self.split_vertex(mesh, vertex),
         }
-        self.finish(mesh)
+        self.is_proper(mesh)
     }
 
     /// The edge a-b of the two removed triangles, with c on its left and d on its right.
@@ -149,16 +149,23 @@ impl Cavity {
         self.vertices.push(new);
         self.added.extend(fan.into_iter().map(|[a, b]| [new, a, b]));
         self.added.extend([[vertex, rim[0], new], [vertex, new, rim[rim.len() - 1]]]);
-        self.finish(mesh)
+        self.is_proper(mesh)
     }
 
-    fn finish(&mut self, mesh: &mut ArrayMesh) -> bool {
-        let is_fine = |vertices: &[u32; 3]| is_proper(vertices.map(|v| mesh.at(v)));
-        if !self.added.iter().all(is_fine) {
-            return false;
-        }
+    fn is_proper(&self, mesh: &ArrayMesh) -> bool {
+        self.added.iter().all(|vertices| is_proper(vertices.map(|v| mesh.at(v))))
+    }
+
+    /// By how many triangles `vertex` grows if the plan is carried out.
+    pub(crate) fn growth(&self, mesh: &ArrayMesh, vertex: u32) -> i32 {
+        let added = self.added.iter().filter(|t| t.contains(&vertex)).count();
+        let at = |t: &&u32| mesh.triangles[**t as usize].vertices.contains(&vertex);
+        added as i32 - self.removed.iter().filter(at).count() as i32
+    }
+
+    /// Carries out what [`plan`](Self::plan) has found.
+    pub(crate) fn carry_out(&self, mesh: &mut ArrayMesh) {
         mesh.replace(&self.removed, &self.added);
-        true
     }
 }
 

@@ -10,8 +10,6 @@ use std::collections::VecDeque;
 
 /// Rounds of operations and smoothing.
 const ROUNDS: usize = 4;
-/// Sweeps over a cavity after an operation.
-const SWEEPS: usize = 3;
 /// Angles this much above the floor are polished, too, in degrees.
 const MARGIN: f64 = 4.0;
 
@@ -103,7 +101,7 @@ fn singles(
         }
         operations(bench.mesh, vertex, false, &mut list);
         let Some(best) = best_single(&mut bench, &list, need) else { continue };
-        bench.perform(best, SWEEPS);
+        bench.perform(best, f64::INFINITY);
         done += 1;
         is_queued.resize(bench.mesh.vertices.len(), false);
         for v in &bench.cavity.vertices {
@@ -120,12 +118,16 @@ fn singles(
 fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<Operation> {
     let floor = bench.weights.floor;
     let mut best: Option<(f64, Operation)> = None;
+    let allowance = match need {
+        Need::Any if bench.weights.may_violate => f64::INFINITY,
+        Need::Any => 0.0,
+        Need::Degree => -0.5 * bench.weights.degree,
+    };
     bench.mesh.record();
     for operation in list {
         let mark = bench.mesh.mark();
-        if let Some(effect) = bench.perform(*operation, SWEEPS) {
-            let helps = need == Need::Any || effect.after.hard < effect.before.hard;
-            if helps && effect.is_good(floor) && best.is_none_or(|(gain, _)| effect.gain() > gain) {
+        if let Some(effect) = bench.perform(*operation, allowance) {
+            if effect.is_good(floor) && best.is_none_or(|(gain, _)| effect.gain() > gain) {
                 best = Some((effect.gain(), *operation));
             }
         }
@@ -158,9 +160,9 @@ fn pairs_of_operations(
             continue;
         }
         let Some([first, second]) = best_pair(&mut bench, vertex) else { continue };
-        bench.perform(first, SWEEPS);
+        bench.perform(first, f64::INFINITY);
         queue.extend(&bench.cavity.vertices);
-        bench.perform(second, SWEEPS);
+        bench.perform(second, f64::INFINITY);
         queue.extend(&bench.cavity.vertices);
         done += 1;
     }
@@ -178,9 +180,8 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
     let mut ranked = Vec::new();
     for (index, operation) in firsts.iter().enumerate() {
         let mark = bench.mesh.mark();
-        if let Some(effect) = bench.perform(*operation, SWEEPS)
-            && effect.after.hard - effect.before.hard < 2.1 * bench.weights.degree
-        {
+        let allowance = 2.1 * bench.weights.degree;
+        if let Some(effect) = bench.perform(*operation, allowance) {
             ranked.push((-effect.gain(), index));
         }
         bench.mesh.undo(mark);
@@ -192,7 +193,7 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
     for (_, index) in ranked.into_iter().take(MOST_FIRST) {
         let first = firsts[index];
         let mark = bench.mesh.mark();
-        if let Some(one) = bench.perform(first, SWEEPS) {
+        if let Some(one) = bench.perform(first, f64::INFINITY) {
             let centers = bench.cavity.vertices.clone();
             for center in centers {
                 if !is_needy(bench, center, Need::Any, &mut star) {
@@ -201,7 +202,7 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
                 operations(bench.mesh, center, true, &mut seconds);
                 for second in &seconds {
                     let mark = bench.mesh.mark();
-                    if let Some(two) = bench.perform(*second, SWEEPS) {
+                    if let Some(two) = bench.perform(*second, one.before.hard - one.after.hard) {
                         let gain = one.gain() + two.gain();
                         let energy = one.before.energy.min(two.after.energy).abs();
                         let least = one.after.min_angle.min(two.before.min_angle);

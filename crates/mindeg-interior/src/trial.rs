@@ -86,10 +86,11 @@ impl<'a> Bench<'a> {
         cost
     }
 
-    /// Does an operation and smooths the cavity. None if it is not possible; whatever was done is in the log.
-    pub(crate) fn perform(&mut self, operation: Operation, sweeps: usize) -> Option<Effect> {
+    /// Does an operation and smooths the cavity. None if it is not possible, or if it raises the cost of
+    /// hard degree violations by more than `allowance`; whatever was done is in the log.
+    pub(crate) fn perform(&mut self, operation: Operation, allowance: f64) -> Option<Effect> {
         let mut cavity = std::mem::take(&mut self.cavity);
-        let effect = self.perform_in(&mut cavity, operation, sweeps);
+        let effect = self.perform_in(&mut cavity, operation, allowance);
         self.cavity = cavity;
         effect
     }
@@ -98,18 +99,20 @@ impl<'a> Bench<'a> {
         &mut self,
         cavity: &mut Cavity,
         operation: Operation,
-        sweeps: usize,
+        allowance: f64,
     ) -> Option<Effect> {
-        if !cavity.open(self.mesh, operation) {
+        // Most operations fail here, before anything is costly.
+        if !cavity.open(self.mesh, operation)
+            || !cavity.plan(self.mesh, operation)
+            || self.hard_change(cavity) > allowance
+        {
             return None;
         }
         let before = self.cost(&cavity.vertices, cavity.removed.iter().copied());
         let first = self.mesh.triangles.len() as u32;
-        if !cavity.apply(self.mesh, operation) {
-            return None;
-        }
+        cavity.carry_out(self.mesh);
         let added = first..self.mesh.triangles.len() as u32;
-        for _ in 0..sweeps {
+        for _ in 0..SWEEPS {
             for v in &cavity.vertices {
                 let vertex = &self.mesh.vertices[*v as usize];
                 if vertex.kind == Kind::Free && vertex.triangles > 0 {
@@ -120,7 +123,26 @@ impl<'a> Bench<'a> {
         let after = self.cost(&cavity.vertices, added);
         Some(Effect { before, after })
     }
+
+    /// The change of the cost of hard degree violations.
+    fn hard_change(&self, cavity: &Cavity) -> f64 {
+        let mut change = 0.0;
+        for v in &cavity.vertices {
+            let before = self.mesh.vertices[*v as usize].triangles;
+            let after = before.saturating_add_signed(cavity.growth(self.mesh, *v));
+            let excess = |triangles: u32| match triangles {
+                // Not there, or no longer.
+                0 => 0.0,
+                _ => f64::from(self.weights.excess_of(self.mesh, *v, triangles).pow(2)),
+            };
+            change += excess(after) - excess(before);
+        }
+        change * self.weights.degree
+    }
 }
+
+/// Sweeps over a cavity after an operation.
+const SWEEPS: usize = 3;
 
 fn put(patch: &mut Vec<u32>, seen: &mut [u32], round: u32, triangle: u32) {
     if seen[triangle as usize] != round {
