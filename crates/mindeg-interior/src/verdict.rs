@@ -5,7 +5,7 @@ use crate::options::{InteriorError, Options, Prefer};
 use crate::report::Report;
 
 /// The angle aimed at where neither the boundary nor the user says otherwise, in degrees.
-const FLOOR: f64 = 30.0;
+const FLOOR: f64 = 34.0;
 /// Up to this angle a greater share of the limit is worth a search, in degrees.
 const ENOUGH: f64 = 35.0;
 /// With at least this share of the limit and no violation, the search ends.

@@ -55,14 +55,12 @@ fn run((points, triangles): &Mesh, keep: &Keep) -> Improved {
 
 /// A fixed sequence of numbers from 0 to 1.
 fn scattered(count: u32) -> Vec<(f64, f64)> {
-    (1..=count)
-        .map(|i| {
-            (
-                (f64::from(i) * 0.754_877_666).fract(),
-                (f64::from(i * i % 977) * 0.618_033_988).fract(),
-            )
-        })
-        .collect()
+    let mut state = 5_u32;
+    let mut next = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(state >> 8) / f64::from(1 << 24)
+    };
+    (0..count).map(|_| (next(), next())).collect()
 }
 
 #[test]
