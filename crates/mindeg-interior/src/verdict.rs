@@ -5,11 +5,11 @@ use crate::options::{InteriorError, Options, Prefer};
 use crate::report::Report;
 
 /// The angle aimed at where neither the boundary nor the user says otherwise, in degrees.
-const FLOOR: f64 = 34.0;
+const FLOOR: f64 = 36.0;
 /// Up to this angle a greater share of the limit is worth a search, in degrees.
 const ENOUGH: f64 = 35.0;
 /// With at least this share of the limit and no violation, the search ends.
-const GOOD_SHARE: f64 = 0.95;
+const GOOD_SHARE: f64 = 0.98;
 /// Larger meshes are searched once: each further search takes as long as the first.
 const MOST_TRIANGLES: usize = 400_000;
 
