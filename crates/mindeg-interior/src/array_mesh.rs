@@ -201,28 +201,31 @@ impl ArrayMesh {
         out.clear();
         let start = self.vertices[vertex as usize].anchor;
         let mut at = start;
-        // Backwards to the boundary first, or once round.
-        loop {
-            let triangle = &self.triangles[at as usize];
-            let before = triangle.neighbours[(triangle.corner(vertex) + 2) % 3];
-            if before == NONE || before == start {
-                break;
-            }
-            at = before;
-        }
-        let first = at;
         loop {
             out.push(at);
             let triangle = &self.triangles[at as usize];
-            let next = triangle.neighbours[(triangle.corner(vertex) + 1) % 3];
-            if next == NONE {
-                return false;
-            }
-            if next == first {
+            at = triangle.neighbours[(triangle.corner(vertex) + 1) % 3];
+            if at == start {
                 return true;
             }
-            at = next;
+            if at == NONE {
+                break;
+            }
         }
+        // The rest of an open fan, from the start backwards.
+        let forward = out.len();
+        at = start;
+        loop {
+            let triangle = &self.triangles[at as usize];
+            at = triangle.neighbours[(triangle.corner(vertex) + 2) % 3];
+            if at == NONE {
+                break;
+            }
+            out.push(at);
+        }
+        out[forward..].reverse();
+        out.rotate_left(forward);
+        false
     }
 
     /// From now on writes are kept, to be undone.

@@ -9,6 +9,7 @@ use crate::goal::{Goal, Weights, goals};
 use crate::limits::limits;
 use crate::optimise::optimise;
 use crate::options::{Fixed, InteriorError, Options, Progress, SizeAt};
+use crate::order::along_hilbert_curve;
 use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
 use crate::report::{Report, measure};
@@ -189,7 +190,8 @@ impl Start<'_> {
         for at in &self.breaklines.points {
             vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
         }
-        for (at, size) in packed.into_iter().zip(sizes) {
+        for index in along_hilbert_curve(&packed) {
+            let (at, size) = (packed[index as usize], sizes[index as usize]);
             vertices.push(vertex(at, size, Kind::Free, NONE));
         }
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
@@ -197,7 +199,9 @@ impl Start<'_> {
         let edges: Vec<[u32; 2]> = boundary.iter().chain(&self.breaklines.edges).copied().collect();
         let all = triangulate(&points, &edges)
             .map_err(|error| InteriorError::Triangulation(error.into()))?;
-        let triangles = inside(points.len(), &all, &boundary)?;
+        let mut triangles = inside(points.len(), &all, &boundary)?;
+        // Near each other in the plane, near each other in memory.
+        triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
         let expected = 2 * points.len() - boundary.len() + 2 * self.outline.ring_count() - 4;
         if triangles.len() != expected {
             return Err(InteriorError::NotFilled(format!(

@@ -14,6 +14,7 @@ mod near;
 mod operations;
 mod optimise;
 mod options;
+mod order;
 mod outline;
 mod packing;
 mod report;

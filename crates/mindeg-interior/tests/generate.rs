@@ -294,3 +294,49 @@ fn a_failing_triangulation_is_an_error() {
         assert!(matches!(error, InteriorError::NotFilled(_)), "{error}");
     }
 }
+
+/// A polygon round the origin with a corner in each direction, at random distances.
+fn star_shaped(radii: &[f64], intervals: &[u32]) -> Vec<DVec2> {
+    let turn = std::f64::consts::TAU / radii.len() as f64;
+    let corner = |(i, r): (usize, &f64)| DVec2::from_angle(turn * i as f64) * *r;
+    let corners: Vec<DVec2> = radii.iter().enumerate().map(corner).collect();
+    ring(&corners, intervals)
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config::with_cases(12))]
+
+    /// Whatever the shape, the mesh is valid, with the boundary and what is fixed as they were.
+    #[test]
+    fn any_outline_gives_a_valid_mesh(
+        sides in proptest::collection::vec((2.0..9.0_f64, 1..12_u32), 3..9),
+        hole in proptest::option::of(proptest::collection::vec((0.1..0.9_f64, 1..6_u32), 3..6)),
+        fixed in proptest::collection::vec((0.0..std::f64::consts::TAU, 0.91..0.97_f64), 0..6),
+        growth in 0.1..2.0_f64,
+    ) {
+        let split = |sides: &[(f64, u32)]| -> (Vec<f64>, Vec<u32>) { sides.iter().copied().unzip() };
+        let (radii, intervals) = split(&sides);
+        let mut rings = vec![star_shaped(&radii, &intervals)];
+        // With three sides the outline comes nearest to the origin, at half the least radius.
+        if let Some((radii, intervals)) = hole.as_deref().map(split) {
+            let mut hole = star_shaped(&radii, &intervals);
+            hole.reverse();
+            rings.push(hole);
+        }
+        // Points between hole and outline; a segment through the first two if it is free.
+        let points: Vec<DVec2> =
+            fixed.iter().map(|(turn, r)| DVec2::from_angle(*turn) * *r).collect();
+        let first = rings.concat().len() as u32;
+        let segments = if points.len() > 1 { vec![[first, first + 1]] } else { vec![] };
+        let options = Options { growth, ..Options::default() };
+        let fixed = Fixed { points, segments };
+        match try_mesh(&rings, &fixed, &options) {
+            Ok(_) => drop(mesh(&rings, &fixed, &options)),
+            Err(InteriorError::Outside { .. } | InteriorError::SegmentCrosses { .. }) => {
+                drop(mesh(&rings, &Fixed::default(), &options));
+            }
+            Err(InteriorError::Outline(_)) => {}
+            Err(error) => panic!("{error}"),
+        }
+    }
+}
