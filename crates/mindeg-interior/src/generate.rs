@@ -190,8 +190,9 @@ impl Start<'_> {
         for at in &self.breaklines.points {
             vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
         }
+        let extent = self.outline.extent();
         for index in along_hilbert_curve(&packed) {
-            let (at, size) = (packed[index as usize], sizes[index as usize]);
+            let (at, size) = (clean(packed[index as usize], extent), sizes[index as usize]);
             vertices.push(vertex(at, size, Kind::Free, NONE));
         }
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
@@ -221,6 +222,11 @@ impl Start<'_> {
         ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
             .map_err(InteriorError::NotFilled)
     }
+}
+
+/// The same point without coordinates that are nothing beside the domain: exact predicates have a least number.
+fn clean(point: DVec2, extent: f64) -> DVec2 {
+    DVec2::select(point.abs().cmplt(DVec2::splat(1e-25 * extent)), DVec2::ZERO, point)
 }
 
 /// The triangles that can be reached from the left of boundary edges without crossing one.

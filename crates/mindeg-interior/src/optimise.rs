@@ -126,10 +126,11 @@ fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<
     bench.mesh.record();
     for operation in list {
         let mark = bench.mesh.mark();
-        if let Some(effect) = bench.perform(*operation, allowance) {
-            if effect.is_good(floor) && best.is_none_or(|(gain, _)| effect.gain() > gain) {
-                best = Some((effect.gain(), *operation));
-            }
+        if let Some(effect) = bench.perform(*operation, allowance)
+            && effect.is_good(floor)
+            && best.is_none_or(|(gain, _)| effect.gain() > gain)
+        {
+            best = Some((effect.gain(), *operation));
         }
         bench.mesh.undo(mark);
     }

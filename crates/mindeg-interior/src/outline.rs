@@ -274,6 +274,14 @@ impl Outline {
         self.point(vertex).distance(self.point(self.next(vertex)))
     }
 
+    /// The longer side of the box round all points.
+    pub(crate) fn extent(&self) -> f64 {
+        let points = || self.points.iter().copied();
+        let low = points().reduce(DVec2::min).unwrap_or_default();
+        let high = points().reduce(DVec2::max).unwrap_or_default();
+        (high - low).max_element()
+    }
+
     /// The vertices of each ring.
     pub(crate) fn rings(&self) -> impl Iterator<Item = std::ops::Range<u32>> + '_ {
         self.starts.windows(2).map(|ends| ends[0]..ends[1])

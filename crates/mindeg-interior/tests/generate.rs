@@ -5,6 +5,7 @@ mod checker;
 #[path = "../examples/corpus/delaunay.rs"]
 mod delaunay;
 #[path = "../examples/corpus/polygons.rs"]
+#[allow(dead_code)]
 mod polygons;
 
 use checker::{assert_valid, degrees, min_angle};
@@ -196,7 +197,7 @@ fn other_limits_on_degrees_are_kept() {
 fn far_from_the_origin_and_at_other_scales_it_is_the_same() {
     let corners = points(&[[0.0, 0.0], [8.0, 0.0], [9.0, 6.0], [1.0, 7.0]]);
     let home = plain(&[ring(&corners, &[9, 7, 12, 8])]);
-    for scale in [1e-12, 1e9] {
+    for scale in [1e-30, 1e-12, 1e9, 1e40] {
         let scaled: Vec<DVec2> = corners.iter().map(|p| *p * scale).collect();
         let found = plain(&[ring(&scaled, &[9, 7, 12, 8])]);
         assert_eq!(found.report.violations, []);

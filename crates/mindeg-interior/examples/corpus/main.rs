@@ -1,4 +1,5 @@
-//! Measures the pipeline on the project's domains and a seeded corpus of random convex polygons.
+//! Measures the pipeline on the project's domains, on 200 seeded random convex polygons (`corpus`), and on 60 with reflex
+//! corners and a hole (`star`).
 //!
 //! `cargo run --release --example corpus [-- PART…]`: names or numbers of boundaries, all by default.
 
@@ -7,16 +8,17 @@ mod polygons;
 
 use glam::DVec2;
 use mindeg_interior::{Fixed, Options, Outline, generate};
-use polygons::{Random, domains, random_polygon};
+use polygons::{Random, domains, random_polygon, random_star};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
 fn main() {
     let wanted: Vec<String> = std::env::args().skip(1).collect();
     let mut random = Random(12);
-    let mut all: Vec<(String, Vec<DVec2>)> =
-        domains().into_iter().map(|(name, ring)| (name.to_owned(), ring)).collect();
-    all.extend((0..200).map(|i| (format!("corpus-{i:03}"), random_polygon(&mut random))));
+    let mut all: Vec<(String, Vec<Vec<DVec2>>)> =
+        domains().into_iter().map(|(name, ring)| (name.to_owned(), vec![ring])).collect();
+    all.extend((0..200).map(|i| (format!("corpus-{i:03}"), vec![random_polygon(&mut random)])));
+    all.extend((0..60).map(|i| (format!("star-{i:03}"), random_star(&mut random).to_vec())));
     all.retain(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| name.contains(w.as_str())));
     let (mut shares, mut clean, mut triangles, mut failed) = (Vec::new(), 0, 0, 0);
     let (mut good, mut allow, mut thirty) = (0, 0, 0);
@@ -25,9 +27,9 @@ fn main() {
         "{:<24} {:>5} {:>7} {:>7} {:>6} {:>6} {:>5} {:>3} {:>3} {:>7} {:>6} {:>6}",
         "name", "n", "limit", "angle", "share", "degree", "bound", "bad", "", "triang", "p99", "s"
     );
-    for (name, ring) in &all {
+    for (name, rings) in &all {
         let begin = Instant::now();
-        let result = Outline::new(&[ring]).map_err(Into::into).and_then(|outline| {
+        let result = Outline::new(rings).map_err(Into::into).and_then(|outline| {
             generate(
                 &outline,
                 &Fixed::default(),
@@ -44,6 +46,7 @@ fn main() {
                 continue;
             }
         };
+        let ring = rings.concat();
         assert_eq!(mesh.points[..ring.len()], ring[..]);
         let r = &mesh.report;
         let share = r.min_angle / r.limits.angle().min(35.0);

@@ -59,6 +59,20 @@ pub(crate) fn random_polygon(random: &mut Random) -> Vec<DVec2> {
     ring(&corners, &intervals)
 }
 
+/// A polygon with reflex corners round the origin, 5 to 12 sides, with a square hole.
+pub(crate) fn random_star(random: &mut Random) -> [Vec<DVec2>; 2] {
+    let sides = random.between(5, 12);
+    let corner = |i: u32| {
+        let angle = std::f64::consts::TAU * f64::from(i) / f64::from(sides);
+        DVec2::new(libm::cos(angle), libm::sin(angle)) * (4.0 + 6.0 * random.unit())
+    };
+    let corners: Vec<DVec2> = (0..sides).map(corner).collect();
+    let intervals: Vec<u32> = (0..sides).map(|_| random.between(6, 40)).collect();
+    let hole = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]].map(DVec2::from);
+    let around: Vec<u32> = (0..4).map(|_| random.between(4, 12)).collect();
+    [ring(&corners, &intervals), ring(&hole, &around)]
+}
+
 /// Shares of a side with intervals in geometric ratio.
 fn geometric(ratio: f64, count: u32) -> Vec<f64> {
     let lengths: Vec<f64> = (0..count).map(|i| ratio.powi(i as i32)).collect();
