@@ -13,26 +13,20 @@ pub(crate) struct Goal {
     pub(crate) triangles: u32,
     /// The interior angle over 60 degrees: the best number of triangles.
     pub(crate) ideal: f64,
-    /// The fan limit in degrees.
+    /// The greatest number of triangles that a good fan may have; any if angles are preferred.
+    pub(crate) fan: Option<u32>,
+    /// The fan limit with so many, in degrees.
     pub(crate) limit: f64,
-}
-
-impl Goal {
-    pub(crate) fn new(angle: f64, limit: f64, options: &Options) -> Self {
-        Self {
-            triangles: degree_limit(angle, options.boundary_degree) - 1,
-            ideal: angle / (PI / 3.0),
-            limit,
-        }
-    }
 }
 
 /// The goals of an outline's vertices.
 pub(crate) fn goals(outline: &Outline, options: &Options) -> Vec<Goal> {
     let goal = |vertex| {
         let angle = outline.angle(vertex);
-        let most = degree_limit(angle, options.boundary_degree) - 1;
-        Goal::new(angle, fan_limit_at(outline, vertex, Some(most)), options)
+        let triangles = degree_limit(angle, options.boundary_degree) - 1;
+        let fan = (options.prefer == Prefer::Degree).then_some(triangles);
+        let limit = fan_limit_at(outline, vertex, fan);
+        Goal { triangles, ideal: angle / (PI / 3.0), fan, limit }
     };
     (0..outline.points().len() as u32).map(goal).collect()
 }
@@ -57,7 +51,7 @@ impl Weights {
     pub(crate) fn single(options: &Options, floor: f64) -> Self {
         let (degree, may_violate) = match options.prefer {
             Prefer::Degree => (1e3, false),
-            Prefer::Angle => (20.0, true),
+            Prefer::Angle => (2.0, true),
         };
         Self { floor, angle: 2.0, degree, interior: options.interior_degree.clone(), may_violate }
     }

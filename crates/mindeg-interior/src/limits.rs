@@ -72,9 +72,19 @@ impl Limits {
     /// The boundary vertex that decides [`Limits::angle`]: of a tent, the first edge's first vertex.
     #[must_use]
     pub fn vertex(&self) -> u32 {
+        self.decides(self.with_degree_limit)
+    }
+
+    /// The boundary vertex that decides [`Limits::angle_at_any_degree`].
+    #[must_use]
+    pub fn vertex_at_any_degree(&self) -> u32 {
+        self.decides(self.any_degree)
+    }
+
+    fn decides(&self, fan: FanLimit) -> u32 {
         match self.tent {
-            Some(tent) if tent.angle < self.with_degree_limit.angle => tent.edges[0],
-            _ => self.with_degree_limit.vertex,
+            Some(tent) if tent.angle < fan.angle => tent.edges[0],
+            _ => fan.vertex,
         }
     }
 }

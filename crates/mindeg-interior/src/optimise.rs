@@ -13,6 +13,9 @@ const ROUNDS: usize = 4;
 /// Angles this much above the floor are polished, too, in degrees.
 const MARGIN: f64 = 4.0;
 
+/// Called now and then; an error cancels.
+type Alive<'a> = &'a mut dyn FnMut() -> Result<(), InteriorError>;
+
 /// Which vertices need work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Need {
@@ -36,17 +39,17 @@ pub(crate) fn optimise(
     report(progress, 0.45)?;
     for round in 0..ROUNDS {
         let mut changes = 0;
+        let mut alive = || report(progress, 0.5 + 0.1 * round as f32);
         for need in [Need::Any, Need::Degree] {
-            changes += singles(mesh, weights, need, progress)?;
+            changes += singles(mesh, weights, need, &mut alive)?;
         }
         if pairs {
-            changes += pairs_of_operations(mesh, weights, progress)?;
+            changes += pairs_of_operations(mesh, weights, &mut alive)?;
         }
         if changes == 0 && round > 0 {
             break;
         }
         sweeper.run(mesh, Power::Four, 5);
-        report(progress, 0.5 + 0.1 * round as f32)?;
     }
     polish_all(mesh, weights, &mut sweeper);
     report(progress, 1.0)
@@ -75,7 +78,7 @@ fn singles(
     mesh: &mut ArrayMesh,
     weights: &Weights,
     need: Need,
-    progress: Progress<'_>,
+    alive: Alive<'_>,
 ) -> Result<usize, InteriorError> {
     let mut star = Vec::new();
     let mut list = Vec::new();
@@ -94,7 +97,7 @@ fn singles(
         }
         left -= 1;
         if left.is_multiple_of(256) {
-            report(progress, 0.5)?;
+            alive()?;
         }
         if !is_needy(&mut bench, vertex, need, &mut star) {
             continue;
@@ -142,7 +145,7 @@ fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<
 fn pairs_of_operations(
     mesh: &mut ArrayMesh,
     weights: &Weights,
-    progress: Progress<'_>,
+    alive: Alive<'_>,
 ) -> Result<usize, InteriorError> {
     let mut star = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
@@ -156,7 +159,7 @@ fn pairs_of_operations(
             break;
         }
         left -= 1;
-        report(progress, 0.5)?;
+        alive()?;
         if !is_needy(&mut bench, vertex, Need::Any, &mut star) {
             continue;
         }

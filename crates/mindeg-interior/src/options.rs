@@ -20,7 +20,8 @@ pub enum Prefer {
     /// Degrees within their limits.
     #[default]
     Degree,
-    /// The minimum angle.
+    /// The minimum angle: the limit is then the one for any degree, and corners may get more triangles
+    /// than the boundary degree allows.
     Angle,
 }
 

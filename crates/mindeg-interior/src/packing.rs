@@ -51,6 +51,9 @@ struct Candidate {
     direction: DVec2,
 }
 
+/// More triangles than this are of no use in any fan, nearly.
+const MOST_SPOKES: u32 = 64;
+
 /// Nearer to an edge than this share of size or edge length, no point is put.
 const CLEARANCE: f64 = 0.45;
 
@@ -104,8 +107,9 @@ impl Ground<'_> {
             if !is_corner || ratio.max(1.0 / ratio) <= 1.3 {
                 continue;
             }
-            let most = self.goals[vertex as usize].triangles;
-            let reachable = fan_limit(angle, first, last, Some(most)).min(self.fan_angle);
+            let goal = &self.goals[vertex as usize];
+            let reachable = goal.limit.min(self.fan_angle);
+            let most = goal.fan.unwrap_or(MOST_SPOKES);
             let count = (1..=most)
                 .find(|k| fan_limit(angle, first, last, Some(*k)) >= reachable - 1e-9)
                 .unwrap_or(most);

@@ -18,12 +18,19 @@ pub(crate) fn floor(options: &Options) -> f64 {
     options.target_angle.map_or(FLOOR, |angle| (angle + 1.0).max(FLOOR))
 }
 
+/// The proven limit that counts, and the vertex that decides it: angles that are preferred may cost degrees.
+fn limit(limits: &Limits, options: &Options) -> (f64, u32) {
+    match options.prefer {
+        Prefer::Degree => (limits.angle(), limits.vertex()),
+        Prefer::Angle => (limits.angle_at_any_degree(), limits.vertex_at_any_degree()),
+    }
+}
+
 /// Refuses a target that is proven impossible.
 pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), InteriorError> {
-    // A violated degree limit could allow more, but nobody is to rely on that.
+    let (limit, vertex) = limit(limits, options);
     match options.target_angle {
-        Some(target) if target > limits.angle() => {
-            let (limit, vertex) = (limits.angle(), limits.vertex());
+        Some(target) if target > limit => {
             Err(InteriorError::TargetAboveLimit { target, limit, vertex })
         }
         _ => Ok(()),
@@ -32,14 +39,15 @@ pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), Int
 
 /// The share reached of what the limit, the target, and sense allow.
 fn share(report: &Report, options: &Options) -> f64 {
-    let limit = report.limits.angle().min(options.target_angle.unwrap_or(ENOUGH));
-    (report.min_angle / limit).min(1.0)
+    let (limit, _) = limit(&report.limits, options);
+    (report.min_angle / limit.min(options.target_angle.unwrap_or(ENOUGH))).min(1.0)
 }
 
 /// True if further search is not worth its time.
 pub(crate) fn is_enough(report: &Report, options: &Options) -> bool {
     let wanted = if options.target_angle.is_some() { 1.0 } else { GOOD_SHARE };
-    let is_good = report.violations.is_empty() && share(report, options) >= wanted;
+    let degrees = report.violations.is_empty() || options.prefer == Prefer::Angle;
+    let is_good = degrees && share(report, options) >= wanted;
     is_good || report.triangles > MOST_TRIANGLES
 }
 

@@ -188,9 +188,22 @@ fn other_limits_on_degrees_are_kept() {
         let found = mesh(&[square.clone()], &Fixed::default(), &options);
         assert_eq!(found.report.violations, [], "{options:?}");
     }
-    let options = Options { prefer: Prefer::Angle, ..Options::default() };
-    let found = mesh(&[square], &Fixed::default(), &options);
-    assert!(share(&found) > 0.9);
+}
+
+#[test]
+fn preferred_angles_exceed_the_limit_that_degrees_set() {
+    // At the first corner an edge of 20 meets one of 1.
+    let corners = points(&[[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]]);
+    let rings = [ring(&corners, &[40, 2, 2, 2])];
+    let best = |prefer| {
+        let options = Options { prefer, ..Options::default() };
+        mesh(&rings, &Fixed::default(), &options).report
+    };
+    let (degree, angle) = (best(Prefer::Degree), best(Prefer::Angle));
+    assert_eq!(degree.violations, []);
+    assert!(degree.min_angle < degree.limits.angle());
+    assert!(angle.min_angle > angle.limits.angle() + 0.5, "{angle:?}");
+    assert!(!angle.violations.is_empty());
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod checker;
 #[path = "../examples/corpus/delaunay.rs"]
 mod delaunay;
 
-use checker::{assert_valid, degrees};
+use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
 use mindeg_interior::{Improved, InteriorError, Keep, Options, improve};
 use proptest::prelude::*;
@@ -49,6 +49,7 @@ fn run((points, triangles): &Mesh, keep: &Keep) -> Improved {
         let [a, b] = edge.map(name);
         assert!(found.triangles.iter().any(|t| t.contains(&a) && t.contains(&b)), "{edge:?}");
     }
+    assert!((min_angle(&found.points, &found.triangles) - found.after.min_angle).abs() < 1e-5);
     assert!(found.after.violations.len() <= found.before.violations.len());
     found
 }

@@ -1,19 +1,24 @@
 //! Measures the pipeline on the project's domains, on 200 seeded random convex polygons (`corpus`), and on 60 with reflex
 //! corners and a hole (`star`).
 //!
-//! `cargo run --release --example corpus [-- PART…]`: names or numbers of boundaries, all by default.
+//! `cargo run --release --example corpus [-- --prefer-angle] [-- PART…]`: names or numbers of boundaries, all by default.
 
 mod delaunay;
 mod polygons;
 
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, Outline, generate};
+use mindeg_interior::{Fixed, Options, Outline, Prefer, generate};
 use polygons::{Random, domains, random_polygon, random_star};
 use std::ops::ControlFlow;
 use std::time::Instant;
 
 fn main() {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    let mut wanted: Vec<String> = std::env::args().skip(1).collect();
+    let mut options = Options::default();
+    if let Some(at) = wanted.iter().position(|w| w == "--prefer-angle") {
+        wanted.remove(at);
+        options.prefer = Prefer::Angle;
+    }
     let mut random = Random(12);
     let mut all: Vec<(String, Vec<Vec<DVec2>>)> =
         domains().into_iter().map(|(name, ring)| (name.to_owned(), vec![ring])).collect();
@@ -30,13 +35,9 @@ fn main() {
     for (name, rings) in &all {
         let begin = Instant::now();
         let result = Outline::new(rings).map_err(Into::into).and_then(|outline| {
-            generate(
-                &outline,
-                &Fixed::default(),
-                &Options::default(),
-                delaunay::triangulate,
-                &mut |_| ControlFlow::Continue(()),
-            )
+            generate(&outline, &Fixed::default(), &options, delaunay::triangulate, &mut |_| {
+                ControlFlow::Continue(())
+            })
         });
         let mesh = match result {
             Ok(mesh) => mesh,
