@@ -8,7 +8,7 @@ use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Goal, Weights, goals};
 use crate::limits::limits;
 use crate::optimise::optimise;
-use crate::options::{Fixed, InteriorError, Options, Progress, SizeAt};
+use crate::options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
 use crate::order::along_hilbert_curve;
 use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
@@ -76,18 +76,26 @@ where
     options.check()?;
     let limits = limits(outline, options.boundary_degree);
     check_target(&limits, options)?;
-    let goals = goals(outline, options);
     let floor = floor(options);
     let mut best: Option<InteriorMesh> = None;
-    for (index, seed) in SEEDS.iter().enumerate() {
-        let grown = Options { growth: options.growth * seed.growth, ..options.clone() };
-        let (breaklines, field) = size_field(outline, fixed, &grown)?;
+    // Where angles are preferred, the way that keeps degrees may still reach more.
+    let ways: &[Prefer] = match options.prefer {
+        Prefer::Degree => &[Prefer::Degree],
+        Prefer::Angle => &[Prefer::Angle, Prefer::Degree],
+    };
+    let tries: Vec<(Prefer, &Seed)> =
+        ways.iter().flat_map(|way| SEEDS.iter().map(|seed| (*way, seed))).collect();
+    for (index, (prefer, seed)) in tries.iter().enumerate() {
+        let growth = options.growth * seed.growth;
+        let way = Options { growth, prefer: *prefer, ..options.clone() };
+        let goals = goals(outline, &way);
+        let (breaklines, field) = size_field(outline, fixed, &way)?;
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
-        let mut part = |done: f32| progress((index as f32 + done) / SEEDS.len() as f32);
+        let mut part = |done: f32| progress((index as f32 + done) / tries.len() as f32);
         let mut mesh =
             start.mesh(seed.spacing, floor, options.max_points, &mut triangulate, &mut part)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
-        optimise(&mut mesh, &weights(options, floor), seed.pairs, &mut part)?;
+        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut part)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
         let goal = |v: u32| goals.get(v as usize);

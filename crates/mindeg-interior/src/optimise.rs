@@ -152,7 +152,7 @@ fn pairs_of_operations(
     let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
         .filter(|v| is_needy(&mut bench, *v, Need::Any, &mut star))
         .collect();
-    let mut left = 3 * queue.len() + 20;
+    let mut left = (3 * queue.len() + 20).min(MOST_PAIRS);
     let mut done = 0;
     while let Some(vertex) = queue.pop_front() {
         if left == 0 {
@@ -172,6 +172,9 @@ fn pairs_of_operations(
     }
     Ok(done)
 }
+
+/// Vertices that one round tries pairs at: some ten milliseconds each.
+const MOST_PAIRS: usize = 300;
 
 /// First operations that are followed up.
 const MOST_FIRST: usize = 12;

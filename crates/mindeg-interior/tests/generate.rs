@@ -86,7 +86,7 @@ fn the_domains_have_no_violation_and_nearly_the_best_angles() {
 #[test]
 fn random_polygons_have_no_violation() {
     let mut random = Random(99);
-    for i in 0..25 {
+    for i in 0..12 {
         let found = plain(&[random_polygon(&mut random)]);
         assert_eq!(found.report.violations, [], "{i}");
         assert!(share(&found) >= 0.8, "{i}: {}", share(&found));
@@ -192,9 +192,9 @@ fn other_limits_on_degrees_are_kept() {
 
 #[test]
 fn preferred_angles_exceed_the_limit_that_degrees_set() {
-    // At the first corner an edge of 20 meets one of 1.
+    // At the first corner an edge of 20 meets one of 0.25.
     let corners = points(&[[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]]);
-    let rings = [ring(&corners, &[40, 2, 2, 2])];
+    let rings = [ring(&corners, &[160, 2, 2, 2])];
     let best = |prefer| {
         let options = Options { prefer, ..Options::default() };
         mesh(&rings, &Fixed::default(), &options).report
@@ -318,7 +318,7 @@ fn star_shaped(radii: &[f64], intervals: &[u32]) -> Vec<DVec2> {
 }
 
 proptest::proptest! {
-    #![proptest_config(proptest::test_runner::Config::with_cases(12))]
+    #![proptest_config(proptest::test_runner::Config::with_cases(8))]
 
     /// Whatever the shape, the mesh is valid, with the boundary and what is fixed as they were.
     #[test]
