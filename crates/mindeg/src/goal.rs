@@ -10,8 +10,8 @@ use crate::exact::{self, ExactError};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Goal {
     /// The least maximum degree, at any size; of the candidates that the construction gives, the
-    /// one with the largest minimum angle. A domain [that limits
-    /// degrees](Domain::is_constrained) takes the solver.
+    /// one with the largest minimum angle. A [constrained](Domain::is_constrained) domain takes
+    /// the solver.
     #[default]
     LeastDegree,
     /// The largest minimum angle of all meshes whose degrees are within a limit, by the solver.
@@ -21,7 +21,7 @@ pub enum Goal {
     },
 }
 
-/// A mesh, and what its degree is to be compared with.
+/// A mesh, and the least degree to compare it with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
     /// The mesh.
@@ -52,7 +52,7 @@ pub struct Meshed {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    let least_max_degree = exact::optimal_max_degree(domain, progress)?;
+    let least_max_degree = exact::least_max_degree(domain, progress)?;
     let mesh = match goal {
         Goal::LeastDegree if !domain.is_constrained() => {
             BoundaryMesh::of_formula(domain, progress)?
