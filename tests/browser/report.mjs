@@ -30,6 +30,7 @@ function rectangle(name, intervals) {
   return path;
 }
 
+const axe = readFileSync("node_modules/axe-core/axe.min.js", "utf8");
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
 const noise = [];
 
@@ -46,6 +47,13 @@ async function open(name, options = {}) {
     }
   });
   await opened.goto(address);
+  await settled(opened);
+  return opened;
+}
+
+/** Opens all that is folded. */
+async function unfold(opened) {
+  await opened.evaluate(() => document.querySelectorAll("details").forEach((details) => { details.open = true; }));
   await settled(opened);
   return opened;
 }
@@ -80,19 +88,150 @@ function assertAllDiffer(before, after) {
 const written = mindeg("compare", bundled("unequal-hexagon"), "-o", "hexagon.html", "-o", "hexagon.json", "-o", "hexagon.md");
 assert.equal(written.status, 0, written.stderr);
 const report = JSON.parse(readFileSync(page("hexagon.json"), "utf8"));
-const names = report.methods.map((method) => method.name);
+// A mesh appears once: the methods that have the same one share a place, and their names.
+const meshes = report.methods.filter((method) => method.same_mesh_as === null);
+const names = meshes.map((method) => {
+  const others = report.methods.filter((other) => other.same_mesh_as === method.name);
+  return [method, ...others].map(({ name }) => name).join(" and ");
+});
+/** The place of a method's mesh among the pictures of the page, which begin with the advised one. */
+const placed = async (opened) => {
+  const shown = await opened.locator(".mesh h3").allTextContents();
+  return names.map((name) => shown.indexOf(name));
+};
 
-test("the page has a picture of every method and the verdict", async () => {
-  const opened = await open("hexagon.html");
-  assert.deepEqual(await opened.locator(".mesh h3").allTextContents(), names);
-  const verdict = await opened.locator(".verdict p").allTextContents();
-  assert.equal(verdict.join(" "), report.verdict);
+test("the page begins with what to do, and has every mesh once", async () => {
+  const opened = await unfold(await open("hexagon.html"));
+  const shown = await opened.locator(".mesh h3").allTextContents();
+  assert.deepEqual([...shown].sort(), [...names].sort());
+  assert.ok(names.some((name) => name.includes(" and ")));
+  assert.ok(shown[0].includes(report.advice.method));
+  const headline = await opened.locator(".headline").textContent();
+  assert.ok(report.verdict.startsWith(headline) && headline.startsWith(`Take degree ${report.advice.max_degree}: `));
+  const box = await opened.locator("#command").boundingBox();
+  assert.ok(box.y < 500, `the command is ${box.y} pixels down`);
+  assert.deepEqual(await opened.locator(".words tbody th").allTextContents(), [
+    "Maximum degree", "Minimum angle", "Median minimum angle", "Triangles below 5°", "Triangles below 15°"]);
   for (const picture of await drawn(opened)) assert.ok(picture.length > 5000);
   await opened.context().close();
 });
 
-test("pointing at a vertex tells its degree in every mesh", async () => {
+test("the command is copied", async () => {
   const opened = await open("hexagon.html");
+  await opened.evaluate(() => {
+    navigator.clipboard.writeText = async (text) => { window.copied = text; };
+  });
+  await opened.locator("#copy").click();
+  const command = await opened.locator("#command").textContent();
+  assert.match(command, /^mindeg mesh \S+ --keep-angle 95% -o mesh\.obj$/);
+  assert.equal(await opened.evaluate(() => window.copied), command);
+  await opened.context().close();
+});
+
+const SCREENS = [390, 800, 1400].flatMap((width) => ["light", "dark"].map((colorScheme) => ({ width, colorScheme })));
+
+test("axe finds nothing serious, on any screen, light and dark", async () => {
+  assert.equal(mindeg("compare", bundled("wing-panel"), bundled("slender-fin"), "-o", "pages/").status, 0);
+  assert.equal(mindeg("tradeoff", bundled("wing-panel"), "-o", "curve.html").status, 0);
+  for (const name of ["hexagon.html", "pages/index.html", "pages/slender-fin.html", "curve.html"]) {
+    for (const { width, colorScheme } of SCREENS) {
+      // The page's own policy keeps scripts of others out, and axe is one.
+      const opened = await unfold(await open(name, { viewport: { width, height: 900 }, colorScheme, bypassCSP: true }));
+      await opened.evaluate(axe);
+      const { violations } = await opened.evaluate(() => window.axe.run());
+      const found = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+      const told = found.map(({ id, nodes }) => `${id}: ${nodes[0].html}`);
+      assert.deepEqual(told, [], `${name} at ${width} pixels, ${colorScheme}`);
+      await opened.context().close();
+    }
+  }
+});
+
+test("no table is cut off on any screen or on paper", async () => {
+  for (const name of ["hexagon.html", "pages/index.html", "curve.html"]) {
+    for (const [width, media] of [[390, "screen"], [800, "screen"], [1400, "screen"], [720, "print"]]) {
+      const opened = await open(name, { viewport: { width, height: 900 } });
+      await opened.emulateMedia({ media });
+      await unfold(opened);
+      const cut = await opened.$$eval("html, .scroll", (boxes) =>
+        boxes.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.innerText.slice(0, 40)));
+      assert.deepEqual(cut, [], `${name} at ${width} pixels, ${media}`);
+      await opened.context().close();
+    }
+  }
+});
+
+test("every figure has a name, and no table two equal headings", async () => {
+  for (const name of ["hexagon.html", "pages/index.html", "curve.html"]) {
+    const opened = await unfold(await open(name));
+    const nameless = await opened.$$eval("figure, svg, .bars, .stage", (figures) =>
+      figures.filter((figure) => {
+        const by = figure.getAttribute("aria-labelledby");
+        return !(figure.getAttribute("aria-label") || (by && document.getElementById(by)?.textContent));
+      }).map((figure) => figure.outerHTML.slice(0, 80)));
+    assert.deepEqual(nameless, [], name);
+    const headings = await opened.$$eval("table", (tables) =>
+      tables.map((table) => [...table.querySelectorAll("thead th")].map((cell) => cell.textContent)));
+    for (const row of headings) assert.equal(new Set(row).size, row.length, row.join(" | "));
+    await opened.context().close();
+  }
+});
+
+test("the numbers of a column end at the same place", async () => {
+  const opened = await unfold(await open("hexagon.html"));
+  const columns = await opened.$$eval("table:not(.words table)", (tables) => tables.flatMap((table) => {
+    const rows = [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.textContent));
+    return rows[0].map((_, column) => rows.map((row) => row[column]));
+  }));
+  let checked = 0;
+  for (const column of columns) {
+    const decimals = column.filter((text) => /^\d+\.\d+[°%]?$/.test(text)).map((text) => text.match(/\.(\d+)/)[1].length);
+    if (decimals.length > 1) checked += 1;
+    assert.ok(new Set(decimals).size <= 1, column.join(" | "));
+  }
+  assert.ok(checked > 30, `${checked} columns`);
+  await opened.context().close();
+});
+
+test("two meshes of a wide domain fit on one screen", async () => {
+  assert.equal(mindeg("compare", bundled("boundary-layer-channel"), "-o", "channel.html").status, 0);
+  const opened = await open("channel.html", { viewport: { width: 1400, height: 900 } });
+  const boxes = await opened.$$eval(".mesh", (all) => all.slice(0, 2).map((mesh) => mesh.getBoundingClientRect().toJSON()));
+  assert.ok(boxes[1].top >= boxes[0].bottom, "one above the other");
+  assert.ok(boxes[1].bottom - boxes[0].top < 700, `${boxes[1].bottom - boxes[0].top} pixels`);
+  await opened.context().close();
+});
+
+test("a curve is legible on a phone, and a single point makes none", async () => {
+  for (const name of ["channel.html", "curve.html"]) {
+    const opened = await open(name, { viewport: { width: 390, height: 740 } });
+    const sizes = await opened.$$eval(".plot text", (all) => all.filter((text) => text.getClientRects().length).map((text) => {
+      const svg = text.closest("svg");
+      return (parseFloat(getComputedStyle(text).fontSize) * svg.getBoundingClientRect().width) / svg.viewBox.baseVal.width;
+    }));
+    assert.ok(sizes.length > 5 && Math.min(...sizes) > 10, `${name}: ${Math.min(...sizes)} pixels`);
+    await opened.context().close();
+  }
+  assert.equal(mindeg("tradeoff", bundled("slender-fin"), "-o", "point.html", "-o", "point.svg").status, 0);
+  for (const name of ["point.html", "pages/slender-fin.html"]) {
+    const opened = await open(name);
+    assert.equal(await opened.locator(".plot").count(), 0, name);
+    await opened.context().close();
+  }
+  assert.ok(!readFileSync(page("point.svg"), "utf8").includes('class="curve"'));
+});
+
+test("a bar that is pointed at or tapped is read", async () => {
+  const opened = await unfold(await open("hexagon.html"));
+  for (const [chart, words] of [["#degree-chart", /, degree 2: \d+ vert/], ["#metric-chart", / to .*: \d+ triangle/]]) {
+    await opened.locator(`${chart} .bars i`).first().hover();
+    assert.match(await opened.locator(`${chart} .chart-read`).textContent(), words);
+  }
+  await opened.context().close();
+});
+
+test("pointing at a vertex tells its degree in every mesh", async () => {
+  const opened = await unfold(await open("hexagon.html"));
   for (const vertex of [0, 5, 30]) {
     await opened.mouse.move(...(await screenPlace(opened, 1, vertex)));
     await settled(opened);
@@ -105,14 +244,15 @@ test("pointing at a vertex tells its degree in every mesh", async () => {
 });
 
 test("pointing at a triangle tells its angles", async () => {
-  const opened = await open("hexagon.html");
-  const [worst] = report.methods[1].worst_triangles;
+  const opened = await unfold(await open("hexagon.html"));
+  const delaunay = (await placed(opened))[names.indexOf("Delaunay")];
+  const [worst] = report.methods.find(({ name }) => name === "Delaunay").worst_triangles;
   const corners = [];
-  for (const vertex of worst.vertices) corners.push(await screenPlace(opened, 1, vertex));
+  for (const vertex of worst.vertices) corners.push(await screenPlace(opened, delaunay, vertex));
   const middle = [0, 1].map((axis) => corners.reduce((sum, corner) => sum + corner[axis], 0) / 3);
   await opened.mouse.move(...middle);
   await settled(opened);
-  const text = (await readouts(opened))[1];
+  const text = (await readouts(opened))[delaunay];
   const found = text.match(/^Triangle (\d+) \(([\d, ]+)\): angles ([\d.]+)°, ([\d.]+)°, ([\d.]+)°/);
   assert.ok(found, text);
   assert.equal(Number(found[1]), worst.triangle);
@@ -123,9 +263,10 @@ test("pointing at a triangle tells its angles", async () => {
 });
 
 test("the buttons lead to the busiest vertex and the smallest angle", async () => {
-  const opened = await open("hexagon.html");
-  for (const [place, method] of report.methods.entries()) {
-    const figure = opened.locator(".mesh").nth(place);
+  const opened = await unfold(await open("hexagon.html"));
+  const places = await placed(opened);
+  for (const [number, method] of meshes.entries()) {
+    const figure = opened.locator(".mesh").nth(places[number]);
     await figure.locator("[data-jump=busiest]").click();
     await settled(opened);
     assert.match(await figure.locator(".readout").textContent(), new RegExp(`: degree ${method.max_degree}\\b`));
@@ -138,7 +279,7 @@ test("the buttons lead to the busiest vertex and the smallest angle", async () =
 });
 
 test("every measure can be chosen, and colors, legend and chart follow", async () => {
-  const opened = await open("hexagon.html");
+  const opened = await unfold(await open("hexagon.html"));
   const seen = new Set();
   const options = await opened.locator("#metric option").allTextContents();
   assert.equal(options.length, 7);
@@ -159,7 +300,7 @@ test("every measure can be chosen, and colors, legend and chart follow", async (
 });
 
 test("zoom and movement are the same in all pictures", async () => {
-  const opened = await open("hexagon.html");
+  const opened = await unfold(await open("hexagon.html"));
   const first = await drawn(opened);
   await opened.locator("#zoom-in").click();
   await settled(opened);
@@ -201,7 +342,7 @@ test("zoom and movement are the same in all pictures", async () => {
 });
 
 test("a wheel over a picture that is not chosen scrolls the page", async () => {
-  const opened = await open("hexagon.html");
+  const opened = await unfold(await open("hexagon.html"));
   const before = await drawn(opened);
   await opened.mouse.move(...(await screenPlace(opened, 0, 0)));
   const top = await opened.evaluate(() => scrollY);
@@ -213,7 +354,7 @@ test("a wheel over a picture that is not chosen scrolls the page", async () => {
 });
 
 test("everything can be reached and done from the keyboard", async () => {
-  const opened = await open("hexagon.html");
+  const opened = await unfold(await open("hexagon.html"));
   const reached = [];
   for (let step = 0; step < 60; step++) {
     await opened.keyboard.press("Tab");
@@ -225,12 +366,22 @@ test("everything can be reached and done from the keyboard", async () => {
     if (at === null) break;
     reached.push(at);
   }
-  for (const id of ["metric", "dots", "stretch", "zoom-out", "zoom-in", "fit", "scroll"]) {
+  for (const id of ["copy", "metric", "dots", "stretch", "zoom-out", "zoom-in", "fit"]) {
     assert.ok(reached.includes(id), `${id} is not reached`);
   }
   for (const kind of ["stage", "busiest", "worst"]) {
     assert.equal(reached.filter((at) => at === kind).length, names.length, kind);
   }
+
+  // Folded, as a page opens, it takes few steps to get through.
+  const folded = await open("hexagon.html");
+  let stops = 0;
+  for (; stops < 60; stops++) {
+    await folded.keyboard.press("Tab");
+    if (await folded.evaluate(() => document.activeElement === document.body)) break;
+  }
+  assert.ok(stops <= 25, `${stops} stops`);
+  await folded.context().close();
 
   await opened.locator("#fit").focus();
   while (!(await opened.evaluate(() => document.activeElement.matches(".stage")))) await opened.keyboard.press("Tab");
@@ -252,7 +403,7 @@ test("everything can be reached and done from the keyboard", async () => {
 });
 
 test("light and dark follow the reader's system, also while the page is open", async () => {
-  const opened = await open("hexagon.html", { colorScheme: "light" });
+  const opened = await unfold(await open("hexagon.html", { colorScheme: "light" }));
   const background = () => opened.evaluate(() => getComputedStyle(document.body).backgroundColor);
   const [light, lightPage] = [await drawn(opened), await background()];
   await opened.emulateMedia({ colorScheme: "dark" });
@@ -263,7 +414,7 @@ test("light and dark follow the reader's system, also while the page is open", a
 });
 
 test("a dark page prints light, with its pictures", async () => {
-  const opened = await open("hexagon.html", { colorScheme: "dark" });
+  const opened = await unfold(await open("hexagon.html", { colorScheme: "dark" }));
   const dark = await drawn(opened);
   await opened.evaluate(() => {
     window.addEventListener("beforeprint", () => {
@@ -292,7 +443,8 @@ test("without the script the figures can still be read", async () => {
   await opened.goto(pathToFileURL(page("hexagon.html")).href);
   const text = await opened.locator("main").textContent();
   assert.ok(text.includes(report.verdict.split(". ")[0]));
-  assert.equal(await opened.locator("table").count(), 3 + 6 + names.length);
+  // The choice, the overview, degrees, shares and sides; a table for each measure and each mesh.
+  assert.equal(await opened.locator("table").count(), 5 + 6 + names.length);
   await context.close();
 });
 
@@ -346,12 +498,14 @@ test("more triangles are thinned out, and the page says so", async () => {
   const notes = await opened.locator(".thinned").allTextContents();
   assert.match(notes[0], /20.000 of 39.999 triangles/);
   assert.ok((await opened.evaluate(() => methods[0].triangles.length / 3)) <= 20_000);
+  const second = await opened.locator(".mesh h3").nth(1).textContent();
   await opened.locator("[data-jump=busiest]").nth(1).click();
   await settled(opened);
   const jsonRun = mindeg("compare", path, "-o", "more.json");
   assert.equal(jsonRun.status, 0, jsonRun.stderr);
   const full = JSON.parse(readFileSync(page("more.json"), "utf8"));
-  assert.ok((await readouts(opened))[1].includes(`degree ${full.methods[1].max_degree}`));
+  const { max_degree } = full.methods.find(({ name }) => second.startsWith(name));
+  assert.ok((await readouts(opened))[1].includes(`degree ${max_degree}`));
   await opened.context().close();
 });
 
@@ -368,7 +522,7 @@ test("the index of many domains sorts, links, and lists what failed", async () =
   }
   const column = (place) => opened.$$eval("tbody tr", (rows, place) => rows.map((row) => row.cells[place].dataset.value), place);
   const headings = opened.locator("thead button");
-  for (const place of [1, 3, 5]) {
+  for (const place of [1, 4, 5]) {
     for (const [order, sign] of [["ascending", 1], ["descending", -1]]) {
       await headings.nth(place).focus();
       await opened.keyboard.press("Enter");
@@ -383,6 +537,17 @@ test("the index of many domains sorts, links, and lists what failed", async () =
   await opened.locator("tbody a").first().click();
   await settled(opened);
   assert.equal(await opened.locator(".stage").first().isVisible(), true);
+  // From page to page, and back to the list; each says what made it.
+  assert.match(await opened.locator("footer").textContent(), /from .*\.json with mindeg compare .* -o out\//);
+  const first = await opened.locator("h1").textContent();
+  const next = opened.locator("nav a[rel=next]");
+  const name = (await next.textContent()).replace(" →", "");
+  await next.click();
+  await settled(opened);
+  assert.equal(await opened.locator("h1").textContent(), name);
+  assert.ok((await opened.locator("nav a[rel=prev]").textContent()).endsWith(first));
+  await opened.locator("nav a").first().click();
+  assert.equal(await rows.count(), all.length);
   await opened.context().close();
 });
 

@@ -59,7 +59,7 @@ fn text_says_why() {
 #[test]
 fn bad_counts_are_refused_with_the_side() {
     for (intervals, words) in [
-        ("3,3", &["at least 3 sides"][..]),
+        ("3,3", &["found 2 sides; a polygon needs at least 3"][..]),
         ("3,0,3", &["side 2", "at least 1"]),
         ("3,3,99999999999", &["side 3", "4294967294"]),
         ("3,3,99999999999999999999999", &["side 3"]),

@@ -61,5 +61,6 @@ fn degree_ends_with_a_hint_above_four() {
 #[test]
 fn a_target_out_of_reach_is_refused() {
     mindeg(["suggest", "3,3,2,2", "--target", "2"]).refuses(&["4 sides", "2 or less"]);
-    mindeg(["suggest", "3,3", "--target", "4"]).refuses(&["at least 3 sides"]);
+    mindeg(["suggest", "3,3", "--target", "4"])
+        .refuses(&["found 2 sides; a polygon needs at least 3"]);
 }

@@ -9,7 +9,8 @@ use crate::interrupt::clean_up_on_interrupt;
 use crate::output::{Outputs, cannot_write};
 use mindeg::Domain;
 use mindeg_compare::{
-    Comparison, IndexEntry, Options, compare, write_html, write_index, write_json, write_markdown,
+    Comparison, IndexEntry, Options, PageLinks, Provenance, compare, shell_word, write_html,
+    write_index, write_json, write_linked_html, write_markdown,
 };
 use std::collections::BTreeSet;
 use std::fs;
@@ -61,6 +62,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     let writers: Vec<Writer> =
         arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
     let comparison = compared(&domain(&arguments.domain)?, options, arguments.quiet)?;
+    let comparison = comparison.made_by(provenance(arguments.domain.files.first()));
     let mut outputs = Outputs::default();
     for (path, write) in arguments.output.iter().zip(writers) {
         outputs.write(path, |out| write(&comparison, out))?;
@@ -99,11 +101,19 @@ fn run_all(arguments: &CompareArguments, options: &Options, folder: &Path) -> Re
     let mut entries = Vec::new();
     let mut failures = Vec::new();
     let mut gated = Vec::new();
-    for Job { name, load } in jobs {
-        let page = format!("{name}.html");
+    let pages: Vec<(String, String)> =
+        jobs.iter().map(|job| (job.name.clone(), format!("{}.html", job.name))).collect();
+    for (place, Job { name, load }) in jobs.into_iter().enumerate() {
+        let page = pages[place].1.clone();
+        let links = PageLinks {
+            index: Some("index.html".to_owned()),
+            previous: place.checked_sub(1).and_then(|before| pages.get(before)).cloned(),
+            next: pages.get(place + 1).cloned(),
+        };
         let written = load().and_then(|domain| {
             let comparison = compared(&domain, options, arguments.quiet)?;
-            write_page(&folder.join(&page), |out| write_html(&comparison, out))?;
+            let comparison = comparison.made_by(provenance(arguments.domain.files.get(place)));
+            write_page(&folder.join(&page), |out| write_linked_html(&comparison, &links, out))?;
             Ok(comparison)
         });
         match written {
@@ -169,6 +179,18 @@ fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Compariso
     );
     let comparison = Bar::new(quiet).waiting(name, || compare(domain, options));
     comparison.map_err(|error| Failure::Input(error.to_string()))
+}
+
+/// What a report says of its making: the file as it was given, and the command line.
+fn provenance(input: Option<&PathBuf>) -> Provenance {
+    let words = std::env::args_os().skip(1).map(|word| shell_word(&word.to_string_lossy()));
+    let command = [String::from("mindeg")].into_iter().chain(words).collect::<Vec<_>>().join(" ");
+    let input = input.filter(|path| path.as_os_str() != "-");
+    Provenance {
+        input: input.map(|path| path.display().to_string()),
+        command: Some(command),
+        ..Provenance::default()
+    }
 }
 
 /// Writes one page of a folder, whole or not at all.

@@ -8,7 +8,7 @@ use crate::interrupt::clean_up_on_interrupt;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
-use mindeg::exact::ExactError;
+use mindeg::exact::{self, ExactError};
 use mindeg::{BoundaryMesh, Domain, Goal, Meshed, Progress};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
@@ -42,7 +42,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let Meshed { mesh, least_max_degree } = mesh(arguments, &domain, progress)?;
+    let Meshed { mesh, least_max_degree, .. } = mesh(arguments, &domain, progress)?;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
     arguments.gates.check_mesh(&mesh, angles.min, &bar)?;
@@ -77,12 +77,16 @@ fn mesh(
     domain: &Domain,
     progress: Progress<'_>,
 ) -> Result<Meshed, Failure> {
-    let goal = match arguments.optimize {
-        Some(Optimize::Angle) => Goal::LargestAngle { max_degree: arguments.gates.max_degree },
-        None => Goal::LeastDegree,
+    let goal = match (arguments.optimize, arguments.gates.max_degree) {
+        (Some(Optimize::Angle), Some(max_degree)) => Goal::MaxDegree(max_degree),
+        (Some(Optimize::Angle), None) => {
+            let least = exact::least_max_degree(domain, progress);
+            Goal::MaxDegree(least.map_err(|error| unsolved(&error, "use fewer limits"))?)
+        }
+        (None, _) => Goal::LeastDegree,
     };
     let dispensable = match goal {
-        Goal::LargestAngle { .. } => "--optimize",
+        Goal::MaxDegree(_) | Goal::KeepAngle(_) => "--optimize",
         Goal::LeastDegree => "outside_degree and max_degree",
     };
     mindeg::mesh(domain, goal, progress).map_err(|error| {

@@ -2,17 +2,14 @@
 
 use crate::reference::Reference;
 use crate::report::{
-    DefectKind, DomainFigures, MethodDefect, MethodFigures, Report, TradeOffFigures,
+    DefectKind, DomainFigures, MethodDefect, MethodFigures, Provenance, Report, TradeOffFigures,
 };
-use crate::{NoTriangulation, measure, tie_count, verdict};
+use crate::{Advice, KEPT, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{BoundaryMesh, Domain, MeshError, Progress, Step};
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
-
-/// The name of mindeg's own mesh in a report.
-pub const MINDEG: &str = "mindeg";
 
 /// The largest number of boundary vertices that can be compared: unlike mindeg's own meshes,
 /// the others are lists in memory.
@@ -119,9 +116,11 @@ impl Comparison {
         self
     }
 
-    /// The verdict, sentence by sentence.
-    pub(crate) fn verdict(&self) -> Vec<String> {
-        verdict::verdict(&self.report.domain, &self.report.methods)
+    /// The same comparison with what made it, for reports to say.
+    #[must_use]
+    pub fn made_by(mut self, provenance: Provenance) -> Self {
+        self.report.provenance = provenance;
+        self
     }
 }
 
@@ -146,62 +145,58 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
 
     let points: Vec<DVec2> = domain.placement().points().collect();
     let optimal_max_degree = mindeg_core::least_max_degree(boundary);
-    let figures =
-        |triangles: &[[u32; 3]]| measure::figures(boundary, &points, triangles, optimal_max_degree);
+    let figures = |method, triangles: &[[u32; 3]]| MethodFigures {
+        method,
+        description: method.description().into_owned(),
+        ..measure::figures(boundary, &points, triangles, optimal_max_degree)
+    };
     let mut methods = vec![MethodFigures {
-        name: MINDEG.to_owned(),
-        description: "The least possible maximum degree, and among the meshes with that degree \
-                      which mindeg tries the one with the largest smallest angle."
-            .to_owned(),
         seconds: Some(own_time.as_secs_f64()),
-        ..figures(&own)
+        ..figures(Method::LeastDegree, &own)
     }];
     let mut triangles = vec![own];
     for reference in Reference::ALL {
+        let method = Method::Reference(reference);
         let outcome = reference.triangulate(boundary, &points, options.time_limit);
         let (measured, list) = match outcome {
             Ok(timed) => {
-                let measured = figures(&timed.triangles);
+                let measured = figures(method, &timed.triangles);
                 let is_delaunay = reference == Reference::Delaunay && measured.valid;
                 let ties = is_delaunay.then(|| tie_count(&points, &timed.triangles));
                 let seconds = Some(timed.time.as_secs_f64());
                 (MethodFigures { ties, seconds, ..measured }, timed.triangles)
             }
-            Err(reason) => (without_triangles(&reason), Vec::new()),
+            Err(reason) => (without_triangles(method, &reason), Vec::new()),
         };
-        methods.push(MethodFigures {
-            name: reference.name().to_owned(),
-            description: reference.description().to_owned(),
-            ..measured
-        });
+        methods.push(measured);
         triangles.push(list);
     }
     let trade_off = exact_trade_off(domain, options);
     for exact in trade_off.iter().flat_map(shown) {
         let list: Vec<[u32; 3]> = exact.mesh.triangles().collect();
-        methods.push(MethodFigures {
-            name: format!("Exact, degree {}", exact.max_degree),
-            description: format!(
-                "The largest smallest angle that any triangulation with at most {} edges at a \
-                 vertex has, by exhaustive dynamic programming.",
-                exact.max_degree
-            ),
-            ..figures(&list)
-        });
+        methods.push(figures(Method::Exact { max_degree: exact.max_degree }, &list));
         triangles.push(list);
     }
+    mark_same_meshes(&mut methods, &triangles);
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: boundary.sides().collect(),
+        side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
         vertices,
         triangles: vertices - 2,
         interior_edges: vertices - 3,
         optimal_max_degree,
     };
-    let verdict = verdict::verdict(&domain, &methods).join(" ");
-    let trade_off_figures = trade_off.as_ref().map(TradeOffFigures::of);
-    let report = Report { domain, methods, trade_off: trade_off_figures, verdict };
+    let mut report = Report {
+        provenance: Provenance::default(),
+        domain,
+        advice: Advice::of(&methods, trade_off.is_some()),
+        methods,
+        trade_off: trade_off.as_ref().map(TradeOffFigures::of),
+        verdict: String::new(),
+    };
+    report.verdict = verdict::verdict(&report).text();
     Ok(Comparison { report, points, triangles, trade_off })
 }
 
@@ -221,21 +216,54 @@ fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
     exact::trade_off(domain, Progress::new(&in_time)).ok()
 }
 
-/// Of the points of the curve those that a comparison shows: the least degree, the next, and the
-/// first with all of the angle.
+/// Of the points of the curve those that a comparison shows: the least degree, the next, the first
+/// with enough of the angle and the first with all of it.
 fn shown(trade_off: &TradeOff) -> impl Iterator<Item = &ExactMesh> {
     let meshes = trade_off.meshes();
     let last = meshes.len().saturating_sub(1);
-    meshes.iter().enumerate().filter(move |&(place, _)| place < 2 || place == last).map(|(_, m)| m)
+    let kept = meshes.iter().position(|exact| trade_off.share(exact) >= KEPT).unwrap_or(last);
+    let is_shown = move |place| place < 2 || place == kept || place == last;
+    meshes.iter().enumerate().filter(move |&(place, _)| is_shown(place)).map(|(_, mesh)| mesh)
 }
 
-fn without_triangles(reason: &NoTriangulation) -> MethodFigures {
+/// Notes of every method which one before it has the same triangles.
+fn mark_same_meshes(methods: &mut [MethodFigures], triangles: &[Vec<[u32; 3]>]) {
+    // Meshes that differ mostly have different histograms; few are sorted to be compared.
+    let sorted = |triangles: &[[u32; 3]]| {
+        let mut sorted = triangles.to_vec();
+        for triangle in &mut sorted {
+            let first = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
+            triangle.rotate_left(first);
+        }
+        sorted.sort_unstable();
+        sorted
+    };
+    for place in 0..methods.len() {
+        let method = &methods[place];
+        let same = method.outcome().and_then(|(degree, _)| {
+            (0..place).find(|&other| {
+                let other_degree = methods[other].outcome().map(|(degree, _)| degree);
+                other_degree == Some(degree)
+                    && methods[other].degree_histogram == method.degree_histogram
+                    && sorted(&triangles[other]) == sorted(&triangles[place])
+            })
+        });
+        methods[place].same_mesh_as = same.map(|other| methods[other].method);
+    }
+}
+
+fn without_triangles(method: Method, reason: &NoTriangulation) -> MethodFigures {
     let kind = match reason {
         NoTriangulation::TimeLimit { .. } => DefectKind::TimeLimit,
         _ => DefectKind::NoTriangles,
     };
     let defect = MethodDefect { kind, count: None, message: reason.to_string() };
-    MethodFigures { defects: vec![defect], ..MethodFigures::default() }
+    MethodFigures {
+        method,
+        description: method.description().into_owned(),
+        defects: vec![defect],
+        ..MethodFigures::default()
+    }
 }
 
 #[cfg(test)]
@@ -260,7 +288,7 @@ mod tests {
         let report = comparison.report();
         assert!(report.methods[0].valid);
         for method in &report.methods[1..3] {
-            assert_eq!(method.defects[0].kind, DefectKind::TimeLimit, "{}", method.name);
+            assert_eq!(method.defects[0].kind, DefectKind::TimeLimit, "{}", method.method);
             assert_eq!((method.valid, method.max_degree, method.seconds), (false, None, None));
         }
         assert!(report.verdict.starts_with(

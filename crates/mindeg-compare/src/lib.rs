@@ -12,7 +12,7 @@
 //! let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 //! let comparison = compare(&domain, &Options::default())?;
 //! for method in &comparison.report().methods {
-//!     println!("{}: degree {:?}, angle {:?}", method.name, method.max_degree, method.min_angle);
+//!     println!("{}: degree {:?}, angle {:?}", method.method, method.max_degree, method.min_angle);
 //! }
 //! println!("{}", comparison.report().verdict);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -27,16 +27,21 @@
 //! methods use the boundary points alone: how much better a mesh with points inside would be is
 //! not compared.
 
+mod advice;
 mod comparison;
 mod measure;
-mod number_format;
+mod method;
+pub mod number_format;
 pub mod reference;
 pub mod report;
 mod verdict;
 
-pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, MINDEG, Options, compare};
+pub use advice::{Advice, KEPT, advised_command, shell_word};
+pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
+pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
-    IndexEntry, Report, TradeOffFigures, TradeOffPoint, report_schema, write_html, write_index,
-    write_json, write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
+    IndexEntry, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint, report_schema,
+    write_html, write_index, write_json, write_linked_html, write_markdown, write_trade_off_html,
+    write_trade_off_json, write_trade_off_svg,
 };

@@ -7,8 +7,11 @@ use crate::report::{
     DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
 };
 use glam::DVec2;
-use mindeg::quality::{ANGLES, DegreeHistogram, QualitySummary, TriangleQuality};
+use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
 use mindeg_core::{Boundary, Defect, verify};
+
+/// The angles, in degrees, below which triangles are counted.
+const BELOW: [u32; 5] = [1, 5, 10, 15, 20];
 
 /// How many of the worst triangles are listed.
 const WORST: usize = 5;
@@ -30,7 +33,10 @@ pub(crate) fn figures(
     let qualities: Vec<TriangleQuality> =
         triangles.iter().map(|&triangle| quality(points, triangle)).collect();
     let summary = QualitySummary::of(qualities.iter().copied());
-    let shares = summary.as_ref().map(|summary| summary.shares_below);
+    let share_below = |angle: u32| {
+        let small = qualities.iter().filter(|quality| quality.min_angle < f64::from(angle)).count();
+        (angle, small as f64 / qualities.len() as f64)
+    };
     let metrics = summary.as_ref().and_then(metric_figures);
     MethodFigures {
         max_degree: histogram.max_degree(),
@@ -39,11 +45,10 @@ pub(crate) fn figures(
         min_angle: metrics.as_ref().map(|metrics| metrics.min_angle.min),
         max_angle: metrics.as_ref().map(|metrics| metrics.max_angle.max),
         metrics,
-        share_below_degrees: ANGLES
-            .map(|angle| angle as u32)
-            .into_iter()
-            .zip(shares.into_iter().flatten())
-            .collect(),
+        share_below_degrees: match qualities.len() {
+            0 => [].into(),
+            _ => BELOW.map(share_below).into(),
+        },
         worst_triangles: worst(&qualities, triangles),
         valid: defects.is_empty(),
         defects,

@@ -1,9 +1,23 @@
 //! How numbers are written for people.
 //!
+//! A number in a sentence has as many significant digits as it needs, without trailing zeros. The
+//! numbers of a column share their number of decimals, so that their points stand below one another:
+//! see [`Column`].
+//!
 //! Limits: one language, and a point as the decimal mark.
 
+/// More decimals than these do not fit a column; smaller numbers are written with an exponent.
+const MAX_DECIMALS: i32 = 4;
+
 /// `value` with at most `digits >= 1` significant digits, and without trailing zeros.
-pub(crate) fn significant(value: f64, digits: usize) -> String {
+///
+/// ```
+/// use mindeg_compare::number_format::significant;
+///
+/// assert_eq!([6.340_19, 59.999_96, 1.234e-7].map(|v| significant(v, 3)), ["6.34", "60", "1.23e-7"]);
+/// ```
+#[must_use]
+pub fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return if value > 0.0 { "∞".into() } else { "–".into() };
     }
@@ -22,19 +36,87 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// An angle in degrees.
-pub(crate) fn angle(degrees: f64) -> String {
+/// An angle in degrees, to four significant digits.
+///
+/// ```
+/// assert_eq!(mindeg_compare::number_format::angle(143.1025), "143.1°");
+/// ```
+#[must_use]
+pub fn angle(degrees: f64) -> String {
     format!("{}°", significant(degrees, 4))
 }
 
-/// An angle in degrees among others of the same size, to three decimals; one too small for them
-/// as [`angle`] has it.
-pub(crate) fn steady_angle(degrees: f64) -> String {
+/// An angle in degrees beside others that are not in a column: to three decimals, and one too small
+/// for them as [`angle`] has it.
+///
+/// ```
+/// use mindeg_compare::number_format::steady_angle;
+///
+/// assert_eq!([6.34, 26.565_05, 0.084_71].map(steady_angle), ["6.340°", "26.565°", "0.08471°"]);
+/// ```
+#[must_use]
+pub fn steady_angle(degrees: f64) -> String {
     if degrees < 0.1 { angle(degrees) } else { format!("{degrees:.3}°") }
 }
 
+/// The numbers of a column: all with the same number of decimals.
+///
+/// ```
+/// use mindeg_compare::number_format::Column;
+///
+/// let angles = [0.1246, 2.01, 163.884];
+/// let column = Column::new(angles, 3);
+/// assert_eq!(angles.map(|value| column.angle(value)), ["0.125°", "2.010°", "163.884°"]);
+/// assert_eq!(column.number(1.5e-9), "1.5e-9");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Column {
+    decimals: usize,
+}
+
+impl Column {
+    /// As many decimals, four at most, as the number nearest to zero needs for `digits >= 1`
+    /// significant digits.
+    #[must_use]
+    pub fn new(values: impl IntoIterator<Item = f64>, digits: i32) -> Self {
+        let needed = values
+            .into_iter()
+            .filter(|value| value.is_finite() && *value != 0.0)
+            .map(|value| digits - 1 - libm::floor(libm::log10(value.abs())) as i32)
+            .max();
+        Self { decimals: needed.unwrap_or(0).clamp(0, MAX_DECIMALS) as usize }
+    }
+
+    /// A number of the column. One that would be left with fewer than two significant digits, or is
+    /// beyond 1e9, has an exponent.
+    #[must_use]
+    pub fn number(self, value: f64) -> String {
+        let least = libm::pow(10.0, 1.0 - self.decimals as f64) / 2.0;
+        let fits =
+            value == 0.0 || (value.abs() < 1e9 && (self.decimals == 0 || value.abs() >= least));
+        if value.is_finite() && fits {
+            format!("{value:.*}", self.decimals)
+        } else {
+            significant(value, 3)
+        }
+    }
+
+    /// An angle of the column, in degrees.
+    #[must_use]
+    pub fn angle(self, degrees: f64) -> String {
+        format!("{}°", self.number(degrees))
+    }
+}
+
 /// A share of 0 to 1 in percent; what is more than nothing and less than all stays so.
-pub(crate) fn percent(share: f64) -> String {
+///
+/// ```
+/// use mindeg_compare::number_format::percent;
+///
+/// assert_eq!([0.0, 1e-9, 0.9695, 0.99999, 1.0].map(percent), ["0%", "<0.1%", "97%", ">99.9%", "100%"]);
+/// ```
+#[must_use]
+pub fn percent(share: f64) -> String {
     match share * 100.0 {
         0.0 => "0%".into(),
         percent if percent < 0.1 => "<0.1%".into(),
@@ -43,8 +125,29 @@ pub(crate) fn percent(share: f64) -> String {
     }
 }
 
+/// A share of 0 to 1 in percent, to one decimal, as the shares of a column are written.
+///
+/// ```
+/// use mindeg_compare::number_format::steady_percent;
+///
+/// assert_eq!([0.0, 0.9695, 0.99999, 1.0].map(steady_percent), ["0.0%", "97.0%", ">99.9%", "100.0%"]);
+/// ```
+#[must_use]
+pub fn steady_percent(share: f64) -> String {
+    match share * 100.0 {
+        percent if percent > 0.0 && percent < 0.1 => "<0.1%".into(),
+        percent if percent > 99.9 && percent < 100.0 => ">99.9%".into(),
+        percent => format!("{percent:.1}%"),
+    }
+}
+
 /// A whole number, with narrow spaces between groups of three digits from five digits up.
-pub(crate) fn count(value: impl Into<u64>) -> String {
+///
+/// ```
+/// assert_eq!(mindeg_compare::number_format::count(10_000_u32), "10\u{202f}000");
+/// ```
+#[must_use]
+pub fn count(value: impl Into<u64>) -> String {
     let digits = value.into().to_string();
     if digits.len() < 5 {
         return digits;
@@ -60,7 +163,12 @@ pub(crate) fn count(value: impl Into<u64>) -> String {
 }
 
 /// A duration.
-pub(crate) fn seconds(seconds: f64) -> String {
+///
+/// ```
+/// assert_eq!(mindeg_compare::number_format::seconds(0.0123), "12 ms");
+/// ```
+#[must_use]
+pub fn seconds(seconds: f64) -> String {
     match seconds {
         s if s < 1e-3 => format!("{} µs", significant(s * 1e6, 2)),
         s if s < 1.0 => format!("{} ms", significant(s * 1e3, 2)),
@@ -92,17 +200,33 @@ mod tests {
     }
 
     #[test]
-    fn angles_side_by_side_have_three_decimals() {
-        assert_eq!([6.34, 26.565_05, 0.1].map(steady_angle), ["6.340°", "26.565°", "0.100°"]);
-        assert_eq!([0.084_71, 1e-7].map(steady_angle), ["0.08471°", "1e-7°"]);
+    fn the_numbers_of_a_column_share_their_decimals() {
+        for (values, texts) in [
+            (&[3.16, 4.312, 158.0][..], &["3.16", "4.31", "158.00"][..]),
+            (&[26.565_05, 6.0], &["26.57", "6.00"]),
+            (&[0.0, 12.0], &["0.0", "12.0"]),
+            (&[0.012_34, 1.5], &["0.0123", "1.5000"]),
+            (&[1.234e-7, 0.5], &["1.23e-7", "0.5000"]),
+            (&[150.0, 2e12], &["150", "2e12"]),
+            (&[1.5, f64::INFINITY], &["1.50", "∞"]),
+            (&[], &[]),
+        ] {
+            let column = Column::new(values.iter().copied(), 3);
+            let written: Vec<_> = values.iter().map(|&value| column.number(value)).collect();
+            assert_eq!(written, texts);
+        }
     }
 
     #[test]
     fn rounds_no_share_to_nothing_or_all() {
-        for (share, text) in
-            [(0.0, "0%"), (1e-9, "<0.1%"), (0.1234, "12.3%"), (0.99999, ">99.9%"), (1.0, "100%")]
-        {
-            assert_eq!(percent(share), text);
+        for (share, text, steady) in [
+            (0.0, "0%", "0.0%"),
+            (1e-9, "<0.1%", "<0.1%"),
+            (0.1234, "12.3%", "12.3%"),
+            (0.99999, ">99.9%", ">99.9%"),
+            (1.0, "100%", "100.0%"),
+        ] {
+            assert_eq!((&*percent(share), &*steady_percent(share)), (text, steady));
         }
     }
 

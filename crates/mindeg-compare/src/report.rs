@@ -11,16 +11,18 @@ mod index;
 mod markdown;
 mod metric;
 mod picture;
+mod svg;
 mod tables;
 mod trade_off;
 
-pub use html::write_html;
+pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;
 pub use trade_off::{
     TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
 
+use crate::{Advice, Method};
 use mindeg::quality;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -40,7 +42,7 @@ use std::io::{self, Write};
 /// let report = comparison.report();
 /// assert_eq!(report.domain.optimal_max_degree, 4);
 /// assert_eq!(report.methods[0].max_degree, Some(4));
-/// assert!(report.verdict.starts_with("Delaunay has the larger smallest angle"));
+/// assert!(report.verdict.starts_with("Take degree 5: all of Delaunay's minimum angle"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
@@ -51,8 +53,13 @@ use std::io::{self, Write};
                    from run to run."
 )]
 pub struct Report {
+    /// What made the report.
+    pub provenance: Provenance,
     /// What was triangulated.
     pub domain: DomainFigures,
+    /// Which mesh to take; null where there is no valid Delaunay triangulation to compare with, or
+    /// where the degrees between the least and its were not worked out.
+    pub advice: Option<Advice>,
     /// mindeg first, then the methods it is compared with. All have the same boundary points.
     pub methods: Vec<MethodFigures>,
     /// What every degree buys, exactly; null where the domain is too large for that or the time
@@ -62,6 +69,31 @@ pub struct Report {
     pub verdict: String,
 }
 
+/// What made a report, and from what.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::Provenance;
+///
+/// assert!(!Provenance::default().version.is_empty());
+/// ```
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct Provenance {
+    /// The version of mindeg.
+    pub version: String,
+    /// The file that holds the domain, if that is known.
+    pub input: Option<String>,
+    /// The command line, if that is known.
+    pub command: Option<String>,
+}
+
+impl Default for Provenance {
+    fn default() -> Self {
+        Self { version: env!("CARGO_PKG_VERSION").to_owned(), input: None, command: None }
+    }
+}
+
 /// The domain that all methods triangulate.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct DomainFigures {
@@ -69,6 +101,8 @@ pub struct DomainFigures {
     pub name: Option<String>,
     /// The intervals of each side, counter-clockwise.
     pub intervals: Vec<u32>,
+    /// The name of each side, where it has one.
+    pub side_names: Vec<Option<String>>,
     /// The x and y of each corner, counter-clockwise; side i runs from corner i to the next.
     pub corners: Vec<[f64; 2]>,
     /// The number of boundary vertices n.
@@ -85,24 +119,27 @@ pub struct DomainFigures {
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct MethodFigures {
     /// The name of the method.
-    pub name: String,
+    #[serde(rename = "name")]
+    pub method: Method,
     /// What the method does, in a sentence.
     pub description: String,
+    /// The first method with exactly the same triangles, if one before this has them.
+    pub same_mesh_as: Option<Method>,
     /// The largest number of edges at a vertex, boundary edges included.
     pub max_degree: Option<u32>,
     /// The number of vertices of each degree that occurs.
     pub degree_histogram: BTreeMap<u32, u64>,
     /// The part of the histogram above the domain's least maximum degree.
     pub vertices_above_optimum: BTreeMap<u32, u64>,
-    /// The smallest angle of all triangles, in degrees.
+    /// The minimum angle of all triangles, in degrees.
     pub min_angle: Option<f64>,
-    /// The largest angle of all triangles, in degrees.
+    /// The maximum angle of all triangles, in degrees.
     pub max_angle: Option<f64>,
     /// How each measure of quality is spread over the triangles.
     pub metrics: Option<MetricFigures>,
-    /// The share of triangles, 0 to 1, with an angle below 1, 5, 10 and 20 degrees.
+    /// The share of triangles, 0 to 1, with an angle below 1, 5, 10, 15 and 20 degrees.
     pub share_below_degrees: BTreeMap<u32, f64>,
-    /// The five triangles with the smallest angles, worst first.
+    /// The five triangles with the minimum angles, worst first.
     pub worst_triangles: Vec<WorstTriangle>,
     /// For a Delaunay triangulation, the number of interior edges whose two triangles lie on
     /// one circle: there the other diagonal would be as good, and degrees are arbitrary.
@@ -114,6 +151,13 @@ pub struct MethodFigures {
     pub defects: Vec<MethodDefect>,
     /// The time from the boundary points to the list of triangles; `null` where there is none.
     pub seconds: Option<f64>,
+}
+
+impl MethodFigures {
+    /// Maximum degree and minimum angle, where the mesh is valid.
+    pub(crate) fn outcome(&self) -> Option<(u32, f64)> {
+        self.max_degree.zip(self.min_angle).filter(|_| self.valid)
+    }
 }
 
 /// The measures of quality of all triangles. Edge lengths are x <= y <= z, A is the area.
@@ -165,9 +209,9 @@ pub struct WorstTriangle {
     pub triangle: u32,
     /// Its vertices, counter-clockwise, numbered from 0 at the first corner.
     pub vertices: [u32; 3],
-    /// Its smallest angle, in degrees.
+    /// Its minimum angle, in degrees.
     pub min_angle: f64,
-    /// Its largest angle, in degrees.
+    /// Its maximum angle, in degrees.
     pub max_angle: f64,
 }
 

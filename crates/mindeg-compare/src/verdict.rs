@@ -1,111 +1,155 @@
-//! What the figures say, in sentences.
+//! What the figures say, in sentences: first which mesh to take, then what speaks against it.
 //!
-//! Every sentence is a consequence of the figures, and the one that speaks against mindeg comes
-//! first where there is one.
+//! Every sentence is a consequence of the figures. What the tables say is not repeated.
 //!
-//! Limits: it speaks of the maximum degree and the smallest angle alone. Whether degree or
+//! Limits: it speaks of the maximum degree and of minimum angles alone. Whether degree or
 //! angle matters more is the reader's to know.
 
-use crate::number_format::{angle, count, significant};
-use crate::report::{DomainFigures, MethodFigures};
-use crate::{MINDEG, Reference};
+use crate::number_format::{angle, count, percent};
+use crate::report::{DefectKind, MethodFigures, Report};
+use crate::{KEPT, Method};
+use std::cmp::Ordering::Equal;
 
-/// Angles closer than this, relatively, are the same: a smallest angle of a millionth of a
+/// Angles closer than this, relatively, are the same: a minimum angle of a millionth of a
 /// degree, rounded in f64, is known to about eight digits.
 const SAME: f64 = 1e-8;
 
-/// A smallest angle, in degrees, below which meshers commonly ask for better.
+/// A minimum angle, in degrees, below which meshers commonly ask for better.
 const GOOD_ANGLE: f64 = 20.0;
 
-/// The verdict, sentence by sentence; the first can stand alone.
-pub(crate) fn verdict(domain: &DomainFigures, methods: &[MethodFigures]) -> Vec<String> {
-    let find = |name: &str| methods.iter().find(|method| method.name == name);
-    let Some(mindeg) = find(MINDEG) else { return Vec::new() };
-    let mut sentences = match find(Reference::Delaunay.name()) {
-        Some(delaunay) => against_delaunay(domain, mindeg, delaunay),
-        None => Vec::new(),
-    };
-    let others = methods
-        .iter()
-        .filter(|method| method.name != MINDEG && method.name != Reference::Delaunay.name());
-    sentences.extend(others.map(|method| in_short(domain, method)));
-    sentences
+/// The shares of small angles that the verdict compares: the worst triangles, and many.
+const SMALL_ANGLES: [u32; 2] = [5, 15];
+
+/// A share of triangles larger than Delaunay's by this is worth a sentence.
+const MANY_MORE: f64 = 0.1;
+
+/// A median below this share of Delaunay's is worth a sentence.
+const LOW_MEDIAN: f64 = 0.8;
+
+/// What a report concludes.
+#[derive(Default)]
+pub(crate) struct Verdict {
+    /// What to do; it can stand alone.
+    pub(crate) headline: String,
+    /// What speaks against it.
+    pub(crate) caveat: Option<String>,
+    /// What else the figures say.
+    pub(crate) notes: Vec<String>,
 }
 
-fn against_delaunay(
-    domain: &DomainFigures,
-    mindeg: &MethodFigures,
-    delaunay: &MethodFigures,
-) -> Vec<String> {
-    let Some((own_angle, own_degree)) = outcome(mindeg) else {
-        return vec![format!("mindeg has no valid mesh here: {}.", reasons(mindeg))];
+impl Verdict {
+    fn only(headline: String) -> Self {
+        Self { headline, ..Self::default() }
+    }
+
+    /// All of it, sentence by sentence.
+    pub(crate) fn sentences(&self) -> impl Iterator<Item = &str> {
+        let first = [&self.headline].into_iter().filter(|sentence| !sentence.is_empty());
+        first.chain(&self.caveat).chain(&self.notes).map(String::as_str)
+    }
+
+    /// All of it as one text.
+    pub(crate) fn text(&self) -> String {
+        self.sentences().collect::<Vec<_>>().join(" ")
+    }
+}
+
+/// The verdict on the figures of a report.
+pub(crate) fn verdict(report: &Report) -> Verdict {
+    let find = |wanted| report.methods.iter().find(|method| method.method == wanted);
+    let (Some(mindeg), Some(delaunay)) = (find(Method::LeastDegree), find(Method::DELAUNAY)) else {
+        return Verdict::default();
     };
-    let Some((angle_there, degree_there)) = outcome(delaunay) else {
-        return vec![format!(
-            "There is no Delaunay triangulation to compare with: {}. mindeg has at most {} at a \
-             vertex, the least possible, and a smallest angle of {}.",
+    let Some((own_degree, own_angle)) = mindeg.outcome() else {
+        return Verdict::only(format!("mindeg has no valid mesh here: {}.", reasons(mindeg)));
+    };
+    let Some((_, angle_there)) = delaunay.outcome() else {
+        return Verdict::only(format!(
+            "There is no Delaunay triangulation to compare with: {}. mindeg has at most {} edges at a \
+             vertex, the least possible, and a minimum angle of {}.",
             reasons(delaunay),
-            edges(own_degree),
-            angle(own_angle)
-        )];
-    };
-    let difference = (angle_there - own_angle) / angle_there.max(own_angle);
-    let same_angle = difference.abs() <= SAME;
-    let same_degree = own_degree == degree_there;
-    let mut sentences = Vec::new();
-    if same_angle && same_degree {
-        sentences.push(format!(
-            "mindeg and Delaunay are level: both have at most {} at a vertex, the least \
-             possible, and a smallest angle of {}.",
-            edges(own_degree),
+            count(own_degree),
             angle(own_angle)
         ));
-    } else {
-        sentences.push(if same_angle {
-            format!(
-                "mindeg and Delaunay have the same smallest angle, {}: the lower degree costs no \
-                 angle here.",
-                angle(own_angle)
-            )
-        } else if difference > 0.0 {
-            format!(
-                "Delaunay has the larger smallest angle: {} against {} for mindeg, {}.",
-                angle(angle_there),
-                angle(own_angle),
-                factor(angle_there / own_angle)
-            )
-        } else {
-            format!(
-                "Something is wrong: mindeg's smallest angle, {}, is larger than Delaunay's, {}, \
-                 and no triangulation of the same points can have that. Please report this \
-                 domain.",
-                angle(own_angle),
-                angle(angle_there)
-            )
-        });
-        sentences.push(if same_degree {
-            format!(
-                "Degree does not speak for mindeg here: both have at most {} at a vertex, the \
-                 least possible.",
-                edges(own_degree)
-            )
-        } else {
-            let busier: u64 = delaunay.vertices_above_optimum.values().sum();
-            format!(
-                "mindeg has the smaller maximum degree: at most {} at a vertex, the least \
-                 possible, against {} in Delaunay, where {} of {} vertices {} more than {}.",
-                edges(own_degree),
-                count(degree_there),
-                count(busier),
-                count(domain.vertices),
-                if busier == 1 { "has" } else { "have" },
-                count(domain.optimal_max_degree)
-            )
-        });
+    };
+    if own_angle > angle_there * (1.0 + SAME) {
+        return Verdict::only(format!(
+            "Something is wrong: mindeg's minimum angle, {}, is larger than Delaunay's, {}, \
+             and no triangulation of the same points can have that. Please report this domain.",
+            angle(own_angle),
+            angle(angle_there)
+        ));
     }
+    let (headline, taken) = headline(report, mindeg, delaunay);
+    Verdict {
+        headline,
+        caveat: caveat(taken, delaunay),
+        notes: notes(report, delaunay, angle_there),
+    }
+}
+
+/// What to do, and the mesh it is about; both methods have a valid mesh.
+fn headline<'a>(
+    report: &'a Report,
+    mindeg: &'a MethodFigures,
+    delaunay: &'a MethodFigures,
+) -> (String, &'a MethodFigures) {
+    let degree = |method: &MethodFigures| method.max_degree.unwrap_or_default();
+    let share = |method: &MethodFigures| {
+        kept(method.min_angle.unwrap_or_default() / delaunay.min_angle.unwrap_or(f64::INFINITY))
+    };
+    let advised = report.advice.map_or(Method::DELAUNAY, |advice| advice.method);
+    let advised = report.methods.iter().find(|method| method.method == advised).unwrap_or(delaunay);
+    if degree(advised) < degree(delaunay) {
+        let text = format!(
+            "Take degree {}: {} of Delaunay's minimum angle, at most {} edges at a vertex instead of {}.",
+            count(degree(advised)),
+            share(advised),
+            count(degree(advised)),
+            count(degree(delaunay))
+        );
+        return (text, advised);
+    }
+    if degree(mindeg) >= degree(delaunay) {
+        let text = format!(
+            "Take degree {}: Delaunay's mesh has the least possible maximum degree, too.",
+            count(degree(delaunay))
+        );
+        return (text, advised);
+    }
+    if report.trade_off.is_none() {
+        let text = format!(
+            "Degree {}, the least possible, keeps {} of Delaunay's minimum angle, with at most {} edges \
+             at a vertex instead of {}.",
+            count(degree(mindeg)),
+            share(mindeg),
+            count(degree(mindeg)),
+            count(degree(delaunay))
+        );
+        return (text, mindeg);
+    }
+    let lower = report.methods.iter().filter(|method| {
+        method.outcome().is_some_and(|(its_degree, _)| its_degree < degree(delaunay))
+    });
+    let best = lower.max_by(|a, b| a.min_angle.partial_cmp(&b.min_angle).unwrap_or(Equal));
+    let best = best.unwrap_or(mindeg);
+    let text = format!(
+        "Take Delaunay's degree, {}: every lower one costs more than {} of the minimum angle; degree \
+         {} keeps {}.",
+        count(degree(delaunay)),
+        percent(1.0 - KEPT),
+        count(degree(best)),
+        share(best)
+    );
+    (text, advised)
+}
+
+/// What the boundary allows, where degrees are arbitrary, which methods failed.
+fn notes(report: &Report, delaunay: &MethodFigures, angle_there: f64) -> Vec<String> {
+    let mut sentences = Vec::new();
     if angle_there < GOOD_ANGLE {
         sentences.push(format!(
-            "No triangulation of these boundary points alone has a smallest angle above {}; to \
+            "No triangulation of these boundary points alone has a minimum angle above {}; to \
              do better, change the intervals or add points inside.",
             angle(angle_there)
         ));
@@ -114,42 +158,69 @@ fn against_delaunay(
         sentences.push(format!(
             "The Delaunay triangulation is one of several: across {} of its {} interior edge{} \
              four points lie on one circle and either diagonal will do, so its degrees are \
-             arbitrary among ties; its smallest angle is not.",
+             arbitrary among ties; its minimum angle is not.",
             count(ties),
-            count(domain.interior_edges),
-            if domain.interior_edges == 1 { "" } else { "s" }
+            count(report.domain.interior_edges),
+            if report.domain.interior_edges == 1 { "" } else { "s" }
         ));
     }
+    sentences.extend(report.methods.iter().filter_map(failure));
     sentences
 }
 
-/// A method other than the two that matter.
-fn in_short(domain: &DomainFigures, method: &MethodFigures) -> String {
-    let name = &method.name;
-    let Some((smallest, degree)) = outcome(method) else {
-        let gives = if method.max_degree.is_some() { "no valid triangulation" } else { "nothing" };
-        return format!("{name} gives {gives} here: {}.", reasons(method));
-    };
-    let busier: u64 = method.vertices_above_optimum.values().sum();
-    let busier = match busier {
-        0 => "the least possible".to_owned(),
-        1 => format!("1 vertex has more than {}", count(domain.optimal_max_degree)),
-        _ => format!(
-            "{} vertices have more than {}",
-            count(busier),
-            count(domain.optimal_max_degree)
-        ),
-    };
-    format!(
-        "{name}: at most {} at a vertex ({busier}), smallest angle {}.",
-        edges(degree),
-        angle(smallest)
-    )
+/// How much of Delaunay's minimum angle a mesh has.
+fn kept(share: f64) -> String {
+    if share >= 1.0 - SAME { "all".to_owned() } else { less_than_all(share) }
 }
 
-/// Smallest angle and maximum degree of a method that has a valid mesh.
-fn outcome(method: &MethodFigures) -> Option<(f64, u32)> {
-    method.min_angle.zip(method.max_degree).filter(|_| method.valid)
+/// Less than all in whole percent: 99.7% is not 100%.
+fn less_than_all(share: f64) -> String {
+    if share < 0.1 { percent(share) } else { format!("{:.0}%", (share * 100.0).min(99.0)) }
+}
+
+/// Where a mesh with a good minimum angle has worse triangles than Delaunay's in general.
+fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
+    if taken.method == Method::DELAUNAY {
+        return None;
+    }
+    let share = |method: &MethodFigures, below| method.share_below_degrees.get(&below).copied();
+    let more = SMALL_ANGLES
+        .into_iter()
+        .filter_map(|below| Some((below, share(taken, below)?, share(delaunay, below)?)))
+        .filter(|(_, own, there)| own - there > MANY_MORE)
+        .max_by(|(_, own, there), (_, other, its)| (own - there).total_cmp(&(other - its)));
+    let more = more.map(|(below, own, there)| {
+        format!(
+            "{} of its triangles have an angle below {below}°, against {} in Delaunay's mesh",
+            rounded(own),
+            rounded(there)
+        )
+    });
+    let median = |method: &MethodFigures| method.metrics.as_ref().map(|m| m.min_angle.median);
+    let low = median(taken).zip(median(delaunay)).filter(|(own, there)| *own < LOW_MEDIAN * there);
+    let low = low.map(|(own, there)| {
+        format!(
+            "the median of its triangles' minimum angles is {}, against {}",
+            angle(own),
+            angle(there)
+        )
+    });
+    let parts: Vec<String> = [more, low].into_iter().flatten().collect();
+    (!parts.is_empty()).then(|| format!("But {}.", parts.join(", and ")))
+}
+
+/// A share in whole percent.
+fn rounded(share: f64) -> String {
+    if share > 0.0 && share < 0.01 { percent(share) } else { format!("{:.0}%", share * 100.0) }
+}
+
+/// Why a method has no mesh that can be trusted; that there is no fan is nothing unusual.
+fn failure(method: &MethodFigures) -> Option<String> {
+    let is_late = method.defects.iter().any(|defect| defect.kind == DefectKind::TimeLimit);
+    let is_invalid = method.max_degree.is_some() && !method.valid;
+    let gives = if is_invalid { "no valid triangulation" } else { "nothing" };
+    (is_late || is_invalid)
+        .then(|| format!("{} gives {gives} here: {}.", method.method, reasons(method)))
 }
 
 fn reasons(method: &MethodFigures) -> String {
@@ -157,207 +228,178 @@ fn reasons(method: &MethodFigures) -> String {
     if messages.is_empty() { "no reason is known".into() } else { messages.join("; ") }
 }
 
-fn edges(degree: u32) -> String {
-    format!("{} edges", count(degree))
-}
-
-/// How much larger something is that is `ratio` times another.
-fn factor(ratio: f64) -> String {
-    if ratio < 1.5 {
-        format!("{}% larger", significant((ratio - 1.0) * 100.0, 2))
-    } else {
-        format!("{} times as large", significant(ratio, 2))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::{DefectKind, MethodDefect};
+    use crate::report::{DomainFigures, MethodDefect, Provenance};
+    use crate::{Advice, Reference, TradeOffFigures};
 
-    fn domain() -> DomainFigures {
-        DomainFigures {
-            name: None,
-            intervals: vec![10, 10, 10, 10],
-            corners: vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]],
-            vertices: 40,
-            triangles: 38,
-            interior_edges: 37,
-            optimal_max_degree: 4,
-        }
-    }
+    const FAN: Method = Method::Reference(Reference::Fan);
 
-    fn method(name: &str, degree: u32, smallest: f64) -> MethodFigures {
+    fn method(method: Method, degree: u32, angle: f64) -> MethodFigures {
         MethodFigures {
-            name: name.to_owned(),
+            method,
             max_degree: Some(degree),
-            vertices_above_optimum: (5..=degree).map(|degree| (degree, 1)).collect(),
-            min_angle: Some(smallest),
+            min_angle: Some(angle),
             valid: true,
             ..MethodFigures::default()
         }
     }
 
-    fn failed(name: &str, max_degree: Option<u32>, messages: &[&str]) -> MethodFigures {
-        let defect = |message: &&str| MethodDefect {
-            kind: DefectKind::NoTriangles,
-            count: None,
-            message: (*message).to_owned(),
-        };
-        MethodFigures {
-            name: name.to_owned(),
-            max_degree,
-            min_angle: max_degree.map(|_| 0.0),
-            defects: messages.iter().map(defect).collect(),
-            ..MethodFigures::default()
-        }
+    fn mindeg(degree: u32, angle: f64) -> MethodFigures {
+        method(Method::LeastDegree, degree, angle)
     }
 
+    fn delaunay(degree: u32, angle: f64) -> MethodFigures {
+        method(Method::DELAUNAY, degree, angle)
+    }
+
+    fn exact(degree: u32, angle: f64) -> MethodFigures {
+        method(Method::Exact { max_degree: degree }, degree, angle)
+    }
+
+    fn failed(method: Method, kind: DefectKind, max_degree: Option<u32>) -> MethodFigures {
+        let defect = MethodDefect { kind, count: None, message: "it went wrong".to_owned() };
+        MethodFigures { method, max_degree, defects: vec![defect], ..MethodFigures::default() }
+    }
+
+    /// Checks the verdict on some methods; the trade-off is known where one of them is exact.
     #[track_caller]
-    fn check(methods: &[MethodFigures], expected: &[&str]) {
-        assert_eq!(verdict(&domain(), methods), expected);
+    fn check(methods: Vec<MethodFigures>, expected: &[&str]) {
+        let domain = DomainFigures {
+            name: None,
+            intervals: vec![10; 4],
+            side_names: vec![None; 4],
+            corners: vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]],
+            vertices: 40,
+            triangles: 38,
+            interior_edges: 37,
+            optimal_max_degree: 4,
+        };
+        let has_exact = methods.iter().any(|m| matches!(m.method, Method::Exact { .. }));
+        let trade_off = TradeOffFigures { points: vec![], delaunay_min_angle: 1.0 };
+        let report = Report {
+            provenance: Provenance::default(),
+            domain,
+            advice: Advice::of(&methods, has_exact),
+            methods,
+            trade_off: has_exact.then_some(trade_off),
+            verdict: String::new(),
+        };
+        assert_eq!(verdict(&report).sentences().collect::<Vec<_>>(), expected);
     }
 
     #[test]
-    fn delaunay_comes_first_where_its_angle_is_larger() {
-        for (own, there, first) in [
+    fn the_first_sentence_says_what_to_take() {
+        for (methods, expected) in [
             (
-                20.5,
-                45.0,
-                "Delaunay has the larger smallest angle: 45° against 20.5° for mindeg, 2.2 times as large.",
+                vec![mindeg(4, 2.0), delaunay(13, 30.0), exact(4, 2.0), exact(5, 29.1)],
+                "Take degree 5: 97% of Delaunay's minimum angle, at most 5 edges at a vertex instead of 13.",
             ),
             (
-                3.0,
-                36.0,
-                "Delaunay has the larger smallest angle: 36° against 3° for mindeg, 12 times as large.",
+                vec![mindeg(4, 30.0), delaunay(5, 30.000_000_000_1)],
+                "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 5.",
             ),
             (
-                30.0,
-                33.0,
-                "Delaunay has the larger smallest angle: 33° against 30° for mindeg, 10% larger.",
+                vec![mindeg(4, 25.0), delaunay(4, 30.0), exact(4, 29.0)],
+                "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.",
             ),
             (
-                30.0,
-                30.0003,
-                "Delaunay has the larger smallest angle: 30° against 30° for mindeg, 0.001% larger.",
+                vec![
+                    mindeg(4, 3.0),
+                    delaunay(6, 30.0),
+                    exact(4, 3.0),
+                    exact(5, 15.0),
+                    exact(6, 30.0),
+                ],
+                "Take Delaunay's degree, 6: every lower one costs more than 5% of the minimum angle; degree 5 keeps 50%.",
+            ),
+            (
+                vec![mindeg(4, 15.0), delaunay(9, 30.0)],
+                "Degree 4, the least possible, keeps 50% of Delaunay's minimum angle, with at most 4 edges at a vertex instead of 9.",
             ),
         ] {
-            check(
-                &[method(MINDEG, 4, own), method("Delaunay", 6, there)],
-                &[
-                    first,
-                    "mindeg has the smaller maximum degree: at most 4 edges at a vertex, the least possible, against 6 in Delaunay, where 2 of 40 vertices have more than 4.",
-                ],
-            );
+            check(methods, &[expected]);
         }
-        check(
-            &[method(MINDEG, 4, 25.0), method("Delaunay", 5, 30.0)],
-            &[
-                "Delaunay has the larger smallest angle: 30° against 25° for mindeg, 20% larger.",
-                "mindeg has the smaller maximum degree: at most 4 edges at a vertex, the least possible, against 5 in Delaunay, where 1 of 40 vertices has more than 4.",
-            ],
-        );
     }
 
+    /// The minimum alone misleads: on a regular polygon all triangulations have the same.
     #[test]
-    fn says_so_when_mindeg_gains_nothing() {
+    fn worse_triangles_in_general_are_told() {
+        let with = |method: MethodFigures, below_5: f64, below_15: f64| MethodFigures {
+            share_below_degrees: [(5, below_5), (15, below_15)].into(),
+            ..method
+        };
+        let first = "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 14.";
         check(
-            &[method(MINDEG, 4, 25.0), method("Delaunay", 4, 30.0)],
+            vec![with(mindeg(4, 25.0), 1.0, 1.0), with(delaunay(14, 25.0), 0.786, 0.95)],
             &[
-                "Delaunay has the larger smallest angle: 30° against 25° for mindeg, 20% larger.",
-                "Degree does not speak for mindeg here: both have at most 4 edges at a vertex, the least possible.",
+                first,
+                "But 100% of its triangles have an angle below 5°, against 79% in Delaunay's mesh.",
             ],
         );
         check(
-            &[method(MINDEG, 4, 30.0), method("Delaunay", 4, 30.000_000_000_1)],
-            &[
-                "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 30°.",
-            ],
-        );
-    }
-
-    #[test]
-    fn says_so_when_the_lower_degree_is_free() {
-        check(
-            &[method(MINDEG, 4, 30.0), method("Delaunay", 5, 30.0)],
-            &[
-                "mindeg and Delaunay have the same smallest angle, 30°: the lower degree costs no angle here.",
-                "mindeg has the smaller maximum degree: at most 4 edges at a vertex, the least possible, against 5 in Delaunay, where 1 of 40 vertices has more than 4.",
-            ],
+            vec![with(mindeg(4, 25.0), 0.1, 0.5), with(delaunay(14, 25.0), 0.05, 0.45)],
+            &[first],
         );
     }
 
     #[test]
     fn an_angle_above_delaunays_is_reported_as_a_fault() {
         check(
-            &[method(MINDEG, 4, 30.0), method("Delaunay", 4, 29.0)],
+            vec![mindeg(4, 30.0), delaunay(4, 29.0)],
             &[
-                "Something is wrong: mindeg's smallest angle, 30°, is larger than Delaunay's, 29°, and no triangulation of the same points can have that. Please report this domain.",
-                "Degree does not speak for mindeg here: both have at most 4 edges at a vertex, the least possible.",
+                "Something is wrong: mindeg's minimum angle, 30°, is larger than Delaunay's, 29°, and no triangulation of the same points can have that. Please report this domain.",
             ],
         );
     }
 
     #[test]
     fn tells_the_limit_and_the_ties() {
-        let delaunay = MethodFigures { ties: Some(7), ..method("Delaunay", 4, 12.5) };
+        let level = "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.";
         check(
-            &[method(MINDEG, 4, 12.5), delaunay],
+            vec![mindeg(4, 12.5), MethodFigures { ties: Some(7), ..delaunay(4, 12.5) }],
             &[
-                "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 12.5°.",
-                "No triangulation of these boundary points alone has a smallest angle above 12.5°; to do better, change the intervals or add points inside.",
-                "The Delaunay triangulation is one of several: across 7 of its 37 interior edges four points lie on one circle and either diagonal will do, so its degrees are arbitrary among ties; its smallest angle is not.",
+                level,
+                "No triangulation of these boundary points alone has a minimum angle above 12.5°; to do better, change the intervals or add points inside.",
+                "The Delaunay triangulation is one of several: across 7 of its 37 interior edges four points lie on one circle and either diagonal will do, so its degrees are arbitrary among ties; its minimum angle is not.",
             ],
         );
-        let delaunay = MethodFigures { ties: Some(0), ..method("Delaunay", 4, 25.0) };
         check(
-            &[method(MINDEG, 4, 25.0), delaunay],
-            &[
-                "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.",
-            ],
+            vec![mindeg(4, 25.0), MethodFigures { ties: Some(0), ..delaunay(4, 25.0) }],
+            &[level],
         );
     }
 
     #[test]
     fn without_a_valid_method_there_is_nothing_to_conclude() {
         check(
-            &[method(MINDEG, 4, 25.0), failed("Delaunay", None, &["too slow"])],
+            vec![mindeg(4, 25.0), failed(Method::DELAUNAY, DefectKind::TimeLimit, None)],
             &[
-                "There is no Delaunay triangulation to compare with: too slow. mindeg has at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.",
+                "There is no Delaunay triangulation to compare with: it went wrong. mindeg has at most 4 edges at a vertex, the least possible, and a minimum angle of 25°.",
             ],
         );
-        check(
-            &[failed(MINDEG, Some(4), &["it folds"]), method("Delaunay", 4, 25.0)],
-            &["mindeg has no valid mesh here: it folds."],
-        );
+        let invalid = failed(Method::LeastDegree, DefectKind::FlatTriangles, Some(4));
+        check(vec![invalid, delaunay(4, 25.0)], &["mindeg has no valid mesh here: it went wrong."]);
+        check(vec![], &[]);
     }
 
     #[test]
-    fn the_others_are_told_in_short() {
-        let pair = || [method(MINDEG, 4, 25.0), method("Delaunay", 4, 25.0)];
-        let level = "mindeg and Delaunay are level: both have at most 4 edges at a vertex, the least possible, and a smallest angle of 25°.";
+    fn failures_are_told_but_not_a_missing_fan() {
+        let level = "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.";
         for (other, told) in [
+            (failed(FAN, DefectKind::NoTriangles, None), None),
             (
-                method("Fan", 4, 1.0),
-                "Fan: at most 4 edges at a vertex (the least possible), smallest angle 1°.",
+                failed(FAN, DefectKind::TimeLimit, None),
+                Some("Fan gives nothing here: it went wrong."),
             ),
             (
-                method("Fan", 5, 1.0),
-                "Fan: at most 5 edges at a vertex (1 vertex has more than 4), smallest angle 1°.",
-            ),
-            (
-                method("Fan", 6, 0.001),
-                "Fan: at most 6 edges at a vertex (2 vertices have more than 4), smallest angle 0.001°.",
-            ),
-            (failed("Fan", None, &["too slow"]), "Fan gives nothing here: too slow."),
-            (
-                failed("Fan", Some(9), &["1 flat", "2 missing"]),
-                "Fan gives no valid triangulation here: 1 flat; 2 missing.",
+                failed(FAN, DefectKind::FlatTriangles, Some(9)),
+                Some("Fan gives no valid triangulation here: it went wrong."),
             ),
         ] {
-            let [mindeg, delaunay] = pair();
-            check(&[mindeg, delaunay, other], &[level, told]);
+            let expected: Vec<&str> = [level].into_iter().chain(told).collect();
+            check(vec![mindeg(4, 25.0), delaunay(4, 25.0), other], &expected);
         }
-        check(&[], &[]);
     }
 }

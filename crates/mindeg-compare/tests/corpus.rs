@@ -105,15 +105,15 @@ fn check(comparison: &Comparison, name: &str) {
     let [mindeg, delaunay] = [&methods[0], &methods[1]];
     assert!(mindeg.valid && delaunay.valid, "{name}: {:?}", delaunay.defects);
     for method in methods {
-        assert_eq!(method.valid, method.defects.is_empty(), "{name}: {}", method.name);
+        assert_eq!(method.valid, method.defects.is_empty(), "{name}: {}", method.method);
     }
     for method in methods.iter().filter(|method| method.valid) {
-        assert!(mindeg.max_degree <= method.max_degree, "{name}: {}", method.name);
+        assert!(mindeg.max_degree <= method.max_degree, "{name}: {}", method.method);
         let (smallest, limit) = (method.min_angle.unwrap(), delaunay.min_angle.unwrap());
         assert!(
             smallest <= limit + ROUNDING,
             "{name}: {} has {smallest}, above {limit}",
-            method.name
+            method.method
         );
     }
 }

@@ -1,7 +1,7 @@
 //! The exact trade-off beside Delaunay: two computations that share nothing.
 
 use mindeg::Domain;
-use mindeg_compare::{Options, compare};
+use mindeg_compare::{Method, Options, compare};
 use std::fs;
 use std::path::Path;
 
@@ -22,7 +22,8 @@ fn the_curve_ends_at_the_delaunay_angle() {
             assert!(report.domain.vertices > Options::default().exact_vertices, "{path:?}");
             continue;
         };
-        let delaunay = report.methods.iter().find(|method| method.name == "Delaunay").unwrap();
+        let delaunay =
+            report.methods.iter().find(|method| method.method == Method::DELAUNAY).unwrap();
         let last = trade_off.points.last().unwrap();
         let delaunay_angle = delaunay.min_angle.unwrap();
         assert!(
@@ -34,13 +35,13 @@ fn the_curve_ends_at_the_delaunay_angle() {
         assert_eq!(trade_off.points[0].max_degree, report.domain.optimal_max_degree, "{path:?}");
         // What the curve promises, the meshes of the report have.
         for point in &trade_off.points {
-            let name = format!("Exact, degree {}", point.max_degree);
-            let Some(method) = report.methods.iter().find(|method| method.name == name) else {
+            let exact = Method::Exact { max_degree: point.max_degree };
+            let Some(method) = report.methods.iter().find(|method| method.method == exact) else {
                 continue;
             };
             assert!(method.valid && method.max_degree.unwrap() <= point.max_degree, "{path:?}");
             let angle = method.min_angle.unwrap();
-            assert!((angle - point.min_angle).abs() <= SAME * angle, "{path:?}: {name}");
+            assert!((angle - point.min_angle).abs() <= SAME * angle, "{path:?}: {exact}");
         }
         compared += 1;
     }

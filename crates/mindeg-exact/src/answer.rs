@@ -1,9 +1,12 @@
 //! The answers: the best angle under a cap, and the whole trade-off.
 
+use crate::chords::Chords;
+use crate::degree::degree_range;
 use crate::measure;
-use crate::problem::Problem;
+use crate::problem::{Domain, NoChords, Problem};
 use crate::progress::{Stopped, Watch};
-use crate::search::{Search, is_feasible};
+use crate::search::{Search, any_triangulation};
+use mindeg_core::least_max_degree as of_counts;
 use thiserror::Error;
 
 /// The triangulation with the largest minimum angle under a cap.
@@ -53,6 +56,18 @@ pub enum Unsolved {
          raise these caps"
     )]
     VertexCaps,
+    /// More triples of vertices see each other than the problem allows.
+    #[error(
+        "more than {max_triples} triples of vertices see each other, too many for exact work; \
+         use windows, or a larger limit"
+    )]
+    TooLarge {
+        /// The limit.
+        max_triples: u64,
+    },
+    /// A domain with holes, or whose boundary is not the ring 0, 1, 2, …
+    #[error("exact work needs a polygon without holes; use windows")]
+    NotAPolygon,
     /// The [`Watch`] asked to stop.
     #[error("stopped before the answer was found")]
     Stopped,
@@ -61,6 +76,23 @@ pub enum Unsolved {
 impl From<Stopped> for Unsolved {
     fn from(Stopped: Stopped) -> Self {
         Self::Stopped
+    }
+}
+
+impl Problem {
+    pub(crate) fn chords_or_refusal(&self) -> Result<Chords, Unsolved> {
+        self.chords().map_err(|reason| match reason {
+            NoChords::TooMany => Unsolved::TooLarge { max_triples: self.max_triples() },
+            NoChords::Rings => Unsolved::NotAPolygon,
+        })
+    }
+
+    /// Whether the closed form knows the least maximum degree.
+    fn closed_form(&self) -> Option<u32> {
+        match &self.domain {
+            Domain::Convex(boundary) if self.is_plain() => Some(of_counts(boundary)),
+            _ => None,
+        }
     }
 }
 
@@ -103,19 +135,18 @@ pub fn best_angle(
     max_degree: u32,
     watch: Watch<'_>,
 ) -> Result<Optimum, Unsolved> {
-    let least = |watch: Watch<'_>| least_max_degree(problem, watch);
-    let is_possible = if problem.is_plain() {
-        max_degree >= least(watch)?
-    } else {
-        is_feasible(problem, max_degree, watch)?
+    let chords = problem.chords_or_refusal()?;
+    let is_possible = match problem.closed_form() {
+        Some(least) => max_degree >= least,
+        None => any_triangulation(problem, &chords, max_degree, watch)?.is_some(),
     };
     match problem.caps(max_degree) {
         Some(caps) if is_possible => {
-            let search = Search::new(problem, watch)?;
+            let mut search = Search::new(problem, &chords, watch)?;
             let tangent = search.best_tangent(&caps, 0.0, watch)?;
             Ok(search.optimum(&caps, tangent, watch)?)
         }
-        _ => Err(Unsolved::Infeasible { max_degree, least: least(watch)? }),
+        _ => Err(Unsolved::Infeasible { max_degree, least: least_max_degree(problem, watch)? }),
     }
 }
 
@@ -144,25 +175,59 @@ pub fn best_angle(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolved> {
+    trade_off_until(problem, &mut |_, _| false, watch)
+}
+
+/// The [`trade_off`] up to the first optimum for which `is_enough` is true; it also gets the
+/// largest minimum angle of all triangulations, in degrees.
+///
+/// # Errors
+///
+/// As [`trade_off`].
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_core::Boundary;
+/// use mindeg_exact::{Problem, trade_off_until, unwatched};
+///
+/// let boundary = Boundary::new(&[2, 2, 2, 2])?;
+/// let points = [(0, 0), (1, 0), (2, 0), (2, 1), (2, 2), (1, 2), (0, 2), (0, 1)];
+/// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+/// let problem = Problem::new(&boundary, &points)?;
+/// let has_a_third = &mut |optimum: &mindeg_exact::Optimum, most| optimum.min_angle > most / 3.0;
+/// let kept = trade_off_until(&problem, has_a_third, &mut unwatched)?;
+/// assert_eq!(kept.optima.last().unwrap().max_degree, 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn trade_off_until(
+    problem: &Problem,
+    is_enough: &mut dyn FnMut(&Optimum, f64) -> bool,
+    watch: Watch<'_>,
+) -> Result<TradeOff, Unsolved> {
+    let chords = problem.chords_or_refusal()?;
     let least = least_max_degree(problem, watch)?;
-    let search = Search::new(problem, watch)?;
+    let mut search = Search::new(problem, &chords, watch)?;
     let caps = |max_degree| problem.caps(max_degree).expect("no cap below the least is asked for");
     let most = if problem.is_plain() {
         search.uncapped_tangent()
     } else {
         search.best_tangent(&caps(problem.no_cap()), 0.0, watch)?
     };
+    let uncapped_min_angle = measure::degrees(search.uncapped_tangent());
     let mut optima = Vec::new();
     let mut tangent = 0.0;
     for max_degree in least..=problem.no_cap() {
         let caps = caps(max_degree);
         tangent = search.best_tangent(&caps, tangent, watch)?;
-        optima.push(search.optimum(&caps, tangent, watch)?);
-        if tangent == most {
+        let optimum = search.optimum(&caps, tangent, watch)?;
+        let is_last = tangent == most || is_enough(&optimum, uncapped_min_angle);
+        optima.push(optimum);
+        if is_last {
             break;
         }
     }
-    let uncapped_min_angle = measure::degrees(search.uncapped_tangent());
     Ok(TradeOff { optima, uncapped_min_angle })
 }
 
@@ -193,27 +258,49 @@ pub fn trade_off(problem: &Problem, watch: Watch<'_>) -> Result<TradeOff, Unsolv
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn least_max_degree(problem: &Problem, watch: Watch<'_>) -> Result<u32, Unsolved> {
-    let least = mindeg_core::least_max_degree(problem.boundary());
-    if problem.is_plain() {
-        return Ok(least);
+    match problem.closed_form() {
+        Some(least) => Ok(least),
+        None => {
+            // Refused at once where it may come to nothing.
+            if let Domain::Rings(_) = problem.domain {
+                return Err(Unsolved::NotAPolygon);
+            }
+            let range = degree_range(problem, watch)?;
+            let max_triples = problem.max_triples();
+            if range.is_proven() {
+                Ok(range.max_degree)
+            } else {
+                Err(Unsolved::TooLarge { max_triples })
+            }
+        }
     }
+}
+
+/// The least maximum degree and a triangulation that has it, whatever the limits.
+pub(crate) fn least_by_search(
+    problem: &Problem,
+    chords: &Chords,
+    watch: Watch<'_>,
+) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
     let none = problem.no_cap();
-    if !is_feasible(problem, none, watch)? {
-        return Err(Unsolved::VertexCaps);
-    }
+    let mut found = any_triangulation(problem, chords, none, watch)?.ok_or(Unsolved::VertexCaps)?;
     // Up in growing steps, then down by halves, since small caps take the least time.
+    let least = 4.min(problem.points().len() as u32 - 1);
     let (mut too_small, mut enough) = (least - 1, least.min(none));
-    while enough < none && !is_feasible(problem, enough, watch)? {
+    while enough < none {
+        if let Some(triangles) = any_triangulation(problem, chords, enough, watch)? {
+            found = triangles;
+            break;
+        }
         let step = enough - too_small;
         (too_small, enough) = (enough, enough.saturating_add(2 * step).min(none));
     }
     while enough - too_small > 1 {
         let middle = too_small + (enough - too_small) / 2;
-        if is_feasible(problem, middle, watch)? {
-            enough = middle;
-        } else {
-            too_small = middle;
+        match any_triangulation(problem, chords, middle, watch)? {
+            Some(triangles) => (enough, found) = (middle, triangles),
+            None => too_small = middle,
         }
     }
-    Ok(enough)
+    Ok((enough, found))
 }

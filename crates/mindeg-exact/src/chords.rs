@@ -1,161 +1,308 @@
 //! Which vertices may be joined.
 
+use crate::triangulation::Triangulation;
 use mindeg_core::Boundary;
+use rayon::prelude::*;
 
-/// A set of edges that a triangulation may use: all boundary edges and some chords.
-///
-/// It is kept both as bits, to find the vertices joined to two others, and as lists by span,
-/// the number of boundary edges that a chord cuts off.
+/// A set of edges that a triangulation may use: all boundary edges and some chords, ordered by
+/// span, the number of boundary edges that they cut off.
 #[derive(Clone, Debug)]
 pub(crate) struct Chords {
     vertices: usize,
-    /// 64-bit words to a vertex.
-    words: usize,
-    /// Bit w of vertex v: v and w may be joined.
-    bits: Vec<u64>,
-    /// Entry s: the lower ends of the chords from i to i + s, in ascending order.
-    by_span: Vec<Vec<u32>>,
+    /// Where the edges of each span begin in `starts`.
+    offsets: Vec<u32>,
+    /// The lower ends, ascending within a span.
+    starts: Vec<u32>,
 }
 
 impl Chords {
-    /// The edges for which `may_join(i, span)` holds, asked for chords only.
-    pub(crate) fn new(vertices: usize, mut may_join: impl FnMut(usize, usize) -> bool) -> Self {
-        let words = vertices.div_ceil(64);
-        let bits = vec![0; vertices * words];
-        let mut chords = Self { vertices, words, bits, by_span: vec![Vec::new(); vertices] };
-        for span in 1..vertices {
-            for i in 0..vertices - span {
-                let is_boundary_edge = span == 1 || span == vertices - 1;
-                if is_boundary_edge || may_join(i, span) {
-                    chords.flip(i, i + span);
-                    chords.by_span[span].push(i as u32);
-                }
-            }
+    /// The boundary edges and these chords (lower end, upper end), in lists that are, one after the other,
+    /// in ascending order of lower ends. O(n + chords).
+    pub(crate) fn new(vertices: usize, chords: &[Vec<[u32; 2]>]) -> Self {
+        let mut offsets = vec![0_u32; vertices + 1];
+        for [i, j] in chords.iter().flatten() {
+            offsets[(j - i) as usize + 1] += 1;
         }
-        chords
+        offsets[2] += vertices as u32 - 1;
+        offsets[vertices] += 1;
+        for span in 0..vertices {
+            offsets[span + 1] += offsets[span];
+        }
+        let mut next = offsets.clone();
+        let mut starts = vec![0; offsets[vertices] as usize];
+        let mut put = |i: u32, span: usize| {
+            starts[next[span] as usize] = i;
+            next[span] += 1;
+        };
+        (0..vertices as u32 - 1).for_each(|i| put(i, 1));
+        put(0, vertices - 1);
+        for &[i, j] in chords.iter().flatten() {
+            put(i, (j - i) as usize);
+        }
+        Self { vertices, offsets, starts }
     }
 
-    /// All chords that are not on a side. No triangle of such chords and boundary edges is
-    /// flat: the edges of a flat one are all on its side, so they would be boundary edges, but
-    /// three boundary edges bound a triangle only where they are the whole boundary.
-    pub(crate) fn all(boundary: &Boundary) -> Self {
-        let vertices = boundary.vertex_count() as usize;
-        let sides = Sides::new(boundary);
-        Self::new(vertices, |i, span| !sides.has_both(i, i + span))
+    /// All chords of a convex polygon that are not on a side. No triangle of such chords and boundary
+    /// edges is flat: the edges of a flat one are all on its side, so they would be boundary
+    /// edges, but three boundary edges bound a triangle only where they are the whole boundary.
+    pub(crate) fn all(vertices: usize, sides: &Sides) -> Self {
+        let n = vertices as u32;
+        let of = |i: u32| {
+            let last = if i == 0 { n - 1 } else { n };
+            let ends = (i + 2..last).filter(move |&j| !sides.has_both(i, j));
+            ends.map(|j| [i, j]).collect()
+        };
+        Self::new(vertices, &(0..n).map(of).collect::<Vec<_>>())
     }
 
-    /// Puts the edge into the set or, where it is there, takes it out.
-    pub(crate) fn flip(&mut self, i: usize, j: usize) {
-        self.bits[i * self.words + j / 64] ^= 1 << (j % 64);
-        self.bits[j * self.words + i / 64] ^= 1 << (i % 64);
-    }
-
-    /// The lower ends of all edges of this span that the set had when it was made.
-    pub(crate) fn of_span(&self, span: usize) -> &[u32] {
-        &self.by_span[span]
-    }
-
-    /// How many chords there are at `vertex`.
-    pub(crate) fn degree(&self, vertex: usize) -> u32 {
-        let bits = &self.bits[vertex * self.words..][..self.words];
-        bits.iter().map(|word| word.count_ones()).sum::<u32>() - 2
-    }
-
-    /// The vertices strictly between `i` and `j` that may be joined to both, ascending.
-    pub(crate) fn apexes(&self, i: usize, j: usize) -> impl Iterator<Item = usize> + '_ {
-        let row = |vertex: usize| &self.bits[vertex * self.words..][..self.words];
-        let (first, last) = (i + 1, j - 1);
-        let words = first / 64..=last / 64;
-        let both = row(i)[words.clone()].iter().zip(&row(j)[words.clone()]);
-        words.zip(both).flat_map(move |(word, (of_i, of_j))| {
-            let mut bits = of_i & of_j;
-            if word == first / 64 {
-                bits &= u64::MAX << (first % 64);
-            }
-            if word == last / 64 {
-                bits &= u64::MAX >> (63 - last % 64);
-            }
-            std::iter::from_fn(move || {
-                let bit = bits.trailing_zeros() as usize;
-                bits &= bits.wrapping_sub(1);
-                (bit < 64).then_some(word * 64 + bit)
-            })
-        })
+    /// The edges that are kept, boundary edges included.
+    pub(crate) fn filtered(&self, is_kept: impl Fn(u32, u32) -> bool) -> Self {
+        let mut kept = Self {
+            vertices: self.vertices,
+            offsets: Vec::with_capacity(self.offsets.len()),
+            starts: Vec::new(),
+        };
+        kept.offsets.push(0);
+        for span in 0..self.vertices {
+            let is_boundary = span == 1 || span == self.vertices - 1;
+            let starts = self.of_span(span).iter().copied();
+            kept.starts.extend(starts.filter(|&i| is_boundary || is_kept(i, i + span as u32)));
+            kept.offsets.push(kept.starts.len() as u32);
+        }
+        kept
     }
 
     pub(crate) fn vertex_count(&self) -> usize {
         self.vertices
     }
+
+    /// How many edges there are, those of the boundary included.
+    pub(crate) fn len(&self) -> usize {
+        self.starts.len()
+    }
+
+    /// The indices of the edges of this span.
+    pub(crate) fn indices(&self, span: usize) -> std::ops::Range<usize> {
+        self.offsets[span] as usize..self.offsets[span + 1] as usize
+    }
+
+    /// The lower ends of the edges of this span, ascending.
+    pub(crate) fn of_span(&self, span: usize) -> &[u32] {
+        &self.starts[self.indices(span)]
+    }
+
+    /// The ends of all edges, in order.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        (1..self.vertices)
+            .flat_map(|span| self.of_span(span).iter().map(move |&i| [i, i + span as u32]))
+    }
+
+    /// Whether the set has this edge; i < j. O(log n).
+    #[cfg(test)]
+    pub(crate) fn has(&self, i: u32, j: u32) -> bool {
+        self.of_span((j - i) as usize).binary_search(&i).is_ok()
+    }
+
+    /// How many triples i < k < j have all three edges, the work of one pass of the dynamic
+    /// program; none where they are more than `most`. O(triples), in parallel.
+    pub(crate) fn count_triples(&self, most: u64) -> Option<u64> {
+        const ROUND: usize = 4096;
+        let [counts, _] = self.end_counts();
+        let mut up = Lists::new(&counts);
+        self.ends().for_each(|[i, j]| up.push(i, j));
+        let vertices = self.vertices as u32;
+        let mut total = 0;
+        for round in (0..vertices).step_by(ROUND) {
+            let of_round = round..vertices.min(round + ROUND as u32);
+            let count = |marks: &mut Vec<u8>, i: u32| {
+                marks.resize(self.vertices, 0);
+                up.of(i).iter().for_each(|&j| marks[j as usize] = 1);
+                let last = up.of(i).last().copied().unwrap_or(0);
+                let mut count = 0;
+                for &k in up.of(i) {
+                    let ends = up.of(k);
+                    let ends = &ends[..ends.partition_point(|&j| j <= last)];
+                    count += ends.iter().map(|&j| u64::from(marks[j as usize])).sum::<u64>();
+                }
+                up.of(i).iter().for_each(|&j| marks[j as usize] = 0);
+                count
+            };
+            total += of_round.into_par_iter().map_init(Vec::new, count).sum::<u64>();
+            if total > most {
+                return None;
+            }
+        }
+        Some(total)
+    }
+
+    /// Of each vertex how many chords it has, boundary edges left out.
+    pub(crate) fn degrees(&self) -> Vec<u32> {
+        let mut degrees = vec![0_u32; self.vertices];
+        for [i, j] in self.ends() {
+            degrees[i as usize] += 1;
+            degrees[j as usize] += 1;
+        }
+        degrees.iter().map(|degree| degree - 2).collect()
+    }
+
+    /// Of each vertex how many edges have it as lower end, and how many as upper end.
+    pub(crate) fn end_counts(&self) -> [Vec<u32>; 2] {
+        let mut counts = [vec![0; self.vertices], vec![0; self.vertices]];
+        for [i, j] in self.ends() {
+            counts[0][i as usize] += 1;
+            counts[1][j as usize] += 1;
+        }
+        counts
+    }
 }
 
-/// The one or two sides that every vertex is on.
+/// One list for each vertex, with space set aside for all it may get.
+#[derive(Clone, Debug)]
+pub(crate) struct Lists<T> {
+    offsets: Vec<u32>,
+    lens: Vec<u32>,
+    entries: Vec<T>,
+}
+
+impl<T: Copy + Default> Lists<T> {
+    pub(crate) fn new(most: &[u32]) -> Self {
+        let mut total = 0;
+        let mut offsets = Vec::with_capacity(most.len());
+        for most in most {
+            offsets.push(total);
+            total += most;
+        }
+        Self { offsets, lens: vec![0; most.len()], entries: vec![T::default(); total as usize] }
+    }
+
+    pub(crate) fn push(&mut self, vertex: u32, entry: T) {
+        let len = &mut self.lens[vertex as usize];
+        self.entries[(self.offsets[vertex as usize] + *len) as usize] = entry;
+        *len += 1;
+    }
+
+    pub(crate) fn of(&self, vertex: u32) -> &[T] {
+        &self.entries[self.offsets[vertex as usize] as usize..]
+            [..self.lens[vertex as usize] as usize]
+    }
+}
+
+/// Visits the entries of equal vertex of two lists, one by ascending and one by descending
+/// vertex, in ascending order until `visit` answers with a break.
+pub(crate) fn meet<T>(
+    ascending: &[T],
+    descending: &[T],
+    vertex: impl Fn(&T) -> u32,
+    mut visit: impl FnMut(&T, &T) -> std::ops::ControlFlow<()>,
+) {
+    let (mut up, mut down) = (ascending.iter(), descending.iter().rev());
+    let (mut first, mut second) = (up.next(), down.next());
+    while let (Some(a), Some(b)) = (first, second) {
+        let (low, high) = (vertex(a), vertex(b));
+        if low == high && visit(a, b).is_break() {
+            return;
+        }
+        if low <= high {
+            first = up.next();
+        }
+        if high <= low {
+            second = down.next();
+        }
+    }
+}
+
+/// The one or two straight sides that every vertex is on.
+#[derive(Clone, Debug)]
 pub(crate) struct Sides {
-    after: Vec<usize>,
+    /// The sides of the boundary edges before and after each vertex.
+    of: Vec<[u32; 2]>,
 }
 
 impl Sides {
-    pub(crate) fn new(boundary: &Boundary) -> Self {
-        let sides = boundary.sides().enumerate();
-        Self { after: sides.flat_map(|(side, len)| (0..len).map(move |_| side)).collect() }
+    /// The sides of a convex polygon's vertices.
+    pub(crate) fn of_boundary(boundary: &Boundary) -> Self {
+        let sides = (0..).zip(boundary.sides());
+        let after: Vec<u32> = sides.flat_map(|(side, len)| (0..len).map(move |_| side)).collect();
+        let before = |vertex: usize| after[vertex.checked_sub(1).unwrap_or(after.len() - 1)];
+        Self { of: (0..after.len()).map(|vertex| [before(vertex), after[vertex]]).collect() }
+    }
+
+    /// The sides of a triangulated domain's vertices; `side_of` names the side of the boundary edge
+    /// that begins at each vertex.
+    pub(crate) fn of_triangulation(mesh: &Triangulation, side_of: &[u32]) -> Self {
+        let mut of = vec![[u32::MAX; 2]; side_of.len()];
+        for [from, to] in mesh.boundary_edges() {
+            of[from as usize][1] = side_of[from as usize];
+            of[to as usize][0] = side_of[from as usize];
+        }
+        Self { of }
     }
 
     /// Whether one side has both vertices.
-    pub(crate) fn has_both(&self, i: usize, j: usize) -> bool {
-        let of = |vertex: usize| {
-            let before = vertex.checked_sub(1).unwrap_or(self.after.len() - 1);
-            [self.after[before], self.after[vertex]]
-        };
-        of(i).iter().any(|side| of(j).contains(side))
+    pub(crate) fn has_both(&self, i: u32, j: u32) -> bool {
+        let [a, b] = self.of[i as usize];
+        let [c, d] = self.of[j as usize];
+        a == c || a == d || b == c || b == d
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::ops::ControlFlow;
 
     #[test]
     fn chords_join_different_sides_and_make_no_flat_triangle() {
-        for sides in [
-            &[1, 1, 1][..],
-            &[2, 1, 1],
-            &[1, 1, 2],
-            &[2, 2, 2],
-            &[3, 1, 4, 1, 5],
-            &[30, 5, 40],
-            &[32, 1, 32, 1],
-            &[10, 54, 65],
-        ] {
+        for sides in
+            [&[1, 1, 1][..], &[2, 1, 1], &[1, 1, 2], &[2, 2, 2], &[3, 1, 4, 1, 5], &[30, 5, 40]]
+        {
             let boundary = Boundary::new(sides).unwrap();
             let n = boundary.vertex_count();
             let is_flat = |a, b, c| boundary.is_flat([a, b, c % n]);
-            let chords = Chords::all(&boundary);
-            let has = |i: u32, j: u32| chords.of_span((j - i) as usize).contains(&i);
+            let chords = Chords::all(n as usize, &Sides::of_boundary(&boundary));
             let mut degrees = vec![0; n as usize];
             for (i, j) in (0..n).flat_map(|i| (i + 2..n).map(move |j| (i, j))) {
                 if j - i < n - 1 {
                     let is_on_side = is_flat(i, i + 1, j) || is_flat(i, j, j + 1);
-                    assert_eq!(has(i, j), !is_on_side, "{sides:?}: {i}, {j}");
+                    assert_eq!(chords.has(i, j), !is_on_side, "{sides:?}: {i}, {j}");
                     degrees[i as usize] += u32::from(!is_on_side);
                     degrees[j as usize] += u32::from(!is_on_side);
                 }
-                let apexes: Vec<u32> =
-                    chords.apexes(i as usize, j as usize).map(|apex| apex as u32).collect();
-                let expected: Vec<u32> =
-                    (i + 1..j).filter(|&apex| has(i, apex) && has(apex, j)).collect();
-                assert_eq!(apexes, expected, "{sides:?}: {i}, {j}");
-                let is_flat = |apex| is_flat(i, apex, j);
-                assert!(!has(i, j) || !apexes.into_iter().any(is_flat), "{sides:?}: {i}, {j}");
+                let may_be_apex =
+                    |&apex: &u32| chords.has(i, j) && chords.has(i, apex) && chords.has(apex, j);
+                let mut apexes = (i + 1..j).filter(may_be_apex);
+                assert!(!apexes.any(|apex| is_flat(i, apex, j)), "{sides:?}: {i}, {j}");
             }
-            assert!((0..n as usize).all(|vertex| chords.degree(vertex) == degrees[vertex]));
+            assert!((0..n).all(|i| (i + 1..n).all(|j| j - i > 1 || chords.has(i, j))));
+            assert_eq!(chords.degrees(), degrees);
+            let kept = chords.filtered(|i, _| i > 0);
+            let is_kept = |i, j| i > 0 || j == 1 || j == n - 1;
+            assert!(chords.ends().all(|[i, j]| kept.has(i, j) == is_kept(i, j)));
         }
     }
 
     #[test]
-    fn a_chord_taken_out_is_no_longer_met() {
-        let mut chords = Chords::all(&Boundary::new(&[1, 1, 1, 1, 1]).unwrap());
-        assert!(chords.apexes(0, 4).eq([1, 2, 3]));
-        chords.flip(0, 2);
-        assert!(chords.apexes(0, 4).eq([1, 3]));
-        assert_eq!([0, 1, 2].map(|vertex| chords.degree(vertex)), [1, 2, 1]);
+    fn lists_meet_where_they_are_equal() {
+        let mut met = Vec::new();
+        let mut collect = |a: &[u32], b: &[u32], most| {
+            met.clear();
+            meet(
+                a,
+                b,
+                |&v| v,
+                |a, _| {
+                    met.push(*a);
+                    if met.len() == most {
+                        ControlFlow::Break(())
+                    } else {
+                        ControlFlow::Continue(())
+                    }
+                },
+            );
+            met.clone()
+        };
+        assert_eq!(collect(&[1, 3, 4, 7, 9], &[10, 9, 4, 3, 2], 9), [3, 4, 9]);
+        assert_eq!(collect(&[1, 3, 4, 7, 9], &[10, 9, 4, 3, 2], 2), [3, 4]);
+        assert_eq!(collect(&[], &[1], 9), []);
     }
 }

@@ -1,7 +1,7 @@
-//! How much angle each degree buys: the exact trade-off, and the best mesh at any cap.
+//! The least maximum degree of any polygon, proven, and how much angle each degree buys.
 //!
 //! A least maximum degree says nothing about angles, and a Delaunay triangulation, which has
-//! the largest minimum angle, nothing about degrees. For a convex polygon with given boundary
+//! the largest minimum angle, nothing about degrees. For a polygon with given boundary
 //! points this crate finds what lies between: for any cap on the degree, for all vertices or
 //! for single ones, the triangulation of the boundary points with the largest minimum angle
 //! there is. One degree above the least often has the Delaunay angle already.
@@ -24,39 +24,74 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # What is here
+//!
+//! - [`Problem`]: a convex polygon from its counts ([`Problem::new`]), or any domain with some
+//!   triangulation of it ([`Problem::triangulated`]).
+//! - [`degree_range`]: the least maximum degree and what proves it, or the gap.
+//! - [`best_angle`] and [`trade_off`]: the best angle under one limit, and under each.
+//! - [`windows()`]: for any size, and for holes: as few edges at the busiest vertices as can be reached
+//!   near them, at a guaranteed minimum angle.
+//! - [`check`]: whether triangles are a triangulation, by other means.
+//!
 //! # How it works
+//!
+//! A chord is admissible when it lies inside, and no two of its side's vertices are its ends. On a polygon
+//! that is not convex these are the vertices that see each other, found through the given triangulation
+//! with exact predicates, and often few.
 //!
 //! A chord splits the polygon, and either piece matters to the other only through its numbers
 //! of edges at the chord's ends. So an interval dynamic program over all chords, with these
 //! two numbers as its state, decides whether some triangulation keeps to the caps and has no
 //! angle below a threshold. A search over thresholds ends on an actual triangle's angle, and a
 //! last run of the same program, among the triangulations that have it, chooses the mesh. Edges
-//! that occur in no triangulation with such angles, whatever the degrees, are left out of all
-//! this from the start, and few remain.
+//! that occur in no triangulation with such angles, whatever the degrees, are left out
+//! before each run, and few remain. The angle of a Delaunay triangulation bounds the search from the start.
 //!
 //! That a Delaunay triangulation has the largest minimum angle is due to Sibson ("Locally
-//! equiangular triangulations", 1978); the least degree is that of C.-L. Liu, "Minimum degree
+//! equiangular triangulations", 1978); the least degree of convex polygons is that of C.-L. Liu, "Minimum degree
 //! triangulation for rectangular domains" (2005), by way of [`mindeg_core`].
 //!
 //! # Limits
 //!
-//! At most [`MAX_VERTICES`] boundary vertices: time grows with the cube of their number and
-//! memory with its square. On four cores, the trade-off for 400 vertices at equal intervals
-//! takes a fraction of a second, for 2,000 some seconds and 110 MB. Graded intervals make for
+//! Convex polygons: at most [`MAX_VERTICES`] boundary vertices. Other polygons: at most
+//! [`MAX_TRIPLES`] triples of vertices that see each other, which are counted before the work
+//! starts; beyond that, and with holes, there are windows and lower bounds. One pass of the
+//! dynamic program takes time in proportion to the triples, memory some 50 bytes a chord.
+//! On one core, the trade-off of a convex polygon of 2,000 vertices at equal intervals takes about a second, of
+//! 4,000 about 7. Graded intervals make for
 //! many degrees with an angle of their own and for long work on each: 2,000 vertices where every
 //! interval is a hundredth longer than the one before have 73 such degrees and take minutes.
 //! Angles and shapes are compared to 36 bits, see [`measure`].
 
+#[cfg(test)]
+extern crate self as mindeg_exact;
+
 mod answer;
-mod bottleneck;
+mod apex;
+pub mod check;
 mod chords;
+mod degree;
+mod delaunay;
 pub mod measure;
 mod merit;
 mod pieces;
 mod problem;
 mod progress;
+mod reach;
 mod search;
+mod triangulation;
+mod visibility;
+mod window;
+mod windows;
+mod zigzag;
 
-pub use answer::{Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off};
-pub use problem::{MAX_VERTICES, Problem, ProblemError};
+pub use answer::{
+    Optimum, TradeOff, Unsolved, best_angle, least_max_degree, trade_off, trade_off_until,
+};
+pub use apex::ApexBound;
+pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
+pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use progress::{Progress, Stage, Watch, unwatched};
+pub use windows::{WindowGoal, Windowed, windows};
+pub use zigzag::ZigZag;

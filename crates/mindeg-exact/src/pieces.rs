@@ -7,12 +7,13 @@
 //!
 //! The chord's own edge is counted by the pieces that it is part of, not by its own.
 
-use crate::chords::Chords;
+use crate::chords::{Chords, Lists, meet};
 use crate::measure::min_angle_tangent;
 use crate::merit::Merit;
 use crate::progress::Stopped;
 use glam::DVec2;
 use rayon::prelude::*;
+use std::ops::ControlFlow;
 
 /// What a triangulation must keep to.
 #[derive(Clone, Debug)]
@@ -54,9 +55,10 @@ struct State<M> {
     merit: M,
 }
 
-/// Where the front of a piece is in the list of all states.
+/// Where the front of the piece between a vertex and `other` is in the list of all states.
 #[derive(Clone, Copy, Default)]
 struct Front {
+    other: u32,
     start: u32,
     len: u32,
 }
@@ -64,11 +66,12 @@ struct Front {
 /// The fronts of all pieces.
 pub(crate) struct Pieces<'a, M> {
     rules: Rules<'a>,
-    chords: Chords,
+    vertices: usize,
     states: Vec<State<M>>,
-    /// For the piece between i and j, at `i * n + j` and again at `j * n + i`, since a triangle
-    /// on (i, j) needs the pieces (i, k) and (k, j) for many k.
-    fronts: Vec<Front>,
+    /// Of each vertex the pieces that begin there and can be triangulated, by ascending end.
+    up: Lists<Front>,
+    /// Of each vertex the pieces that end there and can be triangulated, by descending begin.
+    down: Lists<Front>,
     /// The largest tangent below the threshold of a triangle that was left out for it.
     left_out: f64,
 }
@@ -83,30 +86,50 @@ struct Batch<M> {
 /// How many chords make a batch: enough to be worth handing to a thread.
 const BATCH: usize = 16;
 
+/// So few chords are not worth it at all.
+const FEW: usize = 4096;
+
 impl<'a, M: Merit> Pieces<'a, M> {
-    /// Solves all pieces. O(n³) time at most, times the product of the fronts' lengths; in
+    /// Solves all pieces. O(triples of chords) time, times the product of the fronts' lengths; in
     /// parallel over the chords of each span, with the same result on any number of threads.
+    ///
+    /// Pieces that cannot be triangulated take no further time.
     pub(crate) fn solve(
         rules: Rules<'a>,
-        chords: Chords,
+        chords: &Chords,
         mut watch: impl FnMut(f64) -> Result<(), Stopped>,
     ) -> Result<Self, Stopped> {
         let vertices = chords.vertex_count();
         let states = vec![State { at_i: 0, at_j: 0, merit: M::EMPTY }];
-        let fronts = vec![Front::default(); vertices * vertices];
-        let mut pieces = Self { rules, chords, states, fronts, left_out: f64::NEG_INFINITY };
-        for i in 0..vertices - 1 {
-            pieces.set_front(i, i + 1, Front { start: 0, len: 1 });
+        let [up, down] = chords.end_counts().map(|counts| Lists::new(&counts));
+        let mut pieces = Self { rules, vertices, states, up, down, left_out: f64::NEG_INFINITY };
+        for i in 0..vertices as u32 - 1 {
+            pieces.put_front(i, i + 1, 0, 1);
         }
+        let are_few = chords.len() < FEW;
+        let mut grid = Grid::new();
         for span in 2..vertices {
             watch(span as f64 / vertices as f64)?;
-            let starts = pieces.chords.of_span(span).to_vec();
+            let starts = chords.of_span(span);
+            if starts.is_empty() {
+                continue;
+            }
+            if are_few || starts.len() <= BATCH {
+                for &i in starts {
+                    let j = i + span as u32;
+                    let left_out = pieces.fill(&mut grid, i as usize, j as usize);
+                    pieces.left_out = pieces.left_out.max(left_out);
+                    let start = pieces.states.len();
+                    grid.append_front(&mut pieces.states);
+                    let len = pieces.states.len() - start;
+                    if len > 0 {
+                        pieces.put_front(i, j, start as u32, len as u32);
+                    }
+                }
+                continue;
+            }
             let work = |starts: &[u32]| pieces.batch(starts, span);
-            let batches: Vec<Batch<M>> = if starts.len() <= BATCH {
-                vec![work(&starts)]
-            } else {
-                starts.par_chunks(BATCH).map(work).collect()
-            };
+            let batches: Vec<Batch<M>> = starts.par_chunks(BATCH).map(work).collect();
             for (starts, batch) in starts.chunks(BATCH).zip(batches) {
                 pieces.add(starts, span, batch);
             }
@@ -115,8 +138,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
     }
 
     fn batch(&self, starts: &[u32], span: usize) -> Batch<M> {
-        let mut batch = Batch { lens: Vec::new(), states: Vec::new(), left_out: f64::NEG_INFINITY };
         let mut grid = Grid::new();
+        let mut batch = Batch { lens: Vec::new(), states: Vec::new(), left_out: f64::NEG_INFINITY };
         for &start in starts {
             let before = batch.states.len();
             let (i, j) = (start as usize, start as usize + span);
@@ -131,26 +154,21 @@ impl<'a, M: Merit> Pieces<'a, M> {
     fn add(&mut self, starts: &[u32], span: usize, batch: Batch<M>) {
         let mut start = self.states.len() as u32;
         for (&i, len) in starts.iter().zip(batch.lens) {
-            let (i, j) = (i as usize, i as usize + span);
-            if len == 0 {
-                self.chords.flip(i, j);
+            if len > 0 {
+                self.put_front(i, i + span as u32, start, len);
             }
-            self.set_front(i, j, Front { start, len });
             start += len;
         }
         self.states.extend(batch.states);
         self.left_out = self.left_out.max(batch.left_out);
     }
 
-    fn set_front(&mut self, i: usize, j: usize, front: Front) {
-        let vertices = self.chords.vertex_count();
-        self.fronts[i * vertices + j] = front;
-        self.fronts[j * vertices + i] = front;
+    fn put_front(&mut self, i: u32, j: u32, start: u32, len: u32) {
+        self.up.push(i, Front { other: j, start, len });
+        self.down.push(j, Front { other: i, start, len });
     }
 
-    /// The states of the piece between `i` and `j`, in whichever order.
-    fn front(&self, i: usize, j: usize) -> &[State<M>] {
-        let front = self.fronts[i * self.chords.vertex_count() + j];
+    fn states(&self, front: &Front) -> &[State<M>] {
         &self.states[front.start as usize..][..front.len as usize]
     }
 
@@ -159,7 +177,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
     fn fill(&self, grid: &mut Grid<M>, i: usize, j: usize) -> f64 {
         let [room_i, room_j] = [i, j].map(|vertex| self.rules.rooms[vertex]);
         // A chord has to fit beside those of its piece.
-        let is_chord = u16::from(j - i < self.chords.vertex_count() - 1);
+        let is_chord = u16::from(j - i < self.vertices - 1);
         let most = |room: Room| room.most().checked_sub(is_chord * room.step());
         let (Some(most_at_i), Some(most_at_j)) = (most(room_i), most(room_j)) else {
             grid.clear(0, 0);
@@ -167,25 +185,43 @@ impl<'a, M: Merit> Pieces<'a, M> {
         };
         grid.clear(most_at_i, most_at_j);
         let mut left_out = f64::NEG_INFINITY;
-        let mut is_settled = false;
-        for apex in self.chords.apexes(i, j) {
-            // Between the first apex and the last both ends take a chord, and no more is best.
-            if is_settled && apex < j - 1 {
-                continue;
-            }
+        let mut visit = |left: &Front, right: &Front| {
+            let apex = left.other as usize;
             let corners = self.corners([i, apex, j]);
             let tangent = min_angle_tangent(corners);
             if tangent < self.rules.threshold {
                 left_out = left_out.max(tangent);
-                continue;
+                return false;
             }
             let own = M::of_triangle(corners);
-            self.join([i, apex, j], |_, _, state| {
+            let pieces = [self.states(left), self.states(right)];
+            self.join([i, apex, j], pieces, |_, _, state| {
                 if state.at_i <= most_at_i && state.at_j <= most_at_j {
                     grid.offer(State { merit: state.merit.plus(own), ..state });
                 }
             });
-            is_settled = M::ALL_EQUAL && grid.has(room_i.step(), room_j.step());
+            // Between the first apex and the last both ends take a chord, and no more is best.
+            M::ALL_EQUAL && grid.has(room_i.step(), room_j.step())
+        };
+        let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
+        let mut last_seen = i;
+        let mut is_settled = false;
+        meet(
+            up,
+            down,
+            |front| front.other,
+            |left, right| {
+                last_seen = left.other as usize;
+                is_settled = visit(left, right);
+                if is_settled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        );
+        if is_settled
+            && last_seen < j - 1
+            && let (Some(left), Some(right)) = (up.last(), down.first())
+            && left.other as usize == j - 1
+        {
+            visit(left, right);
         }
         left_out
     }
@@ -196,17 +232,22 @@ impl<'a, M: Merit> Pieces<'a, M> {
 
     /// Visits every pair of a state of (i, apex) and a state of (apex, j) that leave the apex
     /// within its room, and what they make together, the triangle's own merit aside.
-    fn join(&self, [i, apex, j]: [usize; 3], mut visit: impl FnMut(State<M>, State<M>, State<M>)) {
+    fn join(
+        &self,
+        [i, apex, j]: [usize; 3],
+        [lefts, rights]: [&[State<M>]; 2],
+        mut visit: impl FnMut(State<M>, State<M>, State<M>),
+    ) {
         let rooms = &self.rules.rooms;
         let is_left_chord = u16::from(apex > i + 1);
         let is_right_chord = u16::from(j > apex + 1);
         let room = rooms[apex];
-        for &left in self.front(i, apex) {
+        for &left in lefts {
             let at_apex = left.at_j + (is_left_chord + is_right_chord) * room.step();
             if at_apex > room.most() {
                 continue;
             }
-            for &right in self.front(j, apex) {
+            for &right in rights {
                 let at_apex = at_apex + right.at_i;
                 if at_apex > room.most() {
                     // Fronts are sorted.
@@ -226,9 +267,10 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// The best whole triangulation as the piece of all but one boundary edge, and its merit;
     /// of equals the one with the fewest edges at the ends.
     fn best(&self) -> Option<(State<M>, M)> {
-        let last = self.chords.vertex_count() - 1;
+        let last = self.vertices - 1;
+        let whole = self.up.of(0).last().filter(|front| front.other as usize == last)?;
         let mut best: Option<(State<M>, M)> = None;
-        for &state in self.front(0, last) {
+        for &state in self.states(whole) {
             let mut merit = state.merit;
             for (vertex, chords) in [(0, state.at_i), (last, state.at_j)] {
                 if self.rules.rooms[vertex] == Room::For(chords) {
@@ -242,42 +284,53 @@ impl<'a, M: Merit> Pieces<'a, M> {
         best
     }
 
-    /// A best triangulation, its triangles ascending, and its merit; none where the rules
-    /// allow none. Of equally good apexes the one with the smallest number is taken. O(n²)
+    /// A best triangulation, every triangle before those beneath it, and its merit; none where the rules
+    /// allow none. Of equally good apexes the one with the smallest index is taken. O(n²)
     /// times the product of the fronts' lengths.
     pub(crate) fn triangles(&self) -> Option<(Vec<[u32; 3]>, M)> {
         let (root, merit) = self.best()?;
-        let mut triangles = Vec::with_capacity(self.chords.vertex_count() - 2);
-        let mut open = vec![(0, self.chords.vertex_count() - 1, root)];
+        let mut triangles = Vec::with_capacity(self.vertices - 2);
+        let mut open = vec![(0, self.vertices - 1, root)];
         while let Some((i, j, state)) = open.pop() {
             if j == i + 1 {
                 continue;
             }
-            let (apex, left, right) = self
-                .chords
-                .apexes(i, j)
-                .find_map(|apex| self.split([i, apex, j], state))
-                .expect("a state of a piece comes from one of its apexes");
+            let (apex, left, right) =
+                self.split(i, j, state).expect("a state of a piece comes from one of its apexes");
             triangles.push([i, apex, j].map(|vertex| vertex as u32));
-            open.extend([(i, apex, left), (apex, j, right)]);
+            open.extend([(apex, j, right), (i, apex, left)]);
         }
-        triangles.sort_unstable();
         Some((triangles, merit))
     }
 
-    /// The states that make up `whole` with this triangle, if any do.
-    fn split(&self, triangle: [usize; 3], whole: State<M>) -> Option<(usize, State<M>, State<M>)> {
-        let corners = self.corners(triangle);
-        if min_angle_tangent(corners) < self.rules.threshold {
-            return None;
-        }
-        let own = M::of_triangle(corners);
+    /// The first apex of the piece from `i` to `j`, and the states beside it, that make up `whole`.
+    fn split(&self, i: usize, j: usize, whole: State<M>) -> Option<(usize, State<M>, State<M>)> {
         let mut found = None;
-        self.join(triangle, |left, right, state| {
-            if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole {
-                found = Some((triangle[1], left, right));
-            }
-        });
+        let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
+        // The lists have pieces of larger spans, too, by now.
+        let up = &up[..up.partition_point(|front| (front.other as usize) < j)];
+        let down = &down[..down.partition_point(|front| front.other as usize > i)];
+        meet(
+            up,
+            down,
+            |front| front.other,
+            |left, right| {
+                let triangle = [i, left.other as usize, j];
+                let corners = self.corners(triangle);
+                if min_angle_tangent(corners) < self.rules.threshold {
+                    return ControlFlow::Continue(());
+                }
+                let own = M::of_triangle(corners);
+                let pieces = [self.states(left), self.states(right)];
+                self.join(triangle, pieces, |left, right, state| {
+                    if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole
+                    {
+                        found = Some((triangle[1], left, right));
+                    }
+                });
+                if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        );
         found
     }
 

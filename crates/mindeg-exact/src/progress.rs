@@ -32,6 +32,11 @@ pub enum Stage {
         /// The cap.
         max_degree: u32,
     },
+    /// Retriangulating windows around the vertices with the most edges.
+    Windows {
+        /// The largest number of edges at a vertex so far.
+        max_degree: u32,
+    },
     /// Finding the best angle that goes with each edge, degrees aside.
     Bounds,
     /// Searching for the largest minimum angle under a cap.
@@ -54,6 +59,7 @@ impl fmt::Display for Progress {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.stage {
             Stage::Feasibility { max_degree } => write!(f, "degree {max_degree}, is it possible")?,
+            Stage::Windows { max_degree } => write!(f, "windows, from degree {max_degree} down")?,
             Stage::Bounds => f.write_str("bounding the angles")?,
             Stage::Search { max_degree, at_least, at_most } => {
                 write!(f, "degree {max_degree}, between {at_least:.3} and {at_most:.3} degrees")?;
@@ -113,6 +119,7 @@ mod tests {
         let search = Stage::Search { max_degree: 5, at_least: 2.5, at_most: 6.340_19 };
         for (stage, done, words) in [
             (Stage::Feasibility { max_degree: 7 }, 0.0, "degree 7, is it possible: 0%"),
+            (Stage::Windows { max_degree: 9 }, 0.0, "windows, from degree 9 down: 0%"),
             (Stage::Bounds, 0.999, "bounding the angles: 100%"),
             (search, 0.5, "degree 5, between 2.500 and 6.340 degrees: 50%"),
             (Stage::Ties { max_degree: 114 }, 0.5, "degree 114, choosing the mesh: 50%"),

@@ -233,7 +233,7 @@ fn progress_never_falls_within_a_stage() {
         ControlFlow::Continue(())
     };
     trade_off(&problem, &mut watch).unwrap();
-    assert_eq!(stages.iter().collect::<HashSet<_>>().len(), 4);
+    assert_eq!(stages.iter().collect::<HashSet<_>>().len(), 5);
 }
 
 #[test]

@@ -11,11 +11,13 @@ use std::cmp::Reverse;
 use std::ops::ControlFlow;
 
 use glam::DVec2;
+use mindeg_delaunay::DelaunayError;
 use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, Problem, ProblemError, Stage, Unsolved, best_angle};
 use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
+use crate::conflict;
 
 /// A mesh with the largest minimum angle under a degree limit.
 #[derive(Clone, Debug, PartialEq)]
@@ -86,6 +88,9 @@ pub enum ExactError {
         /// The vertices, in ascending order.
         vertices: Vec<u32>,
     },
+    /// Its points have no Delaunay triangulation to start from.
+    #[error(transparent)]
+    Delaunay(#[from] DelaunayError),
     /// Its points are too close together.
     #[error(transparent)]
     Mesh(#[from] MeshError),
@@ -173,9 +178,25 @@ pub fn mesh(
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, ExactError> {
+    trade_off_until(domain, |_, _| false, progress)
+}
+
+/// The [`trade_off`] up to the first mesh for which `is_enough` is true of its minimum angle and of
+/// Delaunay's, in degrees.
+///
+/// # Errors
+///
+/// As [`mesh()`].
+pub fn trade_off_until(
+    domain: &Domain,
+    mut is_enough: impl FnMut(f64, f64) -> bool,
+    progress: Progress<'_>,
+) -> Result<TradeOff, ExactError> {
     let problem = problem(domain)?;
-    let answer = reporting(progress, |watch| mindeg_exact::trade_off(&problem, watch))
-        .map_err(|error| unsolved(domain, error, progress))?;
+    let mut is_enough = |optimum: &Optimum, most: f64| is_enough(optimum.min_angle, most);
+    let answer =
+        reporting(progress, |watch| mindeg_exact::trade_off_until(&problem, &mut is_enough, watch))
+            .map_err(|error| unsolved(domain, error, progress))?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
     Ok(TradeOff {
         domain: domain.clone(),
@@ -185,7 +206,10 @@ pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, Ex
 }
 
 /// Does the solver's work and reports how far it is.
-fn reporting<T>(progress: Progress<'_>, work: impl FnOnce(mindeg_exact::Watch<'_>) -> T) -> T {
+pub(crate) fn reporting<T>(
+    progress: Progress<'_>,
+    work: impl FnOnce(mindeg_exact::Watch<'_>) -> T,
+) -> T {
     /// The parts that a stage is reported in.
     const PARTS: u64 = 1000;
     work(&mut |mindeg_exact::Progress { stage, done }| match progress.report(
@@ -204,21 +228,15 @@ fn name(stage: Stage) -> String {
         Stage::Bounds => "bounding the angles".to_owned(),
         Stage::Search { max_degree, .. } => format!("degree {max_degree}: the best angle"),
         Stage::Ties { max_degree } => format!("degree {max_degree}: the best mesh"),
+        Stage::Windows { max_degree } => {
+            format!("taking edges off vertices of degree {max_degree}")
+        }
         _ => "working".to_owned(),
     }
 }
 
 /// The domain as the solver takes it.
 fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
-    let mut problem = without_limits(domain)?;
-    for (vertex, limit) in degree_limits(domain) {
-        problem.set_max_degree(vertex, limit);
-    }
-    Ok(problem)
-}
-
-/// The domain with its external degrees and without its degree limits.
-fn without_limits(domain: &Domain) -> Result<Problem, ProblemError> {
     let boundary = domain.boundary();
     // The solver refuses a number of vertices too large for the memory of one point each.
     if boundary.vertex_count() > mindeg_exact::MAX_VERTICES {
@@ -226,12 +244,24 @@ fn without_limits(domain: &Domain) -> Result<Problem, ProblemError> {
     }
     let points: Vec<DVec2> = domain.placement().points().collect();
     let mut problem = Problem::new(boundary, &points)?;
+    constrain(&mut problem, domain);
+    Ok(problem)
+}
+
+/// Tells the solver the domain's constraints.
+pub(crate) fn constrain(problem: &mut Problem, domain: &Domain) {
+    set_external_degrees(problem, domain);
+    for (vertex, limit) in degree_limits(domain) {
+        problem.set_max_degree(vertex, limit);
+    }
+}
+
+fn set_external_degrees(problem: &mut Problem, domain: &Domain) {
     if domain.is_constrained() {
-        for vertex in 0..boundary.vertex_count() {
+        for vertex in 0..domain.boundary().vertex_count() {
             problem.set_outside_degree(vertex, domain.external_degree(vertex));
         }
     }
-    Ok(problem)
 }
 
 /// The vertices with a degree limit, and the limits.
@@ -248,57 +278,31 @@ fn unsolved(domain: &Domain, error: Unsolved, progress: Progress<'_>) -> ExactEr
     if error != Unsolved::VertexCaps {
         return error.into();
     }
-    match conflict(domain, progress) {
-        Ok(vertices) if vertices.is_empty() => error.into(),
+    match vertices_in_conflict(domain, progress) {
         Ok(vertices) => ExactError::DegreeLimits { vertices },
         Err(error) => error,
     }
 }
 
-/// Vertices whose degree limits no mesh keeps together: as few as some tries find. The limits of
-/// all vertices are known to conflict.
-///
-/// The shortest list of first limits that conflict ends in one that is part of every conflict in
-/// it: bisection finds it, and it stays while the list before it is searched in the same way.
-fn conflict(domain: &Domain, progress: Progress<'_>) -> Result<Vec<u32>, ExactError> {
-    let plain = without_limits(domain)?;
-    let mut suspects = degree_limits(domain);
-    let mut found: Vec<(u32, u32)> = Vec::new();
-    let conflicts = |limits: &mut dyn Iterator<Item = &(u32, u32)>| {
+/// Vertices whose degree limits no mesh keeps together, where those of all conflict.
+fn vertices_in_conflict(domain: &Domain, progress: Progress<'_>) -> Result<Vec<u32>, ExactError> {
+    let points: Vec<DVec2> = domain.placement().points().collect();
+    let mut plain = Problem::new(domain.boundary(), &points)?;
+    set_external_degrees(&mut plain, domain);
+    let conflict = |limits: &[(u32, u32)]| {
         let mut problem = plain.clone();
-        limits.for_each(|&(vertex, limit)| problem.set_max_degree(vertex, limit));
+        limits.iter().for_each(|&(vertex, limit)| problem.set_max_degree(vertex, limit));
         match reporting(progress, |watch| mindeg_exact::least_max_degree(&problem, watch)) {
             Ok(_) => Ok(false),
             Err(Unsolved::VertexCaps) => Ok(true),
             Err(error) => Err(error),
         }
     };
-    let mut tries_left = most_tries(domain.boundary().vertex_count());
-    while !suspects.is_empty() {
-        // With those found, the first `low` suspects do not conflict, the first `high` do.
-        let (mut low, mut high) = (0, suspects.len());
-        while high - low > 1 {
-            if tries_left == 0 {
-                suspects.truncate(high);
-                found.append(&mut suspects);
-                break;
-            }
-            tries_left -= 1;
-            let middle = low.midpoint(high);
-            if conflicts(&mut suspects[..middle].iter().chain(&found))? {
-                high = middle;
-            } else {
-                low = middle;
-            }
-        }
-        suspects.truncate(high);
-        found.extend(suspects.pop());
-        if conflicts(&mut found.iter())? {
-            break;
-        }
-    }
-    found.sort_unstable();
-    Ok(found.into_iter().map(|(vertex, _)| vertex).collect())
+    let tries = most_tries(domain.boundary().vertex_count());
+    let found = conflict::smallest(degree_limits(domain), tries, conflict)?;
+    let mut vertices: Vec<u32> = found.into_iter().map(|(vertex, _)| vertex).collect();
+    vertices.sort_unstable();
+    Ok(vertices)
 }
 
 /// The most times that the search for a conflict solves the problem, in O(n³) time each.
@@ -314,7 +318,7 @@ fn vertex_list(vertices: &[u32]) -> String {
     const MOST: usize = 8;
     let names: Vec<String> = vertices.iter().take(MOST).map(u32::to_string).collect();
     match vertices.len() {
-        1 => format!("vertex {}", names[0]),
+        0 | 1 => format!("vertex {}", names.join("")),
         count @ 2..=MOST => {
             format!("vertices {} and {} together", names[..count - 1].join(", "), names[count - 1])
         }

@@ -1,43 +1,107 @@
-//! What a mesh is chosen for: the one place that decides between the formula and the solver.
+//! What a mesh is chosen for: the one place that decides between formula, search and windows.
 
+use mindeg_core::Boundary;
 use mindeg_domain::Domain;
+use mindeg_exact::MAX_VERTICES;
 use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::BoundaryMesh;
-use crate::exact::{self, ExactError};
+use crate::exact::{self, ExactError, TradeOff};
+use crate::keep_angle::{by_windows, keep_angle};
+
+/// Up to this many chords between different sides, the search for the best mesh of least degree, and
+/// of one and two degrees more, takes less than about half a second on one core.
+const FEW_CHORDS: u64 = 200_000;
+
+/// How many times the minimum angle a higher degree must bring to be worth a hint.
+const MUCH: f64 = 1.5;
 
 /// What a mesh is chosen for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Goal {
-    /// The least maximum degree, at any size; of the candidates that the construction gives, the
-    /// one with the largest minimum angle. A [constrained](Domain::is_constrained) domain takes
-    /// the solver.
+    /// The least maximum degree, at any size.
+    ///
+    /// Where few chords join different sides, or the domain [is constrained](Domain::is_constrained),
+    /// the mesh with the largest minimum angle of all with that degree, by the solver. Else the best of
+    /// at most 64 candidates that the construction gives.
     #[default]
     LeastDegree,
-    /// The largest minimum angle of all meshes whose degrees are within a limit, by the solver.
-    LargestAngle {
-        /// The limit on the total degree of every vertex; the least that is possible if `None`.
-        max_degree: Option<u32>,
+    /// No total degree above a limit, and the largest minimum angle within it: exactly up to
+    /// [`MAX_VERTICES`] boundary vertices, beyond that as large as windows reach.
+    MaxDegree(u32),
+    /// The least maximum degree of all meshes that have this share, 0 to 1, of the minimum angle of a
+    /// Delaunay triangulation: exactly up to [`MAX_VERTICES`] boundary vertices, beyond that as low
+    /// as windows reach.
+    KeepAngle(f64),
+}
+
+/// How a mesh was found, and so what is proven of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FoundBy {
+    /// The formula: its maximum degree is the least possible; of the candidates that were tried, it
+    /// has the largest minimum angle.
+    Formula,
+    /// The search: its minimum angle is the largest possible within its degree limit, and for
+    /// [`Goal::KeepAngle`] no smaller limit keeps the share.
+    Search,
+    /// Windows: it has at least this share of Delaunay's minimum angle; its maximum degree is an
+    /// upper bound.
+    Windows {
+        /// The share, 0 to 1.
+        share: f64,
     },
 }
 
-/// A mesh, and the least degree to compare it with.
+/// A mesh, and the degrees and angles to compare it with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
     /// The mesh.
     pub mesh: BoundaryMesh,
     /// The least maximum total degree that any mesh of the domain has.
     pub least_max_degree: u32,
+    /// How it was found.
+    pub found_by: FoundBy,
+    /// The minimum angle of a Delaunay triangulation, in degrees, if that was worked out.
+    pub delaunay_min_angle: Option<f64>,
+    /// What one or two degrees more would bring, if that is much.
+    pub higher_degree: Option<HigherDegree>,
+}
+
+/// What a higher degree limit would bring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HigherDegree {
+    /// The limit.
+    pub max_degree: u32,
+    /// The largest minimum angle within it, in degrees.
+    pub min_angle: f64,
+}
+
+impl Meshed {
+    /// The last mesh of a trade-off that starts at the least maximum degree.
+    pub(crate) fn last_of(trade_off: &TradeOff) -> Self {
+        let last = trade_off.meshes().len() - 1;
+        Self::of(trade_off, last)
+    }
+
+    fn of(trade_off: &TradeOff, index: usize) -> Self {
+        let exact = &trade_off.meshes()[index];
+        Self {
+            mesh: exact.mesh.clone(),
+            least_max_degree: trade_off.meshes()[0].max_degree,
+            found_by: FoundBy::Search,
+            delaunay_min_angle: Some(trade_off.delaunay_min_angle()),
+            higher_degree: None,
+        }
+    }
 }
 
 /// The mesh of a domain that a goal asks for.
 ///
-/// O(n) time for a formula; [`exact`] has what the solver takes.
-///
 /// # Errors
 ///
-/// Points so close together that triangles have no area; for the solver, a domain that is too
-/// large and limits that no mesh keeps; and a `progress` callback that cancels.
+/// Points so close together that triangles have no area; limits of degrees that no mesh keeps; a
+/// domain with limits of single vertices that is too large for the solver; and a `progress` callback
+/// that cancels.
 ///
 /// # Example
 ///
@@ -45,22 +109,86 @@ pub struct Meshed {
 /// use mindeg::{Domain, Goal, Progress, Side, mesh};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, [12, 9, 4, 4].map(Side::count).into())?;
-/// let formula = mesh(&domain, Goal::LeastDegree, Progress::NONE)?.mesh;
-/// let best = mesh(&domain, Goal::LargestAngle { max_degree: None }, Progress::NONE)?.mesh;
-/// assert_eq!((formula.max_degree(), best.max_degree()), (5, 5));
-/// assert!(best.angle_range().min > formula.angle_range().min);
+/// let least = mesh(&domain, Goal::LeastDegree, Progress::NONE)?;
+/// let kept = mesh(&domain, Goal::KeepAngle(0.95), Progress::NONE)?;
+/// assert_eq!((least.mesh.max_degree(), kept.mesh.max_degree()), (5, 6));
+/// assert!(kept.mesh.angle_range().min >= 0.95 * kept.delaunay_min_angle.unwrap());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    let least_max_degree = exact::least_max_degree(domain, progress)?;
-    let mesh = match goal {
-        Goal::LeastDegree if !domain.is_constrained() => {
-            BoundaryMesh::of_formula(domain, progress)?
-        }
-        Goal::LeastDegree => exact::mesh(domain, least_max_degree, progress)?.mesh,
-        Goal::LargestAngle { max_degree } => {
-            exact::mesh(domain, max_degree.unwrap_or(least_max_degree), progress)?.mesh
-        }
+    match goal {
+        Goal::LeastDegree => least_degree(domain, progress),
+        Goal::MaxDegree(limit) => max_degree(domain, limit, progress),
+        Goal::KeepAngle(share) => keep_angle(domain, share, progress),
+    }
+}
+
+fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    let boundary = domain.boundary();
+    let is_cheap = boundary.vertex_count() <= MAX_VERTICES && chord_count(boundary) <= FEW_CHORDS;
+    if !domain.is_constrained() && !is_cheap {
+        return formula(domain, progress);
+    }
+    let mut tried = 0;
+    let is_third = |_, _| {
+        tried += 1;
+        tried == 3
     };
-    Ok(Meshed { mesh, least_max_degree })
+    let trade_off = exact::trade_off_until(domain, is_third, progress)?;
+    let [least, higher @ ..] = trade_off.meshes() else {
+        return formula(domain, progress);
+    };
+    let is_much = |exact: &&exact::ExactMesh| exact.min_angle >= MUCH * least.min_angle;
+    let higher_degree = higher
+        .iter()
+        .find(is_much)
+        .map(|exact| HigherDegree { max_degree: exact.max_degree, min_angle: exact.min_angle });
+    Ok(Meshed { higher_degree, ..Meshed::of(&trade_off, 0) })
+}
+
+fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    Ok(Meshed {
+        mesh: BoundaryMesh::of_formula(domain, progress)?,
+        least_max_degree: mindeg_core::least_max_degree(domain.boundary()),
+        found_by: FoundBy::Formula,
+        delaunay_min_angle: None,
+        higher_degree: None,
+    })
+}
+
+fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    /// The shares of Delaunay's angle that windows try to keep, in this order.
+    const SHARES: [f64; 4] = [0.95, 0.75, 0.4, 0.0];
+    let least_max_degree = exact::least_max_degree(domain, progress)?;
+    if domain.boundary().vertex_count() <= MAX_VERTICES {
+        return Ok(Meshed {
+            mesh: exact::mesh(domain, limit, progress)?.mesh,
+            least_max_degree,
+            found_by: FoundBy::Search,
+            delaunay_min_angle: None,
+            higher_degree: None,
+        });
+    }
+    if limit < least_max_degree {
+        return Err(mindeg_exact::Unsolved::Infeasible {
+            max_degree: limit,
+            least: least_max_degree,
+        }
+        .into());
+    }
+    for share in SHARES {
+        let windowed = by_windows(domain, share, limit, progress)?;
+        if windowed.mesh.max_total_degree() <= limit {
+            return Ok(windowed);
+        }
+    }
+    // What no window reaches, as round a dominant side, the formula does.
+    formula(domain, progress)
+}
+
+/// How many chords join vertices that are not on one side. O(k).
+fn chord_count(boundary: &Boundary) -> u64 {
+    let pairs = |vertices: u64| vertices * (vertices - 1) / 2;
+    let on_sides: u64 = boundary.sides().map(|intervals| pairs(u64::from(intervals) + 1)).sum();
+    pairs(boundary.vertex_count().into()) - on_sides
 }

@@ -36,14 +36,18 @@
 
 mod boundary_mesh;
 #[cfg(feature = "exact")]
+mod conflict;
+#[cfg(feature = "exact")]
 pub mod exact;
 #[cfg(feature = "exact")]
 mod goal;
+#[cfg(feature = "exact")]
+mod keep_angle;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
-pub use goal::{Goal, Meshed, mesh};
+pub use goal::{FoundBy, Goal, HigherDegree, Meshed, mesh};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
     Bounds, Cancelled, Group, Line, Mesh, Positions, Progress, Step, TriMesh, TriMeshError,

@@ -12,7 +12,9 @@ use std::sync::Mutex;
 
 #[test]
 fn progress_goes_on_to_the_end_of_all_candidates() {
-    for intervals in [[50_000, 300, 500, 202], [50_000, 30_000, 25_000, 10_000], [3, 3, 2, 2]] {
+    for intervals in
+        [[50_000, 300, 500, 202], [50_000, 30_000, 25_000, 10_000], [2_000, 1_000, 900, 700]]
+    {
         let spacing = Spacing::Geometric { ratio: 1.0001 };
         let side = |count| Side::count(count).spaced(spacing.clone());
         let domain = Domain::rectangle(4.0, 3.0, intervals.map(side).into()).unwrap();
@@ -48,7 +50,7 @@ fn a_callback_can_cancel() {
     let cancelled = mesh(&domain, Goal::LeastDegree, progress);
     assert_eq!(cancelled, Err(ExactError::Mesh(MeshError::Cancelled(Cancelled))));
     let small = Domain::rectangle(4.0, 3.0, vec![Side::count(5); 4]).unwrap();
-    let goal = Goal::LargestAngle { max_degree: None };
+    let goal = Goal::MaxDegree(4);
     assert_eq!(
         mesh(&small, goal, progress).unwrap_err().to_string(),
         "stopped before the answer was found"

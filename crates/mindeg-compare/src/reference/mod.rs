@@ -41,7 +41,7 @@ pub use ties::tie_count;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference {
-    /// A Delaunay triangulation: none of these points has a larger smallest angle.
+    /// A Delaunay triangulation: none of these points has a larger minimum angle.
     Delaunay,
     /// Ear clipping, as graphics programs fill polygons.
     EarClipping,
@@ -106,7 +106,7 @@ impl Reference {
         match self {
             Self::Delaunay => {
                 "A Delaunay triangulation (crate spade): no triangulation of these points has a \
-                 larger smallest angle."
+                 larger minimum angle."
             }
             Self::EarClipping => {
                 "Ear clipping (crate earcut), the usual way to fill polygons in graphics."

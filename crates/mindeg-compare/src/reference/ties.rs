@@ -1,7 +1,7 @@
 //! Where a Delaunay triangulation is one of several.
 //!
 //! An interior edge whose two triangles lie on one circle can be exchanged for the other
-//! diagonal, and the result is as Delaunay as before, with the same smallest angle but other
+//! diagonal, and the result is as Delaunay as before, with the same minimum angle but other
 //! degrees. Equally spaced boundary points are full of such ties.
 //!
 //! Points are rounded, so ties are seldom exact: what counts is whether moving the points by

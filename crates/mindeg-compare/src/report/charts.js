@@ -9,15 +9,13 @@ function make(tag, className, text) {
 
 function showDegreeLegend() {
   const legend = element("degree-legend");
-  const last = data.degree_colors.length - 1;
   const steps = new Set();
-  for (const method of methods) for (const degree of method.degrees) steps.add(degreeStep(degree));
+  for (const method of methods) for (const degree of new Set(method.degrees)) steps.add(degreeStep(degree));
   const items = [...steps].sort((a, b) => a - b).map((step) => {
     const item = make("span", "degree");
     const dot = make("span", "dot");
-    dot.style.background = data.degree_colors[step];
-    const degree = step + data.lowest_colored_degree;
-    item.append(dot, step === last ? `${degree} or more` : String(degree));
+    dot.style.background = data.degree_colors[step].color;
+    item.append(dot, data.degree_colors[step].name);
     return item;
   });
   legend.replaceChildren(make("strong", "", "Degree"), ...items);
@@ -37,34 +35,67 @@ function showMetricLegend() {
     make("span", "", hasMore ? `${to} or more` : to), make("span", "", `(${direction})`));
 }
 
-function chartRow(name, bars) {
+/** The bars of one mesh, with what they count up to and a name for those who cannot see them. */
+function chartRow(name, most, bars, description) {
   const row = make("div", "chart-row");
   const box = make("div", "bars");
   box.setAttribute("role", "img");
+  box.setAttribute("aria-label", `${name}: ${description}`);
   box.append(...bars);
-  row.append(make("b", "", name), box);
+  const heading = make("b", "", name);
+  heading.append(make("small", "", most));
+  row.append(heading, box);
   return row;
 }
+
+/** Puts rows over their axis into a chart, in which a bar that is pointed at or tapped is read. */
+function showChart(chart, rows, axis, title) {
+  const last = make("div", "chart-row");
+  const below = make("div");
+  below.append(axis, make("p", "scale-title", title));
+  last.append(make("b"), below);
+  const reading = make("p", "chart-read");
+  chart.replaceChildren(...rows, last, reading);
+  const read = (event) => {
+    if (event.target.title) reading.textContent = event.target.title;
+  };
+  chart.onpointerover = read;
+  chart.onclick = read;
+}
+
+/** The places of the degree chart, with a gap where degrees are left out. */
+function degreePlaces(place, gap) {
+  return data.degrees.flatMap(([, from], i) => {
+    const skips = i > 0 && data.degrees[i - 1][2] + 1 < from;
+    return skips ? [gap(), place(i)] : [place(i)];
+  });
+}
+
+const counted = (count, what) => `${count} ${count === 1 ? what : what === "vertex" ? "vertices" : what + "s"}`;
 
 function showDegreeChart() {
   const most = Math.max(...methods.flatMap((method) => method.degreeBars));
   const height = (count) => (count ? (100 * (1 + Math.log2(count))) / (1 + Math.log2(most)) : 0);
   const rows = methods.filter((method) => method.triangles.length).map((method) => {
-    const bars = method.degreeBars.map((count, place) => {
-      const bar = make("i", count ? "degree-bar" : "");
-      const [name, degree] = data.degrees[place];
-      bar.style.height = height(count) + "%";
-      bar.style.background = data.degree_colors[degreeStep(degree)];
-      bar.title = `degree ${name}: ${count} vertices`;
-      return bar;
-    });
-    return chartRow(method.name, bars);
+    const named = (i) => `degree ${data.degrees[i][0]}: ${counted(method.degreeBars[i], "vertex")}`;
+    const bar = (i) => {
+      const count = method.degreeBars[i];
+      const made = make("i", count ? "degree-bar" : "");
+      made.style.height = height(count) + "%";
+      made.style.background = degreeColor(data.degrees[i][1]);
+      made.title = `${method.name}, ${named(i)}`;
+      return made;
+    };
+    const occurring = method.degreeBars.map((count, i) => (count ? named(i) : "")).filter(Boolean);
+    const highest = Math.max(...method.degreeBars);
+    return chartRow(method.name, `tallest bar: ${counted(highest, "vertex")}`,
+      degreePlaces(bar, () => make("i", "gap")), occurring.join(", "));
   });
-  const axis = make("div", "axis");
-  axis.append(...data.degrees.map(([name]) => make("span", "", name.replace(" to ", "–"))));
-  const last = make("div", "chart-row");
-  last.append(make("b", "", ""), axis);
-  element("degree-chart").replaceChildren(...rows, last);
+  const axis = make("div", "scale");
+  axis.append(...degreePlaces(
+    (i) => make("span", "", data.degrees[i][0].replace(" to ", "–")),
+    () => make("span", "gap", "")));
+  showChart(element("degree-chart"), rows, axis, "degree (edges at a vertex)");
 }
 
 /** Round numbers on the axis of a measure. */
@@ -99,20 +130,28 @@ function showMetricChart() {
       bar.style.height = (count ? Math.max(2, (100 * count) / most) : 0) + "%";
       bar.style.background = colors.ramp[Math.round(worse * (STEPS - 1))];
       bar.style.boxShadow = count ? "inset 0 0 0 1px " + colors.edge : "none";
-      bar.title = `${edge(i / counts.length)} to ${edge((i + 1) / counts.length)}: ${count} triangles`;
+      bar.title = `${method.name}, ${edge(i / counts.length)} to ${edge((i + 1) / counts.length)}: ${counted(count, "triangle")}`;
       return bar;
     });
-    return chartRow(method.name, bars);
+    const unit = measure.unit === "1" ? "" : ` ${measure.unit}`;
+    const filled = counts.map((count, i) => (count ? i : -1)).filter((i) => i >= 0);
+    const range = filled.length
+      ? `triangles from ${edge(filled[0] / counts.length)} to ${edge((filled.at(-1) + 1) / counts.length)}${unit}`
+      : "no triangles";
+    const highest = Math.max(...counts);
+    return chartRow(method.name, `tallest bar: ${counted(highest, "triangle")}`, bars,
+      `${measure.title.toLowerCase()}, ${range}; the tallest of ${counts.length} bars has ` +
+      `${counted(highest, "triangle")}, from ${edge(counts.indexOf(highest) / counts.length)}${unit}`);
   });
-  const axis = make("div", "axis ticks");
+  const axis = make("div", "scale ticks");
   for (const value of ticks(measure)) {
     const tick = make("span", "", short(value));
     tick.style.left = 100 * position(measure, value) + "%";
     axis.append(tick);
   }
-  const last = make("div", "chart-row");
-  last.append(make("b", "", ""), axis);
+  const unit = measure.unit === "1" ? "no unit" : measure.unit;
   element("chart-metric").textContent = measure.title.toLowerCase();
   element("chart-note").textContent = measure.explanation;
-  element("metric-chart").replaceChildren(...rows, last);
+  showChart(element("metric-chart"), rows, axis,
+    `${measure.title.toLowerCase()} (${unit})${measure.logarithmic ? ", logarithmic" : ""}`);
 }

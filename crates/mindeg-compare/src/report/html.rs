@@ -1,21 +1,29 @@
 //! A report as one HTML page that opens from disk and asks for nothing else.
 //!
 //! What is read (verdict, tables) is plain HTML and stands without the script; the script draws
-//! the meshes and the charts. A content security policy in the page forbids any request.
+//! the meshes and the charts. A content security policy in the page forbids any request. The
+//! templates in `templates/` escape what they are given; style, script, data and pictures made here
+//! are put in as they are.
 //!
 //! Limits: pictures are thinned above 20,000 triangles a method; the page says so where it
 //! happens.
 
 use super::picture::{self, MAX_DRAWN};
+use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
-use super::trade_off::{PLOT_STYLE, curve};
-use crate::Comparison;
+use super::{MethodDefect, MethodFigures, Provenance, Report};
 use crate::number_format::{angle, count};
+use crate::verdict::{Verdict, verdict};
+use crate::{Comparison, Method, advised_command};
+use askama::Template;
+use glam::DVec2;
+use mindeg::exact::TradeOff;
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
-const HEAD: &str = include_str!("head.html");
-const PAGE: &str = include_str!("page.html");
-const STYLE: &str = include_str!("page.css");
+/// The style of every page.
+pub(super) const STYLE: &str = include_str!("page.css");
+
 /// One script in parts; later parts use earlier ones.
 const SCRIPT: &str = concat!(
     include_str!("shared.js"),
@@ -24,8 +32,75 @@ const SCRIPT: &str = concat!(
     include_str!("page.js")
 );
 
+/// What is escaped in a link: everything but letters, digits and these.
+const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'/');
+
 /// The intervals of so many sides are listed under the title.
 const MAX_SIDES_LISTED: usize = 12;
+
+/// The size of a curve beside text or on a phone, in its own pixels.
+pub(super) const SMALL_CURVE: DVec2 = DVec2::new(380.0, 290.0);
+
+/// Where a page's neighbors are: relative paths, with `/` between their parts.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::PageLinks;
+///
+/// let links = PageLinks { index: Some("index.html".to_owned()), ..PageLinks::default() };
+/// assert_eq!(links.next, None);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct PageLinks {
+    /// The page that lists all.
+    pub index: Option<String>,
+    /// The name of the page before this in the list, and its path.
+    pub previous: Option<(String, String)>,
+    /// The name of the page after this in the list, and its path.
+    pub next: Option<(String, String)>,
+}
+
+#[derive(Template)]
+#[template(path = "comparison.html")]
+struct Page<'a> {
+    title: &'a str,
+    provenance: &'a Provenance,
+    links: Links<'a>,
+    style: String,
+    facts: String,
+    verdict: Verdict,
+    choice: Table,
+    command: String,
+    curve: Option<String>,
+    main_figures: Vec<Figure<'a>>,
+    other_figures: Vec<Figure<'a>>,
+    overview: Table,
+    sides: Table,
+    all_figures: Vec<Table>,
+    worst: Vec<Table>,
+    methods: &'a [MethodFigures],
+    data: String,
+    script: &'static str,
+}
+
+/// [`PageLinks`] as they stand in a page.
+struct Links<'a> {
+    index: Option<String>,
+    previous: Option<(&'a str, String)>,
+    next: Option<(&'a str, String)>,
+}
+
+/// A place for a method's picture, or why there is none.
+struct Figure<'a> {
+    place: usize,
+    name: String,
+    is_advised: bool,
+    described: String,
+    defects: &'a [MethodDefect],
+    thinned: Option<String>,
+    has_triangles: bool,
+}
 
 /// Writes a comparison as one self-contained HTML page.
 ///
@@ -45,95 +120,119 @@ const MAX_SIDES_LISTED: usize = 12;
 /// assert!(String::from_utf8(page)?.contains("<h1>plate</h1>"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write_html(comparison: &Comparison, mut out: impl Write) -> io::Result<()> {
-    let report = comparison.report();
-    let name = report.domain.name.as_deref().unwrap_or("Domain");
-    let data = serde_json::to_string(&picture::picture(comparison))?;
-    let verdict = comparison.verdict();
-    let (headline, sentences) = verdict.split_first().map_or(("", &[][..]), |(h, s)| (h, s));
-    let sentences: String =
-        sentences.iter().map(|sentence| format!("<p>{}</p>\n", escaped(sentence))).collect();
-    let page = filled(
-        PAGE,
-        &[
-            ("head", &head(&escaped(name), "compare", &[STYLE, PLOT_STYLE], true)),
-            ("title", &escaped(name)),
-            ("facts", &facts(&report.domain.intervals, report.domain.optimal_max_degree)),
-            ("headline", &escaped(headline)),
-            ("sentences", &sentences),
-            ("overview", &html_table(&tables::overview(report), 0)),
-            ("figures", &figures(comparison)),
-            ("trade_off", &trade_off(comparison)),
-            ("degrees", &html_table(&tables::degrees(report), 3)),
-            ("shares", &html_table(&tables::shares(report), 3)),
-            ("metrics", &html_tables(&tables::metrics(report))),
-            ("worst", &html_tables(&tables::worst(report))),
-            ("methods", &methods(comparison)),
-            ("version", env!("CARGO_PKG_VERSION")),
-            ("data", &script_safe(&data)),
-            ("script", SCRIPT),
-        ],
-    );
-    out.write_all(page.as_bytes())
+pub fn write_html(comparison: &Comparison, out: impl Write) -> io::Result<()> {
+    write_linked_html(comparison, &PageLinks::default(), out)
 }
 
-/// The curve of the exact trade-off, or why there is none.
-fn trade_off(comparison: &Comparison) -> String {
-    match comparison.trade_off() {
-        Some(trade_off) => curve(trade_off, |_, marker| marker),
-        None => "<p class=\"note\">Not worked out here: the domain is large for that. \
-                 <code>mindeg tradeoff</code> can do it up to 4096 boundary vertices.</p>\n"
-            .to_owned(),
-    }
+/// Writes a comparison as one self-contained HTML page that leads to others.
+///
+/// # Errors
+///
+/// Those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::{Options, PageLinks, compare, write_linked_html};
+/// use mindeg::{Domain, Side};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
+/// let links = PageLinks {
+///     index: Some("index.html".to_owned()),
+///     next: Some(("wing".to_owned(), "wing.html".to_owned())),
+///     ..PageLinks::default()
+/// };
+/// let mut page = Vec::new();
+/// write_linked_html(&compare(&domain, &Options::default())?, &links, &mut page)?;
+/// assert!(String::from_utf8(page)?.contains(r#"<a href="wing.html""#));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write_linked_html(
+    comparison: &Comparison,
+    links: &PageLinks,
+    mut out: impl Write,
+) -> io::Result<()> {
+    let report = comparison.report();
+    let data = serde_json::to_string(&picture::picture(comparison))?;
+    let mut all_figures = vec![tables::degrees(report), tables::shares(report)];
+    all_figures.extend(tables::metrics(report));
+    let (main_figures, other_figures) = figures(comparison);
+    let input = report.provenance.input.as_deref();
+    let page = Page {
+        title: report.domain.name.as_deref().or(input).unwrap_or("Domain"),
+        provenance: &report.provenance,
+        links: Links {
+            index: links.index.as_deref().map(link),
+            previous: links.previous.as_ref().map(|(name, path)| (name.as_str(), link(path))),
+            next: links.next.as_ref().map(|(name, path)| (name.as_str(), link(path))),
+        },
+        style: svg::page_style(&[STYLE, CURVE_STYLE]),
+        facts: facts(&report.domain.intervals, report.domain.optimal_max_degree),
+        verdict: verdict(report),
+        choice: tables::choice(report),
+        command: advised_command(input.unwrap_or("DOMAIN.json")),
+        curve: comparison.trade_off().map(|curve| small_curve(report, curve)).transpose()?,
+        main_figures,
+        other_figures,
+        overview: tables::overview(report),
+        sides: tables::sides(report),
+        all_figures,
+        worst: tables::worst(report),
+        methods: &report.methods,
+        data: script_safe(&data),
+        script: SCRIPT,
+    };
+    out.write_all(rendered(&page)?.as_bytes())
+}
+
+/// The curve of a comparison, with what the verdict compares marked; none of a single point.
+fn small_curve(report: &Report, trade_off: &TradeOff) -> io::Result<String> {
+    let delaunay = report.methods.iter().find(|figures| figures.method == Method::DELAUNAY);
+    let marks = Marks {
+        advised: report.advice.map(|advice| advice.max_degree),
+        delaunay: delaunay.and_then(|figures| figures.max_degree),
+    };
+    curve_picture(trade_off, SMALL_CURVE, "small", marks, |_| false)
+}
+
+/// A relative path as a link, in which nothing has a meaning of its own: neither `?` nor `#`, and
+/// a colon makes no scheme.
+pub(super) fn link(path: &str) -> String {
+    utf8_percent_encode(path, PLAIN).to_string()
+}
+
+/// What a template writes.
+pub(super) fn rendered(template: &impl Template) -> io::Result<String> {
+    template.render().map_err(io::Error::other)
+}
+
+/// The curve of a trade-off as an SVG element of a page that has its style; nothing where it is a
+/// single point.
+pub(super) fn curve_picture(
+    trade_off: &TradeOff,
+    size: DVec2,
+    class: &str,
+    marks: Marks,
+    is_linked: impl Fn(u32) -> bool,
+) -> io::Result<String> {
+    let [first, .., last] = trade_off.meshes() else { return Ok(String::new()) };
+    let curve = rendered(&Curve::new(trade_off, svg::space(size), marks, is_linked))?;
+    Ok(format!(
+        "<svg class=\"plot {class}\" viewBox=\"0 0 {} {}\" role=\"group\" aria-label=\"The curve: a minimum \
+         angle of {} at degree {} up to {} at degree {}; Delaunay has {}.\">\n{curve}</svg>\n",
+        size.x,
+        size.y,
+        angle(first.min_angle),
+        count(first.max_degree),
+        angle(last.min_angle),
+        count(last.max_degree),
+        angle(trade_off.delaunay_min_angle()),
+    ))
 }
 
 /// JSON in which no string can end the script element or start a comment.
 fn script_safe(json: &str) -> String {
     json.replace('<', "\\u003c")
-}
-
-/// What every page begins with, from the first line to the command that made it. No page may fetch
-/// anything, and only one that has a script may run any.
-pub(super) fn head(title: &str, command: &str, styles: &[&str], has_script: bool) -> String {
-    filled(
-        HEAD,
-        &[
-            ("scripts", if has_script { "script-src 'unsafe-inline'; " } else { "" }),
-            ("title", title),
-            ("command", command),
-            ("style", &styles.concat()),
-        ],
-    )
-}
-
-/// The template with each `{{name}}` replaced; what is put in is not looked at again.
-pub(super) fn filled(template: &str, parts: &[(&str, &str)]) -> String {
-    let mut pieces = template.split("{{");
-    let mut page = pieces.next().unwrap_or_default().to_owned();
-    for piece in pieces {
-        let (name, rest) = piece.split_once("}}").expect("every {{ of a template is closed");
-        let part = parts.iter().find(|(known, _)| *known == name);
-        let (_, part) = part.expect("every name of a template has its part");
-        page.push_str(part);
-        page.push_str(rest);
-    }
-    page
-}
-
-/// Text in which nothing is markup.
-pub(super) fn escaped(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in text.chars() {
-        match character {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '"' => escaped.push_str("&quot;"),
-            '\'' => escaped.push_str("&#39;"),
-            other => escaped.push(other),
-        }
-    }
-    escaped
 }
 
 /// The domain in a line.
@@ -153,92 +252,46 @@ pub(super) fn facts(intervals: &[u32], optimal_max_degree: u32) -> String {
     )
 }
 
-/// A place for each method's picture, or why there is none.
-fn figures(comparison: &Comparison) -> String {
-    let mut html = String::new();
-    for (place, (method, triangles)) in comparison.methods().enumerate() {
-        let name = escaped(&method.name);
-        let described = method.max_degree.zip(method.min_angle);
-        let described = described.map(|(degree, smallest)| {
-            format!("maximum degree {} · smallest angle {}", count(degree), angle(smallest))
-        });
-        let defects: String = method
-            .defects
-            .iter()
-            .map(|defect| format!("<p class=\"defect\">{}</p>", escaped(&defect.message)))
-            .collect();
-        let thinned = if triangles.len() > MAX_DRAWN {
+/// The meshes that the verdict compares, the advised one first, and the others.
+fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
+    let report = comparison.report();
+    let advised = report.advice.map(|advice| tables::first_with_mesh_of(report, advice.method));
+    let mut main = Vec::new();
+    let mut others = Vec::new();
+    for (place, named) in tables::named(report).into_iter().enumerate() {
+        let method = named.figures;
+        let triangles = comparison.triangles(named.place).len();
+        let described = match method.max_degree.zip(method.min_angle) {
+            Some((degree, least)) => {
+                format!("maximum degree {} · minimum angle {}", count(degree), angle(least))
+            }
+            None => "no triangulation".to_owned(),
+        };
+        let thinned = (triangles > MAX_DRAWN).then(|| {
             format!(
-                "<p class=\"thinned\">Thinned out: {} of {} triangles are drawn, the largest and \
-                 others evenly. Figures and charts count all.</p>",
+                "Thinned out: {} of {} triangles are drawn, the largest and others evenly. Figures \
+                 and charts count all.",
                 count(MAX_DRAWN as u32),
-                count(triangles.len() as u32)
+                count(triangles as u32)
             )
-        } else {
-            String::new()
+        });
+        let is_advised = advised == Some(method.method);
+        let figure = Figure {
+            place,
+            name: named.name,
+            is_advised,
+            described,
+            defects: &method.defects,
+            thinned,
+            has_triangles: triangles > 0,
         };
-        let picture = if triangles.is_empty() {
-            String::new()
-        } else {
-            format!(
-                "<div class=\"stage\" tabindex=\"0\" role=\"application\" \
-                 aria-label=\"Mesh by {name}\" aria-describedby=\"keys\" data-method=\"{place}\">\
-                 <canvas></canvas><canvas></canvas></div>\n\
-                 <p class=\"readout\"></p>\n\
-                 <p class=\"jumps\"><button type=\"button\" data-jump=\"busiest\">Busiest \
-                 vertex</button> <button type=\"button\" data-jump=\"worst\">Smallest angle\
-                 </button></p>"
-            )
-        };
-        html += &format!(
-            "<figure class=\"mesh\"><figcaption><h3>{name}</h3><p>{}</p></figcaption>\
-             {defects}{thinned}{picture}</figure>\n",
-            described.unwrap_or_else(|| "no triangulation".to_owned())
-        );
-    }
-    html
-}
-
-fn methods(comparison: &Comparison) -> String {
-    let items = comparison.report().methods.iter().map(|method| {
-        format!("<dt>{}</dt><dd>{}</dd>", escaped(&method.name), escaped(&method.description))
-    });
-    items.collect()
-}
-
-fn html_tables(tables: &[Table]) -> String {
-    tables.iter().map(|table| html_table(table, 3)).collect()
-}
-
-/// A table with its title as a heading of the given level, without one for level 0.
-pub(super) fn html_table(table: &Table, level: u8) -> String {
-    let mut html = String::from("<section class=\"table\">");
-    if level > 0 {
-        html += &format!("<h{level}>{}</h{level}>", escaped(&table.title));
-    }
-    if !table.note.is_empty() {
-        html += &format!("<p class=\"note\">{}</p>", escaped(&table.note));
-    }
-    html += &format!(
-        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><thead><tr>",
-        escaped(&table.title)
-    );
-    for column in &table.columns {
-        html += &format!("<th scope=\"col\">{}</th>", escaped(column));
-    }
-    html += "</tr></thead><tbody>";
-    for row in &table.rows {
-        html += "<tr>";
-        for (place, cell) in row.iter().enumerate() {
-            let cell = escaped(cell);
-            html += &match place {
-                0 => format!("<th scope=\"row\">{cell}</th>"),
-                _ => format!("<td>{cell}</td>"),
-            };
+        match method.method {
+            _ if is_advised => main.insert(0, figure),
+            Method::LeastDegree | Method::DELAUNAY => main.push(figure),
+            _ => others.push(figure),
         }
-        html += "</tr>";
     }
-    html + "</tbody></table></div></section>\n"
+    (main, others)
 }
 
 #[cfg(test)]
@@ -248,9 +301,33 @@ mod tests {
     use mindeg::{Domain, Side};
 
     #[test]
-    fn parts_are_put_in_once() {
-        let page = filled("<{{a}}|{{b}}|{{a}}>", &[("a", "{{b}}"), ("b", "2")]);
-        assert_eq!(page, "<{{b}}|2|{{b}}>");
+    fn links_hold_any_name() {
+        for (path, expected) in [
+            ("out/plate.html", "out/plate.html"),
+            ("a b#1?.html", "a%20b%231%3F.html"),
+            ("javascript:x", "javascript%3Ax"),
+            ("é.html", "%C3%A9.html"),
+        ] {
+            assert_eq!(link(path), expected);
+        }
+    }
+
+    #[test]
+    fn the_page_says_what_made_it_and_how_to_make_the_mesh() {
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
+        let command = "mindeg compare 'a b.json' -o <x>".to_owned();
+        let made_by = Provenance {
+            input: Some("a b.json".to_owned()),
+            command: Some(command),
+            ..Provenance::default()
+        };
+        let comparison = compare(&domain, &Options::default()).unwrap().made_by(made_by);
+        let mut page = Vec::new();
+        write_html(&comparison, &mut page).unwrap();
+        let page = String::from_utf8(page).unwrap();
+        assert!(page.contains("<h1>a b.json</h1>"));
+        assert!(page.contains("mindeg mesh &#39;a b.json&#39; --keep-angle 95% -o mesh.obj"));
+        assert!(page.contains("<code>mindeg compare &#39;a b.json&#39; -o &#60;x&#62;</code>"));
     }
 
     #[test]

@@ -2,29 +2,25 @@
 //!
 //! Limits: the table has what decides between mindeg and Delaunay; the rest is in the reports.
 
-use super::html::{escaped, filled, head};
-use super::{MethodFigures, Report};
-use crate::number_format::{angle, count, significant};
-use crate::{MINDEG, Reference};
-use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
+use super::html::{STYLE, link, rendered};
+use super::{Provenance, Report, svg};
+use crate::number_format::{Column, count, steady_percent};
+use crate::{Advice, Method};
+use askama::Template;
 use std::io::{self, Write};
 
-const PAGE: &str = include_str!("index.html");
-const STYLE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("index.js");
 
-/// What is escaped in a link: everything but letters, digits and these.
-const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'/');
-
+/// The headings, and how a column is sorted.
 const COLUMNS: [(&str, &str); 8] = [
     ("Domain", "text"),
     ("Boundary vertices", "number"),
-    ("Maximum degree, mindeg", "number"),
-    ("Maximum degree, Delaunay", "number"),
-    ("Delaunay’s as a multiple", "number"),
-    ("Smallest angle, mindeg", "number"),
-    ("Smallest angle, Delaunay", "number"),
-    ("Delaunay’s as a multiple", "number"),
+    ("Advised degree", "number"),
+    ("Angle kept at it", "number"),
+    ("Least degree", "number"),
+    ("Its minimum angle", "number"),
+    ("Delaunay degree", "number"),
+    ("Delaunay minimum angle", "number"),
 ];
 
 /// One line of the index: a comparison, or why there is none.
@@ -59,6 +55,7 @@ pub struct IndexEntry {
 struct Line {
     link: String,
     vertices: u32,
+    advice: Option<Advice>,
     mindeg: Option<(u32, f64)>,
     delaunay: Option<(u32, f64)>,
 }
@@ -68,15 +65,16 @@ impl IndexEntry {
     /// its parts.
     #[must_use]
     pub fn compared(name: impl Into<String>, path: &str, report: &Report) -> Self {
-        let outcome = |name: &str| {
-            let method: &MethodFigures = report.methods.iter().find(|m| m.name == name)?;
-            method.max_degree.zip(method.min_angle).filter(|_| method.valid)
+        let outcome = |wanted| {
+            let method = report.methods.iter().find(|method| method.method == wanted)?;
+            method.outcome()
         };
         let line = Line {
             link: link(path),
             vertices: report.domain.vertices,
-            mindeg: outcome(MINDEG),
-            delaunay: outcome(Reference::Delaunay.name()),
+            advice: report.advice,
+            mindeg: outcome(Method::LeastDegree),
+            delaunay: outcome(Method::DELAUNAY),
         };
         Self { name: name.into(), outcome: Ok(line) }
     }
@@ -88,87 +86,94 @@ impl IndexEntry {
     }
 }
 
+#[derive(Template)]
+#[template(path = "index.html")]
+struct Page<'a> {
+    title: String,
+    provenance: Provenance,
+    style: String,
+    columns: &'static [(&'static str, &'static str)],
+    rows: Vec<Row<'a>>,
+    /// Names, each with a reason.
+    failures: Vec<(&'a str, &'a str)>,
+    script: &'static str,
+}
+
+/// A comparison in the table.
+struct Row<'a> {
+    name: &'a str,
+    link: &'a str,
+    cells: Vec<Cell>,
+}
+
+/// A figure: what is sorted by, and what is read.
+struct Cell {
+    heading: &'static str,
+    value: String,
+    text: String,
+    /// Whether it is the better of the two figures of its kind.
+    is_better: bool,
+}
+
 /// Writes the index as one self-contained HTML page.
 ///
 /// # Errors
 ///
 /// Those of `out`.
 pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()> {
-    let columns: String = COLUMNS
-        .iter()
-        .map(|(title, kind)| {
-            format!("<th scope=\"col\" data-kind=\"{kind}\"><button type=\"button\">{title}</button></th>")
-        })
-        .collect();
-    let mut rows = String::new();
-    let mut failures = String::new();
-    for entry in entries {
-        let name = escaped(&entry.name);
-        match &entry.outcome {
-            Ok(line) => rows += &row(&name, line),
-            Err(reason) => {
-                failures +=
-                    &format!("<dt>{name}</dt><dd class=\"defect\">{}</dd>", escaped(reason));
-            }
+    let angles = angles(entries);
+    let mut rows = Vec::new();
+    let mut failures = Vec::new();
+    for IndexEntry { name, outcome } in entries {
+        match outcome {
+            Ok(line) => rows.push(Row { name, link: &line.link, cells: cells(line, angles) }),
+            Err(reason) => failures.push((name.as_str(), reason.as_str())),
         }
     }
-    let failed = entries.iter().filter(|entry| entry.outcome.is_err()).count() as u32;
-    if failed > 0 {
-        failures = format!(
-            "<section><h2>Not compared: {}</h2><dl>{failures}</dl></section>\n",
-            count(failed)
-        );
-    }
-    let title = match entries.len() as u32 {
-        1 => "1 domain".to_owned(),
-        domains => format!("{} domains", count(domains)),
+    let page = Page {
+        title: match entries.len() as u32 {
+            1 => "1 domain".to_owned(),
+            domains => format!("{} domains", count(domains)),
+        },
+        provenance: Provenance::default(),
+        style: svg::page_style(&[STYLE]),
+        columns: &COLUMNS,
+        rows,
+        failures,
+        script: SCRIPT,
     };
-    let page = filled(
-        PAGE,
-        &[
-            ("head", &head("Comparisons", "compare", &[STYLE], true)),
-            ("title", &title),
-            ("columns", &columns),
-            ("rows", &rows),
-            ("failures", &failures),
-            ("version", env!("CARGO_PKG_VERSION")),
-            ("script", SCRIPT),
-        ],
-    );
-    out.write_all(page.as_bytes())
+    out.write_all(rendered(&page)?.as_bytes())
 }
 
-fn row(name: &str, line: &Line) -> String {
-    let cell = |value: Option<f64>, text: String| {
-        let value = value.map(|value| value.to_string()).unwrap_or_default();
-        format!("<td data-value=\"{value}\">{text}</td>")
-    };
-    let whole = |value: Option<u32>| cell(value.map(f64::from), value.map_or("–".into(), count));
-    let degrees = |value: Option<f64>| cell(value, value.map_or("–".into(), angle));
-    let ratio = |value: Option<f64>| {
-        cell(value, value.map_or("–".into(), |value| format!("{}×", significant(value, 3))))
-    };
-    let pair = line.mindeg.zip(line.delaunay);
-    let cells = [
-        whole(Some(line.vertices)),
-        whole(line.mindeg.map(|(degree, _)| degree)),
-        whole(line.delaunay.map(|(degree, _)| degree)),
-        ratio(pair.map(|(mindeg, delaunay)| f64::from(delaunay.0) / f64::from(mindeg.0))),
-        degrees(line.mindeg.map(|(_, smallest)| smallest)),
-        degrees(line.delaunay.map(|(_, smallest)| smallest)),
-        ratio(pair.map(|(mindeg, delaunay)| delaunay.1 / mindeg.1)),
+/// All angles of the table, which share their decimals.
+fn angles(entries: &[IndexEntry]) -> Column {
+    let lines = entries.iter().filter_map(|entry| entry.outcome.as_ref().ok());
+    let outcomes = lines.flat_map(|line| [line.mindeg, line.delaunay]).flatten();
+    Column::new(outcomes.map(|(_, angle)| angle), 2)
+}
+
+fn cells(line: &Line, angles: Column) -> Vec<Cell> {
+    let whole = |value: u32| (f64::from(value), count(value));
+    let lower = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.0 < there.0);
+    let larger = line.mindeg.zip(line.delaunay).is_some_and(|(own, there)| own.1 < 0.999 * there.1);
+    let figures = [
+        (Some(whole(line.vertices)), false),
+        (line.advice.map(|advice| whole(advice.max_degree)), false),
+        (line.advice.map(|a| (a.share_of_delaunay, steady_percent(a.share_of_delaunay))), false),
+        (line.mindeg.map(|(degree, _)| whole(degree)), lower),
+        (line.mindeg.map(|(_, angle)| (angle, angles.angle(angle))), false),
+        (line.delaunay.map(|(degree, _)| whole(degree)), false),
+        (line.delaunay.map(|(_, angle)| (angle, angles.angle(angle))), larger),
     ];
-    format!(
-        "<tr><th scope=\"row\" data-value=\"{name}\"><a href=\"{}\">{name}</a></th>{}</tr>\n",
-        escaped(&line.link),
-        cells.concat()
-    )
-}
-
-/// A relative path as a link, in which nothing has a meaning of its own: neither `?` nor `#`, and
-/// a colon makes no scheme.
-fn link(path: &str) -> String {
-    utf8_percent_encode(path, PLAIN).to_string()
+    let headings = COLUMNS.iter().skip(1).map(|(heading, _)| *heading);
+    let cells = headings.zip(figures).map(|(heading, (figure, is_better))| {
+        let (value, text) = match figure {
+            Some((value, text)) => (value.to_string(), text),
+            None => (String::new(), "–".to_owned()),
+        };
+        Cell { heading, value, text, is_better }
+    });
+    cells.collect()
 }
 
 #[cfg(test)]
@@ -176,14 +181,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn links_hold_any_name() {
-        for (path, expected) in [
-            ("out/plate.html", "out/plate.html"),
-            ("a b#1?.html", "a%20b%231%3F.html"),
-            ("javascript:x", "javascript%3Ax"),
-            ("é.html", "%C3%A9.html"),
-        ] {
-            assert_eq!(link(path), expected);
-        }
+    fn no_two_headings_are_the_same() {
+        let mut headings = COLUMNS.map(|(heading, _)| heading);
+        headings.sort_unstable();
+        assert!(headings.windows(2).all(|pair| pair[0] != pair[1]));
     }
 }

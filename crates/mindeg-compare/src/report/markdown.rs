@@ -3,8 +3,9 @@
 //! Limits: tables need a reader that knows GitHub's extension. No pictures.
 
 use super::tables::{self, Table};
-use crate::Comparison;
 use crate::number_format::count;
+use crate::verdict::verdict;
+use crate::{Comparison, advised_command};
 use std::io::{self, Write};
 
 /// Writes a comparison as Markdown.
@@ -38,9 +39,12 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
         count(domain.interior_edges),
         count(domain.optimal_max_degree)
     )?;
-    for sentence in comparison.verdict() {
-        writeln!(out, "{}\n", escaped(&sentence))?;
+    for sentence in verdict(report).sentences() {
+        writeln!(out, "{}\n", escaped(sentence))?;
     }
+    let input = report.provenance.input.as_deref().unwrap_or("DOMAIN.json");
+    writeln!(out, "```sh\n{}\n```\n", advised_command(input))?;
+    write_table(&mut out, 2, &tables::choice(report))?;
     write_table(&mut out, 2, &tables::overview(report))?;
     write_table(&mut out, 2, &tables::degrees(report))?;
     write_table(&mut out, 2, &tables::shares(report))?;
@@ -58,7 +62,12 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     }
     writeln!(out, "## Methods\n")?;
     for method in &report.methods {
-        writeln!(out, "- **{}**: {}", escaped(&method.name), escaped(&method.description))?;
+        writeln!(
+            out,
+            "- **{}**: {}",
+            escaped(&method.method.to_string()),
+            escaped(&method.description)
+        )?;
     }
     Ok(())
 }

@@ -19,8 +19,8 @@ pub(crate) struct ShownMetric {
 /// The measures, in the order of the report.
 #[rustfmt::skip]
 pub(crate) const SHOWN: [ShownMetric; 6] = [
-    ShownMetric { name: "min_angle", title: "Smallest angle", is_logarithmic: true, of: |m| &m.min_angle },
-    ShownMetric { name: "max_angle", title: "Largest angle", is_logarithmic: false, of: |m| &m.max_angle },
+    ShownMetric { name: "min_angle", title: "Minimum angle", is_logarithmic: true, of: |m| &m.min_angle },
+    ShownMetric { name: "max_angle", title: "Maximum angle", is_logarithmic: false, of: |m| &m.max_angle },
     ShownMetric { name: "minimum_height", title: "Minimum height", is_logarithmic: true, of: |m| &m.minimum_height },
     ShownMetric { name: "aspect_ratio", title: "Aspect ratio", is_logarithmic: true, of: |m| &m.aspect_ratio },
     ShownMetric { name: "radius_ratio", title: "Radius ratio", is_logarithmic: true, of: |m| &m.radius_ratio },
@@ -60,8 +60,9 @@ impl ShownMetric {
             }
         };
         format!(
-            "{}, with edge lengths x ≤ y ≤ z and area A. {direction} is better: {range}.",
-            metric.formula
+            "{} = {}, where x ≤ y ≤ z are the edge lengths and A is the area. {direction} is \
+             better: {range}.",
+            self.title, metric.formula
         )
     }
 }

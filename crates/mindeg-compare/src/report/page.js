@@ -57,7 +57,9 @@ function fit() {
 }
 
 function resize() {
-  document.querySelector(".meshes").classList.toggle("wide", !view.stretch && size[0] > 3 * size[1]);
+  for (const meshes of document.querySelectorAll(".meshes")) {
+    meshes.classList.toggle("wide", !view.stretch && size[0] > 3 * size[1]);
+  }
   element("stretched").hidden = !view.stretch;
   for (const picture of pictures) picture.resize();
   redraw();
@@ -68,6 +70,21 @@ function restyle() {
   showMetricLegend();
   showMetricChart();
   redraw();
+}
+
+/** A button that copies the command; without a clipboard the command is selected. */
+function offerCopy() {
+  const button = element("copy");
+  const select = () => getSelection().selectAllChildren(element("command"));
+  button.hidden = false;
+  button.addEventListener("click", async () => {
+    try {
+      await navigator.clipboard.writeText(element("command").textContent);
+      button.textContent = "Copied";
+    } catch {
+      select();
+    }
+  });
 }
 
 function start() {
@@ -89,17 +106,26 @@ function start() {
   element("zoom-out").addEventListener("click", () => zoomBy(1 / 1.5));
   element("fit").addEventListener("click", fit);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", restyle);
+  // Paper shows all, unfolded, on a light background.
+  let folded = [];
   const print = (isPrinting) => () => {
     document.documentElement.classList.toggle("printing", isPrinting);
+    if (isPrinting) folded = [...document.querySelectorAll("details:not([open])")];
+    for (const details of folded) details.open = isPrinting;
     restyle();
-    for (const picture of pictures) picture.draw();
+    for (const picture of pictures) {
+      picture.resize();
+      picture.draw();
+    }
   };
   window.addEventListener("beforeprint", print(true));
   window.addEventListener("afterprint", print(false));
   showDegreeLegend();
   showDegreeChart();
   restyle();
-  new ResizeObserver(resize).observe(document.querySelector(".meshes"));
+  const observer = new ResizeObserver(resize);
+  for (const meshes of document.querySelectorAll(".meshes")) observer.observe(meshes);
+  offerCopy();
 }
 
 start();

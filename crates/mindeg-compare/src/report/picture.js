@@ -7,6 +7,7 @@ class Picture {
     [this.mesh, this.overlay] = stage.querySelectorAll("canvas");
     this.readout = stage.parentElement.querySelector(".readout");
     const order = Array.from(this.method.degrees.keys());
+    this.dotColors = Array.from(this.method.degrees, degreeColor);
     this.order = order.sort((a, b) => this.method.degrees[a] - this.method.degrees[b]);
     this.color();
     this.listen();
@@ -17,8 +18,9 @@ class Picture {
   }
 
   resize() {
-    const ratio = view.stretch ? 1.6 : Math.min(2.6, Math.max(0.8, size[0] / size[1]));
-    this.stage.style.aspectRatio = String(ratio);
+    // A wide domain has a low picture, so that several fit on a screen; a minimum leaves it legible.
+    const ratio = view.stretch ? 1.6 : Math.max(0.8, size[0] / size[1]);
+    this.stage.style.aspectRatio = String(Math.min(9, ratio));
     const box = this.stage.getBoundingClientRect();
     this.dots = window.devicePixelRatio || 1;
     this.width = box.width;
@@ -31,7 +33,7 @@ class Picture {
 
   /** Pixels per unit of length along both axes. */
   scale() {
-    const room = [0.92 * this.width - 8, 0.92 * this.height - 8];
+    const room = [0.94 * this.width - 8, 0.94 * this.height - 8];
     const fit = [room[0] / size[0], room[1] / size[1]];
     const least = Math.min(...fit);
     return (view.stretch ? fit : [least, least]).map((scale) => scale * view.zoom);
@@ -55,6 +57,8 @@ class Picture {
   }
 
   draw() {
+    // In a part of the page that is folded away.
+    if (!this.width) return;
     const context = this.start(this.mesh);
     this.mesh.style.transform = "";
     this.drawn = { ...view, scale: this.scale() };
@@ -139,7 +143,7 @@ class Picture {
         const [x, y, r] = [screen[2 * vertex], screen[2 * vertex + 1], radius(vertex)];
         if (isSmall(vertex) !== areSmall) continue;
         if (x < -9 || y < -9 || x > this.width + 9 || y > this.height + 9) continue;
-        context.fillStyle = data.degree_colors[degreeStep(degrees[vertex])];
+        context.fillStyle = this.dotColors[vertex];
         if (areSmall) {
           context.fillRect(x - r, y - r, 2 * r, 2 * r);
         } else {
@@ -154,6 +158,7 @@ class Picture {
 
   /** Moves and scales what is drawn to where it belongs now. */
   shift() {
+    if (!this.drawn) return;
     const [sx, sy] = this.scale();
     const { x, y, scale } = this.drawn;
     this.mesh.style.transform =
@@ -204,6 +209,7 @@ class Picture {
 
   /** What is at the cursor: marked in the picture and put into words. */
   mark() {
+    if (!this.width) return;
     const context = this.start(this.overlay);
     const found = cursor ? this.pick(cursor.x, cursor.y) : {};
     this.readout.textContent = this.describe(found);

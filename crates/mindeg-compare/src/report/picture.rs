@@ -8,13 +8,13 @@
 //! picture. Charts and tables always count all.
 
 use super::metric::{SHOWN, ShownMetric};
-use super::tables;
+use super::svg::{self, DegreeColor};
+use super::tables::{self, Named};
 use super::{MethodFigures, Report};
-use crate::{Comparison, MINDEG, Reference, measure};
+use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
-use mindeg_formats::degree_color;
 use serde::Serialize;
 
 /// The most triangles of one method in a picture.
@@ -32,11 +32,10 @@ pub(crate) struct Picture {
     /// The numbers of the shown vertices, u32; empty where all are shown.
     vertices: String,
     optimal_max_degree: u32,
-    /// The colors of degrees, the first for the lowest; the last is for all above, too.
-    degree_colors: Vec<String>,
-    lowest_colored_degree: u32,
-    /// The places on the axis of the degree chart: a name and the lowest degree there.
-    degrees: Vec<(String, u32)>,
+    /// The colors of degrees, from the lowest degree.
+    degree_colors: Vec<DegreeColor>,
+    /// The places on the axis of the degree chart: a name, the lowest and the highest degree.
+    degrees: Vec<(String, u32, u32)>,
     metrics: Vec<Measure>,
     methods: Vec<Drawing>,
 }
@@ -91,7 +90,6 @@ pub(crate) fn picture(comparison: &Comparison) -> Picture {
     let placed = |vertex: u32| (points[vertex as usize] - center).to_array();
     let ranges = tables::degree_ranges(report);
     let metrics: Vec<Measure> = SHOWN.iter().map(|metric| measure(report, metric)).collect();
-    let methods = 0..report.methods.len();
     Picture {
         corners: corners.map(|corner| (corner - center).to_array()).collect(),
         points: packed(shown.vertices.iter().flat_map(|&v| placed(v)).map(f64::to_le_bytes)),
@@ -101,15 +99,15 @@ pub(crate) fn picture(comparison: &Comparison) -> Picture {
             packed(shown.vertices.iter().map(|vertex| vertex.to_le_bytes()))
         },
         optimal_max_degree: report.domain.optimal_max_degree,
-        degree_colors: degree_color::DISTINCT
-            .map(|degree| {
-                let [red, green, blue] = degree_color::srgb(degree);
-                format!("#{red:02x}{green:02x}{blue:02x}")
-            })
+        degree_colors: svg::degree_scale(),
+        degrees: ranges
+            .iter()
+            .map(|range| (tables::degree_name(range), *range.start(), *range.end()))
             .collect(),
-        lowest_colored_degree: *degree_color::DISTINCT.start(),
-        degrees: ranges.iter().map(|range| (tables::degree_name(range), *range.start())).collect(),
-        methods: methods.map(|place| drawing(comparison, place, &shown, &metrics)).collect(),
+        methods: tables::named(report)
+            .iter()
+            .map(|mesh| drawing(comparison, mesh, &shown, &metrics))
+            .collect(),
         metrics,
     }
 }
@@ -158,9 +156,9 @@ impl Shown {
     }
 }
 
-fn drawing(comparison: &Comparison, place: usize, shown: &Shown, metrics: &[Measure]) -> Drawing {
+fn drawing(comparison: &Comparison, mesh: &Named, shown: &Shown, metrics: &[Measure]) -> Drawing {
     let report = comparison.report();
-    let method = &report.methods[place];
+    let (method, place) = (mesh.figures, mesh.place);
     let triangles = comparison.triangles(place);
     let (drawn, degrees) = (&shown.triangles[place], &shown.degrees[place]);
     let readers = SHOWN.map(|metric| metric.metric().of);
@@ -185,7 +183,7 @@ fn drawing(comparison: &Comparison, place: usize, shown: &Shown, metrics: &[Meas
     let indices = drawn.iter().flat_map(|&number| triangles[number]);
     let worst = method.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
     Drawing {
-        name: method.name.clone(),
+        name: mesh.name.clone(),
         triangles: packed(indices.map(|vertex| (shown.place_of(vertex) as u32).to_le_bytes())),
         numbers: if drawn.len() == triangles.len() {
             String::new()
@@ -253,7 +251,7 @@ fn measure(report: &Report, shown: &ShownMetric) -> Measure {
 /// flatten the differences between these two. What is beyond goes to the ends.
 fn axis(report: &Report, shown: &ShownMetric) -> [f64; 2] {
     let spreads = report.methods.iter().filter(|method| {
-        method.valid && [MINDEG, Reference::Delaunay.name()].contains(&&*method.name)
+        method.valid && [Method::LeastDegree, Method::DELAUNAY].contains(&method.method)
     });
     let spreads = spreads.filter_map(|method| method.metrics.as_ref().map(shown.of));
     let [low, high] = spreads.fold([f64::INFINITY, 0.0_f64], |[low, high], spread| {

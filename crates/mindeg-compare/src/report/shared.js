@@ -63,9 +63,13 @@ function readColors() {
   for (let step = 0; step < STEPS; step++) colors.ramp.push(mix(step / (STEPS - 1)));
 }
 
+/** The place of a degree's color on the scale. */
 function degreeStep(degree) {
-  return Math.min(degree - data.lowest_colored_degree, data.degree_colors.length - 1);
+  const next = data.degree_colors.findIndex((entry) => entry.from > degree);
+  return next < 0 ? data.degree_colors.length - 1 : Math.max(0, next - 1);
 }
+
+const degreeColor = (degree) => data.degree_colors[degreeStep(degree)].color;
 
 /** Where a value lies on the axis of a measure, 0 to 1. */
 function position(measure, value) {

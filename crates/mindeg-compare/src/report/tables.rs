@@ -1,11 +1,15 @@
 //! The tables of a report, ready to be written in any format.
 //!
+//! A mesh that several methods have appears once, under all their names. The numbers of a column
+//! share their decimals.
+//!
 //! Limits: where a method has very many different degrees, high ones are put together in
 //! ranges; the JSON has each.
 
 use super::metric::SHOWN;
-use super::{DefectKind, MethodFigures, Report};
-use crate::number_format::{angle, count, percent, seconds, significant};
+use super::{DefectKind, Distribution, MethodFigures, Report};
+use crate::Method;
+use crate::number_format::{Column, count, seconds, steady_percent};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.
@@ -17,25 +21,104 @@ pub(crate) struct Table {
     pub(crate) rows: Vec<Vec<String>>,
 }
 
+/// A mesh, or a method without one, under the names of all methods that have it.
+pub(crate) struct Named<'a> {
+    /// The place of the first of them in the report.
+    pub(crate) place: usize,
+    pub(crate) name: String,
+    pub(crate) figures: &'a MethodFigures,
+}
+
 /// More different degrees than these are put together in ranges.
 const MAX_DEGREE_ROWS: usize = 16;
 
+/// Significant digits of the number nearest to zero in a column.
+const DIGITS: i32 = 3;
+
 const NOTHING: &str = "–";
 
-/// The figures that matter most, a row for each method.
+/// The meshes of a report, each once, in the order of the methods.
+pub(crate) fn named(report: &Report) -> Vec<Named<'_>> {
+    let firsts = report.methods.iter().enumerate().filter(|(_, m)| m.same_mesh_as.is_none());
+    let named = firsts.map(|(place, figures)| {
+        let others = report.methods.iter().filter(|m| m.same_mesh_as == Some(figures.method));
+        let names: Vec<String> = [figures].into_iter().chain(others).map(name).collect();
+        Named { place, name: names.join(" and "), figures }
+    });
+    named.collect()
+}
+
+fn name(figures: &MethodFigures) -> String {
+    figures.method.to_string()
+}
+
+/// The mesh that a method has, under whatever name the report shows it.
+pub(crate) fn first_with_mesh_of(report: &Report, wanted: Method) -> Method {
+    let figures = report.methods.iter().find(|figures| figures.method == wanted);
+    figures.and_then(|figures| figures.same_mesh_as).unwrap_or(wanted)
+}
+
+/// What decides: the advised mesh, that of least degree and Delaunay's, a column for each.
+pub(crate) fn choice(report: &Report) -> Table {
+    let advised = report.advice.map(|advice| first_with_mesh_of(report, advice.method));
+    let wanted = [advised, Some(Method::LeastDegree), Some(Method::DELAUNAY)];
+    let mut columns: Vec<(String, &MethodFigures)> = Vec::new();
+    for (place, method) in wanted.into_iter().enumerate() {
+        let found = report.methods.iter().find(|figures| Some(figures.method) == method);
+        let Some(figures) = found.filter(|figures| figures.max_degree.is_some()) else { continue };
+        if columns.iter().any(|(_, other)| other.method == figures.method) {
+            continue;
+        }
+        let title = match (place, figures.method) {
+            (0, Method::DELAUNAY) => "Delaunay (advised)".to_owned(),
+            (0, _) => format!("Degree {} (advised)", count(figures.max_degree.unwrap_or(0))),
+            (1, _) => "mindeg, least degree".to_owned(),
+            _ => "Delaunay".to_owned(),
+        };
+        columns.push((title, figures));
+    }
+    let row = |title: &str, of: &dyn Fn(&MethodFigures) -> String| {
+        let cells = columns.iter().map(|(_, figures)| of(figures));
+        [title.to_owned()].into_iter().chain(cells).collect()
+    };
+    let median = |figures: &MethodFigures| figures.metrics.as_ref().map(|m| m.min_angle.median);
+    let angles = columns.iter().flat_map(|(_, f)| [f.min_angle, median(f)]).flatten();
+    let angles = Column::new(angles, DIGITS);
+    let angle = |value: Option<f64>| text(value, |value| angles.angle(value));
+    let below = |figures: &MethodFigures, angle| {
+        text(figures.share_below_degrees.get(&angle).copied(), steady_percent)
+    };
+    Table {
+        title: "The choice".to_owned(),
+        note: String::new(),
+        rows: vec![
+            row("Maximum degree", &|figures| text(figures.max_degree, count)),
+            row("Minimum angle", &|figures| angle(figures.min_angle)),
+            row("Median minimum angle", &|figures| angle(median(figures))),
+            row("Triangles below 5°", &|figures| below(figures, 5)),
+            row("Triangles below 15°", &|figures| below(figures, 15)),
+        ],
+        columns: header("Figure", columns.iter().map(|(title, _)| title)),
+    }
+}
+
+/// The figures that matter most, a row for each mesh.
 pub(crate) fn overview(report: &Report) -> Table {
     let optimum = report.domain.optimal_max_degree;
-    let row = |method: &MethodFigures| {
-        let has_mesh = method.max_degree.is_some();
-        let busier: u64 = method.vertices_above_optimum.values().sum();
+    let named = named(report);
+    let least = Column::new(named.iter().filter_map(|named| named.figures.min_angle), DIGITS);
+    let greatest = Column::new(named.iter().filter_map(|named| named.figures.max_angle), 4);
+    let row = |Named { name, figures, .. }: &Named| {
+        let has_mesh = figures.max_degree.is_some();
+        let busier: u64 = figures.vertices_above_optimum.values().sum();
         vec![
-            method.name.clone(),
-            text(method.max_degree, count),
+            name.clone(),
+            text(figures.max_degree, count),
             text(has_mesh.then_some(busier), count),
-            text(method.min_angle, angle),
-            text(method.max_angle, angle),
-            text(method.seconds, seconds),
-            check(method).to_owned(),
+            text(figures.min_angle, |angle| least.angle(angle)),
+            text(figures.max_angle, |angle| greatest.angle(angle)),
+            text(figures.seconds, seconds),
+            check(figures).to_owned(),
         ]
     };
     Table {
@@ -45,15 +128,50 @@ pub(crate) fn overview(report: &Report) -> Table {
             "Method".to_owned(),
             "Maximum degree".to_owned(),
             format!("Vertices above {}", count(optimum)),
-            "Smallest angle".to_owned(),
-            "Largest angle".to_owned(),
+            "Minimum angle".to_owned(),
+            "Maximum angle".to_owned(),
             "Time".to_owned(),
             "Check".to_owned(),
         ]
         .into(),
-        rows: report.methods.iter().map(row).collect(),
+        rows: named.iter().map(row).collect(),
     }
 }
+
+/// The sides of the domain: names, intervals, lengths.
+pub(crate) fn sides(report: &Report) -> Table {
+    let domain = &report.domain;
+    let corners = &domain.corners;
+    let length = |side: usize| {
+        let [from, to] = [side, side + 1].map(|corner| corners[corner % corners.len()]);
+        libm::hypot(to[0] - from[0], to[1] - from[1])
+    };
+    let lengths: Vec<f64> = (0..corners.len()).map(length).collect();
+    let column = Column::new(lengths.iter().copied(), DIGITS);
+    let rows = domain.intervals.iter().zip(&lengths).enumerate().take(MAX_SIDE_ROWS);
+    let rows = rows.map(|(side, (&intervals, &length))| {
+        let name = domain.side_names.get(side).cloned().flatten();
+        vec![
+            (side + 1).to_string(),
+            name.unwrap_or_else(|| NOTHING.to_owned()),
+            count(intervals),
+            column.number(length),
+        ]
+    });
+    let note = match corners.len() {
+        sides if sides > MAX_SIDE_ROWS => format!("The first {MAX_SIDE_ROWS} of {sides} sides."),
+        _ => String::new(),
+    };
+    Table {
+        title: "Sides".to_owned(),
+        note,
+        columns: ["Side", "Name", "Intervals", "Length"].map(str::to_owned).into(),
+        rows: rows.collect(),
+    }
+}
+
+/// More sides than these are not listed.
+const MAX_SIDE_ROWS: usize = 50;
 
 /// What came of a method, in a word or two.
 fn check(method: &MethodFigures) -> &'static str {
@@ -66,11 +184,11 @@ fn check(method: &MethodFigures) -> &'static str {
     }
 }
 
-/// How many vertices have each degree, a column for each method.
+/// How many vertices have each degree, a column for each mesh.
 pub(crate) fn degrees(report: &Report) -> Table {
-    let methods = with_triangles(report);
+    let meshes = with_triangles(report);
     let row = |range: RangeInclusive<u32>| {
-        let counts = methods.iter().map(|method| match vertices_in(method, &range) {
+        let counts = meshes.iter().map(|mesh| match vertices_in(mesh.figures, &range) {
             0 => NOTHING.to_owned(),
             vertices => count(vertices),
         });
@@ -83,70 +201,82 @@ pub(crate) fn degrees(report: &Report) -> Table {
              of this domain has a vertex of degree {} or more.",
             count(report.domain.optimal_max_degree)
         ),
-        columns: header("Degree", &methods),
+        columns: header("Degree", meshes.iter().map(|mesh| &mesh.name)),
         rows: degree_ranges(report).into_iter().map(row).collect(),
     }
 }
 
 /// The share of triangles with small angles.
 pub(crate) fn shares(report: &Report) -> Table {
-    let methods = with_triangles(report);
-    let angles = methods.first().map(|method| method.share_below_degrees.keys());
-    let row = |&below: &u32| {
-        let shares = methods.iter().map(|method| percent(method.share_below_degrees[&below]));
+    let meshes = with_triangles(report);
+    let angles = meshes.first().map(|mesh| mesh.figures.share_below_degrees.keys());
+    let row = |below: &u32| {
+        let share = |mesh: &Named| mesh.figures.share_below_degrees.get(below).copied();
+        let shares = meshes.iter().map(|mesh| text(share(mesh), steady_percent));
         [format!("below {below}°")].into_iter().chain(shares).collect()
     };
     Table {
         title: "Triangles with small angles".to_owned(),
-        note: "The share of triangles whose smallest angle is below a bound.".to_owned(),
-        columns: header("Smallest angle", &methods),
+        note: "The share of triangles whose minimum angle is below a bound.".to_owned(),
+        columns: header("Minimum angle", meshes.iter().map(|mesh| &mesh.name)),
         rows: angles.into_iter().flatten().map(row).collect(),
     }
 }
 
 /// How each measure is spread, a table for each.
 pub(crate) fn metrics(report: &Report) -> Vec<Table> {
+    let meshes = named(report);
     let tables = SHOWN.iter().map(|shown| {
-        let rows = report.methods.iter().filter_map(|method| {
-            let spread = (shown.of)(method.metrics.as_ref()?);
-            let values =
-                [spread.min, spread.p01, spread.median, spread.mean, spread.p99, spread.max];
-            let values = values.map(|value| significant(value, 4));
-            Some([method.name.clone()].into_iter().chain(values).collect())
+        let spreads: Vec<(&str, [f64; 6])> = meshes
+            .iter()
+            .filter_map(|mesh| {
+                let Distribution { min, p01, median, mean, p99, max } =
+                    *(shown.of)(mesh.figures.metrics.as_ref()?);
+                Some((mesh.name.as_str(), [min, p01, median, mean, p99, max]))
+            })
+            .collect();
+        let columns: [Column; 6] = std::array::from_fn(|column| {
+            Column::new(spreads.iter().map(|(_, values)| values[column]), DIGITS)
         });
+        let row = |(name, values): &(&str, [f64; 6])| {
+            let numbers = columns.iter().zip(values).map(|(column, &value)| column.number(value));
+            [(*name).to_owned()].into_iter().chain(numbers).collect()
+        };
         Table {
             title: shown.title_with_unit(),
             note: shown.explanation(),
             columns: ["Method", "min", "1%", "median", "mean", "99%", "max"]
                 .map(str::to_owned)
                 .into(),
-            rows: rows.collect(),
+            rows: spreads.iter().map(row).collect(),
         }
     });
     tables.collect()
 }
 
-/// The worst triangles, a table for each method.
+/// The worst triangles, a table for each mesh.
 pub(crate) fn worst(report: &Report) -> Vec<Table> {
-    let tables = with_triangles(report).into_iter().map(|method| Table {
-        title: format!("Worst triangles: {}", method.name),
-        note: String::new(),
-        columns: ["Triangle", "Vertices", "Smallest angle", "Largest angle"]
-            .map(str::to_owned)
-            .into(),
-        rows: method
-            .worst_triangles
-            .iter()
-            .map(|worst| {
-                let [a, b, c] = worst.vertices;
-                vec![
-                    worst.triangle.to_string(),
-                    format!("{a}, {b}, {c}"),
-                    angle(worst.min_angle),
-                    angle(worst.max_angle),
-                ]
-            })
-            .collect(),
+    let tables = with_triangles(report).into_iter().map(|mesh| {
+        let worst = &mesh.figures.worst_triangles;
+        let least = Column::new(worst.iter().map(|triangle| triangle.min_angle), DIGITS);
+        let greatest = Column::new(worst.iter().map(|triangle| triangle.max_angle), 4);
+        let row = |triangle: &super::WorstTriangle| {
+            let [a, b, c] = triangle.vertices;
+            vec![
+                triangle.triangle.to_string(),
+                format!("{a}, {b}, {c}"),
+                least.angle(triangle.min_angle),
+                greatest.angle(triangle.max_angle),
+            ]
+        };
+        Table {
+            title: format!("Worst triangles: {}", mesh.name),
+            note: String::new(),
+            columns: ["Triangle", "Vertices", "Minimum angle", "Maximum angle"]
+                .map(str::to_owned)
+                .into(),
+            rows: worst.iter().map(row).collect(),
+        }
     });
     tables.collect()
 }
@@ -188,12 +318,14 @@ pub(crate) fn vertices_in(method: &MethodFigures, degrees: &RangeInclusive<u32>)
     method.degree_histogram.range(degrees.clone()).map(|(_, &vertices)| vertices).sum()
 }
 
-fn with_triangles(report: &Report) -> Vec<&MethodFigures> {
-    report.methods.iter().filter(|method| method.max_degree.is_some()).collect()
+fn with_triangles(report: &Report) -> Vec<Named<'_>> {
+    let mut meshes = named(report);
+    meshes.retain(|mesh| mesh.figures.max_degree.is_some());
+    meshes
 }
 
-fn header(first: &str, methods: &[&MethodFigures]) -> Vec<String> {
-    [first.to_owned()].into_iter().chain(methods.iter().map(|method| method.name.clone())).collect()
+fn header<'a>(first: &str, others: impl Iterator<Item = &'a String>) -> Vec<String> {
+    [first.to_owned()].into_iter().chain(others.cloned()).collect()
 }
 
 fn text<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> String {
@@ -203,12 +335,13 @@ fn text<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::DomainFigures;
+    use crate::report::{DomainFigures, Provenance};
 
     fn report(degrees: &[u32]) -> Report {
         let domain = DomainFigures {
             name: None,
             intervals: vec![],
+            side_names: vec![],
             corners: vec![],
             vertices: 0,
             triangles: 0,
@@ -219,7 +352,28 @@ mod tests {
             degree_histogram: degrees.iter().map(|&degree| (degree, 1)).collect(),
             ..MethodFigures::default()
         };
-        Report { domain, methods: vec![method], trade_off: None, verdict: String::new() }
+        Report {
+            provenance: Provenance::default(),
+            domain,
+            advice: None,
+            methods: vec![method],
+            trade_off: None,
+            verdict: String::new(),
+        }
+    }
+
+    #[test]
+    fn a_mesh_appears_once_under_all_its_names() {
+        let mut report = report(&[4]);
+        let exact = Method::Exact { max_degree: 4 };
+        let same_mesh_as = Some(Method::LeastDegree);
+        let same = MethodFigures { method: exact, same_mesh_as, ..MethodFigures::default() };
+        let other = MethodFigures { method: Method::DELAUNAY, ..MethodFigures::default() };
+        report.methods.extend([other, same]);
+        let names: Vec<_> = named(&report).into_iter().map(|n| (n.place, n.name)).collect();
+        let expected = [(0, "mindeg and Exact, degree 4"), (1, "Delaunay")];
+        assert_eq!(names, expected.map(|(place, name)| (place, name.to_owned())));
+        assert_eq!(first_with_mesh_of(&report, exact), Method::LeastDegree);
     }
 
     #[test]

@@ -4,15 +4,12 @@
 //! are of all.
 
 mod html;
-mod plot;
-mod svg;
+mod picture;
 
 pub use html::write_trade_off_html;
-pub(super) use html::{PLOT_STYLE, curve};
-pub use svg::write_trade_off_svg;
+pub use picture::write_trade_off_svg;
 
 use mindeg::exact::TradeOff;
-use mindeg_formats::{WriteError, degree_color};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -22,21 +19,21 @@ use std::io::{self, Write};
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{TradeOffFigures, exact};
-/// use mindeg::{Domain, Side};
-/// use mindeg_exact::unwatched;
+/// use mindeg_compare::TradeOffFigures;
+/// use mindeg::{Domain, Progress, Side, exact};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-/// let figures = TradeOffFigures::of(&exact::trade_off(&domain, &mut unwatched)?);
+/// let figures = TradeOffFigures::of(&exact::trade_off(&domain, Progress::NONE)?);
 /// assert_eq!(figures.points[0].max_degree, 4);
 /// assert!(figures.points[0].min_angle < figures.delaunay_min_angle);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(description = "What every degree buys, exactly.")]
 pub struct TradeOffFigures {
     /// A point for every maximum degree, in ascending order.
     pub points: Vec<TradeOffPoint>,
-    /// The smallest angle of a Delaunay triangulation, in degrees.
+    /// The minimum angle of a Delaunay triangulation, in degrees.
     pub delaunay_min_angle: f64,
 }
 
@@ -45,7 +42,7 @@ pub struct TradeOffFigures {
 pub struct TradeOffPoint {
     /// The most edges that a vertex may have.
     pub max_degree: u32,
-    /// The largest smallest angle there is then, in degrees.
+    /// The largest minimum angle there is then, in degrees.
     pub min_angle: f64,
     /// Whether that is proven: always, so far.
     pub exact: bool,
@@ -81,25 +78,6 @@ pub fn write_trade_off_json(trade_off: &TradeOff, mut out: impl Write) -> io::Re
 fn spread(count: usize, most: usize) -> impl Iterator<Item = usize> {
     let shown = count.min(most);
     (0..shown).map(move |i| if shown < 2 { 0 } else { i * (count - 1) / (shown - 1) })
-}
-
-/// The colors of the vertices' degrees in the meshes, from the lowest, each with its name.
-fn colored_degrees(trade_off: &TradeOff) -> impl Iterator<Item = (String, String)> {
-    let top = trade_off.meshes().iter().map(|exact| exact.mesh.max_degree()).fold(0, u32::max);
-    degree_color::DISTINCT.filter(move |&degree| degree <= top).map(move |degree| {
-        let [red, green, blue] = degree_color::srgb(degree);
-        let stands_for_more = degree == *degree_color::DISTINCT.end() && degree < top;
-        let more = if stands_for_more { "+" } else { "" };
-        (format!("#{red:02x}{green:02x}{blue:02x}"), format!("{degree}{more}"))
-    })
-}
-
-/// What a picture of a mesh cannot fail at but writing: exact meshes are small enough for any.
-fn only_io(error: WriteError) -> io::Error {
-    match error {
-        WriteError::Io(error) => error,
-        other => io::Error::other(other),
-    }
 }
 
 #[cfg(test)]

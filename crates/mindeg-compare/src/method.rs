@@ -1,0 +1,83 @@
+//! The methods of a comparison.
+
+use crate::Reference;
+use schemars::{JsonSchema, Schema, SchemaGenerator};
+use serde::{Serialize, Serializer};
+use std::borrow::Cow;
+use std::fmt::{self, Display, Formatter};
+
+/// How a mesh of a comparison was made. Reports write its name, which [`Display`] gives.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_compare::{Method, Reference};
+///
+/// assert_eq!(Method::Reference(Reference::EarClipping).to_string(), "Ear clipping");
+/// assert_eq!(Method::Exact { max_degree: 5 }.to_string(), "Exact, degree 5");
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// mindeg's own mesh of least maximum degree.
+    #[default]
+    LeastDegree,
+    /// Another way to triangulate the same points.
+    Reference(Reference),
+    /// The mesh with the largest minimum angle under a degree limit.
+    Exact {
+        /// The degree limit.
+        max_degree: u32,
+    },
+}
+
+impl Method {
+    /// Delaunay triangulation, with which all others are compared.
+    pub const DELAUNAY: Self = Self::Reference(Reference::Delaunay);
+
+    /// What the method does, in a sentence.
+    #[must_use]
+    pub fn description(self) -> Cow<'static, str> {
+        match self {
+            Self::LeastDegree => "The least possible maximum degree, and among the meshes with \
+                                  that degree which mindeg tries the one with the largest \
+                                  minimum angle."
+                .into(),
+            Self::Reference(reference) => reference.description().into(),
+            Self::Exact { max_degree } => format!(
+                "The largest minimum angle that any triangulation with at most {max_degree} \
+                 edges at a vertex has, by exhaustive dynamic programming."
+            )
+            .into(),
+        }
+    }
+}
+
+impl Display for Method {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::LeastDegree => formatter.write_str("mindeg"),
+            Self::Reference(reference) => formatter.write_str(reference.name()),
+            Self::Exact { max_degree } => write!(formatter, "Exact, degree {max_degree}"),
+        }
+    }
+}
+
+impl Serialize for Method {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl JsonSchema for Method {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        "Method".into()
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        String::json_schema(generator)
+    }
+}

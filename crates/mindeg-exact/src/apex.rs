@@ -1,0 +1,261 @@
+//! A lower bound on the maximum degree: too many boundary edges for the vertices that see them.
+//!
+//! Let R be the boundary edges that are no side of an ear. Each has a triangle, and its apex sees both
+//! of its ends. A vertex of degree D has D-1 triangles, of which the first and the last have a
+//! boundary edge at the vertex itself, and would be ears if their opposite side was a boundary edge, too. So it is apex
+//! to at most D-3 edges of R, and for any set S of edges of R that only the vertices A can be apex to,
+//! D >= 3 + |S|/|A|, rounded up. For a convex polygon with one long side this is Liu's bound.
+//!
+//! The best S comes from a matching of edges to apexes: where no further edge finds a place, the
+//! edges and apexes that can be reached from it are S and A (Hall).
+
+use crate::chords::{Chords, Lists};
+use std::cmp::Ordering;
+use std::collections::VecDeque;
+
+/// Boundary edges and all vertices that can be apex to them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ApexBound {
+    /// The edges, from vertex `e` to the next one; none is a side of an ear.
+    pub edges: Vec<u32>,
+    /// The vertices that see both ends of one of them.
+    pub apexes: Vec<u32>,
+}
+
+impl ApexBound {
+    /// The maximum degree that this proves to be necessary.
+    #[must_use]
+    pub fn max_degree(&self) -> u32 {
+        3 + self.edges.len().div_ceil(self.apexes.len().max(1)) as u32
+    }
+}
+
+const UNSEEN: u32 = u32::MAX;
+
+struct Matching {
+    /// The boundary edges that no ear has.
+    edges: Vec<u32>,
+    /// Of each of them where its apexes begin in `apexes`.
+    offsets: Vec<u32>,
+    apexes: Vec<u32>,
+    /// Of each vertex the indices of the edges that it is apex to.
+    taken: Vec<Vec<u32>>,
+    is_placed: Vec<bool>,
+    edge_level: Vec<u32>,
+    apex_level: Vec<u32>,
+}
+
+/// The best bound of this kind that needs more than degree 4. O(chords * sqrt(vertices)) at most times the
+/// bound, by Hopcroft and Karp's phases.
+pub(crate) fn apex_bound(chords: &Chords) -> Option<ApexBound> {
+    let mut matching = Matching::new(chords);
+    let mut best = None;
+    let mut capacity = 1;
+    loop {
+        if matching.levels(capacity) {
+            matching.augment(capacity);
+        } else if matching.is_placed.iter().all(|&is_placed| is_placed) {
+            return best;
+        } else {
+            let witness = matching.witness();
+            if witness.apexes.is_empty() {
+                return best;
+            }
+            capacity = witness.max_degree() as usize - 3;
+            best = Some(witness);
+        }
+    }
+}
+
+impl Matching {
+    fn new(chords: &Chords) -> Self {
+        let n = chords.vertex_count() as u32;
+        let [up_counts, down_counts] = chords.end_counts();
+        let counts: Vec<u32> = up_counts.iter().zip(&down_counts).map(|(a, b)| a + b).collect();
+        let mut neighbours = Lists::new(&counts);
+        let mut pairs: Vec<[u32; 2]> = chords.ends().flat_map(|[i, j]| [[i, j], [j, i]]).collect();
+        pairs.sort_unstable();
+        pairs.iter().for_each(|&[from, to]| neighbours.push(from, to));
+        let joins = |a: u32, b: u32| neighbours.of(a).binary_search(&b).is_ok();
+        let mut matching = Self {
+            edges: Vec::new(),
+            offsets: vec![0],
+            apexes: Vec::new(),
+            taken: vec![Vec::new(); n as usize],
+            is_placed: Vec::new(),
+            edge_level: Vec::new(),
+            apex_level: vec![UNSEEN; n as usize],
+        };
+        for from in 0..n {
+            let to = (from + 1) % n;
+            if joins((from + n - 1) % n, to) || joins(from, (to + 1) % n) {
+                continue;
+            }
+            matching.edges.push(from);
+            let (a, b) = (neighbours.of(from), neighbours.of(to));
+            let (mut x, mut y) = (0, 0);
+            while x < a.len() && y < b.len() {
+                match a[x].cmp(&b[y]) {
+                    Ordering::Less => x += 1,
+                    Ordering::Greater => y += 1,
+                    Ordering::Equal => {
+                        matching.apexes.push(a[x]);
+                        x += 1;
+                        y += 1;
+                    }
+                }
+            }
+            matching.offsets.push(matching.apexes.len() as u32);
+        }
+        matching.is_placed = vec![false; matching.edges.len()];
+        matching.edge_level = vec![UNSEEN; matching.edges.len()];
+        matching
+    }
+
+    /// Goes out from all edges without a place, level by level; says whether it comes to an apex that has place.
+    fn levels(&mut self, capacity: usize) -> bool {
+        self.edge_level.fill(UNSEEN);
+        self.apex_level.fill(UNSEEN);
+        let mut open = VecDeque::new();
+        for (edge, _) in self.is_placed.iter().enumerate().filter(|&(_, &is_placed)| !is_placed) {
+            self.edge_level[edge] = 0;
+            open.push_back(edge as u32);
+        }
+        let mut has_place = false;
+        while let Some(edge) = open.pop_front() {
+            let level = self.edge_level[edge as usize];
+            for index in self.offsets[edge as usize]..self.offsets[edge as usize + 1] {
+                let apex = self.apexes[index as usize] as usize;
+                if self.apex_level[apex] != UNSEEN {
+                    continue;
+                }
+                self.apex_level[apex] = level + 1;
+                has_place |= self.taken[apex].len() < capacity;
+                for &next in &self.taken[apex] {
+                    if self.edge_level[next as usize] == UNSEEN {
+                        self.edge_level[next as usize] = level + 2;
+                        open.push_back(next);
+                    }
+                }
+            }
+        }
+        has_place
+    }
+
+    /// Places edges along shortest ways, each of which moves other edges on to their next apex.
+    fn augment(&mut self, capacity: usize) {
+        let mut next_apex: Vec<u32> = self.offsets[..self.edges.len()].to_vec();
+        for first in 0..self.edges.len() as u32 {
+            if self.is_placed[first as usize] {
+                continue;
+            }
+            // Edges, each with the apex that it would take and the place there of the edge after it.
+            let mut way: Vec<(u32, usize)> = vec![(first, 0)];
+            while let Some(&(edge, _)) = way.last() {
+                let index = next_apex[edge as usize];
+                if index == self.offsets[edge as usize + 1] {
+                    self.edge_level[edge as usize] = UNSEEN;
+                    way.pop();
+                    continue;
+                }
+                let apex = self.apexes[index as usize] as usize;
+                let level = self.edge_level[edge as usize];
+                if self.apex_level[apex] != level + 1 {
+                    next_apex[edge as usize] += 1;
+                } else if self.taken[apex].len() < capacity {
+                    self.taken[apex].push(edge);
+                    for pair in way.windows(2) {
+                        let [(before, _), (_, place)] = [pair[0], pair[1]];
+                        let apex = self.apexes[next_apex[before as usize] as usize] as usize;
+                        self.taken[apex][place] = before;
+                    }
+                    self.is_placed[first as usize] = true;
+                    break;
+                } else {
+                    let beyond = self.taken[apex].iter().enumerate();
+                    let mut beyond =
+                        beyond.filter(|&(_, &next)| self.edge_level[next as usize] == level + 2);
+                    match beyond.next() {
+                        Some((place, &next)) => way.push((next, place)),
+                        None => next_apex[edge as usize] += 1,
+                    }
+                }
+            }
+            // The edges of a way that was found are used up.
+            if self.is_placed[first as usize] {
+                for (edge, _) in way {
+                    self.edge_level[edge as usize] = UNSEEN;
+                }
+            }
+        }
+    }
+
+    /// What the last levels came to, when no apex had place.
+    fn witness(&self) -> ApexBound {
+        let seen = |levels: &[u32]| -> Vec<u32> {
+            let seen = levels.iter().enumerate().filter(|&(_, &level)| level != UNSEEN);
+            seen.map(|(index, _)| index as u32).collect()
+        };
+        let edges = seen(&self.edge_level).into_iter();
+        ApexBound {
+            edges: edges.map(|edge| self.edges[edge as usize]).collect(),
+            apexes: seen(&self.apex_level),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chords::Sides;
+    use mindeg_core::{Boundary, least_max_degree};
+
+    /// Every apex of the edges is in the bound.
+    fn check(chords: &Chords, bound: &ApexBound) {
+        let n = chords.vertex_count() as u32;
+        let joins = |a: u32, b: u32| a != b && chords.has(a.min(b), a.max(b));
+        for &from in &bound.edges {
+            let to = (from + 1) % n;
+            assert!(!joins((from + n - 1) % n, to) && !joins(from, (to + 1) % n));
+            for apex in (0..n).filter(|&apex| joins(apex, from) && joins(apex, to)) {
+                assert!(bound.apexes.contains(&apex));
+            }
+        }
+    }
+
+    #[test]
+    fn it_is_lius_bound_where_one_side_dominates() {
+        for (sides, least) in [
+            (&[30, 2, 4, 2][..], 7),
+            (&[100, 3, 3, 3], 16),
+            (&[20, 1, 1, 1], 12),
+            (&[40, 3, 3], 11),
+        ] {
+            let boundary = Boundary::new(sides).unwrap();
+            let n = boundary.vertex_count() as usize;
+            let chords = Chords::all(n, &Sides::of_boundary(&boundary));
+            let bound = apex_bound(&chords).unwrap();
+            check(&chords, &bound);
+            assert_eq!(least_max_degree(&boundary), least, "{sides:?}");
+            assert_eq!(bound.max_degree(), least, "{sides:?}");
+        }
+    }
+
+    #[test]
+    fn it_never_exceeds_the_least() {
+        for a in 1..9 {
+            for b in 1..6 {
+                for c in 1..6 {
+                    let boundary = Boundary::new(&[a, b, c, 2]).unwrap();
+                    let n = boundary.vertex_count() as usize;
+                    let chords = Chords::all(n, &Sides::of_boundary(&boundary));
+                    if let Some(bound) = apex_bound(&chords) {
+                        check(&chords, &bound);
+                        assert!(bound.max_degree() > 4);
+                        assert!(bound.max_degree() <= least_max_degree(&boundary));
+                    }
+                }
+            }
+        }
+    }
+}

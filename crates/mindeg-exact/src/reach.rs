@@ -1,0 +1,244 @@
+//! Which edges occur in a triangulation whose angles are all large enough, degrees aside: these
+//! few are all that the exact work has to look at.
+
+use crate::chords::Chords;
+use crate::measure::min_angle_tangent;
+use crate::progress::Stopped;
+use glam::DVec2;
+use rayon::prelude::*;
+
+/// With more vertices the bits would take more than 200 MB; then no edge is left out.
+const MOST_VERTICES: usize = 40_000;
+
+/// How many edges are worth handing to a thread.
+const BATCH: usize = 64;
+
+/// The edges of `chords` that are in some triangulation of them without a tangent below
+/// `threshold`; none where there is no such triangulation.
+///
+/// An edge splits the polygon into two pieces. The piece inside is looked at from short edges to
+/// long ones: it needs one triangle on the edge that is good enough and has two good
+/// pieces beneath; then the piece outside, from long edges to short ones.
+pub(crate) fn reaching(
+    chords: &Chords,
+    points: &[DVec2],
+    threshold: f64,
+    mut watch: impl FnMut(f64) -> Result<(), Stopped>,
+) -> Result<Option<Chords>, Stopped> {
+    let vertices = chords.vertex_count();
+    if vertices > MOST_VERTICES {
+        return Ok(Some(chords.clone()));
+    }
+    let is_good = |a: usize, b: usize, c: usize| {
+        let corners = [points[a], points[b], points[c]];
+        // Even a triangle that rounding has turned over has a tangent of 0.
+        threshold <= 0.0
+            || (is_roughly(corners, threshold) && min_angle_tangent(corners) >= threshold)
+    };
+    let mut inside = Pairs::new(vertices);
+    for span in 1..vertices {
+        watch(span as f64 / vertices as f64 / 2.0)?;
+        let starts = chords.of_span(span);
+        let is_inside = |&i: &u32| {
+            let (i, j) = (i as usize, i as usize + span);
+            span == 1 || inside.any_common(&inside, i, j, i + 1..j, |apex| is_good(i, apex, j))
+        };
+        for (&i, is_in) in starts.iter().zip(each(starts, is_inside)) {
+            if is_in {
+                inside.insert(i as usize, i as usize + span);
+            }
+        }
+    }
+    if !inside.has(0, vertices - 1) {
+        return Ok(None);
+    }
+    let mut both = Pairs::new(vertices);
+    for span in (1..vertices).rev() {
+        watch(1.0 - span as f64 / vertices as f64 / 2.0)?;
+        let starts = chords.of_span(span);
+        let is_both = |&i: &u32| {
+            let (i, j) = (i as usize, i as usize + span);
+            let is_good = |apex| is_good(i, j, apex);
+            span == vertices - 1
+                || (inside.has(i, j)
+                    && (both.any_common(&inside, i, j, j + 1..vertices, is_good)
+                        || inside.any_common(&both, i, j, 0..i, is_good)))
+        };
+        for (&i, is_in) in starts.iter().zip(each(starts, is_both)) {
+            if is_in {
+                both.insert(i as usize, i as usize + span);
+            }
+        }
+    }
+    Ok(Some(chords.filtered(|i, j| both.has(i as usize, j as usize))))
+}
+
+/// Whether the smallest angle may have a tangent of `threshold`, by a quick test that errs
+/// on the side of yes.
+fn is_roughly([a, b, c]: [DVec2; 3], threshold: f64) -> bool {
+    let squares = [(b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared()];
+    let [x, y, z] = squares;
+    let longer = x + y + z - 2.0 * x.min(y).min(z);
+    let excess = 2.0 * (b - a).perp_dot(c - a) - threshold * longer * (1.0 - 1e-9);
+    excess >= 0.0 || excess.is_nan()
+}
+
+/// The answers for all edges of one span.
+fn each(starts: &[u32], answer: impl Fn(&u32) -> bool + Send + Sync) -> Vec<bool> {
+    if starts.len() <= BATCH {
+        starts.iter().map(answer).collect()
+    } else {
+        starts.par_iter().with_min_len(BATCH).map(answer).collect()
+    }
+}
+
+/// A set of pairs of vertices, as bits.
+struct Pairs {
+    /// 64-bit words to a vertex.
+    words: usize,
+    /// Bit w of vertex v: the set has v and w.
+    bits: Vec<u64>,
+}
+
+impl Pairs {
+    fn new(vertices: usize) -> Self {
+        let words = vertices.div_ceil(64);
+        Self { words, bits: vec![0; vertices * words] }
+    }
+
+    fn insert(&mut self, i: usize, j: usize) {
+        self.bits[i * self.words + j / 64] |= 1 << (j % 64);
+        self.bits[j * self.words + i / 64] |= 1 << (i % 64);
+    }
+
+    fn has(&self, i: usize, j: usize) -> bool {
+        self.bits[i * self.words + j / 64] >> (j % 64) & 1 == 1
+    }
+
+    fn row(&self, vertex: usize) -> &[u64] {
+        &self.bits[vertex * self.words..][..self.words]
+    }
+
+    /// Whether one of these vertices that is paired with i here and with j in `other` passes.
+    fn any_common(
+        &self,
+        other: &Self,
+        i: usize,
+        j: usize,
+        range: std::ops::Range<usize>,
+        passes: impl Fn(usize) -> bool,
+    ) -> bool {
+        if range.is_empty() {
+            return false;
+        }
+        let (first, last) = (range.start, range.end - 1);
+        let words = first / 64..=last / 64;
+        let both = self.row(i)[words.clone()].iter().zip(&other.row(j)[words.clone()]);
+        words.zip(both).any(|(word, (a, b))| {
+            let mut bits = a & b;
+            if word == first / 64 {
+                bits &= u64::MAX << (first % 64);
+            }
+            if word == last / 64 {
+                bits &= u64::MAX >> (63 - last % 64);
+            }
+            while bits != 0 {
+                if passes(word * 64 + bits.trailing_zeros() as usize) {
+                    return true;
+                }
+                bits &= bits - 1;
+            }
+            false
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::chords::Sides;
+    use mindeg_core::Boundary;
+
+    const SIDES: [u64; 4] = [3, 2, 1, 3];
+
+    /// The points of a trapezoid with these intervals on its sides.
+    fn points() -> Vec<DVec2> {
+        let corners = [(0.0, 0.0), (5.0, 0.0), (4.0, 2.0), (1.0, 3.0)].map(DVec2::from);
+        let mut points = Vec::new();
+        for (side, intervals) in SIDES.into_iter().enumerate() {
+            let place = |step| step as f64 / intervals as f64;
+            let ends = (corners[side], corners[(side + 1) % 4]);
+            points.extend((0..intervals).map(|step| ends.0.lerp(ends.1, place(step))));
+        }
+        points
+    }
+
+    /// Notes for every edge the smallest tangent of each triangulation that has it.
+    fn visit(
+        boundary: &Boundary,
+        points: &[DVec2],
+        open: &mut Vec<(usize, usize)>,
+        edges: &mut Vec<(usize, usize)>,
+        smallest: f64,
+        best: &mut [Vec<f64>],
+    ) {
+        let Some((i, j)) = open.pop() else {
+            for &(i, j) in &*edges {
+                best[i][j] = best[i][j].max(smallest);
+            }
+            return;
+        };
+        edges.push((i, j));
+        if j == i + 1 {
+            visit(boundary, points, open, edges, smallest, best);
+        }
+        for apex in i + 1..j {
+            let triangle = [i, apex, j];
+            if !boundary.is_flat(triangle.map(|vertex| vertex as u32)) {
+                let len = open.len();
+                open.extend([(i, apex), (apex, j)]);
+                let tangent = min_angle_tangent(triangle.map(|vertex| points[vertex]));
+                visit(boundary, points, open, edges, smallest.min(tangent), best);
+                open.truncate(len);
+            }
+        }
+        edges.pop();
+        open.push((i, j));
+    }
+
+    #[test]
+    fn the_edges_are_those_of_all_triangulations_with_such_angles() {
+        let (boundary, points) = (Boundary::new(&SIDES).unwrap(), points());
+        let n = points.len();
+        let all = Chords::all(n, &Sides::of_boundary(&boundary));
+        let mut best = vec![vec![f64::NEG_INFINITY; n]; n];
+        visit(&boundary, &points, &mut vec![(0, n - 1)], &mut vec![], f64::INFINITY, &mut best);
+
+        let mut thresholds: Vec<f64> =
+            all.ends().map(|[i, j]| best[i as usize][j as usize]).collect();
+        thresholds.sort_by(f64::total_cmp);
+        thresholds.dedup();
+        assert!(thresholds.len() > 3);
+        let largest = best[0][n - 1];
+        for threshold in thresholds.into_iter().flat_map(|t| [t, t.next_up()]) {
+            let kept = reaching(&all, &points, threshold, |_| Ok(())).unwrap();
+            assert_eq!(kept.is_some(), threshold <= largest);
+            if let Some(kept) = kept {
+                let reach = |i: u32, j: u32| best[i as usize][j as usize] >= threshold;
+                assert!(all.ends().all(|[i, j]| kept.has(i, j) == reach(i, j)), "{threshold}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_watch_can_stop_it() {
+        let boundary = Boundary::new(&SIDES).unwrap();
+        let mut shares = Vec::new();
+        let chords = Chords::all(9, &Sides::of_boundary(&boundary));
+        let stopped = reaching(&chords, &points(), 0.0, |share| {
+            shares.push(share);
+            if shares.len() == 3 { Err(Stopped) } else { Ok(()) }
+        });
+        assert!(stopped.is_err() && shares.is_sorted() && shares.len() == 3);
+    }
+}

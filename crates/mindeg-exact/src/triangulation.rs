@@ -1,0 +1,134 @@
+//! Triangles with their neighbours, and the exact predicates on points.
+
+use glam::DVec2;
+use rayon::prelude::*;
+use robust::{Coord, orient2d};
+
+/// No triangle: beyond the boundary.
+pub(crate) const NONE: u32 = u32::MAX;
+
+/// Positive where `a`, `b`, `c` turn left, negative where they turn right, exactly.
+pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
+    orient2d(a, b, c)
+}
+
+/// Triangles and what is beyond each of their edges.
+///
+/// Edge e of a triangle goes from its corner e to its corner e + 1.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Triangulation {
+    pub(crate) triangles: Vec<[u32; 3]>,
+    /// The triangle beyond each edge, or [`NONE`].
+    pub(crate) across: Vec<[u32; 3]>,
+}
+
+impl Triangulation {
+    /// Finds the neighbours. O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// The two ends of an edge that two triangles have in the same direction, or three have.
+    pub(crate) fn new(triangles: Vec<[u32; 3]>) -> Result<Self, [u32; 2]> {
+        let half_edge = |index: usize| {
+            let corners = triangles[index / 3];
+            [corners[index % 3], corners[(index + 1) % 3]]
+        };
+        let mut edges: Vec<(u64, u32)> = (0..3 * triangles.len())
+            .into_par_iter()
+            .map(|index| {
+                let [from, to] = half_edge(index);
+                let (low, high) = (from.min(to), from.max(to));
+                ((u64::from(low) << 32) | u64::from(high), index as u32)
+            })
+            .collect();
+        edges.par_sort_unstable();
+        let mut across = vec![[NONE; 3]; triangles.len()];
+        for same in edges.chunk_by(|a, b| a.0 == b.0) {
+            match *same {
+                [_] => {}
+                [(_, one), (_, other)] => {
+                    let (one, other) = (one as usize, other as usize);
+                    if half_edge(one)[0] == half_edge(other)[0] {
+                        return Err(half_edge(one));
+                    }
+                    across[one / 3][one % 3] = other as u32 / 3;
+                    across[other / 3][other % 3] = one as u32 / 3;
+                }
+                _ => return Err(half_edge(same[0].1 as usize)),
+            }
+        }
+        Ok(Self { triangles, across })
+    }
+
+    /// The third corner of the triangle entered through an edge that runs from `from` in it,
+    /// with the index of that edge.
+    pub(crate) fn enter(&self, triangle: u32, from: u32) -> (usize, u32) {
+        let corners = &self.triangles[triangle as usize];
+        let edge = corners.iter().position(|&corner| corner == from).unwrap_or(0);
+        (edge, corners[(edge + 2) % 3])
+    }
+
+    /// The edges without a triangle beyond, as (from, to), in the order of the triangles.
+    pub(crate) fn boundary_edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.triangles.iter().zip(&self.across).flat_map(|(corners, across)| {
+            (0..3)
+                .filter(|&edge| across[edge] == NONE)
+                .map(|edge| [corners[edge], corners[(edge + 1) % 3]])
+        })
+    }
+}
+
+/// For every vertex its corners of triangles, as 3 * triangle + corner.
+pub(crate) struct Corners {
+    offsets: Vec<u32>,
+    corners: Vec<u32>,
+}
+
+impl Corners {
+    pub(crate) fn new(vertices: usize, triangles: &[[u32; 3]]) -> Self {
+        let mut offsets = vec![0_u32; vertices + 1];
+        for &vertex in triangles.as_flattened() {
+            offsets[vertex as usize + 1] += 1;
+        }
+        for vertex in 0..vertices {
+            offsets[vertex + 1] += offsets[vertex];
+        }
+        let mut next = offsets.clone();
+        let mut corners = vec![0; 3 * triangles.len()];
+        for (corner, &vertex) in (0..).zip(triangles.as_flattened()) {
+            corners[next[vertex as usize] as usize] = corner;
+            next[vertex as usize] += 1;
+        }
+        Self { offsets, corners }
+    }
+
+    pub(crate) fn of(&self, vertex: u32) -> &[u32] {
+        let vertex = vertex as usize;
+        &self.corners[self.offsets[vertex] as usize..self.offsets[vertex + 1] as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_are_mutual() {
+        let mesh = Triangulation::new(vec![[0, 1, 2], [0, 2, 3], [2, 4, 3]]).unwrap();
+        assert_eq!(mesh.across, [[NONE, NONE, 1], [0, 2, NONE], [NONE, NONE, 1]]);
+        assert_eq!(mesh.enter(1, 2), (1, 0));
+        let boundary: Vec<_> = mesh.boundary_edges().collect();
+        assert_eq!(boundary, [[0, 1], [1, 2], [3, 0], [2, 4], [4, 3]]);
+        let corners = Corners::new(5, &mesh.triangles);
+        assert_eq!(corners.of(2), [2, 4, 6]);
+        assert_eq!(corners.of(4), [7]);
+    }
+
+    #[test]
+    fn edges_met_twice_in_one_direction_are_refused() {
+        assert_eq!(Triangulation::new(vec![[0, 1, 2], [0, 1, 3]]), Err([0, 1]));
+        let three = vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]];
+        assert_eq!(Triangulation::new(three), Err([0, 1]));
+    }
+}

@@ -1,0 +1,224 @@
+//! Which vertices see each other: triangular expansion through a triangulation, exact.
+//!
+//! Vertex w is visible from v when the open segment between them is in the open interior. A
+//! segment that touches a vertex or runs along the boundary is no chord: as an edge it would
+//! pass a vertex. From v the view is a cone that every edge crossed narrows; the strict signs of
+//! [`orientation`] are the rule for touching.
+//!
+//! ```text
+//!        L  w        v looks through the edge (r, l) at the third corner w.
+//!        \ /|        left of R and right of L: w is visible, and splits the cone;
+//!     l---*-+-r      else one of the two edges at w is out of sight.
+//!       \ | /
+//!         v
+//! ```
+
+use crate::chords::{Chords, Sides};
+use crate::triangulation::{Corners, NONE, Triangulation, orientation};
+use glam::DVec2;
+use rayon::prelude::*;
+
+/// What is left to look at through one edge.
+struct View {
+    triangle: u32,
+    /// The edge crossed, right end and left end as seen from the eye.
+    right: u32,
+    left: u32,
+    /// The vertices that limit the cone.
+    right_limit: u32,
+    left_limit: u32,
+}
+
+/// Looks out from vertices; keeps its memory between them.
+#[derive(Default)]
+pub(crate) struct Eye {
+    open: Vec<View>,
+}
+
+impl Eye {
+    /// Visits every vertex, once, that corner `corner` (3 * triangle + corner) sees through its
+    /// triangle: the last corner of the triangle unless it is a boundary neighbour, and all that is
+    /// visible through the opposite edge. Over all corners of a vertex that is each vertex that it sees,
+    /// boundary neighbours aside. O(triangles seen).
+    pub(crate) fn look(
+        &mut self,
+        mesh: &Triangulation,
+        points: &[DVec2],
+        corner: u32,
+        mut visit: impl FnMut(u32),
+    ) {
+        let (triangle, at) = (corner as usize / 3, corner as usize % 3);
+        let corners = mesh.triangles[triangle];
+        let [eye, right, left] = [corners[at], corners[(at + 1) % 3], corners[(at + 2) % 3]];
+        if mesh.across[triangle][(at + 2) % 3] != NONE {
+            visit(left);
+        }
+        let at_eye = points[eye as usize];
+        let turn = |a: u32, b: u32| orientation(at_eye, points[a as usize], points[b as usize]);
+        let beyond = mesh.across[triangle][(at + 1) % 3];
+        if beyond != NONE {
+            let (right_limit, left_limit) = (right, left);
+            self.open.push(View { triangle: beyond, right, left, right_limit, left_limit });
+        }
+        while let Some(View { triangle, right, left, right_limit, left_limit }) = self.open.pop() {
+            let (edge, apex) = mesh.enter(triangle, left);
+            let is_left_of_right = turn(right_limit, apex) > 0.0;
+            let is_right_of_left = turn(apex, left_limit) > 0.0;
+            if is_left_of_right && is_right_of_left {
+                visit(apex);
+            }
+            let across = &mesh.across[triangle as usize];
+            let over_right = across[(edge + 1) % 3];
+            if is_left_of_right && over_right != NONE {
+                let left_limit = if is_right_of_left { apex } else { left_limit };
+                let view =
+                    View { triangle: over_right, right, left: apex, right_limit, left_limit };
+                self.open.push(view);
+            }
+            let over_left = across[(edge + 2) % 3];
+            if is_right_of_left && over_left != NONE {
+                let right_limit = if is_left_of_right { apex } else { right_limit };
+                let view = View { triangle: over_left, right: apex, left, right_limit, left_limit };
+                self.open.push(view);
+            }
+        }
+    }
+}
+
+/// All admissible chords of a simple polygon, those within a side left out; none where they are
+/// more than `most`. O(triangles seen), in parallel.
+pub(crate) fn chords(
+    mesh: &Triangulation,
+    points: &[DVec2],
+    sides: &Sides,
+    most: usize,
+) -> Option<Chords> {
+    const CHUNK: usize = 16;
+    const ROUND: usize = 32 * CHUNK;
+    let vertices = points.len();
+    let corners = Corners::new(vertices, &mesh.triangles);
+    let seen_by = |from: usize| {
+        let mut eye = Eye::default();
+        let mut seen = Vec::new();
+        for vertex in from..vertices.min(from + CHUNK) {
+            let vertex = vertex as u32;
+            for &corner in corners.of(vertex) {
+                eye.look(mesh, points, corner, |other| {
+                    if other > vertex && !sides.has_both(vertex, other) {
+                        seen.push([vertex, other]);
+                    }
+                });
+            }
+        }
+        seen
+    };
+    let mut chunks: Vec<Vec<[u32; 2]>> = Vec::new();
+    let mut count = 0;
+    // In rounds, so that too many chords are noticed early.
+    for round in (0..vertices).step_by(ROUND) {
+        let starts = (round..vertices.min(round + ROUND)).into_par_iter().step_by(CHUNK);
+        let found: Vec<_> = starts.map(seen_by).collect();
+        count += found.iter().map(Vec::len).sum::<usize>();
+        if count > most {
+            return None;
+        }
+        chunks.extend(found);
+    }
+    Some(Chords::new(vertices, &chunks))
+}
+
+/// Whether two vertices see each other, told by walking from one to the other; edges of the
+/// triangulation are seen. O(triangles crossed), which `steps` counts.
+pub(crate) fn sees(
+    mesh: &Triangulation,
+    points: &[DVec2],
+    corners: &Corners,
+    [from, to]: [u32; 2],
+    steps: &mut u64,
+) -> bool {
+    let (at_from, at_to) = (points[from as usize], points[to as usize]);
+    for &corner in corners.of(from) {
+        *steps += 1;
+        let (triangle, at) = (corner as usize / 3, corner as usize % 3);
+        let corners = mesh.triangles[triangle];
+        let [mut right, mut left] = [corners[(at + 1) % 3], corners[(at + 2) % 3]];
+        if right == to || left == to {
+            return true;
+        }
+        let is_within = orientation(at_from, points[right as usize], at_to) > 0.0
+            && orientation(at_from, at_to, points[left as usize]) > 0.0;
+        if !is_within {
+            continue;
+        }
+        let mut beyond = mesh.across[triangle][(at + 1) % 3];
+        while beyond != NONE {
+            *steps += 1;
+            let (edge, apex) = mesh.enter(beyond, left);
+            if apex == to {
+                return true;
+            }
+            let side = orientation(at_from, at_to, points[apex as usize]);
+            let across = &mesh.across[beyond as usize];
+            if side > 0.0 {
+                (left, beyond) = (apex, across[(edge + 1) % 3]);
+            } else if side < 0.0 {
+                (right, beyond) = (apex, across[(edge + 2) % 3]);
+            } else {
+                return false;
+            }
+        }
+        let _ = right;
+        return false;
+    }
+    false
+}
+
+#[cfg(test)]
+#[path = "../tests/outlines/mod.rs"]
+mod outlines;
+
+#[cfg(test)]
+mod tests {
+    use super::outlines::{Outline, Random};
+    use super::*;
+
+    #[test]
+    fn what_is_seen_is_what_the_definition_says() {
+        let mut random = Random(5);
+        let mut outlines = vec![
+            Outline::l_shape([4, 3, 2, 1, 2, 3]),
+            Outline::comb(4, 9, 2),
+            Outline::gear(8, 2),
+            Outline::spiral(3),
+        ];
+        while outlines.len() < 300 {
+            let corners = 4 + random.below(17) as usize;
+            outlines.extend(Outline::random(&mut random, corners, 30));
+        }
+        for outline in outlines {
+            let n = outline.points.len();
+            let mesh = Triangulation::new(outline.ears()).unwrap();
+            let sides = Sides::of_triangulation(&mesh, &outline.side_of);
+            let found = chords(&mesh, &outline.points, &sides, n * n).unwrap();
+            let corners = Corners::new(n, &mesh.triangles);
+            for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
+                assert_eq!(found.has(i as u32, j as u32), outline.may_join(i, j), "{outline:?}");
+                if j > i + 1 && j < i + n - 1 {
+                    let ends = [i as u32, j as u32];
+                    let sees = sees(&mesh, &outline.points, &corners, ends, &mut 0);
+                    assert_eq!(sees, outline.is_visible(i, j), "{i}, {j}: {outline:?}");
+                }
+            }
+            let is_triple = |i: usize, k: usize, j: usize| {
+                outline.may_join(i, j) && outline.may_join(i, k) && outline.may_join(k, j)
+            };
+            let triples = (0..n).flat_map(|i| (i + 1..n).map(move |k| (i, k)));
+            let triples: usize =
+                triples.map(|(i, k)| (k + 1..n).filter(|&j| is_triple(i, k, j)).count()).sum();
+            assert_eq!(found.count_triples(u64::MAX), Some(triples as u64));
+            assert_eq!(found.count_triples(triples as u64 - 1), None);
+            let few = found.len() - n - 1;
+            assert!(chords(&mesh, &outline.points, &sides, few).is_none() || found.len() <= n);
+        }
+    }
+}

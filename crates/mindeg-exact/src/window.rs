@@ -1,0 +1,292 @@
+//! One window: some neighbouring triangles that form a disk, and their exact retriangulation.
+
+use crate::chords::Chords;
+use crate::pieces::{Pieces, Room, Rules};
+use crate::problem::Problem;
+use crate::triangulation::{NONE, Triangulation};
+use crate::visibility::Eye;
+use glam::DVec2;
+
+/// A triangulation that windows change, and the memory that they share.
+pub(crate) struct Work<'a> {
+    problem: &'a Problem,
+    pub(crate) mesh: Triangulation,
+    /// Of each vertex the triangle on the boundary edge that begins there.
+    first: Vec<u32>,
+    /// Of each vertex the number of edges, those outside included.
+    pub(crate) totals: Vec<u32>,
+    /// Of each vertex and of each triangle the index in the current window, or [`NONE`].
+    vertex_in_window: Vec<u32>,
+    triangle_in_window: Vec<u32>,
+    eye: Eye,
+}
+
+/// Some triangles whose union is a disk.
+struct Window {
+    triangles: Vec<u32>,
+    /// The vertices in the order in which they came in.
+    vertices: Vec<u32>,
+    /// Of each of these vertices the one that follows on the ring around the window.
+    next: Vec<u32>,
+}
+
+/// What one window is to achieve.
+pub(crate) struct Aim<'a> {
+    /// The vertex that is to lose edges.
+    pub(crate) vertex: u32,
+    /// How many it may keep, those outside included.
+    pub(crate) keep: u32,
+    /// How many any other may have; more where it has more already.
+    pub(crate) limit: &'a dyn Fn(u32) -> u32,
+    /// The least tangent of an angle.
+    pub(crate) threshold: f64,
+}
+
+impl<'a> Work<'a> {
+    pub(crate) fn new(problem: &'a Problem) -> Self {
+        let mesh = problem.triangulation();
+        let vertices = problem.points().len();
+        let mut first = vec![NONE; vertices];
+        // The edges at a vertex of one fan are one more than its triangles.
+        let mut totals: Vec<u32> =
+            (0..vertices as u32).map(|v| problem.outside_degree(v).saturating_add(1)).collect();
+        for (triangle, (corners, across)) in (0..).zip(mesh.triangles.iter().zip(&mesh.across)) {
+            for (&corner, &beyond) in corners.iter().zip(across) {
+                totals[corner as usize] = totals[corner as usize].saturating_add(1);
+                if beyond == NONE {
+                    first[corner as usize] = triangle;
+                }
+            }
+        }
+        let triangle_in_window = vec![NONE; mesh.triangles.len()];
+        let vertex_in_window = vec![NONE; vertices];
+        let eye = Eye::default();
+        Self { problem, mesh, first, totals, vertex_in_window, triangle_in_window, eye }
+    }
+
+    /// The first triangle of the fan at `vertex`, counter-clockwise.
+    pub(crate) fn first_of_fan(&self, vertex: u32) -> u32 {
+        self.first[vertex as usize]
+    }
+
+    /// The triangle that follows counter-clockwise around `vertex`, or [`NONE`].
+    pub(crate) fn next_of_fan(&self, vertex: u32, triangle: u32) -> u32 {
+        let (at, _) = self.mesh.enter(triangle, vertex);
+        self.mesh.across[triangle as usize][(at + 2) % 3]
+    }
+
+    /// The number of triangles at `vertex`.
+    pub(crate) fn fan_len(&self, vertex: u32) -> usize {
+        (self.totals[vertex as usize] - self.problem.outside_degree(vertex)) as usize - 1
+    }
+
+    /// Retriangulates a window of `fan` triangles at the aim's vertex from `start` on, and others
+    /// around them up to `size`. Gives the triangle of the fan that follows on the window's, and the vertices whose
+    /// number of edges has changed where the aim was achieved.
+    pub(crate) fn retriangulate(
+        &mut self,
+        aim: &Aim<'_>,
+        start: u32,
+        fan: usize,
+        size: usize,
+    ) -> (u32, Option<Vec<u32>>) {
+        let (window, after) = self.window(aim.vertex, start, fan, size);
+        let changed = self.solve(aim, &window);
+        for &vertex in &window.vertices {
+            self.vertex_in_window[vertex as usize] = NONE;
+        }
+        for &triangle in &window.triangles {
+            self.triangle_in_window[triangle as usize] = NONE;
+        }
+        (after, changed)
+    }
+
+    fn window(&mut self, vertex: u32, start: u32, fan: usize, size: usize) -> (Window, u32) {
+        let mut window = Window { triangles: Vec::new(), vertices: Vec::new(), next: Vec::new() };
+        let (at, _) = self.mesh.enter(start, vertex);
+        let corners = self.mesh.triangles[start as usize];
+        for corner in 0..3 {
+            self.put_vertex(&mut window, corners[(at + corner) % 3], [1, 2, 0][corner]);
+        }
+        self.put_triangle(&mut window, start);
+        let mut after = self.next_of_fan(vertex, start);
+        while after != NONE && window.triangles.len() < fan {
+            let (edge, _) = self.mesh.enter(after, vertex);
+            if !self.extend(&mut window, after, edge) {
+                break;
+            }
+            after = self.next_of_fan(vertex, after);
+        }
+        let mut inner = 0;
+        while inner < window.triangles.len() && window.triangles.len() < size {
+            let triangle = window.triangles[inner];
+            for edge in 0..3 {
+                let beyond = self.mesh.across[triangle as usize][edge];
+                if beyond != NONE && window.triangles.len() < size {
+                    let to = self.mesh.triangles[triangle as usize][(edge + 1) % 3];
+                    let (entry, _) = self.mesh.enter(beyond, to);
+                    self.extend(&mut window, beyond, entry);
+                }
+            }
+            inner += 1;
+        }
+        (window, after)
+    }
+
+    /// Takes in the triangle beyond the window's edge that is `edge` of the triangle, if its far
+    /// corner is new to the window: so the window stays a disk.
+    fn extend(&mut self, window: &mut Window, triangle: u32, edge: usize) -> bool {
+        let corners = self.mesh.triangles[triangle as usize];
+        let apex = corners[(edge + 2) % 3];
+        if self.triangle_in_window[triangle as usize] != NONE
+            || self.vertex_in_window[apex as usize] != NONE
+        {
+            return false;
+        }
+        // Seen from the window the edge runs the other way.
+        let from = self.vertex_in_window[corners[(edge + 1) % 3] as usize] as usize;
+        let next = window.next[from];
+        window.next[from] = window.vertices.len() as u32;
+        self.put_vertex(window, apex, next);
+        self.put_triangle(window, triangle);
+        true
+    }
+
+    fn put_vertex(&mut self, window: &mut Window, vertex: u32, next: u32) {
+        self.vertex_in_window[vertex as usize] = window.vertices.len() as u32;
+        window.vertices.push(vertex);
+        window.next.push(next);
+    }
+
+    fn put_triangle(&mut self, window: &mut Window, triangle: u32) {
+        self.triangle_in_window[triangle as usize] = window.triangles.len() as u32;
+        window.triangles.push(triangle);
+    }
+
+    /// Puts another triangulation of the window in place, if one achieves the aim.
+    fn solve(&mut self, aim: &Aim<'_>, window: &Window) -> Option<Vec<u32>> {
+        let count = window.vertices.len();
+        // From the order of coming in to that on the ring.
+        let mut ring = Vec::with_capacity(count);
+        let mut position = vec![0; count];
+        let mut at = 0;
+        for place in 0..count as u32 {
+            ring.push(window.vertices[at as usize]);
+            position[at as usize] = place;
+            at = window.next[at as usize];
+        }
+        let points: Vec<DVec2> =
+            ring.iter().map(|&vertex| self.problem.points()[vertex as usize]).collect();
+        let place = |vertex: u32| position[self.vertex_in_window[vertex as usize] as usize];
+        let local = Triangulation {
+            triangles: window
+                .triangles
+                .iter()
+                .map(|&triangle| self.mesh.triangles[triangle as usize].map(place))
+                .collect(),
+            across: window
+                .triangles
+                .iter()
+                .map(|&triangle| {
+                    self.mesh.across[triangle as usize].map(|beyond| {
+                        if beyond == NONE { NONE } else { self.triangle_in_window[beyond as usize] }
+                    })
+                })
+                .collect(),
+        };
+        let mut before = vec![0_u32; count];
+        local.triangles.as_flattened().iter().for_each(|&place| before[place as usize] += 1);
+
+        let mut seen = Vec::new();
+        for corner in 0..3 * local.triangles.len() as u32 {
+            let from = local.triangles[corner as usize / 3][corner as usize % 3];
+            self.eye.look(&local, &points, corner, |to| {
+                let is_within_side =
+                    || self.problem.sides().has_both(ring[from as usize], ring[to as usize]);
+                if from < to && !is_within_side() {
+                    seen.push([from, to]);
+                }
+            });
+        }
+        seen.sort_unstable();
+        let chords = Chords::new(count, &[seen]);
+        let rooms = chords.degrees().into_iter().enumerate().map(|(place, visible)| {
+            let vertex = ring[place];
+            let total = self.totals[vertex as usize];
+            let limit =
+                if vertex == aim.vertex { aim.keep } else { (aim.limit)(vertex).max(total) };
+            let beyond = total - (before[place] - 1);
+            let room = limit.checked_sub(beyond)?;
+            Some(if visible <= room { Room::Unlimited } else { Room::For(room as u16) })
+        });
+        let rooms = rooms.collect::<Option<_>>()?;
+        let rules = Rules { points: &points, threshold: aim.threshold, rooms };
+        let pieces = Pieces::<()>::solve(rules, &chords, |_| Ok(())).ok()?;
+        let (triangles, ()) = pieces.triangles()?;
+        Some(self.replace(window, &ring, &local, &before, &triangles))
+    }
+
+    /// Puts `triangles` in place, which come every one before those beneath it; gives the vertices
+    /// whose number of edges changes.
+    fn replace(
+        &mut self,
+        window: &Window,
+        ring: &[u32],
+        local: &Triangulation,
+        before: &[u32],
+        triangles: &[[u32; 3]],
+    ) -> Vec<u32> {
+        let mut outer = vec![NONE; ring.len()];
+        for ((&slot, corners), across) in
+            window.triangles.iter().zip(&local.triangles).zip(&local.across)
+        {
+            for edge in 0..3 {
+                if across[edge] == NONE {
+                    outer[corners[edge] as usize] = self.mesh.across[slot as usize][edge];
+                }
+            }
+        }
+        let last = ring.len() as u32 - 1;
+        let slot = |index: usize| window.triangles[index];
+        self.mesh.across[slot(0) as usize][2] = NONE;
+        for (index, &[i, apex, j]) in triangles.iter().enumerate() {
+            let own = slot(index);
+            self.mesh.triangles[own as usize] = [i, apex, j].map(|place| ring[place as usize]);
+            let left = index + 1;
+            let right = index + (apex - i) as usize;
+            for (edge, [from, to], child) in [(0, [i, apex], left), (1, [apex, j], right)] {
+                if to - from > 1 {
+                    self.mesh.across[own as usize][edge] = slot(child);
+                    self.mesh.across[slot(child) as usize][2] = own;
+                } else {
+                    self.join(own, edge, ring, from, outer[from as usize]);
+                }
+            }
+        }
+        self.join(slot(0), 2, ring, last, outer[last as usize]);
+
+        let mut after = vec![0_u32; ring.len()];
+        triangles.as_flattened().iter().for_each(|&place| after[place as usize] += 1);
+        let mut changed = Vec::new();
+        for (place, &vertex) in ring.iter().enumerate() {
+            if after[place] != before[place] {
+                let total = &mut self.totals[vertex as usize];
+                *total = *total + after[place] - before[place];
+                changed.push(vertex);
+            }
+        }
+        changed
+    }
+
+    /// Joins an edge of a new triangle, from ring place `from` to the next, with what is beyond the window.
+    fn join(&mut self, triangle: u32, edge: usize, ring: &[u32], from: u32, beyond: u32) {
+        self.mesh.across[triangle as usize][edge] = beyond;
+        if beyond == NONE {
+            self.first[ring[from as usize] as usize] = triangle;
+        } else {
+            let to = ring[(from as usize + 1) % ring.len()];
+            let (entry, _) = self.mesh.enter(beyond, to);
+            self.mesh.across[beyond as usize][entry] = triangle;
+        }
+    }
+}

@@ -1,0 +1,197 @@
+//! Fewer edges at the busiest vertices by retriangulating windows around them, in near-linear time.
+
+use crate::answer::Unsolved;
+use crate::measure::{self, min_angle_tangent};
+use crate::problem::Problem;
+use crate::progress::{Stage, Watch, report};
+use crate::triangulation::Triangulation;
+use crate::window::{Aim, Work};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// How many triangles a window has, from the first try to the last.
+const SIZES: [usize; 5] = [12, 24, 48, 96, 192];
+
+/// How many places of a fan that is larger than the window are tried.
+const PLACES: usize = 64;
+
+/// What [`windows()`] is to reach, and what it has to keep.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindowGoal {
+    /// The work ends where no vertex has more edges, those outside included; 0 for as few as
+    /// can be reached.
+    pub max_degree: u32,
+    /// No new triangle has a minimum angle with a smaller tangent, as
+    /// [`min_angle_tangent`] gives it. 0 allows any.
+    pub min_tangent: f64,
+}
+
+/// What [`windows()`] has reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Windowed {
+    /// The triangles, counter-clockwise, in ascending order.
+    pub triangles: Vec<[u32; 3]>,
+    /// The largest number of edges at a vertex, those outside included.
+    pub max_degree: u32,
+    /// Whether the limits of single vertices are kept.
+    pub keeps_vertex_limits: bool,
+    /// The smallest angle of all triangles, in degrees: at least the smaller one of the goal and of the
+    /// triangulation that the problem was given.
+    pub min_angle: f64,
+}
+
+/// Takes edges off the vertices with the most of them, starting from the problem's own triangulation (for a
+/// convex polygon without one from the formula's): an upper bound on the least maximum degree, at
+/// a guaranteed minimum angle.
+///
+/// A window is the fan of such a vertex with some triangles around it, a disk; the exact dynamic program
+/// finds a triangulation of it in which the vertex has fewer edges and no other more than it may. It ends at
+/// the first vertex that no window of 12 to 192 triangles helps. Any domain will do, holes included.
+/// Near-linear time: each window takes constant time, and the sum of degrees in excess falls with each.
+/// The same input has the same answer on every machine.
+///
+/// # Errors
+///
+/// `watch` asked to stop.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_exact::{Problem, WindowGoal, unwatched, windows};
+///
+/// // A regular octagon, as a fan.
+/// let at = |corner: u32| DVec2::from_angle(f64::from(corner) * std::f64::consts::FRAC_PI_4);
+/// let points: Vec<DVec2> = (0..8).map(at).collect();
+/// let sides: Vec<u32> = (0..8).collect();
+/// let fan: Vec<[u32; 3]> = (1..7).map(|corner| [0, corner, corner + 1]).collect();
+/// let problem = Problem::triangulated(&points, &sides, &fan)?;
+/// let goal = WindowGoal { max_degree: 0, min_tangent: 0.0 };
+/// assert_eq!(windows(&problem, goal, &mut unwatched)?.max_degree, 4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn windows(
+    problem: &Problem,
+    goal: WindowGoal,
+    watch: Watch<'_>,
+) -> Result<Windowed, Unsolved> {
+    let mut work = Work::new(problem);
+    let own_limit = |vertex: u32| problem.own_limit(vertex).unwrap_or(u32::MAX);
+    let vertices = 0..problem.points().len() as u32;
+    let mut resume = BTreeMap::new();
+
+    // What single vertices may not have comes first, whatever the others get.
+    let mut keeps_vertex_limits = true;
+    for vertex in vertices.clone() {
+        while work.totals[vertex as usize] > own_limit(vertex) {
+            let aim = Aim {
+                vertex,
+                keep: work.totals[vertex as usize] - 1,
+                limit: &own_limit,
+                threshold: goal.min_tangent,
+            };
+            if improve(&mut work, &aim, &mut resume).is_none() {
+                keeps_vertex_limits = false;
+                break;
+            }
+        }
+    }
+
+    let mut with_total = BTreeMap::<u32, Vec<u32>>::new();
+    for vertex in vertices {
+        let total = work.totals[vertex as usize];
+        if total > goal.max_degree {
+            with_total.entry(total).or_default().push(vertex);
+        }
+    }
+    let start = with_total.keys().next_back().map_or(0.0, |&total| f64::from(total));
+    let mut done = 0;
+    'levels: while let Some((total, mut level)) = with_total.pop_last() {
+        level.sort_unstable();
+        level.dedup();
+        for vertex in level {
+            if work.totals[vertex as usize] != total {
+                continue;
+            }
+            if done % 256 == 0 {
+                let share = ((start - f64::from(total)) / start).clamp(0.0, 1.0);
+                report(watch, Stage::Windows { max_degree: total }, share)?;
+            }
+            done += 1;
+            // Far from the goal, half of what the window has goes at once, and to vertices with
+            // far fewer edges.
+            let is_far = total > 64 && total / 2 > goal.max_degree;
+            let most = if is_far { total / 2 } else { total - 1 };
+            let limit = |other: u32| own_limit(other).min(most);
+            let threshold = goal.min_tangent;
+            let steps = if is_far { &[24, 6, 1][..] } else { &[1] };
+            let changed = steps.iter().find_map(|step| {
+                let aim = Aim { vertex, keep: total - step, limit: &limit, threshold };
+                improve(&mut work, &aim, &mut resume)
+            });
+            let Some(changed) = changed else { break 'levels };
+            for vertex in changed {
+                let total = work.totals[vertex as usize];
+                if total > goal.max_degree {
+                    with_total.entry(total).or_default().push(vertex);
+                }
+            }
+        }
+    }
+    Ok(finished(problem, work, keeps_vertex_limits))
+}
+
+fn finished(problem: &Problem, work: Work<'_>, keeps_vertex_limits: bool) -> Windowed {
+    let max_degree = work.totals.iter().copied().max().unwrap_or(0);
+    let Triangulation { mut triangles, .. } = work.mesh;
+    triangles.par_iter_mut().for_each(|triangle| {
+        let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
+        triangle.rotate_left(least);
+    });
+    triangles.par_sort_unstable();
+    let points = problem.points();
+    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
+    let least = triangles.par_iter().map(tangent).reduce(|| f64::INFINITY, f64::min);
+    Windowed { triangles, max_degree, keeps_vertex_limits, min_angle: measure::degrees(least) }
+}
+
+/// Tries windows of growing size around the aim's vertex until one achieves the aim, and gives the vertices
+/// whose number of edges it has changed. In a fan that is larger than the window, it goes on where
+/// the last window of the same vertex ended.
+fn improve(
+    work: &mut Work<'_>,
+    aim: &Aim<'_>,
+    resume: &mut BTreeMap<u32, u32>,
+) -> Option<Vec<u32>> {
+    let lost = (work.totals[aim.vertex as usize] - aim.keep) as usize;
+    for size in SIZES {
+        let fan = work.fan_len(aim.vertex);
+        if fan <= size {
+            let start = work.first_of_fan(aim.vertex);
+            if let (_, Some(changed)) = work.retriangulate(aim, start, fan, size) {
+                return Some(changed);
+            }
+            continue;
+        }
+        let part = size * 2 / 3;
+        if lost >= part {
+            continue;
+        }
+        for _ in 0..PLACES.min(fan / part + 1) {
+            let start = resume
+                .get(&aim.vertex)
+                .copied()
+                .filter(|&triangle| {
+                    let triangle = work.mesh.triangles.get(triangle as usize);
+                    triangle.is_some_and(|corners| corners.contains(&aim.vertex))
+                })
+                .unwrap_or(work.first_of_fan(aim.vertex));
+            let (after, changed) = work.retriangulate(aim, start, part, size);
+            resume.insert(aim.vertex, after);
+            if changed.is_some() {
+                return changed;
+            }
+        }
+    }
+    None
+}

@@ -1,0 +1,302 @@
+//! Polygons that are not convex: against all triangulations, and known answers.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+mod outlines;
+
+use glam::DVec2;
+use mindeg_exact::{
+    DegreeRange, LowerBound, Problem, Reached, Unsolved, WindowGoal, ZigZag, best_angle, check,
+    degree_range, least_max_degree, trade_off, unwatched, windows,
+};
+use outlines::{Measured, Outline, Random, Rank};
+
+/// Compares the answers under every limit with the best of all triangulations.
+fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
+    let n = outline.len() as u32;
+    let mut problem = outline.problem();
+    for (vertex, (&outside, &own)) in (0..).zip(outside.iter().zip(own)) {
+        problem.set_outside_degree(vertex, outside);
+        if let Some(own) = own {
+            problem.set_max_degree(vertex, own);
+        }
+    }
+    let all = outline.triangulations();
+    let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
+    assert!(!all.is_empty(), "{outline:?}");
+    let limits = |cap: u32| own.iter().map(|own| own.unwrap_or(cap).min(cap)).collect::<Vec<_>>();
+    let best = |cap: u32| -> Option<Rank> {
+        let limits = limits(cap);
+        let ranks = all.iter().filter_map(|it| it.rank(&limits, outside));
+        ranks.max_by(|a, b| a.partial_cmp(b).unwrap())
+    };
+    let most = n + outside.iter().max().unwrap();
+    let least = (0..=most).find(|&cap| best(cap).is_some());
+    let Some(least) = least else {
+        assert_eq!(least_max_degree(&problem, &mut unwatched), Err(Unsolved::VertexCaps));
+        return;
+    };
+    assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least), "{outline:?}");
+    let check = |optimum: &mindeg_exact::Optimum, cap: u32| {
+        let checked =
+            check::triangulation(&outline.points, &[(0..n).collect()], &optimum.triangles);
+        let measured = Measured::new(&outline.points, &optimum.triangles);
+        assert_eq!(checked.unwrap().degrees, measured.degrees);
+        let rank = measured.rank(&limits(cap), outside);
+        assert_eq!(rank, best(cap), "{outline:?}, {cap}");
+        assert_eq!(optimum.vertices_at_cap, rank.unwrap().1.0);
+        assert_eq!(optimum.min_angle, libm::atan(measured.tangent).to_degrees());
+    };
+    let trade_off = trade_off(&problem, &mut unwatched).unwrap();
+    let free = best(u32::MAX).unwrap().0;
+    for (cap, optimum) in (least..).zip(&trade_off.optima) {
+        check(optimum, cap);
+        assert_eq!(best(cap).unwrap().0 == free, cap == least + trade_off.optima.len() as u32 - 1);
+    }
+    for cap in [least - 1, least, least + 1, most] {
+        match best_angle(&problem, cap, &mut unwatched) {
+            Ok(optimum) => check(&optimum, cap),
+            Err(error) => {
+                assert_eq!(cap, least - 1, "{outline:?}");
+                assert_eq!(error, Unsolved::Infeasible { max_degree: cap, least });
+            }
+        }
+    }
+}
+
+/// Calls `test` with random simple polygons, as many as asked for.
+fn for_random(seed: u64, count: usize, most: usize, mut test: impl FnMut(&Outline, &mut Random)) {
+    let mut random = Random(seed);
+    let mut done = 0;
+    while done < count {
+        let corners = 3 + random.below(most as u64 - 4) as usize;
+        let Some(outline) = Outline::random(&mut random, corners, most) else { continue };
+        if outline.len() >= 4 {
+            test(&outline, &mut random);
+            done += 1;
+        }
+    }
+}
+
+#[test]
+fn random_polygons_agree_with_all_triangulations() {
+    for_random(1, 600, 11, |outline, _| {
+        let n = outline.len();
+        compare(outline, &vec![0; n], &vec![None; n]);
+    });
+}
+
+#[test]
+fn limits_of_single_vertices_agree_with_all_triangulations() {
+    for_random(2, 300, 9, |outline, random| {
+        let n = outline.len();
+        let outside: Vec<u32> = (0..n).map(|_| random.below(3) as u32).collect();
+        let own = |_| (random.below(4) == 0).then(|| 2 + random.below(5) as u32);
+        let own: Vec<_> = (0..n).map(own).collect();
+        compare(outline, &outside, &own);
+    });
+}
+
+#[test]
+fn known_least_degrees() {
+    for (name, outline, least) in [
+        ("L 50", Outline::l_shape([13, 6, 6, 6, 6, 13]), 5),
+        ("L 102", Outline::l_shape([25, 13, 13, 13, 13, 25]), 5),
+        ("L 200", Outline::l_shape([50, 25, 25, 25, 25, 50]), 4),
+        ("U inner floor", Outline::u_shape([2, 2, 2, 2, 60, 2, 2, 2]), 23),
+        ("U outer floor", Outline::u_shape([90, 2, 2, 2, 2, 2, 2, 2]), 14),
+        ("L first side", Outline::l_shape([60, 2, 2, 2, 2, 2]), 11),
+        ("comb", Outline::comb(8, 200, 1), 11),
+        ("spiral", Outline::spiral(5), 4),
+    ] {
+        assert!(outline.is_simple(), "{name}");
+        let problem = outline.problem();
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        assert_eq!((range.max_degree, range.lower_bound), (least, least), "{name}");
+        check_range(&outline, &range);
+        assert_eq!(matches!(range.reached_by, Reached::ZigZag(_)), least == 4, "{name}");
+        assert_eq!(matches!(range.bounded_by, LowerBound::Apexes(_)), name == "U inner floor");
+    }
+}
+
+#[test]
+fn windows_never_go_below_the_least_and_keep_the_angle() {
+    let mut reached = 0;
+    for_random(3, 300, 11, |outline, random| {
+        let n = outline.len() as u32;
+        let problem = outline.problem();
+        let all = outline.triangulations();
+        let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
+        let start = Measured::new(&outline.points, &outline.ears());
+        let min_tangent = if random.below(2) == 0 { 0.0 } else { start.tangent };
+        let least = all
+            .iter()
+            .filter(|it| it.tangent >= min_tangent)
+            .map(|it| it.degrees.iter().copied().max().unwrap())
+            .min();
+        let goal = WindowGoal { max_degree: 0, min_tangent };
+        let windowed = windows(&problem, goal, &mut unwatched).unwrap();
+        let rings = [(0..n).collect()];
+        let checked = check::triangulation(&outline.points, &rings, &windowed.triangles).unwrap();
+        assert_eq!(checked.max_degree, windowed.max_degree);
+        let measured = Measured::new(&outline.points, &windowed.triangles);
+        assert!(measured.tangent >= min_tangent, "{outline:?}");
+        // Ears may join vertices of one side, which no window does.
+        if let Some(least) = least {
+            reached += u32::from(windowed.max_degree == least);
+        }
+    });
+    assert!(reached > 290, "{reached}");
+}
+
+/// The answer is a triangulation, and what proves it holds.
+fn check_range(outline: &Outline, range: &DegreeRange) {
+    let n = outline.len() as u32;
+    let rings = [(0..n).collect()];
+    let checked = check::triangulation(&outline.points, &rings, &range.triangles).unwrap();
+    assert_eq!(checked.max_degree, range.max_degree);
+    assert!(range.lower_bound <= range.max_degree);
+    let may_join = |a: u32, b: u32| outline.may_join(a as usize, b as usize);
+    match &range.bounded_by {
+        LowerBound::BlockedZigZags(blocked) => {
+            let zigzags: Vec<_> = ZigZag::all(n).collect();
+            assert_eq!(blocked.len(), zigzags.len());
+            for (zigzag, &[a, b]) in zigzags.iter().zip(blocked) {
+                assert!(zigzag.chords().any(|chord| chord == [a, b] || chord == [b, a]));
+                assert!(!may_join(a, b), "{outline:?}");
+            }
+        }
+        LowerBound::Apexes(bound) => {
+            assert_eq!(bound.max_degree(), range.lower_bound);
+            for &e in &bound.edges {
+                let [before, to, after] = [n - 1, 1, 2].map(|step| (e + step) % n);
+                assert!(!may_join(before, to) && !may_join(e, after));
+                for apex in (0..n).filter(|&apex| apex != e && apex != to) {
+                    let sees_both = may_join(apex, e) && may_join(apex, to);
+                    assert!(!sees_both || bound.apexes.contains(&apex));
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+#[test]
+fn degree_ranges_are_right_and_their_proofs_hold() {
+    for_random(4, 400, 11, |outline, _| {
+        let all = outline.triangulations();
+        let degree =
+            |t: &Vec<[u32; 3]>| *Measured::new(&outline.points, t).degrees.iter().max().unwrap();
+        let least = all.iter().map(degree).min().unwrap();
+        let problem = outline.problem();
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        assert_eq!((range.max_degree, range.lower_bound), (least, least), "{outline:?}");
+        check_range(outline, &range);
+        // With no exact work allowed, nothing wrong is said.
+        let mut problem = problem;
+        problem.set_max_triples(0);
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        assert!(range.lower_bound <= least && least <= range.max_degree);
+        check_range(outline, &range);
+    });
+}
+
+/// A frame between two squares, with equal numbers of edges to a side outside and inside.
+fn frame(outer: u32, inner: u32) -> (Outline, Vec<Vec<u32>>, Vec<[u32; 3]>) {
+    let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
+    let around = Outline::new(&square(2.0), &[outer; 4]);
+    let hole = Outline::new(&square(1.0), &[inner; 4]);
+    let (n, m) = (around.len() as u32, hole.len() as u32);
+    // Clockwise: the domain is on the left.
+    let index = |step: u32| n + (m - step % m) % m;
+    let mut points = around.points.clone();
+    points.push(hole.points[0]);
+    points.extend(hole.points[1..].iter().rev());
+    let mut side_of = around.side_of.clone();
+    side_of.extend((0..m).map(|v| 4 + (m - 1 - v) / inner));
+    // A fan at every corner of the hole, from the corner of the outside and its two sides' halves.
+    let mut triangles = Vec::new();
+    for corner in 0..4 {
+        let (tip, next) = (index(corner * inner), index((corner + 1) * inner));
+        let from = corner * outer;
+        // The whole outer side to the hole's corner where it begins.
+        triangles.extend((0..outer).map(|step| [from + step, (from + step + 1) % n, tip]));
+        // The hole's side to the outer corner where it ends.
+        let end = (from + outer) % n;
+        let steps = (0..inner)
+            .map(|step| [end, index(corner * inner + step + 1), index(corner * inner + step)]);
+        triangles.extend(steps);
+        assert_eq!(next, index(corner * inner + inner));
+    }
+    (Outline { points, side_of }, vec![(0..n).collect(), (n..n + m).collect()], triangles)
+}
+
+#[test]
+fn windows_take_domains_with_holes() {
+    for (outer, inner) in [(1, 1), (4, 2), (10, 5), (100, 50)] {
+        let (Outline { points, side_of }, rings, triangles) = frame(outer, inner);
+        let before = check::triangulation(&points, &rings, &triangles).unwrap();
+        let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
+        let range = degree_range(&problem, &mut unwatched).unwrap();
+        let after = check::triangulation(&points, &rings, &range.triangles).unwrap();
+        assert_eq!((range.max_degree, range.lower_bound), (after.max_degree, 4));
+        assert!(after.max_degree <= before.max_degree);
+        if outer == 4 {
+            // 4 is impossible here, as an exhaustive search by other means has shown.
+            assert_eq!(after.max_degree, 5);
+        }
+        assert_eq!(least_max_degree(&problem, &mut unwatched), Err(Unsolved::NotAPolygon));
+        assert_eq!(best_angle(&problem, 9, &mut unwatched), Err(Unsolved::NotAPolygon));
+    }
+}
+
+#[test]
+fn answers_do_not_depend_on_the_number_of_threads() {
+    let outlines = [Outline::l_shape([60, 30, 30, 30, 30, 60]), Outline::gear(12, 6)];
+    for outline in outlines {
+        let problem = outline.problem();
+        let solve = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let goal = WindowGoal { max_degree: 0, min_tangent: 1e-6 };
+                (
+                    trade_off(&problem, &mut unwatched).unwrap(),
+                    degree_range(&problem, &mut unwatched).unwrap(),
+                    windows(&problem, goal, &mut unwatched).unwrap(),
+                )
+            })
+        };
+        let one = solve(1);
+        assert_eq!(solve(2), one);
+        assert_eq!(solve(5), one);
+    }
+}
+
+#[test]
+fn what_is_no_triangulation_is_refused() {
+    let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (1.0, 1.0)].map(DVec2::from);
+    let refusal = |count: usize, triangles: &[[u32; 3]]| {
+        let side_of: Vec<u32> = (0..count as u32).collect();
+        Problem::triangulated(&points[..count], &side_of, triangles).unwrap_err().to_string()
+    };
+    for (count, triangles, message) in [
+        (4, &[[0, 1, 4]][..], "triangle 0 has vertex 4, but the vertices are 0 to 3"),
+        (
+            4,
+            &[[0, 1, 2], [0, 3, 2]],
+            "triangle 1 is clockwise or has no area; a triangulation has neither",
+        ),
+        (4, &[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has two triangles on the same side"),
+        (
+            5,
+            &[[0, 1, 2], [0, 2, 3]],
+            "the boundary passes vertex 4 0 times; every vertex has to be on the boundary, and rings may not touch",
+        ),
+    ] {
+        assert_eq!(refusal(count, triangles), message);
+    }
+    // A vertex of some other ring order is a domain for windows only.
+    let turned = [points[0], points[2], points[1], points[3]];
+    let problem = Problem::triangulated(&turned, &[0, 1, 2, 3], &[[0, 2, 1], [0, 1, 3]]).unwrap();
+    assert_eq!(trade_off(&problem, &mut unwatched), Err(Unsolved::NotAPolygon));
+}

@@ -1,0 +1,150 @@
+//! What each goal promises, against an enumeration of all triangulations and beyond exact work.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use mindeg::{Domain, FoundBy, Goal, Meshed, Progress, Side, Spacing, mesh};
+use mindeg_mesh::quality::TriangleQuality;
+use proptest::prelude::*;
+use std::f64::consts::TAU;
+
+fn meshed(domain: &Domain, goal: Goal) -> Meshed {
+    mesh(domain, goal, Progress::NONE).unwrap()
+}
+
+/// The maximum degree and the minimum angle of every triangulation of the domain without a flat
+/// triangle.
+fn all_triangulations(domain: &Domain) -> Vec<(u32, f64)> {
+    let n = domain.boundary().vertex_count();
+    let mut found = Vec::new();
+    cut(domain, &mut vec![(0, n - 1)], &mut vec![2; n as usize], 60.0, &mut found);
+    found
+}
+
+/// Cuts off the triangles of the last open piece, which lies between a chord and the boundary.
+fn cut(
+    domain: &Domain,
+    open: &mut Vec<(u32, u32)>,
+    degrees: &mut Vec<u32>,
+    min_angle: f64,
+    found: &mut Vec<(u32, f64)>,
+) {
+    let Some((first, last)) = open.pop() else {
+        found.push((degrees.iter().copied().max().unwrap(), min_angle));
+        return;
+    };
+    if last - first == 1 {
+        cut(domain, open, degrees, min_angle, found);
+    }
+    for apex in first + 1..last {
+        if domain.boundary().is_flat([first, apex, last]) {
+            continue;
+        }
+        let [a, b, c] = [first, apex, last].map(|vertex| domain.placement().point(vertex));
+        let angle = TriangleQuality::of(a, b, c).min_angle;
+        let chords: Vec<(u32, u32)> =
+            [(first, apex), (apex, last)].into_iter().filter(|(i, j)| j - i > 1).collect();
+        let mut open = open.clone();
+        for &(i, j) in &chords {
+            degrees[i as usize] += 1;
+            degrees[j as usize] += 1;
+            open.push((i, j));
+        }
+        cut(domain, &mut open, degrees, min_angle.min(angle), found);
+        for (i, j) in chords {
+            degrees[i as usize] -= 1;
+            degrees[j as usize] -= 1;
+        }
+    }
+    open.push((first, last));
+}
+
+fn small_domains() -> impl Strategy<Value = Domain> {
+    let sides = prop::collection::vec((1..5_u64, 0.5..2.0), 3..6);
+    let of_at_most_eleven = sides.prop_filter("few vertices", |sides: &Vec<(u64, f64)>| {
+        sides.iter().map(|side| side.0).sum::<u64>() <= 11
+    });
+    of_at_most_eleven.prop_map(|sides| {
+        let turn = TAU / sides.len() as f64;
+        let corner = |i: usize| {
+            let angle = 0.3 + turn * i as f64;
+            [3.0 * libm::cos(angle), libm::sin(angle)]
+        };
+        let corners = (0..sides.len()).map(corner);
+        let side = |(count, ratio)| Side::count(count).spaced(Spacing::Geometric { ratio });
+        Domain::polygon(corners, sides.into_iter().map(side).collect()).unwrap()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    #[test]
+    fn goals_agree_with_all_triangulations(domain in small_domains(), share in 0.05..1.0) {
+        let all = all_triangulations(&domain);
+        let most = all.iter().map(|&(_, angle)| angle).fold(0.0, f64::max);
+        let best = |limit| {
+            all.iter().filter(|all| all.0 <= limit).map(|all| all.1).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let least = all.iter().map(|all| all.0).min().unwrap();
+        let near = |a: f64, b: f64| (a - b).abs() <= 1e-8 * b;
+
+        let found = meshed(&domain, Goal::LeastDegree);
+        prop_assert_eq!((found.mesh.max_degree(), found.least_max_degree), (least, least));
+        prop_assert_eq!(found.found_by, FoundBy::Search);
+        prop_assert!(near(found.mesh.angle_range().min, best(least)));
+        let much = (least + 1..=least + 2).find(|&limit| best(limit) >= 1.5 * best(least));
+        prop_assert_eq!(found.higher_degree.map(|higher| higher.max_degree), much);
+
+        let kept = meshed(&domain, Goal::KeepAngle(share));
+        let smallest = (least..).find(|&limit| best(limit) >= share * most).unwrap();
+        let degree = kept.mesh.max_degree();
+        prop_assert!(degree <= smallest && best(smallest) >= share * most);
+        prop_assert!(near(kept.mesh.angle_range().min, best(smallest)), "{} {}", degree, smallest);
+        prop_assert!(near(kept.delaunay_min_angle.unwrap(), most));
+
+        let limited = meshed(&domain, Goal::MaxDegree(least + 1));
+        prop_assert!(limited.mesh.max_degree() <= least + 1);
+        prop_assert!(near(limited.mesh.angle_range().min, best(least + 1)));
+    }
+}
+
+fn rectangle(intervals: [u64; 4], spacing: &Spacing) -> Domain {
+    let side = |count| Side::count(count).spaced(spacing.clone());
+    Domain::rectangle(4.0, 3.0, intervals.map(side).into()).unwrap()
+}
+
+#[test]
+fn windows_keep_the_share_beyond_exact_work() {
+    for (intervals, spacing) in [
+        ([2000; 4], Spacing::Uniform),
+        ([3000, 900, 700, 2000], Spacing::Uniform),
+        ([2500; 4], Spacing::Geometric { ratio: 1.0005 }),
+    ] {
+        let domain = rectangle(intervals, &spacing);
+        for share in [0.5, 0.95] {
+            let kept = meshed(&domain, Goal::KeepAngle(share));
+            assert_eq!(kept.found_by, FoundBy::Windows { share });
+            let delaunay = kept.delaunay_min_angle.unwrap();
+            assert!(kept.mesh.angle_range().min >= share * delaunay * (1.0 - 1e-9));
+            let degree = kept.mesh.max_degree();
+            assert!(
+                (kept.least_max_degree..=9).contains(&degree),
+                "{intervals:?} {share}: {degree}"
+            );
+        }
+        let limited = meshed(&domain, Goal::MaxDegree(6));
+        assert!(limited.mesh.max_degree() <= 6, "{intervals:?}: {:?}", limited.found_by);
+    }
+}
+
+/// No window holds the fans of a dominant side.
+#[test]
+fn the_formula_serves_a_dominant_side() {
+    let domain = rectangle([6000, 3, 5, 2], &Spacing::Uniform);
+    let least = meshed(&domain, Goal::LeastDegree);
+    let limited = meshed(&domain, Goal::MaxDegree(least.least_max_degree));
+    assert_eq!(limited.mesh.max_degree(), least.least_max_degree);
+    let refused = mesh(&domain, Goal::MaxDegree(least.least_max_degree - 1), Progress::NONE);
+    let message = refused.unwrap_err().to_string();
+    assert!(message.contains(&format!("the least is {}", least.least_max_degree)), "{message}");
+}
