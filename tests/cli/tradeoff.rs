@@ -131,16 +131,17 @@ fn caps_that_cannot_be_kept_are_refused_with_the_least_that_can() {
     let domain = |sides: &str| {
         format!(r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 1, "sides": [{sides}]}}"#)
     };
-    let all_two = domain(r#"{"max_degree": 2}, {"max_degree": 2}, {"max_degree": 2}, {}"#);
+    let all_three = domain(r#"{"max_degree": 3}, {"max_degree": 3}, {"max_degree": 3}, {}"#);
     for command in [&["mesh", "-", "-o", "x.obj"][..], &["tradeoff", "-"]] {
-        mindeg_reading(command, all_two.as_bytes()).refuses(&["caps of single vertices", "raise"]);
+        mindeg_reading(command, all_three.as_bytes())
+            .refuses(&["degree limits of vertices", "raise max_degree"]);
     }
     let no_room = domain(r#"{"outside_degree": 3, "max_degree": 4}, {}, {}, {}"#);
     mindeg_reading(["tradeoff", "-"], no_room.as_bytes()).refuses(&[
         "line 1",
         "sides[0].max_degree",
         "3 outside",
-        "5 or more",
+        "6 or more",
     ]);
     assert!(!Path::new("x.obj").exists());
 }

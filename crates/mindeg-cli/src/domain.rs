@@ -27,9 +27,9 @@ pub(crate) fn from_file(path: &Path, arguments: &DomainArguments) -> Result<Doma
         return Ok(domain);
     }
     let sides = overridden(domain.sides().to_vec(), arguments)?;
-    let replaced = Domain::new(domain.outline().clone(), sides)
-        .and_then(|replaced| replaced.with_vertex_constraints(domain.vertex_constraints().to_vec()))
-        .map_err(bad)?;
+    let constraints = domain.constraints().clone();
+    let replaced =
+        Domain::constrained(domain.outline().clone(), sides, constraints).map_err(bad)?;
     match domain.name() {
         Some(name) => replaced.named(name).map_err(bad),
         None => Ok(replaced),

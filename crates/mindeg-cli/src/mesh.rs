@@ -80,7 +80,7 @@ fn mesh(
     let goal = match (arguments.optimize, arguments.gates.max_degree) {
         (Some(Optimize::Angle), Some(max_degree)) => Goal::MaxDegree(max_degree),
         (Some(Optimize::Angle), None) => {
-            let least = exact::optimal_max_degree(domain, progress);
+            let least = exact::least_max_degree(domain, progress);
             Goal::MaxDegree(least.map_err(|error| unsolved(&error, "use fewer limits"))?)
         }
         (None, _) => Goal::LeastDegree,

@@ -201,7 +201,7 @@ mod tests {
     fn regular(center: DVec2, sides: &[u64]) -> Domain {
         let turn = std::f64::consts::TAU / sides.len() as f64;
         let corner = |side| center + 10.0 * DVec2::from_angle(0.1 + turn * side as f64);
-        let corners = (0..sides.len()).map(corner).collect();
+        let corners = (0..sides.len()).map(corner);
         Domain::polygon(corners, sides.iter().copied().map(Side::count).collect()).unwrap()
     }
 

@@ -10,11 +10,8 @@ use glam::{DVec2, DVec3};
 use mindeg_core::Boundary;
 use mindeg_mesh::{Bounds, Positions};
 
+use crate::limits::LEAST_ROUNDINGS;
 use crate::spacing_law::SpacingLaw;
-
-/// How many roundings of a coordinate two points must be apart. Each point is off by less than
-/// two, and so is the difference of corners its side is made from.
-const ROUNDINGS: f64 = 8.0;
 
 /// The positions of all boundary vertices, counter-clockwise from the first corner.
 ///
@@ -52,13 +49,37 @@ pub struct Placement {
     laws: Vec<SpacingLaw>,
 }
 
-/// Points that f64 cannot tell apart.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Unresolved {
-    /// The shortest interval of a side.
-    Interval { side: usize, interval: u32, length: f64 },
-    /// The points next to a corner.
-    Corner { corner: usize, distance: f64 },
+/// Why boundary vertices cannot be placed: 64-bit floats do not tell two of them apart. Sides and
+/// corners are counted from 0 here and from 1 in messages.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum PlacementError {
+    /// The shortest interval of a side is too short for the coordinates at which it lies.
+    #[error(
+        "side {}: its shortest interval is {length:.1e} long, too short to be told from nothing at \
+         the size of the side's coordinates; use fewer intervals or a gentler law, or move the \
+         domain towards the origin",
+        side + 1
+    )]
+    Interval {
+        /// The side.
+        side: usize,
+        /// The length of the interval.
+        length: f64,
+    },
+    /// Two sides are so close next to a corner that their points coincide.
+    #[error(
+        "corner {}: the points next to it are {distance:.1e} from the other side, too close to be \
+         told apart at the size of the coordinates; make the intervals there longer or the angle \
+         larger, or move the domain towards the origin",
+        corner + 1
+    )]
+    Corner {
+        /// The corner.
+        corner: usize,
+        /// The distance.
+        distance: f64,
+    },
 }
 
 impl Placement {
@@ -69,7 +90,7 @@ impl Placement {
         boundary: Boundary,
         corners: Vec<DVec2>,
         laws: Vec<SpacingLaw>,
-    ) -> Result<Self, Unresolved> {
+    ) -> Result<Self, PlacementError> {
         let placement = Self { boundary, corners, laws };
         for side in 0..placement.corners.len() {
             placement.check_intervals(side)?;
@@ -79,19 +100,19 @@ impl Placement {
     }
 
     /// The rounded points of a side are in order along the coordinate in which it is longest,
-    /// since rounding never swaps two numbers. That they differ is what needs the room.
-    fn check_intervals(&self, side: usize) -> Result<(), Unresolved> {
+    /// since rounding never swaps two numbers. That they differ is what is checked.
+    fn check_intervals(&self, side: usize) -> Result<(), PlacementError> {
         let span = (self.side_end(side) - self.corners[side]).abs();
         let axis = usize::from(span.y > span.x);
-        let (interval, share) = self.laws[side].shortest();
-        if share * span[axis] >= ROUNDINGS * self.rounding(side)[axis] {
+        let (_, share) = self.laws[side].shortest();
+        if share * span[axis] >= LEAST_ROUNDINGS * self.rounding(side)[axis] {
             return Ok(());
         }
-        Err(Unresolved::Interval { side, interval, length: share * self.side_length(side) })
+        Err(PlacementError::Interval { side, length: share * self.side_length(side) })
     }
 
     /// At corner `side`, where `side` starts and the one before it ends.
-    fn check_corner(&self, side: usize) -> Result<(), Unresolved> {
+    fn check_corner(&self, side: usize) -> Result<(), PlacementError> {
         let before = (side + self.corners.len() - 1) % self.corners.len();
         let law = &self.laws[before];
         let last = (1.0 - law.parameter(law.intervals() - 1)) * self.side_length(before);
@@ -100,10 +121,10 @@ impl Placement {
         let outgoing = (self.side_end(side) - self.corners[side]).normalize();
         let distance = last.min(first) * incoming.perp_dot(outgoing);
         let rounding = self.rounding(before).max(self.rounding(side)).max_element();
-        if distance >= ROUNDINGS * rounding {
+        if distance >= LEAST_ROUNDINGS * rounding {
             return Ok(());
         }
-        Err(Unresolved::Corner { corner: side, distance })
+        Err(PlacementError::Corner { corner: side, distance })
     }
 
     /// A bound on the rounding of the coordinates of a side's points.
@@ -158,7 +179,7 @@ impl Placement {
     pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
         (0..self.corners.len()).flat_map(move |side| {
             let side = self.points_on(side);
-            (0..side.law.intervals()).map(move |place| side.point(place))
+            (0..side.law.intervals()).map(move |index| side.point(index))
         })
     }
 
@@ -286,9 +307,9 @@ impl SidePoints<'_> {
         }
     }
 
-    /// The place of a vertex on the side, if it is there and not where the side ends.
-    fn place(&self, vertex: u32) -> Option<u32> {
-        vertex.checked_sub(self.first).filter(|&place| place < self.law.intervals())
+    /// The index of a vertex on the side, if it is there and not where the side ends.
+    fn index(&self, vertex: u32) -> Option<u32> {
+        vertex.checked_sub(self.first).filter(|&index| index < self.law.intervals())
     }
 }
 
@@ -306,9 +327,9 @@ impl Walk<'_> {
     /// The position of a vertex below the vertex count.
     pub fn point(&mut self, vertex: u32) -> DVec2 {
         for slot in [self.last, 1 - self.last] {
-            if let Some(place) = self.sides[slot].place(vertex) {
+            if let Some(index) = self.sides[slot].index(vertex) {
                 self.last = slot;
-                return self.sides[slot].point(place);
+                return self.sides[slot].point(index);
             }
         }
         self.last = 1 - self.last;
@@ -323,7 +344,7 @@ mod tests {
     use super::*;
     use crate::spacing::Spacing;
 
-    fn place(corners: &[[f64; 2]], spacing: &Spacing, m: u32) -> Result<Placement, Unresolved> {
+    fn place(corners: &[[f64; 2]], spacing: &Spacing, m: u32) -> Result<Placement, PlacementError> {
         let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();
         let laws = (0..corners.len())
             .map(|s| {
@@ -388,7 +409,7 @@ mod tests {
         assert!(place(&far(0.0), &dense, 4).is_ok());
         assert!(place(&far(1e5), &dense, 4).is_ok());
         let refused = place(&far(1e7), &dense, 4).unwrap_err();
-        let Unresolved::Interval { side: 0, interval: 0, length } = refused else {
+        let PlacementError::Interval { side: 0, length } = refused else {
             panic!("{refused:?}");
         };
         assert!((length - 1e-9).abs() < 1e-11);
@@ -396,6 +417,6 @@ mod tests {
         let needle = |width: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, width]];
         assert!(place(&needle(1e-9), &Spacing::Uniform, 10).is_ok());
         let refused = place(&needle(1e-14), &Spacing::Uniform, 10).unwrap_err();
-        assert!(matches!(refused, Unresolved::Corner { corner: 0, .. }), "{refused:?}");
+        assert!(matches!(refused, PlacementError::Corner { corner: 0, .. }), "{refused:?}");
     }
 }

@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use crate::domain_error::DomainError;
+use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
 
 /// A rectangle, which may stand anywhere at any angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,6 +22,59 @@ pub struct Rectangle {
     pub rotation: f64,
 }
 
+/// Why measures are not those of a rectangle.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum RectangleError {
+    /// A width or height that is not a finite number above 0, or a rotation that is not finite.
+    #[error(
+        "the rectangle's {key} is {value:?}; it must be a finite number{}",
+        if *key == "rotation" { "" } else { " above 0" }
+    )]
+    Measure {
+        /// `width`, `height` or `rotation`.
+        key: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A width or height below [`LEAST_SIDE`](crate::LEAST_SIDE).
+    #[error(
+        "the rectangle's {key} is {value:?}; the minimum is {LEAST_SIDE:e}; use another unit of length"
+    )]
+    Short {
+        /// `width` or `height`.
+        key: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A corner with a coordinate that is not finite or greater than
+    /// [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE).
+    #[error(
+        "a corner of the rectangle is at ({x:?}, {y:?}); coordinates must be finite and at most \
+         {GREATEST_COORDINATE:e} in size; use another unit of length"
+    )]
+    Coordinate {
+        /// The corner's x coordinate.
+        x: f64,
+        /// The corner's y coordinate.
+        y: f64,
+    },
+    /// Proportions, or a distance from the origin, at which corners cannot be told apart.
+    #[error(
+        "the rectangle's {key} is {value:?}, and its coordinates are up to {coordinate:?}: 64-bit \
+         floats cannot tell its corners apart; keep width and height within a factor of 1e14, \
+         and the rectangle near the origin"
+    )]
+    Thin {
+        /// `width` or `height`.
+        key: &'static str,
+        /// The number.
+        value: f64,
+        /// The greatest magnitude of a coordinate.
+        coordinate: f64,
+    },
+}
+
 impl Rectangle {
     /// A rectangle whose bottom starts at the origin along the x axis.
     #[must_use]
@@ -29,20 +82,44 @@ impl Rectangle {
         Self { width, height, origin: DVec2::ZERO, rotation: 0.0 }
     }
 
-    pub(crate) fn corners(&self) -> Result<Vec<DVec2>, DomainError> {
+    pub(crate) fn corners(&self) -> Result<Vec<DVec2>, RectangleError> {
         for (key, value, is_allowed) in [
             ("width", self.width, self.width > 0.0),
             ("height", self.height, self.height > 0.0),
             ("rotation", self.rotation, true),
         ] {
             if !(is_allowed && value.is_finite()) {
-                return Err(DomainError::Rectangle { key, value });
+                return Err(RectangleError::Measure { key, value });
             }
         }
         let along = direction(self.rotation);
         let (right, up) = (self.width * along, self.height * along.perp());
         let start = self.origin;
-        Ok(vec![start, start + right, start + (right + up), start + up])
+        let corners = vec![start, start + right, start + (right + up), start + up];
+        self.check_resolution(&corners)?;
+        Ok(corners)
+    }
+
+    /// Checks that 64-bit floats tell the corners apart.
+    fn check_resolution(&self, corners: &[DVec2]) -> Result<(), RectangleError> {
+        // Not a NaN either, which the greater of two numbers would pass over.
+        let is_within = |corner: &DVec2| {
+            corner.x.abs() <= GREATEST_COORDINATE && corner.y.abs() <= GREATEST_COORDINATE
+        };
+        if let Some(&DVec2 { x, y }) = corners.iter().find(|corner| !is_within(corner)) {
+            return Err(RectangleError::Coordinate { x, y });
+        }
+        let coordinates = corners.iter().map(|corner| corner.abs().max_element());
+        let coordinate = coordinates.fold(0.0, f64::max);
+        for (key, value) in [("width", self.width), ("height", self.height)] {
+            if value < LEAST_SIDE {
+                return Err(RectangleError::Short { key, value });
+            }
+            if value < LEAST_ROUNDINGS * f64::EPSILON * coordinate {
+                return Err(RectangleError::Thin { key, value, coordinate });
+            }
+        }
+        Ok(())
     }
 }
 
@@ -58,7 +135,7 @@ fn direction(degrees: f64) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::domain::{Domain, Outline, Side};
+    use crate::{Domain, Outline, Side};
 
     #[test]
     fn a_rectangle_stands_where_it_is_put() {
@@ -76,5 +153,29 @@ mod tests {
         let [x, y] = at(zero, 30.0)[1];
         assert!((x - 12_f64.sqrt()).abs() < 1e-15 && (y - 2.0).abs() < 1e-15);
         assert_eq!(at(zero, -1e-20), at(zero, 0.0));
+    }
+
+    #[test]
+    fn refuses_with_the_reason() {
+        let at = |width, height, x, rotation| {
+            let origin = DVec2::new(x, 0.0);
+            Rectangle { width, height, origin, rotation }.corners()
+        };
+        #[rustfmt::skip]
+        let table = [
+            (at(-1.0, 1.0, 0.0, 0.0), "the rectangle's width is -1.0; it must be a finite number above 0"),
+            (at(1.0, f64::INFINITY, 0.0, 0.0), "the rectangle's height is inf; it must be a finite number above 0"),
+            (at(1.0, 1.0, 0.0, f64::NAN), "the rectangle's rotation is NaN; it must be a finite number"),
+            (at(1e-101, 1e-101, 0.0, 0.0), "the rectangle's width is 1e-101; the minimum is 1e-100; use another unit of length"),
+            (at(1.0, 1e101, 0.0, 0.0), "a corner of the rectangle is at (1.0, 1e101); coordinates must be finite and at most 1e100 in size; use another unit of length"),
+            (at(1.0, 1.0, f64::NAN, 0.0), "a corner of the rectangle is at (NaN, 0.0); coordinates must be finite and at most 1e100 in size; use another unit of length"),
+            (at(1e-17, 1.0, 0.0, 0.0), "the rectangle's width is 1e-17, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
+            (at(1e17, 1.0, 0.0, 45.0), "the rectangle's height is 1.0, and its coordinates are up to 7.071067811865476e16: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
+            (at(1.0, 1.0, 1e17, 0.0), "the rectangle's width is 1.0, and its coordinates are up to 1e17: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
+        ];
+        for (outcome, message) in table {
+            assert_eq!(outcome.unwrap_err().to_string(), message);
+        }
+        assert!(at(1e14, 1.0, 0.0, 0.0).is_ok() && at(1.0, 1.0, 1e14, 30.0).is_ok());
     }
 }

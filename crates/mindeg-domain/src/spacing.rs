@@ -10,13 +10,7 @@
 
 use std::str::FromStr;
 
-use serde::Deserialize;
-
-/// The shortest interval a side may have, as a share of the side's length.
-///
-/// Parameters are off by less than `1e-14`, a hundredth of this: so they increase strictly
-/// wherever no interval is shorter.
-pub const LEAST_SHARE: f64 = 1e-12;
+use crate::limits::LEAST_SHARE;
 
 /// A spacing law, in the direction of its side (counter-clockwise).
 ///
@@ -31,7 +25,7 @@ pub const LEAST_SHARE: f64 = 1e-12;
 /// | first length, last length | length `h > 0` | the geometric law whose first (last) interval is `h` long |
 /// | parameters | `t1 < t2 < …` | the points, in shares of the side |
 ///
-/// An interval may not be shorter than [`LEAST_SHARE`] of its side.
+/// An interval may not be shorter than [`LEAST_SHARE`](crate::LEAST_SHARE) of its side.
 ///
 /// # Example
 ///
@@ -42,8 +36,7 @@ pub const LEAST_SHARE: f64 = 1e-12;
 /// assert_eq!(spacing, Spacing::Geometric { ratio: 1.2 });
 /// # Ok::<(), mindeg_domain::SpacingError>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
-#[serde(rename_all = "snake_case", deny_unknown_fields)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum Spacing {
     /// All intervals are equally long.
     #[default]
@@ -122,7 +115,7 @@ impl FromStr for Spacing {
     }
 }
 
-/// Why a spacing law cannot be had on a side. Intervals and points are counted from 0 here and
+/// Why a spacing law does not fit a side. Intervals and points are counted from 0 here and
 /// from 1 in messages.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -156,7 +149,8 @@ pub enum SpacingError {
     /// A first or last length that leaves nothing for the other intervals.
     #[error(
         "an interval of length {length:?} leaves nothing of the side's {side_length:?} for the other \
-         {others}; give a shorter length or 1 interval"
+         {others} {}; give a shorter length or 1 interval",
+        if *others == 1 { "interval" } else { "intervals" }
     )]
     LengthTooLong {
         /// The length given.
@@ -179,8 +173,9 @@ pub enum SpacingError {
     },
     /// Explicit parameters whose number does not fit the intervals.
     #[error(
-        "there are {parameters} parameters, which make {} intervals, and {intervals} are asked \
-         for; drop the interval count or make them agree",
+        "{parameters} {} {} intervals, and the side has {intervals}; drop the interval count or \
+         make them agree",
+        if *parameters == 1 { "parameter makes" } else { "parameters make" },
         parameters + 1
     )]
     ParameterCount {
@@ -214,7 +209,7 @@ pub enum SpacingError {
         /// The number before it.
         previous: f64,
     },
-    /// An interval shorter than [`LEAST_SHARE`] of the side.
+    /// An interval shorter than [`LEAST_SHARE`](crate::LEAST_SHARE) of the side.
     #[error(
         "interval {} of {intervals} would be {share:.1e} of the side's length, less than \
          {LEAST_SHARE:e}; use fewer intervals or a gentler law",

@@ -16,7 +16,8 @@
 mod curves;
 
 use self::curves::{Crowding, Progression, Stretching};
-use crate::spacing::{LEAST_SHARE, Spacing, SpacingError};
+use crate::limits::LEAST_SHARE;
+use crate::spacing::{Spacing, SpacingError};
 
 /// A spacing law solved for a side: point `i` of `m` intervals lies at `parameter(i)` of the
 /// side's length, from exactly 0 at `i = 0` to exactly 1 at `i = m`, strictly increasing.
@@ -69,7 +70,7 @@ impl SpacingLaw {
     /// # Errors
     ///
     /// A ratio, beta, length or parameter outside its range, a number of parameters that does
-    /// not fit the intervals, or an interval shorter than [`LEAST_SHARE`] of the side.
+    /// not fit the intervals, or an interval shorter than [`LEAST_SHARE`](crate::LEAST_SHARE) of the side.
     pub fn solve(
         spacing: &Spacing,
         intervals: u32,
@@ -372,7 +373,7 @@ mod tests {
             (
                 Spacing::FirstLength(7.0),
                 3,
-                "an interval of length 7.0 leaves nothing of the side's 4.0 for the other 2; give a shorter length or 1 interval",
+                "an interval of length 7.0 leaves nothing of the side's 4.0 for the other 2 intervals; give a shorter length or 1 interval",
             ),
             (
                 Spacing::LastLength(3.0),
@@ -382,7 +383,7 @@ mod tests {
             (
                 Spacing::Parameters(vec![0.5]),
                 3,
-                "there are 1 parameters, which make 2 intervals, and 3 are asked for; drop the interval count or make them agree",
+                "1 parameter makes 2 intervals, and the side has 3; drop the interval count or make them agree",
             ),
             (
                 Spacing::Parameters(vec![0.5, 1.0]),

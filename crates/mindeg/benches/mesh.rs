@@ -1,7 +1,7 @@
-//! How long it takes to place points, to choose a plan, and to look at every triangle.
+//! How long it takes to place points, to choose a candidate, and to visit every triangle.
 //!
-//! A rectangle of 4 by 3 with the same number of intervals on all sides: the zig-zag has more plans
-//! to choose from than any other construction. Graded sides show what a spacing law costs.
+//! A rectangle of 4 by 3 with the same number of intervals on all sides: the zig-zag has more
+//! candidates to choose from than any other construction. Graded sides show what a spacing law costs.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may panic")]
 

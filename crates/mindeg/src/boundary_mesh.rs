@@ -1,32 +1,33 @@
-//! A domain's mesh: of the triangulations with the least maximum degree, the one that looks
-//! best on the actual points; or any other triangulation, given as a list.
+//! A domain's mesh: of the candidates with the least maximum degree, the one with the largest minimum
+//! angle on the actual points; or any other triangulation, given as a list.
 //!
 //! What looks at every triangle does so with all threads, and gives the same results however many
 //! there are.
 //!
-//! Limits: the best of the plans tried is not the best triangulation of that degree, let alone
+//! Limits: the best of the candidates tried is not the best triangulation of that degree, let alone
 //! of any degree.
 
 mod angles;
 mod choice;
+mod error;
 mod faces;
 mod source;
 
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::{Boundary, Defect};
+use mindeg_core::Boundary;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use self::angles::{cotangents, placed};
-use self::faces::{Faces, TriangleList};
-use mindeg_domain::Domain;
-use mindeg_domain::Placement;
-use mindeg_mesh::parallel::{blocks, try_blocks};
-use mindeg_mesh::quality::DegreeHistogram;
-use mindeg_mesh::quality::{QualitySummary, TriangleQuality};
+use mindeg_domain::{Domain, Placement};
+use mindeg_mesh::parallel::{blocks, fill_blocks, try_blocks};
+use mindeg_mesh::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
 use mindeg_mesh::{Cancelled, Progress};
+
+use self::angles::{cotangents, placed};
+pub use self::error::MeshError;
+use self::faces::{Faces, TriangleList};
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
@@ -54,36 +55,7 @@ pub struct BoundaryMesh {
     triangulation: Faces,
 }
 
-/// Why a domain has no mesh.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum MeshError {
-    /// Every plan tried has a triangle that is not counter-clockwise once its points are rounded
-    /// to f64.
-    #[error(
-        "triangle {triangle:?} is so thin that it has no area at the precision of its \
-         coordinates; use fewer intervals or gentler spacing laws, or move the domain towards the \
-         origin"
-    )]
-    NoArea {
-        /// The vertices of such a triangle.
-        triangle: [u32; 3],
-    },
-    /// The domain [is constrained](Domain::is_constrained), and formulas do not look at that.
-    #[error(
-        "the domain says what its vertices have outside or may have in all, which takes an exact \
-         solver; leave out outside_degree and max_degree for a mesh of least degree"
-    )]
-    Constrained,
-    /// The [`Progress`] callback has cancelled the work.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-    /// The triangles given do not triangulate the domain's boundary.
-    #[error("the triangles are no mesh of the domain: {0}")]
-    Triangles(#[from] Defect),
-}
-
-/// The least and the greatest angle of a mesh, in degrees.
+/// The minimum and the maximum angle of a mesh, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AngleRange {
     /// In (0, 60].
@@ -101,52 +73,53 @@ pub struct DegreeHistograms {
     pub sides: DegreeHistogram,
 }
 
-/// Up to so many triangles are written by one thread: they take less time than to wake another.
+/// Up to this many triangles, one thread writes them: that takes less time than to wake another.
 const LEAST_SHARED: usize = 1 << 16;
 
 /// How many triangles a thread writes at a time.
 const FILLED_AT_A_TIME: usize = 1 << 15;
 
 impl BoundaryMesh {
-    /// The mesh with the least possible maximum degree that looks best on the domain's points.
+    /// The mesh with the least possible maximum degree that is best on the domain's points.
     ///
-    /// The core's constructions leave choices open, all of the same degree ([`Candidates`](mindeg_core::Candidates)). The
-    /// mesh takes the plan whose least angle is largest. Of plans that agree in its cotangent to
-    /// 1 part in 10⁹ the first is taken, so that the rounding of mirror images decides nothing.
+    /// The core's constructions leave choices open, all of the same degree
+    /// ([`Candidates`](mindeg_core::Candidates)). The mesh takes the candidate with the largest
+    /// minimum angle. Of candidates whose cotangents of that angle agree to 1 part in 10⁹ it takes
+    /// the first, so that the rounding of mirror images decides nothing.
     ///
     /// O(n) time, shared by all threads; 16 MiB of points at most are kept meanwhile. At most 64
-    /// plans are tried, spread evenly over all, and fewer where they would have more than 2^25
-    /// triangles together, but at least two if there are two. A plan is dropped at a triangle that
-    /// is no better than the best plan's worst. Angles are compared by their cotangents, which
-    /// take only the four basic operations: so the choice is the same on every machine, and
-    /// with any number of threads.
+    /// candidates are tried, spread evenly over all, and fewer where they would have more than 2^25
+    /// triangles together, but at least two if there are two. A candidate is dropped at a triangle
+    /// that is no better than the worst one of the best candidate. Angles are compared by their
+    /// cotangents, which take only the four basic operations: so the choice is the same on every
+    /// machine, and with any number of threads.
     ///
     /// # Errors
     ///
-    /// Points so close that some triangle has no area as f64s have it, and constraints on the
-    /// domain's degrees, which this does not look at.
+    /// Points so close that some triangle has no area in f64, and constraints on the domain's
+    /// degrees, which the formula ignores.
     pub fn least_degree(domain: &Domain) -> Result<Self, MeshError> {
         Self::of_formula(domain, Progress::NONE)
     }
 
-    /// [`least_degree`](Self::least_degree), and `progress` is told how far it is.
+    /// [`least_degree`](Self::least_degree), with reports to `progress`.
     pub(crate) fn of_formula(domain: &Domain, progress: Progress<'_>) -> Result<Self, MeshError> {
         if domain.is_constrained() {
             return Err(MeshError::Constrained);
         }
-        let triangulation = choice::best_plan(domain.placement(), progress)?;
+        let triangulation = choice::best_candidate(domain.placement(), progress)?;
         Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
     }
 
-    /// The mesh with the given triangles, which keep their numbers, under the numbers of the
-    /// domain's vertices.
+    /// The mesh with the given triangles, in their order; vertices have the indices of the
+    /// domain's.
     ///
-    /// What the domain says of degrees is not looked at. O(n log n) time, O(n) memory.
+    /// The domain's constraints on degrees are ignored. O(n log n) time, O(n) memory.
     ///
     /// # Errors
     ///
     /// Triangles that do not triangulate the domain's boundary
-    /// ([`verify`](mindeg_core::verify) says why), or one that has no area as f64s have it.
+    /// ([`verify`](mindeg_core::verify) says why), or one that has no area in f64.
     ///
     /// # Example
     ///
@@ -206,7 +179,7 @@ impl BoundaryMesh {
     ///
     /// # Panics
     ///
-    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         self.placement().point(vertex)
@@ -217,14 +190,63 @@ impl BoundaryMesh {
         self.placement().points()
     }
 
-    /// The triangle with the given number, counter-clockwise. O(1).
+    /// Writes the positions of the vertices from `first` on into `out`, as many as it holds, with
+    /// all threads of rayon's current pool (feature `parallel`). Much faster than one by one.
     ///
     /// # Panics
     ///
-    /// When `number` is not below [`triangle_count`](Self::triangle_count).
+    /// If fewer than `out.len()` vertices remain from `first` on.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg::{BoundaryMesh, Domain, Side, glam::DVec2};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(2); 4])?;
+    /// let mesh = BoundaryMesh::least_degree(&domain)?;
+    /// let mut points = vec![DVec2::ZERO; mesh.vertex_count() as usize];
+    /// mesh.fill_points(0, &mut points);
+    /// assert!(mesh.points().eq(points));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn fill_points(&self, first: u32, out: &mut [DVec2]) {
+        let left = self.vertex_count().saturating_sub(first) as usize;
+        assert!(out.len() <= left, "{} vertices from {first} on do not exist", out.len());
+        fill_blocks(out, |before, out| self.placement().fill_points(first + before, out));
+    }
+
+    /// The vertices of a side from its first corner to its last, one more than its intervals.
+    ///
+    /// # Panics
+    ///
+    /// If the domain has no such side.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg::{BoundaryMesh, Domain, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, [3, 3, 2, 2].map(Side::count).into())?;
+    /// let mesh = BoundaryMesh::least_degree(&domain)?;
+    /// assert!(mesh.side_vertices(1).eq([3, 4, 5, 6]));
+    /// assert!(mesh.side_vertices(3).eq([8, 9, 0]));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn side_vertices(&self, side: usize) -> impl Iterator<Item = u32> + Clone + use<> {
+        let boundary = self.boundary();
+        let start = boundary.corner(side);
+        let end = boundary.corner(side + 1);
+        (start..start + boundary.intervals(side)).chain([end])
+    }
+
+    /// The triangle with the given index, counter-clockwise. O(1).
+    ///
+    /// # Panics
+    ///
+    /// If `index` is not below [`triangle_count`](Self::triangle_count).
     #[must_use]
-    pub fn triangle(&self, number: u32) -> [u32; 3] {
-        self.triangulation.triangle(number)
+    pub fn triangle(&self, index: u32) -> [u32; 3] {
+        self.triangulation.triangle(index)
     }
 
     /// All triangles, each counter-clockwise; neighbours in this order mostly share an edge, unless
@@ -233,17 +255,17 @@ impl BoundaryMesh {
         self.triangles_of(0..self.triangle_count())
     }
 
-    /// The triangles with some numbers, in order.
-    fn triangles_of(&self, numbers: Range<u32>) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
-        self.triangulation.triangles_of(numbers)
+    /// The triangles of a range, in order.
+    fn triangles_of(&self, range: Range<u32>) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
+        self.triangulation.triangles_of(range)
     }
 
-    /// Writes the triangles from number `first` on into `out`, as many as it holds, with all
-    /// threads of rayon's current pool.
+    /// Writes the triangles from index `first` on into `out`, as many as it holds, with all
+    /// threads of rayon's current pool (feature `parallel`).
     ///
     /// As fast as memory can be written; what is written does not depend on the threads. Memory
-    /// that was never touched costs several times as much as the triangles in it: use a buffer
-    /// again rather than allocate one for each call.
+    /// that was never touched costs several times as much as the triangles in it: reuse a buffer
+    /// rather than allocate one for each call.
     ///
     /// # Panics
     ///
@@ -307,14 +329,14 @@ impl BoundaryMesh {
         summary.expect("a mesh has a triangle")
     }
 
-    /// The least and the greatest angle. O(n) time, next to no memory, and much faster than
+    /// The minimum and the maximum angle. O(n) time, next to no memory, and much faster than
     /// [`qualities`](Self::qualities).
     #[must_use]
     pub fn angle_range(&self) -> AngleRange {
         self.measure_angles(Progress::NONE).expect("nothing cancels the work")
     }
 
-    /// [`angle_range`](Self::angle_range), and `progress` is told how far it is.
+    /// [`angle_range`](Self::angle_range), with reports to `progress`.
     ///
     /// # Errors
     ///
@@ -340,7 +362,7 @@ impl BoundaryMesh {
     ///
     /// # Panics
     ///
-    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn degree(&self, vertex: u32) -> u32 {
         self.triangulation.degree(vertex)
@@ -352,18 +374,39 @@ impl BoundaryMesh {
         self.triangulation.max_degree()
     }
 
-    /// The number of edges at a vertex, in this mesh and on the other side of the boundary together.
-    /// O(log n).
+    /// The neighbours of a vertex, counter-clockwise: from the next boundary vertex to the previous
+    /// one. O(degree) for a mesh of least degree, O(n) for one with given triangles.
     ///
     /// # Panics
     ///
-    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg::{BoundaryMesh, Domain, Side};
+    ///
+    /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(1); 4])?;
+    /// let mesh = BoundaryMesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]])?;
+    /// assert_eq!(mesh.neighbors(2), [3, 0, 1]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     #[must_use]
-    pub fn total_degree(&self, vertex: u32) -> u32 {
-        self.degree(vertex).saturating_add(self.domain.outside_degree(vertex))
+    pub fn neighbors(&self, vertex: u32) -> Vec<u32> {
+        self.triangulation.neighbors(vertex)
     }
 
-    /// The largest total degree. O(1) where no vertex has edges outside, otherwise O(n log n).
+    /// The total degree of a vertex: its degree in this mesh plus its external degree. O(log n).
+    ///
+    /// # Panics
+    ///
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
+    #[must_use]
+    pub fn total_degree(&self, vertex: u32) -> u32 {
+        self.degree(vertex).saturating_add(self.domain.external_degree(vertex))
+    }
+
+    /// The largest total degree. O(1) without constraints, otherwise O(n log n).
     #[must_use]
     pub fn max_total_degree(&self) -> u32 {
         if !self.domain.is_constrained() {
@@ -389,10 +432,9 @@ impl BoundaryMesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg_domain::Rectangle;
-    use mindeg_domain::Spacing;
-    use mindeg_domain::VertexConstraint;
-    use mindeg_domain::{Outline, Side};
+    use mindeg_domain::{
+        Constraints, Outline, Rectangle, Side, SideConstraint, Spacing, VertexConstraint,
+    };
 
     #[test]
     fn points_are_the_same_kept_or_not() {
@@ -410,8 +452,10 @@ mod tests {
         assert_eq!(list.vertex_count(), formula.vertex_count());
         assert_eq!(list.triangle_count(), formula.triangle_count());
         assert!(list.triangles().eq(formula.triangles()));
-        assert!((0..21).all(|number| list.triangle(number) == formula.triangle(number)));
+        assert!((0..21).all(|index| list.triangle(index) == formula.triangle(index)));
         assert!((0..23).all(|vertex| list.degree(vertex) == formula.degree(vertex)));
+        assert!((0..23).all(|vertex| list.neighbors(vertex) == formula.neighbors(vertex)));
+        assert!((0..23).all(|vertex| list.neighbors(vertex).len() as u32 == list.degree(vertex)));
         assert_eq!(list.max_degree(), formula.max_degree());
         assert_eq!(list.degree_histograms(), formula.degree_histograms());
         assert_eq!(list.angle_range(), formula.angle_range());
@@ -424,34 +468,41 @@ mod tests {
         let refused = |domain: &Domain, triangles: &[[u32; 3]]| {
             BoundaryMesh::with_triangles(domain, triangles.to_vec()).unwrap_err().to_string()
         };
-        assert_eq!(
-            refused(&square([1; 4]), &[[0, 1, 2]]),
-            "the triangles are no mesh of the domain: found 1 triangles, expected 2"
+        let too_few = refused(&square([1; 4]), &[[0, 1, 2]]);
+        assert!(
+            too_few.starts_with("the triangles are no mesh of the domain: found 1"),
+            "{too_few}"
         );
         assert!(
             refused(&square([2, 1, 1, 1]), &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]).contains("flat")
         );
 
-        let capped = Side { max_degree: Some(9), ..Side::count(1) };
-        let sides = [vec![capped], vec![Side::count(1); 3]].concat();
-        let capped = Domain::rectangle(1.0, 1.0, sides).unwrap();
-        assert_eq!(BoundaryMesh::least_degree(&capped), Err(MeshError::Constrained));
-        assert!(BoundaryMesh::with_triangles(&capped, vec![[0, 1, 2], [0, 2, 3]]).is_ok());
+        let limits = vec![SideConstraint { degree_limit: Some(9), ..Default::default() }; 4];
+        let limited = constrained(Constraints { sides: limits, vertices: Vec::new() });
+        assert_eq!(BoundaryMesh::least_degree(&limited), Err(MeshError::Constrained));
+        assert!(BoundaryMesh::with_triangles(&limited, vec![[0, 1, 2], [0, 2, 3]]).is_ok());
+    }
+
+    /// The unit square with one interval to a side.
+    fn constrained(constraints: Constraints) -> Domain {
+        let outline = Outline::Rectangle(Rectangle::new(1.0, 1.0));
+        Domain::constrained(outline, vec![Side::count(1); 4], constraints).unwrap()
     }
 
     #[test]
-    fn edges_outside_count_towards_the_total() {
-        let square = Domain::rectangle(1.0, 1.0, vec![Side::count(1); 4]).unwrap();
-        let total = |vertex, outside_degree| {
-            let outside = VertexConstraint { vertex, outside_degree, max_degree: None };
-            let domain = square.clone().with_vertex_constraints(vec![outside]).unwrap();
+    fn external_degrees_count_towards_the_total() {
+        let total = |vertex, external_degree| {
+            let constraint = VertexConstraint { vertex, external_degree, degree_limit: None };
+            let constraints = Constraints { sides: Vec::new(), vertices: vec![constraint] };
+            let domain = constrained(constraints);
             let mesh = BoundaryMesh::with_triangles(&domain, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
             assert_eq!(
                 (mesh.max_degree(), mesh.total_degree(vertex)),
-                (3, mesh.degree(vertex) + outside_degree)
+                (3, mesh.degree(vertex) + external_degree)
             );
             mesh.max_total_degree()
         };
+        let square = constrained(Constraints::default());
         assert_eq!(BoundaryMesh::least_degree(&square).unwrap().max_total_degree(), 3);
         assert_eq!([total(0, 4), total(1, 4), total(3, 1)], [7, 6, 3]);
     }
@@ -467,8 +518,9 @@ mod tests {
         let error = BoundaryMesh::least_degree(&domain).unwrap_err();
         assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
 
-        let plan = mindeg_core::least_degree_triangulation(domain.boundary());
-        let error = BoundaryMesh::with_triangles(&domain, plan.triangles().collect()).unwrap_err();
+        let formula = mindeg_core::least_degree_triangulation(domain.boundary());
+        let error =
+            BoundaryMesh::with_triangles(&domain, formula.triangles().collect()).unwrap_err();
         assert!(matches!(error, MeshError::NoArea { .. }), "{error}");
     }
 }

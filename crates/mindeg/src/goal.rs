@@ -21,7 +21,7 @@ const MUCH: f64 = 1.5;
 pub enum Goal {
     /// The least maximum degree, at any size.
     ///
-    /// Where few chords join different sides, or the domain [limits degrees](Domain::is_constrained),
+    /// Where few chords join different sides, or the domain [is constrained](Domain::is_constrained),
     /// the mesh with the largest minimum angle of all with that degree, by the solver. Else the best of
     /// at most 64 candidates that the construction gives.
     #[default]
@@ -52,7 +52,7 @@ pub enum FoundBy {
     },
 }
 
-/// A mesh, and what its degree and angle are to be compared with.
+/// A mesh, and the degrees and angles to compare it with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Meshed {
     /// The mesh.
@@ -159,7 +159,7 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError
 fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     /// The shares of Delaunay's angle that windows try to keep, in this order.
     const SHARES: [f64; 4] = [0.95, 0.75, 0.4, 0.0];
-    let least_max_degree = exact::optimal_max_degree(domain, progress)?;
+    let least_max_degree = exact::least_max_degree(domain, progress)?;
     if domain.boundary().vertex_count() <= MAX_VERTICES {
         return Ok(Meshed {
             mesh: exact::mesh(domain, limit, progress)?.mesh,

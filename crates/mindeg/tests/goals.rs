@@ -69,7 +69,7 @@ fn small_domains() -> impl Strategy<Value = Domain> {
             let angle = 0.3 + turn * i as f64;
             [3.0 * libm::cos(angle), libm::sin(angle)]
         };
-        let corners = (0..sides.len()).map(|i| corner(i).into()).collect();
+        let corners = (0..sides.len()).map(corner);
         let side = |(count, ratio)| Side::count(count).spaced(Spacing::Geometric { ratio });
         Domain::polygon(corners, sides.into_iter().map(side).collect()).unwrap()
     })

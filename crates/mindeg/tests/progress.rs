@@ -12,7 +12,9 @@ use std::sync::Mutex;
 
 #[test]
 fn progress_goes_on_to_the_end_of_all_candidates() {
-    for intervals in [[50_000, 300, 500, 202], [50_000, 30_000, 25_000, 10_000], [3, 3, 2, 2]] {
+    for intervals in
+        [[50_000, 300, 500, 202], [50_000, 30_000, 25_000, 10_000], [2_000, 1_000, 900, 700]]
+    {
         let spacing = Spacing::Geometric { ratio: 1.0001 };
         let side = |count| Side::count(count).spaced(spacing.clone());
         let domain = Domain::rectangle(4.0, 3.0, intervals.map(side).into()).unwrap();

@@ -59,8 +59,8 @@ fn outline_and_sides() -> impl Strategy<Value = (Vec<DVec2>, Vec<Side>)> {
     })
 }
 
-/// The least angle of a list of triangles, in degrees.
-fn least_angle(mesh: &BoundaryMesh, triangles: impl Iterator<Item = [u32; 3]>) -> f64 {
+/// The minimum angle of a list of triangles, in degrees.
+fn minimum_angle(mesh: &BoundaryMesh, triangles: impl Iterator<Item = [u32; 3]>) -> f64 {
     triangles
         .map(|triangle| {
             let [a, b, c] = triangle.map(|vertex| mesh.point(vertex));
@@ -121,15 +121,15 @@ proptest! {
     }
 
     #[test]
-    fn no_other_plan_has_a_larger_least_angle((corners, sides) in outline_and_sides()) {
+    fn no_other_candidate_has_a_larger_minimum_angle((corners, sides) in outline_and_sides()) {
         let domain = Domain::polygon(corners, sides).unwrap();
         let mesh = BoundaryMesh::least_degree(&domain).unwrap();
-        let chosen = least_angle(&mesh, mesh.triangles());
-        let plans = Candidates::new(domain.boundary());
-        for plan in plans.sample(64) {
-            prop_assert!(chosen >= least_angle(&mesh, plan.triangles()) * (1.0 - 2e-9));
+        let chosen = minimum_angle(&mesh, mesh.triangles());
+        let candidates = Candidates::new(domain.boundary());
+        for candidate in candidates.sample(64) {
+            prop_assert!(chosen >= minimum_angle(&mesh, candidate.triangles()) * (1.0 - 2e-9));
         }
-        prop_assert!(plans.sample(64).any(|plan| plan.triangles().eq(mesh.triangles())));
+        prop_assert!(candidates.sample(64).any(|other| other.triangles().eq(mesh.triangles())));
     }
 
     #[test]
@@ -168,7 +168,7 @@ proptest! {
         };
         let side = Side { intervals, ..Side::count(1) }.spaced(spacing);
         let count = corners.len();
-        let any = corners.into_iter().map(DVec2::from).collect();
+        let any: Vec<DVec2> = corners.into_iter().map(DVec2::from).collect();
         let [x, y] = [DVec2::X, DVec2::Y].map(|axis| axis * scale);
         for corners in [any, vec![DVec2::ZERO, x, x + y, y][..count].to_vec()] {
             let sides = vec![side.clone(); count];

@@ -31,17 +31,17 @@ fn domains() -> impl Iterator<Item = Domain> {
 }
 
 #[test]
-fn the_same_plan_is_chosen_and_it_is_the_best() {
+fn the_same_candidate_is_chosen_and_it_is_the_best() {
     for domain in domains() {
         let mesh = with_any_threads(|| BoundaryMesh::least_degree(&domain).unwrap());
         let points: Vec<DVec2> = domain.placement().points().collect();
-        let least_angle = |triangle: [u32; 3]| {
+        let minimum_angle = |triangle: [u32; 3]| {
             let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
             TriangleQuality::of(a, b, c).min_angle
         };
-        let chosen = mesh.triangles().map(least_angle).fold(180.0, f64::min);
-        for plan in Candidates::new(domain.boundary()).sample(8) {
-            let other = plan.triangles().map(least_angle).fold(180.0, f64::min);
+        let chosen = mesh.triangles().map(minimum_angle).fold(180.0, f64::min);
+        for candidate in Candidates::new(domain.boundary()).sample(8) {
+            let other = candidate.triangles().map(minimum_angle).fold(180.0, f64::min);
             assert!(chosen >= other * (1.0 - 2e-9), "{chosen} and {other}");
         }
     }

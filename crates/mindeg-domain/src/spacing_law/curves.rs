@@ -69,8 +69,8 @@ impl Stretching {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Crowding {
     angle: f64,
-    /// What the angle lacks to a right one, for where the two are so close that their difference
-    /// would have no digits.
+    /// pi/2 - angle, computed as atan(1/tangent) because the subtraction cancels for large
+    /// tangents.
     complement: f64,
     /// 2 cos(complement)
     whole: f64,

@@ -1,23 +1,28 @@
-//! The triangles of a strip on actual points, and their least and greatest angles.
+//! The triangles of a strip on actual points, and the cotangents of their minimum and maximum angles.
 //!
-//! Limits: angles are known by their cotangents, which compare like angles the other way round
-//! and take only the four basic operations.
+//! Why this is not [`TriangleQuality`](mindeg_mesh::quality::TriangleQuality), which measures angles
+//! for people: the choice among candidates must be the same on every machine, so it compares by the
+//! four basic operations alone, and it visits every triangle of up to 64 candidates, so it leaves out
+//! the arcs and roots. A cotangent falls where its angle grows, so the greatest cotangent is that
+//! of the minimum angle.
+//!
+//! Limits: cotangents only compare angles; degrees come from one arctangent at the end.
 
 use glam::DVec2;
 
 /// The positions of the vertices of some triangles, in order.
 ///
-/// Each is asked for once as long as it stays in the triangles that follow on one another, as in
-/// a strip: all but some once or twice in all.
+/// Each is asked for once as long as consecutive triangles share it, as in a strip: nearly every
+/// one once or twice in all.
 pub(super) fn placed<T: ExactSizeIterator<Item = [u32; 3]>>(
     triangles: T,
     mut point: impl FnMut(u32) -> DVec2,
 ) -> impl ExactSizeIterator<Item = [DVec2; 3]> {
     let mut last = ([u32::MAX; 3], [DVec2::ZERO; 3]);
     triangles.map(move |vertices| {
-        let (known, places) = last;
+        let (known, known_points) = last;
         let points = vertices.map(|vertex| match known.iter().position(|&v| v == vertex) {
-            Some(place) => places[place],
+            Some(index) => known_points[index],
             None => point(vertex),
         });
         last = (vertices, points);
@@ -25,15 +30,15 @@ pub(super) fn placed<T: ExactSizeIterator<Item = [u32; 3]>>(
     })
 }
 
-/// The cotangents of a triangle's least and greatest angles. For a triangle that is not
-/// counter-clockwise, the worst there are.
+/// The cotangents of a triangle's minimum and maximum angles; infinite for a triangle that is not
+/// counter-clockwise.
 pub(super) fn cotangents([a, b, c]: [DVec2; 3]) -> [f64; 2] {
     let [x, y, z] = [c - b, a - c, b - a];
     // A cotangent is the dot product of the edges at the vertex over their cross product, and
     // that is twice the area at all three.
     let dots = [-y.dot(z), -z.dot(x), -x.dot(y)];
     let [least, greatest] = [dots[0].min(dots[1]).min(dots[2]), dots[0].max(dots[1]).max(dots[2])];
-    // At the greatest angle, the cross product cancels least.
+    // At the maximum angle, the cross product cancels least.
     let cross = if dots[0] == least {
         y.perp_dot(z)
     } else if dots[1] == least {
@@ -49,7 +54,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn cotangents_of_the_least_and_the_greatest_angle() {
+    fn cotangents_of_the_minimum_and_the_maximum_angle() {
         let of = |triangle: [[f64; 2]; 3]| cotangents(triangle.map(DVec2::from));
         let infinite = [f64::INFINITY, f64::NEG_INFINITY];
         for (triangle, expected) in [

@@ -1,89 +1,90 @@
-//! Which of the optimal plans looks best on actual points.
+//! Which of the candidates for a mesh of least degree is best on the actual points.
 //!
-//! Limits: that a plan is dropped shows in any of its triangles, so how many are looked at before
-//! depends on the threads. What is chosen does not.
+//! Limits: any bad triangle drops a candidate, so the number of triangles visited depends on the
+//! threads. The choice does not.
 
 use std::ops::Range;
 
 use glam::DVec2;
 use mindeg_core::{Boundary, Candidates, Triangulation};
 
-use super::MeshError;
-use super::angles::{cotangents, placed};
 use mindeg_domain::Placement;
 use mindeg_mesh::parallel::{block, fill_blocks, first_of_blocks, try_blocks};
 use mindeg_mesh::{Cancelled, Counter, Progress};
 
-/// The most plans tried.
-const MOST_PLANS: u32 = 64;
+use super::angles::{cotangents, placed};
+use super::error::MeshError;
 
-/// The most triangles visited in choosing a plan, two plans' worth aside.
+/// The most candidates tried.
+const MOST_CANDIDATES: u32 = 64;
+
+/// The most triangles visited in all, unless two candidates have more.
 const MOST_TRIANGLES: u32 = 1 << 25;
 
-/// Up to so many vertices points are computed once and kept while plans are compared (16 MiB);
-/// beyond, they are computed anew for every plan.
+/// Up to this many vertices, points are computed once and kept while candidates are compared
+/// (16 MiB); beyond, they are computed anew for every candidate.
 const MOST_KEPT: u32 = 1 << 20;
 
-/// How much better the least angle's cotangent must be for a later plan to be taken.
+/// The relative difference of cotangents at which a later candidate is better.
 const MARGIN: f64 = 1e-9;
 
-/// The plan that [`Mesh::least_degree`](super::BoundaryMesh::least_degree) takes.
-pub(super) fn best_plan(
+/// The candidate with the largest minimum angle.
+pub(super) fn best_candidate(
     placement: &Placement,
     progress: Progress<'_>,
 ) -> Result<Triangulation, MeshError> {
     let boundary = placement.boundary();
-    let plans = Candidates::new(boundary);
-    let limit = plans_to_try(boundary);
+    let candidates = Candidates::new(boundary);
+    let limit = candidates_to_try(boundary);
     let triangles = u64::from(boundary.vertex_count()) - 2;
-    let total = plans.count().min(limit.into()) * triangles;
+    let total = candidates.count().min(limit.into()) * triangles;
     let counter = progress.counter("choosing the mesh", total);
     let points = Points::new(placement);
     let mut best: Option<(f64, Triangulation)> = None;
     let mut dropped = None;
     // Candidates are mostly bad in the same places: where one is worst is where to look at others.
     let mut suspects = Vec::new();
-    for (tried, plan) in (1..).zip(plans.sample(limit)) {
+    for (tried, candidate) in (1..).zip(candidates.sample(limit)) {
         let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));
-        match points.worst(&plan, limit, &suspects, &counter)? {
-            Some(Worst { cotangent, place }) => {
-                best = Some((cotangent, plan));
-                suspects.push(place);
+        match points.worst(&candidate, limit, &suspects, &counter)? {
+            Some(Worst { cotangent, block }) => {
+                best = Some((cotangent, candidate));
+                suspects.push(block);
             }
-            None => dropped = Some(plan),
+            None => dropped = Some(candidate),
         }
         counter.reach(tried * triangles)?;
     }
-    best.map(|(_, plan)| plan).ok_or_else(|| {
-        // Some plan was tried, and if none is left then all of them have such a triangle.
-        let triangle = dropped.and_then(|plan| points.first_without_area(&plan));
+    best.map(|(_, candidate)| candidate).ok_or_else(|| {
+        // Some candidate was tried, and if none is left then all of them have such a triangle.
+        let triangle = dropped.and_then(|candidate| points.first_without_area(&candidate));
         MeshError::NoArea { triangle: triangle.unwrap_or_default() }
     })
 }
 
-/// The least angle of a plan.
+/// The minimum angle of a candidate.
 #[derive(Clone, Copy)]
 struct Worst {
     cotangent: f64,
     /// The block of triangles it is in.
-    place: usize,
+    block: usize,
 }
 
-/// Why no more of a plan is looked at.
+/// Why a candidate is not visited to its end.
 enum Dropped {
     NoBetter,
     Cancelled,
 }
 
-/// How many plans are worth their time.
-fn plans_to_try(boundary: &Boundary) -> u32 {
-    (MOST_TRIANGLES / (boundary.vertex_count() - 2)).clamp(2, MOST_PLANS)
+/// The number of candidates to try.
+fn candidates_to_try(boundary: &Boundary) -> u32 {
+    (MOST_TRIANGLES / (boundary.vertex_count() - 2)).clamp(2, MOST_CANDIDATES)
 }
 
-/// The points that plans are compared on.
+/// The points that candidates are compared on.
 struct Points<'a> {
     placement: &'a Placement,
-    /// All of them, or none where they are too many.
+    /// All of them, or none if there are too many.
     kept: Vec<DVec2>,
 }
 
@@ -98,33 +99,33 @@ impl<'a> Points<'a> {
         Self { placement, kept }
     }
 
-    /// The points of some triangles of a plan.
+    /// The points of some triangles of a candidate.
     fn placed<'p>(
         &'p self,
-        plan: &'p Triangulation,
+        candidate: &'p Triangulation,
         range: Range<u32>,
     ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + 'p {
         let mut walk = self.placement.walk();
-        let triangles = plan.triangles().skip(range.start as usize).take(range.len());
+        let triangles = candidate.triangles().skip(range.start as usize).take(range.len());
         placed(triangles, move |vertex| match self.kept.get(vertex as usize) {
             Some(&point) => point,
             None => walk.point(vertex),
         })
     }
 
-    /// The least angle of a plan, if its cotangent is below `limit`; `suspects` are the blocks to
-    /// look at first.
+    /// The minimum angle of a candidate, if its cotangent is below `limit`; `suspects` are the
+    /// blocks to visit first.
     fn worst(
         &self,
-        plan: &Triangulation,
+        candidate: &Triangulation,
         limit: f64,
         suspects: &[usize],
         counter: &Counter<'_>,
     ) -> Result<Option<Worst>, Cancelled> {
-        let count = plan.triangle_count();
+        let count = candidate.triangle_count();
         let greatest_cotangent = |range| {
             let mut greatest = f64::NEG_INFINITY;
-            for points in self.placed(plan, range) {
+            for points in self.placed(candidate, range) {
                 greatest = greatest.max(cotangents(points)[0]);
                 if greatest >= limit {
                     return Err(Dropped::NoBetter);
@@ -132,7 +133,7 @@ impl<'a> Points<'a> {
             }
             Ok(greatest)
         };
-        if suspects.iter().any(|&place| greatest_cotangent(block(place, count)).is_err()) {
+        if suspects.iter().any(|&index| greatest_cotangent(block(index, count)).is_err()) {
             return Ok(None);
         }
         let in_blocks = try_blocks(count, |range| {
@@ -146,17 +147,17 @@ impl<'a> Points<'a> {
             Err(Dropped::Cancelled) => return Err(Cancelled),
         };
         let worsts = in_blocks.into_iter().enumerate();
-        let worsts = worsts.map(|(place, cotangent)| Worst { cotangent, place });
+        let worsts = worsts.map(|(block, cotangent)| Worst { cotangent, block });
         let worst = |a: Worst, b: Worst| if b.cotangent > a.cotangent { b } else { a };
         Ok(worsts.reduce(worst))
     }
 
-    fn first_without_area(&self, plan: &Triangulation) -> Option<[u32; 3]> {
-        first_of_blocks(plan.triangle_count(), |range| {
+    fn first_without_area(&self, candidate: &Triangulation) -> Option<[u32; 3]> {
+        first_of_blocks(candidate.triangle_count(), |range| {
             let start = range.start;
-            let mut cotangents = self.placed(plan, range).map(cotangents);
-            let place = cotangents.position(|[of_least, _]| of_least == f64::INFINITY);
-            place.map(|place| plan.triangle(start + place as u32))
+            let mut cotangents = self.placed(candidate, range).map(cotangents);
+            let index = cotangents.position(|[of_least, _]| of_least == f64::INFINITY);
+            index.map(|index| candidate.triangle(start + index as u32))
         })
     }
 }
@@ -166,10 +167,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn few_plans_are_tried_on_many_vertices() {
-        for (intervals, plans) in [(1, 64), (100_000, 64), (1_000_000, 8), (1_000_000_000, 2)] {
+    fn few_candidates_are_tried_on_many_vertices() {
+        for (intervals, candidates) in [(1, 64), (100_000, 64), (1_000_000, 8), (1_000_000_000, 2)]
+        {
             let boundary = Boundary::new(&[intervals; 4]).unwrap();
-            assert_eq!(plans_to_try(&boundary), plans, "{intervals}");
+            assert_eq!(candidates_to_try(&boundary), candidates, "{intervals}");
         }
     }
 }

@@ -1,14 +1,13 @@
 //! Where a mesh has its triangles from: a formula, or a list.
 //!
-//! Limits: a list is what [`mindeg_core::verify`] has approved of, and takes memory by the
-//! triangle.
+//! Limits: [`mindeg_core::verify`] has approved of a list, which takes memory for each triangle.
 
 use std::ops::Range;
 
 use either::Either;
 use mindeg_core::{Boundary, Defect, Triangulation, verify};
 
-/// The triangles of a mesh, whatever they are kept as.
+/// The triangles of a mesh, by formula or in full.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Faces {
     Formula(Triangulation),
@@ -44,27 +43,27 @@ impl Faces {
         self.vertex_count() - 2
     }
 
-    pub(super) fn triangle(&self, number: u32) -> [u32; 3] {
+    pub(super) fn triangle(&self, index: u32) -> [u32; 3] {
         match self {
-            Self::Formula(triangulation) => triangulation.triangle(number),
-            Self::List(list) => list.triangles[number as usize],
+            Self::Formula(triangulation) => triangulation.triangle(index),
+            Self::List(list) => list.triangles[index as usize],
         }
     }
 
-    /// The triangles with the given numbers, in order.
+    /// The triangles of a range, in order.
     pub(super) fn triangles_of(
         &self,
-        numbers: Range<u32>,
+        range: Range<u32>,
     ) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
         let all = match self {
             Self::Formula(triangulation) => Either::Left(triangulation.triangles()),
             Self::List(list) => Either::Right(list.triangles.iter().copied()),
         };
         // A leap is O(1) in either.
-        all.skip(numbers.start as usize).take(numbers.len())
+        all.skip(range.start as usize).take(range.len())
     }
 
-    /// Writes the triangles from number `first` on, as many as `out` holds. There must be so many.
+    /// Writes the triangles from index `first` on, as many as `out` holds; no fewer may remain.
     pub(super) fn fill(&self, first: u32, out: &mut [[u32; 3]]) {
         match self {
             Self::Formula(triangulation) => triangulation.fill_triangles(first, out),
@@ -79,6 +78,26 @@ impl Faces {
         match self {
             Self::Formula(triangulation) => triangulation.degree(vertex),
             Self::List(list) => list.degrees[vertex as usize],
+        }
+    }
+
+    /// The neighbours of a vertex, counter-clockwise from the next boundary vertex.
+    pub(super) fn neighbors(&self, vertex: u32) -> Vec<u32> {
+        match self {
+            Self::Formula(triangulation) => triangulation.neighbors(vertex).collect(),
+            Self::List(list) => {
+                let n = list.degrees.len() as u32;
+                assert!(vertex < n, "vertex {vertex} does not exist; the mesh has {n} vertices");
+                let around = list.triangles.iter().filter(|corners| corners.contains(&vertex));
+                let mut neighbors: Vec<u32> =
+                    around.flatten().copied().filter(|&other| other != vertex).collect();
+                // Boundary vertices lie around a vertex in the order of the boundary.
+                neighbors.sort_unstable_by_key(|&other| {
+                    if other > vertex { other - vertex } else { other + (n - vertex) }
+                });
+                neighbors.dedup();
+                neighbors
+            }
         }
     }
 

@@ -1,0 +1,565 @@
+//! What limits the degrees of a domain's vertices: their edges on the other side of the boundary, and
+//! degree limits.
+//!
+//! The *external degree* of a vertex counts its edges on the other side of the boundary, such as
+//! those of a neighbouring mesh; the edges of the boundary itself are not among them. The *total
+//! degree* is the degree in the domain's mesh plus the external degree. A *degree limit* is an upper
+//! limit on the total degree. A corner belongs to two sides, and any vertex may have an entry of
+//! its own: their external degrees add up, and the least of their degree limits holds.
+//!
+//! Limits: formulas ignore constraints. A mesh that keeps them takes the exact solver, which
+//! takes some thousand vertices.
+
+use std::collections::BTreeMap;
+
+use mindeg_core::Boundary;
+
+use crate::limits::GREATEST_EXTERNAL_DEGREE;
+
+/// The external degrees and degree limits of a domain's sides and vertices.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_domain::{
+///     Constraints, Domain, ExternalDegree, Outline, Rectangle, Side, SideConstraint,
+///     VertexConstraint,
+/// };
+///
+/// let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
+/// let sides = [3, 2, 2, 2].map(Side::count).to_vec();
+/// let mut constraints = Constraints {
+///     sides: vec![SideConstraint::default(); 4],
+///     vertices: vec![VertexConstraint { vertex: 1, external_degree: 1, degree_limit: Some(6) }],
+/// };
+/// constraints.sides[0].external_degree = ExternalDegree::Inside(2);
+///
+/// let domain = Domain::constrained(outline, sides, constraints)?;
+/// assert_eq!([0, 1, 2, 3].map(|vertex| domain.external_degree(vertex)), [0, 3, 2, 0]);
+/// assert_eq!((domain.degree_limit(1), domain.degree_limit(2)), (Some(6), None));
+/// assert!(domain.is_constrained());
+/// # Ok::<(), mindeg_domain::DomainError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Constraints {
+    /// One entry for each side, or no entry at all.
+    pub sides: Vec<SideConstraint>,
+    /// Entries for single vertices, each at most once. Those of a [`Domain`](crate::Domain) are
+    /// sorted by vertex.
+    pub vertices: Vec<VertexConstraint>,
+}
+
+/// What limits the degrees of a side's vertices.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct SideConstraint {
+    /// The edges of its vertices on the other side of the boundary.
+    pub external_degree: ExternalDegree,
+    /// The degree limit of each of its vertices, both corners included.
+    pub degree_limit: Option<u32>,
+}
+
+/// The external degrees of the vertices of a side.
+///
+/// Where another mesh shares the side, the external degree of a vertex is its degree there less 2
+/// strictly inside the side, and less 1 at either end.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ExternalDegree {
+    /// The same number at every vertex strictly inside the side, and 0 at its ends.
+    Inside(u32),
+    /// At each vertex from the side's first corner to its last, one more than its intervals.
+    Each(Vec<u32>),
+}
+
+/// What limits the degree of a single vertex, besides the constraints of its sides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VertexConstraint {
+    /// The vertex, as the domain's mesh numbers it.
+    pub vertex: u32,
+    /// The number of its edges on the other side of the boundary.
+    pub external_degree: u32,
+    /// Its degree limit.
+    pub degree_limit: Option<u32>,
+}
+
+/// The entry of [`Constraints`] that an error is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ConstraintPlace {
+    /// The entry of this side.
+    Side(usize),
+    /// This entry of the list of [`VertexConstraint`]s.
+    Entry(usize),
+}
+
+/// Why constraints do not fit a boundary. Sides and entries are counted from 0 here and from 1 in
+/// messages; vertices always from 0.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ConstraintError {
+    /// A number of side entries that is neither 0 nor that of the sides.
+    #[error(
+        "found constraints of {entries} sides, and the outline has {sides} sides; give one entry for each side, or none"
+    )]
+    SideCount {
+        /// The entries.
+        entries: usize,
+        /// The sides of the outline.
+        sides: usize,
+    },
+    /// A list of external degrees whose length does not fit the side.
+    #[error(
+        "side {}: outside_degree lists {degrees} {}, and the side has {vertices} vertices, both \
+         corners included; give one for each, or a single number for all that are not corners",
+        side + 1, if *degrees == 1 { "number" } else { "numbers" }
+    )]
+    ExternalDegreeCount {
+        /// The side.
+        side: usize,
+        /// The length of the list.
+        degrees: usize,
+        /// The vertices of the side, both corners included.
+        vertices: u64,
+    },
+    /// An external degree above [`GREATEST_EXTERNAL_DEGREE`](crate::GREATEST_EXTERNAL_DEGREE).
+    #[error(
+        "{}: outside_degree is {external_degree}; the maximum is {GREATEST_EXTERNAL_DEGREE}",
+        match place {
+            ConstraintPlace::Side(side) => format!("side {}", side + 1),
+            ConstraintPlace::Entry(entry) => format!("entry {}", entry + 1),
+        }
+    )]
+    ExternalDegree {
+        /// The entry.
+        place: ConstraintPlace,
+        /// The number.
+        external_degree: u32,
+    },
+    /// A constraint on a vertex beyond the last.
+    #[error(
+        "vertex {vertex} does not exist; the {vertex_count} vertices are numbered from 0, \
+         counter-clockwise from the first corner"
+    )]
+    NoSuchVertex {
+        /// The entry.
+        entry: usize,
+        /// The vertex.
+        vertex: u32,
+        /// How many vertices there are.
+        vertex_count: u32,
+    },
+    /// Two entries for one vertex.
+    #[error("vertex {vertex} is listed twice; give it one entry")]
+    RepeatedVertex {
+        /// The one entry.
+        first: usize,
+        /// The other.
+        second: usize,
+        /// The vertex.
+        vertex: u32,
+    },
+    /// A degree limit that no mesh keeps.
+    #[error(
+        "vertex {vertex} has a max_degree of {degree_limit} and needs {least_degree}: {}; raise \
+         max_degree to {least_degree} or more",
+        describe_edges(least_degree - external_degree, *external_degree)
+    )]
+    Capacity {
+        /// The entry.
+        place: ConstraintPlace,
+        /// The vertex, as the mesh numbers it.
+        vertex: u32,
+        /// Its degree limit.
+        degree_limit: u32,
+        /// Its external degree.
+        external_degree: u32,
+        /// The least total degree that it has in any mesh.
+        least_degree: u32,
+    },
+}
+
+/// The edges that a vertex has in any mesh; 3 besides those outside where it is inside a side.
+fn describe_edges(inside: u32, outside: u32) -> String {
+    match (inside, outside) {
+        (2, 0) => "2 edges along the boundary".to_owned(),
+        (2, _) => format!("2 edges along the boundary and {outside} outside"),
+        (_, 0) => "2 edges along its straight side and 1 into the domain".to_owned(),
+        _ => format!("2 edges along its straight side, 1 into the domain and {outside} outside"),
+    }
+}
+
+impl Default for ExternalDegree {
+    fn default() -> Self {
+        Self::Inside(0)
+    }
+}
+
+impl ExternalDegree {
+    /// The same in the other direction of the side.
+    fn reversed(self) -> Self {
+        match self {
+            Self::Inside(degree) => Self::Inside(degree),
+            Self::Each(degrees) => Self::Each(degrees.into_iter().rev().collect()),
+        }
+    }
+
+    fn greatest(&self) -> u32 {
+        match self {
+            Self::Inside(degree) => *degree,
+            Self::Each(degrees) => degrees.iter().copied().max().unwrap_or(0),
+        }
+    }
+
+    /// At vertex `i` of a side, which is its last for `i == intervals`.
+    fn at(&self, i: u32, intervals: u32) -> u32 {
+        match self {
+            Self::Inside(degree) if 0 < i && i < intervals => *degree,
+            Self::Inside(_) => 0,
+            Self::Each(degrees) => degrees[i as usize],
+        }
+    }
+}
+
+impl Constraints {
+    /// Whether any vertex has a degree limit or an external degree above 0. O(k) for k sides, and
+    /// linear in the entries and lists.
+    #[must_use]
+    pub fn constrain(&self) -> bool {
+        let side = |side: &SideConstraint| {
+            side.external_degree.greatest() > 0 || side.degree_limit.is_some()
+        };
+        let vertex = |constraint: &VertexConstraint| {
+            constraint.external_degree > 0 || constraint.degree_limit.is_some()
+        };
+        self.sides.iter().any(side) || self.vertices.iter().any(vertex)
+    }
+
+    /// The external degree of a vertex of the boundary that these were checked on. O(log n).
+    pub(crate) fn external_degree(&self, boundary: &Boundary, vertex: u32) -> u32 {
+        let sides = self.sides_at(boundary, vertex);
+        let of_sides =
+            sides.map(|(side, i, intervals)| side.external_degree.at(i, intervals)).sum::<u32>();
+        // Three times the greatest number at most.
+        of_sides + self.of_vertex(vertex).map_or(0, |constraint| constraint.external_degree)
+    }
+
+    /// The degree limit of a vertex, the least of all that apply. O(log n).
+    pub(crate) fn degree_limit(&self, boundary: &Boundary, vertex: u32) -> Option<u32> {
+        let sides = self.sides_at(boundary, vertex).filter_map(|(side, ..)| side.degree_limit);
+        let own = self.of_vertex(vertex).and_then(|constraint| constraint.degree_limit);
+        sides.chain(own).min()
+    }
+
+    fn of_vertex(&self, vertex: u32) -> Option<&VertexConstraint> {
+        let index = self.vertices.binary_search_by_key(&vertex, |constraint| constraint.vertex);
+        index.ok().map(|index| &self.vertices[index])
+    }
+
+    /// The side or, at a corner, the two sides of a vertex, each with the index of the vertex on
+    /// it and its intervals.
+    fn sides_at(
+        &self,
+        boundary: &Boundary,
+        vertex: u32,
+    ) -> impl Iterator<Item = (&SideConstraint, u32, u32)> {
+        let side = boundary.side_of(vertex);
+        let i = vertex - boundary.corner(side);
+        let before = (side + boundary.side_count() - 1) % boundary.side_count();
+        let here = [(side, i, boundary.intervals(side))];
+        let ends_here = (i == 0).then(|| {
+            let intervals = boundary.intervals(before);
+            (before, intervals, intervals)
+        });
+        here.into_iter().chain(ends_here).filter_map(|(side, i, intervals)| {
+            self.sides.get(side).map(|constraint| (constraint, i, intervals))
+        })
+    }
+
+    /// The constraints of the sides in the other direction; vertices stay.
+    pub(crate) fn with_sides_reversed(mut self) -> Self {
+        self.sides.reverse();
+        for side in &mut self.sides {
+            side.external_degree = std::mem::take(&mut side.external_degree).reversed();
+        }
+        self
+    }
+
+    /// Checks these constraints on their boundary and sorts the vertices.
+    ///
+    /// O(k + m log m) for k sides and m vertices, and linear in lists.
+    pub(crate) fn checked(mut self, boundary: &Boundary) -> Result<Self, ConstraintError> {
+        let given = std::mem::take(&mut self.vertices);
+        self.check_sides(boundary)?;
+        let vertex_count = boundary.vertex_count();
+        let mut first_entries = BTreeMap::new();
+        for (entry, &VertexConstraint { vertex, external_degree, .. }) in given.iter().enumerate() {
+            if vertex >= vertex_count {
+                return Err(ConstraintError::NoSuchVertex { entry, vertex, vertex_count });
+            }
+            if let Some(first) = first_entries.insert(vertex, entry) {
+                return Err(ConstraintError::RepeatedVertex { first, second: entry, vertex });
+            }
+            check_external_degree(ConstraintPlace::Entry(entry), external_degree)?;
+        }
+        self.vertices.clone_from(&given);
+        self.vertices.sort_unstable_by_key(|constraint| constraint.vertex);
+        for (entry, constraint) in given.iter().enumerate() {
+            self.check_capacity(boundary, constraint.vertex, ConstraintPlace::Entry(entry))?;
+        }
+        Ok(self)
+    }
+
+    /// Checks the constraints of the sides, without those of single vertices.
+    fn check_sides(&self, boundary: &Boundary) -> Result<(), ConstraintError> {
+        let (entries, sides) = (self.sides.len(), boundary.side_count());
+        if ![0, sides].contains(&entries) {
+            return Err(ConstraintError::SideCount { entries, sides });
+        }
+        for (side, SideConstraint { external_degree, .. }) in self.sides.iter().enumerate() {
+            let vertices = u64::from(boundary.intervals(side)) + 1;
+            if let ExternalDegree::Each(degrees) = external_degree
+                && degrees.len() as u64 != vertices
+            {
+                let degrees = degrees.len();
+                return Err(ConstraintError::ExternalDegreeCount { side, degrees, vertices });
+            }
+            check_external_degree(ConstraintPlace::Side(side), external_degree.greatest())?;
+        }
+        for (side, constraint) in self.sides.iter().enumerate() {
+            if constraint.degree_limit.is_none() {
+                continue;
+            }
+            let intervals = boundary.intervals(side);
+            // All vertices inside the side are alike where one number stands for them.
+            let last_inside = match constraint.external_degree {
+                ExternalDegree::Inside(_) => 1.min(intervals - 1),
+                ExternalDegree::Each(_) => intervals - 1,
+            };
+            let start = boundary.corner(side);
+            let end = boundary.corner(side + 1);
+            for vertex in (start..=start + last_inside).chain([end]) {
+                self.check_capacity(boundary, vertex, ConstraintPlace::Side(side))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Checks that the degree limit of a vertex leaves it the edges that it has in any mesh.
+    fn check_capacity(
+        &self,
+        boundary: &Boundary,
+        vertex: u32,
+        place: ConstraintPlace,
+    ) -> Result<(), ConstraintError> {
+        let external_degree = self.external_degree(boundary, vertex);
+        // With 2 edges, a vertex inside a side would be the tip of a triangle without area.
+        let inside = if boundary.is_corner(vertex) { 2 } else { 3 };
+        let least_degree = inside + external_degree;
+        match self.degree_limit(boundary, vertex) {
+            Some(degree_limit) if degree_limit < least_degree => Err(ConstraintError::Capacity {
+                place,
+                vertex,
+                degree_limit,
+                external_degree,
+                least_degree,
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+impl ConstraintError {
+    /// The same error with another number for its side.
+    pub(crate) fn with_side(mut self, number: impl Fn(usize) -> usize) -> Self {
+        match &mut self {
+            Self::ExternalDegreeCount { side, .. }
+            | Self::ExternalDegree { place: ConstraintPlace::Side(side), .. }
+            | Self::Capacity { place: ConstraintPlace::Side(side), .. } => *side = number(*side),
+            _ => {}
+        }
+        self
+    }
+}
+
+fn check_external_degree(
+    place: ConstraintPlace,
+    external_degree: u32,
+) -> Result<(), ConstraintError> {
+    if external_degree > GREATEST_EXTERNAL_DEGREE {
+        return Err(ConstraintError::ExternalDegree { place, external_degree });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Domain, DomainError, Outline, Side};
+    use glam::DVec2;
+
+    use ExternalDegree::{Each, Inside};
+
+    fn at(
+        vertex: u32,
+        external_degree: u32,
+        degree_limit: impl Into<Option<u32>>,
+    ) -> VertexConstraint {
+        VertexConstraint { vertex, external_degree, degree_limit: degree_limit.into() }
+    }
+
+    type Given = (u64, SideConstraint);
+
+    fn side(
+        intervals: u64,
+        external_degree: ExternalDegree,
+        degree_limit: impl Into<Option<u32>>,
+    ) -> Given {
+        (intervals, SideConstraint { external_degree, degree_limit: degree_limit.into() })
+    }
+
+    /// The sides 0 to 3 of a square with 3, 2, 1 and 2 intervals.
+    fn sides() -> [Given; 4] {
+        [
+            side(3, Each(vec![1, 2, 3, 4]), 12),
+            side(2, Inside(7), None),
+            side(1, Each(vec![10, 20]), 35),
+            side(2, Inside(0), 30),
+        ]
+    }
+
+    fn square(
+        corners: [[f64; 2]; 4],
+        given: [Given; 4],
+        vertices: &[VertexConstraint],
+    ) -> Result<Domain, DomainError> {
+        let outline = Outline::Polygon(corners.map(DVec2::from).into());
+        let (sides, of_sides) =
+            given.into_iter().map(|(count, constraint)| (Side::count(count), constraint)).unzip();
+        let constraints = Constraints { sides: of_sides, vertices: vertices.to_vec() };
+        Domain::constrained(outline, sides, constraints)
+    }
+
+    const COUNTERCLOCKWISE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    const CLOCKWISE: [[f64; 2]; 4] = [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]];
+
+    #[track_caller]
+    fn check(domain: &Domain, external_degrees: [u32; 8], limits: [u32; 8]) {
+        let vertices = 0..8;
+        assert_eq!(
+            vertices.clone().map(|v| domain.external_degree(v)).collect::<Vec<_>>(),
+            external_degrees
+        );
+        let limits_here = vertices.map(|v| domain.degree_limit(v).unwrap_or(0));
+        assert_eq!(limits_here.collect::<Vec<_>>(), limits);
+    }
+
+    #[test]
+    fn constraints_on_one_vertex_count_together() {
+        let domain = square(COUNTERCLOCKWISE, sides(), &[]).unwrap();
+        check(&domain, [1, 2, 3, 4, 7, 10, 20, 0], [12, 12, 12, 12, 0, 35, 30, 30]);
+        let vertices = [at(4, 1, 40), at(0, 5, 13), at(6, 0, 29)];
+        let domain = square(COUNTERCLOCKWISE, sides(), &vertices).unwrap();
+        check(&domain, [6, 2, 3, 4, 8, 10, 20, 0], [12, 12, 12, 12, 40, 35, 29, 30]);
+        assert_eq!(domain.constraints().vertices, [at(0, 5, 13), at(4, 1, 40), at(6, 0, 29)]);
+    }
+
+    #[test]
+    fn clockwise_sides_keep_theirs() {
+        // Counter-clockwise from the first corner: sides 4, 3, 2 and 1 as given, each turned
+        // round, and single vertices as the mesh numbers them.
+        let domain = square(CLOCKWISE, sides(), &[]).unwrap();
+        check(&domain, [1, 0, 20, 10, 7, 4, 3, 2], [12, 30, 30, 35, 0, 12, 12, 12]);
+        let domain = square(CLOCKWISE, sides(), &[at(1, 5, None)]).unwrap();
+        check(&domain, [1, 5, 20, 10, 7, 4, 3, 2], [12, 30, 30, 35, 0, 12, 12, 12]);
+        // What a domain has describes it again.
+        let again = Domain::constrained(
+            domain.outline().clone(),
+            domain.sides().to_vec(),
+            domain.constraints().clone(),
+        );
+        let again = again.unwrap();
+        assert_eq!(again.constraints(), domain.constraints());
+        assert_eq!(again.placement(), domain.placement());
+    }
+
+    fn with_first(first: Given, vertices: &[VertexConstraint]) -> Result<Domain, DomainError> {
+        let one = || side(1, Inside(0), None);
+        square(COUNTERCLOCKWISE, [first, one(), one(), one()], vertices)
+    }
+
+    #[test]
+    fn tells_whether_there_are_any() {
+        for (given, is_constrained) in [
+            (side(2, Inside(0), None), false),
+            (side(2, Each(vec![0, 0, 0]), None), false),
+            (side(2, Each(vec![0, 0, 1]), None), true),
+            (side(2, Inside(1), None), true),
+            (side(2, Inside(0), 9), true),
+        ] {
+            let domain = with_first(given, &[]).unwrap();
+            assert_eq!(domain.is_constrained(), is_constrained, "{:?}", domain.constraints());
+        }
+        for (vertex, is_constrained) in
+            [(at(3, 0, None), false), (at(3, 1, None), true), (at(3, 0, 9), true)]
+        {
+            let domain = with_first(side(2, Inside(0), None), &[vertex]).unwrap();
+            assert_eq!(domain.is_constrained(), is_constrained, "{vertex:?}");
+        }
+        assert!(!Domain::rectangle(1.0, 1.0, vec![Side::count(1); 4]).unwrap().is_constrained());
+    }
+
+    #[test]
+    fn refuses_with_the_reason() {
+        let of = |corners, number: usize, wanted: Given| {
+            let mut sides = [0; 4].map(|_| side(1, Inside(0), None));
+            sides[number] = wanted;
+            square(corners, sides, &[])
+        };
+        let with = |vertices: &[VertexConstraint]| with_first(side(2, Inside(3), 9), vertices);
+        #[rustfmt::skip]
+        let table = [
+            (of(COUNTERCLOCKWISE, 1, side(2, Each(vec![1, 1]), None)), "side 2: outside_degree lists 2 numbers, and the side has 3 vertices, both corners included; give one for each, or a single number for all that are not corners"),
+            (of(CLOCKWISE, 1, side(2, Each(vec![1; 4]), None)), "side 2: outside_degree lists 4 numbers, and the side has 3 vertices, both corners included; give one for each, or a single number for all that are not corners"),
+            (of(CLOCKWISE, 1, side(2, Each(vec![1]), None)), "side 2: outside_degree lists 1 number, and the side has 3 vertices, both corners included; give one for each, or a single number for all that are not corners"),
+            (of(CLOCKWISE, 1, side(2, Inside(1_000_000_001), None)), "side 2: outside_degree is 1000000001; the maximum is 1000000000"),
+            (of(COUNTERCLOCKWISE, 1, side(2, Each(vec![0, u32::MAX, 0]), None)), "side 2: outside_degree is 4294967295; the maximum is 1000000000"),
+            (of(COUNTERCLOCKWISE, 1, side(1, Inside(0), 1)), "vertex 1 has a max_degree of 1 and needs 2: 2 edges along the boundary; raise max_degree to 2 or more"),
+            (of(COUNTERCLOCKWISE, 1, side(2, Inside(0), 2)), "vertex 2 has a max_degree of 2 and needs 3: 2 edges along its straight side and 1 into the domain; raise max_degree to 3 or more"),
+            (of(COUNTERCLOCKWISE, 1, side(2, Inside(3), 4)), "vertex 2 has a max_degree of 4 and needs 6: 2 edges along its straight side, 1 into the domain and 3 outside; raise max_degree to 6 or more"),
+            (of(COUNTERCLOCKWISE, 1, side(3, Each(vec![0, 0, 7, 0]), 8)), "vertex 3 has a max_degree of 8 and needs 10: 2 edges along its straight side, 1 into the domain and 7 outside; raise max_degree to 10 or more"),
+            (of(COUNTERCLOCKWISE, 3, side(3, Each(vec![0, 0, 0, 7]), 8)), "vertex 0 has a max_degree of 8 and needs 9: 2 edges along the boundary and 7 outside; raise max_degree to 9 or more"),
+            (with(&[at(5, 0, None)]), "vertex 5 does not exist; the 5 vertices are numbered from 0, counter-clockwise from the first corner"),
+            (with(&[at(2, 0, 5), at(1, 0, 7), at(2, 3, None)]), "vertex 2 is listed twice; give it one entry"),
+            (with(&[at(2, 1_000_000_001, None)]), "entry 1: outside_degree is 1000000001; the maximum is 1000000000"),
+            (with(&[at(1, 5, None)]), "vertex 1 has a max_degree of 9 and needs 11: 2 edges along its straight side, 1 into the domain and 8 outside; raise max_degree to 11 or more"),
+        ];
+        for (outcome, message) in table {
+            assert_eq!(outcome.unwrap_err().to_string(), message);
+        }
+        let outline = Outline::Polygon(COUNTERCLOCKWISE.map(DVec2::from).into());
+        let three = Constraints { sides: vec![SideConstraint::default(); 3], vertices: vec![] };
+        let refused = Domain::constrained(outline, vec![Side::count(1); 4], three).unwrap_err();
+        assert_eq!(
+            refused.to_string(),
+            "found constraints of 3 sides, and the outline has 4 sides; give one entry for each side, or none"
+        );
+    }
+
+    /// The limits refused are those that no triangulation of a small boundary keeps.
+    #[test]
+    fn a_vertex_inside_a_side_needs_three_edges() {
+        for limit in [2, 3] {
+            let domain = with_first(side(2, Inside(0), None), &[at(1, 0, limit)]);
+            assert_eq!(domain.is_ok(), limit == 3);
+        }
+        assert!(with_first(side(2, Inside(0), None), &[at(0, 0, 2)]).is_ok());
+    }
+
+    #[test]
+    fn billions_of_vertices_are_checked_at_once() {
+        let wall = side(1_000_000_000, Inside(2), 9);
+        let walls = [wall.clone(), wall.clone(), wall.clone(), wall];
+        let domain = square(COUNTERCLOCKWISE, walls, &[]).unwrap();
+        assert_eq!(domain.external_degree(2_500_000_000), 2);
+        assert_eq!(domain.external_degree(2_000_000_000), 0);
+        assert_eq!(domain.degree_limit(2_000_000_000), Some(9));
+    }
+}

@@ -1,0 +1,16 @@
+//! What is wrong with a domain's JSON text, and where it stands.
+
+/// What is wrong with a domain's JSON text, and where.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("line {line}, column {column}{}: {message}", if path.is_empty() { String::new() } else { format!(", {path}") })]
+pub struct DomainJsonError {
+    /// The keys that lead to the place, such as `sides[2].spacing`; empty for the whole text.
+    pub path: String,
+    /// The line, from 1.
+    pub line: usize,
+    /// The column, from 1, in bytes: where the wrong value starts, or where the text stops being
+    /// JSON.
+    pub column: usize,
+    /// What is wrong and what is allowed.
+    pub message: String,
+}

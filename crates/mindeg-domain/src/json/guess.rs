@@ -1,0 +1,59 @@
+//! What a file that is no domain looks like: the mistakes to expect of people who have a mesh or an
+//! outline in another format.
+//!
+//! Limits: a guess from the first lines and keys, for a message and for nothing else.
+
+/// What a text that is no JSON looks like.
+pub(super) fn of_text(text: &str) -> Option<&'static str> {
+    let mut lines = text.lines().map(str::trim);
+    let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'));
+    if text.trim_start().starts_with("# vtk") {
+        return Some("a VTK mesh");
+    }
+    let first = first?;
+    let starts = [
+        ("$MeshFormat", "a Gmsh mesh (.msh)"),
+        ("Point(", "a Gmsh geometry (.geo)"),
+        ("SetFactory", "a Gmsh geometry (.geo)"),
+        ("glTF", "a glTF mesh (.glb)"),
+        ("ply", "a PLY mesh"),
+        ("OFF", "an OFF mesh"),
+        ("solid ", "an STL mesh"),
+        ("<svg", "an SVG drawing"),
+        ("<", "XML, such as a VTU mesh or an SVG drawing"),
+        ("POLYGON", "WKT"),
+        ("MULTIPOLYGON", "WKT"),
+        ("LINESTRING", "WKT"),
+    ];
+    if let Some((_, format)) = starts.iter().find(|(start, _)| first.starts_with(start)) {
+        return Some(format);
+    }
+    // Comments and names may come first in an OBJ.
+    let of_obj =
+        |line: &str| ["v ", "f ", "mtllib ", "o ", "g "].iter().any(|s| line.starts_with(s));
+    if of_obj(first) {
+        return Some("an OBJ mesh (mindeg inspect reads meshes)");
+    }
+    let fields: Vec<&str> =
+        first.split([',', ';', '\t', ' ']).filter(|field| !field.is_empty()).collect();
+    let are_numbers = fields.iter().all(|field| field.parse::<f64>().is_ok());
+    let is_head = ["x,y", "x;y", "x\ty", "X,Y"].iter().any(|head| first.starts_with(head));
+    ((fields.len() > 1 && are_numbers) || is_head)
+        .then_some("a list of points (CSV); they go into \"polygon\": {\"corners\": [[x, y], …]}")
+}
+
+/// What a JSON object with these keys and this text under `type` looks like.
+pub(super) fn of_keys<'k>(
+    mut keys: impl Iterator<Item = &'k str>,
+    kind: Option<&str>,
+) -> Option<&'static str> {
+    let geometries = ["FeatureCollection", "Feature", "GeometryCollection"];
+    let shapes = ["Point", "LineString", "Polygon"];
+    let is_geo_json = |kind: &str| {
+        geometries.contains(&kind) || shapes.contains(&kind.trim_start_matches("Multi"))
+    };
+    if kind.is_some_and(is_geo_json) {
+        return Some("GeoJSON");
+    }
+    keys.any(|key| key == "asset").then_some("a glTF mesh (mindeg inspect reads meshes)")
+}

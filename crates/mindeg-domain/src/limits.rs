@@ -1,0 +1,24 @@
+//! How large and how small the numbers of a domain may be.
+
+/// The greatest magnitude of a coordinate: areas, which are products of two, stay finite.
+pub const GREATEST_COORDINATE: f64 = 1e100;
+
+/// The shortest side: areas do not vanish.
+pub const LEAST_SIDE: f64 = 1e-100;
+
+/// The shortest interval of a side, as a share of the side's length.
+///
+/// Parameters are off by less than `1e-14`, a hundredth of this: so they increase strictly
+/// wherever no interval is shorter.
+pub const LEAST_SHARE: f64 = 1e-12;
+
+/// The greatest external degree that one entry of [`Constraints`](crate::Constraints) may give.
+/// The two sides at a corner and its own entry give three times as much at most, which is a u32.
+pub const GREATEST_EXTERNAL_DEGREE: u32 = 1_000_000_000;
+
+/// A corner that turns by less, in radians, is straight: 0.2 mm in 200 km.
+pub(crate) const LEAST_TURN: f64 = 1e-9;
+
+/// How many roundings of a coordinate two points must be apart. Each point is off by less than
+/// two, and so is the difference of corners its side is made from.
+pub(crate) const LEAST_ROUNDINGS: f64 = 8.0;

@@ -1,0 +1,127 @@
+//! How one side of a domain is divided.
+//!
+//! Limits: the number of intervals that a size makes is a rounded quotient of 64-bit floats.
+
+use mindeg_core::MAX_VERTICES;
+
+use crate::spacing::{Spacing, SpacingError};
+
+/// How one side is divided.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Side {
+    /// How many intervals.
+    pub intervals: Intervals,
+    /// How the points are spread, in the direction of the side.
+    pub spacing: Spacing,
+    /// A name, for the groups of mesh files.
+    pub name: Option<String>,
+}
+
+/// The number of intervals of a side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Intervals {
+    /// This number, at least 1.
+    Count(u64),
+    /// As many as make intervals of about this length: the side's length divided by it,
+    /// rounded, at least 1.
+    Size(f64),
+}
+
+/// Why a side cannot be divided.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SideError {
+    /// A target size that is zero, negative or not finite.
+    #[error("the size is {size:?}; it must be a finite number above 0")]
+    Size {
+        /// The number.
+        size: f64,
+    },
+    /// A target size that makes more intervals than a boundary may have vertices.
+    #[error(
+        "the size {size:?} makes {intervals:.1e} intervals, and a boundary has at most \
+         {MAX_VERTICES} vertices; give a larger size"
+    )]
+    SizeTooSmall {
+        /// The number.
+        size: f64,
+        /// The intervals that it makes.
+        intervals: f64,
+    },
+    /// A spacing law that does not fit the side.
+    #[error(transparent)]
+    Spacing(#[from] SpacingError),
+}
+
+impl Side {
+    /// A side of `intervals` even intervals.
+    #[must_use]
+    pub fn count(intervals: u64) -> Self {
+        Self { intervals: Intervals::Count(intervals), spacing: Spacing::Uniform, name: None }
+    }
+
+    /// A side of even intervals of about the length `size`.
+    #[must_use]
+    pub fn size(size: f64) -> Self {
+        Self { intervals: Intervals::Size(size), ..Self::count(1) }
+    }
+
+    /// A side with points at the given parameters, strictly increasing in (0, 1).
+    #[must_use]
+    pub fn parameters(parameters: Vec<f64>) -> Self {
+        Self::count(parameters.len() as u64 + 1).spaced(Spacing::Parameters(parameters))
+    }
+
+    /// The same side with another spacing law.
+    #[must_use]
+    pub fn spaced(self, spacing: Spacing) -> Self {
+        Self { spacing, ..self }
+    }
+
+    /// The same side with a name.
+    #[must_use]
+    pub fn named(self, name: impl Into<String>) -> Self {
+        Self { name: Some(name.into()), ..self }
+    }
+
+    /// The same side from its end to its start.
+    pub(crate) fn reversed(self) -> Self {
+        Self { spacing: self.spacing.reversed(), ..self }
+    }
+}
+
+impl Intervals {
+    /// How many intervals a side of some length gets.
+    pub(crate) fn on(self, length: f64) -> Result<u64, SideError> {
+        match self {
+            Self::Count(count) => Ok(count),
+            Self::Size(size) if size > 0.0 && size.is_finite() => {
+                let intervals = (length / size).round().max(1.0);
+                if intervals > f64::from(MAX_VERTICES) {
+                    return Err(SideError::SizeTooSmall { size, intervals });
+                }
+                Ok(intervals as u64)
+            }
+            Self::Size(size) => Err(SideError::Size { size }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_size_gives_the_nearest_count() {
+        for (size, count) in [(1.0, 4), (1.1, 4), (1.2, 3), (100.0, 1), (0.5, 8)] {
+            assert_eq!(Intervals::Size(size).on(4.0), Ok(count), "{size}");
+        }
+        assert_eq!(Intervals::Size(1.0).on(4_294_967_294.0), Ok(u64::from(MAX_VERTICES)));
+        let message = |size: f64| Intervals::Size(size).on(4.0).unwrap_err().to_string();
+        assert_eq!(message(0.0), "the size is 0.0; it must be a finite number above 0");
+        assert_eq!(
+            message(1e-300),
+            "the size 1e-300 makes 4.0e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"
+        );
+    }
+}

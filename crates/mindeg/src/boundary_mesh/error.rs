@@ -1,0 +1,33 @@
+//! Why a domain has no mesh.
+
+use mindeg_core::Defect;
+use mindeg_mesh::Cancelled;
+
+/// Why a domain has no mesh.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// Every candidate tried has a triangle that is not counter-clockwise once its points are
+    /// rounded to f64.
+    #[error(
+        "triangle {triangle:?} is so thin that it has no area at the precision of its \
+         coordinates; use fewer intervals or gentler spacing laws, or move the domain towards the \
+         origin"
+    )]
+    NoArea {
+        /// The vertices of such a triangle.
+        triangle: [u32; 3],
+    },
+    /// The domain [is constrained](mindeg_domain::Domain::is_constrained), which formulas ignore.
+    #[error(
+        "the domain has constraints on its degrees, which take the exact solver; leave out \
+         outside_degree and max_degree for a mesh of least degree"
+    )]
+    Constrained,
+    /// The [`Progress`] callback has cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+    /// The triangles given do not triangulate the domain's boundary.
+    #[error("the triangles are no mesh of the domain: {0}")]
+    Triangles(#[from] Defect),
+}
