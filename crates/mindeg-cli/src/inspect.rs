@@ -13,7 +13,7 @@ use mindeg::inspection::{Inspection, InspectionOptions};
 use report::Report;
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
-    let bar = Bar::new(false);
+    let bar = Bar::new(arguments.quiet);
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     let options = InspectionOptions {
         weld: !arguments.no_weld,

@@ -2,34 +2,41 @@
 
 use crate::args::{MeshArguments, Optimize};
 use crate::bar::Bar;
-use crate::domain::domain;
+use crate::domain::{domain, name};
 use crate::failure::Failure;
+use crate::gates::degrees;
 use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
+use crate::terminal::say;
 use mindeg::exact::ExactError;
 use mindeg::{BoundaryMesh, Domain, Goal, Meshed, Progress};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 
-/// What `--json` prints; angles in degrees, an output for each `-o`. Degrees are total: edges
-/// outside the domain count.
+/// What `--json` prints; angles in degrees. Degrees are total: edges outside the domain count.
 #[derive(Serialize)]
-struct Summary {
+struct Summary<'a> {
+    name: Option<&'a str>,
+    intervals: Vec<u32>,
     vertices: u32,
     triangles: u32,
     max_degree: u32,
-    optimal_max_degree: u32,
+    least_max_degree: u32,
     min_angle: f64,
     max_angle: f64,
-    outputs: Vec<String>,
+    /// Whether the corners ran clockwise.
+    reversed: bool,
+    files: Vec<String>,
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
-    let options = arguments.surface.options();
-    let mut targets = Targets::new(&arguments.output, arguments.format, options, arguments.json)?;
+    let surface = &arguments.surface;
+    let mut targets =
+        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
     let domain = domain(&arguments.domain)?;
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
@@ -37,12 +44,17 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
+    let goal = goal(arguments, &domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
+    let files = targets.files();
 
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let Meshed { mesh, least_max_degree } = mesh(arguments, &domain, progress)?;
+    let Meshed { mesh, least_max_degree } =
+        mindeg::mesh(&domain, goal, progress).map_err(|error| {
+            unsolved(&error, &format!("leave out {} for any size", way_out(arguments)))
+        })?;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
     arguments.gates.check_mesh(&mesh, angles.min, &bar)?;
@@ -56,41 +68,65 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     }
 
     let summary = Summary {
+        name: domain.name(),
+        intervals: domain.boundary().sides().collect(),
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
         max_degree: mesh.max_total_degree(),
-        optimal_max_degree: least_max_degree,
+        least_max_degree,
         min_angle: angles.min,
         max_angle: angles.max,
-        outputs: arguments.output.iter().map(|path| path.display().to_string()).collect(),
+        reversed: domain.was_reversed(),
+        files,
     };
     if !arguments.quiet {
-        // A summary that cannot be shown is no reason to fail: the files are there.
-        let _ = io::stderr().write_all(text(&mesh, &summary).as_bytes());
+        say(&text(&mesh, &summary));
     }
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
-/// The mesh that is asked for.
-fn mesh(
-    arguments: &MeshArguments,
-    domain: &Domain,
-    progress: Progress<'_>,
-) -> Result<Meshed, Failure> {
+/// What the mesh is chosen for, if that can be: a limit below the least degree is refused at any
+/// size, and so is exact work without the memory for it.
+fn goal(arguments: &MeshArguments, domain: &Domain) -> Result<Goal, Failure> {
+    let max_degree = arguments.max_degree;
     let goal = match arguments.optimize {
-        Some(Optimize::Angle) => Goal::LargestAngle { max_degree: arguments.gates.max_degree },
+        Some(Optimize::Angle) => Goal::LargestAngle { max_degree },
+        None if max_degree.is_some() => Goal::LargestAngle { max_degree },
         None => Goal::LeastDegree,
     };
-    let dispensable = match goal {
-        Goal::LargestAngle { .. } => "--optimize",
-        Goal::LeastDegree => "outside_degree and max_degree",
-    };
-    mindeg::mesh(domain, goal, progress).map_err(|error| {
-        unsolved(
-            &error,
-            &format!("leave out {dispensable} for the mesh of least degree at any size"),
-        )
-    })
+    let least = mindeg_core::least_max_degree(domain.boundary());
+    if let Some(limit) = max_degree.filter(|&limit| limit < least && !domain.is_constrained()) {
+        return Err(Failure::Input(format!(
+            "no mesh of {} has maximum degree {limit}; the least is {least}",
+            name(domain)
+        )));
+    }
+    if goal != Goal::LeastDegree || domain.is_constrained() {
+        require_for_exact_work(domain)?;
+    }
+    Ok(goal)
+}
+
+/// The options without which a domain is meshed at any size.
+fn way_out(arguments: &MeshArguments) -> &'static str {
+    match (arguments.max_degree, arguments.optimize) {
+        (Some(_), None) => "--max-degree",
+        (None, Some(_)) => "--optimize",
+        (Some(_), Some(_)) => "--max-degree and --optimize",
+        (None, None) => "outside_degree and max_degree",
+    }
+}
+
+/// Asks for the memory of exact work on a domain, if it is not too large for that anyway.
+pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
+    /// Bytes for each pair of vertices, as measured, and a half more.
+    const PER_PAIR: u64 = 24;
+    let vertices = domain.boundary().vertex_count();
+    if vertices > MAX_VERTICES {
+        return Ok(());
+    }
+    let bytes = u64::from(vertices).pow(2) * PER_PAIR;
+    memory::require(bytes, &format!("exact work on {} ({vertices} vertices)", name(domain)))
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.
@@ -104,27 +140,25 @@ pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
     })
 }
 
-fn text(mesh: &BoundaryMesh, summary: &Summary) -> String {
-    let reversed = if mesh.domain().was_reversed() {
-        "The corners ran clockwise and were reversed; each side kept its edge.\n"
-    } else {
-        ""
-    };
-    format!(
-        "{}: {} vertices, {} triangles, maximum {}degree {} (least possible {}), angles {} to {}\n\
-         {reversed}",
-        mesh.domain().name().unwrap_or("mesh"),
+fn text(mesh: &BoundaryMesh, summary: &Summary<'_>) -> String {
+    let total = if mesh.domain().is_constrained() { "total " } else { "" };
+    let mut text = format!(
+        "{}: {} vertices, {} triangles, maximum {total}degree {} (least possible {}), angles {} \
+         to {}",
+        name(mesh.domain()),
         summary.vertices,
         summary.triangles,
-        if mesh.domain().is_constrained() { "total " } else { "" },
         summary.max_degree,
-        summary.optimal_max_degree,
+        summary.least_max_degree,
         degrees(summary.min_angle),
         degrees(summary.max_angle),
-    )
-}
-
-/// An angle as people read it; one too small for three decimals as a power of ten.
-pub(crate) fn degrees(angle: f64) -> String {
-    if angle < 0.01 { format!("{angle:.1e}°") } else { format!("{angle:.3}°") }
+    );
+    if summary.reversed {
+        text.push_str("\nThe corners ran clockwise and were reversed; each side kept its edge.");
+    }
+    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
+    if !files.is_empty() {
+        text.push_str(&format!("\nwrote {}", files.join(", ")));
+    }
+    text
 }

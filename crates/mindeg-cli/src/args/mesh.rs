@@ -1,0 +1,65 @@
+//! `mindeg mesh`.
+
+use super::domain::DomainArguments;
+use super::surface::SurfaceArguments;
+use super::values::whole_number;
+use super::with_exit_codes;
+use crate::gates::Gates;
+use clap::{Args, ValueEnum};
+
+const EXAMPLES: &str = "\
+Examples:
+  mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj
+  mindeg mesh assets/domains/wing-panel.json --max-degree 5 -o wing.glb -o wing.svg
+  mindeg mesh --corners \"0,0 4,0 3,2\" --intervals 8,5,7 --spacing bump:0.5 -o wedge.gltf
+  mindeg mesh - -o - --format obj < domain.json | zstd > mesh.obj.zst";
+
+/// Mesh a domain from its boundary points alone and write it to files
+///
+/// Vertices are numbered counter-clockwise from the first corner. Every vertex is a boundary
+/// point. Without --max-degree and --optimize, the mesh has the least possible maximum degree; of
+/// the meshes that the construction offers, it has the largest minimum angle. A domain whose
+/// file gives outside_degree or max_degree is meshed as with --optimize angle.
+///
+/// If a gate fails, nothing is written. Each file appears whole or not at all, and what cannot be
+/// written is refused before the mesh is looked for. A .gltf and its .bin are two files: if two
+/// runs write the same .gltf at the same time, one's .gltf can end beside the other's .bin. Write
+/// a .glb instead, or let one run end first.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+pub(crate) struct MeshArguments {
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArguments,
+
+    /// Make the mesh with the largest minimum angle of all whose vertices have at most this many
+    /// edges; exact, up to 4096 vertices
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    pub(crate) max_degree: Option<u32>,
+
+    /// Make the mesh with the largest minimum angle of all within --max-degree, or of all with
+    /// the least possible maximum degree; exact, up to 4096 vertices
+    #[arg(long, value_name = "WHAT")]
+    pub(crate) optimize: Option<Optimize>,
+
+    /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,
+    /// least_max_degree, min_angle, max_angle, reversed, files
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Print no summary and show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) gates: Gates,
+}
+
+/// What a mesh is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Optimize {
+    /// The minimum angle of all triangles
+    Angle,
+}

@@ -1,0 +1,43 @@
+//! Asking for memory before work that would abort without it.
+//!
+//! Collections abort the process when the system has no memory for them, and the libraries below
+//! use them freely. So a command that keeps a whole mesh estimates what it takes, asks the system
+//! for that much at once, and gives it back.
+//!
+//! Limits: an estimate is no promise, and what others take meanwhile is gone. A system that
+//! promises more memory than it has, as Linux does unless told otherwise, refuses nothing; a limit
+//! on the process (`ulimit -v`) or a container's is where this matters.
+
+use crate::failure::Failure;
+
+/// What threads, buffers and the program itself take besides.
+const BASE: u64 = 4 << 20;
+
+/// Fails unless the system gives `bytes` of memory, which `what` is about to take.
+pub(crate) fn require(bytes: u64, what: &str) -> Result<(), Failure> {
+    let wanted = bytes.saturating_add(BASE);
+    let mut probe = Vec::<u8>::new();
+    let given = usize::try_from(wanted).is_ok_and(|len| probe.try_reserve_exact(len).is_ok());
+    // Asked for and not used: without this, the whole question could be optimised away.
+    std::hint::black_box(&probe);
+    if given {
+        return Ok(());
+    }
+    Err(Failure::Io(format!(
+        "out of memory: {what} takes about {} MB; raise the limit on memory, or make it smaller",
+        wanted.div_ceil(1_000_000)
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_no_system_has_is_refused() {
+        assert!(require(1 << 20, "a megabyte").is_ok());
+        let refusal = require(u64::MAX, "x.obj").unwrap_err();
+        let message = refusal.message().unwrap_or_default();
+        assert!(message.starts_with("out of memory: x.obj takes about "), "{message}");
+    }
+}
