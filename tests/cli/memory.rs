@@ -1,5 +1,6 @@
 //! Memory does not grow with the mesh.
 
+use crate::run::Running;
 use std::fs;
 use std::io::{self, Read};
 use std::process::{Command, Stdio};
@@ -8,18 +9,18 @@ use std::process::{Command, Stdio};
 fn peak(intervals: u64) -> u64 {
     // Four sides, 44 bytes a vertex. No pipe takes the rest, so the run cannot end meanwhile.
     let nearly_all = 4 * intervals * 44 - 3_000_000;
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mindeg"));
+    command
         .args(["mesh", "--rectangle", "4x3", "-q", "--format", "glb", "-o", "-", "--intervals"])
         .arg([intervals; 4].map(|count| count.to_string()).join(","))
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the binary starts");
-    let mut out = child.stdout.take().expect("standard output is piped");
+        .stdout(Stdio::piped());
+    let mut child = Running::start(&mut command);
+    let mut out = child.take_output();
     let read = io::copy(&mut out.by_ref().take(nearly_all), &mut io::sink());
     assert_eq!(read.expect("the pipe is read"), nearly_all);
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
     io::copy(&mut out, &mut io::sink()).expect("the rest is read");
-    assert!(child.wait().expect("it ends").success());
+    assert!(child.status().success());
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kibibytes = peak.and_then(|peak| peak.trim().strip_suffix(" kB")).expect("Linux tells it");
     kibibytes.parse::<u64>().expect("a number") * 1024

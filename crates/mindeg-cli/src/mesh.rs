@@ -44,6 +44,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
+    memory::require_to_stream(domain.boundary().vertex_count(), name(&domain))?;
     let goal = goal(arguments, &domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
@@ -119,8 +120,8 @@ fn way_out(arguments: &MeshArguments) -> &'static str {
 
 /// Asks for the memory of exact work on a domain, if it is not too large for that anyway.
 pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
-    /// Bytes for each pair of vertices, as measured, and a half more.
-    const PER_PAIR: u64 = 24;
+    /// Bytes for each pair of vertices, as measured, 28 to 36, and a third more.
+    const PER_PAIR: u64 = 48;
     let vertices = domain.boundary().vertex_count();
     if vertices > MAX_VERTICES {
         return Ok(());

@@ -2,6 +2,7 @@
 
 use crate::bar::{Bar, Counting, Unit};
 use crate::failure::Failure;
+use crate::input;
 use mindeg_formats::{Format, ReadError, gltf, obj};
 use mindeg_mesh::TriMesh;
 use std::fs::{self, File};
@@ -49,5 +50,7 @@ fn read_beside(path: &Path, name: &str) -> io::Result<Vec<u8>> {
         let problem = "it is not in the folder of the .gltf, and no other is looked into";
         return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
     }
-    fs::read(path.with_file_name("").join(name))
+    let path = path.with_file_name("").join(name);
+    input::note(&path, "mesh's data");
+    fs::read(path)
 }
