@@ -173,8 +173,14 @@ fn fan() -> String {
 fn gates_end_with_code_3_and_name_what_fails() {
     for (gates, words) in [
         (&["--fail-above-degree", "11", "--fail-below-angle", "17.9"][..], &[][..]),
-        (&["--fail-above-degree", "10"], &["vertex 0 has 11 edges", "--fail-above-degree allows 10"]),
-        (&["--fail-below-angle", "20"], &["triangle ", "vertices 0, ", "--fail-below-angle asks for 20°"]),
+        (
+            &["--fail-above-degree", "10"],
+            &["vertex 0 has 11 edges", "--fail-above-degree allows 10"],
+        ),
+        (
+            &["--fail-below-angle", "20"],
+            &["triangle ", "vertices 0, ", "--fail-below-angle asks for 20°"],
+        ),
         (
             &["--fail-above-degree", "10", "--fail-below-angle", "20"],
             &["vertex 0 has", "triangle "],

@@ -61,6 +61,56 @@ fn every_domain_is_meshed_into_every_format() {
 }
 
 #[test]
+fn a_summary_says_what_was_meshed_and_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| text(&folder.path().join(name)).to_owned();
+    let clockwise = br#"{"name": "wedge", "polygon": {"corners": [[0, 0], [0, 3], [4, 0]]},
+        "sides": [{"intervals": 3}, {"intervals": 2}, {"intervals": 1}]}"#;
+    let [gltf, svg] = ["w.gltf", "w.svg"].map(file);
+    let mesh = |more: &[&str]| {
+        let arguments = ["mesh", "-", "-o", &gltf, "-o", &svg];
+        mindeg_reading(arguments.iter().chain(more), clockwise)
+    };
+    let summary = mesh(&["--json"]).json();
+    assert_eq!(summary["name"], "wedge");
+    assert_eq!(summary["reversed"], true);
+    let intervals = summary["intervals"].as_array().expect("a list").clone();
+    assert_eq!(intervals.iter().filter_map(serde_json::Value::as_u64).sum::<u64>(), 6);
+    assert_eq!(summary["files"], serde_json::json!([gltf, file("w.bin"), svg]));
+    let said = mesh(&[]).errors;
+    assert!(said.contains(&format!("wrote {gltf}, {}, {svg}\n", file("w.bin"))), "{said}");
+    assert!(said.contains("ran clockwise"), "{said}");
+
+    let unnamed = ["mesh", "--rectangle", "4x3", "--size", "1", "-o", "-", "--format", "obj"];
+    let run = mindeg(unnamed);
+    assert!(
+        run.errors.starts_with("domain: 14 vertices") && !run.errors.contains("wrote"),
+        "{run:?}"
+    );
+    let summary = mindeg([&unnamed[..5], &["--json", "-o", &svg]].concat()).json();
+    assert_eq!((&summary["name"], &summary["reversed"]), (&serde_json::Value::Null, &false.into()));
+    assert_eq!(summary["intervals"], serde_json::json!([4, 3, 4, 3]));
+}
+
+#[test]
+fn a_failed_gate_names_what_fails_in_the_usual_digits() {
+    let panel = domains().into_iter().find(|path| path.ends_with("wing-panel.json"));
+    let panel = panel.expect("the domain is there");
+    let gates = ["--fail-above-degree", "3", "--fail-below-angle", "10"];
+    let mesh = ["mesh", text(&panel), "-o", "/dev/null", "--format", "obj"];
+    let run = mindeg(mesh.iter().chain(&gates));
+    assert_eq!(run.code, Some(3), "{run:?}");
+    let message = &run.errors;
+    assert!(message.starts_with("error: vertex "), "{message}");
+    assert!(message.contains(" has 4 edges; --fail-above-degree allows 3; triangle "), "{message}");
+    assert!(
+        message.contains("has an angle of 0.475°; --fail-below-angle asks for 10°"),
+        "{message}"
+    );
+    assert!(message.contains("(vertices "), "{message}");
+}
+
+#[test]
 fn the_mesh_written_is_the_proven_one() {
     let run = mindeg([
         "mesh",

@@ -95,7 +95,7 @@ fn time_shows_while_methods_are_compared() {
     let Some(run) = shell(&command, true) else { return };
     let shown = run.text();
     let (bar, verdict) = shown.rsplit_once(" 1s").expect("a bar was there");
-    assert!(bar.contains("comparing domain, 1.7 s at most for each method "), "{bar:?}");
+    assert!(bar.contains("comparing the domain, 1.7 s at most for each method "), "{bar:?}");
     assert!(verdict.contains("\u{1b}[2K") && verdict.contains("Delaunay"), "{verdict:?}");
     assert!(report.exists());
 }

@@ -53,6 +53,22 @@ fn the_table_is_for_reading() {
 }
 
 #[test]
+fn a_long_table_keeps_the_first_the_knee_and_the_last() {
+    let table = |limit| {
+        let run = mindeg([rectangle("tradeoff", "90,3,5,2"), vec!["--limit", limit]].concat());
+        run.text().to_owned()
+    };
+    let all = table("0");
+    let rows: Vec<&str> = all.lines().skip(1).collect();
+    assert!(rows.len() > 5, "{all}");
+    let knee = *rows.iter().find(|row| row.ends_with("%  knee")).expect("a knee");
+    let short = table("3");
+    let shown: Vec<&str> = short.lines().skip(1).collect();
+    assert_eq!(shown[..3], [rows[0], knee, rows[rows.len() - 1]]);
+    assert_eq!(shown[3], format!("3 of {} rows, spread evenly; --limit 0 prints all.", rows.len()));
+}
+
+#[test]
 fn reports_come_in_every_format() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = ["curve.html", "curve.svg", "curve.json"].map(|name| folder.path().join(name));

@@ -5,7 +5,7 @@ mod saved_meshes;
 
 use crate::args::{CompareArguments, ReportFormat};
 use crate::bar::Bar;
-use crate::domain::{from_file, from_options, name};
+use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
 use crate::interrupt::clean_up_on_interrupt;
@@ -144,11 +144,11 @@ fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Compariso
     let vertices = domain.boundary().vertex_count();
     let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
     let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
-    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name(domain)))?;
+    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name_in_text(domain)))?;
 
     let stage = format!(
         "comparing {}, {} s at most for each method",
-        name(domain),
+        name_in_text(domain),
         options.time_limit.as_secs_f64()
     );
     let comparison = Bar::new(quiet).waiting(stage, || compare(domain, options));

@@ -22,9 +22,14 @@ pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
     }
 }
 
-/// What a domain is called in messages about its size.
+/// What a domain is called at the start of a line.
 pub(crate) fn name(domain: &Domain) -> &str {
     domain.name().unwrap_or(UNNAMED)
+}
+
+/// What a domain is called within a sentence.
+pub(crate) fn name_in_text(domain: &Domain) -> &str {
+    domain.name().unwrap_or("the domain")
 }
 
 /// The intervals of each side, as typed or as a domain's file has them.
@@ -34,11 +39,10 @@ pub(crate) fn counts(counts: &Counts) -> Result<Vec<u64>, Failure> {
         Counts::Domain(path) => {
             let domain = read(path)?;
             if domain.is_constrained() {
-                return Err(Failure::Input(format!(
-                    "{} gives outside_degree or max_degree, which interval counts alone do not \
-                     tell; mindeg mesh and mindeg tradeoff keep to them",
-                    path.display()
-                )));
+                let message = "the domain gives outside_degree or max_degree, which interval \
+                               counts alone do not tell; mindeg mesh and mindeg tradeoff keep to \
+                               them";
+                return Err(Failure::Input(message.to_owned()));
             }
             Ok(domain.boundary().sides().map(u64::from).collect())
         }

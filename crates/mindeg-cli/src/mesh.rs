@@ -2,7 +2,7 @@
 
 use crate::args::{MeshArguments, Optimize};
 use crate::bar::Bar;
-use crate::domain::{domain, name};
+use crate::domain::{domain, name, name_in_text};
 use crate::failure::Failure;
 use crate::gates::degrees;
 use crate::interrupt::clean_up_on_interrupt;
@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
-    memory::require_to_stream(domain.boundary().vertex_count(), name(&domain))?;
+    memory::require_to_stream(domain.boundary().vertex_count(), name_in_text(&domain))?;
     let goal = goal(arguments, &domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
@@ -99,7 +99,7 @@ fn goal(arguments: &MeshArguments, domain: &Domain) -> Result<Goal, Failure> {
     if let Some(limit) = max_degree.filter(|&limit| limit < least && !domain.is_constrained()) {
         return Err(Failure::Input(format!(
             "no mesh of {} has maximum degree {limit}; the least is {least}",
-            name(domain)
+            name_in_text(domain)
         )));
     }
     if goal != Goal::LeastDegree || domain.is_constrained() {
@@ -127,7 +127,7 @@ pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
         return Ok(());
     }
     let bytes = u64::from(vertices).pow(2) * PER_PAIR;
-    memory::require(bytes, &format!("exact work on {} ({vertices} vertices)", name(domain)))
+    memory::require(bytes, &format!("exact work on {} ({vertices} vertices)", name_in_text(domain)))
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.

@@ -1,7 +1,7 @@
 //! Reading a mesh of any program from a file.
 
 use crate::bar::{Bar, Counting, Unit};
-use crate::failure::Failure;
+use crate::failure::{Failure, plainly};
 use crate::input;
 use mindeg_formats::{Format, ReadError, gltf, obj};
 use mindeg_mesh::TriMesh;
@@ -33,7 +33,9 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
         }
     };
     mesh.map_err(|error| match error {
-        ReadError::Io(error) => Failure::Io(format!("cannot read {}: {error}", path.display())),
+        ReadError::Io(error) => {
+            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
+        }
         ReadError::External { ref source, .. } if source.kind() != io::ErrorKind::InvalidInput => {
             Failure::Io(format!("{}: {error}", path.display()))
         }

@@ -63,7 +63,7 @@ impl Outputs {
             // A link is followed, so that what it points to is replaced and not the link.
             Ok(metadata) => (fs::canonicalize(path).map_err(failed)?, Some(metadata.permissions())),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                (new_file(path).map_err(failed)?, None)
+                (new_file(path).map_err(|error| cannot_create(path, &error))?, None)
             }
             Err(error) => return Err(failed(error)),
         };
@@ -182,6 +182,7 @@ pub(crate) fn write_to(
 fn cannot_create(path: &Path, error: &io::Error) -> Failure {
     let advice = match error.kind() {
         io::ErrorKind::PermissionDenied => "; its folder takes no new files",
+        io::ErrorKind::NotFound => "; its folder does not exist",
         _ => "",
     };
     Failure::Io(format!("cannot write {}: {}{advice}", path.display(), plainly(error)))

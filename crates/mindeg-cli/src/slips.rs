@@ -20,8 +20,23 @@ pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<Strin
                 let unknown = text(error, ContextKind::InvalidArg)?;
                 renamed(command, &unknown).or_else(|| one_too_many(command, &unknown))
             }
+            ErrorKind::MissingRequiredArgument => output_missing(command, error),
             _ => None,
         })
+}
+
+/// `mesh plate.json`
+fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::Strings(missing)) = error.get(ContextKind::InvalidArg) else {
+        return None;
+    };
+    let example = match command {
+        "mesh" | "convert" => "-o mesh.obj",
+        "compare" => "-o report.html, or give --json",
+        _ => return None,
+    };
+    let is_output = |argument: &String| argument.starts_with("--output");
+    missing.iter().all(is_output).then(|| format!("where to? name a file, such as {example}"))
 }
 
 /// `--corners 0,0 4,0 3,2`

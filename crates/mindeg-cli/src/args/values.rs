@@ -80,7 +80,7 @@ impl FromStr for IntervalCounts {
 /// A number of edges, rows or the like.
 pub(crate) fn whole_number(text: &str) -> Result<u32, String> {
     let number = text.trim().parse();
-    number.map_err(|_| "give a whole number from 0 to 4294967295".to_owned())
+    number.map_err(|_| "give a whole number of 0 or more, such as 5".to_owned())
 }
 
 /// A length above 0.
