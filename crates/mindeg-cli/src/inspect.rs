@@ -7,14 +7,17 @@ use crate::args::InspectArguments;
 use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::gates::NamedTriangle;
+use crate::memory;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::inspection::{Inspection, InspectionOptions};
 use report::Report;
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
-    let bar = Bar::new(false);
+    let bar = Bar::new(arguments.quiet);
+    memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
+    memory::require_to_inspect(&arguments.file, mesh.positions().len(), mesh.triangles().len())?;
     let options = InspectionOptions {
         weld: !arguments.no_weld,
         pole_degree: arguments.poles_above,

@@ -1,7 +1,8 @@
 //! Reading a mesh of any program from a file.
 
 use crate::bar::{Bar, Counting, Unit};
-use crate::failure::Failure;
+use crate::failure::{Failure, plainly};
+use crate::input;
 use mindeg_formats::{Format, ReadError, gltf, obj};
 use mindeg_mesh::TriMesh;
 use std::fs::{self, File};
@@ -32,7 +33,9 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
         }
     };
     mesh.map_err(|error| match error {
-        ReadError::Io(error) => Failure::Io(format!("cannot read {}: {error}", path.display())),
+        ReadError::Io(error) => {
+            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
+        }
         ReadError::External { ref source, .. } if source.kind() != io::ErrorKind::InvalidInput => {
             Failure::Io(format!("{}: {error}", path.display()))
         }
@@ -49,5 +52,7 @@ fn read_beside(path: &Path, name: &str) -> io::Result<Vec<u8>> {
         let problem = "it is not in the folder of the .gltf, and no other is looked into";
         return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
     }
-    fs::read(path.with_file_name("").join(name))
+    let path = path.with_file_name("").join(name);
+    input::note(&path, "mesh's data");
+    fs::read(path)
 }
