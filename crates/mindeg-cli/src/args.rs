@@ -120,14 +120,20 @@ pub(crate) struct MeshArguments {
 /// triangles are shaped
 ///
 /// Takes meshes of any program: with interior vertices, in several parts, closed or broken.
-/// Quads and larger polygons of an OBJ are measured as the triangles of a fan from their first
-/// corner. Vertices and triangles are numbered from 0, in the order of the file.
+/// Edges and degrees are those of the faces in the file, quads and larger polygons among them; areas
+/// and angles are those of the triangles they are cut into. Vertices, faces and triangles are
+/// numbered from 0, in the order of the file.
 #[derive(Debug, Args)]
 #[command(after_help = EXIT_CODES)]
 pub(crate) struct InspectArguments {
-    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder)
+    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder); - is
+    /// standard input, whose content tells the format
     #[arg(value_name = "MESH")]
     pub(crate) file: PathBuf,
+
+    /// The format of standard input, where its content does not tell it
+    #[arg(long, value_name = "FORMAT", value_parser = read_format_parser())]
+    pub(crate) format: Option<Format>,
 
     /// Name the vertices with more edges than this, poles
     #[arg(long, value_name = "N", default_value_t = 8)]
@@ -137,21 +143,36 @@ pub(crate) struct InspectArguments {
     #[arg(long, value_name = "A", default_value_t = 1.0, value_parser = parse_corner_angle, allow_hyphen_values = true)]
     pub(crate) corner_angle: f64,
 
-    /// Take vertices at the same position apart, as the file has them, instead of for one
-    #[arg(long)]
+    /// Merge vertices no farther apart than this, in the file's unit of length, and all of a chain
+    /// of such vertices; 0 merges vertices with identical coordinates, as without the option
+    #[arg(long, value_name = "TOLERANCE", default_value_t = 0.0, value_parser = parse_tolerance, allow_hyphen_values = true, hide_default_value = true)]
+    pub(crate) weld: f64,
+
+    /// Do not merge vertices with identical coordinates
+    #[arg(long, conflicts_with = "weld")]
     pub(crate) no_weld: bool,
 
     /// Print JSON: file, vertices, welded_vertices, triangles, quads, polygons, line_segments,
-    /// points, faces, edges, boundary_edges, boundary_loops, open_boundaries, components,
+    /// points, not_read, faces, edges, boundary_edges, boundary_loops, open_boundaries, components,
     /// euler_characteristic, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
-    /// duplicate_triangles, zero_area_triangles, unreferenced_vertices, max_degree,
-    /// degree_histogram, poles, area, min_angle, max_angle, metrics, share_below_degrees,
-    /// worst_triangles, outline, no_outline
+    /// duplicate_faces, duplicate_triangles, zero_area_triangles, unreferenced_vertices,
+    /// max_degree, degree_histogram, poles, area, min_angle, max_angle, metrics,
+    /// share_below_degrees, worst_triangles, outline, no_outline
     #[arg(long)]
     pub(crate) json: bool,
 
+    /// Show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+
     #[command(flatten)]
     pub(crate) gates: Gates,
+}
+
+fn parse_tolerance(text: &str) -> Result<f64, String> {
+    let tolerance =
+        text.parse().ok().filter(|tolerance: &f64| *tolerance >= 0.0 && tolerance.is_finite());
+    tolerance.ok_or_else(|| "give a length, 0 or more".to_owned())
 }
 
 fn parse_corner_angle(text: &str) -> Result<f64, String> {
@@ -214,11 +235,19 @@ impl SurfaceArguments {
 }
 
 fn format_parser() -> impl TypedValueParser<Value = Format> {
-    let values = Format::WRITTEN
-        .map(|format| PossibleValue::new(format.extension()).help(format.description()));
-    PossibleValuesParser::new(values).map(|name| {
+    one_of(Format::WRITTEN)
+}
+
+fn read_format_parser() -> impl TypedValueParser<Value = Format> {
+    one_of(Format::READ)
+}
+
+fn one_of<const N: usize>(formats: [Format; N]) -> impl TypedValueParser<Value = Format> {
+    let values =
+        formats.map(|format| PossibleValue::new(format.extension()).help(format.description()));
+    PossibleValuesParser::new(values).map(move |name| {
         let is_named = |format: &Format| format.extension() == name;
-        Format::WRITTEN.into_iter().find(is_named).expect("one of the possible values")
+        formats.into_iter().find(is_named).expect("one of the possible values")
     })
 }
 
