@@ -1,7 +1,7 @@
 //! Where a mesh goes, and what its files hold besides points and triangles.
 
+use super::values::format_parser;
 use clap::Args;
-use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use mindeg_formats::{Format, Plane, SurfaceOptions};
 use std::path::PathBuf;
 
@@ -14,7 +14,7 @@ pub(crate) struct SurfaceArguments {
     pub(crate) output: Vec<PathBuf>,
 
     /// The format where the extension does not tell it
-    #[arg(long, value_name = "FORMAT", value_parser = format_parser())]
+    #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN))]
     pub(crate) format: Option<Format>,
 
     /// Give each vertex a colour by its degree (OBJ, glTF)
@@ -39,13 +39,4 @@ impl SurfaceArguments {
             ..SurfaceOptions::default()
         }
     }
-}
-
-fn format_parser() -> impl TypedValueParser<Value = Format> {
-    let values = Format::WRITTEN
-        .map(|format| PossibleValue::new(format.extension()).help(format.description()));
-    PossibleValuesParser::new(values).map(|name| {
-        let is_named = |format: &Format| format.extension() == name;
-        Format::WRITTEN.into_iter().find(is_named).expect("one of the possible values")
-    })
 }

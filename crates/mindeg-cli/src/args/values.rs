@@ -1,5 +1,7 @@
 //! Values of options: how they are read, and what to say to one that cannot be.
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use mindeg_formats::Format;
 use std::str::FromStr;
 
 /// Width and height.
@@ -89,6 +91,18 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
     length
         .filter(|length| length.is_finite())
         .ok_or_else(|| "give a length above 0, such as 0.5".to_owned())
+}
+
+/// One of some formats, by name.
+pub(super) fn format_parser<const N: usize>(
+    formats: [Format; N],
+) -> impl TypedValueParser<Value = Format> {
+    let values =
+        formats.map(|format| PossibleValue::new(format.extension()).help(format.description()));
+    PossibleValuesParser::new(values).map(move |name| {
+        let is_named = |format: &Format| format.extension() == name;
+        formats.into_iter().find(is_named).expect("one of the possible values")
+    })
 }
 
 /// A share from 0 to 1, also as a percentage.

@@ -82,6 +82,7 @@ pub fn read(
     let mut surface = Surface {
         buffers: &buffers,
         positions: Vec::new(),
+        rounding: 0.0,
         triangles: Vec::new(),
         groups: Vec::new(),
         non_triangles: NonTriangles::default(),
@@ -90,7 +91,9 @@ pub fn read(
         surface.add_node(&node, to_scene)?;
     }
     let mesh = TriMesh::new(surface.positions, surface.triangles)?;
-    Ok(mesh.with_groups(surface.groups).with_non_triangles(surface.non_triangles))
+    let mesh = mesh.with_groups(surface.groups).with_non_triangles(surface.non_triangles);
+    // One that is beyond f64 is none of a finite position.
+    Ok(mesh.with_rounding(surface.rounding.min(f64::MAX)))
 }
 
 pub(super) fn place(place: impl Into<String>, problem: impl Into<String>) -> ReadError {
@@ -215,6 +218,8 @@ fn matrix(node: &Node) -> DMat4 {
 struct Surface<'a> {
     buffers: &'a Buffers<'a>,
     positions: Vec<DVec3>,
+    /// How far a coordinate may be from the one that was rounded to 32 bits.
+    rounding: f64,
     triangles: Vec<[u32; 3]>,
     groups: Vec<Group>,
     non_triangles: NonTriangles,
@@ -244,10 +249,16 @@ impl Surface<'_> {
                 None => {
                     let start = self.positions.len();
                     let positions = accessor::positions(&accessor, self.buffers)?;
+                    let mut largest = DVec3::ZERO;
                     self.positions.extend(positions.map(|[x, y, z]| {
                         let position = DVec3::new(x.into(), y.into(), z.into());
+                        largest = largest.max(position.abs());
                         to_scene.transform_point3(position)
                     }));
+                    let axes = [to_scene.x_axis, to_scene.y_axis, to_scene.z_axis];
+                    let moved: DVec3 = axes.map(|axis| axis.truncate().abs()).into_iter().sum();
+                    let rounding = largest.max_element() * 0.5 * f64::from(f32::EPSILON);
+                    self.rounding = self.rounding.max(rounding * moved.max_element());
                     let vertices = start..self.positions.len();
                     read.push((accessor.index(), vertices.clone()));
                     vertices
