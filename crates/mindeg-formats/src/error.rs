@@ -1,5 +1,6 @@
 //! Why a file could not be read or written.
 
+use std::collections::TryReserveError;
 use std::io;
 
 use glam::DVec3;
@@ -40,6 +41,20 @@ pub enum ReadError {
     /// Points and triangles that are no mesh.
     #[error(transparent)]
     Mesh(#[from] TriMeshError),
+}
+
+impl ReadError {
+    /// An error at a part of a structured format.
+    pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
+        Self::Place { place: place.into(), problem: problem.into() }
+    }
+}
+
+/// Too little memory.
+impl From<TryReserveError> for ReadError {
+    fn from(error: TryReserveError) -> Self {
+        Self::Io(error.into())
+    }
 }
 
 /// Why a mesh could not be written.
