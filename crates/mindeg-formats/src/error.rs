@@ -30,7 +30,8 @@ pub enum ReadError {
         /// What is wrong, and what would be right.
         problem: String,
     },
-    /// A second file that the first one needs could not be read.
+    /// A second file that the first one needs could not be read. The kind of the source is
+    /// [`InvalidInput`](io::ErrorKind::InvalidInput) if it is a URI that is never read.
     #[error("the file {uri:?}, which this one needs, could not be read: {source}")]
     External {
         /// The file, as the first one names it.

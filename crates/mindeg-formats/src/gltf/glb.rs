@@ -7,7 +7,7 @@ use super::write::Arrays;
 use crate::sections::{Section, write_sections};
 use crate::{SurfaceOptions, WriteError};
 use mindeg_mesh::Mesh;
-use std::io::{self, Write};
+use std::io::Write;
 
 pub use super::read::read;
 

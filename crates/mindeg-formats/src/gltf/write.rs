@@ -149,10 +149,8 @@ impl<'a> Arrays<'a> {
 fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
     let plane = options.plane;
     if let Some(normal) = mesh.normal() {
-        let normal = plane.place(normal).as_vec3().to_array();
-        return Section::new(mesh.vertex_count(), 12, move |range, buffer| {
-            range.for_each(|_| push_floats(buffer, normal));
-        });
+        let normal = plane.place(normal).as_vec3().to_array().map(f32::to_le_bytes);
+        return Section::repeated(mesh.vertex_count(), normal.as_flattened());
     }
     let normals = vertex_normals(mesh);
     Section::new(mesh.vertex_count(), 12, move |range, buffer| {

@@ -170,10 +170,7 @@ fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
     let plane = options.plane;
     if let Some(normal) = mesh.normal() {
         let [x, y, z] = plane.place(normal).to_array();
-        let line = format!("vn {x} {y} {z}\n").into_bytes();
-        return Section::new(mesh.vertex_count(), 9, move |range, buffer| {
-            range.for_each(|_| buffer.extend_from_slice(&line));
-        });
+        return Section::repeated(mesh.vertex_count(), format!("vn {x} {y} {z}\n").as_bytes());
     }
     let normals = vertex_normals(mesh);
     Section::new(mesh.vertex_count(), 24, move |range, buffer| {
