@@ -10,6 +10,8 @@ mod limits;
 #[cfg(target_os = "linux")]
 mod memory;
 mod mesh;
+#[cfg(unix)]
+mod mesh_files;
 #[cfg(target_os = "linux")]
 mod progress;
 mod run;

@@ -23,8 +23,10 @@ const BLOCK_LEN: u32 = 1 << 19;
 const PART: usize = 4096;
 
 /// A buffer that takes a block, also one that is longer than was thought.
-fn buffer() -> Vec<u8> {
-    Vec::with_capacity(2 * BLOCK_LEN as usize)
+fn buffer() -> io::Result<Vec<u8>> {
+    let mut buffer = Vec::new();
+    buffer.try_reserve_exact(2 * BLOCK_LEN as usize)?;
+    Ok(buffer)
 }
 
 /// How a range of items becomes bytes: they are appended to the buffer.
@@ -118,7 +120,7 @@ pub(crate) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> 
     let blocks = Blocks::new(sections);
     let threads = thread_count().min(blocks.count);
     if threads < 2 {
-        let mut buffer = buffer();
+        let mut buffer = buffer()?;
         for number in 0..blocks.count {
             buffer.clear();
             blocks.format(number, &mut buffer);
@@ -126,7 +128,7 @@ pub(crate) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> 
         }
         return Ok(());
     }
-    let line = Line::new(blocks.count, threads);
+    let line = Line::new(blocks.count, threads)?;
     thread::scope(|scope| {
         // However this thread ends, the others are not to wait for it.
         let _end = EndOnDrop(&line);
@@ -169,7 +171,6 @@ fn thread_count() -> usize {
 /// The blocks of a file on their way from those who format them to the one who writes them.
 struct Line {
     count: usize,
-    threads: usize,
     state: Mutex<State>,
     /// Somebody who waits may go on.
     changed: Condvar,
@@ -182,7 +183,7 @@ struct State {
     writing: usize,
     /// The formatted blocks, each at its number modulo the length.
     ready: Vec<Option<Vec<u8>>>,
-    /// Buffers of blocks that have been written.
+    /// The buffers that hold no block.
     empty: Vec<Vec<u8>>,
     /// Whether no more blocks are to be formatted.
     ended: bool,
@@ -199,10 +200,11 @@ enum Next {
 }
 
 impl Line {
-    fn new(count: usize, threads: usize) -> Self {
+    fn new(count: usize, threads: usize) -> io::Result<Self> {
         let ready = vec![None; threads + 1];
-        let state = State { next: 0, writing: 0, ready, empty: Vec::new(), ended: false };
-        Self { count, threads, state: Mutex::new(state), changed: Condvar::new() }
+        let empty = (0..=threads).map(|_| buffer()).collect::<Result<_, _>>()?;
+        let state = State { next: 0, writing: 0, ready, empty, ended: false };
+        Ok(Self { count, state: Mutex::new(state), changed: Condvar::new() })
     }
 
     fn state(&self) -> MutexGuard<'_, State> {
@@ -213,15 +215,15 @@ impl Line {
         self.changed.wait(state).unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Takes the next block, if there may be one more in memory.
+    /// Takes the next block, if there is a buffer for it.
     fn take(&self, state: &mut State) -> Option<(usize, Vec<u8>)> {
         let number = state.next;
-        if number >= self.count || number > state.writing + self.threads {
+        if number >= self.count {
             return None;
         }
-        state.next += 1;
-        let mut buffer = state.empty.pop().unwrap_or_else(buffer);
+        let mut buffer = state.empty.pop()?;
         buffer.clear();
+        state.next += 1;
         Some((number, buffer))
     }
 
@@ -251,10 +253,7 @@ impl Line {
 
     fn next_to_write(&self, number: usize) -> Next {
         let mut state = self.state();
-        if state.writing != number {
-            state.writing = number;
-            self.changed.notify_all();
-        }
+        state.writing = number;
         let place = number % state.ready.len();
         loop {
             if let Some(buffer) = state.ready[place].take() {
@@ -272,6 +271,7 @@ impl Line {
 
     fn give_back(&self, buffer: Vec<u8>) {
         self.state().empty.push(buffer);
+        self.changed.notify_all();
     }
 }
 

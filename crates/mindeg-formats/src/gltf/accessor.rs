@@ -51,8 +51,9 @@ impl Component {
 }
 
 impl<'a> Arrays<'a> {
-    /// The positions that an accessor holds.
-    pub(super) fn positions(&self, accessor: usize) -> Result<Vec<DVec3>, ReadError> {
+    /// The positions that an accessor holds, and how far each may be off because of the numbers
+    /// that hold it.
+    pub(super) fn positions(&self, accessor: usize) -> Result<(Vec<DVec3>, f64), ReadError> {
         let source = &self.document.accessors[accessor];
         let component = Component::of_code(source.component_type);
         let quantized = [Component::I8, Component::U8, Component::I16, Component::U16];
@@ -75,7 +76,7 @@ impl<'a> Arrays<'a> {
                 |item: &[u8]| DVec3::from_array([0, 1, 2].map(|i| decode(&item[i * size..])));
             self.decoded(accessor, component, 3, DVec3::ZERO, point)
         };
-        match component {
+        let positions = match component {
             Component::I8 => decode_all(&|b| scaled(f64::from(b[0] as i8), 127.0)),
             Component::U8 => decode_all(&|b| scaled(f64::from(b[0]), 255.0)),
             Component::I16 => {
@@ -89,7 +90,20 @@ impl<'a> Arrays<'a> {
                 let point = |b: &[u8]| DVec3::new(value(b), value(&b[4..]), value(&b[8..]));
                 self.decoded(accessor, component, 3, DVec3::ZERO, point)
             }
-        }
+        }?;
+        let rounding = match component {
+            Component::I8 | Component::U8 | Component::I16 | Component::U16 => {
+                let bits = 8 * component.size() as i32;
+                let is_signed = matches!(component, Component::I8 | Component::I16);
+                let steps = f64::from(1 << (bits - i32::from(is_signed))) - 1.0;
+                if source.normalized { 0.5 / steps } else { 0.5 }
+            }
+            Component::F32 | Component::U32 => {
+                let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+                largest / f64::from(1 << 24)
+            }
+        };
+        Ok((positions, rounding))
     }
 
     /// The indices that an accessor holds.

@@ -2,8 +2,8 @@
 
 use super::schema::{Buffer, Document};
 use crate::ReadError;
-use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
+use base64::{DecodeSliceError, Engine};
 use std::borrow::Cow;
 use std::io::{self, ErrorKind};
 
@@ -118,7 +118,10 @@ fn load(
         bytes.try_reserve_exact(len)?;
         bytes.resize(len, 0);
         let decoded = STANDARD.decode_slice(data, &mut bytes);
-        bytes.truncate(decoded.map_err(|error| problem(format!("is no base64: {error}")))?);
+        bytes.truncate(decoded.map_err(|error| match error {
+            DecodeSliceError::DecodeError(error) => problem(format!("is no base64: {error}")),
+            error => problem(format!("is no base64: {error}")),
+        })?);
         return Ok(bytes);
     }
     let name = percent_encoding::percent_decode_str(uri).decode_utf8_lossy();

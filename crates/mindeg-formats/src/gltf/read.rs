@@ -62,15 +62,24 @@ pub fn read(
     input: impl Read,
     resolve: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<TriMesh, ReadError> {
-    let (mesh, _notes) = read_with_notes(input, resolve)?;
+    let (mesh, _besides) = read_with_notes(input, resolve)?;
     Ok(mesh)
 }
 
-/// [`read()`], and what a reader of the mesh should know about the file.
+/// What should be known about a mesh besides.
+#[derive(Debug, PartialEq)]
+struct Besides {
+    /// What the file has and the mesh has not.
+    notes: Vec<String>,
+    /// How far coordinates may be off because of the numbers that hold them.
+    rounding: f64,
+}
+
+/// [`read()`], and what should be known about the mesh besides.
 fn read_with_notes(
     mut input: impl Read,
     resolve: impl FnMut(&str) -> io::Result<Vec<u8>>,
-) -> Result<(TriMesh, Vec<String>), ReadError> {
+) -> Result<(TriMesh, Besides), ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
     let Container { json, binary } = Container::split(&file)?;
@@ -84,13 +93,12 @@ fn read_with_notes(
     for &(index, to_scene) in &nodes {
         surface.add_lines_of(index, to_scene)?;
     }
-    let notes = surface.notes.list();
-    // Positions have 32 bits.
+    let besides = Besides { notes: surface.notes.list(), rounding: surface.rounding };
     let mesh = TriMesh::new(surface.positions, surface.triangles)?
         .with_groups(surface.groups)
         .with_lines(surface.lines, surface.segments)?
         .with_non_triangles(surface.non_triangles);
-    Ok((mesh, notes))
+    Ok((mesh, besides))
 }
 
 /// What is not read of nodes that are read.
@@ -131,6 +139,7 @@ struct Surface<'a> {
     lines: Vec<Line>,
     non_triangles: NonTriangles,
     notes: Notes,
+    rounding: f64,
 }
 
 impl<'a> Surface<'a> {
@@ -145,6 +154,7 @@ impl<'a> Surface<'a> {
             lines: Vec::new(),
             non_triangles: NonTriangles::default(),
             notes: Notes::default(),
+            rounding: 0.0,
         }
     }
 
@@ -224,7 +234,10 @@ impl<'a> Surface<'a> {
         if let Some(vertices) = self.vertices.get(&placed) {
             return Ok(vertices.clone());
         }
-        let mut positions = self.arrays.positions(accessor)?;
+        let (mut positions, rounding) = self.arrays.positions(accessor)?;
+        let axes = [to_scene.x_axis, to_scene.y_axis, to_scene.z_axis];
+        let scale = axes.map(|axis| axis.truncate().length()).into_iter().fold(0.0, f64::max);
+        self.rounding = self.rounding.max(rounding * scale);
         positions.iter_mut().for_each(|point| *point = to_scene.transform_point3(*point));
         let start = self.positions.len();
         if start == 0 {
@@ -259,4 +272,55 @@ fn name_of(node: &Node, mesh: &Mesh) -> String {
 
 fn bits(matrix: DMat4) -> [u64; 16] {
     matrix.to_cols_array().map(f64::to_bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What should be known besides about three points of 32-bit floats, up to 4 from the origin,
+    /// with this node and this primitive.
+    fn besides(node: &str, primitive: &str) -> Besides {
+        let document = format!(
+            r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0{node}}}],
+                "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}{primitive}}}]}}],
+                "accessors": [{{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}}],
+                "bufferViews": [{{"buffer": 0, "byteLength": 36}}],
+                "buffers": [{{"byteLength": 36, "uri": "points"}}]}}"#
+        );
+        let points = [0.0, 0.0, 0.0, -4.0, 0.0, 0.0, 0.0, 1.0, 0.0_f32];
+        let bytes: Vec<u8> = points.into_iter().flat_map(f32::to_le_bytes).collect();
+        let resolve = |_: &str| Ok(bytes.clone());
+        read_with_notes(document.as_bytes(), resolve).unwrap().1
+    }
+
+    #[test]
+    fn what_is_not_read_is_told() {
+        for (node, primitive, note) in [
+            ("", "", None),
+            (r#", "skin": 0"#, "", Some("skins are not read; meshes that have one are at rest")),
+            (
+                "",
+                r#", "targets": [{"POSITION": 0}]"#,
+                Some("morph targets are not read; meshes that have some are at rest"),
+            ),
+            (
+                r#", "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {}}}"#,
+                "",
+                Some("instances (EXT_mesh_gpu_instancing) are not read; each mesh is there once"),
+            ),
+        ] {
+            let expected: Vec<_> =
+                note.into_iter().map(|note| format!("{note}; nodes concerned: 1")).collect();
+            assert_eq!(besides(node, primitive).notes, expected);
+        }
+    }
+
+    #[test]
+    fn rounding_grows_with_the_scale_of_the_node() {
+        let unit = 1.0 / f64::from(1 << 22);
+        assert_eq!(besides("", "").rounding, unit);
+        let node = r#", "scale": [1, 3, 1], "translation": [1e9, 0, 0]"#;
+        assert_eq!(besides(node, "").rounding, 3.0 * unit);
+    }
 }

@@ -115,29 +115,29 @@ impl Contents {
     fn take_line(&mut self, line: &[u8]) -> Result<(), ReadError> {
         let mut words = Words(line);
         match words.next() {
-            Some(b"v") => self.take_vertex(words),
-            Some(b"vt") => {
+            Some([b'v']) => self.take_vertex(words),
+            Some([b'v', b't']) => {
                 self.texture_coordinates.count += 1;
                 Ok(())
             }
-            Some(b"vn") => {
+            Some([b'v', b'n']) => {
                 self.normals.count += 1;
                 Ok(())
             }
-            Some(b"f") => {
+            Some([b'f']) => {
                 self.take_corners(words)?;
                 self.take_face()
             }
-            Some(b"l") => {
+            Some([b'l']) => {
                 self.take_corners(words)?;
                 self.take_polyline()
             }
-            Some(b"p") => {
+            Some([b'p']) => {
                 self.take_corners(words)?;
                 self.non_triangles.points += self.corners.len() as u64;
                 Ok(())
             }
-            Some(b"o" | b"g") => {
+            Some([b'o' | b'g']) => {
                 self.end_group();
                 // A name may hold a #.
                 self.start_group(String::from_utf8_lossy(words.0.trim_ascii()).into_owned());
@@ -371,22 +371,19 @@ fn as_polygons(triangles: &[[u32; 3]]) -> Result<Polygons, TryReserveError> {
 
 /// Cuts the polygons into triangles, each into those that have been set aside for it.
 fn cut_polygons(polygons: &Polygons, positions: &[DVec3], triangles: &mut [[u32; 3]]) {
-    let mut points = Vec::new();
+    let mut cut = Vec::new();
     for (corners, &start) in polygons.iter().zip(&polygons.triangle_starts) {
         if corners.len() > 3 {
-            points.clear();
-            points.extend(corners.iter().map(|&vertex| positions[vertex as usize]));
-            let place = &mut triangles[start as usize..][..corners.len() - 2];
-            for (triangle, cut) in place.iter_mut().zip(cut(&points)) {
-                *triangle = cut.map(|corner| corners[corner as usize]);
-            }
+            cut.clear();
+            cut_polygon(corners, positions, &mut cut);
+            triangles[start as usize..][..cut.len()].copy_from_slice(&cut);
         }
     }
 }
 
-/// The triangles of a polygon, by its corners: a fan from the first.
-fn cut(points: &[DVec3]) -> Vec<[u32; 3]> {
-    (1..points.len() as u32 - 1).map(|i| [0, i, i + 1]).collect()
+/// Adds the k - 2 triangles of a polygon of k corners: a fan from the first.
+fn cut_polygon(corners: &[u32], _positions: &[DVec3], triangles: &mut Vec<[u32; 3]>) {
+    triangles.extend(corners[1..].windows(2).map(|edge| [corners[0], edge[0], edge[1]]));
 }
 
 #[cfg(test)]
