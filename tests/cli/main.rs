@@ -11,6 +11,8 @@ mod limits;
 mod memory;
 mod mesh;
 #[cfg(unix)]
+mod mesh_files;
+#[cfg(unix)]
 mod outputs_that_are_inputs;
 #[cfg(target_os = "linux")]
 mod progress;
