@@ -30,18 +30,28 @@ def open_mesh(path):
 
 
 def read(path):
-    objects = open_mesh(path)
+    meshes = open_mesh(path)
+    objects = [thing for thing in meshes if thing.data.polygons]
+    lines = [thing for thing in meshes if not thing.data.polygons]
     if not objects:
         return {"error": "no mesh in the file"}
-    # The glTF importer turns y up into z up: the file's (x, y, z) arrives as (x, -z, y).
-    across, front = ((0, 1), (0, 0, 1)) if path.endswith(".obj") else ((0, 2), (0, -1, 0))
+    # Where the domain's x and y are, with what sign, and where its normal points. On the floor,
+    # the file has (x, 0, -y).
+    is_obj, is_floor = path.endswith(".obj"), "-floor." in path
+    if is_obj and is_floor:
+        across, front = ((0, 1), (2, -1)), (0, 1, 0)
+    elif is_obj or is_floor:
+        across, front = ((0, 1), (1, 1)), (0, 0, 1)
+    else:
+        # The glTF importer turns y up into z up: the file's (x, y, z) arrives as (x, -z, y).
+        across, front = ((0, 1), (2, 1)), (0, -1, 0)
     first = objects[0]
     mesh = bmesh.new()
     mesh.from_mesh(first.data)
     mesh.normal_update()
     angles = [math.degrees(loop.calc_angle()) for face in mesh.faces for loop in face.loops]
     world = [first.matrix_world @ vertex.co for vertex in mesh.verts]
-    places = [[place[axis] for axis in across] for place in world]
+    places = [[sign * place[axis] for axis, sign in across] for place in world]
     return {
         "meshes": len(objects),
         "vertices": len(mesh.verts),
@@ -59,6 +69,8 @@ def read(path):
         # Blender keeps single precision, for the vertices as for where the object stands.
         "shape_step": largest_step(vertex.co for vertex in mesh.verts),
         "place_step": largest_step(world),
+        "line_segments": sum(len(thing.data.edges) for thing in lines),
+        "has_colors": len(first.data.color_attributes) > 0,
     }
 
 

@@ -27,7 +27,11 @@ def read(path):
     angles = corner_angles(local[faces])
 
     # pymeshlab keeps doubles, so an OBJ keeps its digits; glTF itself stores single precision.
-    stored = numpy.float64 if path.endswith(".obj") else numpy.float32
+    keeps_digits = path.endswith(".obj") and "-converted." not in path
+    stored = numpy.float64 if keeps_digits else numpy.float32
+    # On the floor, (x, y) of the domain is (x, 0, -y), and the normal is +y.
+    up, across = (1, (0, 2)) if "-floor." in path else (2, (0, 1))
+    places = world[:, across] * ((1, -1) if up == 1 else (1, 1))
     step = float(numpy.spacing(stored(numpy.abs(local).max())))
     return {
         "meshes": meshes.mesh_number(),
@@ -38,15 +42,22 @@ def read(path):
         "components": topology["connected_components_number"],
         "max_degree": int(numpy.bincount(edges.ravel()).max()),
         # A face without area has a normal of zeros or NaN and counts as turned away too.
-        "faces_turned_away": int(numpy.sum(~(mesh.face_normal_matrix()[:, 2] > 0))),
+        "faces_turned_away": int(numpy.sum(~(mesh.face_normal_matrix()[:, up] > 0))),
         "area": meshes.get_geometric_measures()["surface_area"],
         "min_angle": float(angles.min()),
         "max_angle": float(angles.max()),
-        "bounds": [world[:, :2].min(axis=0).tolist(), world[:, :2].max(axis=0).tolist()],
+        "bounds": [places.min(axis=0).tolist(), places.max(axis=0).tolist()],
         "shortest_edge": float(lengths.min()),
         "shape_step": step,
         "place_step": step,
+        "line_segments": mesh.edge_number(),
+        "has_colors": has_colors(mesh),
     }
+
+
+def has_colors(mesh):
+    """Whether vertices differ in color; MeshLab gives those of a plain GLB one color."""
+    return mesh.has_vertex_color() and len(numpy.unique(mesh.vertex_color_matrix(), axis=0)) > 1
 
 
 def corner_angles(triangles):

@@ -31,6 +31,7 @@ async function read(file) {
     remarks: [...of(2), ...of(3)],
     // Absent when the file could not be read so far.
     vertices: info?.totalVertexCount ?? 0,
+    primitives: info?.drawCallCount ?? 0,
     faces: info?.totalTriangleCount ?? 0,
   };
 }

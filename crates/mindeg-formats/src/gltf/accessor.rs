@@ -200,11 +200,11 @@ impl<'a> Arrays<'a> {
         }
         let len = (count.0 - 1).checked_mul(stride).and_then(|last| last.checked_add(size as u64));
         let end = len.and_then(|len| len.checked_add(offset.0));
-        if !end.is_some_and(|end| end <= byte_length.0) {
+        if end.is_none_or(|end| end > byte_length.0) {
             return Err(problem(format!("reaches beyond bufferViews[{view_index}]")));
         }
         let view_end = byte_offset.0.checked_add(byte_length.0);
-        if !view_end.is_some_and(|end| end <= bytes.len() as u64) {
+        if view_end.is_none_or(|end| end > bytes.len() as u64) {
             return Err(problem(format!(
                 "lies in bufferViews[{view_index}], which reaches beyond buffers[{buffer}]"
             )));

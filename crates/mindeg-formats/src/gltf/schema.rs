@@ -71,7 +71,7 @@ impl<'de> Deserialize<'de> for Real {
     }
 }
 
-/// A text, which is not copied where it can be had from the file as it stands.
+/// A text; it is copied only if it has escapes.
 #[derive(Deserialize)]
 pub(super) struct Text<'a>(#[serde(borrow)] pub(super) Cow<'a, str>);
 
