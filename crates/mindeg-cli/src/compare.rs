@@ -144,13 +144,14 @@ fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Compariso
     let vertices = domain.boundary().vertex_count();
     let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
     let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
-    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name_in_text(domain)))?;
-
     let stage = format!(
         "comparing {}, {} s at most for each method",
         name_in_text(domain),
         options.time_limit.as_secs_f64()
     );
-    let comparison = Bar::new(quiet).waiting(stage, || compare(domain, options));
-    comparison.map_err(|error| Failure::Input(error.to_string()))
+    Bar::new(quiet).waiting(stage, || {
+        let what = format!("comparing {} ({vertices} vertices)", name_in_text(domain));
+        memory::require(bytes, &what)?;
+        compare(domain, options).map_err(|error| Failure::Input(error.to_string()))
+    })
 }

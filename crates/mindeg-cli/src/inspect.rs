@@ -17,13 +17,16 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);
     memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
-    memory::require_to_inspect(&arguments.file, mesh.positions().len(), mesh.triangles().len())?;
     let options = InspectionOptions {
         weld: !arguments.no_weld,
         pole_degree: arguments.poles_above,
         corner_angle: arguments.corner_angle,
     };
-    let inspection = bar.waiting("inspecting", || Inspection::of(&mesh, &options));
+    let inspection = bar.waiting("inspecting", || {
+        let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
+        memory::require_to_inspect(&arguments.file, vertices, triangles)?;
+        Ok(Inspection::of(&mesh, &options))
+    })?;
     drop(bar);
     let name = arguments.file.display().to_string();
     let report = Report::new(name, &mesh, &inspection);
