@@ -13,9 +13,9 @@ use mindeg_formats::Format;
 use std::fs;
 use std::path::Path;
 
-/// What takes memory besides: the program, and the buffers of each thread.
+/// What takes memory besides: the program, and the stack and buffers of each thread.
 const BASE: u64 = 4 << 20;
-const PER_THREAD: u64 = 4 << 20;
+const PER_THREAD: u64 = 8 << 20;
 
 /// What glibc reserves of the addresses of a process for a thread that allocates, if it can.
 const ARENA: u64 = 64 << 20;
