@@ -51,7 +51,7 @@ fn codes(folder: &std::path::Path, arguments: &str, what: &str) -> [Option<i32>;
                 message.contains("out of memory: ") && message.contains(what),
                 "{kilobytes} KB, {arguments}: {message}"
             ),
-            _ => panic!("{kilobytes} KB, {arguments}: {run:?}"),
+            _ => unreachable!("{kilobytes} KB, {arguments}: {run:?}"),
         }
         run.code
     })
