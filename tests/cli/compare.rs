@@ -2,7 +2,6 @@ use crate::mesh::{content, domains, text};
 use crate::run::mindeg;
 use mindeg_core::verify;
 use mindeg_formats::obj;
-use mindeg_mesh::Triangles;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -146,18 +145,19 @@ fn every_method_s_mesh_is_saved() {
         let mesh = obj::read(&mesh[..]).expect("the OBJ reads back");
         let verified = verify(&[12, 9, 4, 4], mesh.triangles().iter().copied()).expect(name);
         assert_eq!(u64::from(verified.max_degree), method["max_degree"], "{name}");
-        assert_eq!(Triangles::name(&mesh), Some(name));
+        assert_eq!(mesh.groups()[0].name, name.replace(' ', "_"));
     }
 
     // With a folder of reports, each domain has its own.
-    let domains = ["figure-1.json", "hexagon.json"]
+    let domains = ["figure-1.json", "gusset.json"]
         .map(|name| text(&domains()[0].with_file_name(name)).to_owned());
     let (pages, meshes) = (path("pages/"), path("all"));
     let arguments =
         ["compare", &domains[0], &domains[1], "-q", "-o", &pages, "--save-meshes", &meshes];
-    assert_eq!(mindeg(arguments).code, Some(0));
-    assert_eq!(content(Path::new(&meshes)), ["figure-1", "hexagon"]);
-    assert!(Path::new(&meshes).join("hexagon/delaunay.obj").exists());
+    let run = mindeg(arguments);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert_eq!(content(Path::new(&meshes)), ["figure-1", "gusset"]);
+    assert!(Path::new(&meshes).join("gusset/delaunay.obj").exists());
 }
 
 #[test]

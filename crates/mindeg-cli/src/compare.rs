@@ -1,20 +1,18 @@
 //! `mindeg compare`: a domain's mesh beside what other methods give.
 
+mod comparing;
 mod folder;
 mod saved_meshes;
 
 use crate::args::{CompareArguments, ReportFormat};
-use crate::bar::Bar;
-use crate::domain::{from_file, from_options, name_in_text};
+use crate::domain::{from_file, from_options};
 use crate::failure::Failure;
-use crate::gates::{Gates, NamedTriangle};
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::output::{Outputs, is_standard_output, write_to};
 use crate::terminal::say;
-use mindeg::Domain;
+use comparing::{check_gates, compared};
 use mindeg_compare::{
-    Comparison, Options, Provenance, compare, shell_word, write_html, write_json, write_markdown,
+    Comparison, Options, Provenance, shell_word, write_html, write_json, write_markdown,
 };
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -116,46 +114,6 @@ fn say_written(files: &[PathBuf]) {
         let files: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
         say(&format!("wrote {}", files.join(", ")));
     }
-}
-
-/// Checks mindeg's own mesh, the first method.
-fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
-    let Some((figures, triangles)) = comparison.methods().next() else { return Ok(()) };
-    let (Some(max_degree), Some(min_angle)) = (figures.max_degree, figures.min_angle) else {
-        return Ok(());
-    };
-    let highest_vertex = || {
-        // With boundary points alone, a vertex has one edge more than triangles.
-        let mut degrees = vec![1; comparison.points().len()];
-        triangles.as_flattened().iter().for_each(|&vertex| degrees[vertex as usize] += 1);
-        (0..).zip(degrees).find(|&(_, degree)| degree == max_degree).map_or(0, |(vertex, _)| vertex)
-    };
-    let worst_triangle = || {
-        let worst = figures.worst_triangles.first();
-        let (number, vertices) =
-            worst.map_or((0, [0, 1, 2]), |worst| (worst.triangle, worst.vertices));
-        NamedTriangle { number, vertices }
-    };
-    gates.check(max_degree, min_angle, highest_vertex, worst_triangle)
-}
-
-fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Comparison, Failure> {
-    /// Bytes for each vertex: as measured, 470.
-    const PER_VERTEX: u64 = 1000;
-    /// Bytes for each pair of vertices in exact work: as measured, 36.
-    const PER_PAIR: u64 = 100;
-    let vertices = domain.boundary().vertex_count();
-    let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
-    let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
-    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name_in_text(domain)))?;
-
-    let stage = format!(
-        "comparing {}, {} s at most for each method",
-        name_in_text(domain),
-        options.time_limit.as_secs_f64()
-    );
-    let comparison = Bar::new(quiet).waiting(stage, || compare(domain, options));
-    comparison.map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// What a report says of its making: the file as it was given, and the command line.

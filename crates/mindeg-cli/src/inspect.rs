@@ -27,13 +27,16 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         memory::require_to_read(&arguments.file)?;
         (arguments.file.display().to_string(), mesh_file::read(&arguments.file, &bar)?)
     };
-    memory::require_to_inspect(&arguments.file, mesh.positions().len(), mesh.triangles().len())?;
     let options = InspectionOptions {
         weld: (!arguments.no_weld).then_some(arguments.weld),
         pole_degree: arguments.poles_above,
         corner_angle: arguments.corner_angle,
     };
-    let inspection = bar.waiting("inspecting", || Inspection::of(&mesh, &options));
+    let inspection = bar.waiting("inspecting", || {
+        let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
+        memory::require_to_inspect(&arguments.file, vertices, triangles)?;
+        Ok(Inspection::of(&mesh, &options))
+    })?;
     drop(bar);
     let report = Report::new(name, &mesh, &inspection);
     let printed = if arguments.json {

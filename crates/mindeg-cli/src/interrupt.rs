@@ -5,7 +5,7 @@
 //! system. Only Linux tells which signals are to be ignored; elsewhere all are heard.
 
 use crate::bar;
-use crate::failure::Failure;
+use crate::failure::{Failure, plainly};
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -27,7 +27,7 @@ pub(crate) fn temporary() -> MutexGuard<'static, Vec<PathBuf>> {
 
 /// From here on, Ctrl-C and its like delete the temporary files before they end the process.
 pub(crate) fn clean_up_on_interrupt() -> Result<(), Failure> {
-    listen().map_err(|error| Failure::Io(format!("cannot listen for Ctrl-C: {error}")))
+    listen().map_err(|error| Failure::Io(format!("cannot listen for Ctrl-C: {}", plainly(&error))))
 }
 
 /// Deletes the temporary files and ends the process.

@@ -13,23 +13,54 @@ use mindeg_formats::Format;
 use std::fs;
 use std::path::Path;
 
-/// What threads, buffers and the program itself take besides.
+/// What takes memory besides: the program, and the stack and buffers of each thread.
 const BASE: u64 = 4 << 20;
+const PER_THREAD: u64 = 8 << 20;
+
+/// What glibc reserves of the addresses of a process for a thread that allocates, if it can.
+const ARENA: u64 = 64 << 20;
+
+/// Threads that a run starts besides those that are there: for signals, the bar, a method.
+const OTHERS: u64 = 3;
 
 /// Fails unless the system gives `bytes` of memory, which `what` is about to take.
 pub(crate) fn require(bytes: u64, what: &str) -> Result<(), Failure> {
-    let wanted = bytes.saturating_add(BASE);
-    let mut probe = Vec::<u8>::new();
-    let given = usize::try_from(wanted).is_ok_and(|len| probe.try_reserve_exact(len).is_ok());
-    // Asked for and not used: without this, the whole question could be optimised away.
-    std::hint::black_box(&probe);
-    if given {
+    let threads = rayon::current_num_threads() as u64;
+    let wanted = bytes.saturating_add(BASE + threads * PER_THREAD);
+    if left(wanted, threads + OTHERS, given) >= wanted {
         return Ok(());
     }
     Err(Failure::Io(format!(
         "out of memory: {what} takes about {} MB; raise the limit on memory, or make it smaller",
         wanted.div_ceil(1_000_000)
     )))
+}
+
+/// What the system gives, up to `wanted`, after `threads` threads more have reserved theirs. Of
+/// what a limit leaves they take whole arenas, and none where that is not left.
+fn left(wanted: u64, threads: u64, given: impl Fn(u64) -> bool) -> u64 {
+    const STEP: u64 = 1 << 20;
+    let all = wanted.saturating_add(threads * ARENA);
+    if given(all) {
+        return wanted;
+    }
+    // Given, and not given, in steps.
+    let (mut low, mut high) = (0, all.div_ceil(STEP));
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        *(if given(middle * STEP) { &mut low } else { &mut high }) = middle;
+    }
+    let free = low * STEP;
+    free - (free / ARENA).min(threads) * ARENA
+}
+
+/// Whether the system gives so much memory at once; it is given back.
+fn given(bytes: u64) -> bool {
+    let mut probe = Vec::<u8>::new();
+    let given = usize::try_from(bytes).is_ok_and(|len| probe.try_reserve_exact(len).is_ok());
+    // Asked for and not used: without this, the whole question could be optimised away.
+    std::hint::black_box(&probe);
+    given
 }
 
 /// Asks for the memory of a mesh that streams: points and buffers, up to a limit.
@@ -64,6 +95,24 @@ pub(crate) fn require_to_inspect(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn threads_take_whole_arenas_of_what_a_limit_leaves() {
+        let megabytes = |wanted: u64, threads, limit: u64| {
+            left(wanted << 20, threads, |bytes| bytes <= limit << 20) >> 20
+        };
+        for (wanted, threads, limit, left) in [
+            (12, 5, 1000, 12),
+            (12, 5, 332, 12),
+            (12, 5, 331, 11),
+            (12, 5, 200, 8),
+            (12, 5, 60, 60),
+            (12, 5, 5, 5),
+            (500, 5, 600, 280),
+        ] {
+            assert_eq!(megabytes(wanted, threads, limit), left, "{wanted} {threads} {limit}");
+        }
+    }
 
     #[test]
     fn what_no_system_has_is_refused() {

@@ -10,7 +10,13 @@ const MOST: usize = 256;
 /// Does work that is shared by all threads.
 pub(crate) fn shared(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
     let failed = |error| Failure::Io(format!("cannot start threads: {error}"));
-    pool().map_err(failed)?.install(work)
+    let pool = pool().map_err(failed)?;
+    if pool.current_num_threads() > 1 {
+        // The allocator reserves addresses for a thread when it first allocates: now, and not after
+        // a run was told that there is memory for it.
+        pool.broadcast(|_| drop(std::hint::black_box(Vec::<u8>::with_capacity(1))));
+    }
+    pool.install(work)
 }
 
 /// As many threads as `RAYON_NUM_THREADS` asks for or the machine has cores, or this one alone

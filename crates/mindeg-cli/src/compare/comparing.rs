@@ -1,0 +1,55 @@
+//! One comparison, and what gates say to it.
+
+use crate::bar::Bar;
+use crate::domain::name_in_text;
+use crate::failure::Failure;
+use crate::gates::{Gates, NamedTriangle};
+use crate::memory;
+use mindeg::Domain;
+use mindeg_compare::{Comparison, Options, compare};
+
+/// Checks mindeg's own mesh, the first method.
+pub(super) fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
+    let Some((figures, triangles)) = comparison.methods().next() else { return Ok(()) };
+    let (Some(max_degree), Some(min_angle)) = (figures.max_degree, figures.min_angle) else {
+        return Ok(());
+    };
+    let highest_vertex = || {
+        // With boundary points alone, a vertex has one edge more than triangles.
+        let mut degrees = vec![1; comparison.points().len()];
+        triangles.as_flattened().iter().for_each(|&vertex| degrees[vertex as usize] += 1);
+        (0..).zip(degrees).find(|&(_, degree)| degree == max_degree).map_or(0, |(vertex, _)| vertex)
+    };
+    let worst_triangle = || {
+        let worst = figures.worst_triangles.first();
+        let (number, vertices) =
+            worst.map_or((0, [0, 1, 2]), |worst| (worst.triangle, worst.vertices));
+        NamedTriangle { number, vertices }
+    };
+    gates.check(max_degree, min_angle, highest_vertex, worst_triangle)
+}
+
+/// Compares a domain, if there is memory for that.
+pub(super) fn compared(
+    domain: &Domain,
+    options: &Options,
+    quiet: bool,
+) -> Result<Comparison, Failure> {
+    /// Bytes for each vertex: as measured, 470.
+    const PER_VERTEX: u64 = 1000;
+    /// Bytes for each pair of vertices in exact work: as measured, 36.
+    const PER_PAIR: u64 = 100;
+    let vertices = domain.boundary().vertex_count();
+    let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
+    let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
+    let stage = format!(
+        "comparing {}, {} s at most for each method",
+        name_in_text(domain),
+        options.time_limit.as_secs_f64()
+    );
+    Bar::new(quiet).waiting(stage, || {
+        let what = format!("comparing {} ({vertices} vertices)", name_in_text(domain));
+        memory::require(bytes, &what)?;
+        compare(domain, options).map_err(|error| Failure::Input(error.to_string()))
+    })
+}
