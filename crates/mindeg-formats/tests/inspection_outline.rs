@@ -118,7 +118,7 @@ fn what_is_no_convex_outline_is_told_why() {
     folded[2].z = 0.1;
     for (points, reason) in [
         (in_xy(&[[0.0, 0.0], [2.0, -1.0], [1.0, 0.0], [2.0, 1.0]]), NoConvexOutline::NotConvex),
-        (in_xy(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), NoConvexOutline::NotConvex),
+        (in_xy(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), NoConvexOutline::TooThin),
         (
             around(10, |a| [(2.0 * a).cos() * (1.0 + a), (2.0 * a).sin()]),
             NoConvexOutline::NotConvex,
@@ -162,7 +162,7 @@ fn what_is_no_convex_outline_is_told_why() {
 }
 
 #[test]
-fn rounding_makes_no_corners_and_bends_no_side() {
+fn what_32_bit_floats_blur_is_too_fine_to_tell() {
     let corners = |corners: &[[f64; 2]]| corners.iter().map(|&corner| corner.into()).collect();
     // Intervals near the corners are so short that 32-bit floats turn them by several degrees,
     let layer = Side::count(40).spaced(Spacing::Bump { ratio: 1e-5 });
@@ -172,7 +172,13 @@ fn rounding_makes_no_corners_and_bends_no_side() {
     for (corners, side) in [(layers, layer), (cut, Side::count(7))] {
         let mesh =
             BoundaryMesh::least_degree(&Domain::polygon(corners, vec![side; 4]).unwrap()).unwrap();
-        check(&mesh, &glb(&mesh, &SurfaceOptions::default())).unwrap();
+        check(&mesh, &obj(&mesh, &SurfaceOptions::default())).unwrap();
+        let read = glb(&mesh, &SurfaceOptions::default());
+        assert_eq!(inspect(&read).outline, Err(NoConvexOutline::TooFine));
+        // With corners of 20 degrees and more, such turns are none.
+        let options = InspectionOptions { corner_angle: 20.0, ..InspectionOptions::default() };
+        let outline = Inspection::of(&read, &options).outline.unwrap();
+        assert!(mesh.boundary().sides().eq(outline.intervals), "{:?}", outline.corners);
     }
 }
 
