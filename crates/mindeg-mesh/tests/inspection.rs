@@ -296,6 +296,7 @@ fn faces_that_repeat_others_are_named() {
         (vec![vec![0, 1, 2, 3], vec![2, 3, 0, 1], vec![3, 2, 1, 0]], &[1, 2][..]),
         // The same corners in another order are another face.
         (vec![vec![0, 1, 2, 3], vec![0, 2, 1, 3]], &[]),
+        (vec![vec![0, 1, 2, 3, 4], vec![0, 1, 3, 2, 4]], &[]),
         (vec![vec![5, 3, 4, 1, 2], vec![0, 1, 2], vec![4, 3, 5, 2, 1]], &[2]),
         (vec![vec![0, 1, 2, 3], vec![0, 1, 2]], &[]),
         (vec![vec![0, 1, 2], vec![0, 2, 3, 4], vec![1, 2, 0, 0]], &[2]),
