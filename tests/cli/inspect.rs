@@ -181,6 +181,24 @@ fn a_thin_rectangle_has_its_outline_or_is_too_thin_to_tell() {
     assert!(reason.contains("to tell"), "{reason}");
 }
 
+#[test]
+fn corners_that_32_bit_floats_move_are_too_fine_to_tell() {
+    let domain = r#"{"polygon": {"corners": [[-200.06209578396403, 149.03416137923696],
+        [-297.8174489286897, -24.081040154789186], [264.19810801890065, -94.74963434519486]]},
+        "sides": [{"intervals": 3}, {"intervals": 8, "spacing": {"first_length": 1e-5}},
+        {"intervals": 3}]}"#;
+    let (folder, path) = file("tri.json", domain);
+    let files = ["obj", "glb"].map(|end| folder.path().join("tri").with_extension(end));
+    let run = mindeg(["mesh", text(&path), "-q", "-o", text(&files[0]), "-o", text(&files[1])]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let [obj, glb] = files.map(|path| mindeg(["inspect", text(&path), "--json"]).json());
+    assert_eq!(obj["outline"]["intervals"], json!([3, 8, 3]));
+    assert_eq!(obj["outline"]["least_max_degree"], 5);
+    assert_eq!(glb["outline"], Value::Null);
+    let reason = glb["no_outline"].as_str().expect("a reason");
+    assert!(reason.contains("too fine to tell"), "{reason}");
+}
+
 /// Runs `inspect -` with what it reads.
 fn inspect_input(content: &[u8], options: &[&str]) -> Run {
     mindeg_reading(["inspect", "-"].iter().chain(options), content)

@@ -118,7 +118,7 @@ fn what_is_no_convex_outline_is_told_why() {
     folded[2].z = 0.1;
     for (points, reason) in [
         (in_xy(&[[0.0, 0.0], [2.0, -1.0], [1.0, 0.0], [2.0, 1.0]]), NoConvexOutline::NotConvex),
-        (in_xy(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), NoConvexOutline::NotConvex),
+        (in_xy(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), NoConvexOutline::TooThin),
         (
             around(10, |a| [(2.0 * a).cos() * (1.0 + a), (2.0 * a).sin()]),
             NoConvexOutline::NotConvex,
@@ -162,16 +162,23 @@ fn what_is_no_convex_outline_is_told_why() {
 }
 
 #[test]
-fn rounding_makes_no_corners_and_bends_no_side() {
+fn what_32_bit_floats_blur_is_too_fine_to_tell() {
+    let corners = |corners: &[[f64; 2]]| corners.iter().map(|&corner| corner.into()).collect();
     // Intervals near the corners are so short that 32-bit floats turn them by several degrees,
     let layer = Side::count(40).spaced(Spacing::Bump { ratio: 1e-5 });
-    let layers = [[0.1, 0.2], [1.3, 0.7], [0.9, 1.7], [0.3, 1.1]];
+    let layers = corners(&[[0.1, 0.2], [1.3, 0.7], [0.9, 1.7], [0.3, 1.1]]);
     // and a whole side that is so short is far from straight.
-    let cut = [[0.0, 0.0], [1.0, 0.1], [1.000_006, 0.100_007], [0.3, 0.9]];
+    let cut = corners(&[[0.0, 0.0], [1.0, 0.1], [1.000_006, 0.100_007], [0.3, 0.9]]);
     for (corners, side) in [(layers, layer), (cut, Side::count(7))] {
         let mesh =
             BoundaryMesh::least_degree(&Domain::polygon(corners, vec![side; 4]).unwrap()).unwrap();
-        check(&mesh, &glb(&mesh, &SurfaceOptions::default())).unwrap();
+        check(&mesh, &obj(&mesh, &SurfaceOptions::default())).unwrap();
+        let read = glb(&mesh, &SurfaceOptions::default());
+        assert_eq!(inspect(&read).outline, Err(NoConvexOutline::TooFine));
+        // With corners of 20 degrees and more, such turns are none.
+        let options = InspectionOptions { corner_angle: 20.0, ..InspectionOptions::default() };
+        let outline = Inspection::of(&read, &options).outline.unwrap();
+        assert!(mesh.boundary().sides().eq(outline.intervals), "{:?}", outline.corners);
     }
 }
 
@@ -185,7 +192,7 @@ fn meshes() -> impl Strategy<Value = BoundaryMesh> {
             let angle = TAU * (i as f64 + shift) / k;
             DVec2::new(x + width * angle.cos(), angle.sin())
         };
-        let corners = sides.iter().enumerate().map(corner);
+        let corners = sides.iter().enumerate().map(corner).collect();
         let sides = sides
             .iter()
             .map(|&(_, count, ratio)| Side::count(count).spaced(Spacing::Geometric { ratio }));

@@ -1,10 +1,11 @@
-//! Work on numbered items by all threads, with results that do not tell how many there were.
+//! Work on items `0..count`, shared by all threads, with results that do not depend on their
+//! number.
 //!
-//! The items are cut into blocks of fixed size, each block is worked on from front to back, and
-//! the results of the blocks come in order. So a sum of floats has the same bits on every machine.
+//! The items form blocks of fixed size; one thread works on a block from front to back, and the
+//! results of the blocks come in order. So a sum of floats has the same bits on every machine.
 //!
-//! The threads are rayon's: those of the pool that the caller is in, else as many as the machine
-//! has cores, or as the environment variable `RAYON_NUM_THREADS` says.
+//! The threads are rayon's: those of the pool that the caller is in, else one for each core, or
+//! as many as the environment variable `RAYON_NUM_THREADS` says.
 //!
 //! Limits: one result is kept for each block of 16,384 items.
 
@@ -15,14 +16,14 @@ use std::ops::Range;
 /// Items to a block: a hundred microseconds of work and more, so that handing it out costs little.
 const BLOCK: u32 = 1 << 14;
 
-/// The items of a block, by its place in the results.
-pub fn block(place: usize, count: u32) -> Range<u32> {
-    let start = place as u32 * BLOCK;
+/// The items of the block with an index.
+pub fn block(index: usize, count: u32) -> Range<u32> {
+    let start = index as u32 * BLOCK;
     start..start.saturating_add(BLOCK).min(count)
 }
 
-/// The results of `work` on each block of the items `0..count`, in order; or an error of one of
-/// the blocks, no matter which, and then some blocks are left out.
+/// The results of `work` on each block of the items `0..count`, in order. If a block fails, the
+/// error of any block that failed; then some blocks are left out.
 pub fn try_blocks<R: Send, E: Send>(
     count: u32,
     work: impl Fn(Range<u32>) -> Result<R, E> + Sync + Send,
@@ -31,11 +32,11 @@ pub fn try_blocks<R: Send, E: Send>(
     if count <= BLOCK {
         return work(0..count).map(|result| vec![result]);
     }
-    let places = 0..count.div_ceil(BLOCK) as usize;
+    let indices = 0..count.div_ceil(BLOCK) as usize;
     #[cfg(feature = "parallel")]
-    return places.into_par_iter().map(|place| work(block(place, count))).collect();
+    return indices.into_par_iter().map(|index| work(block(index, count))).collect();
     #[cfg(not(feature = "parallel"))]
-    return places.map(|place| work(block(place, count))).collect();
+    return indices.map(|index| work(block(index, count))).collect();
 }
 
 /// The results of `work` on each block of the items `0..count`, in order.
@@ -50,22 +51,22 @@ pub fn fill_blocks<T: Send>(values: &mut [T], fill: impl Fn(u32, &mut [T]) + Syn
     let parts = values.par_chunks_mut(BLOCK as usize).enumerate();
     #[cfg(not(feature = "parallel"))]
     let parts = values.chunks_mut(BLOCK as usize).enumerate();
-    parts.for_each(|(place, part)| fill(place as u32 * BLOCK, part));
+    parts.for_each(|(index, part)| fill(index as u32 * BLOCK, part));
 }
 
-/// What `work` finds in the first of the blocks of the items `0..count` that has something to find.
+/// What `work` finds in the first block of the items `0..count` in which it finds anything.
 pub fn first_of_blocks<R: Send>(
     count: u32,
     work: impl Fn(Range<u32>) -> Option<R> + Sync + Send,
 ) -> Option<R> {
-    let places = 0..count.div_ceil(BLOCK) as usize;
+    let indices = 0..count.div_ceil(BLOCK) as usize;
     #[cfg(feature = "parallel")]
-    return places.into_par_iter().find_map_first(|place| work(block(place, count)));
+    return indices.into_par_iter().find_map_first(|index| work(block(index, count)));
     #[cfg(not(feature = "parallel"))]
-    return { places }.find_map(|place| work(block(place, count)));
+    return { indices }.find_map(|index| work(block(index, count)));
 }
 
-/// What `work` makes of each of a few large items, in order.
+/// The results of `work` on each of a few large items, in order.
 pub(crate) fn map_all<T: Send, R: Send>(
     items: Vec<T>,
     work: impl Fn(T) -> R + Sync + Send,

@@ -23,7 +23,7 @@
 //! A triangle without area, or with a coordinate that is not finite, gets the worst value of
 //! every measure: area, height, minimum angle, scaled Jacobian and shape 0, maximum angle 180,
 //! ratios infinite (Verdict ends them at 1e30); the edge ratio is z/x where x is not 0. Other
-//! programs give a triangle with two corners in one place other maximum angles: VTK 0, others 90.
+//! programs give a triangle with two equal corners other maximum angles: VTK 0, others 90.
 //! No measure is ever NaN.
 //!
 //! Limits: a triangle whose area or height is beyond the range of f64 gets 0 or infinity for it;

@@ -12,7 +12,7 @@ use std::ops::Range;
 use crate::parallel::{blocks, map_all};
 use crate::quality::{METRICS, TriangleQuality};
 
-/// The angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
+/// The minimum angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
 pub const ANGLES: [f64; 4] = [1.0, 5.0, 10.0, 20.0];
 
 /// How many values are summed on their own.
@@ -59,12 +59,12 @@ impl Distribution {
         let mean = sum(&values) / count as f64;
         let min = values.iter().copied().min_by(f64::total_cmp)?;
         let max = values.iter().copied().max_by(f64::total_cmp)?;
-        // Places in ascending order, that is ranks less one. Around the median, what is lower
-        // and what is higher is apart already.
+        // Indices in ascending order, that is ranks less one. The median parts the lower values
+        // from the higher ones.
         let [first, middle, last] =
             [count.div_ceil(100) - 1, count.div_ceil(2) - 1, count - count / 100 - 1];
         let select =
-            |values: &mut [f64], place| *values.select_nth_unstable_by(place, f64::total_cmp).1;
+            |values: &mut [f64], index| *values.select_nth_unstable_by(index, f64::total_cmp).1;
         let (lower, &mut median, higher) = values.select_nth_unstable_by(middle, f64::total_cmp);
         let p01 = if first < middle { select(lower, first) } else { median };
         let p99 = if last > middle { select(higher, last - middle - 1) } else { median };
@@ -123,7 +123,7 @@ pub struct QualitySummary {
     pub area: f64,
     /// The distribution of each measure, in the order of [`METRICS`].
     pub metrics: [Distribution; METRICS.len()],
-    /// For each of [`ANGLES`], the share of triangles with a lesser angle than that, in [0, 1].
+    /// For each of [`ANGLES`], the share of triangles with a smaller minimum angle, in [0, 1].
     pub shares_below: [f64; ANGLES.len()],
 }
 
@@ -145,7 +145,7 @@ impl QualitySummary {
         }
         let summed_up = map_all(Vec::from(columns), |parts| {
             let values = parts.concat();
-            // Not kept twice while the values are sorted out.
+            // Else the values would be kept twice.
             drop(parts);
             Some((sum(&values), Distribution::of(values)?))
         });
@@ -267,7 +267,7 @@ mod tests {
         let right = |height: f64| {
             TriangleQuality::of(DVec2::ZERO, DVec2::new(1.0, 0.0), DVec2::new(0.0, height))
         };
-        // The least angles are 45, some 11, 5.7 and 0.6 degrees.
+        // The minimum angles are 45, some 11, 5.7 and 0.6 degrees.
         let summary = QualitySummary::of([1.0, 0.2, 0.1, 0.01].map(right)).unwrap();
         assert_eq!(summary.triangle_count, 4);
         assert!((summary.area - 0.655).abs() < 1e-15);

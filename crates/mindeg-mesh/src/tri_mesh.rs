@@ -189,7 +189,7 @@ impl TriMesh {
         Self { polygons: Some(polygons), ..self }
     }
 
-    /// The same mesh, said to come from a file that held this besides triangles.
+    /// The same mesh with the counts of what its file has besides triangles.
     #[must_use]
     pub fn with_non_triangles(self, non_triangles: NonTriangles) -> Self {
         Self { non_triangles, ..self }

@@ -122,6 +122,8 @@ fn a_mesh_without_a_face_is_told_so() {
 #[test]
 fn zero_area_is_exact() {
     let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+    // Exact for numbers of 50 bits.
+    let on_line = |t: f64| at(7.0 * t, 3.0 * t);
     for (points, flat) in [
         ([at(0.0, 0.0), at(1.0, 0.0), at(3.0, 0.0)], true),
         ([at(0.0, 0.0), at(1.0, 0.0), at(1.0, 0.0)], true),
@@ -137,6 +139,15 @@ fn zero_area_is_exact() {
         // Differences of these are rounded, and the rounded ones span an area.
         ([at(0.1, 0.3), at(1.0, 3.0), at(2.0, 6.0)], false),
         ([at(-0.1, -0.1), at(1.0, 1.0), at(1e17, 1e17)], true),
+        // Here the rounded differences span an area, and the corners are on one line.
+        (
+            [
+                on_line(26958134.66505146),
+                on_line(54.58221712067461),
+                on_line(0.0019638091325759888),
+            ],
+            true,
+        ),
         ([at(1e308, 0.0), at(-1e308, 0.0), at(0.0, 1e308)], false),
         ([at(1e308, 1e308), at(-1e308, -1e308), at(3e307, 3e307)], true),
     ] {
@@ -296,6 +307,7 @@ fn faces_that_repeat_others_are_named() {
         (vec![vec![0, 1, 2, 3], vec![2, 3, 0, 1], vec![3, 2, 1, 0]], &[1, 2][..]),
         // The same corners in another order are another face.
         (vec![vec![0, 1, 2, 3], vec![0, 2, 1, 3]], &[]),
+        (vec![vec![0, 1, 2, 3, 4], vec![0, 1, 3, 2, 4]], &[]),
         (vec![vec![5, 3, 4, 1, 2], vec![0, 1, 2], vec![4, 3, 5, 2, 1]], &[2]),
         (vec![vec![0, 1, 2, 3], vec![0, 1, 2]], &[]),
         (vec![vec![0, 1, 2], vec![0, 2, 3, 4], vec![1, 2, 0, 0]], &[2]),

@@ -241,8 +241,8 @@ impl Outline {
 
     /// Refuses a side between two corners that is not straight, or that may have another corner.
     ///
-    /// In a convex loop, a vertex between two corners turns by no more than the line that goes from the one to it
-    /// and on to the other.
+    /// In a convex loop, a vertex between two corners turns by no more than the line that goes
+    /// from the one corner to it and on to the other.
     fn check_side(&self, start: usize, end: usize, angle: f64) -> Result<(), NoConvexOutline> {
         let at = |i: usize| self.points[i % self.points.len()];
         let [a, c] = [at(start), at(end)];

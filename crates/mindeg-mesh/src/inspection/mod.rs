@@ -12,10 +12,10 @@
 //!   [`InspectionOptions::weld`], vertices no farther apart than it count as one too; then all
 //!   vertices of a chain of near vertices become one, however long it is. No position changes.
 //! - *Faces.* The polygons of the mesh, or its triangles if it has no others. Corners that repeat
-//!   the one before (after welding) count once, and a face that runs along an edge and straight back ends
-//!   there; what has fewer than three corners left is no face. Edges, degrees, loops, components
-//!   and duplicates are those of the faces. The measures of quality are those of all triangles,
-//!   at their corners as they are before welding.
+//!   the one before (after welding) count once, and a way along an edge and straight back does
+//!   not count; what has fewer than three corners left is no face. Edges, degrees, loops,
+//!   components and duplicates are those of the faces. The measures of quality are those of all
+//!   triangles, with their corners as they are before welding.
 //! - *Degree.* The number of edges at a vertex, those on the boundary included.
 //! - *Boundary.* Edges with one face; vertices on such edges are boundary vertices, all others
 //!   interior. An edge with three faces or more is not manifold; neither is a vertex at which
@@ -24,9 +24,9 @@
 //! - *Euler characteristic.* Vertices in faces, less edges, plus faces: 2 for a sphere, 0 for a
 //!   torus, 1 for a disk, where the mesh is manifold.
 //! - *Duplicate.* A face with the corners of an earlier one, in the same order or the reverse.
-//! - *Zero area.* A triangle whose corners are on one line or in one place, exactly: rounding is
-//!   neither forgiven nor suspected. A triangle that was flat before its corners were rounded has
-//!   a tiny area or none, as it happens; its minimum angle shows it.
+//! - *Zero area.* A triangle whose corners are on one line or in one place, exactly; no
+//!   tolerance applies. A triangle that was flat before its corners were rounded may have a tiny area;
+//!   its minimum angle shows it.
 //! - *Inconsistent winding.* An edge along which its two faces run in the same direction, so
 //!   that one is seen from the front and the other from the back.
 //!
