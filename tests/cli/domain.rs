@@ -1,8 +1,8 @@
-//! What is said of a domain that cannot be meshed.
+//! Why a domain cannot be meshed, in the words that a user reads.
 
 use crate::run::mindeg_reading;
 
-/// What `mindeg mesh` says of a domain on standard input, without what stands before every message.
+/// The message of `mindeg mesh` about a domain on standard input, without its start.
 #[track_caller]
 fn refused(domain: &str) -> String {
     let run = mindeg_reading(["mesh", "-", "-o", "no-such-folder/x.obj"], domain.as_bytes());
