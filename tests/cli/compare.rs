@@ -1,5 +1,8 @@
 use crate::mesh::{content, domains, text};
 use crate::run::mindeg;
+use mindeg_core::verify;
+use mindeg_formats::obj;
+use mindeg_mesh::Triangles;
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
@@ -79,6 +82,85 @@ fn many_domains_make_a_folder_with_an_index() {
 }
 
 #[test]
+fn what_cannot_be_read_or_written_in_a_folder_ends_with_1() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| text(&folder.path().join(name)).to_owned();
+    let small = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
+    fs::write(path("small.json"), small).expect("a file");
+    fs::write(path("bad.json"), "{").expect("a file");
+    let compare = |files: &[&str], out: &str| {
+        let files = files.iter().map(|file| path(file));
+        mindeg(["compare".to_owned(), "-o".to_owned(), path(out)].into_iter().chain(files))
+    };
+    let missing = compare(&["none.json", "small.json"], "out/");
+    assert_eq!(missing.code, Some(1), "{missing:?}");
+    assert!(missing.errors.contains("1 of 2 domains") && missing.errors.contains("cannot read"));
+    fs::create_dir_all(path("taken/small.html")).expect("a folder");
+    let taken = compare(&["small.json"], "taken/");
+    assert_eq!(taken.code, Some(1), "{taken:?}");
+    assert!(taken.errors.contains("it is a folder"), "{taken:?}");
+    assert_eq!(compare(&["bad.json", "small.json"], "out/").code, Some(2));
+    assert_eq!(compare(&["bad.json", "none.json"], "out/").code, Some(1));
+    assert_eq!(compare(&["small.json"], "out/").code, Some(0));
+    compare(&["small.json", "../x/Small.json"], "out/").refuses(&["another Small.html"]);
+}
+
+#[test]
+fn a_report_goes_to_standard_output() {
+    let plate = ["compare", "--rectangle", "4x3", "--intervals", "12,9,4,4"];
+    let run = |more: &[&str]| mindeg(plate.iter().chain(more));
+    let report = run(&["--json"]);
+    assert_eq!(report.json()["methods"][0]["name"], "mindeg");
+    assert!(report.errors.contains("Delaunay"), "{report:?}");
+    let same = run(&["-o", "-", "--format", "json", "-q"]);
+    assert_eq!(
+        (same.json()["verdict"].clone(), same.errors.as_str()),
+        (report.json()["verdict"].clone(), "")
+    );
+    assert!(run(&["-o", "-", "--format", "html"]).text().starts_with("<!doctype html>"));
+    assert!(run(&["-o", "-", "--format", "md"]).text().contains("| "));
+    run(&["-o", "-", "--format", "md", "--json"]).refuses(&["standard output takes one report"]);
+    run(&["-o", "/tmp/", "--json"]).refuses(&["/tmp/ is a folder", "no --json"]);
+}
+
+#[test]
+fn every_method_s_mesh_is_saved() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| text(&folder.path().join(name)).to_owned();
+    let plate = ["compare", "--rectangle", "4x3", "--intervals", "12,9,4,4"];
+    let (report, meshes) = (path("report.json"), path("meshes"));
+    let run = mindeg(plate.iter().chain(&["-o", &report, "--save-meshes", &meshes]));
+    assert_eq!(run.code, Some(0), "{run:?}");
+    // A fan from a vertex of this plate would have flat triangles: that method gives no mesh.
+    let names = ["delaunay", "ear-clipping", "exact-degree-5", "exact-degree-6", "mindeg"];
+    assert_eq!(content(Path::new(&meshes)), names.map(|name| format!("{name}.obj")));
+    assert!(run.errors.contains("wrote ") && run.errors.contains("exact-degree-6.obj"), "{run:?}");
+    let report = fs::read_to_string(report).expect("it is there");
+    let report: Value = serde_json::from_str(&report).expect("it is JSON");
+    let methods = report["methods"].as_array().expect("a list");
+    assert_eq!(methods.len(), 6);
+    for method in methods.iter().filter(|method| !method["max_degree"].is_null()) {
+        let name = method["name"].as_str().expect("a name");
+        let file = name.to_lowercase().replace(", ", "-").replace(' ', "-");
+        let mesh = fs::read(folder.path().join("meshes").join(file + ".obj")).expect(name);
+        let mesh = obj::read(&mesh[..]).expect("the OBJ reads back");
+        let verified = verify(&[12, 9, 4, 4], mesh.triangles().iter().copied()).expect(name);
+        assert_eq!(u64::from(verified.max_degree), method["max_degree"], "{name}");
+        assert_eq!(Triangles::name(&mesh), Some(name));
+    }
+
+    // With a folder of reports, each domain has its own.
+    let domains = ["figure-1.json", "hexagon.json"]
+        .map(|name| text(&domains()[0].with_file_name(name)).to_owned());
+    let (pages, meshes) = (path("pages/"), path("all"));
+    let arguments =
+        ["compare", &domains[0], &domains[1], "-q", "-o", &pages, "--save-meshes", &meshes];
+    assert_eq!(mindeg(arguments).code, Some(0));
+    assert_eq!(content(Path::new(&meshes)), ["figure-1", "hexagon"]);
+    assert!(Path::new(&meshes).join("hexagon/delaunay.obj").exists());
+}
+
+#[test]
 fn gates_look_at_the_least_degree_mesh_once_the_report_is_written() {
     let folder = tempfile::tempdir().expect("a folder");
     let report = folder.path().join("report.json");
@@ -86,12 +168,12 @@ fn gates_look_at_the_least_degree_mesh_once_the_report_is_written() {
         let plate = ["compare", "--rectangle", "4x3", "--intervals", "12,9,4,4", "-q", "-o"];
         mindeg(plate.iter().chain(&[text(&report)]).chain(gate))
     };
-    let failed = run(&["--max-degree", "4"]);
+    let failed = run(&["--fail-above-degree", "4"]);
     assert_eq!(failed.code, Some(3), "{failed:?}");
     assert!(failed.errors.contains("has 5 edges"), "{failed:?}");
     assert!(report.exists());
-    assert_eq!(run(&["--max-degree", "5", "--min-angle", "1"]).code, Some(0));
-    assert_eq!(run(&["--min-angle", "30"]).code, Some(3));
+    assert_eq!(run(&["--fail-above-degree", "5", "--fail-below-angle", "1"]).code, Some(0));
+    assert_eq!(run(&["--fail-below-angle", "30"]).code, Some(3));
 }
 
 #[test]

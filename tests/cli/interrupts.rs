@@ -1,11 +1,12 @@
 //! Stopping a run, and closing what it writes to, leaves no file half-written and none behind.
 
 use crate::mesh::{content, text};
+use crate::run::{Running, hearing_signals, output_of};
 use std::fs;
 use std::io::Read;
 use std::os::unix::process::ExitStatusExt;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -15,20 +16,20 @@ const MESH: [&str; 5] =
 
 const A_MOMENT: Duration = Duration::from_millis(5);
 
-fn start(folder: &Path, arguments: &[&str]) -> Child {
-    // Some signals would leave a core file in the folder.
-    Command::new("sh")
+fn start(folder: &Path, arguments: &[&str]) -> Running {
+    let mut command = hearing_signals("sh");
+    command
+        // Some signals would leave a core file in the folder.
         .args(["-c", "ulimit -c 0; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_mindeg")])
         .args(MESH)
         .args(arguments)
         .current_dir(folder)
         .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the binary starts")
+        .stderr(Stdio::piped());
+    Running::start(&mut command)
 }
 
-fn send(child: &Child, signal: i32) {
+fn send(child: &Running, signal: i32) {
     let kill = Command::new("kill").args([format!("-{signal}"), child.id().to_string()]).status();
     assert!(kill.expect("kill is there").success());
 }
@@ -77,7 +78,7 @@ fn a_signal_ends_the_run_and_leaves_what_was_there() {
         // Nobody reads standard output, so the run waits there with all files written.
         wait_until(|| temporary(folder.path()).iter().filter(|&&len| len > 5_000_000).count() == 3);
         send(&child, signal);
-        let status = child.wait().expect("it ends");
+        let status = child.status();
         assert_eq!(status.signal(), Some(signal));
         is_as_before(folder.path(), &kept);
     }
@@ -97,7 +98,7 @@ fn signals_in_the_middle_of_a_file_leave_what_was_there() {
                 .stderr(Stdio::null())
                 .status();
         }
-        assert!(child.wait().expect("it ends").signal().is_some());
+        assert!(child.status().signal().is_some());
         is_as_before(folder.path(), &kept);
     }
 }
@@ -106,20 +107,20 @@ fn signals_in_the_middle_of_a_file_leave_what_was_there() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_hangup_that_is_to_be_ignored_is() {
-    let mut child = Command::new("sh")
+    let mut command = Command::new("sh");
+    command
         .args(["-c", "trap '' HUP; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_mindeg")])
         .args(MESH)
         .args(["-o", "-", "--format", "obj", "-q"])
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("a shell");
-    let mut out = child.stdout.take().expect("standard output is piped");
+        .stdout(Stdio::piped());
+    let mut child = Running::start(&mut command);
+    let mut out = child.take_output();
     let mut begin = [0];
     out.read_exact(&mut begin).expect("the run writes");
     send(&child, 1);
     let mut rest = Vec::new();
     out.read_to_end(&mut rest).expect("the run writes on");
-    assert_eq!(child.wait().expect("it ends").code(), Some(0));
+    assert_eq!(child.status().code(), Some(0));
     assert!(rest.ends_with(b"\n") && rest.len() > 10_000_000);
 }
 
@@ -129,10 +130,10 @@ fn a_reader_that_stops_early_does_not_keep_files_from_others() {
     let outputs = ["-o", "-", "--format", "obj", "-o", "mesh.obj", "-o", "mesh.glb"];
     let mut child = start(folder.path(), &outputs);
     let mut begin = [0; 100];
-    let mut out = child.stdout.take().expect("standard output is piped");
+    let mut out = child.take_output();
     out.read_exact(&mut begin).expect("the run writes");
     drop(out);
-    let output = child.wait_with_output().expect("the run ends");
+    let output = child.output();
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
     assert_eq!(content(folder.path()), ["mesh.glb", "mesh.obj"]);
     assert!(fs::read(folder.path().join("mesh.obj")).expect("it is there").starts_with(&begin));
@@ -145,12 +146,10 @@ fn a_named_pipe_is_written_to() {
     assert!(Command::new("mkfifo").arg(&pipe).status().expect("mkfifo is there").success());
     for (reader, least) in [("cat", 10_000_000), ("head -c 1000", 1000)] {
         let mut child = start(folder.path(), &["-o", "pipe.obj", "-q"]);
-        let read = Command::new("sh")
-            .args(["-c", &format!("timeout 60 {reader} < \"$1\""), "sh", text(&pipe)])
-            .output()
-            .expect("a shell");
+        let script = format!("timeout 60 {reader} < \"$1\"");
+        let read = output_of(Command::new("sh").args(["-c", &script, "sh", text(&pipe)]));
         assert!(read.stdout.len() >= least);
-        assert_eq!(child.wait().expect("it ends").code(), Some(0));
+        assert_eq!(child.status().code(), Some(0));
         assert_eq!(content(folder.path()), ["pipe.obj"]);
     }
 }
@@ -166,11 +165,9 @@ fn what_others_opened_is_never_replaced() {
             "echo '# mine' > \"$2\"; \"$1\" mesh --rectangle 4x3 --intervals 3,3,2,2 -q \
              --format obj -o {output} {redirection} \"$2\""
         );
-        let run = Command::new("sh")
-            .args(["-c", &script, "sh", env!("CARGO_BIN_EXE_mindeg"), text(&file)])
-            .status()
-            .expect("a shell");
-        assert_eq!(run.code(), Some(0));
+        let mindeg = env!("CARGO_BIN_EXE_mindeg");
+        let run = output_of(Command::new("sh").args(["-c", &script, "sh", mindeg, text(&file)]));
+        assert_eq!(run.status.code(), Some(0));
         let written = fs::read_to_string(&file).expect("it is there");
         assert!(written.starts_with("# mine\n# mindeg") && written.contains("\nf "), "{written}");
     }
@@ -188,8 +185,7 @@ fn a_file_keeps_its_permissions_and_a_link_its_place() {
     mode("private.obj", 0o600);
     mode("protected.obj", 0o444);
     std::os::unix::fs::symlink("new.obj", path("link.obj")).expect("links can be made");
-    let write =
-        |name| start(folder.path(), &["-q", "-o", name]).wait_with_output().expect("it ends");
+    let write = |name| start(folder.path(), &["-q", "-o", name]).output();
 
     assert_eq!(write("private.obj").status.code(), Some(0));
     let written = fs::metadata(path("private.obj")).expect("it is there");

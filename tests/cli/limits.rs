@@ -1,7 +1,7 @@
 //! What cannot be done is refused before the first byte, and what goes wrong later leaves nothing.
 
 use crate::mesh::{content, text};
-use crate::run::{Run, mindeg};
+use crate::run::{Run, mindeg, output_of};
 use std::fs;
 use std::io::{self, Write};
 use std::path::Path;
@@ -65,7 +65,7 @@ fn one_file_is_not_written_twice() {
         "--format",
         "obj",
     ]));
-    run.refuses(&["x.bin", "the same file"]);
+    run.refuses(&["two outputs would write", "x.bin (a .gltf has a .bin beside it)"]);
     assert_eq!(content(folder.path()), ["folder"]);
 }
 
@@ -100,12 +100,12 @@ impl SmallDisk {
             code=$?
             ls -A && cat kept.obj
             exit $code"#;
-        let run = Command::new("unshare")
+        let mut command = Command::new("unshare");
+        command
             .args([self.unshare, "sh", "-c", script, "sh", &kibibytes.to_string()])
             .args([self.folder.path(), Path::new(env!("CARGO_BIN_EXE_mindeg"))])
-            .args(arguments)
-            .output()
-            .expect("unshare is there");
+            .args(arguments);
+        let run = output_of(&mut command);
         let after = String::from_utf8_lossy(&run.stdout).into_owned();
         let errors = String::from_utf8_lossy(&run.stderr).into_owned();
         (Run { code: run.status.code(), output: Vec::new(), errors }, after)
@@ -130,12 +130,12 @@ fn a_full_disk_leaves_nothing() {
     let [obj, glb] = ["obj", "glb"].map(len);
 
     // The disk takes either, but not both.
-    let room = (obj.max(glb) + 50_000) / 1024;
-    let (run, after) = disk.mindeg(room, &outputs(&["kept.obj", "new.glb"]));
-    refuses(1, &run, &["cannot write new.glb", "No space left"]);
+    let capacity = (obj.max(glb) + 50_000) / 1024;
+    let (run, after) = disk.mindeg(capacity, &outputs(&["kept.obj", "new.glb"]));
+    refuses(1, &run, &["cannot write ", "No space left"]);
     assert_eq!(after, NOTHING_NEW);
     for file in ["kept.obj", "new.glb", "new.gltf"] {
-        let (run, after) = disk.mindeg(room, &outputs(&[file]));
+        let (run, after) = disk.mindeg(capacity, &outputs(&[file]));
         assert_eq!(run.code, Some(0), "{run:?}");
         assert!(after.contains(file) && !after.contains(".part"), "{after}");
     }
@@ -151,10 +151,9 @@ fn a_file_beyond_what_the_system_allows_leaves_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     let limited = "ulimit -f 200; cd \"$1\"; exec \"$2\" mesh --rectangle 4x3 -o x.obj \
                    --intervals 5000,5000,5000,5000";
-    let run = Command::new("sh")
-        .args(["-c", limited, "sh", text(folder.path()), env!("CARGO_BIN_EXE_mindeg")])
-        .output()
-        .expect("a shell");
+    let mindeg = env!("CARGO_BIN_EXE_mindeg");
+    let folder_name = text(folder.path());
+    let run = output_of(Command::new("sh").args(["-c", limited, "sh", folder_name, mindeg]));
     let errors = String::from_utf8_lossy(&run.stderr);
     assert_eq!(run.status.code(), Some(1), "{errors}");
     assert!(errors.contains("cannot write x.obj: File too large"), "{errors}");

@@ -11,8 +11,14 @@ mod limits;
 #[cfg(target_os = "linux")]
 mod memory;
 mod mesh;
+#[cfg(unix)]
+mod mesh_files;
+#[cfg(unix)]
+mod outputs_that_are_inputs;
 #[cfg(target_os = "linux")]
 mod progress;
 mod run;
+mod slips;
 mod suggest;
+mod terminal;
 mod tradeoff;

@@ -1,5 +1,6 @@
-//! Memory does not grow with the mesh.
+//! Memory does not grow with a mesh that streams, and where there is too little of it a run says so.
 
+use crate::run::{Running, shell};
 use std::fs;
 use std::io::{self, Read};
 use std::process::{Command, Stdio};
@@ -8,18 +9,18 @@ use std::process::{Command, Stdio};
 fn peak(intervals: u64) -> u64 {
     // Four sides, 44 bytes a vertex. No pipe takes the rest, so the run cannot end meanwhile.
     let nearly_all = 4 * intervals * 44 - 3_000_000;
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+    let mut command = Command::new(env!("CARGO_BIN_EXE_mindeg"));
+    command
         .args(["mesh", "--rectangle", "4x3", "-q", "--format", "glb", "-o", "-", "--intervals"])
         .arg([intervals; 4].map(|count| count.to_string()).join(","))
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("the binary starts");
-    let mut out = child.stdout.take().expect("standard output is piped");
+        .stdout(Stdio::piped());
+    let mut child = Running::start(&mut command);
+    let mut out = child.take_output();
     let read = io::copy(&mut out.by_ref().take(nearly_all), &mut io::sink());
     assert_eq!(read.expect("the pipe is read"), nearly_all);
     let status = fs::read_to_string(format!("/proc/{}/status", child.id())).expect("it runs");
     io::copy(&mut out, &mut io::sink()).expect("the rest is read");
-    assert!(child.wait().expect("it ends").success());
+    assert!(child.status().success());
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kibibytes = peak.and_then(|peak| peak.trim().strip_suffix(" kB")).expect("Linux tells it");
     kibibytes.parse::<u64>().expect("a number") * 1024
@@ -33,5 +34,68 @@ fn peak_memory_is_small_at_any_size() {
     for intervals in [1 << 18, 1 << 20] {
         let peak = peak(intervals);
         assert!(peak < limit, "{intervals} intervals a side: {peak} bytes");
+    }
+}
+
+/// Runs mindeg in a folder under limits on memory, in KB: each run gives a result, or ends with
+/// exit code 1 and a message that names `what`. Gives the codes.
+#[track_caller]
+fn codes(folder: &std::path::Path, arguments: &str, what: &str) -> [Option<i32>; 5] {
+    [20_000, 60_000, 200_000, 500_000, 1_500_000].map(|kilobytes| {
+        let script = format!("ulimit -c 0; ulimit -v {kilobytes}; exec \"$MINDEG\" {arguments}");
+        let run = shell(folder, &script);
+        let message = &run.errors;
+        match run.code {
+            Some(0) => assert_eq!(message, "", "{kilobytes} KB, {arguments}"),
+            Some(1) => assert!(
+                message.starts_with("error: out of memory: ") && message.contains(what),
+                "{kilobytes} KB, {arguments}: {message}"
+            ),
+            _ => panic!("{kilobytes} KB, {arguments}: {run:?}"),
+        }
+        run.code
+    })
+}
+
+#[test]
+fn too_little_memory_ends_every_command_with_what_it_was_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let codes = |arguments: &str, what: &str| codes(folder.path(), arguments, what);
+    let made = "\"$MINDEG\" mesh --rectangle 4x3 --size 2e-5 -q -o m.obj -o m.glb -o m.gltf; \
+                echo '{\"name\": \"plate\", \"rectangle\": {\"width\": 4, \"height\": 3}, \
+                \"size\": 0.01}' > plate.json";
+    assert_eq!(shell(folder.path(), made).code, Some(0));
+    let (result, refusal) = (Some(0), Some(1));
+
+    // What takes next to nothing is done at any of these limits, or at all but the least.
+    for small in [
+        "degree 3,3,2,2",
+        "suggest 30,2,4,2",
+        "suggest 1000000000,1,1,1 --target 100000",
+        "completions bash",
+    ] {
+        assert_eq!(codes(small, ""), [result; 5], "{small}");
+    }
+    for small in [
+        "mesh --rectangle 4x3 --size 0.5 -q -o s.obj -o s.glb -o s.svg",
+        "mesh --rectangle 4x3 --size 0.5 -q --max-degree 5 -o s.obj",
+        "tradeoff --rectangle 4x3 --size 0.5 -o t.html",
+    ] {
+        assert_eq!(codes(small, "the domain")[1..], [result; 4], "{small}");
+    }
+    // The rest needs more than the least of the limits, and no more than the largest.
+    for (arguments, what) in [
+        ("mesh --rectangle 4x3 --size 2e-5 -q -o b.obj -o b.glb", "meshing the domain"),
+        ("mesh plate.json --optimize angle -q -o b.obj", "exact work on plate (1400 vertices)"),
+        ("tradeoff --rectangle 4x3 --intervals 300,300,300,300 --limit 1", "exact work on the"),
+        ("compare --rectangle 4x3 --size 2e-4 -q -o c.html --time-limit 5", "comparing the domain"),
+        ("compare plate.json -q -o f/ --size 2e-4 --time-limit 5", "comparing plate"),
+        ("inspect m.obj --json", "reading m.obj"),
+        ("inspect m.glb --json", "m.glb"),
+        ("convert m.obj -q -o x.glb", "reading m.obj"),
+        ("convert m.glb -q -o x.obj", "reading m.glb"),
+    ] {
+        let codes = codes(arguments, what);
+        assert_eq!((codes[0], codes[4]), (refusal, result), "{arguments}: {codes:?}");
     }
 }

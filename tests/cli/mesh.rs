@@ -40,8 +40,10 @@ fn every_domain_is_meshed_into_every_format() {
         files.iter().for_each(|file| arguments.extend(["-o", text(file)]));
         let summary = mindeg(arguments).json();
 
-        assert_eq!(summary["max_degree"], summary["optimal_max_degree"], "{domain:?}");
-        assert_eq!(summary["outputs"], serde_json::json!(files.each_ref().map(|file| text(file))));
+        assert_eq!(summary["max_degree"], summary["least_max_degree"], "{domain:?}");
+        let all = ["mesh.obj", "mesh.glb", "mesh.gltf", "mesh.bin", "mesh.svg"];
+        let all = all.map(|name| folder.path().join(name));
+        assert_eq!(summary["files"], serde_json::json!(all.each_ref().map(|file| text(file))));
         assert_eq!(
             content(folder.path()),
             ["mesh.bin", "mesh.glb", "mesh.gltf", "mesh.obj", "mesh.svg"]
@@ -56,6 +58,56 @@ fn every_domain_is_meshed_into_every_format() {
         assert_eq!(loops.len(), 1, "{domain:?}");
         assert_eq!(loops[0].vertices.len() as u64, vertices, "{domain:?}");
     }
+}
+
+#[test]
+fn a_summary_says_what_was_meshed_and_written() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = |name: &str| text(&folder.path().join(name)).to_owned();
+    let clockwise = br#"{"name": "wedge", "polygon": {"corners": [[0, 0], [0, 3], [4, 0]]},
+        "sides": [{"intervals": 3}, {"intervals": 2}, {"intervals": 1}]}"#;
+    let [gltf, svg] = ["w.gltf", "w.svg"].map(file);
+    let mesh = |more: &[&str]| {
+        let arguments = ["mesh", "-", "-o", &gltf, "-o", &svg];
+        mindeg_reading(arguments.iter().chain(more), clockwise)
+    };
+    let summary = mesh(&["--json"]).json();
+    assert_eq!(summary["name"], "wedge");
+    assert_eq!(summary["reversed"], true);
+    let intervals = summary["intervals"].as_array().expect("a list").clone();
+    assert_eq!(intervals.iter().filter_map(serde_json::Value::as_u64).sum::<u64>(), 6);
+    assert_eq!(summary["files"], serde_json::json!([gltf, file("w.bin"), svg]));
+    let said = mesh(&[]).errors;
+    assert!(said.contains(&format!("wrote {gltf}, {}, {svg}\n", file("w.bin"))), "{said}");
+    assert!(said.contains("ran clockwise"), "{said}");
+
+    let unnamed = ["mesh", "--rectangle", "4x3", "--size", "1", "-o", "-", "--format", "obj"];
+    let run = mindeg(unnamed);
+    assert!(
+        run.errors.starts_with("domain: 14 vertices") && !run.errors.contains("wrote"),
+        "{run:?}"
+    );
+    let summary = mindeg([&unnamed[..5], &["--json", "-o", &svg]].concat()).json();
+    assert_eq!((&summary["name"], &summary["reversed"]), (&serde_json::Value::Null, &false.into()));
+    assert_eq!(summary["intervals"], serde_json::json!([4, 3, 4, 3]));
+}
+
+#[test]
+fn a_failed_gate_names_what_fails_in_the_usual_digits() {
+    let panel = domains().into_iter().find(|path| path.ends_with("wing-panel.json"));
+    let panel = panel.expect("the domain is there");
+    let gates = ["--fail-above-degree", "3", "--fail-below-angle", "10"];
+    let mesh = ["mesh", text(&panel), "-o", "/dev/null", "--format", "obj"];
+    let run = mindeg(mesh.iter().chain(&gates));
+    assert_eq!(run.code, Some(3), "{run:?}");
+    let message = &run.errors;
+    assert!(message.starts_with("error: vertex "), "{message}");
+    assert!(message.contains(" has 4 edges; --fail-above-degree allows 3; triangle "), "{message}");
+    assert!(
+        message.contains("has an angle of 0.475°; --fail-below-angle asks for 10°"),
+        "{message}"
+    );
+    assert!(message.contains("(vertices "), "{message}");
 }
 
 #[test]
@@ -135,7 +187,7 @@ fn bad_input_is_refused_with_what_to_do() {
 #[test]
 fn bad_json_is_refused_with_its_path_and_line() {
     for (json, words) in [
-        ("", &["standard input", "line 1"][..]),
+        ("{", &["standard input", "line 1"][..]),
         ("{\n\"rectangle\": 4}", &["rectangle", "line 2"]),
         (
             "{\"rectangle\": {\"width\": 4, \"height\": 3},\n\"sides\": [{\"interval\": 3}]}",

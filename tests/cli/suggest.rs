@@ -1,17 +1,17 @@
-use crate::run::mindeg;
+use crate::run::{mindeg, mindeg_reading};
 use serde_json::json;
 
 #[test]
 fn json_lists_every_lower_degree_with_its_change() {
     let answer = mindeg(["suggest", "30,2,4,2", "--json"]).json();
     assert_eq!(answer["intervals"], json!([30, 2, 4, 2]));
-    assert_eq!(answer["max_degree"], 7);
+    assert_eq!(answer["least_max_degree"], 7);
     assert_eq!(
         answer["suggestions"][1],
         json!({
-            "max_degree": 5,
+            "least_max_degree": 5,
             "cost": 7,
-            "changes": [{"side": 1, "by": 7}],
+            "changes": [{"side": 2, "by": 7}],
             "intervals": [30, 9, 4, 2],
         })
     );
@@ -19,7 +19,7 @@ fn json_lists_every_lower_degree_with_its_change() {
         .as_array()
         .expect("a list")
         .iter()
-        .map(|row| row["max_degree"].clone())
+        .map(|row| row["least_max_degree"].clone())
         .collect();
     assert_eq!(degrees, [6, 5, 4, 3]);
 }
@@ -32,8 +32,8 @@ fn what_is_suggested_has_the_degree_it_promises() {
         let counts = row["intervals"].to_string();
         let counts = counts.trim_matches(['[', ']']);
         let after = mindeg(["degree", counts, "--json"]).json();
-        assert_eq!(after["max_degree"], row["max_degree"], "{intervals}");
-        assert_eq!(after["max_degree"], 4, "{intervals}");
+        assert_eq!(after["least_max_degree"], row["least_max_degree"], "{intervals}");
+        assert_eq!(after["least_max_degree"], 4, "{intervals}");
     }
 }
 
@@ -61,6 +61,47 @@ fn degree_ends_with_a_hint_above_four() {
 #[test]
 fn a_target_out_of_reach_is_refused() {
     mindeg(["suggest", "3,3,2,2", "--target", "2"]).refuses(&["4 sides", "2 or less"]);
-    mindeg(["suggest", "3,3", "--target", "4"])
-        .refuses(&["found 2 sides; a polygon needs at least 3"]);
+    mindeg(["suggest", "3,3", "--target", "4"]).refuses(&["found 2 sides", "at least 3"]);
+}
+
+#[test]
+fn a_domain_s_file_has_the_counts_too() {
+    let path = |name: &str| {
+        let domains = crate::mesh::domains();
+        let path = domains.iter().find(|path| path.ends_with(name)).expect("it is there");
+        crate::mesh::text(path).to_owned()
+    };
+    for command in ["degree", "suggest"] {
+        let of = |counts: &str| mindeg([command, counts, "--json"]).json();
+        assert_eq!(of(&path("figure-1.json")), of("3,3,2,2"), "{command}");
+        let domain = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
+        let read = mindeg_reading([command, "-", "--json"], domain.as_bytes());
+        assert_eq!(read.json(), of("4,3,4,3"), "{command}");
+        let limited = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
+            {"max_degree": 5}, {}, {}, {}]}"#;
+        mindeg_reading([command, "-"], limited.as_bytes())
+            .refuses(&["the domain gives outside_degree or max_degree", "mindeg mesh"]);
+    }
+}
+
+#[test]
+fn a_huge_side_prints_some_suggestions() {
+    let mut counts = vec!["1"; 100];
+    counts.insert(0, "4294967000");
+    let counts = counts.join(",");
+    let run = mindeg(["suggest", &counts]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert_eq!(run.text().lines().count(), 22);
+    assert!(
+        run.text().ends_with(" rows, spread evenly; --limit 0 prints all.\n"),
+        "{}",
+        run.text()
+    );
+
+    let rows = |limit| mindeg(["suggest", "1000,3,5,2", "--json", "--limit", limit]).json();
+    let (all, five) = (rows("0"), rows("5"));
+    let [all, five] = [&all, &five].map(|answer| answer["suggestions"].as_array().expect("a list"));
+    assert_eq!((all.len(), five.len()), (55, 5));
+    assert_eq!((&five[0], &five[4]), (&all[0], &all[54]));
+    assert_eq!(rows("5")["suggestion_count"], 55);
 }

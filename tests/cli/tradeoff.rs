@@ -45,11 +45,27 @@ fn the_table_is_for_reading() {
     let run = mindeg(rectangle("tradeoff", "12,9,4,4"));
     assert_eq!(
         run.text(),
-        "maximum degree  smallest angle  of Delaunay's\n\
+        "maximum degree   minimum angle  of Delaunay's\n\
          \x20            5          5.528°          87.2%\n\
          \x20            6          6.340°         100.0%\n"
     );
     assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn a_long_table_keeps_the_first_the_knee_and_the_last() {
+    let table = |limit| {
+        let run = mindeg([rectangle("tradeoff", "90,3,5,2"), vec!["--limit", limit]].concat());
+        run.text().to_owned()
+    };
+    let all = table("0");
+    let rows: Vec<&str> = all.lines().skip(1).collect();
+    assert!(rows.len() > 5, "{all}");
+    let knee = *rows.iter().find(|row| row.ends_with("%  knee")).expect("a knee");
+    let short = table("3");
+    let shown: Vec<&str> = short.lines().skip(1).collect();
+    assert_eq!(shown[..3], [rows[0], knee, rows[rows.len() - 1]]);
+    assert_eq!(shown[3], format!("3 of {} rows, spread evenly; --limit 0 prints all.", rows.len()));
 }
 
 #[test]
@@ -89,12 +105,12 @@ fn the_mesh_of_every_point_can_be_had() {
             let mut arguments = rectangle("mesh", intervals);
             arguments.extend(["--optimize", "angle", "--json", "-o", text(&file)]);
             if degree > least {
-                // Without a cap, it is the least.
+                // Without a limit, it is the least.
                 arguments.extend(["--max-degree", &cap]);
             }
             let summary = mindeg(arguments).json();
             assert_eq!(
-                (&summary["max_degree"], &summary["optimal_max_degree"]),
+                (&summary["max_degree"], &summary["least_max_degree"]),
                 (&json!(degree), &json!(least))
             );
             let seen = summary["min_angle"].as_f64().expect("an angle");
@@ -123,7 +139,7 @@ fn no_domain_loses_by_it() {
 #[test]
 fn caps_that_cannot_be_kept_are_refused_with_the_least_that_can() {
     let capped = |cap| {
-        let optimize = ["--optimize", "angle", "--max-degree", cap, "-o", "x.obj"];
+        let optimize = ["--max-degree", cap, "-o", "x.obj"];
         mindeg(rectangle("mesh", "12,9,4,4").into_iter().chain(optimize))
     };
     capped("4").refuses(&["degree 4", "least is 5"]);
@@ -147,17 +163,18 @@ fn caps_that_cannot_be_kept_are_refused_with_the_least_that_can() {
 }
 
 #[test]
-fn without_optimize_a_cap_is_a_gate_on_total_degrees() {
+fn a_gate_is_on_total_degrees() {
     let domain = br#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
         {}, {}, {"outside_degree": 3}, {}]}"#;
     let mesh = |cap: &str| {
-        let arguments = ["mesh", "-", "-q", "-o", "-", "--format", "obj", "--max-degree", cap];
+        let arguments =
+            ["mesh", "-", "-q", "-o", "-", "--format", "obj", "--fail-above-degree", cap];
         mindeg_reading(arguments, domain)
     };
     assert_eq!(mesh("6").code, Some(0));
     let failed = mesh("5");
     assert_eq!((failed.code, failed.output.len()), (Some(3), 0));
-    assert!(failed.errors.contains("6 edges, and --max-degree allows 5"), "{failed:?}");
+    assert!(failed.errors.contains("6 edges; --fail-above-degree allows 5"), "{failed:?}");
 }
 
 #[test]
@@ -169,6 +186,15 @@ fn what_is_too_large_for_exact_work_is_refused_with_the_way_out() {
         "4096",
         "leave out --optimize",
     ]);
+    let limited = ["--max-degree", "5", "-o", "x.obj"];
+    mindeg(rectangle("mesh", large).into_iter().chain(limited)).refuses(&[
+        "4100",
+        "4096",
+        "leave out --max-degree",
+    ]);
+    // A limit that no mesh keeps is refused as such at any size.
+    let too_low = ["--max-degree", "3", "-o", "x.obj"];
+    mindeg(rectangle("mesh", large).into_iter().chain(too_low)).refuses(&["the least is 4"]);
     mindeg(rectangle("tradeoff", large)).refuses(&["4100", "4096", "mindeg mesh"]);
     let capped = br#"{"rectangle": {"width": 4, "height": 3}, "size": 0.003, "sides": [
         {}, {"max_degree": 9}, {}, {}]}"#;
@@ -239,7 +265,7 @@ fn two_plates_keep_their_joint_maximum_when_the_second_knows_the_first() {
             .map(|vertex| degrees[vertex] - if [start, end].contains(&vertex) { 1 } else { 2 })
             .collect();
         let second = Plate::new(4, right, &outside);
-        assert_eq!(second.summary["optimal_max_degree"], json!(joint));
+        assert_eq!(second.summary["least_max_degree"], json!(joint));
         assert_eq!(second.max_degree(), joint);
         assert_eq!(joint_max_degree([&first, &second]), joint, "{left:?}");
         assert!(first.max_degree() <= joint);
@@ -271,21 +297,22 @@ fn single_vertices_keep_to_their_caps() {
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_nothing_behind() {
+    use crate::run::{Running, hearing_signals};
     use std::os::unix::process::ExitStatusExt;
     use std::process::{Command, Stdio};
     use std::time::Duration;
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("curve.html");
-    let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
+    let mut command = hearing_signals(env!("CARGO_BIN_EXE_mindeg"));
+    command
         .args(rectangle("tradeoff", "1000,1000,1000,1000"))
         .args(["-o", text(&file)])
-        .stdout(Stdio::null())
-        .spawn()
-        .expect("the binary starts");
+        .stdout(Stdio::null());
+    let mut child = Running::start(&mut command);
     std::thread::sleep(Duration::from_millis(500));
     let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
     assert!(kill.expect("kill is there").success());
-    let status = child.wait().expect("it ends");
+    let status = child.status();
     assert_eq!(status.signal(), Some(2));
     assert!(content(folder.path()).is_empty());
 }

@@ -1,38 +1,36 @@
 //! `mindeg compare`: a domain's mesh beside what other methods give.
 
-use crate::args::CompareArguments;
+mod folder;
+mod saved_meshes;
+
+use crate::args::{CompareArguments, ReportFormat};
 use crate::bar::Bar;
-use crate::domain::{domain, from_file};
+use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
 use crate::interrupt::clean_up_on_interrupt;
-use crate::output::{Outputs, cannot_write};
+use crate::memory;
+use crate::output::{Outputs, is_standard_output, write_to};
+use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_compare::{
-    Comparison, IndexEntry, Options, PageLinks, Provenance, compare, shell_word, write_html,
-    write_index, write_json, write_linked_html, write_markdown,
+    Comparison, Options, Provenance, compare, shell_word, write_html, write_json, write_markdown,
 };
-use std::collections::BTreeSet;
-use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
-    let limit = arguments.time_limit;
-    let time_limit = Duration::try_from_secs_f64(limit).map_err(|_| {
-        Failure::Input(format!("--time-limit {limit}: give a number of seconds, such as 60"))
-    })?;
-    let options = Options { time_limit, ..Options::default() };
-    let folder = arguments.output.iter().find(|path| is_folder(path));
+    let options = Options { time_limit: arguments.time_limit, ..Options::default() };
     clean_up_on_interrupt()?;
-    match folder {
-        Some(folder) if arguments.output.len() == 1 => run_all(arguments, &options, folder),
+    match arguments.output.iter().find(|path| is_folder(path)) {
+        Some(folder) if arguments.output.len() == 1 && !arguments.json => {
+            folder::run(arguments, &options, folder)
+        }
         Some(folder) => Err(Failure::Input(format!(
-            "{} is a folder and takes every report; give no other -o with it",
+            "{} is a folder and takes every report; give no other -o and no --json with it",
             folder.display()
         ))),
-        None if arguments.domain.files.len() > 1 => Err(Failure::Input(
+        None if arguments.files.len() > 1 => Err(Failure::Input(
             "several domains need a folder for their reports, such as -o reports/".to_owned(),
         )),
         None => run_one(arguments, &options),
@@ -46,30 +44,78 @@ fn is_folder(path: &Path) -> bool {
 
 /// One domain, its report in each of the formats asked for.
 fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failure> {
-    type Writer = fn(&Comparison, &mut dyn Write) -> io::Result<()>;
-    let writer = |path: &Path| -> Result<Writer, Failure> {
-        let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-        match extension.as_deref() {
-            Some("html" | "htm") => Ok(|comparison, out| write_html(comparison, out)),
-            Some("json") => Ok(|comparison, out| write_json(comparison.report(), out)),
-            Some("md") => Ok(|comparison, out| write_markdown(comparison, out)),
-            _ => Err(Failure::Input(format!(
-                "-o {}: a report ends in .html, .json or .md; a folder ends in /",
-                path.display()
-            ))),
-        }
+    let mut reports = arguments.output.clone();
+    let mut formats: Vec<ReportFormat> =
+        reports.iter().map(|path| format(path, arguments.format)).collect::<Result<_, _>>()?;
+    if arguments.json {
+        reports.push(PathBuf::from("-"));
+        formats.push(ReportFormat::Json);
+    }
+    if reports.iter().filter(|path| is_standard_output(path)).count() > 1 {
+        let message = "standard output takes one report, or the one of --json";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let domain = match arguments.files.first() {
+        Some(path) => from_file(path, &arguments.options)?,
+        None => from_options(&arguments.options)?,
     };
-    let writers: Vec<Writer> =
-        arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
-    let comparison = compared(&domain(&arguments.domain)?, options, arguments.quiet)?;
-    let comparison = comparison.made_by(provenance(arguments.domain.files.first()));
+    // What cannot be written is refused before the work, which can take minutes.
     let mut outputs = Outputs::default();
-    for (path, write) in arguments.output.iter().zip(writers) {
-        outputs.write(path, |out| write(&comparison, out))?;
+    let opened: Vec<Box<dyn Write>> =
+        reports.iter().map(|path| outputs.open(path)).collect::<Result<_, _>>()?;
+
+    let comparison = compared(&domain, options, arguments.quiet)?;
+    let comparison = comparison.made_by(provenance(arguments.files.first().map(PathBuf::as_path)));
+    let mut written: Vec<PathBuf> = Vec::new();
+    if let Some(folder) = &arguments.save_meshes {
+        written = saved_meshes::save(folder, &comparison, &mut outputs)?;
+    }
+    let mut all_taken = true;
+    for ((path, format), out) in reports.iter().zip(formats).zip(opened) {
+        match write_to(path, out, |out| write(format, &comparison, out)) {
+            // Nobody reads on, and the other outputs are not for that reader.
+            Err(Failure::ClosedPipe) => all_taken = false,
+            written => written?,
+        }
     }
     outputs.finish()?;
-    say(arguments, &comparison.report().verdict);
-    check_gates(&arguments.gates, &comparison)
+    written.extend(reports.into_iter().filter(|path| !is_standard_output(path)));
+    if !arguments.quiet {
+        say(&comparison.report().verdict);
+        say_written(&written);
+    }
+    check_gates(&arguments.gates, &comparison)?;
+    if all_taken { Ok(()) } else { Err(Failure::ClosedPipe) }
+}
+
+/// The format of the report at `path`; `given` is for standard output.
+fn format(path: &Path, given: Option<ReportFormat>) -> Result<ReportFormat, Failure> {
+    if is_standard_output(path) {
+        return given
+            .ok_or_else(|| Failure::Input("-o -: give --format html, json or md".to_owned()));
+    }
+    ReportFormat::of_path(path).ok_or_else(|| {
+        Failure::Input(format!(
+            "-o {}: a report ends in .html, .json or .md; a folder ends in /",
+            path.display()
+        ))
+    })
+}
+
+fn write(format: ReportFormat, comparison: &Comparison, out: &mut dyn Write) -> io::Result<()> {
+    match format {
+        ReportFormat::Html => write_html(comparison, out),
+        ReportFormat::Json => write_json(comparison.report(), out),
+        ReportFormat::Md => write_markdown(comparison, out),
+    }
+}
+
+/// Says which files were written.
+fn say_written(files: &[PathBuf]) {
+    if !files.is_empty() {
+        let files: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
+        say(&format!("wrote {}", files.join(", ")));
+    }
 }
 
 /// Checks mindeg's own mesh, the first method.
@@ -93,119 +139,33 @@ fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
     gates.check(max_degree, min_angle, highest_vertex, worst_triangle)
 }
 
-/// Every domain, its report in the folder, and an index page. What fails is listed, and the
-/// others go on.
-fn run_all(arguments: &CompareArguments, options: &Options, folder: &Path) -> Result<(), Failure> {
-    let jobs = jobs(arguments)?;
-    fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
-    let mut entries = Vec::new();
-    let mut failures = Vec::new();
-    let mut gated = Vec::new();
-    let pages: Vec<(String, String)> =
-        jobs.iter().map(|job| (job.name.clone(), format!("{}.html", job.name))).collect();
-    for (place, Job { name, load }) in jobs.into_iter().enumerate() {
-        let page = pages[place].1.clone();
-        let links = PageLinks {
-            index: Some("index.html".to_owned()),
-            previous: place.checked_sub(1).and_then(|before| pages.get(before)).cloned(),
-            next: pages.get(place + 1).cloned(),
-        };
-        let written = load().and_then(|domain| {
-            let comparison = compared(&domain, options, arguments.quiet)?;
-            let comparison = comparison.made_by(provenance(arguments.domain.files.get(place)));
-            write_page(&folder.join(&page), |out| write_linked_html(&comparison, &links, out))?;
-            Ok(comparison)
-        });
-        match written {
-            Ok(comparison) => {
-                if let Err(failure) = check_gates(&arguments.gates, &comparison) {
-                    gated.push(format!("{name}: {}", failure.message().unwrap_or_default()));
-                }
-                entries.push(IndexEntry::compared(&name, &page, comparison.report()));
-                say(arguments, &format!("{name}: {}", comparison.report().verdict));
-            }
-            Err(failure) => {
-                let reason = failure.message().unwrap_or("its reader stopped").to_owned();
-                entries.push(IndexEntry::failed(&name, &reason));
-                failures.push(format!("{name}: {reason}"));
-            }
-        }
-    }
-    write_page(&folder.join("index.html"), |out| write_index(&entries, out))?;
-    if failures.is_empty() {
-        return if gated.is_empty() { Ok(()) } else { Err(Failure::Gate(gated.join("\n"))) };
-    }
-    Err(Failure::Input(format!(
-        "{} of {} domains could not be compared; the index lists them\n{}",
-        failures.len(),
-        entries.len(),
-        failures.join("\n")
-    )))
-}
-
-/// A domain to be read when its turn comes, and the name of its report.
-struct Job<'a> {
-    name: String,
-    load: Box<dyn Fn() -> Result<Domain, Failure> + 'a>,
-}
-
-fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
-    let described = &arguments.domain;
-    if described.files.is_empty() {
-        let load = Box::new(|| domain(described));
-        return Ok(vec![Job { name: "domain".to_owned(), load }]);
-    }
-    let mut names = BTreeSet::from(["index".to_owned()]);
-    let job = |path: &'_ PathBuf| {
-        let stem = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy();
-        let name = if stem == "-" { "domain".to_owned() } else { stem.into_owned() };
-        if !names.insert(name.clone()) {
-            return Err(Failure::Input(format!(
-                "{}: the folder has another {name}.html; rename the file",
-                path.display()
-            )));
-        }
-        let path = path.clone();
-        Ok(Job { name, load: Box::new(move || from_file(&path, described)) })
-    };
-    described.files.iter().map(job).collect()
-}
-
 fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Comparison, Failure> {
-    let name = format!(
+    /// Bytes for each vertex: as measured, 470.
+    const PER_VERTEX: u64 = 1000;
+    /// Bytes for each pair of vertices in exact work: as measured, 36.
+    const PER_PAIR: u64 = 100;
+    let vertices = domain.boundary().vertex_count();
+    let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
+    let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
+    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name_in_text(domain)))?;
+
+    let stage = format!(
         "comparing {}, {} s at most for each method",
-        domain.name().unwrap_or("methods"),
+        name_in_text(domain),
         options.time_limit.as_secs_f64()
     );
-    let comparison = Bar::new(quiet).waiting(name, || compare(domain, options));
+    let comparison = Bar::new(quiet).waiting(stage, || compare(domain, options));
     comparison.map_err(|error| Failure::Input(error.to_string()))
 }
 
 /// What a report says of its making: the file as it was given, and the command line.
-fn provenance(input: Option<&PathBuf>) -> Provenance {
+fn provenance(input: Option<&Path>) -> Provenance {
     let words = std::env::args_os().skip(1).map(|word| shell_word(&word.to_string_lossy()));
     let command = [String::from("mindeg")].into_iter().chain(words).collect::<Vec<_>>().join(" ");
-    let input = input.filter(|path| path.as_os_str() != "-");
+    let input = input.filter(|path| *path != Path::new("-"));
     Provenance {
         input: input.map(|path| path.display().to_string()),
         command: Some(command),
         ..Provenance::default()
-    }
-}
-
-/// Writes one page of a folder, whole or not at all.
-fn write_page(
-    path: &Path,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<(), Failure> {
-    let mut outputs = Outputs::default();
-    outputs.write(path, write)?;
-    outputs.finish()
-}
-
-fn say(arguments: &CompareArguments, verdict: &str) {
-    if !arguments.quiet {
-        // A verdict that cannot be shown is no reason to fail: the report is there.
-        let _ = writeln!(io::stderr(), "{verdict}");
     }
 }

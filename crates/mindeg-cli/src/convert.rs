@@ -3,22 +3,36 @@
 use crate::args::ConvertArguments;
 use crate::bar::Bar;
 use crate::failure::Failure;
+use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
 use crate::mesh_file;
 use crate::output::Outputs;
 use crate::targets::Targets;
+use crate::terminal::say;
 use mindeg_mesh::Triangles;
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
-    let options = arguments.surface.options();
-    let mut targets = Targets::new(&arguments.output, arguments.format, options, false)?;
+    let surface = &arguments.surface;
+    let mut targets = Targets::new(&surface.output, surface.format, surface.options(), false)?;
     let bar = Bar::new(arguments.quiet);
     clean_up_on_interrupt()?;
+    input::note(&arguments.file, "mesh");
+    memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     targets.check(&mesh, mesh.triangle_count())?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
+    let files = targets.files();
     let all_taken = targets.write(&mesh, &bar)?;
     outputs.finish()?;
-    if all_taken { Ok(()) } else { Err(Failure::ClosedPipe) }
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    let files: Vec<_> = files.into_iter().filter(|file| file != "-").collect();
+    if !arguments.quiet && !files.is_empty() {
+        say(&format!("wrote {}", files.join(", ")));
+    }
+    Ok(())
 }

@@ -1,6 +1,7 @@
 //! `mindeg degree`: the answer from the counts alone.
 
 use crate::args::DegreeArguments;
+use crate::domain::counts;
 use crate::failure::Failure;
 use crate::standard_output::{print, print_json};
 use crate::suggest::in_words;
@@ -15,11 +16,11 @@ struct Answer<'a> {
     vertices: u32,
     triangles: u32,
     interior_edges: u32,
-    max_degree: u32,
+    least_max_degree: u32,
     certificate: Proof,
 }
 
-/// A certificate in the words of the JSON output; sides count from 0 like the list of intervals.
+/// A certificate in the words of the JSON output; sides count from 1, as in the text.
 #[derive(Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 enum Proof {
@@ -30,7 +31,7 @@ enum Proof {
 }
 
 pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
-    let intervals = &arguments.intervals.0;
+    let intervals = &counts(&arguments.counts)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let certificate = certificate(&boundary);
     let vertices = boundary.vertex_count();
@@ -40,7 +41,7 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
             vertices,
             triangles: mindeg_core::bound::triangle_count(&boundary),
             interior_edges: mindeg_core::bound::interior_edge_count(&boundary),
-            max_degree: certificate.max_degree(),
+            least_max_degree: certificate.max_degree(),
             certificate: proof(&certificate),
         });
     }
@@ -51,14 +52,14 @@ fn proof(certificate: &Certificate) -> Proof {
     let bound = certificate.max_degree();
     match *certificate {
         Certificate::BalancedCut { cut, .. } => Proof::BalancedCut {
-            first_side: cut.first_side,
+            first_side: cut.first_side + 1,
             side_count: cut.side_count,
             larger: cut.larger,
             smaller: cut.smaller,
             bound,
         },
         Certificate::MedialTriangle => Proof::MedialTriangle { bound },
-        Certificate::LongSide { side, .. } => Proof::LongSide { side, bound },
+        Certificate::LongSide { side, .. } => Proof::LongSide { side: side + 1, bound },
         Certificate::NoBalancedCut { least_imbalance } => {
             Proof::NoBalancedCut { least_imbalance, bound }
         }

@@ -1,6 +1,7 @@
 //! How a run ends when it does not succeed.
 
-use std::io::{self, Write};
+use crate::terminal::say_error;
+use std::io;
 use std::process::ExitCode;
 
 /// Why a run stopped. Each kind has its exit code, listed in `--help`.
@@ -22,7 +23,7 @@ impl Failure {
         if error.kind() == io::ErrorKind::BrokenPipe {
             Self::ClosedPipe
         } else {
-            Self::Io(format!("cannot write to standard output: {error}"))
+            Self::Io(format!("cannot write to standard output: {}", plainly(error)))
         }
     }
 
@@ -36,14 +37,26 @@ impl Failure {
 
     /// Says what went wrong on standard error and gives the exit code.
     pub(crate) fn report(&self) -> ExitCode {
-        let (message, code) = match self {
-            Self::Io(message) => (message, 1),
-            Self::Input(message) => (message, 2),
-            Self::Gate(message) => (message, 3),
-            Self::ClosedPipe => return ExitCode::SUCCESS,
-        };
-        // With standard error closed too there is nobody left to tell.
-        let _ = writeln!(io::stderr(), "error: {message}");
-        ExitCode::from(code)
+        if let Some(message) = self.message() {
+            say_error(message);
+        }
+        ExitCode::from(match self {
+            Self::ClosedPipe => 0,
+            Self::Io(_) => 1,
+            Self::Input(_) => 2,
+            Self::Gate(_) => 3,
+        })
+    }
+}
+
+/// An error of the system in its words: without its number, and without the name of a temporary
+/// file, which the user never gave.
+pub(crate) fn plainly(error: &io::Error) -> String {
+    let source = error.get_ref().and_then(|wrapper| wrapper.source());
+    let cause = source.and_then(|source| source.downcast_ref::<io::Error>()).unwrap_or(error);
+    let text = cause.to_string();
+    match text.split_once(" (os error ") {
+        Some((words, _)) => words.to_owned(),
+        None => text,
     }
 }

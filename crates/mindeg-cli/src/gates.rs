@@ -10,17 +10,33 @@ use mindeg::BoundaryMesh;
 #[command(next_help_heading = "Gates")]
 pub(crate) struct Gates {
     /// End with exit code 3 if a vertex has more edges than this
-    #[arg(long, value_name = "N")]
-    pub(crate) max_degree: Option<u32>,
+    #[arg(long, value_name = "N", value_parser = parse_degree, allow_hyphen_values = true)]
+    pub(crate) fail_above_degree: Option<u32>,
 
     /// End with exit code 3 if a triangle has an angle below this many degrees, up to 60
     #[arg(long, value_name = "A", value_parser = parse_angle, allow_hyphen_values = true)]
-    pub(crate) min_angle: Option<f64>,
+    pub(crate) fail_below_angle: Option<f64>,
+}
+
+fn parse_degree(text: &str) -> Result<u32, String> {
+    text.trim().parse().map_err(|_| "give a whole number of edges, such as 6".to_owned())
 }
 
 fn parse_angle(text: &str) -> Result<f64, String> {
-    let angle = text.parse().ok().filter(|angle| (0.0..=60.0).contains(angle));
-    angle.ok_or_else(|| "give degrees from 0 to 60, as no triangle has only larger angles".into())
+    let angle = text.trim().parse().ok().filter(|angle| (0.0..=60.0).contains(angle));
+    angle.ok_or_else(|| "give degrees from 0 to 60; no triangle has only larger angles".into())
+}
+
+/// An angle as people read it; one too small for three decimals as a power of ten.
+pub(crate) fn degrees(angle: f64) -> String {
+    if angle < 0.01 { format!("{angle:.1e}°") } else { format!("{angle:.3}°") }
+}
+
+/// As [`degrees`], with all digits where rounding would hide that the angle is below `limit`.
+fn degrees_below(angle: f64, limit: f64) -> String {
+    let rounded = degrees(angle);
+    let hides = rounded.trim_end_matches('°').parse().is_ok_and(|shown: f64| shown >= limit);
+    if hides { format!("{angle}°") } else { rounded }
 }
 
 /// A triangle, and what it has for vertices.
@@ -30,7 +46,7 @@ pub(crate) struct NamedTriangle {
 }
 
 impl Gates {
-    /// Passes a mesh of this maximum degree and smallest angle in degrees, or fails and names
+    /// Passes a mesh of this maximum degree and minimum angle in degrees, or fails and names
     /// the vertex and the triangle that have them, which are asked for only then.
     pub(crate) fn check(
         &self,
@@ -40,26 +56,27 @@ impl Gates {
         worst_triangle: impl FnOnce() -> NamedTriangle,
     ) -> Result<(), Failure> {
         let mut failed = Vec::new();
-        if let Some(limit) = self.max_degree.filter(|&limit| max_degree > limit) {
+        if let Some(limit) = self.fail_above_degree.filter(|&limit| max_degree > limit) {
             let vertex = highest_vertex();
             failed.push(format!(
-                "vertex {vertex} has {max_degree} edges, and --max-degree allows {limit}"
+                "vertex {vertex} has {max_degree} edges; --fail-above-degree allows {limit}"
             ));
         }
-        if let Some(limit) = self.min_angle.filter(|&limit| min_angle < limit) {
+        if let Some(limit) = self.fail_below_angle.filter(|&limit| min_angle < limit) {
             let NamedTriangle { number, vertices: [a, b, c] } = worst_triangle();
             failed.push(format!(
-                "triangle {number} (vertices {a}, {b}, {c}) has an angle of {min_angle}°, and \
-                 --min-angle asks for {limit}°"
+                "triangle {number} (vertices {a}, {b}, {c}) has an angle of {}; \
+                 --fail-below-angle asks for {limit}°",
+                degrees_below(min_angle, limit)
             ));
         }
         if failed.is_empty() {
             return Ok(());
         }
-        Err(Failure::Gate(format!("{} (numbered from 0)", failed.join("; "))))
+        Err(Failure::Gate(format!("{} (counted from 0)", failed.join("; "))))
     }
 
-    /// Checks the mesh of a domain, of which the smallest angle is known. Degrees are total. To name
+    /// Checks the mesh of a domain, of which the minimum angle is known. Degrees are total. To name
     /// a triangle that fails all are looked at again, and the bar shows it.
     pub(crate) fn check_mesh(
         &self,
@@ -81,5 +98,23 @@ impl Gates {
             NamedTriangle { number, vertices: mesh.triangle(number) }
         };
         self.check(max_degree, min_angle, highest_vertex, worst_triangle)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_angle_that_fails_does_not_read_as_one_that_passes() {
+        for (angle, limit, shown) in [
+            (0.47490800682170436, 10.0, "0.475°"),
+            (29.9999, 30.0, "29.9999°"),
+            (29.99, 30.0, "29.990°"),
+            (0.0012, 0.002, "1.2e-3°"),
+            (0.00195, 0.002, "1.9e-3°"),
+        ] {
+            assert_eq!(degrees_below(angle, limit), shown);
+        }
     }
 }

@@ -1,28 +1,40 @@
-//! `mindeg inspect`: what there is to say of a mesh file, whatever program wrote it.
+//! `mindeg inspect`: what is in a mesh, whatever program wrote it.
 
 mod report;
+mod standard_input;
 mod text;
 
 use crate::args::InspectArguments;
 use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::gates::NamedTriangle;
+use crate::memory;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::inspection::{Inspection, InspectionOptions};
 use report::Report;
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
-    let bar = Bar::new(false);
-    let mesh = mesh_file::read(&arguments.file, &bar)?;
+    let bar = Bar::new(arguments.quiet);
+    let is_standard_input = arguments.file.as_os_str() == "-";
+    let (name, mesh) = if is_standard_input {
+        ("standard input".to_owned(), standard_input::read(arguments.format)?)
+    } else if arguments.format.is_some() {
+        return Err(Failure::Input(
+            "--format is for standard input; the name of a file tells its format".to_owned(),
+        ));
+    } else {
+        memory::require_to_read(&arguments.file)?;
+        (arguments.file.display().to_string(), mesh_file::read(&arguments.file, &bar)?)
+    };
+    memory::require_to_inspect(&arguments.file, mesh.positions().len(), mesh.triangles().len())?;
     let options = InspectionOptions {
-        weld: !arguments.no_weld,
+        weld: (!arguments.no_weld).then_some(arguments.weld),
         pole_degree: arguments.poles_above,
         corner_angle: arguments.corner_angle,
     };
     let inspection = bar.waiting("inspecting", || Inspection::of(&mesh, &options));
     drop(bar);
-    let name = arguments.file.display().to_string();
     let report = Report::new(name, &mesh, &inspection);
     let printed = if arguments.json {
         print_json(&report)

@@ -101,8 +101,24 @@ fn ignored_signals() -> u64 {
     mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or_default()
 }
 
+/// Without signals that tell which they are, flags are looked at ten times a second.
 #[cfg(not(unix))]
 fn listen() -> io::Result<()> {
-    // What shells report for a program that Ctrl-C ended.
-    ctrlc::set_handler(|| end(|| std::process::exit(130))).map_err(io::Error::other)
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    const TICK: Duration = Duration::from_millis(100);
+    let stopped = Arc::new(AtomicBool::new(false));
+    for signal in [SIGINT, SIGTERM] {
+        signal_hook::flag::register(signal, Arc::clone(&stopped))?;
+    }
+    thread::Builder::new().spawn(move || {
+        while !stopped.load(Relaxed) {
+            thread::sleep(TICK);
+        }
+        // What shells report for a program that Ctrl-C ended.
+        end(|| std::process::exit(130));
+    })?;
+    Ok(())
 }

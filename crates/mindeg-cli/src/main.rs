@@ -6,53 +6,71 @@
 mod args;
 mod bar;
 mod compare;
+mod completions;
 mod convert;
 mod degree;
 mod domain;
 mod failure;
 mod gates;
+mod input;
 mod inspect;
 mod interrupt;
+mod memory;
 mod mesh;
 mod mesh_file;
 mod output;
+mod slips;
 mod standard_output;
 mod suggest;
 mod targets;
+mod terminal;
+mod threads;
 mod tradeoff;
 
 use args::{Arguments, Command};
-use clap::Parser;
+use clap::{CommandFactory, FromArgMatches};
 use failure::Failure;
-use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
+use std::env;
+use std::ffi::OsString;
+use std::io::{self, Write};
 use std::process::ExitCode;
+use threads::shared;
 
 fn main() -> ExitCode {
-    let result = match &Arguments::parse().command {
-        Command::Degree(arguments) => degree::run(arguments),
-        Command::Suggest(arguments) => suggest::run(arguments),
-        Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
-        Command::Convert(arguments) => shared(|| convert::run(arguments)),
-        Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
-        Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
-        Command::Compare(arguments) => shared(|| compare::run(arguments)),
+    let words: Vec<OsString> = env::args_os().collect();
+    let color = terminal::color_choice(&words);
+    terminal::set_color(color);
+    let matches = Arguments::command().color(color).try_get_matches_from(&words);
+    let arguments = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
+        Ok(arguments) => arguments,
+        Err(error) => return without_a_run(&error, &words),
     };
-    match result {
+    match run(&arguments.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
 }
 
-/// Does work that is shared by all threads.
-fn shared(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
-    let failed = |error| Failure::Io(format!("cannot start threads: {error}"));
-    threads().map_err(failed)?.install(work)
+fn run(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Degree(arguments) => degree::run(arguments),
+        Command::Suggest(arguments) => suggest::run(arguments),
+        Command::Completions(arguments) => completions::run(arguments),
+        Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
+        Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
+        Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
+        Command::Compare(arguments) => shared(|| compare::run(arguments)),
+    }
 }
 
-/// The threads that share work: as many as there are cores, or this one alone where the system
-/// allows no more. Not rayon's own, which are started when first needed, or panic.
-fn threads() -> Result<ThreadPool, ThreadPoolBuildError> {
-    // As large as that of a main thread.
-    let builder = || ThreadPoolBuilder::new().stack_size(8 << 20);
-    builder().build().or_else(|_| builder().num_threads(1).use_current_thread().build())
+/// Prints the help or the version that was asked for, or what is wrong with the arguments.
+fn without_a_run(error: &clap::Error, words: &[OsString]) -> ExitCode {
+    if let Some(message) = slips::guess(error, words) {
+        return Failure::Input(message).report();
+    }
+    match error.print().and_then(|()| io::stdout().flush()) {
+        Err(failed) if !error.use_stderr() => Failure::from_standard_output(&failed).report(),
+        _ => ExitCode::from(if error.use_stderr() { 2 } else { 0 }),
+    }
 }

@@ -2,34 +2,45 @@
 
 use crate::args::{MeshArguments, Optimize};
 use crate::bar::Bar;
-use crate::domain::domain;
+use crate::domain::{domain, name, name_in_text};
 use crate::failure::Failure;
+use crate::gates::degrees;
 use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
-use mindeg::exact::{self, ExactError};
-use mindeg::{BoundaryMesh, Domain, Goal, Meshed, Progress};
+use crate::terminal::say;
+use mindeg::exact::ExactError;
+use mindeg::{Domain, FoundBy, Goal, HigherDegree, Meshed, Progress};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal};
 
-/// What `--json` prints; angles in degrees, an output for each `-o`. Degrees are total: edges
-/// outside the domain count.
+/// What `--json` prints; angles in degrees. Degrees are total: edges outside the domain count.
 #[derive(Serialize)]
-struct Summary {
+struct Summary<'a> {
+    name: Option<&'a str>,
+    intervals: Vec<u32>,
     vertices: u32,
     triangles: u32,
     max_degree: u32,
-    optimal_max_degree: u32,
+    least_max_degree: u32,
     min_angle: f64,
     max_angle: f64,
-    outputs: Vec<String>,
+    /// "formula", "search" (exact) or "windows" (the degree is an upper bound).
+    found_by: &'static str,
+    /// Null where it was not worked out.
+    delaunay_min_angle: Option<f64>,
+    /// Whether the corners ran clockwise.
+    reversed: bool,
+    files: Vec<String>,
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
-    let options = arguments.surface.options();
-    let mut targets = Targets::new(&arguments.output, arguments.format, options, arguments.json)?;
+    let surface = &arguments.surface;
+    let mut targets =
+        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
     let domain = domain(&arguments.domain)?;
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
@@ -37,17 +48,22 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
+    memory::require_to_stream(domain.boundary().vertex_count(), name_in_text(&domain))?;
+    let goal = goal(arguments, &domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
+    let files = targets.files();
 
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let Meshed { mesh, least_max_degree, .. } = mesh(arguments, &domain, progress)?;
+    let meshed = mindeg::mesh(&domain, goal, progress)
+        .map_err(|error| unsolved(&error, "leave out outside_degree and max_degree"))?;
+    let Meshed { mesh, least_max_degree, .. } = &meshed;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
-    arguments.gates.check_mesh(&mesh, angles.min, &bar)?;
+    arguments.gates.check_mesh(mesh, angles.min, &bar)?;
 
-    let all_taken = targets.write(&mesh, &bar)?;
+    let all_taken = targets.write(mesh, &bar)?;
     outputs.finish()?;
     drop(callback);
     drop(bar);
@@ -56,45 +72,65 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     }
 
     let summary = Summary {
+        name: domain.name(),
+        intervals: domain.boundary().sides().collect(),
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
         max_degree: mesh.max_total_degree(),
-        optimal_max_degree: least_max_degree,
+        least_max_degree: *least_max_degree,
         min_angle: angles.min,
         max_angle: angles.max,
-        outputs: arguments.output.iter().map(|path| path.display().to_string()).collect(),
+        found_by: match meshed.found_by {
+            FoundBy::Formula => "formula",
+            FoundBy::Search => "search",
+            FoundBy::Windows { .. } => "windows",
+        },
+        delaunay_min_angle: meshed.delaunay_min_angle,
+        reversed: domain.was_reversed(),
+        files,
     };
     if !arguments.quiet {
-        // A summary that cannot be shown is no reason to fail: the files are there.
-        let _ = io::stderr().write_all(text(&mesh, &summary).as_bytes());
+        say(&text(&meshed, goal, &summary));
     }
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
-/// The mesh that is asked for.
-fn mesh(
-    arguments: &MeshArguments,
-    domain: &Domain,
-    progress: Progress<'_>,
-) -> Result<Meshed, Failure> {
-    let goal = match (arguments.optimize, arguments.gates.max_degree) {
-        (Some(Optimize::Angle), Some(max_degree)) => Goal::MaxDegree(max_degree),
-        (Some(Optimize::Angle), None) => {
-            let least = exact::least_max_degree(domain, progress);
-            Goal::MaxDegree(least.map_err(|error| unsolved(&error, "use fewer limits"))?)
+/// What the mesh is chosen for, if that can be: a limit below the least degree is refused at any
+/// size, and so is exact work without the memory for it.
+fn goal(arguments: &MeshArguments, domain: &Domain) -> Result<Goal, Failure> {
+    let least = mindeg_core::least_max_degree(domain.boundary());
+    let goal = match (arguments.keep_angle, arguments.max_degree, arguments.optimize) {
+        (Some(share), _, _) => Goal::KeepAngle(share),
+        (None, Some(limit), _) => Goal::MaxDegree(limit),
+        // The least degree of a domain with limits of its own takes the solver anyway.
+        (None, None, Some(Optimize::Angle)) if !domain.is_constrained() => Goal::MaxDegree(least),
+        (None, None, _) => Goal::LeastDegree,
+    };
+    match goal {
+        Goal::MaxDegree(limit) if limit < least && !domain.is_constrained() => {
+            Err(Failure::Input(format!(
+                "no mesh of {} has maximum degree {limit}; the least is {least}",
+                name_in_text(domain)
+            )))
         }
-        (None, _) => Goal::LeastDegree,
-    };
-    let dispensable = match goal {
-        Goal::MaxDegree(_) | Goal::KeepAngle(_) => "--optimize",
-        Goal::LeastDegree => "outside_degree and max_degree",
-    };
-    mindeg::mesh(domain, goal, progress).map_err(|error| {
-        unsolved(
-            &error,
-            &format!("leave out {dispensable} for the mesh of least degree at any size"),
-        )
-    })
+        Goal::LeastDegree if !domain.is_constrained() => Ok(goal),
+        _ => {
+            require_for_exact_work(domain)?;
+            Ok(goal)
+        }
+    }
+}
+
+/// Asks for the memory of exact work on a domain, if it is not too large for that anyway.
+pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
+    /// Bytes for each pair of vertices, as measured, 28 to 36, and a third more.
+    const PER_PAIR: u64 = 48;
+    let vertices = domain.boundary().vertex_count();
+    if vertices > MAX_VERTICES {
+        return Ok(());
+    }
+    let bytes = u64::from(vertices).pow(2) * PER_PAIR;
+    memory::require(bytes, &format!("exact work on {} ({vertices} vertices)", name_in_text(domain)))
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.
@@ -108,27 +144,78 @@ pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
     })
 }
 
-fn text(mesh: &BoundaryMesh, summary: &Summary) -> String {
-    let reversed = if mesh.domain().was_reversed() {
-        "The corners ran clockwise and were reversed; each side kept its edge.\n"
-    } else {
-        ""
-    };
-    format!(
-        "{}: {} vertices, {} triangles, maximum {}degree {} (least possible {}), angles {} to {}\n\
-         {reversed}",
-        mesh.domain().name().unwrap_or("mesh"),
+fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
+    let domain = meshed.mesh.domain();
+    let total = if domain.is_constrained() { "total " } else { "" };
+    let mut lines = vec![format!(
+        "{}: {} vertices, {} triangles, maximum {total}degree {} (least possible {}), angles {} \
+         to {}",
+        name(domain),
         summary.vertices,
         summary.triangles,
-        if mesh.domain().is_constrained() { "total " } else { "" },
         summary.max_degree,
-        summary.optimal_max_degree,
+        summary.least_max_degree,
         degrees(summary.min_angle),
         degrees(summary.max_angle),
-    )
+    )];
+    lines.extend(standing(meshed, goal, summary));
+    if let Some(higher) = &meshed.higher_degree {
+        lines.push(hint(summary.min_angle, higher));
+    }
+    if summary.reversed {
+        let turned = "The corners ran clockwise and were reversed; each side kept its edge.";
+        lines.push(turned.to_owned());
+    }
+    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
+    if !files.is_empty() {
+        lines.push(format!("wrote {}", files.join(", ")));
+    }
+    lines.join("\n")
 }
 
-/// An angle as people read it; one too small for three decimals as a power of ten.
-pub(crate) fn degrees(angle: f64) -> String {
-    if angle < 0.01 { format!("{angle:.1e}°") } else { format!("{angle:.3}°") }
+/// What is proven of a mesh, where the first line does not say it.
+fn standing(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> Option<String> {
+    let Summary { min_angle, max_degree, least_max_degree: least, .. } = summary;
+    let kept = meshed.delaunay_min_angle.map(|most| {
+        let share = 100.0 * min_angle / most;
+        format!("{share:.0}% of Delaunay's minimum angle, {}", degrees(most))
+    });
+    match (meshed.found_by, goal, kept) {
+        (FoundBy::Formula, Goal::LeastDegree, _) => Some(
+            "It is the best of the candidates that were tried; --keep-angle 95% trades degree for \
+             angle at this size."
+                .to_owned(),
+        ),
+        (FoundBy::Formula, _, _) => Some(
+            "No window reached the limit; the formula did. A larger minimum angle may be possible."
+                .to_owned(),
+        ),
+        (FoundBy::Search, Goal::KeepAngle(share), Some(kept)) => {
+            let percent = 100.0 * share;
+            Some(format!("It has {kept}. No smaller degree keeps {percent:.0}%."))
+        }
+        (FoundBy::Windows { share }, _, Some(kept)) => {
+            let percent = 100.0 * share;
+            let gap = if max_degree == least {
+                "no degree is smaller".to_owned()
+            } else {
+                format!(
+                    "whether a degree from {least} on is possible with {percent:.0}% is not known"
+                )
+            };
+            Some(format!("It has {kept}. Degree {max_degree} was reached; {gap}."))
+        }
+        (FoundBy::Search | FoundBy::Windows { .. }, _, _) => None,
+    }
+}
+
+/// What a higher degree would bring, and the option to copy.
+pub(crate) fn hint(min_angle: f64, higher: &HigherDegree) -> String {
+    format!(
+        "Hint: degree {} has a minimum angle of {}, {:.1} times as much: add --max-degree {}",
+        higher.max_degree,
+        degrees(higher.min_angle),
+        higher.min_angle / min_angle,
+        higher.max_degree,
+    )
 }

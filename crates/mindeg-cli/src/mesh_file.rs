@@ -1,11 +1,12 @@
 //! Reading a mesh of any program from a file.
 
 use crate::bar::{Bar, Counting, Unit};
-use crate::failure::Failure;
+use crate::failure::{Failure, plainly};
+use crate::input;
 use mindeg_formats::{Format, ReadError, gltf, obj};
 use mindeg_mesh::TriMesh;
-use std::fs::{self, File};
-use std::io::{self, BufReader};
+use std::fs::{File, Metadata};
+use std::io::{self, BufReader, ErrorKind, Read};
 use std::path::{Component, Path};
 
 /// Reads a mesh by the extension of its file, and lets the bar count the bytes.
@@ -32,8 +33,11 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
         }
     };
     mesh.map_err(|error| match error {
-        ReadError::Io(error) => Failure::Io(format!("cannot read {}: {error}", path.display())),
-        ReadError::External { ref source, .. } if source.kind() != io::ErrorKind::InvalidInput => {
+        ReadError::Io(error) => {
+            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
+        }
+        // A name that is refused is a mistake in the .gltf.
+        ReadError::External { ref source, .. } if source.kind() != ErrorKind::InvalidInput => {
             Failure::Io(format!("{}: {error}", path.display()))
         }
         error => Failure::Input(format!("{}: {error}", path.display())),
@@ -41,13 +45,40 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
 }
 
 /// Reads a file that a .gltf names, relative to it. A mesh has no business elsewhere, and it
-/// may come from anywhere.
+/// may come from anywhere: so the file must be a regular one in the folder of the .gltf, also where
+/// links lead to it.
 fn read_beside(path: &Path, name: &str) -> io::Result<Vec<u8>> {
+    let outside = || {
+        let problem = "it is not in the folder of the .gltf, and no other is looked into";
+        io::Error::new(ErrorKind::InvalidInput, problem)
+    };
     let name = Path::new(name);
     let stays = |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
     if !name.components().all(stays) {
-        let problem = "it is not in the folder of the .gltf, and no other is looked into";
-        return Err(io::Error::new(io::ErrorKind::InvalidInput, problem));
+        return Err(outside());
     }
-    fs::read(path.with_file_name("").join(name))
+    let folder = path.with_file_name("");
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { &folder };
+    let file = folder.join(name).canonicalize()?;
+    if !file.starts_with(folder.canonicalize()?) {
+        return Err(outside());
+    }
+    // Looked at before it is opened, since opening a pipe waits for somebody to write to it.
+    check_regular(&file.metadata()?)?;
+    input::note(&file, "mesh's data");
+    let mut file = File::open(file)?;
+    let metadata = file.metadata()?;
+    check_regular(&metadata)?;
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(usize::try_from(metadata.len()).unwrap_or(usize::MAX))?;
+    file.by_ref().take(metadata.len()).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+fn check_regular(metadata: &Metadata) -> io::Result<()> {
+    if metadata.is_file() {
+        return Ok(());
+    }
+    let kind = if metadata.is_dir() { "it is a folder" } else { "it is a pipe or a device" };
+    Err(io::Error::other(format!("{kind}; only regular files are read")))
 }

@@ -10,7 +10,8 @@
 //! Limits: a rename that fails leaves the files renamed before it. A process that runs out of
 //! memory cleans nothing up.
 
-use crate::failure::Failure;
+use crate::failure::{Failure, plainly};
+use crate::input;
 use crate::interrupt::temporary;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
@@ -32,10 +33,24 @@ struct Staged {
 }
 
 impl Outputs {
-    /// Opens `path` for writing; until [`finish`](Self::finish), what is written goes beside it.
-    pub(crate) fn create(&mut self, path: &Path) -> Result<File, Failure> {
+    /// Opens `path` for writing, or standard output where it names that; until
+    /// [`finish`](Self::finish), what is written to a file goes beside it.
+    pub(crate) fn open(&mut self, path: &Path) -> Result<Box<dyn Write>, Failure> {
+        if !is_standard_output(path) {
+            return Ok(Box::new(self.create(path)?));
+        }
+        input::refuse_as_standard_output()?;
+        if standard_output_is_closed() {
+            let message = "cannot write to standard output: it is closed";
+            return Err(Failure::Io(message.to_owned()));
+        }
+        Ok(Box::new(io::stdout()))
+    }
+
+    fn create(&mut self, path: &Path) -> Result<File, Failure> {
         let failed = |error: io::Error| cannot_write(path, &error);
         let refused = |why| Failure::Io(format!("cannot write {}: it is {why}", path.display()));
+        input::refuse_as_output(path)?;
         if names_descriptor(path) {
             return File::options().append(true).open(path).map_err(failed);
         }
@@ -48,27 +63,17 @@ impl Outputs {
             // A link is followed, so that what it points to is replaced and not the link.
             Ok(metadata) => (fs::canonicalize(path).map_err(failed)?, Some(metadata.permissions())),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                (new_file(path).map_err(failed)?, None)
+                (new_file(path).map_err(|error| cannot_create(path, &error))?, None)
             }
             Err(error) => return Err(failed(error)),
         };
         if let Some(other) = self.staged.iter().find(|other| other.target == target) {
-            let (other, path) = (other.name.display(), path.display());
-            return Err(Failure::Input(format!("{other} and {path} are the same file")));
+            return Err(Failure::Input(same_file(&other.name, path)));
         }
-        let (file, temporary) = stage(&target, permissions).map_err(failed)?;
+        let (file, temporary) =
+            stage(&target, permissions).map_err(|error| cannot_create(path, &error))?;
         self.staged.push(Staged { temporary, name: path.to_path_buf(), target });
         Ok(file)
-    }
-
-    /// Writes `path` with `write`, which need not write much at a time.
-    pub(crate) fn write(
-        &mut self,
-        path: &Path,
-        write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-    ) -> Result<(), Failure> {
-        let mut file = BufWriter::new(self.create(path)?);
-        write(&mut file).and_then(|()| file.flush()).map_err(|error| cannot_write(path, &error))
     }
 
     /// Gives every file its name.
@@ -85,6 +90,24 @@ impl Outputs {
         }
         Ok(())
     }
+}
+
+/// Whether a path stands for standard output.
+pub(crate) fn is_standard_output(path: &Path) -> bool {
+    ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new).contains(&path)
+}
+
+/// Whether this process was started without a standard output.
+///
+/// Rust then opens `/dev/null` in its place, for reading and writing. Whoever sends standard output
+/// there on purpose opens it for writing; a program that opens it for both, as Python's
+/// `subprocess.DEVNULL` does, cannot be told from none.
+fn standard_output_is_closed() -> bool {
+    let is_null = fs::read_link("/proc/self/fd/1").is_ok_and(|path| path == Path::new("/dev/null"));
+    let information = fs::read_to_string("/proc/self/fdinfo/1").unwrap_or_default();
+    let flags = information.lines().find_map(|line| line.strip_prefix("flags:"));
+    // In octal; O_RDWR is 2 of the lowest two bits.
+    is_null && flags.is_some_and(|flags| flags.ends_with('2'))
 }
 
 /// Whether a path stands for a descriptor of this process. Whoever opened it may have written to
@@ -126,10 +149,49 @@ fn stage(target: &Path, permissions: Option<fs::Permissions>) -> io::Result<(Fil
     Ok(made.into_parts())
 }
 
+/// Two outputs are one file: says so, and how, where the user named only one of them.
+fn same_file(first: &Path, second: &Path) -> String {
+    let of_gltf = |path: &Path| match path.extension() {
+        Some(name) if name.eq_ignore_ascii_case("bin") => " (a .gltf has a .bin beside it)",
+        _ => "",
+    };
+    if first == second {
+        let path = first.display();
+        return format!("two outputs would write {path}{}", of_gltf(first));
+    }
+    format!("{} and {} are the same file{}", first.display(), second.display(), of_gltf(first))
+}
+
+/// Writes to the output opened for `path`; `write` need not write much at a time.
+pub(crate) fn write_to(
+    path: &Path,
+    out: Box<dyn Write>,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> Result<(), Failure> {
+    let mut out = BufWriter::new(out);
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| {
+        if is_standard_output(path) {
+            Failure::from_standard_output(&error)
+        } else {
+            cannot_write(path, &error)
+        }
+    })
+}
+
+/// The failure of making a file in the folder where the user wants one.
+fn cannot_create(path: &Path, error: &io::Error) -> Failure {
+    let advice = match error.kind() {
+        io::ErrorKind::PermissionDenied => "; its folder takes no new files",
+        io::ErrorKind::NotFound => "; its folder does not exist",
+        _ => "",
+    };
+    Failure::Io(format!("cannot write {}: {}{advice}", path.display(), plainly(error)))
+}
+
 /// The failure of writing to the file that the user named.
 pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Failure {
     if error.kind() == io::ErrorKind::BrokenPipe {
         return Failure::ClosedPipe;
     }
-    Failure::Io(format!("cannot write {}: {error}", path.display()))
+    Failure::Io(format!("cannot write {}: {}", path.display(), plainly(error)))
 }

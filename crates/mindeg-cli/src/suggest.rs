@@ -1,22 +1,25 @@
 //! `mindeg suggest`: which interval counts to change, and by how little.
 
 use crate::args::SuggestArguments;
+use crate::domain::counts;
 use crate::failure::Failure;
 use crate::standard_output::{print, print_json};
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 
-/// What `--json` prints; sides count from 0 like the lists of intervals.
+/// What `--json` prints; sides count from 1, as in the text.
 #[derive(Serialize)]
 struct Answer<'a> {
     intervals: &'a [u64],
-    max_degree: u32,
+    least_max_degree: u32,
+    /// Of all suggestions, of which `--limit` leaves some out.
+    suggestion_count: usize,
     suggestions: Vec<Row>,
 }
 
 #[derive(Serialize)]
 struct Row {
-    max_degree: u32,
+    least_max_degree: u32,
     /// Intervals added or taken away in all.
     cost: u64,
     changes: Vec<SideChange>,
@@ -31,7 +34,7 @@ struct SideChange {
 }
 
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
-    let intervals = &arguments.intervals.0;
+    let intervals = &counts(&arguments.counts)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let today = least_max_degree(&boundary);
     let rows: Vec<Suggestion> = match arguments.target {
@@ -43,19 +46,27 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             ))
         })?],
     };
+    let suggestion_count = rows.len();
+    let shown = spread(suggestion_count, arguments.limit, None);
+    let rows: Vec<Suggestion> = shown.into_iter().map(|row| rows[row].clone()).collect();
     if arguments.json {
         let row = |suggestion: Suggestion| Row {
-            max_degree: suggestion.max_degree,
+            least_max_degree: suggestion.max_degree,
             cost: suggestion.cost(),
             intervals: suggestion.intervals(&boundary),
             changes: suggestion
                 .changes
                 .iter()
-                .map(|&Change { side, by }| SideChange { side, by })
+                .map(|&Change { side, by }| SideChange { side: side + 1, by })
                 .collect(),
         };
         let suggestions = rows.into_iter().map(row).collect();
-        return print_json(&Answer { intervals, max_degree: today, suggestions });
+        return print_json(&Answer {
+            intervals,
+            least_max_degree: today,
+            suggestion_count,
+            suggestions,
+        });
     }
     let mut text = format!("The least maximum degree is {today}.\n");
     if rows.is_empty() {
@@ -69,7 +80,32 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             format!("For {}: {}, giving {}.\n", row.max_degree, in_words(row), counts.join(","))
         });
     }
+    text.push_str(&left_out(rows.len(), suggestion_count));
     print(&text)
+}
+
+/// At most `limit` rows of `count`, all of them if it is 0: the first, the last, `one_more`, and
+/// others spread evenly between.
+pub(crate) fn spread(count: usize, limit: u32, one_more: Option<usize>) -> Vec<usize> {
+    let limit = if limit == 0 { usize::MAX } else { limit as usize };
+    if count <= limit {
+        return (0..count).collect();
+    }
+    // One row is kept for the one more, which may be among the others.
+    let even = limit - usize::from(one_more.is_some());
+    let step = |row| if even < 2 { 0 } else { row * (count - 1) / (even - 1) };
+    let mut rows: Vec<usize> = (0..even).map(step).chain(one_more).collect();
+    rows.sort_unstable();
+    rows.dedup();
+    rows
+}
+
+/// A line that says what `--limit` leaves out.
+pub(crate) fn left_out(shown: usize, count: usize) -> String {
+    if shown == count {
+        return String::new();
+    }
+    format!("{shown} of {count} rows, spread evenly; --limit 0 prints all.\n")
 }
 
 /// Such as "add 7 to side 2 and take 1 from side 4".
@@ -83,4 +119,25 @@ pub(crate) fn in_words(suggestion: &Suggestion) -> String {
         }
     };
     suggestion.changes.iter().map(change).collect::<Vec<_>>().join(" and ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_are_spread_from_the_first_to_the_last() {
+        for (count, limit, one_more, rows) in [
+            (3, 5, None, &[0, 1, 2][..]),
+            (3, 0, Some(1), &[0, 1, 2]),
+            (101, 5, None, &[0, 25, 50, 75, 100]),
+            (101, 4, Some(7), &[0, 7, 50, 100]),
+            (101, 4, Some(50), &[0, 50, 100]),
+            (101, 1, None, &[0]),
+            (101, 1, Some(7), &[7]),
+            (0, 5, None, &[]),
+        ] {
+            assert_eq!(spread(count, limit, one_more), rows, "{count} {limit} {one_more:?}");
+        }
+    }
 }

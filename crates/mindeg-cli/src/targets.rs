@@ -2,12 +2,18 @@
 
 use crate::bar::{Bar, Counting, Unit};
 use crate::failure::Failure;
-use crate::output::{Outputs, cannot_write};
+use crate::output::{Outputs, cannot_write, is_standard_output};
 use mindeg_formats::gltf::Stored;
 use mindeg_formats::{Format, SurfaceOptions, WriteError, glb, gltf, obj, svg};
 use mindeg_mesh::{Mesh, Positions};
-use std::io::{self, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
+
+/// Extensions that tell a format, though none that is written: `--format` does not override them.
+const OTHERS: [&str; 24] = [
+    "ply", "stl", "off", "vtk", "vtu", "vtp", "msh", "mesh", "su2", "cgns", "inp", "bdf", "med",
+    "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf", "png", "pdf", "html", "json",
+];
 
 /// All `-o` of a command that writes one mesh.
 pub(crate) struct Targets<'a> {
@@ -79,6 +85,15 @@ impl<'a> Targets<'a> {
         Ok(())
     }
 
+    /// The names of all files, as the user gave them; `-` for standard output.
+    pub(crate) fn files(&self) -> Vec<String> {
+        let files = self.targets.iter().flat_map(|target| {
+            let binary = (target.format == Format::Gltf).then(|| target.binary());
+            [Some(target.path.to_path_buf()), binary].into_iter().flatten()
+        });
+        files.map(|path| path.display().to_string()).collect()
+    }
+
     /// Opens the files.
     pub(crate) fn open(&mut self, outputs: &mut Outputs) -> Result<(), Failure> {
         self.targets.iter_mut().try_for_each(|target| target.open(outputs))
@@ -110,11 +125,20 @@ impl<'a> Target<'a> {
     fn new(path: &'a Path, format: Option<Format>) -> Result<Self, Failure> {
         let Some(format) = Format::of_path(path).or(format) else {
             return Err(Failure::Input(format!(
-                "-o {}: the name tells no format; end it in .obj, .glb, .gltf or .svg, or say \
+                "-o {}: the name tells no format; end it in .obj, .glb, .gltf or .svg, or give \
                  --format",
                 path.display()
             )));
         };
+        let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
+        if let Some(other) = extension.filter(|name| OTHERS.contains(&name.as_str())) {
+            return Err(Failure::Input(format!(
+                "-o {}: mindeg does not write .{other} files; end the name in .{} for what \
+                 --format asks for",
+                path.display(),
+                format.extension()
+            )));
+        }
         let target = Self { path, format, out: Vec::new() };
         if format == Format::Gltf && target.is_standard_output() {
             let message = "a .gltf has its .bin beside it, so it cannot go to standard output; \
@@ -125,22 +149,21 @@ impl<'a> Target<'a> {
     }
 
     fn is_standard_output(&self) -> bool {
-        ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new).contains(&self.path)
+        is_standard_output(self.path)
+    }
+
+    /// The file beside a `.gltf`.
+    fn binary(&self) -> PathBuf {
+        self.path.with_extension("bin")
     }
 
     fn open(&mut self, outputs: &mut Outputs) -> Result<(), Failure> {
-        if self.is_standard_output() {
-            self.out.push(Box::new(io::stdout()));
-            return Ok(());
-        }
         // Files get their names in this order: no .gltf names a .bin that is not there.
-        if self.format == Format::Gltf {
-            let binary = outputs.create(&self.path.with_extension("bin"))?;
-            let document = outputs.create(self.path)?;
-            self.out = vec![Box::new(document), Box::new(binary)];
-        } else {
-            self.out.push(Box::new(outputs.create(self.path)?));
-        }
+        let binary = match self.format {
+            Format::Gltf => Some(outputs.open(&self.binary())?),
+            _ => None,
+        };
+        self.out = [Some(outputs.open(self.path)?), binary].into_iter().flatten().collect();
         Ok(())
     }
 
@@ -171,6 +194,7 @@ impl<'a> Target<'a> {
         expected: &[u64],
         bar: &Bar,
     ) -> Result<(), Failure> {
+        let beside = self.binary();
         let mut out: Vec<Counting<'_, &mut Box<dyn Write>>> = self
             .out
             .iter_mut()
@@ -182,8 +206,7 @@ impl<'a> Target<'a> {
             (Format::Svg, _, [out]) => svg::write(mesh, out),
             (Format::Glb, Some(stored), [out]) => glb::write_stored(mesh, stored, options, out),
             (Format::Gltf, Some(stored), [document, binary]) => {
-                let path = self.path.with_extension("bin");
-                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                let name = beside.file_name().unwrap_or_default().to_string_lossy();
                 let written = gltf::write_stored(mesh, stored, options, &name, document, binary);
                 written.map_err(WriteError::from)
             }

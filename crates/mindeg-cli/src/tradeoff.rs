@@ -4,10 +4,12 @@ use crate::args::TradeoffArguments;
 use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
+use crate::gates::degrees;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::mesh::{degrees, unsolved};
-use crate::output::Outputs;
+use crate::mesh::{require_for_exact_work, unsolved};
+use crate::output::{Outputs, write_to};
 use crate::standard_output::{print, print_json};
+use crate::suggest::{left_out, spread};
 use mindeg::Progress;
 use mindeg::exact::{self, TradeOff};
 use mindeg_compare::{
@@ -15,7 +17,7 @@ use mindeg_compare::{
 };
 use std::fmt::Write as _;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 type Writer = fn(&TradeOff, &mut dyn Write) -> io::Result<()>;
 
@@ -24,21 +26,26 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
         arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
+    // What cannot be written is refused before the work, which can take minutes.
+    require_for_exact_work(&domain)?;
+    let mut outputs = Outputs::default();
+    let open = |path: &PathBuf| outputs.open(path);
+    let opened: Vec<_> = arguments.output.iter().map(open).collect::<Result<_, _>>()?;
+
     let bar = Bar::new(arguments.quiet);
     let callback = bar.callback();
     let trade_off = exact::trade_off(&domain, Progress::new(&callback))
         .map_err(|error| unsolved(&error, "take mindeg mesh for the mesh of least degree"))?;
     drop(callback);
     drop(bar);
-    let mut outputs = Outputs::default();
-    for (path, write) in arguments.output.iter().zip(writers) {
-        outputs.write(path, |out| write(&trade_off, out))?;
+    for ((path, out), write) in arguments.output.iter().zip(opened).zip(writers) {
+        write_to(path, out, |out| write(&trade_off, out))?;
     }
     outputs.finish()?;
     if arguments.json {
         print_json(&TradeOffFigures::of(&trade_off))
     } else {
-        print(&table(&trade_off))
+        print(&table(&trade_off, arguments.limit))
     }
 }
 
@@ -55,17 +62,54 @@ fn writer(path: &Path) -> Result<Writer, Failure> {
     }
 }
 
-fn table(trade_off: &TradeOff) -> String {
-    let mut text = String::from("maximum degree  smallest angle  of Delaunay's\n");
-    for exact in trade_off.meshes() {
+fn table(trade_off: &TradeOff, limit: u32) -> String {
+    let mut text = String::from("maximum degree   minimum angle  of Delaunay's\n");
+    let meshes = trade_off.meshes();
+    let points: Vec<_> =
+        meshes.iter().map(|exact| (f64::from(exact.max_degree), exact.min_angle)).collect();
+    let knee = knee(&points);
+    let rows = spread(meshes.len(), limit, knee);
+    for &row in &rows {
+        let exact = &meshes[row];
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{:>14}  {:>14}  {:>12.1}%",
+            "{:>14}  {:>14}  {:>12.1}%{}",
             exact.max_degree,
             degrees(exact.min_angle),
             100.0 * trade_off.share(exact),
+            if knee == Some(row) { "  knee" } else { "" },
         );
     }
+    text.push_str(&left_out(rows.len(), meshes.len()));
     text
+}
+
+/// The point farthest above the straight line from the first to the last, if one is above it.
+fn knee(points: &[(f64, f64)]) -> Option<usize> {
+    let (&(first_x, first_y), &(last_x, last_y)) = (points.first()?, points.last()?);
+    // Twice the area of the triangle of the three: the farthest has the largest.
+    let above = |&(x, y): &(f64, f64)| {
+        (y - first_y) * (last_x - first_x) - (x - first_x) * (last_y - first_y)
+    };
+    let heights = points.iter().map(above).enumerate().filter(|&(_, height)| height > 0.0);
+    // Of several, the least degree.
+    heights.rev().max_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, _)| row)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_knee_is_where_the_curve_bends_most() {
+        let curve = |angles: &[f64]| -> Vec<(f64, f64)> {
+            (4..).map(f64::from).zip(angles.iter().copied()).collect()
+        };
+        assert_eq!(knee(&curve(&[0.1, 2.0, 2.05, 2.07])), Some(1));
+        assert_eq!(knee(&curve(&[1.0, 2.0, 3.0, 3.0, 3.0])), Some(2));
+        for none in [&[][..], &[1.0], &[1.0, 2.0], &[1.0, 2.0, 3.0], &[1.0, 1.1, 3.0]] {
+            assert_eq!(knee(&curve(none)), None, "{none:?}");
+        }
+    }
 }

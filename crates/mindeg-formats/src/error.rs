@@ -1,5 +1,6 @@
 //! Why a file could not be read or written.
 
+use std::collections::TryReserveError;
 use std::io;
 
 use glam::DVec3;
@@ -29,7 +30,8 @@ pub enum ReadError {
         /// What is wrong, and what would be right.
         problem: String,
     },
-    /// A second file that the first one needs could not be read.
+    /// A second file that the first one needs could not be read. The kind of the source is
+    /// [`InvalidInput`](io::ErrorKind::InvalidInput) if it is a URI that is never read.
     #[error("the file {uri:?}, which this one needs, could not be read: {source}")]
     External {
         /// The file, as the first one names it.
@@ -40,6 +42,20 @@ pub enum ReadError {
     /// Points and triangles that are no mesh.
     #[error(transparent)]
     Mesh(#[from] TriMeshError),
+}
+
+impl ReadError {
+    /// An error at a part of a structured format.
+    pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
+        Self::Place { place: place.into(), problem: problem.into() }
+    }
+}
+
+/// Too little memory.
+impl From<TryReserveError> for ReadError {
+    fn from(error: TryReserveError) -> Self {
+        Self::Io(error.into())
+    }
 }
 
 /// Why a mesh could not be written.

@@ -25,6 +25,7 @@ pub mod degree_color;
 mod error;
 mod format;
 pub mod gltf;
+mod names;
 pub mod obj;
 mod options;
 mod sections;
@@ -38,7 +39,11 @@ pub use options::{Plane, SurfaceOptions};
 /// The program and its version, as files name their maker.
 const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));
 
-/// The name of a mesh in a file.
+/// The name of a mesh in a file: its own, or that of its only group.
 fn mesh_name(mesh: &dyn mindeg_mesh::Mesh) -> &str {
-    mesh.name().unwrap_or("mesh")
+    let group = match mesh.groups() {
+        [group] if !group.name.is_empty() => Some(&*group.name),
+        _ => None,
+    };
+    mesh.name().or(group).unwrap_or("mesh")
 }

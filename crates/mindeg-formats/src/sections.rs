@@ -1,17 +1,18 @@
 //! Turning numbered items into bytes with all threads, and writing the bytes in order.
 //!
 //! A file is a list of [`Section`]s, and these are cut into blocks of about [`BLOCK_LEN`] bytes.
-//! There are as many lanes as threads in rayon's current pool. The blocks are dealt to the lanes,
-//! each lane formats its own, and the calling thread takes them from the lanes in turn and writes
-//! them. So the bytes do not depend on the number of threads, and there are never more blocks in
-//! memory than lanes, and the one being written.
+//! As many threads work as rayon's current pool has, the calling thread among them. Each takes the
+//! next block that nobody has taken, and formats it. The calling thread writes the blocks in order,
+//! and formats one only while the next to write is not ready: so it writes and formats as much as
+//! it takes for all threads to be done at the same time. The bytes do not depend on the number of
+//! threads, and there are never more blocks in memory than threads, and the one being written.
 //!
-//! Limits: lanes are threads of their own, started for each file, since rayon's should not wait
-//! for one another.
+//! Limits: the other threads are started for each file, since rayon's should not wait for one
+//! another.
 
 use std::io::{self, Write};
 use std::ops::Range;
-use std::sync::mpsc::{self, Receiver, SyncSender};
+use std::sync::{Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 
 /// What a block takes in bytes, more or less: much for handing it over, and little enough for it
@@ -22,8 +23,10 @@ const BLOCK_LEN: u32 = 1 << 19;
 const PART: usize = 4096;
 
 /// A buffer that takes a block, also one that is longer than was thought.
-fn buffer() -> Vec<u8> {
-    Vec::with_capacity(2 * BLOCK_LEN as usize)
+fn buffer() -> io::Result<Vec<u8>> {
+    let mut buffer = Vec::new();
+    buffer.try_reserve_exact(2 * BLOCK_LEN as usize)?;
+    Ok(buffer)
 }
 
 /// How a range of items becomes bytes: they are appended to the buffer.
@@ -52,6 +55,20 @@ impl<'a> Section<'a> {
     pub(crate) fn bytes(bytes: impl Into<Vec<u8>>) -> Self {
         let bytes = bytes.into();
         Self::new(1, BLOCK_LEN, move |_, buffer| buffer.extend_from_slice(&bytes))
+    }
+
+    /// The same bytes for each of `count` items.
+    pub(crate) fn repeated(count: u32, item: &[u8]) -> Self {
+        const COPIES: usize = 256;
+        let (len, copies) = (item.len(), item.repeat(COPIES));
+        Self::new(count, len as u32, move |range, buffer| {
+            let mut items = range.len();
+            while items > 0 {
+                let some = items.min(COPIES);
+                buffer.extend_from_slice(&copies[..some * len]);
+                items -= some;
+            }
+        })
     }
 
     fn block_count(&self) -> usize {
@@ -101,9 +118,9 @@ pub(crate) fn estimated_len(sections: &[Section<'_>]) -> u64 {
 /// Writes the sections one after the other.
 pub(crate) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> io::Result<()> {
     let blocks = Blocks::new(sections);
-    let lanes = thread_count().min(blocks.count);
-    if lanes < 2 {
-        let mut buffer = buffer();
+    let threads = thread_count().min(blocks.count);
+    if threads < 2 {
+        let mut buffer = buffer()?;
         for number in 0..blocks.count {
             buffer.clear();
             blocks.format(number, &mut buffer);
@@ -111,25 +128,33 @@ pub(crate) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> 
         }
         return Ok(());
     }
+    let line = Line::new(blocks.count, threads)?;
     thread::scope(|scope| {
-        let mut handovers = Vec::with_capacity(lanes);
-        for lane in 0..lanes {
-            let (empty_buffers, empty) = mpsc::sync_channel(1);
-            let (full, full_buffers) = mpsc::sync_channel(1);
-            let blocks = &blocks;
-            thread::Builder::new().spawn_scoped(scope, move || {
-                format_lane(blocks, lane..blocks.count, lanes, &empty, &full);
+        // However this thread ends, the others are not to wait for it.
+        let _end = EndOnDrop(&line);
+        for _ in 1..threads {
+            thread::Builder::new().spawn_scoped(scope, || {
+                let _end = EndOnDrop(&line);
+                while let Some((number, mut buffer)) = line.take_or_wait() {
+                    blocks.format(number, &mut buffer);
+                    line.put(number, buffer);
+                }
             })?;
-            handovers.push((full_buffers, empty_buffers));
         }
-        let mut written = buffer();
         for number in 0..blocks.count {
-            let (full_buffers, empty_buffers) = &handovers[number % lanes];
-            // A lane that is gone has panicked, which the scope passes on.
-            let full = full_buffers.recv().map_err(io::Error::other)?;
-            // A lane that has no more to do takes no more buffers.
-            let _ = empty_buffers.send(std::mem::replace(&mut written, full));
-            out.write_all(&written)?;
+            let buffer = loop {
+                match line.next_to_write(number) {
+                    Next::Write(buffer) => break buffer,
+                    Next::Format(taken, mut buffer) => {
+                        blocks.format(taken, &mut buffer);
+                        line.put(taken, buffer);
+                    }
+                    // A thread has panicked, which the scope passes on.
+                    Next::Never => return Err(io::Error::other("a block is missing")),
+                }
+            };
+            out.write_all(&buffer)?;
+            line.give_back(buffer);
         }
         Ok(())
     })
@@ -143,26 +168,123 @@ fn thread_count() -> usize {
     return 1;
 }
 
-/// Formats every `step`-th of the blocks into the buffers handed in, until there are no more, or
-/// nobody takes them.
-fn format_lane(
-    blocks: &Blocks<'_>,
-    numbers: Range<usize>,
-    step: usize,
-    empty: &Receiver<Vec<u8>>,
-    full: &SyncSender<Vec<u8>>,
-) {
-    let mut buffer = buffer();
-    for number in numbers.step_by(step) {
+/// The blocks of a file on their way from those who format them to the one who writes them.
+struct Line {
+    count: usize,
+    state: Mutex<State>,
+    /// Somebody who waits may go on.
+    changed: Condvar,
+}
+
+struct State {
+    /// The first block that nobody has taken.
+    next: usize,
+    /// The block that is being written, or waited for.
+    writing: usize,
+    /// The formatted blocks, each at its number modulo the length.
+    ready: Vec<Option<Vec<u8>>>,
+    /// The buffers that hold no block.
+    empty: Vec<Vec<u8>>,
+    /// Whether no more blocks are to be formatted.
+    ended: bool,
+}
+
+/// What the thread that writes does next.
+enum Next {
+    /// Write this, which is the block that it asked for.
+    Write(Vec<u8>),
+    /// Format a block.
+    Format(usize, Vec<u8>),
+    /// The block will not come.
+    Never,
+}
+
+impl Line {
+    fn new(count: usize, threads: usize) -> io::Result<Self> {
+        let ready = vec![None; threads + 1];
+        let empty = (0..=threads).map(|_| buffer()).collect::<Result<_, _>>()?;
+        let state = State { next: 0, writing: 0, ready, empty, ended: false };
+        Ok(Self { count, state: Mutex::new(state), changed: Condvar::new() })
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn wait<'a>(&self, state: MutexGuard<'a, State>) -> MutexGuard<'a, State> {
+        self.changed.wait(state).unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Takes the next block, if there is a buffer for it.
+    fn take(&self, state: &mut State) -> Option<(usize, Vec<u8>)> {
+        let number = state.next;
+        if number >= self.count {
+            return None;
+        }
+        let mut buffer = state.empty.pop()?;
         buffer.clear();
-        blocks.format(number, &mut buffer);
-        if full.send(buffer).is_err() {
-            return;
+        state.next += 1;
+        Some((number, buffer))
+    }
+
+    /// Takes the next block; none if there are no more.
+    fn take_or_wait(&self) -> Option<(usize, Vec<u8>)> {
+        let mut state = self.state();
+        loop {
+            if state.ended || state.next >= self.count {
+                return None;
+            }
+            if let Some(taken) = self.take(&mut state) {
+                return Some(taken);
+            }
+            state = self.wait(state);
         }
-        match empty.recv() {
-            Ok(next) => buffer = next,
-            Err(_) => return,
+    }
+
+    /// Puts a formatted block where it is found.
+    fn put(&self, number: usize, buffer: Vec<u8>) {
+        let mut state = self.state();
+        let place = number % state.ready.len();
+        state.ready[place] = Some(buffer);
+        if number == state.writing {
+            self.changed.notify_all();
         }
+    }
+
+    fn next_to_write(&self, number: usize) -> Next {
+        let mut state = self.state();
+        state.writing = number;
+        let place = number % state.ready.len();
+        loop {
+            if let Some(buffer) = state.ready[place].take() {
+                return Next::Write(buffer);
+            }
+            if let Some((taken, buffer)) = self.take(&mut state) {
+                return Next::Format(taken, buffer);
+            }
+            if state.ended {
+                return Next::Never;
+            }
+            state = self.wait(state);
+        }
+    }
+
+    fn give_back(&self, buffer: Vec<u8>) {
+        self.state().empty.push(buffer);
+        self.changed.notify_all();
+    }
+}
+
+/// Ends the line if it is dropped while blocks are missing: by an error, or by a panic.
+struct EndOnDrop<'a>(&'a Line);
+
+impl Drop for EndOnDrop<'_> {
+    fn drop(&mut self) {
+        let mut state = self.0.state();
+        if thread::panicking() || state.next < self.0.count {
+            state.ended = true;
+        }
+        self.0.changed.notify_all();
     }
 }
 

@@ -119,6 +119,49 @@ fn obj_names_have_no_white_space() {
     }
 }
 
+/// A square whose first side is called as the second would be, and the plate as the fourth.
+const NAMESAKES: &str = r#"{"name": "side 4", "rectangle": {"width": 4, "height": 3},
+    "sides": [{"intervals": 1, "name": "side 2"}, {"intervals": 1},
+              {"intervals": 1, "name": "side_2"}, {"intervals": 1}]}"#;
+
+#[test]
+fn names_that_come_again_get_a_number() {
+    let lines = SurfaceOptions { boundary_lines: true, ..BARE };
+    let text = obj_text(&mesh(NAMESAKES), &lines);
+    let names: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("o ")).collect();
+    assert_eq!(names, ["side_4", "side_2", "side_2_2", "side_2_3", "side_4_2"]);
+    let (json, _) = chunks(&glb_bytes(&mesh(NAMESAKES), &lines));
+    let mut names: Vec<_> = json["nodes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|node| node["name"].as_str().unwrap())
+        .collect();
+    names.sort_unstable();
+    assert_eq!(names, ["side 2", "side 2_2", "side 4", "side 4_2", "side_2"]);
+}
+
+/// A reader that works in 64 bits sees the points where they are, to the last bit of what 32-bit
+/// floats keep of them near the middle.
+#[test]
+fn translations_are_exact_in_64_bits() {
+    for (x, y) in [(-3_300_000.3, 0.0), (500_012.7, 4_650_008.1), (1e9 + 7.0, -1e9 - 3.0)] {
+        let corners = format!("[[{x}, {y}], [{}, {y}], [{x}, {}]]", x + 7.0, y + 5.0);
+        let mesh = polygon(&corners, &[4, 3, 2]);
+        let (json, binary) = chunks(&glb_bytes(&mesh, &BARE));
+        let moved: [f64; 3] =
+            serde_json::from_value(json["nodes"][0]["translation"].clone()).unwrap();
+        for (v, bytes) in binary[..12 * 9].chunks(12).enumerate() {
+            let at =
+                |i: usize| f64::from(f32::from_le_bytes(bytes[4 * i..][..4].try_into().unwrap()));
+            let point = mesh.point(v as u32);
+            let off = (moved[0] + at(0) - point.x).abs().max((moved[1] + at(1) - point.y).abs());
+            // Beyond rounding to 32 bits within the middle 64 of the mesh.
+            assert!(off <= 4e-6, "{off} at {point}");
+        }
+    }
+}
+
 #[test]
 fn gltf_is_as_in_the_fixture() {
     let mesh = mesh(GUSSET);

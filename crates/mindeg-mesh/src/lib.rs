@@ -3,7 +3,7 @@
 //! [`Positions`] and [`Triangles`] are the two halves of a mesh, whether it is a formula or a list;
 //! a [`TriMesh`] is a list, such as a reader gives. [`quality`] measures
 //! triangles by Verdict's definitions, [`inspection`] counts and names what is in a mesh and what
-//! is wrong with it.
+//! is wrong with it, [`ear_clipping`] cuts polygons into triangles.
 //!
 //! ```
 //! use glam::DVec3;
@@ -23,18 +23,22 @@
 
 mod bounds;
 mod connectivity;
+pub mod ear_clipping;
 pub mod inspection;
 mod mesh;
 mod normals;
 pub mod parallel;
+mod polygons;
 mod progress;
 pub mod quality;
 mod summary;
 mod tri_mesh;
+mod worst;
 
 pub use bounds::Bounds;
 pub use connectivity::boundary::BoundaryLoop;
 pub use mesh::{Group, Line, Mesh, Positions, Triangles, filled};
 pub use normals::vertex_normals;
+pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};
-pub use tri_mesh::{NonTriangles, Polygons, TriMesh, TriMeshError};
+pub use tri_mesh::{TriMesh, TriMeshError};

@@ -103,14 +103,15 @@ pub struct Group {
     pub triangles: Range<u32>,
 }
 
-/// A named range of a mesh's segments, each of which starts where the one before ends.
+/// A named range of a mesh's segments: a side of a domain, or the lines of an object of an OBJ.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {
     /// The name; never empty.
     pub name: String,
     /// The segments; never empty.
     pub segments: Range<u32>,
-    /// Whether all points of the line are on the straight line between its ends, but for rounding.
+    /// Whether each segment is known to start where the one before ends, all on the straight line
+    /// between the ends of the line but for rounding.
     pub is_straight: bool,
 }
 

@@ -21,15 +21,19 @@
 //! The same table is at hand for programs as [`METRICS`].
 //!
 //! A triangle without area, or with a coordinate that is not finite, gets the worst value of
-//! every measure: area, height, least angle, scaled Jacobian and shape 0, greatest angle 180,
-//! ratios infinite (Verdict caps them at 1e30). No measure is ever NaN.
+//! every measure: area, height, minimum angle, scaled Jacobian and shape 0, maximum angle 180,
+//! ratios infinite (Verdict ends them at 1e30); the edge ratio is z/x where x is not 0. Other
+//! programs give a triangle with two corners in one place other maximum angles: VTK 0, others 90.
+//! No measure is ever NaN.
 //!
-//! Limits: a triangle of f64 coordinates whose area or height is beyond f64's range gets 0 or
-//! infinity for it; the other measures do not depend on size.
+//! Limits: a triangle whose area or height is beyond the range of f64 gets 0 or infinity for it;
+//! the other measures do not depend on size. A triangle with a height below 1e-150 of its longest
+//! edge is measured as if it had no area.
 
 use glam::{DVec2, DVec3};
 
 pub use crate::summary::{ANGLES, DegreeHistogram, Distribution, QualitySummary};
+pub use crate::worst::{WorstTriangle, WorstTriangles};
 
 /// The measures of one triangle; see the [module's table](self) for formulas, units and ranges.
 ///
@@ -53,9 +57,9 @@ pub use crate::summary::{ANGLES, DegreeHistogram, Distribution, QualitySummary};
 pub struct TriangleQuality {
     /// The area, in square units of length; negative where a triangle in the plane is clockwise.
     pub area: f64,
-    /// The least angle, in degrees: 60 (equilateral) to 0.
+    /// The minimum angle, in degrees: 60 (equilateral) to 0.
     pub min_angle: f64,
-    /// The greatest angle, in degrees: 60 (equilateral) to 180.
+    /// The maximum angle, in degrees: 60 (equilateral) to 180.
     pub max_angle: f64,
     /// The least of the three heights, in units of length.
     pub minimum_height: f64,
@@ -65,7 +69,7 @@ pub struct TriangleQuality {
     pub aspect_ratio: f64,
     /// The circumradius over 2 inradii: 1 to ∞.
     pub radius_ratio: f64,
-    /// The sine of the least angle over that of 60 degrees: 1 to 0, negative where the area is.
+    /// The sine of the minimum angle over that of 60 degrees: 1 to 0, negative where the area is.
     pub scaled_jacobian: f64,
     /// 2 over the condition number (in the Frobenius norm) of the map that makes the triangle
     /// from an equilateral one: 1 to 0.
@@ -134,8 +138,8 @@ impl TriangleQuality {
         measure(a, b, c).0
     }
 
-    /// The worst value of everything, but for the edge ratio where there is one.
-    fn without_area(edge_ratio: f64) -> Self {
+    /// The worst value of everything, but for the edge ratio where it is finite.
+    pub(crate) fn without_area(edge_ratio: f64) -> Self {
         Self {
             area: 0.0,
             min_angle: 0.0,
@@ -152,12 +156,15 @@ impl TriangleQuality {
 
 /// The measures of a triangle, and a vector along its normal.
 fn measure(a: DVec3, b: DVec3, c: DVec3) -> (TriangleQuality, DVec3) {
-    // Scaled by a power of two to a size of about 1, exactly, so that no product of lengths
-    // overflows or vanishes.
+    // Scaled by powers of two to a size of about 1, exactly, so that no difference or product of
+    // lengths overflows or vanishes.
+    let shrink = if largest_coordinate([a, b, c]) < HUGE { 0 } else { 2 };
+    let [a, b, c] = [a, b, c].map(|point| point * libm::ldexp(1.0, -shrink));
     let edges = [c - b, a - c, b - a];
     let size = edges.map(|edge| edge.abs().max_element()).into_iter().fold(0.0, f64::max);
     let exponent = libm::frexp(size).1.clamp(-1000, 1000);
     let edges = edges.map(|edge| edge * libm::ldexp(1.0, -exponent));
+    let exponent = exponent + shrink;
 
     let mut order = [0, 1, 2];
     let squares = edges.map(|edge| edge.length_squared());
@@ -189,6 +196,34 @@ fn measure(a: DVec3, b: DVec3, c: DVec3) -> (TriangleQuality, DVec3) {
         shape: 2.0 * SQRT_3 * double_area / (squares[0] + squares[1] + squares[2]),
     };
     (quality, normal)
+}
+
+/// Whether the corners of a triangle with these measures are on one line, exactly.
+///
+/// Exact for corners whose coordinates, other than zeros, are not smaller than 1e-140 of the
+/// largest one; smaller ones may be taken for 0.
+pub(crate) fn is_flat(corners: [DVec3; 3], quality: &TriangleQuality) -> bool {
+    // Rounding explains less than this share of the coordinates.
+    const ROUNDING: f64 = 64.0 * f64::EPSILON;
+    let largest = largest_coordinate(corners);
+    if quality.minimum_height > ROUNDING * largest {
+        return false;
+    }
+    // At a size of about 1, products stay in range.
+    let exponent = libm::frexp(largest).1;
+    let scaled = corners.map(|p| p.to_array().map(|x| libm::ldexp(x, -exponent)));
+    // The components of twice the area as a vector, seen along each axis.
+    [[0, 1], [1, 2], [2, 0]].iter().all(|axes| {
+        let [a, b, c] = scaled.map(|p| robust::Coord { x: p[axes[0]], y: p[axes[1]] });
+        robust::orient2d(a, b, c) == 0.0
+    })
+}
+
+/// Differences of smaller coordinates than this stay in range.
+const HUGE: f64 = f64::MAX / 4.0;
+
+fn largest_coordinate(points: [DVec3; 3]) -> f64 {
+    points.into_iter().map(|point| point.abs().max_element()).fold(0.0, f64::max)
 }
 
 #[cfg(test)]
@@ -262,6 +297,16 @@ mod tests {
     }
 
     #[test]
+    fn the_largest_coordinates_have_their_shape() {
+        let at = |x: f64, y: f64| DVec2::new(x, y);
+        let huge = TriangleQuality::of(at(1e308, 0.0), at(0.0, 1e308), at(-1e308, 0.0));
+        let unit = TriangleQuality::of(at(1.0, 0.0), at(0.0, 1.0), at(-1.0, 0.0));
+        assert!((huge.max_angle - 90.0).abs() < 1e-13 && (huge.min_angle - 45.0).abs() < 1e-13);
+        assert!((huge.minimum_height / 1e308 - 1.0).abs() < 1e-15, "{huge:?}");
+        assert_eq!((huge.area, unit.area), (f64::INFINITY, 1.0));
+    }
+
+    #[test]
     fn a_triangle_without_area_has_the_worst_values() {
         let (nan, infinity) = (f64::NAN, f64::INFINITY);
         for (points, edge_ratio) in [
@@ -270,7 +315,6 @@ mod tests {
             ([[5.0, 5.0]; 3], infinity),
             ([[0.0, nan], [1.0, 0.0], [0.0, 1.0]], infinity),
             ([[0.0, infinity], [1.0, 0.0], [0.0, 1.0]], infinity),
-            ([[-1e308, 0.0], [1e308, 0.0], [0.0, 1.0]], infinity),
         ] {
             let [a, b, c] = points.map(DVec2::from);
             let quality = TriangleQuality::of(a, b, c);

@@ -8,8 +8,10 @@ use thiserror::Error;
 
 use crate::bounds::Bounds;
 use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
+use crate::connectivity::faces::Faces;
 use crate::connectivity::stars::Stars;
 use crate::mesh::{Group, Line, Positions, Triangles};
+use crate::polygons::{NonTriangles, Polygons};
 
 /// A triangle mesh in space: any number of groups, with or without boundary, sound or not.
 ///
@@ -39,57 +41,9 @@ pub struct TriMesh {
     lines: Vec<Line>,
     polygons: Option<Polygons>,
     non_triangles: NonTriangles,
+    notes: Vec<String>,
+    rounding: Option<f64>,
     degrees: OnceLock<Vec<u32>>,
-}
-
-/// The polygons that a mesh's triangles were cut from.
-///
-/// The triangles of a polygon follow one another, in the order of polygons; a polygon of k corners
-/// has k - 2 of them.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Polygons {
-    /// Where the triangles of each polygon start, and after the last of them the number of
-    /// triangles.
-    pub triangle_starts: Vec<u32>,
-    /// The corners of the first polygon in order, then those of the next.
-    pub corners: Vec<u32>,
-}
-
-impl Polygons {
-    /// The number of polygons.
-    #[must_use]
-    pub fn count(&self) -> usize {
-        self.triangle_starts.len().saturating_sub(1)
-    }
-
-    /// The corners of a polygon in order.
-    ///
-    /// # Panics
-    ///
-    /// If `polygon` is not below [`count`](Self::count).
-    #[must_use]
-    pub fn corners(&self, polygon: usize) -> &[u32] {
-        let start = |i: usize| self.triangle_starts[i] as usize + 2 * i;
-        &self.corners[start(polygon)..start(polygon + 1)]
-    }
-
-    /// The corners of all polygons.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = &[u32]> {
-        (0..self.count()).map(|polygon| self.corners(polygon))
-    }
-}
-
-/// What a file held besides triangles.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct NonTriangles {
-    /// Faces with four corners. Each was cut into two triangles.
-    pub quads: u64,
-    /// Faces with more corners. Each was cut into triangles.
-    pub polygons: u64,
-    /// Line segments.
-    pub line_segments: u64,
-    /// Single points. They were left out.
-    pub points: u64,
 }
 
 /// Why points and triangles are no [`TriMesh`].
@@ -168,6 +122,8 @@ impl TriMesh {
             lines: Vec::new(),
             polygons: None,
             non_triangles: NonTriangles::default(),
+            notes: Vec::new(),
+            rounding: None,
             degrees: OnceLock::new(),
         })
     }
@@ -239,6 +195,27 @@ impl TriMesh {
         Self { non_triangles, ..self }
     }
 
+    /// The same mesh with notes on what its file has and the mesh has not, such as morph targets
+    /// or skins: one short phrase each, for people to read.
+    #[must_use]
+    pub fn with_notes(self, notes: Vec<String>) -> Self {
+        Self { notes, ..self }
+    }
+
+    /// The same mesh, whose coordinates may be off by `rounding`, in units of length.
+    ///
+    /// A reader of 32-bit floats gives 2^-24 times the largest coordinate in the file, times the
+    /// scale of what places it in the scene.
+    ///
+    /// # Panics
+    ///
+    /// If `rounding` is negative, infinite or NaN.
+    #[must_use]
+    pub fn with_rounding(self, rounding: f64) -> Self {
+        assert!(rounding >= 0.0 && rounding.is_finite(), "{rounding} is no length");
+        Self { rounding: Some(rounding), ..self }
+    }
+
     /// The positions of the vertices, in units of the file.
     #[must_use]
     pub fn positions(&self) -> &[DVec3] {
@@ -275,12 +252,28 @@ impl TriMesh {
         self.non_triangles
     }
 
-    /// The number of edges at each vertex. O(n log d) for degrees of d, once.
+    /// What the file has and the mesh has not, one short phrase each.
+    #[must_use]
+    pub fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
+    /// How far each coordinate may be from the one that was meant, in units of length: what
+    /// [`with_rounding`](Self::with_rounding) gave, and never less than 2^-52 times the largest
+    /// coordinate, two roundings of a 64-bit float. O(n).
+    #[must_use]
+    pub fn rounding(&self) -> f64 {
+        let largest = self.positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+        self.rounding.unwrap_or(0.0).max(f64::EPSILON * largest)
+    }
+
+    /// The number of edges of triangles at each vertex. O(n log d) for degrees of d, once.
     #[must_use]
     pub fn degrees(&self) -> &[u32] {
         self.degrees.get_or_init(|| {
             let mut degrees = vec![0; self.positions.len()];
-            let stars = Stars::new(self.positions.len(), &self.triangles);
+            let faces = Faces::new(&self.triangles, None, None);
+            let stars = Stars::new(self.positions.len(), &faces);
             stars.for_each(0..stars.count(), |vertex, star| {
                 degrees[vertex as usize] = star.degree() as u32;
             });
@@ -288,21 +281,22 @@ impl TriMesh {
         })
     }
 
-    /// The loops of edges that belong to one triangle only, in the order of their first
-    /// vertices.
+    /// The loops of edges that belong to one face only, in the order of their first vertices.
+    /// Faces are the [polygons](Self::polygons), or the triangles where the mesh has no others.
     ///
-    /// At a vertex, a loop goes on with the boundary edge found by turning from triangle to
-    /// triangle, so that loops which touch in a vertex stay apart. A closed loop starts at its
-    /// least vertex; one that runs into an edge with three triangles or more is open. Triangles
-    /// that name a vertex twice are passed over. O(n) time and memory, but for sorting at
-    /// vertices of very high degree.
+    /// At a vertex, a loop goes on with the boundary edge found by turning from face to face, so
+    /// that loops which touch in a vertex stay apart. A closed loop starts at its least vertex;
+    /// one that runs into an edge with three faces or more is open. Triangles that name a vertex
+    /// twice do not count. O(n) time and memory, but for sorting at vertices of very high degree.
     #[must_use]
     pub fn boundary_loops(&self) -> Vec<BoundaryLoop> {
-        BoundaryEdges::new(&Stars::new(self.positions.len(), &self.triangles)).loops()
+        let faces = Faces::new(&self.triangles, self.polygons(), None);
+        BoundaryEdges::new(&Stars::new(self.positions.len(), &faces)).loops()
     }
 }
 
-/// Two meshes are equal if they have the same points, triangles, names, groups, lines and polygons.
+/// Two meshes are equal if they have the same points, triangles, names, groups, lines, polygons
+/// and notes, and the same rounding.
 impl PartialEq for TriMesh {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -313,6 +307,8 @@ impl PartialEq for TriMesh {
             && self.lines == other.lines
             && self.polygons == other.polygons
             && self.non_triangles == other.non_triangles
+            && self.notes == other.notes
+            && self.rounding == other.rounding
     }
 }
 
@@ -428,16 +424,5 @@ mod tests {
         assert_eq!(mesh(points.map(|p| p + DVec3::Z), [0, 2, 3]).normal(), Some(DVec3::Z));
         assert_eq!(mesh(points, [0, 3, 2]).normal(), None);
         assert_eq!(mesh(points.map(|p| DVec3::new(p.x, 0.0, p.y)), [0, 2, 3]).normal(), None);
-    }
-
-    #[test]
-    fn polygons_know_their_corners() {
-        let points = (0..5).map(|i| DVec3::new(f64::from(i), f64::from(i * i), 0.0)).collect();
-        let polygons =
-            Polygons { triangle_starts: vec![0, 2, 3], corners: vec![0, 1, 2, 3, 0, 3, 4] };
-        let mesh = TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3], [0, 3, 4]]).unwrap();
-        let mesh = mesh.with_polygons(polygons);
-        let corners: Vec<&[u32]> = mesh.polygons().unwrap().iter().collect();
-        assert_eq!(corners, [&[0, 1, 2, 3][..], &[0, 3, 4]]);
     }
 }

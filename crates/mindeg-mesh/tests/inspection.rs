@@ -2,9 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use glam::DVec3;
-use mindeg_mesh::TriMesh;
+use glam::{DQuat, DVec3, Vec3Swizzles as _};
 use mindeg_mesh::inspection::{Inspection, InspectionOptions, NoConvexOutline};
+use mindeg_mesh::{Polygons, TriMesh};
 
 fn inspect(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Inspection {
     let mesh = TriMesh::new(positions, triangles.to_vec()).unwrap();
@@ -78,7 +78,7 @@ fn defects(inspection: Inspection) -> Defects {
         non_manifold_edges: inspection.non_manifold_edges,
         non_manifold_vertices: inspection.non_manifold_vertices,
         inconsistent_edges: inspection.inconsistent_edges,
-        duplicates: inspection.duplicate_triangles,
+        duplicates: inspection.duplicate_faces,
         zero_area: inspection.zero_area_triangles,
         unreferenced: inspection.unreferenced_vertices,
     }
@@ -120,26 +120,35 @@ fn a_mesh_without_a_face_is_told_so() {
 }
 
 #[test]
-fn triangles_on_a_line_have_no_area_and_thin_ones_have() {
+fn zero_area_is_exact() {
     let at = |x: f64, y: f64| DVec3::new(x, y, 0.0);
-    // A line through points that f64 rounds, as a writer of 17 digits has them.
-    let slanted = |t: f64| at(0.1, 0.2) + t * at(3.6, 1.7);
-    let far = |t: f64| at(480_000.1, 4_650_000.3) + t * at(36.0, 17.0);
     for (points, flat) in [
         ([at(0.0, 0.0), at(1.0, 0.0), at(3.0, 0.0)], true),
         ([at(0.0, 0.0), at(1.0, 0.0), at(1.0, 0.0)], true),
-        ([slanted(0.0), slanted(1.0 / 3.0), slanted(1.0)], true),
-        ([slanted(0.0), slanted(0.1), slanted(0.7)], true),
-        ([far(0.0), far(1.0 / 3.0), far(1.0)], true),
-        ([at(0.0, 0.0), at(1.0, 1e-12), at(3.0, 0.0)], false),
-        // The precision of a corner is that of its larger coordinate.
-        ([at(0.0, 0.0), at(1.0, 1e-300), at(3.0, 0.0)], true),
+        ([at(0.0, 0.0), at(1.0, 1e-300), at(3.0, 0.0)], false),
         ([at(0.0, 0.0), at(1e-200, 0.0), at(0.0, 1e-200)], false),
         ([at(0.0, 0.0), at(1e200, 0.0), at(0.0, 1e200)], false),
-        ([far(0.0), far(1.0 / 3.0) + at(0.0, 1e-6), far(1.0)], false),
+        // Far from the origin, areas that roundings of the coordinates could explain.
+        ([at(1e8, 0.0), at(1e8 + 1.0, 0.0), at(1e8 + 1.0, 1e-8)], false),
+        ([at(1e8, 1e8), at(1e8 + 1.0, 1e8 + 1.0), at(1e8 + 2.0, 1e8 + 2.0)], true),
+        ([at(1e6, 0.0), at(1e6 + 1.0, 0.0), at(1e6, libm::ldexp(1.0, -31))], false),
+        // On no line, though as near as 64-bit floats get to one.
+        ([at(0.1, 0.1), at(0.2, 0.2), at(0.3, 0.1 + 0.2)], false),
+        // Differences of these are rounded, and the rounded ones span an area.
+        ([at(0.1, 0.3), at(1.0, 3.0), at(2.0, 6.0)], false),
+        ([at(-0.1, -0.1), at(1.0, 1.0), at(1e17, 1e17)], true),
+        ([at(1e308, 0.0), at(-1e308, 0.0), at(0.0, 1e308)], false),
+        ([at(1e308, 1e308), at(-1e308, -1e308), at(3e307, 3e307)], true),
     ] {
-        let found = inspect(points.to_vec(), &[[0, 1, 2]]);
-        assert_eq!(!found.zero_area_triangles.is_empty(), flat, "{points:?}");
+        for turn in [|p| p, |p: DVec3| DVec3::new(p.z, p.x, p.y), |p: DVec3| p.yzx()] {
+            let points = points.map(turn);
+            let found = inspect(points.to_vec(), &[[0, 1, 2]]);
+            assert_eq!(!found.zero_area_triangles.is_empty(), flat, "{points:?}");
+            // Such a needle is measured as if it were flat.
+            let is_flat = flat || points.iter().any(|p| p.to_array().contains(&1e-300));
+            let min_angle = found.worst_triangles.first().unwrap().quality.min_angle;
+            assert!(min_angle == 0.0 || !is_flat, "{points:?}");
+        }
     }
 }
 
@@ -165,7 +174,7 @@ fn vertices_in_one_place_count_as_one_unless_asked() {
     assert!(welded.unreferenced_vertices.is_empty());
     assert_eq!(welded.outline.unwrap().corners, [0, 1, 2, 5]);
 
-    let as_it_is = InspectionOptions { weld: false, ..InspectionOptions::default() };
+    let as_it_is = InspectionOptions { weld: None, ..InspectionOptions::default() };
     let apart = Inspection::of(&mesh, &as_it_is);
     assert_eq!((apart.vertex_count, apart.welded_count, apart.edge_count), (6, 0, 6));
     assert_eq!((apart.component_count, apart.euler_characteristic), (2, 2));
@@ -218,11 +227,137 @@ fn the_worst_triangles_come_first() {
     let worst: Vec<_> = found.worst_triangles.iter().map(|worst| worst.triangle).collect();
     assert_eq!(worst, [1, 6, 5, 4, 3]);
     let least = found.quality.metric("min_angle").unwrap().min;
-    assert_eq!(found.worst_triangles[0].quality.min_angle, least);
+    assert_eq!(found.worst_triangles.first().unwrap().quality.min_angle, least);
     assert_eq!(found.quality.shares_below, [0.0, 0.0, 2.0 / 7.0, 5.0 / 7.0]);
 
     // Of equals, the first come first.
     let in_turn: Vec<_> = triangles[..2].iter().cycle().take(12).copied().collect();
     let worst = inspect(positions, &in_turn).worst_triangles;
     assert_eq!(worst.iter().map(|worst| worst.triangle).collect::<Vec<_>>(), [1, 3, 5, 7, 9]);
+}
+
+/// A mesh of polygons, each cut into a fan, and whatever points.
+fn of_polygons(positions: Vec<DVec3>, polygons: &[Vec<u32>]) -> TriMesh {
+    let mut triangles = Vec::new();
+    let mut triangle_starts = vec![0];
+    for corners in polygons {
+        triangles.extend(corners[1..].windows(2).map(|edge| [corners[0], edge[0], edge[1]]));
+        triangle_starts.push(triangles.len() as u32);
+    }
+    let polygons = Polygons { triangle_starts, corners: polygons.concat() };
+    TriMesh::new(positions, triangles).unwrap().with_polygons(polygons)
+}
+
+fn inspect_polygons(polygons: &[Vec<u32>]) -> Inspection {
+    let count = polygons.iter().flatten().max().unwrap() + 1;
+    let mesh = of_polygons(apart(count), polygons);
+    Inspection::of(&mesh, &InspectionOptions::default())
+}
+
+#[rustfmt::skip]
+#[test]
+fn polygons_hang_together_as_the_file_has_them() {
+    let ring = |n: u32, at: u32| (0..n).map(move |i| at + i).collect::<Vec<_>>();
+    let side = |n: u32, i: u32| vec![i, (i + 1) % n, n + (i + 1) % n, n + i];
+    let open_cylinder = |n: u32| (0..n).map(|i| side(n, i)).collect::<Vec<_>>();
+    let cylinder = |n: u32| [open_cylinder(n), vec![ring(n, 0).into_iter().rev().collect(), ring(n, n)]].concat();
+    let cone = |n: u32| (0..n).map(|i| vec![i, (i + 1) % n, n]).chain([ring(n, 0).into_iter().rev().collect()]).collect::<Vec<_>>();
+    let at = |i: u32, j: u32| 5 * (i % 5) + j % 5;
+    let torus: Vec<Vec<u32>> = (0..25).map(|n| (n / 5, n % 5)).map(|(i, j)| vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]).collect();
+    let grid: Vec<Vec<u32>> = (0..16).map(|n| (n / 4, n % 4)).map(|(i, j)| vec![at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]).collect();
+    // Faces, edges, boundary edges, loops, components, Euler characteristic, highest degree.
+    for (name, polygons, expected) in [
+        ("a doublet", vec![vec![0, 1, 2, 3], vec![2, 1, 0, 4]], [2, 6, 4, 1, 1, 1, 3]),
+        ("a 12-gon", vec![ring(12, 0)], [1, 12, 12, 1, 1, 1, 2]),
+        ("a cylinder", cylinder(32), [34, 96, 0, 0, 1, 2, 3]),
+        ("an open cylinder", open_cylinder(32), [32, 96, 64, 2, 1, 0, 3]),
+        ("a cone", cone(32), [33, 64, 0, 0, 1, 2, 32]),
+        ("a torus", torus, [25, 50, 0, 0, 1, 0, 4]),
+        ("a grid", grid, [16, 40, 16, 1, 1, 1, 4]),
+        ("a cube", vec![vec![0, 3, 2, 1], vec![4, 5, 6, 7], vec![0, 1, 5, 4], vec![1, 2, 6, 5], vec![2, 3, 7, 6], vec![3, 0, 4, 7]], [6, 12, 0, 0, 1, 2, 3]),
+        ("a square with a hole and a bridge", vec![vec![0, 1, 2, 3, 0, 4, 7, 6, 5, 4]], [1, 9, 8, 2, 1, 0, 3]),
+        ("a face that touches itself", vec![vec![0, 1, 2, 0, 3, 4]], [1, 6, 6, 1, 1, 0, 4]),
+        ("a triangle and a quad", vec![vec![0, 1, 2], vec![0, 2, 3, 4]], [2, 6, 5, 1, 1, 1, 3]),
+    ] {
+        let i = inspect_polygons(&polygons);
+        let found = [i.face_count, i.edge_count, i.boundary_edge_count, i.boundary_loop_count, i.component_count].map(|n| n as i64);
+        assert_eq!(found, expected[..5], "{name}");
+        assert_eq!([i.euler_characteristic, i64::from(i.max_degree())], expected[5..], "{name}");
+        let touches_itself = name.ends_with("touches itself");
+        assert_eq!(i.non_manifold_vertices, if touches_itself { vec![0] } else { vec![] }, "{name}");
+        let defects = Defects { non_manifold_vertices: vec![], zero_area: vec![], ..defects(i) };
+        assert_eq!(defects, Defects::default(), "{name}");
+    }
+}
+
+#[test]
+fn faces_that_repeat_others_are_named() {
+    for (polygons, expected) in [
+        (vec![vec![0, 1, 2, 3], vec![2, 3, 0, 1], vec![3, 2, 1, 0]], &[1, 2][..]),
+        // The same corners in another order are another face.
+        (vec![vec![0, 1, 2, 3], vec![0, 2, 1, 3]], &[]),
+        (vec![vec![5, 3, 4, 1, 2], vec![0, 1, 2], vec![4, 3, 5, 2, 1]], &[2]),
+        (vec![vec![0, 1, 2, 3], vec![0, 1, 2]], &[]),
+        (vec![vec![0, 1, 2], vec![0, 2, 3, 4], vec![1, 2, 0, 0]], &[2]),
+    ] {
+        assert_eq!(inspect_polygons(&polygons).duplicate_faces, expected, "{polygons:?}");
+    }
+}
+
+/// The sphere of three.js with 16 by 12 quads as triangles, and a seam of vertices that are there
+/// twice, but not exactly in the same place.
+fn sphere(place: impl Fn(DVec3) -> DVec3) -> TriMesh {
+    let [columns, rows] = [16_u32, 12];
+    let mut positions = Vec::new();
+    for (row, column) in (0..=rows).flat_map(|row| (0..=columns).map(move |column| (row, column))) {
+        let [u, v] = [(column, columns), (row, rows)].map(|(i, n)| f64::from(i) / f64::from(n));
+        let (phi, theta) = (u * std::f64::consts::TAU, v * std::f64::consts::PI);
+        let [x, y] = [-libm::cos(phi) * libm::sin(theta), libm::cos(theta)];
+        positions.push(place(DVec3::new(x, y, libm::sin(phi) * libm::sin(theta))));
+    }
+    let mut triangles = Vec::new();
+    for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column))) {
+        let at = |row: u32, column: u32| row * (columns + 1) + column;
+        let [b, a] = [at(row, column), at(row, column + 1)];
+        let [c, d] = [at(row + 1, column), at(row + 1, column + 1)];
+        triangles.extend((row > 0).then_some([a, b, d]));
+        triangles.extend((row + 1 < rows).then_some([b, c, d]));
+    }
+    TriMesh::new(positions, triangles).unwrap()
+}
+
+#[test]
+fn a_tolerance_closes_a_seam_wherever_it_is() {
+    let turn = DQuat::from_xyzw(0.1, 0.7, -0.3, 0.6).normalize();
+    let moved = |p: DVec3| turn * p + DVec3::new(1.0, 2.0, 3.0);
+    let single = |p: DVec3| p.as_vec3().as_dvec3();
+    let in_place = sphere(|p| p);
+    for mesh in [in_place.clone(), sphere(single), sphere(moved), sphere(|p| single(moved(p)))] {
+        let of = |weld| {
+            let options = InspectionOptions { weld, ..InspectionOptions::default() };
+            Inspection::of(&mesh, &options)
+        };
+        let diagonal = 12.0_f64.sqrt();
+        let closed = of(Some(1e-7 * diagonal));
+        assert_eq!((closed.boundary_edge_count, closed.euler_characteristic), (0, 2));
+        // 16 copies of each pole, and 11 vertices of the seam.
+        assert_eq!(closed.welded_count, 32 + 11);
+        assert!(of(None).welded_count == 0);
+    }
+    // Two rows of the seam, at the poles.
+    let exact = Inspection::of(&in_place, &InspectionOptions::default());
+    assert!(exact.boundary_edge_count > 0, "{exact:?}");
+}
+
+#[test]
+fn welding_closes_polygons_too() {
+    // A quad whose first two corners are one, beside a triangle.
+    let positions = [DVec3::ZERO, DVec3::X * 1e-9, DVec3::X, DVec3::Y, -DVec3::X].to_vec();
+    let mesh = of_polygons(positions, &[vec![0, 1, 2, 3], vec![1, 3, 4]]);
+    let of = |weld| {
+        let found = Inspection::of(&mesh, &InspectionOptions { weld, ..Default::default() });
+        (found.welded_count, found.face_count, found.edge_count, found.euler_characteristic)
+    };
+    assert_eq!(of(Some(0.0)), (0, 2, 7, 0));
+    assert_eq!(of(Some(1e-8)), (1, 2, 5, 1));
 }

@@ -71,7 +71,7 @@ fn check(found: &Inspection, all: &[Triangle], vertices: &[u32]) -> Result<(), T
         .filter(|&i| is_face(&all[i]) && all[..i].iter().any(|t| set(t) == set(&all[i])))
         .map(|i| i as u32)
         .collect();
-    prop_assert_eq!(&found.duplicate_triangles, &duplicates);
+    prop_assert_eq!(&found.duplicate_faces, &duplicates);
 
     let share_edge = |a: &Triangle, b: &Triangle| edges(a).iter().any(|e| edges(b).contains(e));
     prop_assert_eq!(found.component_count, class_count(&faces, share_edge));
@@ -124,13 +124,13 @@ proptest! {
         let triangles: Vec<Triangle> =
             indices.iter().map(|t| t.map(|i| i.index(positions.len()) as u32)).collect();
         let mesh = TriMesh::new(positions.clone(), triangles.clone()).unwrap();
-        let options = InspectionOptions { weld: false, pole_degree: 4, corner_angle };
+        let options = InspectionOptions { weld: None, pole_degree: 4, corner_angle };
 
         let as_it_is = Inspection::of(&mesh, &options);
         prop_assert_eq!((as_it_is.vertex_count, as_it_is.welded_count), (positions.len(), 0));
         check(&as_it_is, &triangles, &(0..positions.len() as u32).collect::<Vec<_>>())?;
 
-        let of_places = Inspection::of(&mesh, &InspectionOptions { weld: true, ..options });
+        let of_places = Inspection::of(&mesh, &InspectionOptions { weld: Some(0.0), ..options });
         let firsts: Vec<u32> = (0..positions.len())
             .filter(|&v| !positions[..v].contains(&positions[v]))
             .map(|v| v as u32)

@@ -133,7 +133,7 @@ fn many_broken_pieces_are_as_broken_as_one_each() {
             of.non_manifold_edges.len(),
             of.non_manifold_vertices.len(),
             of.inconsistent_edges.len(),
-            of.duplicate_triangles.len(),
+            of.duplicate_faces.len(),
             of.zero_area_triangles.len(),
             of.unreferenced_vertices.len(),
             of.poles.len(),
@@ -143,8 +143,8 @@ fn many_broken_pieces_are_as_broken_as_one_each() {
     assert_eq!(counts(&all), copied(counts(&one)));
     assert!(!counts(&one).contains(&0), "{one:#?}");
     assert_eq!(all.highest_degree, one.highest_degree);
-    let last = all.duplicate_triangles.last().map(|triangle| triangle % 12);
-    assert_eq!(last, one.duplicate_triangles.last().copied());
+    let last = all.duplicate_faces.last().map(|face| face % 12);
+    assert_eq!(last, one.duplicate_faces.last().copied());
     for (all, one) in [
         (&all.boundary_degrees, &one.boundary_degrees),
         (&all.interior_degrees, &one.interior_degrees),

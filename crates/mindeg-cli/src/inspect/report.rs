@@ -18,6 +18,7 @@ pub(super) struct Report {
     pub(super) polygons: u64,
     pub(super) line_segments: u64,
     pub(super) points: u64,
+    pub(super) not_read: Vec<String>,
     pub(super) faces: usize,
     pub(super) edges: usize,
     pub(super) boundary_edges: usize,
@@ -28,6 +29,7 @@ pub(super) struct Report {
     pub(super) non_manifold_edges: Vec<[u32; 2]>,
     pub(super) non_manifold_vertices: Vec<u32>,
     pub(super) inconsistent_edges: Vec<[u32; 2]>,
+    pub(super) duplicate_faces: Vec<u32>,
     pub(super) duplicate_triangles: Vec<u32>,
     pub(super) zero_area_triangles: Vec<u32>,
     pub(super) unreferenced_vertices: Vec<u32>,
@@ -82,7 +84,7 @@ pub(super) struct Triangle {
 pub(super) struct Outline {
     pub(super) corners: Vec<u32>,
     pub(super) intervals: Vec<u32>,
-    pub(super) optimal_max_degree: u32,
+    pub(super) least_max_degree: u32,
 }
 
 impl Report {
@@ -100,6 +102,7 @@ impl Report {
             polygons: others.polygons,
             line_segments: others.line_segments,
             points: others.points,
+            not_read: mesh.notes().to_vec(),
             faces: inspection.face_count,
             edges: inspection.edge_count,
             boundary_edges: inspection.boundary_edge_count,
@@ -110,7 +113,12 @@ impl Report {
             non_manifold_edges: inspection.non_manifold_edges.clone(),
             non_manifold_vertices: inspection.non_manifold_vertices.clone(),
             inconsistent_edges: inspection.inconsistent_edges.clone(),
-            duplicate_triangles: inspection.duplicate_triangles.clone(),
+            duplicate_faces: inspection.duplicate_faces.clone(),
+            duplicate_triangles: inspection
+                .duplicate_faces
+                .iter()
+                .map(|&face| first_triangle(mesh, face))
+                .collect(),
             zero_area_triangles: inspection.zero_area_triangles.clone(),
             unreferenced_vertices: inspection.unreferenced_vertices.clone(),
             max_degree: inspection.max_degree(),
@@ -156,12 +164,17 @@ impl Report {
                 Some(Outline {
                     corners: outline.corners.clone(),
                     intervals: outline.intervals.clone(),
-                    optimal_max_degree: least_max_degree(&Boundary::new(&counts).ok()?),
+                    least_max_degree: least_max_degree(&Boundary::new(&counts).ok()?),
                 })
             }),
             no_outline: outline.err().map(ToString::to_string),
         }
     }
+}
+
+/// The first of the triangles that a face was cut into.
+fn first_triangle(mesh: &TriMesh, face: u32) -> u32 {
+    mesh.polygons().map_or(face, |polygons| polygons.triangle_starts[face as usize])
 }
 
 fn histogram(degrees: &DegreeHistogram) -> BTreeMap<u32, u64> {

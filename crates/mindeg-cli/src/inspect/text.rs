@@ -1,4 +1,4 @@
-//! The findings as people read them: what is wrong first.
+//! The findings as text for people: what is wrong first.
 
 use super::report::{Report, Spread};
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
@@ -35,7 +35,7 @@ fn write_text(
     write_outline(text, report, inspection)?;
     writeln!(text)?;
     write_quality(text, report)?;
-    writeln!(text, "\nVertices and triangles are numbered from 0, in the order of the file.")
+    writeln!(text, "\nVertices, faces and triangles are numbered from 0, in the order of the file.")
 }
 
 fn write_defects(text: &mut String, report: &Report) -> std::fmt::Result {
@@ -44,7 +44,7 @@ fn write_defects(text: &mut String, report: &Report) -> std::fmt::Result {
         ("non-manifold edges", named(&report.non_manifold_edges, edge)),
         ("non-manifold vertices", named(&report.non_manifold_vertices, u32::to_string)),
         ("edges with inconsistent winding", named(&report.inconsistent_edges, edge)),
-        ("duplicate triangles", named(&report.duplicate_triangles, u32::to_string)),
+        ("duplicate faces", named(&report.duplicate_faces, u32::to_string)),
         ("zero-area triangles", named(&report.zero_area_triangles, u32::to_string)),
         ("unreferenced vertices", named(&report.unreferenced_vertices, u32::to_string)),
     ];
@@ -82,15 +82,16 @@ fn write_counts(text: &mut String, report: &Report) -> std::fmt::Result {
     };
     let welded = match report.welded_vertices {
         0 => String::new(),
-        count => format!("at the place of another and so one with it: {count}"),
+        count => format!("merged with an earlier one: {count}"),
     };
     let cut = match (report.quads, report.polygons) {
         (0, 0) => String::new(),
-        (quads, polygons) => format!(
-            "quads cut in two: {quads}, larger polygons cut into fans: {polygons}; measured as cut"
-        ),
+        (quads, polygons) => {
+            format!("for areas and angles, cut from quads: {quads}, larger polygons: {polygons}")
+        }
     };
     row("vertices", &report.vertices, welded)?;
+    row("faces", &report.faces, String::new())?;
     row("triangles", &report.triangles, cut)?;
     row("edges", &report.edges, String::new())?;
     row("boundary edges", &report.boundary_edges, String::new())?;
@@ -101,6 +102,9 @@ fn write_counts(text: &mut String, report: &Report) -> std::fmt::Result {
     }
     row("components", &report.components, String::new())?;
     row("Euler characteristic", &report.euler_characteristic, String::new())?;
+    if !report.not_read.is_empty() {
+        writeln!(text, "Not measured: {}.", report.not_read.join("; "))?;
+    }
     if report.line_segments + report.points > 0 {
         writeln!(
             text,
@@ -156,12 +160,15 @@ fn write_outline(text: &mut String, report: &Report, inspection: &Inspection) ->
             if outline.intervals.len() > ROWS {
                 counts.push("…".to_owned());
             }
-            let [least, found] = [outline.optimal_max_degree, report.max_degree];
+            let [least, found] = [outline.least_max_degree, report.max_degree];
             let comparison = if least == found { "as" } else { "where" };
+            // A quad may have less edges than any triangle mesh.
+            let of_triangles =
+                if report.quads + report.polygons > 0 { " of triangles" } else { "" };
             writeln!(
                 text,
                 "All vertices are on a convex outline of {} sides with {} intervals. The least \
-                 maximum degree for it is {least}, {comparison} this mesh has {found}.",
+                 maximum degree{of_triangles} for it is {least}, {comparison} this mesh has {found}.",
                 outline.intervals.len(),
                 counts.join(", ")
             )
@@ -169,7 +176,7 @@ fn write_outline(text: &mut String, report: &Report, inspection: &Inspection) ->
         (None, Err(NoConvexOutline::NotADisk | NoConvexOutline::InteriorVertices)) => Ok(()),
         (None, _) => writeln!(
             text,
-            "All vertices are on the boundary, but no least degree is known for it: {}.",
+            "All vertices are on the boundary, but its least maximum degree is not known: {}.",
             report.no_outline.as_deref().unwrap_or_default()
         ),
     }
@@ -195,7 +202,7 @@ fn write_quality(text: &mut String, report: &Report) -> std::fmt::Result {
         .iter()
         .map(|(angle, share)| format!("{}% below {angle}°", number(100.0 * share)))
         .collect();
-    writeln!(text, "Smallest angles: {}. Total area: {}.", shares.join(", "), number(report.area))?;
+    writeln!(text, "Minimum angles: {}. Total area: {}.", shares.join(", "), number(report.area))?;
     writeln!(text, "Worst triangles:")?;
     for worst in &report.worst_triangles {
         let [a, b, c] = worst.vertices;

@@ -1,100 +1,244 @@
-//! Reading accessors whose every byte is known to be there.
+//! The arrays of a document.
 
-use super::read::place;
+use super::container::Buffers;
+use super::schema::{Accessor, BufferView, Document, Whole, named};
 use crate::ReadError;
-use gltf::Accessor;
-use gltf::accessor::sparse::IndexType;
-use gltf::accessor::{DataType, Dimensions, Item, Iter};
-use gltf::buffer::View;
-use std::borrow::Cow;
+use glam::DVec3;
 
-/// The bytes of a document's buffers.
-pub(super) type Buffers<'a> = [Cow<'a, [u8]>];
+/// A document with the bytes of its buffers.
+#[derive(Clone, Copy)]
+pub(super) struct Arrays<'a> {
+    pub(super) document: &'a Document<'a>,
+    pub(super) buffers: &'a Buffers<'a>,
+}
 
-/// The positions that an accessor holds.
-pub(super) fn positions<'a>(
-    accessor: &Accessor,
-    buffers: &'a Buffers,
-) -> Result<impl Iterator<Item = [f32; 3]> + use<'a>, ReadError> {
-    if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
-        return Err(problem(accessor, "is used for positions, and those are three 32-bit floats"));
+/// What an array's components are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Component {
+    I8,
+    U8,
+    I16,
+    U16,
+    U32,
+    F32,
+}
+
+impl Component {
+    fn of_code(code: Whole) -> Option<Self> {
+        Some(match code.0 {
+            5120 => Self::I8,
+            5121 => Self::U8,
+            5122 => Self::I16,
+            5123 => Self::U16,
+            5125 => Self::U32,
+            5126 => Self::F32,
+            _ => return None,
+        })
     }
-    items(accessor, buffers)
-}
 
-/// The indices that an accessor holds.
-pub(super) fn indices(accessor: &Accessor, buffers: &Buffers) -> Result<Vec<u32>, ReadError> {
-    match (accessor.data_type(), accessor.dimensions()) {
-        (DataType::U8, Dimensions::Scalar) => {
-            Ok(items::<u8>(accessor, buffers)?.map(u32::from).collect())
+    fn size(self) -> usize {
+        match self {
+            Self::I8 | Self::U8 => 1,
+            Self::I16 | Self::U16 => 2,
+            Self::U32 | Self::F32 => 4,
         }
-        (DataType::U16, Dimensions::Scalar) => {
-            Ok(items::<u16>(accessor, buffers)?.map(u32::from).collect())
-        }
-        (DataType::U32, Dimensions::Scalar) => Ok(items::<u32>(accessor, buffers)?.collect()),
-        _ => Err(problem(accessor, "is used for indices, and those are unsigned integers")),
+    }
+
+    /// Whether it can be an index.
+    fn is_index(self) -> bool {
+        matches!(self, Self::U8 | Self::U16 | Self::U32)
     }
 }
 
-/// The items of an accessor of which the type has been checked.
-fn items<'a, T: Item>(accessor: &Accessor, buffers: &'a Buffers) -> Result<Iter<'a, T>, ReadError> {
-    check_bounds(accessor, buffers).map_err(|what| problem(accessor, what))?;
-    Iter::new(accessor.clone(), |buffer| buffers.get(buffer.index()).map(|bytes| &**bytes))
-        .ok_or_else(|| problem(accessor, "reaches beyond its buffer"))
-}
-
-fn problem(accessor: &Accessor, what: impl Into<String>) -> ReadError {
-    place(format!("accessors[{}]", accessor.index()), what)
-}
-
-/// Whether all items are within the buffers. The gltf crate computes where they are without
-/// a thought of overflow.
-fn check_bounds(accessor: &Accessor, buffers: &Buffers) -> Result<(), String> {
-    let view = accessor.view().ok_or("has no buffer view, and one without is not supported")?;
-    check_view(&view, accessor.offset(), accessor.count(), accessor.size(), buffers)?;
-    if let Some(sparse) = accessor.sparse() {
-        let (indices, values, count) = (sparse.indices(), sparse.values(), sparse.count());
-        let index_size = match indices.index_type() {
-            IndexType::U8 => 1,
-            IndexType::U16 => 2,
-            IndexType::U32 => 4,
+impl<'a> Arrays<'a> {
+    /// The positions that an accessor holds, and how far each may be off because of the numbers
+    /// that hold it.
+    pub(super) fn positions(&self, accessor: usize) -> Result<(Vec<DVec3>, f64), ReadError> {
+        let source = &self.document.accessors[accessor];
+        let component = Component::of_code(source.component_type);
+        let quantized = [Component::I8, Component::U8, Component::I16, Component::U16];
+        let component = match component {
+            Some(Component::F32) => Component::F32,
+            Some(integer) if quantized.contains(&integer) && self.document.is_quantized() => {
+                integer
+            }
+            _ => return Err(no_positions(accessor, self.document.is_quantized())),
         };
-        check_view(&indices.view(), indices.offset(), count, index_size, buffers)?;
-        check_view(&values.view(), values.offset(), count, accessor.size(), buffers)?;
+        if source.kind != "VEC3" {
+            return Err(no_positions(accessor, self.document.is_quantized()));
+        }
+        let scaled = |value: f64, largest: f64| {
+            if source.normalized { (value / largest).max(-1.0) } else { value }
+        };
+        let decode_all = |decode: &dyn Fn(&[u8]) -> f64| {
+            let size = component.size();
+            let point =
+                |item: &[u8]| DVec3::from_array([0, 1, 2].map(|i| decode(&item[i * size..])));
+            self.decoded(accessor, component, 3, DVec3::ZERO, point)
+        };
+        let positions = match component {
+            Component::I8 => decode_all(&|b| scaled(f64::from(b[0] as i8), 127.0)),
+            Component::U8 => decode_all(&|b| scaled(f64::from(b[0]), 255.0)),
+            Component::I16 => {
+                decode_all(&|b| scaled(f64::from(i16::from_le_bytes([b[0], b[1]])), 32_767.0))
+            }
+            Component::U16 => {
+                decode_all(&|b| scaled(f64::from(u16::from_le_bytes([b[0], b[1]])), 65_535.0))
+            }
+            Component::F32 | Component::U32 => {
+                let value = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+                let point = |b: &[u8]| DVec3::new(value(b), value(&b[4..]), value(&b[8..]));
+                self.decoded(accessor, component, 3, DVec3::ZERO, point)
+            }
+        }?;
+        let rounding = match component {
+            Component::I8 | Component::U8 | Component::I16 | Component::U16 => {
+                let bits = 8 * component.size() as i32;
+                let is_signed = matches!(component, Component::I8 | Component::I16);
+                let steps = f64::from(1 << (bits - i32::from(is_signed))) - 1.0;
+                if source.normalized { 0.5 / steps } else { 0.5 }
+            }
+            Component::F32 | Component::U32 => {
+                let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+                largest / f64::from(1 << 24)
+            }
+        };
+        Ok((positions, rounding))
     }
-    Ok(())
+
+    /// The indices that an accessor holds.
+    pub(super) fn indices(&self, accessor: usize) -> Result<Vec<u32>, ReadError> {
+        let source = &self.document.accessors[accessor];
+        let component = Component::of_code(source.component_type).filter(|c| c.is_index());
+        let Some(component) = component.filter(|_| source.kind == "SCALAR") else {
+            let problem = "is used for indices; these must be unsigned integers";
+            return Err(ReadError::place(format!("accessors[{accessor}]"), problem));
+        };
+        self.decoded(accessor, component, 1, 0, |bytes| index(component, bytes))
+    }
+
+    /// The items of an accessor of which the type has been checked, each of so many components.
+    /// Those that have no bytes are `zero`.
+    fn decoded<T: Clone>(
+        &self,
+        accessor: usize,
+        component: Component,
+        components: usize,
+        zero: T,
+        decode: impl Fn(&[u8]) -> T,
+    ) -> Result<Vec<T>, ReadError> {
+        let place = || format!("accessors[{accessor}]");
+        let Accessor { buffer_view, byte_offset, count, sparse, .. } =
+            &self.document.accessors[accessor];
+        if count.0 == 0 {
+            return Err(ReadError::place(place(), "holds no items, and must hold at least one"));
+        }
+        let whole = |count: Whole| usize::try_from(count.0).unwrap_or(usize::MAX);
+        let mut values = Vec::new();
+        let start = Start { view: buffer_view.unwrap_or_default(), offset: *byte_offset };
+        if buffer_view.is_some() {
+            let items = self.items(place(), start, *count, component, components)?;
+            values.try_reserve_exact(items.len())?;
+            values.extend(items.map(&decode));
+        } else {
+            values.try_reserve_exact(whole(*count))?;
+            values.resize(whole(*count), zero);
+        }
+        let Some(sparse) = sparse else { return Ok(values) };
+        let place = || format!("accessors[{accessor}].sparse");
+        let index_type = sparse.indices.component_type;
+        let Some(index_type) = Component::of_code(index_type).filter(|c| c.is_index()) else {
+            let problem = "has indices that are not unsigned integers";
+            return Err(ReadError::place(place(), problem));
+        };
+        let start = Start { view: sparse.indices.buffer_view, offset: sparse.indices.byte_offset };
+        let indices = self.items(place(), start, sparse.count, index_type, 1)?;
+        let start = Start { view: sparse.values.buffer_view, offset: sparse.values.byte_offset };
+        let items = self.items(place(), start, sparse.count, component, components)?;
+        for (bytes, item) in indices.zip(items) {
+            let (index, count) = (index(index_type, bytes) as usize, values.len());
+            let value = values.get_mut(index).ok_or_else(|| {
+                ReadError::place(place(), format!("has the index {index}, and {count} items"))
+            })?;
+            *value = decode(item);
+        }
+        Ok(values)
+    }
+
+    /// The bytes of each of `count` items.
+    fn items(
+        &self,
+        place: String,
+        Start { view, offset }: Start,
+        count: Whole,
+        component: Component,
+        components: usize,
+    ) -> Result<impl ExactSizeIterator<Item = &'a [u8]> + use<'a>, ReadError> {
+        let Self { document, buffers } = *self;
+        let problem = |problem: String| ReadError::place(place.clone(), problem);
+        let views = ("bufferViews", &document.buffer_views[..]);
+        let (view_index, view) = named(views, view, || place.clone())?;
+        let buffer_place = || format!("bufferViews[{view_index}].buffer");
+        let (buffer, _) = named(("buffers", &document.buffers), view.buffer, buffer_place)?;
+        let Some(bytes) = &buffers[buffer] else {
+            return Err(match view.extensions.meshopt {
+                Some(_) => problem(format!(
+                    "lies in bufferViews[{view_index}], which is compressed by meshopt \
+                     (EXT_meshopt_compression); export the file without it"
+                )),
+                None => problem(format!("lies in buffers[{buffer}], which has no data")),
+            });
+        };
+        let size = component.size() * components;
+        let BufferView { byte_offset, byte_length, byte_stride, .. } = view;
+        let stride = byte_stride.map_or(size as u64, |stride| stride.0);
+        if count.0 == 0 {
+            return Err(problem("holds no items, and must hold at least one".to_owned()));
+        }
+        if stride < size as u64 {
+            return Err(problem(format!("has items of {size} bytes, {stride} bytes apart")));
+        }
+        let len = (count.0 - 1).checked_mul(stride).and_then(|last| last.checked_add(size as u64));
+        let end = len.and_then(|len| len.checked_add(offset.0));
+        if !end.is_some_and(|end| end <= byte_length.0) {
+            return Err(problem(format!("reaches beyond bufferViews[{view_index}]")));
+        }
+        let view_end = byte_offset.0.checked_add(byte_length.0);
+        if !view_end.is_some_and(|end| end <= bytes.len() as u64) {
+            return Err(problem(format!(
+                "lies in bufferViews[{view_index}], which reaches beyond buffers[{buffer}]"
+            )));
+        }
+        let (start, unit) = (byte_offset.0 + offset.0, component.size() as u64);
+        if !start.is_multiple_of(unit) || !stride.is_multiple_of(unit) {
+            return Err(problem(format!(
+                "starts at byte {start} of buffers[{buffer}], with {stride} bytes from item to \
+                 item; both must be multiples of {unit}"
+            )));
+        }
+        // All of it is within the buffer.
+        let (start, stride) = (start as usize, stride as usize);
+        let bytes = &bytes[start..];
+        Ok((0..count.0 as usize).map(move |i| &bytes[i * stride..][..size]))
+    }
 }
 
-fn check_view(
-    view: &View,
-    offset: usize,
-    count: usize,
-    size: usize,
-    buffers: &Buffers,
-) -> Result<(), String> {
-    let stride = view.stride().unwrap_or(size);
-    if count == 0 {
-        return Err("holds no items, and must hold at least one".to_owned());
+/// Where an array starts.
+struct Start {
+    view: Whole,
+    offset: Whole,
+}
+
+fn index(component: Component, bytes: &[u8]) -> u32 {
+    match component.size() {
+        1 => bytes[0].into(),
+        2 => u16::from_le_bytes([bytes[0], bytes[1]]).into(),
+        _ => u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
     }
-    if stride < size {
-        return Err(format!("has items of {size} bytes, {stride} bytes apart"));
-    }
-    let end = (count - 1)
-        .checked_mul(stride)
-        .and_then(|last| last.checked_add(size))
-        .and_then(|end| end.checked_add(offset));
-    let in_view = end.is_some_and(|end| end <= view.length());
-    let in_buffer = view
-        .offset()
-        .checked_add(view.length())
-        .is_some_and(|end| buffers.get(view.buffer().index()).is_some_and(|b| end <= b.len()));
-    match (in_view, in_buffer) {
-        (true, true) => Ok(()),
-        (false, _) => Err(format!("reaches beyond bufferViews[{}]", view.index())),
-        (true, false) => Err(format!(
-            "lies in bufferViews[{}], which reaches beyond buffers[{}]",
-            view.index(),
-            view.buffer().index()
-        )),
-    }
+}
+
+fn no_positions(accessor: usize, is_quantized: bool) -> ReadError {
+    let kinds = if is_quantized { "three floats or short integers" } else { "three 32-bit floats" };
+    let problem = format!("is used for positions; these must be {kinds}");
+    ReadError::place(format!("accessors[{accessor}]"), problem)
 }

@@ -1,6 +1,7 @@
 //! The JSON half of a glTF: what the bytes of the binary mean.
 
 use super::positions::Stored;
+use crate::names::Names;
 use crate::{GENERATOR, SurfaceOptions, mesh_name};
 use glam::{DVec3, Vec3};
 use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
@@ -77,7 +78,9 @@ pub(super) fn document(
     stored: &Stored,
     uri: Option<String>,
 ) -> Root {
-    let mut document = Document { layout: *layout, root: Root::default(), binary_len: 0 };
+    let (root, names) = (Root::default(), Names::default());
+    let mut document = Document { layout: *layout, root, binary_len: 0, names };
+    let name = document.names.distinct(mesh_name(mesh).to_owned());
     let attributes = document.vertex_arrays(stored.range);
     let indices = document.index_view();
     let material = document.material(if layout.degree_colors { WHITE } else { SURFACE });
@@ -87,7 +90,7 @@ pub(super) fn document(
     let mut surface = if groups.len() < 2 {
         let accessor = document.indices(indices, 0, 3 * u64::from(layout.triangles));
         let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
-        document.node(mesh_name(mesh), primitive)
+        document.node(name, primitive)
     } else {
         for (group, number) in groups.iter().zip(1..) {
             let count = 3 * group.triangles.len() as u64;
@@ -95,10 +98,11 @@ pub(super) fn document(
             let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
             let unnamed = format!("group {number}");
             let name = if group.name.is_empty() { &unnamed } else { &group.name };
+            let name = document.names.distinct(name.clone());
             let node = document.node(name, primitive);
             children.push(document.root.push(node));
         }
-        Node { name: Some(mesh_name(mesh).to_owned()), ..Default::default() }
+        Node { name: Some(name), ..Default::default() }
     };
     surface.translation = stored.translation();
     if layout.segments > 0 {
@@ -116,6 +120,7 @@ struct Document {
     root: Root,
     /// The bytes of the binary that have a meaning so far.
     binary_len: u64,
+    names: Names,
 }
 
 impl Document {
@@ -213,7 +218,8 @@ impl Document {
             let first = after_triangles + 2 * u64::from(line.segments.start);
             let accessor = self.indices(indices, first, 2 * line.segments.len() as u64);
             let primitive = primitive(Mode::Lines, attributes.clone(), accessor, material);
-            let node = self.node(&line.name, primitive);
+            let name = self.names.distinct(line.name.clone());
+            let node = self.node(name, primitive);
             nodes.push(self.root.push(node));
         }
         nodes
@@ -232,15 +238,15 @@ impl Document {
         })
     }
 
-    fn node(&mut self, name: &str, primitive: Primitive) -> Node {
+    fn node(&mut self, name: String, primitive: Primitive) -> Node {
         let mesh = self.root.push(gltf_json::Mesh {
-            name: Some(name.to_owned()),
+            name: Some(name.clone()),
             primitives: vec![primitive],
             weights: None,
             extensions: None,
             extras: None,
         });
-        Node { name: Some(name.to_owned()), mesh: Some(mesh), ..Default::default() }
+        Node { name: Some(name), mesh: Some(mesh), ..Default::default() }
     }
 
     fn finish(mut self, node: Node, uri: Option<String>) -> Root {

@@ -1,12 +1,13 @@
 //! glTF 2.0 in one binary file, a `.glb`.
 
 use super::document::Layout;
+use super::numbers::compact;
 use super::positions::Stored;
 use super::write::Arrays;
 use crate::sections::{Section, write_sections};
 use crate::{SurfaceOptions, WriteError};
 use mindeg_mesh::Mesh;
-use std::io::{self, Write};
+use std::io::Write;
 
 pub use super::read::read;
 
@@ -87,7 +88,7 @@ pub fn check_size(
 
 /// What goes before the arrays.
 fn head(arrays: &Arrays<'_>) -> Result<Vec<u8>, WriteError> {
-    let mut json = arrays.document(None).to_vec().map_err(io::Error::from)?;
+    let mut json = compact(&arrays.document(None))?;
     json.resize(json.len().next_multiple_of(4), b' ');
     let binary = arrays.layout.binary_len().next_multiple_of(4);
     let len = len(json.len() as u64, binary)?;

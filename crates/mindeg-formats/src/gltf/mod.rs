@@ -20,10 +20,15 @@
 //! are written as they are.
 
 mod accessor;
+mod container;
 mod document;
 pub mod glb;
+mod numbers;
+mod placement;
 mod positions;
+mod primitive;
 mod read;
+mod schema;
 mod write;
 
 pub use positions::Stored;

@@ -1,6 +1,7 @@
 //! Writing a mesh as a `.gltf` and its `.bin`, and the arrays of either container.
 
 use super::document::{Layout, document};
+use super::numbers::pretty;
 use super::positions::Stored;
 use crate::degree_color;
 use crate::options::in_box;
@@ -65,7 +66,7 @@ pub fn write_stored(
         &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'-').remove(b'_').remove(b'~');
     let arrays = Arrays::new(mesh, stored, options);
     let uri = utf8_percent_encode(bin_name, ESCAPED).to_string();
-    let mut json = arrays.document(Some(uri)).to_vec_pretty()?;
+    let mut json = pretty(&arrays.document(Some(uri)))?;
     json.push(b'\n');
     gltf_out.write_all(&json)?;
     gltf_out.flush()?;
@@ -78,7 +79,7 @@ pub fn write_stored(
 pub fn file_lens(mesh: &dyn Mesh, stored: &Stored, options: &SurfaceOptions) -> [u64; 2] {
     let arrays = Arrays::new(mesh, stored, options);
     // A name that cannot be written shows when it is.
-    let json = arrays.document(None).to_vec_pretty().unwrap_or_default();
+    let json = pretty(&arrays.document(None)).unwrap_or_default();
     [json.len() as u64, arrays.layout.binary_len()]
 }
 
@@ -148,10 +149,8 @@ impl<'a> Arrays<'a> {
 fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
     let plane = options.plane;
     if let Some(normal) = mesh.normal() {
-        let normal = plane.place(normal).as_vec3().to_array();
-        return Section::new(mesh.vertex_count(), 12, move |range, buffer| {
-            range.for_each(|_| push_floats(buffer, normal));
-        });
+        let normal = plane.place(normal).as_vec3().to_array().map(f32::to_le_bytes);
+        return Section::repeated(mesh.vertex_count(), normal.as_flattened());
     }
     let normals = vertex_normals(mesh);
     Section::new(mesh.vertex_count(), 12, move |range, buffer| {

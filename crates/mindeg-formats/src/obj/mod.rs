@@ -8,11 +8,15 @@
 //! which no reader keeps more); negative zero is written `0`. Vertex numbers
 //! start at 1 in the file and nowhere else.
 //!
+//! Names of objects are made distinct: the second `side_2` becomes `side_2_2`.
+//!
 //! Limits: an OBJ has no units and no up axis. Vertex colors, on request, follow the
 //! coordinates as `v x y z r g b`, a common extension that some readers reject.
 
+mod lines;
 mod numbers;
 mod read;
+mod references;
 mod write;
 
 pub use read::read;

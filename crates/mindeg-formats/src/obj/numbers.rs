@@ -8,13 +8,40 @@
 /// The last one is kept: along a side that is parallel to an axis, one coordinate stays the same.
 pub(super) struct Decimals<F> {
     last: Option<F>,
-    text: Vec<u8>,
+    text: Text<LONGEST_DECIMAL>,
     digits: zmij::Buffer,
+}
+
+/// How long a decimal can get: a space, a sign, 17 digits with a point, and `e-308`; longer by what
+/// makes copying all of it as fast as it gets.
+const LONGEST_DECIMAL: usize = 32;
+
+/// A short text. Appending it copies all `N` bytes, which is fast since their number is known, and
+/// takes back those too many.
+#[derive(Clone, Copy)]
+struct Text<const N: usize> {
+    bytes: [u8; N],
+    len: usize,
+}
+
+impl<const N: usize> Text<N> {
+    const EMPTY: Self = Self { bytes: [0; N], len: 0 };
+
+    fn push(&mut self, text: &[u8]) {
+        self.bytes[self.len..][..text.len()].copy_from_slice(text);
+        self.len += text.len();
+    }
+
+    fn append_to(&self, buffer: &mut Vec<u8>) {
+        let end = buffer.len() + self.len;
+        buffer.extend_from_slice(&self.bytes);
+        buffer.truncate(end);
+    }
 }
 
 impl<F: zmij::Float + PartialEq> Decimals<F> {
     pub(super) fn new() -> Self {
-        Self { last: None, text: Vec::new(), digits: zmij::Buffer::new() }
+        Self { last: None, text: Text::EMPTY, digits: zmij::Buffer::new() }
     }
 
     /// Appends a finite number that is not -0: the shortest decimal that reads back the same.
@@ -22,20 +49,17 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
         if self.last != Some(value) {
             let number = self.digits.format_finite(value);
             let number = number.strip_suffix(".0").unwrap_or(number);
-            self.text.clear();
-            self.text.push(b' ');
-            self.text.extend_from_slice(number.as_bytes());
+            self.text = Text::EMPTY;
+            self.text.push(b" ");
+            self.text.push(number.as_bytes());
             self.last = Some(value);
         }
-        buffer.extend_from_slice(&self.text);
+        self.text.append_to(buffer);
     }
 }
 
 /// How long the name of a corner can get: a space, and three numbers of ten digits with slashes.
-const LONGEST_CORNER: usize = 1 + 3 * 10 + 2;
-
-/// What a corner's name takes: longer by what makes copying all of it as fast as it gets.
-const CORNER_ROOM: usize = LONGEST_CORNER.next_multiple_of(8);
+const LONGEST_CORNER: usize = (1 + 3 * 10 + 2_usize).next_multiple_of(8);
 
 /// How many corners are kept: a power of two.
 const KEPT: usize = 8;
@@ -54,13 +78,12 @@ pub(super) struct CornerNames {
 struct CornerName {
     /// The vertex as the file numbers it, from 1; 0 for none yet.
     number: u32,
-    len: usize,
-    text: [u8; CORNER_ROOM],
+    text: Text<LONGEST_CORNER>,
 }
 
 impl CornerNames {
     pub(super) fn new(texture_coordinates: bool, normals: bool) -> Self {
-        let nobody = CornerName { number: 0, len: 0, text: [0; CORNER_ROOM] };
+        let nobody = CornerName { number: 0, text: Text::EMPTY };
         let separators: &[&[u8]] = match (texture_coordinates, normals) {
             (true, true) => &[b" ", b"/", b"/"],
             (true, false) => &[b" ", b"/"],
@@ -72,31 +95,26 @@ impl CornerNames {
 
     /// Appends a face with these vertices, counted from 0.
     pub(super) fn push_face(&mut self, vertices: [u32; 3], buffer: &mut Vec<u8>) {
-        let mut line = [0; 1 + 3 * CORNER_ROOM + 1];
-        line[0] = b'f';
-        let mut end = 1;
+        buffer.push(b'f');
         for vertex in vertices {
-            let name = self.name(vertex + 1);
-            line[end..end + name.text.len()].copy_from_slice(&name.text);
-            end += name.len;
+            self.name(vertex + 1).append_to(buffer);
         }
-        line[end] = b'\n';
-        buffer.extend_from_slice(&line[..=end]);
+        buffer.push(b'\n');
     }
 
-    fn name(&mut self, number: u32) -> &CornerName {
+    fn name(&mut self, number: u32) -> &Text<LONGEST_CORNER> {
         let name = &mut self.kept[number as usize % KEPT];
         if name.number != number {
             let mut digits = itoa::Buffer::new();
             let digits = digits.format(number).as_bytes();
             name.number = number;
-            name.len = 0;
-            for part in self.separators.iter().flat_map(|separator| [separator, digits]) {
-                name.text[name.len..name.len + part.len()].copy_from_slice(part);
-                name.len += part.len();
+            name.text = Text::EMPTY;
+            for separator in self.separators {
+                name.text.push(separator);
+                name.text.push(digits);
             }
         }
-        name
+        &name.text
     }
 }
 

@@ -1,319 +1,413 @@
-//! Wavefront OBJ, read with tobj.
-//!
-//! Positions are read as `f64` and faces by their vertex numbers alone, so that corners that
-//! differ in normal or texture coordinate stay one vertex. Faces of more than three corners are
-//! split into a fan from their first corner, and counted. Objects and groups become groups.
-//!
-//! tobj numbers vertices anew, by first use, and forgets those without a face. The reader
-//! therefore passes tobj the `v` and `f` lines alone, and after the last of them faces that
-//! run over all vertices in the order of the file: how tobj numbers their corners tells which
-//! vertex of the file is which. Since lines pass one at a time, errors can name the line.
-//!
-//! Limits: lines and points are counted and left out, free-form curves and surfaces are
-//! passed over. A file with the line ends of old Macintoshes (CR alone) is one long line.
+//! Reading OBJ.
 
+use super::lines::Lines;
+use super::references::{Numbered, Unknown, leading_number};
 use crate::ReadError;
 use glam::DVec3;
-use mindeg_mesh::{Group, NonTriangles, TriMesh};
-use std::io::{self, BufRead, Read};
+use mindeg_mesh::ear_clipping::cut_polygon;
+use mindeg_mesh::{Group, Line, NonTriangles, Polygons, TriMesh, TriMeshError};
+use std::collections::TryReserveError;
+use std::io::BufRead;
 
 /// Reads a mesh from an OBJ.
 ///
-/// O(n) time and memory.
+/// Positions are read as `f64`, and divided by their weight where there is one (`v x y z w`).
+/// Vertices keep the order of the file, also those that nothing names; corners of faces that
+/// differ in texture coordinate or normal alone are one vertex. Faces of more than three corners
+/// are kept as the mesh's polygons. Objects (`o`) and groups (`g`) become groups, and name the lines
+/// (`l`) in them. Points (`p`) are counted.
+///
+/// A face of two corners counts as a line, a face or line of one as a point. Vertex colors,
+/// texture coordinates, materials, and free-form curves and surfaces are passed over. Lines end in
+/// LF, CR LF or CR, and may hold 16 MiB.
+///
+/// O(n) time and memory, but for the cutting of polygons.
 ///
 /// # Errors
 ///
-/// Those of the input, lines that are not as the format has them, faces with vertices that the
-/// file does not define, positions that are not finite, and a file without faces.
+/// Those of the input, an over-long line and too little memory among them; lines that are not as
+/// the format has them; faces, lines and points with vertices that the file does not define;
+/// positions that are not finite; and a file without faces. A texture coordinate or normal that is
+/// not there is no error.
 ///
 /// # Example
 ///
 /// ```
 /// use mindeg_formats::obj;
 ///
-/// let file = "o roof\nv 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nf 1 2 3 4\n";
+/// let file = "o roof\nv 0 0 0\nv 4 0 0\nv 4 3 0\nv 0 3 0\nf 1 2 3 4\no eaves\nl 1 2\n";
 /// let mesh = obj::read(file.as_bytes())?;
 /// assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);
-/// assert_eq!(mesh.non_triangles().quads, 1);
+/// assert_eq!(mesh.polygons().map(|polygons| polygons.corners(0)), Some(&[0, 1, 2, 3][..]));
 /// assert_eq!(mesh.groups()[0].name, "roof");
+/// assert_eq!(mesh.segments(), [[0, 1]]);
 ///
 /// let error = obj::read("v 0 0 0\nf 1 2 3\n".as_bytes()).unwrap_err();
-/// assert_eq!(error.to_string(), "line 2: a face names vertex 3, and the file has 1 in all");
+/// assert_eq!(error.to_string(), "line 2: vertex 3 does not exist; the file has 1");
 /// # Ok::<(), mindeg_formats::ReadError>(())
 /// ```
 pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
-    let options = tobj::LoadOptions {
-        single_index: false,
-        triangulate: false,
-        ignore_points: false,
-        ignore_lines: false,
-    };
     let mut lines = Lines::new(input);
-    let loaded = tobj::load_obj_buf(&mut lines, &options, |_| Err(tobj::LoadError::GenericFailure));
-    // There is one model, since tobj starts another at `o`, `g` and `usemtl` only.
-    let mesh = match loaded {
-        Ok((models, _)) => models.into_iter().next().map(|model| model.mesh).unwrap_or_default(),
-        Err(error) => return Err(lines.explain(error)),
-    };
-    let (faces, vertices) = mesh.indices.split_at(lines.corners);
-    let positions =
-        vertices.iter().map(|&v| DVec3::from_slice(&mesh.positions[3 * v as usize..])).collect();
-    let mut in_file = vec![0; vertices.len()];
-    for (number, &vertex) in (0..).zip(vertices) {
-        in_file[vertex as usize] = number;
+    let mut contents = Contents::default();
+    contents.start_group(String::new());
+    while let Some((number, line)) = lines.next()? {
+        contents.number = number;
+        contents.take_line(line)?;
     }
-    let mut triangles = Vec::with_capacity(lines.triangles);
-    let mut corners = faces.iter().map(|&vertex| in_file[vertex as usize]);
-    let mut face = Vec::new();
-    // Where all faces have three corners, tobj does not count them.
-    for arity in mesh.face_arities.iter().copied().chain(std::iter::repeat(3)).take(lines.faces) {
-        face.clear();
-        face.extend(corners.by_ref().take(arity as usize));
-        triangles.extend(face[1..].windows(2).map(|edge| [face[0], edge[0], edge[1]]));
-    }
-    lines.end_part();
-    let mesh = TriMesh::new(positions, triangles)?;
-    Ok(mesh.with_groups(lines.groups).with_non_triangles(lines.non_triangles))
+    let notes = contents.notes();
+    Ok(contents.into_mesh()?.with_notes(notes))
 }
 
-/// The lines of an OBJ that tobj is to see, one at a time, and what the others say.
-struct Lines<R> {
-    input: R,
-    /// The line of the file, without its end.
-    raw: Vec<u8>,
-    /// The line for tobj, and how much of it tobj has taken.
-    line: Vec<u8>,
-    taken: usize,
-    /// How many lines have been read.
+/// The words of a line, up to a comment.
+struct Words<'a>(&'a [u8]);
+
+impl<'a> Iterator for Words<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<&'a [u8]> {
+        let start = self.0.iter().position(|byte| !byte.is_ascii_whitespace())?;
+        let rest = &self.0[start..];
+        let is_end = |byte: &u8| byte.is_ascii_whitespace() || *byte == b'#';
+        let end = rest.iter().position(is_end).unwrap_or(rest.len());
+        let (word, rest) = rest.split_at(end);
+        self.0 = rest;
+        (!word.is_empty()).then_some(word)
+    }
+}
+
+/// What the lines up to one say.
+#[derive(Default)]
+struct Contents {
+    /// The number of the line.
     number: u64,
-    vertices: u64,
-    /// The greatest vertex named by a face, counted from 1, and the line it is in.
-    greatest: (u64, u64),
-    faces: usize,
-    corners: usize,
-    triangles: usize,
+    positions: Vec<DVec3>,
+    vertices: Numbered,
+    texture_coordinates: Numbered,
+    normals: Numbered,
+    /// The first texture coordinate and the first normal that were counted back too far.
+    missing: [Option<Unknown>; 2],
+    /// The vertices of the element in the line.
+    corners: Vec<u32>,
+    triangles: Vec<[u32; 3]>,
+    /// From the first face on that is no triangle.
+    polygons: Option<Polygons>,
     groups: Vec<Group>,
+    lines: Vec<Line>,
+    /// Whether the last line is of the last group.
+    line_is_open: bool,
+    segments: Vec<[u32; 2]>,
     non_triangles: NonTriangles,
-    /// At the end of the input: how many vertices the faces over all vertices have named.
-    named: Option<u64>,
-    error: Option<ReadError>,
+    /// How many faces and lines have too few corners, and the first line with one.
+    short: u64,
+    first_short: u64,
 }
 
-impl<R: BufRead> Lines<R> {
-    fn new(input: R) -> Self {
-        Self {
-            input,
-            raw: Vec::new(),
-            line: Vec::new(),
-            taken: 0,
-            number: 0,
-            vertices: 0,
-            greatest: (0, 0),
-            faces: 0,
-            corners: 0,
-            triangles: 0,
-            groups: vec![Group { name: String::new(), triangles: 0..0 }],
-            non_triangles: NonTriangles::default(),
-            named: None,
-            error: None,
+impl Contents {
+    fn problem(&self, problem: impl Into<String>) -> ReadError {
+        ReadError::Line { line: self.number, problem: problem.into() }
+    }
+
+    fn take_line(&mut self, line: &[u8]) -> Result<(), ReadError> {
+        let mut words = Words(line);
+        match words.next() {
+            Some([b'v']) => self.take_vertex(words),
+            Some([b'v', b't']) => {
+                self.texture_coordinates.count += 1;
+                Ok(())
+            }
+            Some([b'v', b'n']) => {
+                self.normals.count += 1;
+                Ok(())
+            }
+            Some([b'f']) => {
+                self.take_corners(words)?;
+                self.take_face()
+            }
+            Some([b'l']) => {
+                self.take_corners(words)?;
+                self.take_polyline()
+            }
+            Some([b'p']) => {
+                self.take_corners(words)?;
+                self.non_triangles.points += self.corners.len() as u64;
+                Ok(())
+            }
+            Some([b'o' | b'g']) => {
+                self.end_group();
+                // A name may hold a #.
+                self.start_group(String::from_utf8_lossy(words.0.trim_ascii()).into_owned());
+                Ok(())
+            }
+            _ => Ok(()),
         }
     }
 
-    /// Makes the next line for tobj; an empty one at the end.
-    fn advance(&mut self) -> Result<(), ReadError> {
-        self.line.clear();
-        self.taken = 0;
-        while self.named.is_none() {
-            if self.read_line()? {
-                self.take_line()?;
-                if !self.line.is_empty() {
-                    return Ok(());
-                }
-            } else {
-                let (vertex, line) = self.greatest;
-                if vertex > self.vertices {
-                    let all = self.vertices;
-                    let problem =
-                        format!("a face names vertex {vertex}, and the file has {all} in all");
-                    return Err(ReadError::Line { line, problem });
-                }
-                self.named = Some(0);
+    /// Three coordinates and perhaps a weight. Where more numbers follow, they are a color.
+    fn take_vertex(&mut self, mut words: Words<'_>) -> Result<(), ReadError> {
+        let mut point = [0.0; 3];
+        for (found, coordinate) in point.iter_mut().enumerate() {
+            let word = words.next().ok_or_else(|| {
+                self.problem(format!("a vertex has three coordinates; found {found}"))
+            })?;
+            *coordinate = self.coordinate(word)?;
+        }
+        let mut point = DVec3::from_array(point);
+        if let Some(weight) = words.next()
+            && words.next().is_none()
+        {
+            point /= self.coordinate(weight)?;
+            if !point.is_finite() {
+                return Err(self.problem("a vertex divided by its weight is not finite"));
             }
         }
-        self.name_vertices();
+        push(&mut self.positions, point)?;
+        self.vertices.count += 1;
         Ok(())
     }
 
-    /// Reads a line of the file into `raw`; false at the end. A line that ends in a backslash
-    /// goes on in the next.
-    fn read_line(&mut self) -> io::Result<bool> {
-        self.raw.clear();
-        while self.input.read_until(b'\n', &mut self.raw)? > 0 {
-            self.number += 1;
-            while matches!(self.raw.last(), Some(b'\n' | b'\r')) {
-                self.raw.pop();
-            }
-            match self.raw.last_mut() {
-                Some(last @ b'\\') => *last = b' ',
-                _ => return Ok(true),
-            }
-        }
-        Ok(!self.raw.is_empty())
+    fn coordinate(&self, word: &[u8]) -> Result<f64, ReadError> {
+        let number = std::str::from_utf8(word).ok().and_then(|word| word.parse::<f64>().ok());
+        number.filter(|number| number.is_finite()).ok_or_else(|| {
+            let word = String::from_utf8_lossy(word);
+            self.problem(format!("the coordinate {word:?} is not a finite number"))
+        })
     }
 
-    /// Counts what the line in `raw` says, and passes vertices and faces on in `line`.
-    fn take_line(&mut self) -> Result<(), ReadError> {
-        let raw = self.raw.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&self.raw);
-        let mut words = raw.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-        let keyword = words.next().unwrap_or_default();
-        let words = words.take_while(|word| word[0] != b'#');
-        match keyword {
-            b"v" => {
-                // Three coordinates and perhaps a weight; more than that is a color.
-                self.line.push(b'v');
-                let mut coordinates = 0;
-                for (count, word) in (1..=5).zip(words) {
-                    push_word(&mut self.line, word);
-                    match count {
-                        3 => coordinates = self.line.len(),
-                        5 => self.line.truncate(coordinates),
-                        _ => {}
-                    }
+    /// Reads the vertices that an element names.
+    fn take_corners(&mut self, words: Words<'_>) -> Result<(), ReadError> {
+        self.corners.clear();
+        for word in words {
+            let (vertex, rest) = leading_number(word).ok_or_else(|| self.no_corner(word))?;
+            let vertex = self.vertices.index(vertex, self.number);
+            let vertex = vertex.map_err(|unknown| self.problem(unknown.message("vertex")))?;
+            if let [b'/', rest @ ..] = rest {
+                let rest = self.take_reference(0, rest).ok_or_else(|| self.no_corner(word))?;
+                match rest {
+                    [] => {}
+                    [b'/', rest @ ..] if self.take_reference(1, rest) == Some(b"") => {}
+                    _ => return Err(self.no_corner(word)),
                 }
-                self.line.push(b'\n');
-                self.vertices += 1;
+            } else if !rest.is_empty() {
+                return Err(self.no_corner(word));
             }
-            b"f" => {
-                self.line.push(b'f');
-                let mut corners = 0;
-                for word in words {
-                    let end = word.iter().position(|&byte| byte == b'/').unwrap_or(word.len());
-                    let problem = match named_vertex(&word[..end], self.vertices) {
-                        Ok(vertex) => {
-                            self.greatest = self.greatest.max((vertex, self.number));
-                            push_word(&mut self.line, &word[..end]);
-                            corners += 1;
-                            continue;
-                        }
-                        Err(problem) => problem,
-                    };
-                    return Err(ReadError::Line { line: self.number, problem });
-                }
-                self.line.push(b'\n');
-                self.take_face(corners);
-            }
-            b"l" => self.non_triangles.line_segments += words.count().saturating_sub(1) as u64,
-            b"p" => self.non_triangles.points += words.count() as u64,
-            b"o" | b"g" => {
-                let name = raw.trim_ascii_start()[1..].trim_ascii();
-                let name = String::from_utf8_lossy(name).into_owned();
-                self.end_part();
-                // A mesh of more triangles is refused.
-                let start = self.triangles as u32;
-                self.groups.push(Group { name, triangles: start..start });
-            }
-            _ => {}
+            // A greater one does not exist, which is found out at the end.
+            push(&mut self.corners, vertex as u32)?;
+        }
+        if self.corners.is_empty() {
+            return Err(self.problem("a face, line or point names no vertex"));
         }
         Ok(())
     }
 
-    /// Counts a face; one that is none is not for tobj.
-    fn take_face(&mut self, corners: usize) {
-        match corners {
-            0 => {}
-            1 => self.non_triangles.points += 1,
-            2 => self.non_triangles.line_segments += 1,
-            3 => {}
-            4 => self.non_triangles.quads += 1,
+    /// Notes the texture coordinate (0) or normal (1) that a corner names, if it names one, and
+    /// gives what follows; none if that is no number.
+    fn take_reference<'a>(&mut self, kind: usize, text: &'a [u8]) -> Option<&'a [u8]> {
+        if matches!(text, [] | [b'/', ..]) {
+            return Some(text);
+        }
+        let (number, rest) = leading_number(text)?;
+        let defined = [&mut self.texture_coordinates, &mut self.normals];
+        let [texture_coordinates, normals] = defined;
+        let defined = if kind == 0 { texture_coordinates } else { normals };
+        if let Err(unknown) = defined.index(number, self.number) {
+            self.missing[kind].get_or_insert(unknown);
+        }
+        Some(rest)
+    }
+
+    fn no_corner(&self, word: &[u8]) -> ReadError {
+        let word = String::from_utf8_lossy(word);
+        self.problem(format!(
+            "the corner {word:?} is not a vertex number, nor several with / between them"
+        ))
+    }
+
+    fn take_face(&mut self) -> Result<(), ReadError> {
+        let &[a, b, ref others @ ..] = &self.corners[..] else {
+            return self.take_polyline();
+        };
+        let [c, others @ ..] = others else {
+            self.note_short();
+            return self.take_polyline();
+        };
+        match others {
+            [] => {}
+            [_] => self.non_triangles.quads += 1,
             _ => self.non_triangles.polygons += 1,
         }
-        if corners < 3 {
-            self.line.clear();
-        } else {
-            self.faces += 1;
-            self.corners += corners;
-            self.triangles += corners - 2;
+        let first = self.triangles.len();
+        push(&mut self.triangles, [a, b, *c])?;
+        for edge in self.corners[2..].windows(2) {
+            // A place for the triangles that the face will be cut into.
+            push(&mut self.triangles, [a, edge[0], edge[1]])?;
         }
+        if self.polygons.is_none() && self.corners.len() > 3 {
+            self.polygons = Some(as_polygons(&self.triangles[..first])?);
+        }
+        if let Some(polygons) = &mut self.polygons {
+            // More triangles than 32 bits count are refused at the end.
+            push(&mut polygons.triangle_starts, first as u32)?;
+            polygons.corners.try_reserve(self.corners.len())?;
+            polygons.corners.extend_from_slice(&self.corners);
+        }
+        Ok(())
     }
 
-    fn end_part(&mut self) {
-        if let Some(part) = self.groups.last_mut() {
-            part.triangles.end = self.triangles as u32;
+    fn take_polyline(&mut self) -> Result<(), ReadError> {
+        if self.corners.len() < 2 {
+            self.note_short();
+            self.non_triangles.points += 1;
+            return Ok(());
         }
-    }
-
-    /// Makes a face over the next vertices that no face of this kind has named.
-    fn name_vertices(&mut self) {
-        const CORNERS: u64 = 4096;
-        let named = self.named.unwrap_or(0);
-        let end = self.vertices.min(named + CORNERS);
-        if named < end {
-            self.line.push(b'f');
-            let mut digits = itoa::Buffer::new();
-            for vertex in named + 1..=end {
-                push_word(&mut self.line, digits.format(vertex).as_bytes());
+        // More segments than 32 bits count are refused at the end.
+        let start = self.segments.len() as u32;
+        for segment in self.corners.windows(2) {
+            push(&mut self.segments, [segment[0], segment[1]])?;
+        }
+        let end = self.segments.len() as u32;
+        match self.lines.last_mut() {
+            Some(line) if self.line_is_open => line.segments.end = end,
+            _ => {
+                let name = self.groups.last().map_or("", |group| &group.name);
+                let name = if name.is_empty() { "line" } else { name }.to_owned();
+                push(&mut self.lines, Line { name, segments: start..end, is_straight: false })?;
+                self.line_is_open = true;
             }
-            self.line.push(b'\n');
-            self.named = Some(end);
+        }
+        Ok(())
+    }
+
+    fn note_short(&mut self) {
+        if self.short == 0 {
+            self.first_short = self.number;
+        }
+        self.short += 1;
+    }
+
+    fn start_group(&mut self, name: String) {
+        let start = self.triangles.len() as u32;
+        self.groups.push(Group { name, triangles: start..start });
+        self.line_is_open = false;
+    }
+
+    fn end_group(&mut self) {
+        // More triangles than 32 bits count are refused at the end.
+        let end = self.triangles.len() as u32;
+        if let Some(group) = self.groups.last_mut() {
+            group.triangles.end = end;
         }
     }
 
-    /// What to tell about an error of tobj.
-    fn explain(self, error: tobj::LoadError) -> ReadError {
-        let problem = match error {
-            tobj::LoadError::PositionParseError => "a vertex needs three numbers".to_owned(),
-            tobj::LoadError::ScalingByZeroError => "a vertex has the weight 0".to_owned(),
-            tobj::LoadError::ReadError => "this is not text".to_owned(),
-            other => other.to_string(),
+    /// What the mesh does not tell about the file.
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if self.short > 0 {
+            notes.push(format!(
+                "faces with fewer than three corners and lines with fewer than two: {} (the first \
+                 in line {}); they count as lines and points",
+                self.short, self.first_short
+            ));
+        }
+        let kinds = [("texture coordinate", &self.texture_coordinates), ("normal", &self.normals)];
+        for ((what, defined), missing) in kinds.into_iter().zip(self.missing) {
+            if let Some(unknown) = missing.or(defined.unknown()) {
+                notes.push(format!("line {}: {}", unknown.line, unknown.message(what)));
+            }
+        }
+        notes
+    }
+
+    fn into_mesh(mut self) -> Result<TriMesh, ReadError> {
+        if let Some(unknown) = self.vertices.unknown() {
+            let problem = unknown.message("vertex");
+            return Err(ReadError::Line { line: unknown.line, problem });
+        }
+        let Ok(triangle_count) = u32::try_from(self.triangles.len()) else {
+            return Err(TriMeshError::TooManyTriangles { triangles: self.triangles.len() }.into());
         };
-        self.error.unwrap_or(ReadError::Line { line: self.number, problem })
-    }
-}
-
-impl<R: BufRead> BufRead for Lines<R> {
-    fn fill_buf(&mut self) -> io::Result<&[u8]> {
-        if self.taken == self.line.len()
-            && let Err(error) = self.advance()
-        {
-            self.error = Some(error);
-            return Err(io::ErrorKind::InvalidData.into());
+        if u32::try_from(self.segments.len()).is_err() {
+            return Err(self.problem("the file has too many lines to be numbered in 32 bits"));
         }
-        Ok(&self.line[self.taken..])
-    }
-
-    fn consume(&mut self, amount: usize) {
-        self.taken += amount;
+        self.end_group();
+        self.non_triangles.line_segments = self.segments.len() as u64;
+        if let Some(polygons) = &mut self.polygons {
+            push(&mut polygons.triangle_starts, triangle_count)?;
+            cut_polygons(polygons, &self.positions, &mut self.triangles);
+        }
+        let mesh = TriMesh::new(self.positions, self.triangles)?
+            .with_groups(self.groups)
+            .with_lines(self.lines, self.segments)?
+            .with_non_triangles(self.non_triangles);
+        Ok(match self.polygons {
+            Some(polygons) => mesh.with_polygons(polygons),
+            None => mesh,
+        })
     }
 }
 
-impl<R: BufRead> Read for Lines<R> {
-    fn read(&mut self, into: &mut [u8]) -> io::Result<usize> {
-        let read = self.fill_buf()?.read(into)?;
-        self.consume(read);
-        Ok(read)
+/// Adds a value to a list; too little memory is an error.
+fn push<T>(list: &mut Vec<T>, value: T) -> Result<(), TryReserveError> {
+    if list.len() == list.capacity() {
+        list.try_reserve(1)?;
+    }
+    list.push(value);
+    Ok(())
+}
+
+/// Triangles as polygons, but for where the last one ends.
+fn as_polygons(triangles: &[[u32; 3]]) -> Result<Polygons, TryReserveError> {
+    let mut polygons = Polygons::default();
+    polygons.triangle_starts.try_reserve(triangles.len() + 2)?;
+    polygons.triangle_starts.extend(0..triangles.len() as u32);
+    polygons.corners.try_reserve(3 * triangles.len())?;
+    polygons.corners.extend_from_slice(triangles.as_flattened());
+    Ok(polygons)
+}
+
+/// Cuts the polygons into triangles, each into those that have been set aside for it.
+fn cut_polygons(polygons: &Polygons, positions: &[DVec3], triangles: &mut [[u32; 3]]) {
+    let mut cut = Vec::new();
+    for (corners, &start) in polygons.iter().zip(&polygons.triangle_starts) {
+        if corners.len() > 3 {
+            cut.clear();
+            cut_polygon(corners, positions, &mut cut);
+            triangles[start as usize..][..cut.len()].copy_from_slice(&cut);
+        }
     }
 }
 
-fn push_word(line: &mut Vec<u8>, word: &[u8]) {
-    line.push(b' ');
-    line.extend_from_slice(word);
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The vertex that a corner of a face names, counted from 1: a positive number counts from
-/// the first vertex, a negative one back from the last so far.
-fn named_vertex(word: &[u8], so_far: u64) -> Result<u64, String> {
-    let text = String::from_utf8_lossy(word);
-    let number: i64 = text
-        .parse()
-        .map_err(|_| format!("the corner {text:?} of a face is not a vertex number"))?;
-    match number {
-        0 => Err("a face names vertex 0, and vertices count from 1".to_owned()),
-        1.. => Ok(number.unsigned_abs()),
-        _ => (so_far + 1)
-            .checked_sub(number.unsigned_abs())
-            .filter(|&vertex| vertex > 0)
-            .ok_or_else(|| {
-                format!("a face names vertex {number}, counted back, and there are {so_far} so far")
-            }),
+    #[test]
+    fn notes_tell_what_the_mesh_does_not() {
+        let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n";
+        let short = "faces with fewer than three corners and lines with fewer than two: ";
+        let short = |rest| format!("{short}{rest}; they count as lines and points");
+        for (lines, expected) in [
+            ("f 1/1/1 2//1 3/1 4", vec![]),
+            ("f 1 2\n\nf 1 2 3\nf 3\nl 2", vec![short("3 (the first in line 7)")]),
+            (
+                "f 1 2 3\nf 1/1/1 2/9/1 3/2/7",
+                vec![
+                    "line 8: texture coordinate 9 does not exist; the file has 1".to_owned(),
+                    "line 8: normal 7 does not exist; the file has 1".to_owned(),
+                ],
+            ),
+            (
+                "f 1/-2/0 2 3",
+                vec![
+                    "line 7: texture coordinate -2 does not exist; the file has 1 up to this line"
+                        .to_owned(),
+                    "line 7: normal 0 does not exist; numbers start at 1".to_owned(),
+                ],
+            ),
+            // Defined after it is named.
+            ("f 1/2 2/1 3/1\nvt 1 1", vec![]),
+        ] {
+            let mesh = read(format!("{square}{lines}\n").as_bytes()).unwrap();
+            assert_eq!(mesh.notes(), expected, "{lines:?}");
+        }
     }
 }

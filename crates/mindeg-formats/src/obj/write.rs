@@ -1,6 +1,7 @@
 //! Writing OBJ.
 
 use super::numbers::{CornerNames, Decimals};
+use crate::names::Names;
 use crate::options::in_box;
 use crate::sections::{self, Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
@@ -72,7 +73,10 @@ fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Vec<Section<
     let normal = mesh.normal();
     // Only a mesh in a plane has a box to lay an image over.
     let texture = options.texture_coordinates && normal.is_some();
-    let mut sections = vec![header(mesh), coordinates(mesh, options)];
+    let mut names = Names::default();
+    let mut object = |name: &str| format!("o {}\n", names.distinct(object_name(name)));
+    let surface = object(mesh_name(mesh));
+    let mut sections = vec![header(mesh, &surface), coordinates(mesh, options)];
     if texture {
         sections.push(texture_coordinates(mesh));
     }
@@ -86,13 +90,13 @@ fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Vec<Section<
         for (group, number) in groups.iter().zip(1..) {
             let unnamed = format!("group {number}");
             let name = if group.name.is_empty() { &unnamed } else { &group.name };
-            sections.push(Section::bytes(format!("o {}\n", object_name(name))));
+            sections.push(Section::bytes(object(name)));
             sections.push(faces(mesh, group.triangles.clone(), texture, options.normals));
         }
     }
     if options.boundary_lines {
         for line in mesh.lines().iter() {
-            sections.push(Section::bytes(format!("o {}\n", object_name(&line.name))));
+            sections.push(Section::bytes(object(&line.name)));
             sections.push(segments(mesh, line.segments.clone()));
         }
     }
@@ -109,13 +113,12 @@ fn faces(mesh: &dyn Mesh, triangles: Range<u32>, texture: bool, normals: bool) -
     })
 }
 
-fn header(mesh: &dyn Mesh) -> Section<'_> {
+fn header<'a>(mesh: &dyn Mesh, surface: &str) -> Section<'a> {
     Section::bytes(format!(
-        "# {GENERATOR}\n# {} vertices, {} triangles, maximum degree {}\no {}\n",
+        "# {GENERATOR}\n# {} vertices, {} triangles, maximum degree {}\n{surface}",
         mesh.vertex_count(),
         mesh.triangle_count(),
         mesh.max_degree(),
-        object_name(mesh_name(mesh)),
     ))
 }
 
@@ -167,10 +170,7 @@ fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
     let plane = options.plane;
     if let Some(normal) = mesh.normal() {
         let [x, y, z] = plane.place(normal).to_array();
-        let line = format!("vn {x} {y} {z}\n").into_bytes();
-        return Section::new(mesh.vertex_count(), 9, move |range, buffer| {
-            range.for_each(|_| buffer.extend_from_slice(&line));
-        });
+        return Section::repeated(mesh.vertex_count(), format!("vn {x} {y} {z}\n").as_bytes());
     }
     let normals = vertex_normals(mesh);
     Section::new(mesh.vertex_count(), 24, move |range, buffer| {

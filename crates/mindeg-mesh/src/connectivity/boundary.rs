@@ -1,37 +1,37 @@
-//! The boundary of a mesh, from its triangles alone.
+//! The boundary of a mesh, from its faces alone.
 
 use super::stars::{Star, Stars};
 
 /// Consecutive boundary edges of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoundaryLoop {
-    /// The vertices in order. Where the triangles agree in orientation, the surface is on the
+    /// The vertices in order. Where the faces agree in orientation, the surface is on the
     /// left, seen from where they are counter-clockwise. A closed loop does not repeat its
     /// first vertex at the end, and a vertex in which the surface touches itself may come more
     /// than once.
     pub vertices: Vec<u32>,
-    /// Whether the last vertex is followed by the first. In a mesh whose triangles meet two at
-    /// an edge at most, every loop is closed.
+    /// Whether the last vertex is followed by the first. In a mesh whose faces meet two at an
+    /// edge at most, every loop is closed.
     pub closed: bool,
 }
 
-/// The edges of one triangle only, each seen from both its ends.
+/// The edges of one face only, each seen from both its ends.
 #[derive(Default)]
 pub(crate) struct BoundaryEdges {
-    /// Where the edges of each vertex that has been added start in `halves`.
+    /// Where the edges of each vertex that has been added start in `half_edges`.
     starts: Vec<usize>,
     /// In ascending order of `from`, then `to`.
-    halves: Vec<Half>,
+    half_edges: Vec<BoundaryHalfEdge>,
 }
 
 /// A boundary edge, seen from one end.
-struct Half {
+struct BoundaryHalfEdge {
     from: u32,
     to: u32,
-    /// Whether the triangle runs this way.
+    /// Whether the face runs this way.
     is_outgoing: bool,
     /// The end of the boundary edge that is next to this one at `from`.
-    across: Option<u32>,
+    next: Option<u32>,
 }
 
 impl BoundaryEdges {
@@ -42,39 +42,40 @@ impl BoundaryEdges {
         boundary
     }
 
-    /// Adds the boundary edges at a vertex. Every vertex from 0 on is to be added, in order,
-    /// here or to what is [appended](Self::append).
+    /// Adds the boundary edges at a vertex. Add every vertex from 0 on, in order, here or
+    /// to what is [appended](Self::append).
     pub(crate) fn add(&mut self, vertex: u32, star: &Star) {
-        self.starts.push(self.halves.len());
+        self.starts.push(self.half_edges.len());
         for edge in star.edges() {
-            if let [ray] = *edge {
-                let across = star.across(ray);
-                let is_outgoing = ray.is_outgoing;
-                self.halves.push(Half { from: vertex, to: ray.end, is_outgoing, across });
+            if let [half] = *edge {
+                let next = star.next_boundary_edge(half);
+                let is_outgoing = half.is_outgoing;
+                let to = half.end;
+                self.half_edges.push(BoundaryHalfEdge { from: vertex, to, is_outgoing, next });
             }
         }
     }
 
     /// Adds those of the vertices that follow.
     pub(crate) fn append(&mut self, next: Self) {
-        let before = self.halves.len();
+        let before = self.half_edges.len();
         self.starts.extend(next.starts.into_iter().map(|start| before + start));
-        self.halves.extend(next.halves);
+        self.half_edges.extend(next.half_edges);
     }
 
     /// The number of boundary edges.
     pub(crate) fn edge_count(&self) -> usize {
-        self.halves.len() / 2
+        self.half_edges.len() / 2
     }
 
     /// The loops, in the order of their first vertices, with every boundary edge in one of
     /// them. A closed loop starts at its least vertex. O(b log b) for b edges.
     pub(crate) fn loops(&self) -> Vec<BoundaryLoop> {
-        let mut used = vec![false; self.halves.len()];
+        let mut used = vec![false; self.half_edges.len()];
         let mut loops = Vec::new();
-        // What is open is followed from an end of it; after that all is closed.
-        for (start, half) in self.halves.iter().enumerate() {
-            if half.across.is_none() && !used[start] {
+        // Open loops are followed from one of their ends; all others are closed.
+        for (start, half) in self.half_edges.iter().enumerate() {
+            if half.next.is_none() && !used[start] {
                 let mut vertices = self.follow(start, &mut used);
                 if !half.is_outgoing {
                     vertices.reverse();
@@ -82,10 +83,10 @@ impl BoundaryEdges {
                 loops.push(BoundaryLoop { vertices, closed: false });
             }
         }
-        for (mut start, half) in self.halves.iter().enumerate() {
+        for (mut start, half) in self.half_edges.iter().enumerate() {
             if !used[start] {
-                if let (false, Some(across)) = (half.is_outgoing, half.across) {
-                    start = self.half(half.from, across);
+                if let (false, Some(next)) = (half.is_outgoing, half.next) {
+                    start = self.half(half.from, next);
                 }
                 let mut vertices = self.follow(start, &mut used);
                 vertices.pop();
@@ -96,35 +97,34 @@ impl BoundaryEdges {
         loops
     }
 
-    /// The vertices from a half on, up to the end of an open loop or back to the start.
+    /// The vertices from a half-edge on, up to the end of an open loop or back to the start.
     fn follow(&self, start: usize, used: &mut [bool]) -> Vec<u32> {
-        let mut vertices = vec![self.halves[start].from];
+        let mut vertices = vec![self.half_edges[start].from];
         let mut at = start;
         loop {
-            let Half { from, to, .. } = self.halves[at];
+            let BoundaryHalfEdge { from, to, .. } = self.half_edges[at];
             let back = self.half(to, from);
             used[at] = true;
             used[back] = true;
             vertices.push(to);
-            match self.halves[back].across.map(|end| self.half(to, end)) {
+            match self.half_edges[back].next.map(|end| self.half(to, end)) {
                 Some(next) if next != start => at = next,
                 _ => return vertices,
             }
         }
     }
 
-    /// The number of a half that is there.
+    /// The index of a half-edge that exists.
     fn half(&self, from: u32, to: u32) -> usize {
         let vertex = from as usize;
         let start = self.starts[vertex];
-        let end = self.starts.get(vertex + 1).map_or(self.halves.len(), |&end| end);
-        start + self.halves[start..end].partition_point(|half| half.to < to)
+        let end = self.starts.get(vertex + 1).map_or(self.half_edges.len(), |&end| end);
+        start + self.half_edges[start..end].partition_point(|half| half.to < to)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::connectivity::stars::is_proper;
     use crate::tri_mesh::TriMesh;
     use glam::DVec3;
     use proptest::prelude::*;
@@ -196,7 +196,7 @@ mod tests {
             }
             walked.sort_unstable();
             let with = |a, b| {
-                let proper = triangles.iter().filter(|t| is_proper(**t));
+                let proper = triangles.iter().filter(|[a, b, c]| a != b && b != c && c != a);
                 proper.filter(|t| t.contains(&a) && t.contains(&b)).count()
             };
             let expected: Vec<_> = (0..8)

@@ -8,7 +8,7 @@ pub(crate) struct DisjointSets {
 }
 
 impl DisjointSets {
-    /// The things 0 to `things` - 1, numbered in u32.
+    /// The things 0 to `things` - 1, with indices of 32 bits.
     pub(crate) fn new(things: usize) -> Self {
         Self { parents: (0..).take(things).collect(), count: things }
     }
@@ -27,13 +27,14 @@ impl DisjointSets {
         self.count
     }
 
-    fn least(&mut self, mut thing: u32) -> u32 {
+    /// The least thing of the set that has `thing`. O(log n) amortized.
+    pub(crate) fn least(&mut self, mut thing: u32) -> u32 {
         loop {
             let parent = self.parents[thing as usize];
             if parent == thing {
                 return thing;
             }
-            // Halves the path for whoever comes next.
+            // Halves the path, so that the next call is faster.
             let grandparent = self.parents[parent as usize];
             self.parents[thing as usize] = grandparent;
             thing = grandparent;

@@ -1,51 +1,58 @@
-//! The triangles and edges at each vertex.
+//! The faces and edges at each vertex.
 
 use super::disjoint_sets::DisjointSets;
+use super::faces::Faces;
 use std::ops::Range;
 
-/// Whether a triangle has three different vertices. Only such triangles are in stars.
-pub(crate) fn is_proper([a, b, c]: [u32; 3]) -> bool {
-    a != b && b != c && c != a
+/// Which faces are at which vertex, in two flat arrays.
+pub(crate) struct Stars<'a> {
+    faces: &'a Faces<'a>,
+    /// Where the corners of each vertex start in `at`; the length of `at` at the end.
+    starts: Vec<usize>,
+    /// The corners at vertex 0 in the order of their faces, then those at vertex 1, and so on.
+    at: Vec<Corner>,
 }
 
-/// Which triangles are at which vertex, in two flat arrays.
-pub(crate) struct Stars<'a> {
-    triangles: &'a [[u32; 3]],
-    /// Where the triangles of each vertex start in `at`; the length of `at` at the end.
-    starts: Vec<usize>,
-    /// The triangles at vertex 0 in ascending order, then those at vertex 1, and so on.
-    at: Vec<u32>,
+/// A corner of a face.
+#[derive(Clone, Copy, Default, PartialEq)]
+pub(crate) struct Corner {
+    pub(crate) face: u32,
+    /// Its index among the corners of the face.
+    pub(crate) index: u32,
 }
 
 impl<'a> Stars<'a> {
-    /// The stars of all vertices. O(n) time and memory for n vertices and triangles.
-    ///
-    /// Triangles are numbered in u32 and name vertices below `vertex_count`.
-    pub(crate) fn new(vertex_count: usize, triangles: &'a [[u32; 3]]) -> Self {
-        let proper = || (0_u32..).zip(triangles).filter(|&(_, &corners)| is_proper(corners));
+    /// The stars of all vertices. O(n) time and memory for n vertices and corners, which are below
+    /// `vertex_count`.
+    pub(crate) fn new(vertex_count: usize, faces: &'a Faces<'a>) -> Self {
         let mut starts = vec![0; vertex_count + 1];
-        for vertex in proper().flat_map(|(_, corners)| corners) {
-            starts[*vertex as usize + 1] += 1;
+        for (_, corners) in faces.iter() {
+            corners.iter().for_each(|&vertex| starts[vertex as usize + 1] += 1);
         }
         for vertex in 0..vertex_count {
             starts[vertex + 1] += starts[vertex];
         }
-        let mut at = vec![0; starts[vertex_count]];
+        let mut at = vec![Corner::default(); starts[vertex_count]];
         let mut next = starts.clone();
-        for (triangle, corners) in proper() {
-            for &vertex in corners {
-                let place = &mut next[vertex as usize];
-                at[*place] = triangle;
-                *place += 1;
+        for (face, corners) in faces.iter() {
+            for (index, &vertex) in (0..).zip(corners) {
+                let free = &mut next[vertex as usize];
+                at[*free] = Corner { face, index };
+                *free += 1;
             }
         }
-        Self { triangles, starts, at }
+        Self { faces, starts, at }
     }
 
     /// The number of stars: of vertices.
     pub(crate) fn count(&self) -> u32 {
-        // Vertices are numbered in u32.
+        // Vertices have indices of 32 bits.
         (self.starts.len() - 1) as u32
+    }
+
+    /// The faces that form the stars.
+    pub(crate) fn faces(&self) -> &Faces<'a> {
+        self.faces
     }
 
     /// Calls `visit` with some vertices, in ascending order, and their stars. O(d log d) for each
@@ -54,55 +61,52 @@ impl<'a> Stars<'a> {
         let mut star = Star::default();
         for vertex in vertices {
             let [start, end] = [vertex as usize, vertex as usize + 1].map(|i| self.starts[i]);
-            star.set(vertex, self.triangles, &self.at[start..end]);
+            star.set(self.faces, &self.at[start..end]);
             visit(vertex, &star);
         }
     }
 }
 
-/// The triangles and edges at one vertex.
+/// The faces and edges at one vertex.
 #[derive(Default)]
 pub(crate) struct Star {
-    /// Two for each triangle, in the order of ends, then triangles.
-    rays: Vec<Ray>,
-    /// For each edge the end of its rays; they start where those of the edge before end.
+    /// Two for each corner, in the order of ends, then corners.
+    half_edges: Vec<HalfEdge>,
+    /// For each edge the end of its half-edges; they start where those of the edge before end.
     ends: Vec<usize>,
 }
 
-/// An edge from the vertex of a star to another, as one triangle has it.
+/// An edge from the vertex of a star to another, as one face has it.
 #[derive(Clone, Copy)]
-pub(crate) struct Ray {
-    /// The other end.
+pub(crate) struct HalfEdge {
+    /// The other vertex of the edge.
     pub(crate) end: u32,
-    /// The triangle.
-    pub(crate) triangle: u32,
-    /// The third vertex of the triangle.
-    pub(crate) apex: u32,
-    /// Whether the triangle runs from the vertex of the star to `end`.
+    /// The corner of the face at the vertex of the star.
+    pub(crate) corner: Corner,
+    /// The end of the other edge of that corner.
+    pub(crate) other_end: u32,
+    /// Whether the face runs from the vertex of the star to `end`.
     pub(crate) is_outgoing: bool,
 }
 
 impl Star {
-    fn set(&mut self, vertex: u32, triangles: &[[u32; 3]], at: &[u32]) {
-        self.rays.clear();
-        for &triangle in at {
-            let [a, b, c] = triangles[triangle as usize];
-            let [next, last] = if a == vertex {
-                [b, c]
-            } else if b == vertex {
-                [c, a]
-            } else {
-                [a, b]
-            };
-            self.rays.extend([
-                Ray { end: next, triangle, apex: last, is_outgoing: true },
-                Ray { end: last, triangle, apex: next, is_outgoing: false },
+    fn set(&mut self, faces: &Faces<'_>, at: &[Corner]) {
+        self.half_edges.clear();
+        for &corner in at {
+            let corners = faces.corners(corner.face);
+            let index = corner.index as usize;
+            let next = corners.get(index + 1).copied().unwrap_or(corners[0]);
+            let last = corners[if index == 0 { corners.len() } else { index } - 1];
+            self.half_edges.extend([
+                HalfEdge { end: next, corner, other_end: last, is_outgoing: true },
+                HalfEdge { end: last, corner, other_end: next, is_outgoing: false },
             ]);
         }
-        self.rays.sort_unstable_by_key(|ray| (ray.end, ray.triangle));
+        self.half_edges
+            .sort_unstable_by_key(|half| (half.end, half.corner.face, half.corner.index));
         self.ends.clear();
         let mut end = 0;
-        for edge in self.rays.chunk_by(|a, b| a.end == b.end) {
+        for edge in self.half_edges.chunk_by(|a, b| a.end == b.end) {
             end += edge.len();
             self.ends.push(end);
         }
@@ -113,40 +117,39 @@ impl Star {
         self.ends.len()
     }
 
-    /// The edges at the vertex, each as the rays along it, in ascending order of their ends.
-    pub(crate) fn edges(&self) -> impl Iterator<Item = &[Ray]> {
+    /// The edges at the vertex, each as its half-edges, in ascending order of their ends.
+    pub(crate) fn edges(&self) -> impl Iterator<Item = &[HalfEdge]> {
         (0..self.degree()).map(|edge| self.edge(edge))
     }
 
-    fn edge(&self, edge: usize) -> &[Ray] {
+    fn edge(&self, edge: usize) -> &[HalfEdge] {
         let start = if edge == 0 { 0 } else { self.ends[edge - 1] };
-        &self.rays[start..self.ends[edge]]
+        &self.half_edges[start..self.ends[edge]]
     }
 
-    /// The number of the edge to `end`, which is there.
+    /// The index of the edge to `end`, which exists.
     fn edge_to(&self, end: u32) -> usize {
-        self.ends.partition_point(|&last| self.rays[last - 1].end < end)
+        self.ends.partition_point(|&last| self.half_edges[last - 1].end < end)
     }
 
-    /// The number of fans: sets of triangles that hang together by edges at the vertex.
+    /// The number of fans: sets of corners that hang together by edges at the vertex.
     pub(crate) fn fan_count(&self) -> usize {
         let mut fans = DisjointSets::new(self.degree());
-        for ray in self.rays.iter().filter(|ray| ray.is_outgoing) {
-            fans.join(self.edge_to(ray.end) as u32, self.edge_to(ray.apex) as u32);
+        for half in self.half_edges.iter().filter(|half| half.is_outgoing) {
+            fans.join(self.edge_to(half.end) as u32, self.edge_to(half.other_end) as u32);
         }
         fans.count()
     }
 
     /// The end of the boundary edge that is found from a boundary edge by turning about the
-    /// vertex, from triangle to triangle across edges with two; `None` where an edge with more
-    /// is in the way.
-    pub(crate) fn across(&self, boundary_edge: Ray) -> Option<u32> {
-        let mut ray = boundary_edge;
+    /// vertex, from face to face over edges with two; `None` where an edge with more is in the way.
+    pub(crate) fn next_boundary_edge(&self, boundary_edge: HalfEdge) -> Option<u32> {
+        let mut half = boundary_edge;
         loop {
-            match *self.edge(self.edge_to(ray.apex)) {
-                [_] => return Some(ray.apex),
-                // Never back to an edge behind: each of those has its two triangles behind too.
-                [a, b] => ray = if a.triangle == ray.triangle { b } else { a },
+            match *self.edge(self.edge_to(half.other_end)) {
+                [_] => return Some(half.other_end),
+                // Never back to an edge behind: each of those has its two corners behind too.
+                [a, b] => half = if a.corner == half.corner { b } else { a },
                 _ => return None,
             }
         }

@@ -28,6 +28,14 @@ pub struct ConvexOutline {
     pub intervals: Vec<u32>,
 }
 
+impl ConvexOutline {
+    /// The same outline, with vertices in the place of their positions in a loop.
+    pub(super) fn named(self, vertices: &[u32]) -> Self {
+        let corners = self.corners.iter().map(|&corner| vertices[corner as usize]).collect();
+        Self { corners, ..self }
+    }
+}
+
 /// Why there is no [`ConvexOutline`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
@@ -47,40 +55,51 @@ pub enum NoConvexOutline {
     /// Vertices too far from the straight line between corners.
     #[error("the boundary is curved between its corners")]
     Curved,
+    /// The boundary is no wider than the rounding of its coordinates.
+    #[error(
+        "the boundary is too thin to tell: rounding of its coordinates can move a vertex from one \
+         side to the other"
+    )]
+    TooThin,
+    /// The coordinates are too coarse to tell corners from other vertices.
+    #[error(
+        "the boundary is too fine to tell: with coordinates rounded as these are, a vertex that \
+         close to the next may be a corner or not"
+    )]
+    TooFine,
 }
 
-/// What is nearer together than this share of an outline's size is taken for one: the rounding
-/// of 32-bit floats at some distance from the origin. A power of two.
-const ROUNDING: f64 = 1.0 / (1 << 20) as f64;
-
-/// A loop of boundary vertices as a convex polygon.
+/// A loop of boundary points as a convex polygon, with corners by their positions in the loop.
+/// `rounding` is how far each coordinate may be from the one that was meant.
 ///
-/// A vertex is a corner if the sides that meet there, as straight lines, turn by more than
-/// `corner_angle` degrees. A side is straight, and the loop is in a plane, as long as no
-/// vertex is farther away than the middle of an arc would be that leaves its chord by that
-/// angle, or rounding explains. O(n) for n vertices.
+/// The loop that was meant is some convex polygon. A vertex is one of its corners if the sides
+/// that meet there turn by more than `corner_angle` degrees; a side may bend as far as an arc that
+/// leaves its chord by that angle, and the loop may leave a plane as far as the middle of such an
+/// arc. The answer is the only one for whatever loop was meant: if another loop within
+/// `rounding` may have other corners, there is none. O(n log n) for n points.
 pub(super) fn convex_outline(
-    vertices: &[u32],
-    positions: &[DVec3],
+    points: &[DVec3],
+    rounding: f64,
     corner_angle: f64,
 ) -> Result<ConvexOutline, NoConvexOutline> {
-    let points: Vec<DVec3> = vertices.iter().map(|&v| positions[v as usize]).collect();
-    let points = in_plane(&points, corner_angle)?;
-    let corners = corners(&points, corner_angle)?;
+    // The turn that rounding alone makes is never exactly 0.
+    let corner_angle = corner_angle.max(1e-3);
+    let outline = Outline::in_plane(points, rounding, corner_angle)?;
+    let corners = outline.corners(corner_angle)?;
+    outline.check_corners(&corners, corner_angle)?;
     let mut intervals = Vec::with_capacity(corners.len());
-    for (corner, &start) in corners.iter().enumerate() {
-        let end = corners.get(corner + 1).map_or(corners[0] + points.len(), |&end| end);
-        let side = (start..=end).map(|i| points[i % points.len()]);
-        if !is_straight(side, points[start], points[end % points.len()], corner_angle) {
-            return Err(NoConvexOutline::Curved);
-        }
-        // Vertices are numbered in u32.
+    for (start, end) in sides(&corners, points.len()) {
+        outline.check_side(start, end, corner_angle)?;
+        // Vertices have indices of 32 bits.
         intervals.push((end - start) as u32);
     }
-    Ok(ConvexOutline {
-        corners: corners.iter().map(|&corner| vertices[corner]).collect(),
-        intervals,
-    })
+    Ok(ConvexOutline { corners: corners.iter().map(|&corner| corner as u32).collect(), intervals })
+}
+
+/// Where each side starts and ends in a loop of `count` points; the last ends past `count`.
+fn sides(corners: &[usize], count: usize) -> impl Iterator<Item = (usize, usize)> {
+    let ends = corners.iter().copied().skip(1).chain([corners[0] + count]);
+    corners.iter().copied().zip(ends)
 }
 
 /// How far the middle of an arc is from its chord, for a chord of length 1 and an arc that
@@ -89,40 +108,165 @@ fn sagitta(angle: f64) -> f64 {
     libm::tan(angle.to_radians() / 2.0) / 2.0
 }
 
-/// The points in coordinates of the plane they lie in, counter-clockwise and at a size of 1.
-fn in_plane(points: &[DVec3], corner_angle: f64) -> Result<Vec<DVec2>, NoConvexOutline> {
-    let [min, max] = points
-        .iter()
-        .fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[min, max], &p| [min.min(p), max.max(p)]);
-    let size = (max - min).max_element();
-    if !(size > 0.0 && size.is_finite()) {
-        return Err(NoConvexOutline::NotConvex);
-    }
-    let points: Vec<DVec3> = points.iter().map(|&point| (point - min) / size).collect();
-    // Twice the area of the loop, as a vector.
-    let around = points.iter().zip(points.iter().cycle().skip(1));
-    let area: DVec3 = around.map(|(&a, &b)| (a - points[0]).cross(b - points[0])).sum();
-    let normal = area.try_normalize().ok_or(NoConvexOutline::NotConvex)?;
-    let heights = || points.iter().map(|point| point.dot(normal));
-    let mean = heights().sum::<f64>() / points.len() as f64;
-    let limit = sagitta(corner_angle).max(ROUNDING);
-    if heights().any(|height| (height - mean).abs() > limit) {
-        return Err(NoConvexOutline::NotPlanar);
-    }
-    let (x, y) = normal.any_orthonormal_pair();
-    Ok(points.iter().map(|point| DVec2::new(point.dot(x), point.dot(y))).collect())
+/// The angle in degrees by which a line turns at `b` on its way from `a` to `c`, to the left where
+/// positive.
+fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    libm::atan2((b - a).perp_dot(c - b), (b - a).dot(c - b)).to_degrees()
 }
 
-/// The corners of a closed line, by their places in it.
-fn corners(points: &[DVec2], corner_angle: f64) -> Result<Vec<usize>, NoConvexOutline> {
-    let mut line = ClosedLine::new(points);
-    line.drop_rounding();
-    line.drop_straight(corner_angle);
-    let corners: Vec<usize> = line.kept().collect();
-    let turns = || corners.iter().map(|&corner| line.turn(corner));
-    // The turns of a closed line add up to a multiple of 360 degrees.
-    let is_convex = corners.len() >= 3 && turns().all(|t| t > 0.0) && turns().sum::<f64>() < 540.0;
-    if is_convex { Ok(corners) } else { Err(NoConvexOutline::NotConvex) }
+/// How far `b` is from the segment between `a` and `c`.
+fn height(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let chord = c - a;
+    let along = (chord.dot(b - a) / chord.length_squared()).clamp(0.0, 1.0);
+    (b - if along.is_nan() { a } else { a + along * chord }).length()
+}
+
+/// A loop of points in the plane.
+struct Outline {
+    /// Counter-clockwise, at a size of about 1.
+    points: Vec<DVec2>,
+    /// How far each of them may be from where it was meant.
+    error: f64,
+}
+
+impl Outline {
+    /// The points in coordinates of the plane they lie in.
+    fn in_plane(
+        points: &[DVec3],
+        rounding: f64,
+        corner_angle: f64,
+    ) -> Result<Self, NoConvexOutline> {
+        /// More than all roundings of the computation, at a size of 1.
+        const ARITHMETIC: f64 = 8.0 * f64::EPSILON;
+        // A quarter, so that no difference overflows.
+        let points: Vec<DVec3> = points.iter().map(|&point| point / 4.0).collect();
+        let corner = points.iter().copied().reduce(DVec3::min).unwrap_or_default();
+        let size = points.iter().map(|&p| (p - corner).max_element()).fold(0.0, f64::max);
+        let error = 3.0_f64.sqrt() * (rounding / 4.0 / size) + ARITHMETIC;
+        // Also refuses NaN.
+        if !(size > 0.0 && error < 1.0) {
+            return Err(NoConvexOutline::TooThin);
+        }
+        let points: Vec<DVec3> = points.iter().map(|&point| (point - corner) / size).collect();
+        // Twice the area of the loop, as a vector.
+        let next = || points.iter().cycle().skip(1);
+        let area: DVec3 =
+            points.iter().zip(next()).map(|(&a, &b)| (a - points[0]).cross(b - points[0])).sum();
+        let perimeter: f64 = points.iter().zip(next()).map(|(&a, &b)| (b - a).length()).sum();
+        if area.length() <= 2.0 * error * perimeter {
+            // In a convex loop there is no larger triangle, but for rounding.
+            let is_thin = large_triangle(&points) <= 6.0 * error * perimeter;
+            return Err(if is_thin {
+                NoConvexOutline::TooThin
+            } else {
+                NoConvexOutline::NotConvex
+            });
+        }
+        let normal = area.normalize();
+        let heights = || points.iter().map(|point| point.dot(normal));
+        let mean = heights().sum::<f64>() / points.len() as f64;
+        let limit = sagitta(corner_angle) + 2.0 * error;
+        if heights().any(|height| (height - mean).abs() > limit) {
+            return Err(NoConvexOutline::NotPlanar);
+        }
+        let (x, y) = normal.any_orthonormal_pair();
+        let points = points.iter().map(|point| DVec2::new(point.dot(x), point.dot(y))).collect();
+        Ok(Self { points, error })
+    }
+
+    /// What rounding can make of a point on a segment: how far it may be from it.
+    fn tolerance(&self) -> f64 {
+        2.0 * self.error
+    }
+
+    /// By how many degrees the turn at `b` may be wrong.
+    fn turn_error(&self, a: DVec2, b: DVec2, c: DVec2) -> f64 {
+        let leg = |end: DVec2| libm::asin((self.tolerance() / (end - b).length()).min(1.0));
+        (leg(a) + leg(c)).to_degrees()
+    }
+
+    /// The likely corners, by their positions in the loop.
+    fn corners(&self, corner_angle: f64) -> Result<Vec<usize>, NoConvexOutline> {
+        let mut line = ClosedLine::new(&self.points);
+        line.drop_rounding(self.tolerance());
+        if line.kept().count() < 3 {
+            return Err(NoConvexOutline::TooThin);
+        }
+        let is_unsure = line.kept().any(|i| {
+            let [a, b, c] = line.around(i);
+            (turn(a, b, c) - corner_angle).abs() <= self.turn_error(a, b, c)
+        });
+        line.drop_straight(corner_angle);
+        let corners: Vec<usize> = line.kept().collect();
+        if corners.len() < 3 {
+            return Err(if is_unsure {
+                NoConvexOutline::TooFine
+            } else {
+                NoConvexOutline::NotConvex
+            });
+        }
+        for &corner in &corners {
+            let [a, b, c] = line.around(corner);
+            let double_area = (b - a).perp_dot(c - b);
+            let error = self.tolerance() * ((b - a).length() + (c - b).length() + (a - c).length());
+            if double_area < -error {
+                return Err(NoConvexOutline::NotConvex);
+            }
+            if double_area <= error {
+                return Err(NoConvexOutline::TooThin);
+            }
+        }
+        // The turns of a closed line add up to a multiple of 360 degrees.
+        let turns: f64 = corners.iter().map(|&corner| line.turn(corner)).sum();
+        if turns < 540.0 { Ok(corners) } else { Err(NoConvexOutline::NotConvex) }
+    }
+
+    /// Refuses corners that may be none.
+    fn check_corners(&self, corners: &[usize], corner_angle: f64) -> Result<(), NoConvexOutline> {
+        let count = self.points.len();
+        let at = |i: usize| self.points[i % count];
+        for (i, &corner) in corners.iter().enumerate() {
+            // A vertex within a side is within the tolerance of the segment between the vertices
+            // next to it, however close they are.
+            let is_corner =
+                height(at(corner + count - 1), at(corner), at(corner + 1)) > self.tolerance();
+            let [a, b, c] =
+                [i + corners.len() - 1, i, i + 1].map(|i| at(corners[i % corners.len()]));
+            if !is_corner || turn(a, b, c) - self.turn_error(a, b, c) <= corner_angle {
+                return Err(NoConvexOutline::TooFine);
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a side between two corners that is not straight, or that may have another corner.
+    ///
+    /// In a convex loop, a vertex between two corners turns by no more than the line that goes from the one to it
+    /// and on to the other.
+    fn check_side(&self, start: usize, end: usize, angle: f64) -> Result<(), NoConvexOutline> {
+        let at = |i: usize| self.points[i % self.points.len()];
+        let [a, c] = [at(start), at(end)];
+        let mut result = Ok(());
+        for b in (start + 1..end).map(at) {
+            let (turn, error) = (turn(a, b, c).abs(), self.turn_error(a, b, c));
+            if turn - error > angle {
+                return Err(NoConvexOutline::Curved);
+            }
+            if turn + error > angle {
+                result = Err(NoConvexOutline::TooFine);
+            }
+        }
+        result
+    }
+}
+
+/// Twice the area of the largest triangle of three points of which one is the first and one is the
+/// farthest from it.
+fn large_triangle(points: &[DVec3]) -> f64 {
+    let from_first = |point: &DVec3| *point - points[0];
+    let length = |a: &DVec3, b: &DVec3| a.length_squared().total_cmp(&b.length_squared());
+    let farthest = points.iter().map(from_first).max_by(length).unwrap_or_default();
+    points.iter().map(|point| from_first(point).cross(farthest).length()).fold(0.0, f64::max)
 }
 
 /// A closed line through some of a list of points.
@@ -154,31 +298,32 @@ impl<'a> ClosedLine<'a> {
         self.before[after] = before;
     }
 
+    /// The points before, at and after a position.
+    fn around(&self, i: usize) -> [DVec2; 3] {
+        [self.before[i], i, self.after[i]].map(|i| self.points[i])
+    }
+
     /// The angle in degrees by which the line turns at a point, to the left where positive.
     fn turn(&self, i: usize) -> f64 {
-        let [start, point, end] = [self.before[i], i, self.after[i]].map(|i| self.points[i]);
-        let [a, b] = [point - start, end - point];
-        libm::atan2(a.perp_dot(b), a.dot(b)).to_degrees()
+        let [a, b, c] = self.around(i);
+        turn(a, b, c)
     }
 
     /// How far a point is from the line without it.
     fn height(&self, i: usize) -> f64 {
-        let [start, point, end] = [self.before[i], i, self.after[i]].map(|i| self.points[i]);
-        let chord = end - start;
-        // Between points that are one, the line goes there and back.
-        let along = (chord.dot(point - start) / chord.length_squared()).clamp(0.0, 1.0);
-        (point - if along.is_nan() { start } else { start + along * chord }).length()
+        let [a, b, c] = self.around(i);
+        height(a, b, c)
     }
 
-    /// Drops points as long as one is nearer to the line without it than rounding explains,
-    /// those that are much nearer than others first: so next to a corner, however short the
-    /// intervals are, the corner stays.
-    fn drop_rounding(&mut self) {
+    /// Drops points as long as one is nearer to the line without it than `tolerance`, those that
+    /// are much nearer than others first: so next to a corner, however short the intervals are,
+    /// the corner stays.
+    fn drop_rounding(&mut self, tolerance: f64) {
         // Heights of the same power of two are on one level. What is smaller by far than f64
         // tells apart is on the lowest.
         const LEVELS: usize = 64;
         let exponent = |height: f64| (height.to_bits() >> 52) as usize;
-        let level = |height: f64| (exponent(height) + LEVELS).saturating_sub(exponent(ROUNDING));
+        let level = |height: f64| (exponent(height) + LEVELS).saturating_sub(exponent(tolerance));
         // The points of each level; a point is there again whenever its height has changed.
         let mut waiting = vec![Vec::new(); LEVELS];
         let mut lowest = 0;
@@ -217,16 +362,4 @@ impl<'a> ClosedLine<'a> {
             }
         }
     }
-}
-
-/// Whether all points are close to the line from `start` to `end`.
-fn is_straight(
-    mut points: impl Iterator<Item = DVec2>,
-    start: DVec2,
-    end: DVec2,
-    corner_angle: f64,
-) -> bool {
-    let side = end - start;
-    let limit = (sagitta(corner_angle) * side.length()).max(ROUNDING);
-    points.all(|point| side.perp_dot(point - start).abs() <= limit * side.length())
 }

@@ -1,19 +1,21 @@
-//! What is to be said of any triangle mesh: how it hangs together, what is wrong with it, how
-//! many edges meet at its vertices, and how well its triangles are shaped.
+//! What is in a triangle mesh: how its faces hang together, what is wrong with it, how many edges
+//! meet at its vertices, and how well its triangles are shaped.
 //!
-//! Meshes are taken as they come, from any program: with interior vertices, in several parts,
-//! closed, or broken. An [`Inspection`] counts and names; it repairs nothing.
+//! Meshes may come from any program: with interior vertices, in several parts, closed, or broken.
+//! An [`Inspection`] counts and names; it repairs nothing.
 //!
-//! # What counts as what
+//! # Definitions
 //!
 //! - *Welding.* Files repeat a vertex where its normal or texture coordinates change, glTF with
-//!   flat shading at every triangle. The mesh that is meant is the one in space, so vertices
-//!   whose coordinates are all equal count as one, under the number of the first. Nothing is
-//!   moved: vertices that are merely close stay apart. [`InspectionOptions::weld`] switches
-//!   this off.
-//! - *Faces.* A triangle that has three different vertices (after welding). Edges, degrees,
-//!   loops and components are those of the faces. The measures of quality are of all
-//!   triangles.
+//!   flat shading at every triangle. The mesh that is meant is the one in space, so vertices with
+//!   equal coordinates count as one, under the index of the first. With a tolerance in
+//!   [`InspectionOptions::weld`], vertices no farther apart than it count as one too; then all
+//!   vertices of a chain of near vertices become one, however long it is. No position changes.
+//! - *Faces.* The polygons of the mesh, or its triangles if it has no others. Corners that repeat
+//!   the one before (after welding) count once, and a face that runs along an edge and straight back ends
+//!   there; what has fewer than three corners left is no face. Edges, degrees, loops, components
+//!   and duplicates are those of the faces. The measures of quality are those of all triangles,
+//!   at their corners as they are before welding.
 //! - *Degree.* The number of edges at a vertex, those on the boundary included.
 //! - *Boundary.* Edges with one face; vertices on such edges are boundary vertices, all others
 //!   interior. An edge with three faces or more is not manifold; neither is a vertex at which
@@ -21,35 +23,33 @@
 //! - *Components.* Sets of faces joined by edges. Parts that touch in a vertex count apart.
 //! - *Euler characteristic.* Vertices in faces, less edges, plus faces: 2 for a sphere, 0 for a
 //!   torus, 1 for a disk, where the mesh is manifold.
-//! - *Duplicate.* A triangle with the same vertices as an earlier one, however it runs.
-//! - *Zero area.* A triangle whose corners are on a line, as exactly as f64 has them: to move
-//!   each corner by a few units in the last place of its largest coordinate can make it flat.
+//! - *Duplicate.* A face with the corners of an earlier one, in the same order or the reverse.
+//! - *Zero area.* A triangle whose corners are on one line or in one place, exactly: rounding is
+//!   neither forgiven nor suspected. A triangle that was flat before its corners were rounded has
+//!   a tiny area or none, as it happens; its minimum angle shows it.
 //! - *Inconsistent winding.* An edge along which its two faces run in the same direction, so
 //!   that one is seen from the front and the other from the back.
 //!
-//! Limits: positions of glTF are 32-bit floats, so a triangle that was flat before it was
-//! written may have a tiny area in the file; it shows in the least angles. Self-intersections
-//! are not looked for. Of an outline, corners nearer together than a millionth of its size are
-//! not told apart.
+//! Limits: self-intersections are not looked for. A face that touches itself is a face like others.
 
 mod convex_outline;
 mod shapes;
 mod topology;
-mod weld;
+mod welding;
 
 pub use convex_outline::{ConvexOutline, NoConvexOutline};
+pub use topology::VertexDegree;
 
-use crate::connectivity::stars::{Stars, is_proper};
-use crate::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
+use crate::connectivity::faces::Faces;
+use crate::quality::{DegreeHistogram, QualitySummary, WorstTriangles};
 use crate::tri_mesh::TriMesh;
 use shapes::Shapes;
-use std::borrow::Cow;
 use topology::Topology;
 
 /// How many triangles [`Inspection::worst_triangles`] holds at most.
 pub const WORST: usize = 5;
 
-/// What an [`Inspection`] is to go by.
+/// The choices of an [`Inspection`].
 ///
 /// # Example
 ///
@@ -57,31 +57,33 @@ pub const WORST: usize = 5;
 /// use mindeg_mesh::inspection::InspectionOptions;
 ///
 /// let options = InspectionOptions { pole_degree: 6, ..InspectionOptions::default() };
-/// assert!(options.weld);
+/// assert_eq!(options.weld, Some(0.0));
 /// assert_eq!(options.corner_angle, 1.0);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InspectionOptions {
-    /// Whether vertices at the same position count as one. On by default.
-    pub weld: bool,
+    /// How far apart two vertices may be to count as one, in units of length; 0, the default, for
+    /// equal coordinates only, `None` if no two vertices count as one.
+    pub weld: Option<f64>,
     /// Vertices of a greater degree are poles; 8 by default.
     pub pole_degree: u32,
     /// By how many degrees an outline must turn at a vertex for it to be a corner, 0 to 90; 1
-    /// by default. A side may bend as far as an arc that leaves its chord by that angle.
+    /// by default. A side may bend as far as an arc that leaves its chord by that angle. Less than
+    /// 0.001 degrees counts as that.
     pub corner_angle: f64,
 }
 
 impl Default for InspectionOptions {
     fn default() -> Self {
-        Self { weld: true, pole_degree: 8, corner_angle: 1.0 }
+        Self { weld: Some(0.0), pole_degree: 8, corner_angle: 1.0 }
     }
 }
 
-/// What there is to say of a mesh; the [module](self) defines the terms.
+/// The findings on a mesh; the [module](self) defines the terms.
 ///
-/// Vertices and triangles go by their numbers in the mesh, from 0; a welded vertex by that of
-/// the first at its position. All lists are in ascending order but for the worst triangles and
-/// the poles.
+/// Vertices, faces and triangles have their indices in the mesh; a welded vertex has the index of
+/// the vertex it counts as. All lists are in ascending order but for the worst triangles and the
+/// poles.
 ///
 /// # Example
 ///
@@ -105,11 +107,11 @@ impl Default for InspectionOptions {
 pub struct Inspection {
     /// The number of vertices in the mesh, used or not.
     pub vertex_count: usize,
-    /// How many of them are at the position of an earlier one and were welded to it.
+    /// How many of them count as one with an earlier one.
     pub welded_count: usize,
     /// The number of triangles in the mesh.
     pub triangle_count: usize,
-    /// How many of them have three different vertices.
+    /// The number of faces.
     pub face_count: usize,
     /// The number of edges.
     pub edge_count: usize,
@@ -129,9 +131,10 @@ pub struct Inspection {
     pub non_manifold_vertices: Vec<u32>,
     /// Edges of two faces with inconsistent winding, by their vertices.
     pub inconsistent_edges: Vec<[u32; 2]>,
-    /// Triangles that repeat an earlier one.
-    pub duplicate_triangles: Vec<u32>,
-    /// Triangles without area, among them all that are no faces.
+    /// Faces that repeat an earlier one: indices of polygons, or of triangles if the mesh has no
+    /// others.
+    pub duplicate_faces: Vec<u32>,
+    /// Triangles without area.
     pub zero_area_triangles: Vec<u32>,
     /// Vertices in no face, without those that are welded to another.
     pub unreferenced_vertices: Vec<u32>,
@@ -145,63 +148,34 @@ pub struct Inspection {
     pub poles: Vec<VertexDegree>,
     /// The measures of all triangles.
     pub quality: QualitySummary,
-    /// The triangles with the least angles, worst first; at most [`WORST`].
-    pub worst_triangles: Vec<WorstTriangle>,
+    /// The triangles with the least minimum angles, at most [`WORST`].
+    pub worst_triangles: WorstTriangles,
     /// The outline as a convex polygon, or why it is none.
     pub outline: Result<ConvexOutline, NoConvexOutline>,
 }
 
-/// A vertex and its degree.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct VertexDegree {
-    /// The vertex.
-    pub vertex: u32,
-    /// The number of edges at it.
-    pub degree: u32,
-    /// Whether one of them is a boundary edge.
-    pub on_boundary: bool,
-}
-
-/// A triangle and its measures.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WorstTriangle {
-    /// The number of the triangle.
-    pub triangle: u32,
-    /// Its measures.
-    pub quality: TriangleQuality,
-}
-
 impl Inspection {
-    /// Inspects a mesh. O(n log n) time and O(n) memory for n vertices and triangles.
+    /// Inspects a mesh. O(n log n) time and O(n) memory for n vertices and triangles,
+    /// but for welding with a tolerance that rounding reaches.
     #[must_use]
     pub fn of(mesh: &TriMesh, options: &InspectionOptions) -> Self {
         let positions = mesh.positions();
         let vertex_count = positions.len();
-        let triangle_count = mesh.triangles().len();
-        let first: Vec<u32> = if options.weld {
-            weld::first_at_position(positions)
-        } else {
-            (0..).take(vertex_count).collect()
-        };
-        let is_welded = |vertex: u32| first[vertex as usize] != vertex;
+        let merged = options.weld.map(|tolerance| welding::weld(positions, tolerance));
+        let is_welded =
+            |vertex: u32| merged.as_ref().is_some_and(|merged| merged[vertex as usize] != vertex);
         let welded_count = (0..).take(vertex_count).filter(|&vertex| is_welded(vertex)).count();
-        let triangles = if welded_count == 0 {
-            Cow::Borrowed(mesh.triangles())
-        } else {
-            let weld = |corners: &[u32; 3]| corners.map(|vertex| first[vertex as usize]);
-            Cow::Owned(mesh.triangles().iter().map(weld).collect())
-        };
-        let face_count = triangles.iter().filter(|&&corners| is_proper(corners)).count();
-        let mut topology = Topology::new(
-            &Stars::new(vertex_count, &triangles),
-            triangle_count,
-            triangle_count - face_count,
-            options.pole_degree,
+        let faces = Faces::new(
+            mesh.triangles(),
+            mesh.polygons(),
+            merged.as_deref().filter(|_| welded_count > 0),
         );
+        let mut topology = Topology::new(vertex_count, &faces, options.pole_degree);
         topology.isolated.retain(|&vertex| !is_welded(vertex));
         topology.poles.sort_by_key(|pole| (std::cmp::Reverse(pole.degree), pole.vertex));
+        let face_count = topology.face_count;
         let used_count = vertex_count - welded_count - topology.isolated.len();
-        let Shapes { quality, worst_triangles, zero_area_triangles } = Shapes::of(mesh);
+        let Shapes { quality, worst_triangles, zero_area_triangles } = Shapes::of(mesh, WORST);
 
         let loops = topology.boundary.loops();
         let boundary_loop_count = loops.iter().filter(|boundary| boundary.closed).count();
@@ -214,8 +188,13 @@ impl Inspection {
                 if is_manifold && topology.component_count == 1 && euler_characteristic == 1 =>
             {
                 if outline.vertices.len() == used_count {
-                    let corner_angle = options.corner_angle;
-                    convex_outline::convex_outline(&outline.vertices, positions, corner_angle)
+                    let points: Vec<_> =
+                        outline.vertices.iter().map(|&v| positions[v as usize]).collect();
+                    // A welded vertex is as far off as those it counts as.
+                    let weld = options.weld.filter(|_| welded_count > 0).unwrap_or(0.0);
+                    let rounding = mesh.rounding().max(weld);
+                    convex_outline::convex_outline(&points, rounding, options.corner_angle)
+                        .map(|found| found.named(&outline.vertices))
                 } else {
                     Err(NoConvexOutline::InteriorVertices)
                 }
@@ -225,7 +204,7 @@ impl Inspection {
         Self {
             vertex_count,
             welded_count,
-            triangle_count,
+            triangle_count: mesh.triangles().len(),
             face_count,
             edge_count: topology.edge_count,
             boundary_edge_count: topology.boundary.edge_count(),
@@ -236,7 +215,7 @@ impl Inspection {
             non_manifold_edges: topology.non_manifold_edges,
             non_manifold_vertices: topology.non_manifold_vertices,
             inconsistent_edges: topology.inconsistent_edges,
-            duplicate_triangles: topology.duplicates,
+            duplicate_faces: topology.duplicates,
             zero_area_triangles,
             unreferenced_vertices: topology.isolated,
             boundary_degrees: topology.boundary_degrees,

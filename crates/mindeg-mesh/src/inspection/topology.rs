@@ -1,18 +1,30 @@
 //! What the stars of all vertices tell about a mesh.
 
-use super::VertexDegree;
 use crate::connectivity::boundary::BoundaryEdges;
 use crate::connectivity::disjoint_sets::DisjointSets;
-use crate::connectivity::stars::{Ray, Star, Stars};
+use crate::connectivity::faces::Faces;
+use crate::connectivity::stars::{HalfEdge, Star, Stars};
 use crate::parallel::blocks;
 use crate::summary::DegreeHistogram;
 use std::ops::Range;
 
-/// The findings, with vertices and triangles in ascending order.
+/// A vertex and its degree.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct VertexDegree {
+    /// The vertex.
+    pub vertex: u32,
+    /// The number of edges at it.
+    pub degree: u32,
+    /// Whether one of them is a boundary edge.
+    pub on_boundary: bool,
+}
+
+/// The findings, with vertices and faces in ascending order.
 #[derive(Default)]
 pub(super) struct Topology {
     /// Vertices without an edge.
     pub(super) isolated: Vec<u32>,
+    pub(super) face_count: usize,
     pub(super) edge_count: usize,
     pub(super) component_count: usize,
     pub(super) boundary: BoundaryEdges,
@@ -26,35 +38,32 @@ pub(super) struct Topology {
     pub(super) highest: Option<VertexDegree>,
     /// The vertices of a higher degree than asked for.
     pub(super) poles: Vec<VertexDegree>,
-    /// Triangles that share an edge.
+    /// Faces that share an edge.
     neighbors: Vec<[u32; 2]>,
 }
 
 impl Topology {
-    /// Looks at every star, with all threads. Of `triangle_count` triangles, `improper` are in
-    /// none.
-    pub(super) fn new(
-        stars: &Stars<'_>,
-        triangle_count: usize,
-        improper: usize,
-        pole_degree: u32,
-    ) -> Self {
-        let in_blocks = blocks(stars.count(), |range| Self::of_some(stars, range, pole_degree));
+    /// Visits every star, with all threads.
+    pub(super) fn new(vertex_count: usize, faces: &Faces<'_>, pole_degree: u32) -> Self {
+        let stars = Stars::new(vertex_count, faces);
+        let in_blocks = blocks(stars.count(), |range| Self::of_some(&stars, range, pole_degree));
         let mut topology = Self::default();
-        let mut components = DisjointSets::new(triangle_count);
+        let mut components = DisjointSets::new(faces.count());
         for of_block in in_blocks {
             for &[a, b] in &of_block.neighbors {
                 components.join(a, b);
             }
             topology.append(of_block);
         }
-        // A triangle in no star is a set of its own.
-        topology.component_count = components.count() - improper;
+        topology.face_count = faces.iter().filter(|(_, corners)| !corners.is_empty()).count();
+        // What encloses nothing is a set of its own.
+        topology.component_count = components.count() - (faces.count() - topology.face_count);
         topology.duplicates.sort_unstable();
+        topology.duplicates.dedup();
         topology
     }
 
-    /// What the stars of some vertices tell, but for components.
+    /// What the stars of some vertices tell, but for faces and components.
     fn of_some(stars: &Stars<'_>, vertices: Range<u32>, pole_degree: u32) -> Self {
         let mut topology = Self::default();
         let [mut boundary_degrees, mut interior_degrees] = [Vec::new(), Vec::new()];
@@ -78,7 +87,7 @@ impl Topology {
             if star.fan_count() > 1 {
                 topology.non_manifold_vertices.push(vertex);
             }
-            topology.add_edges(vertex, star);
+            topology.add_edges(vertex, star, stars.faces());
         });
         topology.boundary_degrees = boundary_degrees.into_iter().collect();
         topology.interior_degrees = interior_degrees.into_iter().collect();
@@ -105,10 +114,10 @@ impl Topology {
     }
 
     /// Adds the edges to greater vertices, so that each is added once.
-    fn add_edges(&mut self, vertex: u32, star: &Star) {
+    fn add_edges(&mut self, vertex: u32, star: &Star, faces: &Faces<'_>) {
         for edge in star.edges().filter(|edge| edge[0].end > vertex) {
             self.edge_count += 1;
-            let pairs = edge.windows(2).map(|pair| [pair[0].triangle, pair[1].triangle]);
+            let pairs = edge.windows(2).map(|pair| [pair[0].corner.face, pair[1].corner.face]);
             self.neighbors.extend(pairs);
             match edge {
                 [a, b] if a.is_outgoing == b.is_outgoing => {
@@ -117,23 +126,36 @@ impl Topology {
                 [_, _, _, ..] => self.non_manifold_edges.push([vertex, edge[0].end]),
                 _ => {}
             }
-            self.add_duplicates(edge);
+            self.add_duplicates(vertex, edge, faces);
         }
     }
 
-    /// Adds the triangles at an edge that are there before. They share all their edges; the one
-    /// between their two least vertices finds them.
-    fn add_duplicates(&mut self, edge: &[Ray]) {
+    /// Adds the faces at an edge that repeat an earlier one. They share all their edges; at their
+    /// least vertex, the edge to the lesser neighbor finds them.
+    fn add_duplicates(&mut self, vertex: u32, edge: &[HalfEdge], faces: &Faces<'_>) {
         match edge {
-            [_] => {}
-            [a, b] if a.apex != b.apex => {}
-            _ => {
-                let mut apexes: Vec<(u32, u32)> =
-                    edge.iter().filter(|r| r.apex > r.end).map(|r| (r.apex, r.triangle)).collect();
-                apexes.sort_unstable();
-                let again = apexes.windows(2).filter(|pair| pair[0].0 == pair[1].0);
-                self.duplicates.extend(again.map(|pair| pair[1].1));
-            }
+            [_] => return,
+            [a, b] if a.other_end != b.other_end => return,
+            _ => {}
         }
+        let mut found: Vec<(Vec<u32>, u32)> = edge
+            .iter()
+            .filter(|half| half.other_end > half.end)
+            .map(|half| (corners_along(half, faces), half.corner.face))
+            .filter(|(corners, _)| corners.iter().all(|&corner| corner >= vertex))
+            .collect();
+        found.sort_unstable();
+        let again = found.chunk_by(|a, b| a.0 == b.0).flat_map(|same| &same[1..]);
+        self.duplicates.extend(again.map(|(_, face)| face));
     }
+}
+
+/// The corners of the face of a half-edge, from its start on and along it.
+fn corners_along(half: &HalfEdge, faces: &Faces<'_>) -> Vec<u32> {
+    let (before, after) = faces.corners(half.corner.face).split_at(half.corner.index as usize);
+    let mut corners = [after, before].concat();
+    if !half.is_outgoing {
+        corners[1..].reverse();
+    }
+    corners
 }

@@ -1,0 +1,29 @@
+//! `mindeg convert`.
+
+use super::surface::SurfaceArguments;
+use super::with_exit_codes;
+use clap::Args;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  mindeg convert part.obj -o part.glb
+  mindeg convert part.gltf -o - --format obj > part.obj";
+
+/// Write a mesh of any program in other formats
+///
+/// Positions, triangles, names and groups stay; normals are made anew.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+pub(crate) struct ConvertArguments {
+    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder)
+    #[arg(value_name = "MESH")]
+    pub(crate) file: PathBuf,
+
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArguments,
+
+    /// Print no summary and show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}

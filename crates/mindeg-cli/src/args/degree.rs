@@ -1,0 +1,105 @@
+//! Commands that need interval counts alone.
+
+use super::values::{IntervalCounts, whole_number};
+use super::with_exit_codes;
+use clap::Args;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+const DEGREE: &str = "\
+Examples:
+  mindeg degree 12,9,4,4
+  mindeg degree assets/domains/wing-panel.json --json";
+
+/// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
+///
+/// The degree of a vertex is the number of edges at it, boundary edges included (its valence).
+#[derive(Debug, Args)]
+#[command(after_help = DEGREE, after_long_help = with_exit_codes(DEGREE))]
+pub(crate) struct DegreeArguments {
+    /// The intervals of each side, counter-clockwise, such as 3,3,2,2; or a domain in JSON that
+    /// has them; - reads a domain from standard input
+    #[arg(value_name = "INTERVALS|DOMAIN.json")]
+    pub(crate) counts: Counts,
+
+    /// Print JSON: intervals, vertices, triangles, interior_edges, least_max_degree, certificate
+    /// (sides counted from 1)
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+const SUGGEST: &str = "\
+Examples:
+  mindeg suggest 30,2,4,2
+  mindeg suggest 30,2,4,2 --target 5 --json
+  mindeg suggest assets/domains/dominated-side.json --limit 5";
+
+/// Suggest the least change of interval counts that brings the least maximum degree down
+///
+/// Least means the fewest intervals added or taken away in all. Of changes of the same size, one
+/// that adds is preferred.
+#[derive(Debug, Args)]
+#[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
+pub(crate) struct SuggestArguments {
+    /// The intervals of each side, counter-clockwise, such as 30,2,4,2; or a domain in JSON that
+    /// has them; - reads a domain from standard input
+    #[arg(value_name = "INTERVALS|DOMAIN.json")]
+    pub(crate) counts: Counts,
+
+    /// The degree to come down to; without it, every lower degree that a least change leads to
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    pub(crate) target: Option<u32>,
+
+    /// Print at most this many suggestions: the first, the last, and others spread evenly between;
+    /// 0 prints all
+    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true)]
+    pub(crate) limit: u32,
+
+    /// Print JSON: intervals, least_max_degree, suggestion_count, and suggestions, a list of
+    /// least_max_degree, cost, changes (side counted from 1, by) and intervals
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// Interval counts, or the file that has them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Counts {
+    /// As typed.
+    Given(Vec<u64>),
+    /// In a domain's file, or standard input for `-`.
+    Domain(PathBuf),
+}
+
+impl FromStr for Counts {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let counts = text.parse::<IntervalCounts>();
+        let path = Path::new(text);
+        let is_file = || {
+            let is_json = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("json"));
+            is_json || text == "-" || text.contains(std::path::is_separator) || path.is_file()
+        };
+        match counts {
+            Ok(counts) => Ok(Self::Given(counts.0)),
+            Err(_) if is_file() => Ok(Self::Domain(path.to_path_buf())),
+            Err(error) => Err(error),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_are_told_from_files() {
+        assert_eq!("3,3,2".parse(), Ok(Counts::Given(vec![3, 3, 2])));
+        for file in ["-", "no/such", "none.json", "none.JSON"] {
+            assert_eq!(file.parse(), Ok(Counts::Domain(file.into())));
+        }
+        for wrong in ["3,three,3", "", "none", "1,2,2.5"] {
+            assert!(wrong.parse::<Counts>().unwrap_err().starts_with("side "), "{wrong}");
+        }
+    }
+}

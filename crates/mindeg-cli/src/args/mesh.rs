@@ -1,0 +1,74 @@
+//! `mindeg mesh`.
+
+use super::domain::DomainArguments;
+use super::surface::SurfaceArguments;
+use super::values::{share, whole_number};
+use super::with_exit_codes;
+use crate::gates::Gates;
+use clap::{Args, ValueEnum};
+
+const EXAMPLES: &str = "\
+Examples:
+  mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj
+  mindeg mesh assets/domains/wing-panel.json --keep-angle 95% -o wing.glb -o wing.svg
+  mindeg mesh assets/domains/wing-panel.json --max-degree 5 -o wing.obj
+  mindeg mesh --corners \"0,0 4,0 3,2\" --intervals 8,5,7 --spacing bump:0.5 -o wedge.gltf
+  mindeg mesh - -o - --format obj < domain.json | zstd > mesh.obj.zst";
+
+/// Mesh a domain from its boundary points alone and write it to files
+///
+/// Vertices are numbered counter-clockwise from the first corner. Every vertex is a boundary
+/// point. By default the mesh has the least possible maximum degree and, where that is found in about
+/// half a second, the largest minimum angle of all such meshes; elsewhere it is the best of at most 64
+/// candidates, and the summary says so. --keep-angle is what most users want.
+///
+/// If a gate fails, nothing is written. Each file appears whole or not at all, and what cannot be
+/// written is refused before the mesh is looked for. A .gltf and its .bin are two files: if two
+/// runs write the same .gltf at the same time, one's .gltf can end beside the other's .bin. Write
+/// a .glb instead, or let one run end first.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+pub(crate) struct MeshArguments {
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArguments,
+
+    /// Make the mesh with the smallest maximum degree that keeps this share of the minimum angle of
+    /// a Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices; beyond, the share is
+    /// kept, and the degree is what was reached
+    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true,
+        conflicts_with_all = ["max_degree", "optimize"])]
+    pub(crate) keep_angle: Option<f64>,
+
+    /// Make the mesh with the largest minimum angle of all whose vertices have at most this many
+    /// edges. Exact up to 4096 vertices: below a second for 400, half a minute for 4000; beyond, as
+    /// large as was reached
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    pub(crate) max_degree: Option<u32>,
+
+    /// Make the mesh with the largest minimum angle of all within --max-degree, or of all with
+    /// the least possible maximum degree, also where that is not the default for its cost
+    #[arg(long, value_name = "WHAT")]
+    pub(crate) optimize: Option<Optimize>,
+
+    /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,
+    /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Print no summary and show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) gates: Gates,
+}
+
+/// What a mesh is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Optimize {
+    /// The minimum angle of all triangles
+    Angle,
+}

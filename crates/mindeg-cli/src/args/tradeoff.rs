@@ -1,0 +1,45 @@
+//! `mindeg tradeoff`.
+
+use super::domain::DomainArguments;
+use super::values::whole_number;
+use super::with_exit_codes;
+use clap::Args;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  mindeg tradeoff assets/domains/wing-panel.json
+  mindeg tradeoff --rectangle 4x3 --intervals 12,9,4,4 -o curve.html -o curve.svg
+  mindeg tradeoff assets/domains/dominated-side.json --limit 10";
+
+/// Tell how large the minimum angle can be for each maximum degree, exactly
+///
+/// From the least possible degree up to the first one with the largest minimum angle of all,
+/// which is that of a Delaunay triangulation. The knee is the degree whose angle is farthest above
+/// the straight line from the first to the last: beyond it, an edge more buys less. Degrees and
+/// degree limits are total: edges outside count. Up to 4096 boundary vertices.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+pub(crate) struct TradeoffArguments {
+    #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    /// Where to write a report with the curve and the meshes, by extension .html or .svg, or the
+    /// figures, .json; may be given several times
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Vec<PathBuf>,
+
+    /// Print at most this many rows: the first, the knee, the last, and others spread evenly
+    /// between; 0 prints all
+    #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true)]
+    pub(crate) limit: u32,
+
+    /// Print JSON instead of a table: points, a list of max_degree, min_angle and exact, all of
+    /// them; and delaunay_min_angle
+    #[arg(long)]
+    pub(crate) json: bool,
+
+    /// Show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}

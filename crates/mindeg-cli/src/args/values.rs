@@ -1,0 +1,153 @@
+//! Values of options: how they are read, and what to say to one that cannot be.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use mindeg_formats::Format;
+use std::str::FromStr;
+
+/// Width and height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct RectangleSize {
+    pub(crate) width: f64,
+    pub(crate) height: f64,
+}
+
+impl FromStr for RectangleSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sizes = text.split_once(['x', 'X', '×']).and_then(|(width, height)| {
+            Some(Self { width: width.trim().parse().ok()?, height: height.trim().parse().ok()? })
+        });
+        sizes.ok_or_else(|| "give a width and a height with an x between, such as 4x3".to_owned())
+    }
+}
+
+/// A list of points.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Corners(pub(crate) Vec<[f64; 2]>);
+
+impl FromStr for Corners {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let corner = |(number, corner): (usize, &str)| {
+            point(corner).ok_or_else(|| {
+                let problem = if text.contains(['(', ')', '[', ']']) {
+                    "leave out the brackets"
+                } else if corner.split(',').count() > 2 {
+                    "a corner has two coordinates"
+                } else if text.contains(';') {
+                    "use commas and spaces, no semicolons"
+                } else {
+                    "put a comma between x and y, and spaces between corners"
+                };
+                format!("corner {}: {problem}, such as \"0,0 4,0 3,2\"", number + 1)
+            })
+        };
+        text.split_whitespace().enumerate().map(corner).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+/// A point such as `4,0`.
+pub(crate) fn point(text: &str) -> Option<[f64; 2]> {
+    let (x, y) = text.split_once(',')?;
+    Some([x.trim().parse().ok()?, y.trim().parse().ok()?])
+}
+
+/// A list of interval counts, one for each side.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct IntervalCounts(pub(crate) Vec<u64>);
+
+impl FromStr for IntervalCounts {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let count = |(side, count): (usize, &str)| {
+            let count = count.trim();
+            count.parse().map_err(|_| {
+                let is_number = !count.is_empty() && count.bytes().all(|c| c.is_ascii_digit());
+                let problem = if is_number {
+                    // More than the 64 bits that the others are checked in.
+                    "the maximum is 4294967294 intervals"
+                } else {
+                    "give a whole number of intervals for each side, such as 3,3,2,2"
+                };
+                format!("side {}: {problem}", side + 1)
+            })
+        };
+        text.split(',').enumerate().map(count).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+/// A number of edges, rows or the like.
+pub(crate) fn whole_number(text: &str) -> Result<u32, String> {
+    let number = text.trim().parse();
+    number.map_err(|_| "give a whole number of 0 or more, such as 5".to_owned())
+}
+
+/// A length above 0.
+pub(crate) fn length(text: &str) -> Result<f64, String> {
+    let length = text.trim().parse().ok().filter(|&length: &f64| length > 0.0);
+    length
+        .filter(|length| length.is_finite())
+        .ok_or_else(|| "give a length above 0, such as 0.5".to_owned())
+}
+
+/// One of some formats, by name.
+pub(super) fn format_parser<const N: usize>(
+    formats: [Format; N],
+) -> impl TypedValueParser<Value = Format> {
+    let values =
+        formats.map(|format| PossibleValue::new(format.extension()).help(format.description()));
+    PossibleValuesParser::new(values).map(move |name| {
+        let is_named = |format: &Format| format.extension() == name;
+        formats.into_iter().find(is_named).expect("one of the possible values")
+    })
+}
+
+/// A share from 0 to 1, also as a percentage.
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    let (number, unit) = match text.strip_suffix('%') {
+        Some(number) => (number, 100.0),
+        None => (text, 1.0),
+    };
+    let share = number.trim().parse::<f64>().ok().map(|number| number / unit);
+    let share = share.filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn interval_counts_are_read_side_by_side() {
+        assert_eq!("3, 3,2,2".parse(), Ok(IntervalCounts(vec![3, 3, 2, 2])));
+        for (text, side) in
+            [("", "side 1"), ("3,,2", "side 2"), ("3,-1,2", "side 2"), ("1,2,2.5", "side 3")]
+        {
+            let error = text.parse::<IntervalCounts>().unwrap_err();
+            assert!(error.starts_with(side), "{text:?}: {error}");
+        }
+        let error = "3,18446744073709551616,1".parse::<IntervalCounts>().unwrap_err();
+        assert_eq!(error, "side 2: the maximum is 4294967294 intervals");
+    }
+
+    #[test]
+    fn sizes_and_corners_are_read() {
+        let size = RectangleSize { width: 4.0, height: 0.5 };
+        assert_eq!("4x.5".parse(), Ok(size));
+        assert_eq!("4 x 5e-1".parse(), Ok(size));
+        for text in ["", "4", "4x", "4x3x2", "ax3"] {
+            assert!(text.parse::<RectangleSize>().is_err(), "{text:?}");
+        }
+        let corners = Corners(vec![[0.0, 0.0], [-4.0, 1e3], [3.5, 2.0]]);
+        assert_eq!(" 0,0  -4,1e3\n3.5,2".parse(), Ok(corners));
+        for (text, corner) in
+            [("0,0 4", "corner 2"), ("0;0", "corner 1"), ("0,0 1,1 1,2,3", "corner 3")]
+        {
+            let error = text.parse::<Corners>().unwrap_err();
+            assert!(error.starts_with(corner), "{text:?}: {error}");
+        }
+    }
+}

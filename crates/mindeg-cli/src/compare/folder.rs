@@ -1,0 +1,156 @@
+//! Several domains: a page for each in a folder, and an index page.
+
+use super::{check_gates, compared, provenance, saved_meshes};
+use crate::args::CompareArguments;
+use crate::domain::{UNNAMED, from_file, from_options};
+use crate::failure::Failure;
+use crate::input;
+use crate::output::{Outputs, cannot_write, write_to};
+use crate::terminal::say;
+use mindeg::Domain;
+use mindeg_compare::{Comparison, IndexEntry, Options, PageLinks, write_index, write_linked_html};
+use std::collections::BTreeSet;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// Compares every domain. What fails is listed, and the others go on.
+pub(super) fn run(
+    arguments: &CompareArguments,
+    options: &Options,
+    folder: &Path,
+) -> Result<(), Failure> {
+    let jobs = jobs(arguments)?;
+    // Every input is known before the first page is written.
+    arguments.files.iter().for_each(|path| input::note(path, "domain"));
+    let index = folder.join("index.html");
+    input::refuse_as_output(&index)?;
+    for job in &jobs {
+        input::refuse_as_output(&job.page(folder))?;
+    }
+    fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
+
+    let mut entries = Vec::new();
+    let mut failures = Vec::new();
+    let mut gated = Vec::new();
+    let page_of = |job: &Job<'_>| (job.name.clone(), format!("{}.html", job.name));
+    for (i, job) in jobs.iter().enumerate() {
+        let name = &job.name;
+        let page = format!("{name}.html");
+        let links = PageLinks {
+            index: Some("index.html".to_owned()),
+            previous: i.checked_sub(1).map(|before| page_of(&jobs[before])),
+            next: jobs.get(i + 1).map(page_of),
+        };
+        match job.run(arguments, options, folder, &links) {
+            Ok(comparison) => {
+                if let Err(failure) = check_gates(&arguments.gates, &comparison) {
+                    gated.push(format!("{name}: {}", failure.message().unwrap_or_default()));
+                }
+                entries.push(IndexEntry::compared(name, &page, comparison.report()));
+                if !arguments.quiet {
+                    say(&format!("{name}: {}", comparison.report().verdict));
+                }
+            }
+            Err(failure) => {
+                let reason = failure.message().unwrap_or("its reader stopped");
+                entries.push(IndexEntry::failed(name, reason));
+                failures.push((name, failure));
+            }
+        }
+    }
+    let mut outputs = Outputs::default();
+    let out = outputs.open(&index)?;
+    write_to(&index, out, |out| write_index(&entries, out))?;
+    outputs.finish()?;
+    if !arguments.quiet {
+        let count = entries.len() - failures.len();
+        let pages = if count == 1 { "page" } else { "pages" };
+        say(&format!("wrote {} and {count} {pages} beside it", index.display()));
+    }
+    summed_up(&failures, entries.len())?;
+    if gated.is_empty() { Ok(()) } else { Err(Failure::Gate(gated.join("\n"))) }
+}
+
+/// All failures as one: it is one of reading or writing if any of them is.
+fn summed_up(failures: &[(&String, Failure)], of: usize) -> Result<(), Failure> {
+    if failures.is_empty() {
+        return Ok(());
+    }
+    let line = |(name, failure): &(&String, Failure)| {
+        format!("{name}: {}", failure.message().unwrap_or("its reader stopped"))
+    };
+    let lines: Vec<String> = failures.iter().map(line).collect();
+    let message = format!(
+        "{} of {of} domains could not be compared; the index lists them\n{}",
+        failures.len(),
+        lines.join("\n")
+    );
+    let is_io = |(_, failure): &(&String, Failure)| matches!(failure, Failure::Io(_));
+    Err(if failures.iter().any(is_io) { Failure::Io(message) } else { Failure::Input(message) })
+}
+
+/// A domain to be read when its turn comes, and the name of its page.
+struct Job<'a> {
+    name: String,
+    /// None for a domain from options alone.
+    file: Option<&'a Path>,
+}
+
+impl Job<'_> {
+    fn page(&self, folder: &Path) -> PathBuf {
+        folder.join(format!("{}.html", self.name))
+    }
+
+    fn domain(&self, arguments: &CompareArguments) -> Result<Domain, Failure> {
+        match self.file {
+            Some(path) => from_file(path, &arguments.options),
+            None => from_options(&arguments.options),
+        }
+    }
+
+    /// Compares, and writes the page and the meshes, all or none.
+    fn run(
+        &self,
+        arguments: &CompareArguments,
+        options: &Options,
+        folder: &Path,
+        links: &PageLinks,
+    ) -> Result<Comparison, Failure> {
+        let domain = self.domain(arguments)?;
+        let page = self.page(folder);
+        let mut outputs = Outputs::default();
+        let out = outputs.open(&page)?;
+        let comparison = compared(&domain, options, arguments.quiet)?;
+        let comparison = comparison.made_by(provenance(self.file));
+        if let Some(meshes) = &arguments.save_meshes {
+            saved_meshes::save(&meshes.join(&self.name), &comparison, &mut outputs)?;
+        }
+        let write =
+            |out: &mut dyn Write| -> io::Result<()> { write_linked_html(&comparison, links, out) };
+        write_to(&page, out, write)?;
+        outputs.finish()?;
+        Ok(comparison)
+    }
+}
+
+fn jobs(arguments: &CompareArguments) -> Result<Vec<Job<'_>>, Failure> {
+    if arguments.files.is_empty() {
+        return Ok(vec![Job { name: UNNAMED.to_owned(), file: None }]);
+    }
+    let mut names = BTreeSet::from(["index".to_owned()]);
+    let job = |path: &'_ PathBuf| {
+        let stem = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy();
+        let name = if stem == "-" { UNNAMED } else { &stem }.to_owned();
+        // Folders on Windows and macOS do not tell X.html from x.html.
+        names.insert(name.to_lowercase()).then_some(name).ok_or_else(|| {
+            Failure::Input(format!(
+                "{}: the folder has another {stem}.html; rename the file",
+                path.display()
+            ))
+        })
+    };
+    let names: Vec<String> = arguments.files.iter().map(job).collect::<Result<_, _>>()?;
+    let jobs = names.into_iter().zip(&arguments.files);
+    Ok(jobs.map(|(name, path)| Job { name, file: Some(path) }).collect())
+}

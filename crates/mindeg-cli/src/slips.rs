@@ -1,0 +1,146 @@
+//! Guesses at slips in usage: what was likely meant, where the parser can only say what is wrong.
+
+use crate::args::point;
+use clap::error::{ContextKind, ContextValue, ErrorKind};
+use std::ffi::OsString;
+use std::path::Path;
+
+/// What to say to arguments (the first is the program) that the parser refused, if there is a
+/// guess.
+pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<String> {
+    let words: Vec<String> =
+        arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let command = words.first().map_or("", String::as_str);
+    corners_without_quotes(&words)
+        .or_else(|| counts_without_commas(command, &words))
+        .or_else(|| size_in_two_words(&words))
+        .or_else(|| match error.kind() {
+            ErrorKind::InvalidSubcommand => file_for_command(error),
+            ErrorKind::UnknownArgument => {
+                let unknown = text(error, ContextKind::InvalidArg)?;
+                renamed(command, &unknown).or_else(|| one_too_many(command, &unknown))
+            }
+            ErrorKind::MissingRequiredArgument => output_missing(command, error),
+            _ => None,
+        })
+}
+
+/// `mesh plate.json`
+fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
+    let Some(ContextValue::Strings(missing)) = error.get(ContextKind::InvalidArg) else {
+        return None;
+    };
+    let example = match command {
+        "mesh" | "convert" => "-o mesh.obj",
+        "compare" => "-o report.html, or give --json",
+        _ => return None,
+    };
+    let is_output = |argument: &String| argument.starts_with("--output");
+    missing.iter().all(is_output).then(|| format!("where to? name a file, such as {example}"))
+}
+
+/// `--corners 0,0 4,0 3,2`
+fn corners_without_quotes(words: &[String]) -> Option<String> {
+    let points = after(words, "--corners", |word| point(word).is_some())?;
+    Some(format!(
+        "--corners takes all corners as one value; put them in quotes: --corners \"{}\"",
+        points.join(" ")
+    ))
+}
+
+/// `degree 3 3 2 2`, `degree 3, 3, 2, 2`, `--intervals 3 3 2 2`
+fn counts_without_commas(command: &str, words: &[String]) -> Option<String> {
+    let is_count = |word: &str| word.trim_matches(',').parse::<u64>().is_ok();
+    let joined = |counts: Vec<&str>| {
+        let counts: Vec<&str> = counts.into_iter().map(|count| count.trim_matches(',')).collect();
+        counts.join(",")
+    };
+    if let Some(counts) = after(words, "--intervals", is_count) {
+        let counts = joined(counts);
+        return Some(format!("join the counts by commas, without spaces: --intervals {counts}"));
+    }
+    if !["degree", "suggest"].contains(&command) {
+        return None;
+    }
+    let counts = after(words, command, is_count)?;
+    let counts = joined(counts);
+    Some(format!("join the counts by commas, without spaces: mindeg {command} {counts}"))
+}
+
+/// `--rectangle 4 3`, `--rectangle 4 x 3`
+fn size_in_two_words(words: &[String]) -> Option<String> {
+    let is_part = |word: &str| word == "x" || word.parse::<f64>().is_ok();
+    let sizes = after(words, "--rectangle", is_part)?;
+    let sizes: Vec<&str> = sizes.into_iter().filter(|&word| word != "x").collect();
+    Some(format!("join width and height by an x, without spaces: --rectangle {}", sizes.join("x")))
+}
+
+/// The words after `option`, as long as they are like its value, if that is more than one.
+fn after<'a>(
+    words: &'a [String],
+    option: &str,
+    is_value: impl Fn(&str) -> bool,
+) -> Option<Vec<&'a str>> {
+    let place = words.iter().position(|word| word == option)?;
+    let values = words[place + 1..].iter().map(String::as_str);
+    let values: Vec<&str> = values.take_while(|word| is_value(word)).collect();
+    (values.len() > 1).then_some(values)
+}
+
+/// `mindeg plate.json`
+fn file_for_command(error: &clap::Error) -> Option<String> {
+    let word = text(error, ContextKind::InvalidSubcommand)?;
+    match extension(&word).as_deref() {
+        Some("json") => Some(format!(
+            "{word} is no command; name one before the file, such as mindeg mesh {word} -o mesh.obj"
+        )),
+        Some("obj" | "glb" | "gltf") => Some(format!(
+            "{word} is no command; name one before the file, such as mindeg inspect {word}"
+        )),
+        _ => None,
+    }
+}
+
+/// Options of an earlier version.
+fn renamed(command: &str, option: &str) -> Option<String> {
+    match (command, option) {
+        ("mesh" | "compare" | "inspect", "--min-angle") => {
+            Some("--min-angle is now --fail-below-angle".to_owned())
+        }
+        ("compare" | "inspect", "--max-degree") => Some(format!(
+            "mindeg {command} makes no mesh to limit; --fail-above-degree ends with exit code 3 if \
+             a vertex has more edges"
+        )),
+        _ => None,
+    }
+}
+
+/// `mesh plate.json plate.obj`, `mesh a.json b.json`
+fn one_too_many(command: &str, word: &str) -> Option<String> {
+    if word.starts_with('-') {
+        return None;
+    }
+    match (command, extension(word).as_deref()) {
+        ("mesh" | "tradeoff", Some("json")) => Some(format!(
+            "one domain at a time: {word} is a second one; mindeg compare takes several"
+        )),
+        ("mesh", Some("obj" | "glb" | "gltf" | "svg"))
+        | ("convert", Some(_))
+        | ("tradeoff", Some("html" | "svg")) => {
+            Some(format!("give every output with -o: -o {word}"))
+        }
+        ("inspect", Some(_)) => Some(format!("one mesh at a time: {word} is a second one")),
+        _ => None,
+    }
+}
+
+fn extension(word: &str) -> Option<String> {
+    Path::new(word).extension().map(|name| name.to_string_lossy().to_lowercase())
+}
+
+fn text(error: &clap::Error, kind: ContextKind) -> Option<String> {
+    match error.get(kind)? {
+        ContextValue::String(text) => Some(text.clone()),
+        _ => None,
+    }
+}

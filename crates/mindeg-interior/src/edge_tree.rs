@@ -1,0 +1,317 @@
+//! A search tree over edges, for the questions that meshing asks of its boundary.
+//!
+//! A node stands for a run of consecutive edges. It keeps the chord of the run and how far the
+//! run strays from it, so a straight side is one exact node, however many edges it has and
+//! whichever way it points.
+
+use crate::outline::Outline;
+use glam::DVec2;
+
+/// One edge, or one point with a size (then both ends are equal).
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Item {
+    pub(crate) id: u32,
+    pub(crate) from: DVec2,
+    pub(crate) to: DVec2,
+    /// The size that the mesh has here: an edge's length.
+    pub(crate) size: f64,
+}
+
+/// A run of edges: the first end of the first, the last end of the last, and sums.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Node {
+    pub(crate) from: DVec2,
+    pub(crate) to: DVec2,
+    /// No point of the run is farther from the chord.
+    pub(crate) spread: f64,
+    pub(crate) least: f64,
+    pub(crate) greatest: f64,
+    /// The sum of the edges' lengths.
+    pub(crate) length: f64,
+    /// The sum of length times size.
+    pub(crate) moment: f64,
+    /// The sum of length times n n^T, with n the unit normal: xx, xy, yy.
+    pub(crate) normals: [f64; 3],
+    pub(crate) is_straight: bool,
+    /// The edge of a leaf.
+    id: u32,
+    /// The second child; the first is the next node. 0 at a leaf.
+    right: u32,
+}
+
+/// The tree: nodes in preorder, one root for each ring.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EdgeTree {
+    nodes: Vec<Node>,
+    roots: Vec<u32>,
+}
+
+/// Turns below this count as straight: rounded points of one side.
+const STRAIGHT: f64 = 1e-7;
+
+impl EdgeTree {
+    /// The tree over an outline's edges; an edge's id is its first vertex.
+    pub(crate) fn of_outline(outline: &Outline) -> Self {
+        let mut tree = Self::default();
+        for ring in outline.rings() {
+            let corner = |v: u32| {
+                let [before, at, after] =
+                    [outline.previous(v), v, outline.next(v)].map(|v| outline.point(v));
+                !is_straight(at - before, after - at)
+            };
+            let start = ring.clone().find(|v| corner(*v)).unwrap_or(ring.start);
+            let items: Vec<Item> = (start..ring.end)
+                .chain(ring.start..start)
+                .map(|id| Item {
+                    id,
+                    from: outline.point(id),
+                    to: outline.point(outline.next(id)),
+                    size: outline.length(id),
+                })
+                .collect();
+            tree.push_root(&items);
+        }
+        tree
+    }
+
+    /// The tree over loose segments or points, in an order of its own.
+    pub(crate) fn of_items(mut items: Vec<Item>) -> Self {
+        let mut tree = Self::default();
+        if !items.is_empty() {
+            sort_by_place(&mut items);
+            tree.push_root(&items);
+        }
+        tree
+    }
+
+    fn push_root(&mut self, items: &[Item]) {
+        self.roots.push(self.nodes.len() as u32);
+        // corners[i]: the run turns, or breaks, before item i.
+        let corners: Vec<u32> = (1..items.len() as u32)
+            .filter(|i| {
+                let (a, b) = (&items[*i as usize - 1], &items[*i as usize]);
+                a.to != b.from || !is_straight(a.to - a.from, b.to - b.from)
+            })
+            .collect();
+        self.build(items, 0, &corners);
+    }
+
+    fn build(&mut self, items: &[Item], offset: u32, corners: &[u32]) -> u32 {
+        let at = self.nodes.len();
+        if let [item] = items {
+            self.nodes.push(Node::leaf(item));
+            return at as u32;
+        }
+        // Split at the corner nearest to the middle, so that straight sides stay whole.
+        let end = offset + items.len() as u32;
+        let inner = &corners
+            [corners.partition_point(|c| *c <= offset)..corners.partition_point(|c| *c < end)];
+        let middle = offset + items.len() as u32 / 2;
+        let after = inner.partition_point(|c| *c < middle);
+        let candidates = [after.checked_sub(1).and_then(|i| inner.get(i)), inner.get(after)];
+        let split = candidates
+            .into_iter()
+            .flatten()
+            .min_by_key(|corner| corner.abs_diff(middle))
+            .copied()
+            .unwrap_or(middle);
+        // The place is taken first: nodes are in preorder.
+        self.nodes.push(Node::leaf(&items[0]));
+        let (first, second) = items.split_at((split - offset) as usize);
+        let left = self.build(first, offset, inner);
+        let right = self.build(second, split, inner);
+        let mut node = Node::join(&self.nodes[left as usize], &self.nodes[right as usize]);
+        node.is_straight = inner.is_empty();
+        node.right = right;
+        self.nodes[at] = node;
+        at as u32
+    }
+
+    /// Calls `edge` with the id of every edge that no node above it excludes.
+    pub(crate) fn visit(&self, mut enter: impl FnMut(&Node) -> bool, mut edge: impl FnMut(u32)) {
+        for root in &self.roots {
+            let mut stack = vec![*root];
+            while let Some(at) = stack.pop() {
+                let node = &self.nodes[at as usize];
+                if !enter(node) {
+                } else if node.right == 0 {
+                    edge(node.id);
+                } else {
+                    stack.extend([node.right, at + 1]);
+                }
+            }
+        }
+    }
+
+    pub(crate) fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    pub(crate) fn roots(&self) -> &[u32] {
+        &self.roots
+    }
+
+    /// The nearest edge and its distance, if any is nearer than `within`.
+    pub(crate) fn nearest(&self, x: DVec2, within: f64) -> Option<(u32, f64)> {
+        let mut best = (u32::MAX, within);
+        for root in &self.roots {
+            self.nearest_below(*root, x, &mut best);
+        }
+        (best.0 != u32::MAX).then_some(best)
+    }
+
+    fn nearest_below(&self, at: u32, x: DVec2, best: &mut (u32, f64)) {
+        let node = &self.nodes[at as usize];
+        if node.distance(x) >= best.1 {
+            return;
+        }
+        match self.children(at) {
+            None => *best = (node.id, node.distance(x)),
+            Some(children) => {
+                let bounds = children.map(|child| self.nodes[child as usize].distance(x));
+                let first = usize::from(bounds[1] < bounds[0]);
+                self.nearest_below(children[first], x, best);
+                self.nearest_below(children[1 - first], x, best);
+            }
+        }
+    }
+
+    /// The two halves of a run; none for a single edge.
+    pub(crate) fn children(&self, at: u32) -> Option<[u32; 2]> {
+        let right = self.nodes[at as usize].right;
+        (right != 0).then_some([at + 1, right])
+    }
+}
+
+impl Node {
+    fn leaf(item: &Item) -> Self {
+        let chord = item.to - item.from;
+        let length = chord.length();
+        let normals = if length > 0.0 {
+            [chord.y * chord.y, -chord.x * chord.y, chord.x * chord.x].map(|n| n / length)
+        } else {
+            [0.0; 3]
+        };
+        Self {
+            from: item.from,
+            to: item.to,
+            spread: 0.0,
+            least: item.size,
+            greatest: item.size,
+            length,
+            moment: length * item.size,
+            normals,
+            is_straight: true,
+            id: item.id,
+            right: 0,
+        }
+    }
+
+    fn join(a: &Self, b: &Self) -> Self {
+        let (from, to) = (a.from, b.to);
+        // Distance to a segment is convex: along a child's chord it is greatest at an end.
+        let stray = |child: &Self| {
+            let ends = [child.from, child.to].map(|end| distance_to_segment(end, from, to));
+            ends[0].max(ends[1]) + child.spread
+        };
+        let normals = [0, 1, 2].map(|i| a.normals[i] + b.normals[i]);
+        Self {
+            from,
+            to,
+            spread: stray(a).max(stray(b)),
+            least: a.least.min(b.least),
+            greatest: a.greatest.max(b.greatest),
+            length: a.length + b.length,
+            moment: a.moment + b.moment,
+            normals,
+            is_straight: false,
+            id: 0,
+            right: 0,
+        }
+    }
+
+    /// No edge of the run is nearer to `x`; exact for one edge.
+    pub(crate) fn distance(&self, x: DVec2) -> f64 {
+        (distance_to_segment(x, self.from, self.to) - self.spread).max(0.0)
+    }
+
+    /// False if no edge of the run can touch the segment `a`-`b`.
+    pub(crate) fn may_touch(&self, a: DVec2, b: DVec2) -> bool {
+        let slack = self.spread + 1e-9 * (self.length + a.distance(b));
+        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
+        let far = slack.min(f64::MAX);
+        if !(a.min(b).cmple(high + far).all() && (low - far).cmple(a.max(b)).all()) {
+            return false;
+        }
+        // Both ends on one side of the chord's line, farther than the run strays.
+        let chord = self.to - self.from;
+        let (p, q) = (chord.perp_dot(a - self.from), chord.perp_dot(b - self.from));
+        let margin = slack * chord.length();
+        !(p > margin && q > margin || p < -margin && q < -margin)
+    }
+}
+
+/// True if a run may go from direction `a` to direction `b` and still count as straight.
+fn is_straight(a: DVec2, b: DVec2) -> bool {
+    a.dot(b) > 0.0 && a.perp_dot(b).abs() <= STRAIGHT * a.dot(b)
+}
+
+/// The distance from `x` to the segment `a`-`b`.
+pub(crate) fn distance_to_segment(x: DVec2, a: DVec2, b: DVec2) -> f64 {
+    let chord = b - a;
+    let squared = chord.length_squared();
+    if squared == 0.0 {
+        return x.distance(a);
+    }
+    let t = ((x - a).dot(chord) / squared).clamp(0.0, 1.0);
+    x.distance(a + chord * t)
+}
+
+/// Orders items so that near ones come near each other: halves along the wider axis.
+fn sort_by_place(items: &mut [Item]) {
+    if items.len() < 3 {
+        return;
+    }
+    let places = items.iter().map(|item| item.from);
+    let (low, high) =
+        places.fold((items[0].from, items[0].from), |(low, high), p| (low.min(p), high.max(p)));
+    let axis = usize::from(high.y - low.y > high.x - low.x);
+    let middle = items.len() / 2;
+    items.select_nth_unstable_by(middle, |a, b| {
+        a.from[axis].total_cmp(&b.from[axis]).then(a.id.cmp(&b.id))
+    });
+    let (first, second) = items.split_at_mut(middle);
+    sort_by_place(first);
+    sort_by_place(second);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    #[test]
+    fn the_nearest_edge_is_that_of_a_full_search() {
+        let outline = samples::plate_with_hole();
+        let tree = EdgeTree::of_outline(&outline);
+        for i in 0..400 {
+            let x = DVec2::new(f64::from(i % 20) * 0.61 - 1.0, f64::from(i / 20) * 0.57 - 1.0);
+            let brute = outline
+                .edges()
+                .map(|[a, b]| distance_to_segment(x, outline.point(a), outline.point(b)))
+                .fold(f64::INFINITY, f64::min);
+            let (edge, distance) = tree.nearest(x, f64::INFINITY).unwrap();
+            assert_eq!(distance, brute, "{x}");
+            let ends = [edge, outline.next(edge)].map(|v| outline.point(v));
+            assert_eq!(distance_to_segment(x, ends[0], ends[1]), brute);
+        }
+    }
+
+    #[test]
+    fn a_straight_side_is_one_node() {
+        let outline = samples::rectangle(4.0, 3.0, [64, 48, 64, 48]);
+        let tree = EdgeTree::of_outline(&outline);
+        let whole = tree.nodes().iter().filter(|n| n.is_straight && n.length > 2.9);
+        assert_eq!(whole.count(), 4);
+    }
+}

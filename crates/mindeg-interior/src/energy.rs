@@ -1,0 +1,74 @@
+//! What a mesh costs: the sum of the costs of its triangles and its vertices.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::goal::Weights;
+use crate::triangle::{SQRT_3, distortion, doubled_area, min_angle};
+
+/// How far below its limit a corner's angle may stay, as a share.
+const NEAR_LIMIT: f64 = 0.97;
+
+/// The cost of a part of the mesh, and its minimum angle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cost {
+    pub(crate) energy: f64,
+    pub(crate) min_angle: f64,
+    /// The part of the energy that hard degree violations cause.
+    pub(crate) hard: f64,
+}
+
+impl Weights {
+    /// The angle that a triangle should have: the floor, or less where its boundary vertices allow less.
+    pub(crate) fn wanted_angle(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+        let mut wanted = self.floor;
+        for v in mesh.triangles[triangle as usize].vertices {
+            if let Some(goal) = mesh.goals.get(mesh.vertices[v as usize].goal as usize) {
+                wanted = wanted.min(NEAR_LIMIT * goal.limit);
+            }
+        }
+        wanted
+    }
+
+    /// The cost of a triangle: shape, size, and what its minimum angle lacks; with the angle.
+    pub(crate) fn triangle(&self, mesh: &ArrayMesh, triangle: u32) -> (f64, f64) {
+        let corners = mesh.corners(triangle);
+        let shape = distortion(corners);
+        if !shape.is_finite() {
+            return (f64::INFINITY, -180.0);
+        }
+        let vertices = mesh.triangles[triangle as usize].vertices;
+        let size = vertices.iter().map(|v| mesh.vertices[*v as usize].size).sum::<f64>() / 3.0;
+        let growth = libm::log(doubled_area(corners) / (SQRT_3 / 2.0 * size * size));
+        let angle = min_angle(corners);
+        let lack = (self.wanted_angle(mesh, triangle) - angle).max(0.0) / 5.0;
+        let squared = shape * shape;
+        (squared * squared - 1.0 + 0.3 * growth * growth + self.angle * lack * lack, angle)
+    }
+
+    /// The cost of a vertex's degree: all of it, and the part for a hard violation.
+    pub(crate) fn vertex(&self, mesh: &ArrayMesh, vertex: u32) -> (f64, f64) {
+        let v = &mesh.vertices[vertex as usize];
+        let hard = self.degree * f64::from(self.excess(mesh, vertex).pow(2));
+        let soft = match mesh.goals.get(v.goal as usize) {
+            Some(goal) => ((f64::from(v.triangles) - goal.ideal).abs() - 0.5).max(0.0),
+            None => f64::from(v.triangles) - 6.0,
+        };
+        (0.3 * soft * soft + hard, hard)
+    }
+
+    /// By how much a vertex's degree is out of its range.
+    pub(crate) fn excess(&self, mesh: &ArrayMesh, vertex: u32) -> u32 {
+        self.excess_of(mesh, vertex, mesh.vertices[vertex as usize].triangles)
+    }
+
+    /// The same if it had so many triangles.
+    pub(crate) fn excess_of(&self, mesh: &ArrayMesh, vertex: u32, triangles: u32) -> u32 {
+        let v = &mesh.vertices[vertex as usize];
+        match (v.kind, mesh.goals.get(v.goal as usize)) {
+            (Kind::Boundary, Some(goal)) => triangles.saturating_sub(goal.triangles),
+            _ => {
+                let (least, most) = (*self.interior.start(), *self.interior.end());
+                triangles.saturating_sub(most).max(least.saturating_sub(triangles))
+            }
+        }
+    }
+}

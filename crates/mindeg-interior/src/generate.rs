@@ -1,0 +1,309 @@
+//! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds
+//! where the first leaves something to be desired.
+
+use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::edge_tree::{EdgeTree, Item};
+use crate::exact::orientation;
+use crate::fixed::{Breaklines, breaklines};
+use crate::goal::{Goal, Weights, goals};
+use crate::limits::limits;
+use crate::optimise::optimise;
+use crate::options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+use crate::order::along_hilbert_curve;
+use crate::outline::Outline;
+use crate::packing::{Ground, is_inside_of};
+use crate::report::{Report, measure};
+use crate::size::SizeField;
+use crate::verdict::{check_target, floor, is_enough, rank};
+use glam::DVec2;
+use std::collections::VecDeque;
+use std::error::Error;
+
+/// A mesh and what it is like.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InteriorMesh {
+    /// The boundary points, bit for bit and in the outline's order; the fixed points; the others.
+    pub points: Vec<DVec2>,
+    /// Counter-clockwise triangles.
+    pub triangles: Vec<[u32; 3]>,
+    /// The edges that fixed segments consist of.
+    pub fixed_edges: Vec<[u32; 2]>,
+    /// What was reached.
+    pub report: Report,
+}
+
+/// One way to begin: growth over the wanted growth, least distance of points in sizes, and whether to search
+/// for pairs of operations.
+struct Seed {
+    growth: f64,
+    spacing: f64,
+    pairs: bool,
+}
+
+const SEEDS: [Seed; 5] = [
+    Seed { growth: 1.0, spacing: 0.75, pairs: false },
+    Seed { growth: 1.0, spacing: 0.75, pairs: true },
+    Seed { growth: 1.0, spacing: 0.8, pairs: true },
+    Seed { growth: 1.2, spacing: 0.75, pairs: true },
+    Seed { growth: 0.8, spacing: 0.7, pairs: true },
+];
+
+/// Fills an outline with interior points.
+///
+/// `triangulate` gets points and the edges that must be in the triangulation, and gives a
+/// triangulation of the points with all these edges, counter-clockwise: Delaunay's, best. Triangles outside the outline may be among them.
+///
+/// The boundary stays as it is. Degrees and angles are aims: the search is heuristic, and the report says
+/// what was reached and which limits are proven. Equal input gives equal bytes, if `triangulate` does so.
+///
+/// O(n log n) for n points, beside what is spent on places that need operations.
+///
+/// # Errors
+///
+/// If an option has no meaning, the target angle is above the proven limit, fixed
+/// points or segments are outside or cross, the mesh would be too large, `triangulate` fails, or `progress` breaks.
+pub fn generate<E, F>(
+    outline: &Outline,
+    fixed: &Fixed,
+    options: &Options,
+    mut triangulate: F,
+    progress: Progress<'_>,
+) -> Result<InteriorMesh, InteriorError>
+where
+    E: Into<Box<dyn Error + Send + Sync>>,
+    F: FnMut(&[DVec2], &[[u32; 2]]) -> Result<Vec<[u32; 3]>, E>,
+{
+    options.check()?;
+    let limits = limits(outline, options.boundary_degree);
+    check_target(&limits, options)?;
+    let floor = floor(options);
+    let mut best: Option<InteriorMesh> = None;
+    // Where angles are preferred, the way that keeps degrees may still reach more.
+    let ways: &[Prefer] = match options.prefer {
+        Prefer::Degree => &[Prefer::Degree],
+        Prefer::Angle => &[Prefer::Angle, Prefer::Degree],
+    };
+    let tries: Vec<(Prefer, &Seed)> =
+        ways.iter().flat_map(|way| SEEDS.iter().map(|seed| (*way, seed))).collect();
+    for (index, (prefer, seed)) in tries.iter().enumerate() {
+        let growth = options.growth * seed.growth;
+        let way = Options { growth, prefer: *prefer, ..options.clone() };
+        let goals = goals(outline, &way);
+        let (breaklines, field) = size_field(outline, fixed, &way)?;
+        let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
+        let mut part = |done: f32| progress((index as f32 + done) / tries.len() as f32);
+        let mut mesh =
+            start.mesh(seed.spacing, floor, options.max_points, &mut triangulate, &mut part)?;
+        let weights = if seed.pairs { Weights::pairs } else { Weights::single };
+        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut part)?;
+        mesh.check().map_err(InteriorError::NotFilled)?;
+        let (points, triangles, _) = compact(&mesh);
+        let goal = |v: u32| goals.get(v as usize);
+        let report = measure(&points, &triangles, &options.interior_degree, goal, limits);
+        let found =
+            InteriorMesh { points, triangles, fixed_edges: breaklines.edges.clone(), report };
+        let is_better = best
+            .as_ref()
+            .is_none_or(|best| rank(&found.report, options) < rank(&best.report, options));
+        if is_better {
+            best = Some(found);
+        }
+        if best.as_ref().is_some_and(|best| is_enough(&best.report, options)) {
+            break;
+        }
+    }
+    crate::options::report(progress, 1.0)?;
+    best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
+}
+
+/// The size field, with fixed points and segments taken in.
+fn size_field(
+    outline: &Outline,
+    fixed: &Fixed,
+    options: &Options,
+) -> Result<(Breaklines, SizeField), InteriorError> {
+    let field =
+        |sizes: &[SizeAt]| SizeField::new(outline, options.growth, options.size_inside, sizes);
+    let plain = field(&options.sizes);
+    for (index, place) in options.sizes.iter().enumerate() {
+        let nearest = plain.boundary().nearest(place.at, f64::INFINITY);
+        // On the boundary is fine.
+        if nearest.is_some_and(|(edge, distance)| {
+            distance > 1e-9 * place.size && !is_inside_of(outline, edge, place.at)
+        }) {
+            let what = format!("size {index}");
+            return Err(InteriorError::Outside { what, at: place.at.to_array() });
+        }
+    }
+    let (breaklines, crowded) = breaklines(outline, fixed, &plain)?;
+    if crowded.is_empty() {
+        return Ok((breaklines, plain));
+    }
+    let sizes: Vec<SizeAt> = options.sizes.iter().chain(&crowded).copied().collect();
+    let finer = field(&sizes);
+    let (breaklines, _) = crate::fixed::breaklines(outline, fixed, &finer)?;
+    Ok((breaklines, finer))
+}
+
+/// What all seeds begin with.
+struct Start<'a> {
+    outline: &'a Outline,
+    goals: &'a [Goal],
+    breaklines: &'a Breaklines,
+    field: &'a SizeField,
+}
+
+impl Start<'_> {
+    /// Packs points, has them triangulated, and links the triangles inside.
+    fn mesh<E, F>(
+        &self,
+        spacing: f64,
+        floor: f64,
+        max_points: usize,
+        triangulate: &mut F,
+        progress: Progress<'_>,
+    ) -> Result<ArrayMesh, InteriorError>
+    where
+        E: Into<Box<dyn Error + Send + Sync>>,
+        F: FnMut(&[DVec2], &[[u32; 2]]) -> Result<Vec<[u32; 3]>, E>,
+    {
+        let pieces = self.breaklines.pieces(self.outline);
+        let items = pieces.iter().enumerate().map(|(id, piece)| Item {
+            id: id as u32,
+            from: piece.from,
+            to: piece.to,
+            size: piece.from.distance(piece.to),
+        });
+        let ground = Ground {
+            outline: self.outline,
+            goals: self.goals,
+            field: self.field,
+            fixed: &self.breaklines.points,
+            tree_of_pieces: EdgeTree::of_items(items.collect()),
+            pieces: &pieces,
+            spacing,
+            fan_angle: floor + 3.0,
+            max_points,
+        };
+        let (packed, sizes) = ground.pack(progress)?;
+        let given = self.outline.points().len() + self.breaklines.points.len();
+        let mut vertices = Vec::with_capacity(given + packed.len());
+        let vertex =
+            |at, size, kind, goal| Vertex { at, size, anchor: NONE, goal, triangles: 0, kind };
+        for (v, at) in (0..).zip(self.outline.points()) {
+            let before = self.outline.length(self.outline.previous(v));
+            let size = (self.outline.length(v) + before) / 2.0;
+            vertices.push(vertex(*at, size, Kind::Boundary, v));
+        }
+        for at in &self.breaklines.points {
+            vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
+        }
+        let extent = self.outline.extent();
+        for index in along_hilbert_curve(&packed) {
+            let (at, size) = (clean(packed[index as usize], extent), sizes[index as usize]);
+            vertices.push(vertex(at, size, Kind::Free, NONE));
+        }
+        let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
+        let boundary: Vec<[u32; 2]> = self.outline.edges().collect();
+        let edges: Vec<[u32; 2]> = boundary.iter().chain(&self.breaklines.edges).copied().collect();
+        let all = triangulate(&points, &edges)
+            .map_err(|error| InteriorError::Triangulation(error.into()))?;
+        let mut triangles = inside(points.len(), &all, &boundary)?;
+        // Near each other in the plane, near each other in memory.
+        triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
+        let expected = 2 * points.len() - boundary.len() + 2 * self.outline.ring_count() - 4;
+        if triangles.len() != expected {
+            return Err(InteriorError::NotFilled(format!(
+                "found {} triangles inside, expected {expected}",
+                triangles.len()
+            )));
+        }
+        let bad = triangles.iter().find(|t| {
+            let [a, b, c] = t.map(|v| points[v as usize]);
+            orientation(a, b, c) <= 0.0
+        });
+        if let Some([a, b, c]) = bad {
+            return Err(InteriorError::NotFilled(format!(
+                "triangle {a}-{b}-{c} is not counter-clockwise"
+            )));
+        }
+        ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
+            .map_err(InteriorError::NotFilled)
+    }
+}
+
+/// The same point without coordinates that are nothing beside the domain: exact predicates have a least number.
+fn clean(point: DVec2, extent: f64) -> DVec2 {
+    DVec2::select(point.abs().cmplt(DVec2::splat(1e-25 * extent)), DVec2::ZERO, point)
+}
+
+/// The triangles that can be reached from the left of boundary edges without crossing one.
+fn inside(
+    points: usize,
+    all: &[[u32; 3]],
+    boundary: &[[u32; 2]],
+) -> Result<Vec<[u32; 3]>, InteriorError> {
+    let mut next = vec![NONE; points];
+    boundary.iter().for_each(|[a, b]| next[*a as usize] = *b);
+    // Half-edges from each vertex, by counting.
+    let mut starts = vec![0_u32; points + 1];
+    for v in all.iter().flatten() {
+        let Some(count) = starts.get_mut(*v as usize + 1) else {
+            return Err(InteriorError::NotFilled(format!("it names vertex {v} of {points}")));
+        };
+        *count += 1;
+    }
+    for v in 0..points {
+        starts[v + 1] += starts[v];
+    }
+    let mut fill = starts.clone();
+    let mut halves = vec![0_u32; 3 * all.len()];
+    for (t, triangle) in all.iter().enumerate() {
+        for (i, v) in triangle.iter().enumerate() {
+            halves[fill[*v as usize] as usize] = (3 * t + i) as u32;
+            fill[*v as usize] += 1;
+        }
+    }
+    let find = |from: u32, to: u32| {
+        let range = starts[from as usize] as usize..starts[from as usize + 1] as usize;
+        let goes_to = |half: &u32| all[*half as usize / 3][(*half as usize % 3 + 1) % 3] == to;
+        halves[range].iter().copied().find(goes_to).map(|half| half / 3)
+    };
+    let mut is_inside = vec![false; all.len()];
+    let mut queue = VecDeque::new();
+    for [a, b] in boundary {
+        let Some(t) = find(*a, *b) else {
+            return Err(InteriorError::NotFilled(format!("boundary edge {a}-{b} is missing")));
+        };
+        queue.push_back(t);
+    }
+    while let Some(t) = queue.pop_front() {
+        if std::mem::replace(&mut is_inside[t as usize], true) {
+            continue;
+        }
+        let triangle = all[t as usize];
+        for i in 0..3 {
+            let (a, b) = (triangle[i], triangle[(i + 1) % 3]);
+            if next[a as usize] != b {
+                queue.extend(find(b, a).filter(|t| !is_inside[*t as usize]));
+            }
+        }
+    }
+    Ok(all.iter().zip(is_inside).filter(|(_, inside)| *inside).map(|(t, _)| *t).collect())
+}
+
+/// The living vertices and triangles, in order, with the index that each point had in the array mesh.
+pub(crate) fn compact(mesh: &ArrayMesh) -> (Vec<DVec2>, Vec<[u32; 3]>, Vec<u32>) {
+    let mut renamed = vec![NONE; mesh.vertices.len()];
+    let (mut points, mut sources) = (Vec::new(), Vec::new());
+    for (v, vertex) in (0..).zip(&mesh.vertices) {
+        if vertex.triangles > 0 || vertex.kind != Kind::Free {
+            renamed[v as usize] = points.len() as u32;
+            points.push(vertex.at);
+            sources.push(v);
+        }
+    }
+    let alive = mesh.triangles.iter().filter(|t| t.is_alive());
+    let triangles = alive.map(|t| t.vertices.map(|v| renamed[v as usize])).collect();
+    (points, triangles, sources)
+}

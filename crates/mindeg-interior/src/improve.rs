@@ -1,0 +1,214 @@
+//! The optimiser alone, on any planar triangle mesh.
+
+use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::exact::orientation;
+use crate::generate::compact;
+use crate::goal::{Weights, goals};
+use crate::limits::{Limits, limits};
+use crate::optimise::optimise;
+use crate::options::{InteriorError, Options, Progress, report};
+use crate::outline::{MAX_POINTS, Outline, is_usable};
+use crate::report::{Report, measure};
+use crate::triangle::{SQRT_3, doubled_area};
+use crate::verdict::{check_target, floor, is_enough, rank};
+use glam::DVec2;
+
+/// What stays as it is in a mesh, beside its boundary.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Keep {
+    /// Vertices that neither move nor go.
+    pub vertices: Vec<u32>,
+    /// Edges that stay; so do their ends.
+    pub edges: Vec<[u32; 2]>,
+}
+
+/// An improved mesh.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Improved {
+    /// The points: those of the input that are left, in order, then new ones.
+    pub points: Vec<DVec2>,
+    /// The index that each point has in the input, none for new ones.
+    pub sources: Vec<Option<u32>>,
+    /// Counter-clockwise triangles.
+    pub triangles: Vec<[u32; 3]>,
+    /// What the mesh was like; vertices are those of the input.
+    pub before: Report,
+    /// What it is like now; vertices are those of the result.
+    pub after: Report,
+}
+
+/// Improves a planar triangle mesh: its boundary stays, degrees and angles get nearer to what is wanted.
+///
+/// Size options are not used: sizes are as they are. The result is never worse than the input: it has no
+/// more violations and, with equally many, no smaller minimum angle up to the target (or the other way
+/// round with [`Prefer::Angle`](crate::Prefer::Angle)). Points without triangles stay.
+///
+/// # Errors
+///
+/// If an option has no meaning, the mesh is no planar triangle mesh whose triangles are counter-clockwise
+/// and meet edge to edge in one fan at each vertex, or `progress` breaks. Overlaps of distant parts are not looked for.
+pub fn improve(
+    points: &[DVec2],
+    triangles: &[[u32; 3]],
+    keep: &Keep,
+    options: &Options,
+    progress: Progress<'_>,
+) -> Result<Improved, InteriorError> {
+    options.check()?;
+    let start = Input::new(points, triangles, keep, options)?;
+    check_target(&start.limits, options)?;
+    let before =
+        start.measure(points, triangles, options, |v| start.mesh.vertices[v as usize].goal);
+    let mut best: Option<Improved> = None;
+    for pairs in [false, true] {
+        let mut mesh = start.mesh.clone();
+        let weights = if pairs { Weights::pairs } else { Weights::single };
+        let offset = if pairs { 0.5 } else { 0.0 };
+        let mut part = |done: f32| progress(offset + done / 2.0);
+        optimise(&mut mesh, &weights(options, floor(options)), pairs, &mut part)?;
+        mesh.check().map_err(InteriorError::BadMesh)?;
+        let (new_points, new_triangles, sources) = compact(&mesh);
+        let goal = |v: u32| mesh.vertices[sources[v as usize] as usize].goal;
+        let after = start.measure(&new_points, &new_triangles, options, goal);
+        let count = points.len() as u32;
+        let found = Improved {
+            sources: sources.into_iter().map(|v| (v < count).then_some(v)).collect(),
+            points: new_points,
+            triangles: new_triangles,
+            before: before.clone(),
+            after,
+        };
+        let least = best.as_ref().map_or(&before, |best| &best.after);
+        if rank(&found.after, options) < rank(least, options) {
+            best = Some(found);
+        }
+        if best.as_ref().is_some_and(|best| is_enough(&best.after, options)) {
+            break;
+        }
+    }
+    report(progress, 1.0)?;
+    Ok(best.unwrap_or_else(|| Improved {
+        points: points.to_vec(),
+        sources: (0..points.len() as u32).map(Some).collect(),
+        triangles: triangles.to_vec(),
+        after: before.clone(),
+        before,
+    }))
+}
+
+/// A checked mesh, ready to be worked on.
+struct Input {
+    mesh: ArrayMesh,
+    limits: Limits,
+}
+
+impl Input {
+    fn new(
+        points: &[DVec2],
+        triangles: &[[u32; 3]],
+        keep: &Keep,
+        options: &Options,
+    ) -> Result<Self, InteriorError> {
+        check(points, triangles, keep).map_err(InteriorError::BadMesh)?;
+        let mut areas = vec![(0.0, 0_u32); points.len()];
+        for t in triangles {
+            let area = doubled_area(t.map(|v| points[v as usize])) / 2.0;
+            for v in t {
+                areas[*v as usize].0 += area;
+                areas[*v as usize].1 += 1;
+            }
+        }
+        let vertex = |(at, (area, count)): (&DVec2, (f64, u32))| Vertex {
+            at: *at,
+            // The edge of an equilateral triangle of the mean area.
+            size: (area / f64::from(count.max(1)) * 4.0 / SQRT_3).sqrt(),
+            anchor: NONE,
+            goal: NONE,
+            triangles: 0,
+            kind: if count == 0 { Kind::Fixed } else { Kind::Free },
+        };
+        let mut vertices: Vec<Vertex> = points.iter().zip(areas).map(vertex).collect();
+        let kept = keep.vertices.iter().chain(keep.edges.iter().flatten());
+        kept.for_each(|v| vertices[*v as usize].kind = Kind::Fixed);
+        let mut mesh = ArrayMesh::new(vertices, triangles, Vec::new(), &keep.edges)
+            .map_err(InteriorError::BadMesh)?;
+        let rings = boundary(&mesh);
+        let positions: Vec<Vec<DVec2>> =
+            rings.iter().map(|ring| ring.iter().map(|v| mesh.at(*v)).collect()).collect();
+        let outline = Outline::of_mesh(&positions);
+        let names = rings.concat();
+        for (goal, v) in (0..).zip(&names) {
+            mesh.vertices[*v as usize].kind = Kind::Boundary;
+            mesh.vertices[*v as usize].goal = goal;
+        }
+        mesh.goals = goals(&outline, options);
+        let mut limits = limits(&outline, options.boundary_degree);
+        let name = |v: &mut u32| *v = names[*v as usize];
+        name(&mut limits.any_degree.vertex);
+        name(&mut limits.with_degree_limit.vertex);
+        limits.tent.iter_mut().for_each(|tent| tent.edges.iter_mut().for_each(name));
+        Ok(Self { mesh, limits })
+    }
+
+    fn measure(
+        &self,
+        points: &[DVec2],
+        triangles: &[[u32; 3]],
+        options: &Options,
+        goal: impl Fn(u32) -> u32,
+    ) -> Report {
+        let goal = |v: u32| self.mesh.goals.get(goal(v) as usize);
+        measure(points, triangles, &options.interior_degree, goal, self.limits)
+    }
+}
+
+fn check(points: &[DVec2], triangles: &[[u32; 3]], keep: &Keep) -> Result<(), String> {
+    if points.len() > MAX_POINTS || triangles.is_empty() {
+        let (p, t) = (points.len(), triangles.len());
+        return Err(format!(
+            "it has {p} points (at most {MAX_POINTS}) and {t} triangles (at least 1)"
+        ));
+    }
+    if let Some(v) = points.iter().position(|p| !is_usable(*p)) {
+        return Err(format!(
+            "vertex {v} is at {}; coordinates are finite, and 0 or of magnitude 1e-70 to 1e70",
+            points[v]
+        ));
+    }
+    let all = triangles.iter().flatten().chain(&keep.vertices).chain(keep.edges.iter().flatten());
+    if let Some(v) = all.into_iter().find(|v| **v as usize >= points.len()) {
+        return Err(format!("vertex {v} is named, but the last vertex is {}", points.len() - 1));
+    }
+    for (t, triangle) in triangles.iter().enumerate() {
+        let [a, b, c] = triangle.map(|v| points[v as usize]);
+        if orientation(a, b, c) <= 0.0 {
+            return Err(format!(
+                "triangle {t} is flat or clockwise; every triangle must be counter-clockwise"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The rings of boundary edges, the mesh on their left.
+fn boundary(mesh: &ArrayMesh) -> Vec<Vec<u32>> {
+    let mut next = vec![NONE; mesh.vertices.len()];
+    for triangle in &mesh.triangles {
+        for i in (0..3).filter(|i| triangle.neighbours[*i] == NONE) {
+            next[triangle.vertices[(i + 1) % 3] as usize] = triangle.vertices[(i + 2) % 3];
+        }
+    }
+    let mut rings = Vec::new();
+    for start in 0..next.len() {
+        let mut ring = Vec::new();
+        let mut v = start as u32;
+        while next[v as usize] != NONE {
+            ring.push(v);
+            v = std::mem::replace(&mut next[v as usize], NONE);
+        }
+        if !ring.is_empty() {
+            rings.push(ring);
+        }
+    }
+    rings
+}

@@ -1,0 +1,96 @@
+//! Interior points for a fixed boundary: degrees 5 to 7 inside, at most 5 at the boundary, and a minimum
+//! angle near its proven limit.
+//!
+//! Give the boundary points of a domain, convex or not, with or without holes. The boundary stays
+//! bit for bit; [`generate`] adds points inside. [`improve`] applies the optimiser alone to any planar
+//! triangle mesh. [`limits::limits`] says beforehand which minimum angle no mesh of this boundary can exceed.
+//!
+//! The crate brings no Delaunay triangulation: [`generate`] takes one as a function.
+//!
+//! ```
+//! use glam::DVec2;
+//! use mindeg_interior::{Fixed, Options, Outline, generate};
+//! use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
+//! use std::ops::ControlFlow;
+//!
+//! let delaunay = |points: &[DVec2], edges: &[[u32; 2]]| {
+//!     let points = points.iter().map(|p| Point2::new(p.x, p.y)).collect();
+//!     let edges = edges.iter().map(|edge| edge.map(|v| v as usize)).collect();
+//!     let mesh = ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, edges)?;
+//!     let corners = |face: spade::handles::FaceHandle<'_, _, _, _, _, _>| {
+//!         face.vertices().map(|v| v.fix().index() as u32)
+//!     };
+//!     Ok::<_, spade::InsertionError>(mesh.inner_faces().map(corners).collect())
+//! };
+//!
+//! // A unit square with 8 intervals on each side.
+//! let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
+//! let side = |i: usize| (0..8).map(move |j| corners[i].lerp(corners[(i + 1) % 4], f64::from(j) / 8.0));
+//! let ring: Vec<DVec2> = (0..4).flat_map(side).collect();
+//!
+//! let outline = Outline::new(&[&ring])?;
+//! let go = &mut |_| ControlFlow::Continue(());
+//! let mesh = generate(&outline, &Fixed::default(), &Options::default(), delaunay, go)?;
+//! assert_eq!(mesh.points[..32], ring[..]);
+//! assert!(mesh.report.min_angle > 35.0);
+//! assert!(mesh.report.violations.is_empty());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # How it works
+//!
+//! 1. A size field carries the lengths of the boundary edges inside: their mean, weighted by how each
+//!    edge is seen, and nowhere more than length + growth * distance.
+//! 2. A packing grows from the boundary inwards. Each point makes an equilateral triangle with
+//!    what is there, and corners between edges of unequal length get the fan of their limit.
+//! 3. The caller's Delaunay triangulation connects the points.
+//! 4. The optimiser smooths, and where a degree or an angle is wrong it tries flips, collapses and
+//!    vertex splits. Each is undone unless the energy falls and no small angle gets smaller.
+//! 5. If something is left to be desired, pairs of operations and then other seeds are tried, and the best mesh
+//!    is returned.
+//!
+//! # What is proven, and what is not
+//!
+//! The limits are proven ([`limits`]). Validity is checked with exact predicates on every mesh before it is returned:
+//! all triangles are counter-clockwise, and boundary and fixed edges are there. Degrees and angles are reached by
+//! a heuristic search without a guarantee; the [`Report`] says what was reached.
+//!
+//! Measured by the `corpus` example on 200 random convex polygons of 3 to 8 sides with 3 to 60 intervals each, 60
+//! polygons with reflex corners and a hole, and the project's 8 domains: no violation on any, and the minimum
+//! angle at 0.999 of min(limit, 35 degrees) in the mean and 0.98 at worst. 10^6 triangles take 2.5 s of one core
+//! (the `scale` example).
+//!
+//! Equal input gives equal bytes on every machine: transcendental functions come from `libm`, orders
+//! are fixed, and one thread does all the work.
+
+mod array_mesh;
+mod edge_tree;
+mod energy;
+mod exact;
+mod fixed;
+mod generate;
+mod goal;
+mod improve;
+mod invariants;
+pub mod limits;
+mod near;
+mod operations;
+mod optimise;
+mod options;
+mod order;
+mod outline;
+mod packing;
+mod report;
+#[cfg(test)]
+mod samples;
+mod size;
+mod smooth;
+mod trial;
+mod triangle;
+mod verdict;
+
+pub use generate::{InteriorMesh, generate};
+pub use improve::{Improved, Keep, improve};
+pub use options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+pub use outline::{Outline, OutlineError};
+pub use report::{Report, Violation};

@@ -1,0 +1,156 @@
+//! The nearest of a growing set of points, at any mixture of spacings: a quadtree.
+
+use glam::DVec2;
+
+const NONE: u32 = u32::MAX;
+/// A cell with more points is divided.
+const FULL: u32 = 8;
+/// Cells of this depth are not divided: their points are (nearly) one.
+const DEEPEST: u32 = 50;
+
+#[derive(Debug, Clone, Copy)]
+struct Cell {
+    /// The first of four children, 0 for a leaf.
+    children: u32,
+    /// The first point of a leaf's list.
+    head: u32,
+    count: u32,
+}
+
+/// Points that can be asked for the nearest one; insertion and query take O(log n) for points with spacing.
+#[derive(Debug, Clone)]
+pub(crate) struct Near {
+    points: Vec<DVec2>,
+    /// The next point in the list of a leaf.
+    next: Vec<u32>,
+    cells: Vec<Cell>,
+    middle: DVec2,
+    half: f64,
+}
+
+impl Near {
+    /// An empty set for points of the box `low` to `high`.
+    pub(crate) fn new(low: DVec2, high: DVec2) -> Self {
+        Self {
+            points: Vec::new(),
+            next: Vec::new(),
+            cells: vec![Cell { children: 0, head: NONE, count: 0 }],
+            middle: low.midpoint(high),
+            half: (high - low).max_element() / 2.0,
+        }
+    }
+
+    pub(crate) fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    pub(crate) fn insert(&mut self, point: DVec2) {
+        let index = self.points.len() as u32;
+        self.points.push(point);
+        self.next.push(NONE);
+        let (mut at, mut middle, mut half) = (0, self.middle, self.half);
+        let mut depth = 0;
+        while self.cells[at].children != 0 {
+            half /= 2.0;
+            let quadrant = quadrant(point, middle);
+            at = self.cells[at].children as usize + quadrant;
+            middle += offset(quadrant) * half;
+            depth += 1;
+        }
+        let cell = &mut self.cells[at];
+        self.next[index as usize] = cell.head;
+        cell.head = index;
+        cell.count += 1;
+        if cell.count > FULL && depth < DEEPEST {
+            self.divide(at, middle);
+        }
+    }
+
+    fn divide(&mut self, at: usize, middle: DVec2) {
+        let children = self.cells.len();
+        self.cells.extend([Cell { children: 0, head: NONE, count: 0 }; 4]);
+        let mut point = self.cells[at].head;
+        self.cells[at] = Cell { children: children as u32, head: NONE, count: 0 };
+        while point != NONE {
+            let next = self.next[point as usize];
+            let cell = &mut self.cells[children + quadrant(self.points[point as usize], middle)];
+            self.next[point as usize] = cell.head;
+            cell.head = point;
+            cell.count += 1;
+            point = next;
+        }
+    }
+
+    /// The nearest point and its distance, if any is nearer than `within`.
+    pub(crate) fn nearest(&self, x: DVec2, within: f64) -> Option<(u32, f64)> {
+        let mut best = (NONE, within * within);
+        self.search(0, self.middle, self.half, x, &mut best);
+        (best.0 != NONE).then(|| (best.0, best.1.sqrt()))
+    }
+
+    fn search(&self, at: usize, middle: DVec2, half: f64, x: DVec2, best: &mut (u32, f64)) {
+        let cell = self.cells[at];
+        if cell.children == 0 {
+            let mut point = cell.head;
+            while point != NONE {
+                let squared = self.points[point as usize].distance_squared(x);
+                if squared < best.1 {
+                    *best = (point, squared);
+                }
+                point = self.next[point as usize];
+            }
+            return;
+        }
+        let first = quadrant(x, middle);
+        for quadrant in [first, first ^ 1, first ^ 2, first ^ 3] {
+            let (middle, half) = (middle + offset(quadrant) * (half / 2.0), half / 2.0);
+            let beyond = ((x - middle).abs() - DVec2::splat(half)).max(DVec2::ZERO);
+            if beyond.length_squared() < best.1 {
+                self.search(cell.children as usize + quadrant, middle, half, x, best);
+            }
+        }
+    }
+}
+
+fn quadrant(point: DVec2, middle: DVec2) -> usize {
+    usize::from(point.x > middle.x) + 2 * usize::from(point.y > middle.y)
+}
+
+fn offset(quadrant: usize) -> DVec2 {
+    let sign = |bit: usize| if quadrant & bit == 0 { -1.0 } else { 1.0 };
+    DVec2::new(sign(1), sign(2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn the_nearest_is_that_of_a_full_search(
+            points in prop::collection::vec((0.0..8.0_f64, 0.0..5.0_f64, 0..4), 1..200),
+            queries in prop::collection::vec((-1.0..9.0_f64, -1.0..6.0_f64), 20),
+        ) {
+            let mut near = Near::new(DVec2::ZERO, DVec2::new(8.0, 5.0));
+            for (x, y, power) in points {
+                // Many points in a corner, and some twice.
+                let scale = 10_f64.powi(-4 * power);
+                near.insert(DVec2::new((x * scale * 8.0).round() / 8.0 , y * scale));
+            }
+            for x in queries.into_iter().map(DVec2::from) {
+                let brute = near.points().iter().map(|p| p.distance(x)).fold(f64::INFINITY, f64::min);
+                let found = near.nearest(x, f64::INFINITY).unwrap();
+                prop_assert!((found.1 - brute).abs() <= 1e-12 * brute);
+                prop_assert!(near.nearest(x, brute * 0.999).is_none());
+            }
+        }
+
+        #[test]
+        fn many_equal_points_are_no_trouble(count in 1..100_usize) {
+            let mut near = Near::new(DVec2::ZERO, DVec2::ONE);
+            (0..count).for_each(|_| near.insert(DVec2::splat(0.3)));
+            prop_assert_eq!(near.nearest(DVec2::splat(0.3), 1.0).unwrap().1, 0.0);
+        }
+    }
+}

@@ -1,0 +1,264 @@
+//! The optimiser: smoothing, single operations where something is wrong, then pairs of operations.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::goal::Weights;
+use crate::operations::{Operation, operations};
+use crate::options::{InteriorError, Progress, report};
+use crate::smooth::{Power, Sweeper, polish};
+use crate::trial::Bench;
+use std::collections::VecDeque;
+
+/// Rounds of operations and smoothing.
+const ROUNDS: usize = 4;
+/// Angles this much above the floor are polished, too, in degrees.
+const MARGIN: f64 = 4.0;
+
+/// Called now and then; an error cancels.
+type Alive<'a> = &'a mut dyn FnMut() -> Result<(), InteriorError>;
+
+/// Which vertices need work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Need {
+    /// A degree out of its range, or a triangle with too small an angle.
+    Any,
+    /// A degree out of its range.
+    Degree,
+}
+
+/// Improves a mesh in place. With `pairs`, what single operations leave is tried with two in a row.
+pub(crate) fn optimise(
+    mesh: &mut ArrayMesh,
+    weights: &Weights,
+    pairs: bool,
+    progress: Progress<'_>,
+) -> Result<(), InteriorError> {
+    let mut sweeper = Sweeper::new();
+    sweeper.run(mesh, Power::Two, 10);
+    report(progress, 0.3)?;
+    sweeper.run(mesh, Power::Four, 5);
+    report(progress, 0.45)?;
+    for round in 0..ROUNDS {
+        let mut changes = 0;
+        let mut alive = || report(progress, 0.5 + 0.1 * round as f32);
+        for need in [Need::Any, Need::Degree] {
+            changes += singles(mesh, weights, need, &mut alive)?;
+        }
+        if pairs {
+            changes += pairs_of_operations(mesh, weights, &mut alive)?;
+        }
+        if changes == 0 && round > 0 {
+            break;
+        }
+        sweeper.run(mesh, Power::Four, 5);
+    }
+    polish_all(mesh, weights, &mut sweeper);
+    report(progress, 1.0)
+}
+
+/// True if something is wrong at a vertex.
+fn is_needy(bench: &mut Bench<'_>, vertex: u32, need: Need, star: &mut Vec<u32>) -> bool {
+    if bench.mesh.vertices[vertex as usize].triangles == 0 {
+        return false;
+    }
+    if bench.weights.excess(bench.mesh, vertex) > 0 {
+        return true;
+    }
+    if need == Need::Degree {
+        return false;
+    }
+    bench.mesh.star(vertex, star);
+    star.iter().any(|t| {
+        crate::triangle::min_angle(bench.mesh.corners(*t))
+            < bench.weights.wanted_angle(bench.mesh, *t) - 1e-3
+    })
+}
+
+/// Works through all needy vertices with the best single operation of each. Returns the number of operations done.
+fn singles(
+    mesh: &mut ArrayMesh,
+    weights: &Weights,
+    need: Need,
+    alive: Alive<'_>,
+) -> Result<usize, InteriorError> {
+    let mut star = Vec::new();
+    let mut list = Vec::new();
+    let mut bench = Bench::new(mesh, weights.clone());
+    let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
+        .filter(|v| is_needy(&mut bench, *v, need, &mut star))
+        .collect();
+    let mut is_queued = vec![false; bench.mesh.vertices.len()];
+    queue.iter().for_each(|v| is_queued[*v as usize] = true);
+    let mut left = 20 * queue.len() + 100;
+    let mut done = 0;
+    while let Some(vertex) = queue.pop_front() {
+        is_queued[vertex as usize] = false;
+        if left == 0 {
+            break;
+        }
+        left -= 1;
+        if left.is_multiple_of(256) {
+            alive()?;
+        }
+        if !is_needy(&mut bench, vertex, need, &mut star) {
+            continue;
+        }
+        operations(bench.mesh, vertex, false, &mut list);
+        let Some(best) = best_single(&mut bench, &list, need) else { continue };
+        bench.perform(best, f64::INFINITY);
+        done += 1;
+        is_queued.resize(bench.mesh.vertices.len(), false);
+        for v in &bench.cavity.vertices {
+            if !is_queued[*v as usize] {
+                is_queued[*v as usize] = true;
+                queue.push_back(*v);
+            }
+        }
+    }
+    Ok(done)
+}
+
+/// The operation that lowers the energy most, within the guard.
+fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<Operation> {
+    let floor = bench.weights.floor;
+    let mut best: Option<(f64, Operation)> = None;
+    let allowance = match need {
+        Need::Any if bench.weights.may_violate => f64::INFINITY,
+        Need::Any => 0.0,
+        Need::Degree => -0.5 * bench.weights.degree,
+    };
+    bench.mesh.record();
+    for operation in list {
+        let mark = bench.mesh.mark();
+        if let Some(effect) = bench.perform(*operation, allowance)
+            && effect.is_good(floor)
+            && best.is_none_or(|(gain, _)| effect.gain() > gain)
+        {
+            best = Some((effect.gain(), *operation));
+        }
+        bench.mesh.undo(mark);
+    }
+    bench.mesh.commit();
+    best.map(|(_, operation)| operation)
+}
+
+/// The same with two operations in a row, the first of which may be worse.
+fn pairs_of_operations(
+    mesh: &mut ArrayMesh,
+    weights: &Weights,
+    alive: Alive<'_>,
+) -> Result<usize, InteriorError> {
+    let mut star = Vec::new();
+    let mut bench = Bench::new(mesh, weights.clone());
+    let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
+        .filter(|v| is_needy(&mut bench, *v, Need::Any, &mut star))
+        .collect();
+    let mut left = (3 * queue.len() + 20).min(MOST_PAIRS);
+    let mut done = 0;
+    while let Some(vertex) = queue.pop_front() {
+        if left == 0 {
+            break;
+        }
+        left -= 1;
+        alive()?;
+        if !is_needy(&mut bench, vertex, Need::Any, &mut star) {
+            continue;
+        }
+        let Some([first, second]) = best_pair(&mut bench, vertex) else { continue };
+        bench.perform(first, f64::INFINITY);
+        queue.extend(&bench.cavity.vertices);
+        bench.perform(second, f64::INFINITY);
+        queue.extend(&bench.cavity.vertices);
+        done += 1;
+    }
+    Ok(done)
+}
+
+/// Vertices that one round tries pairs at: some ten milliseconds each.
+const MOST_PAIRS: usize = 300;
+
+/// First operations that are followed up.
+const MOST_FIRST: usize = 12;
+
+fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
+    let mut firsts = Vec::new();
+    operations(bench.mesh, vertex, true, &mut firsts);
+    bench.mesh.record();
+    // The most promising first operations, by what they alone do.
+    let mut ranked = Vec::new();
+    for (index, operation) in firsts.iter().enumerate() {
+        let mark = bench.mesh.mark();
+        let allowance = 2.1 * bench.weights.degree;
+        if let Some(effect) = bench.perform(*operation, allowance) {
+            ranked.push((-effect.gain(), index));
+        }
+        bench.mesh.undo(mark);
+    }
+    ranked.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let floor = bench.weights.floor;
+    let mut best: Option<(f64, [Operation; 2])> = None;
+    let (mut star, mut seconds) = (Vec::new(), Vec::new());
+    for (_, index) in ranked.into_iter().take(MOST_FIRST) {
+        let first = firsts[index];
+        let mark = bench.mesh.mark();
+        if let Some(one) = bench.perform(first, f64::INFINITY) {
+            let centers = bench.cavity.vertices.clone();
+            for center in centers {
+                if !is_needy(bench, center, Need::Any, &mut star) {
+                    continue;
+                }
+                operations(bench.mesh, center, true, &mut seconds);
+                for second in &seconds {
+                    let mark = bench.mesh.mark();
+                    if let Some(two) = bench.perform(*second, one.before.hard - one.after.hard) {
+                        let gain = one.gain() + two.gain();
+                        let energy = one.before.energy.min(two.after.energy).abs();
+                        let least = one.after.min_angle.min(two.before.min_angle);
+                        // The first may have spoilt what the second's patch mends.
+                        let spoilt = least < one.before.min_angle.min(floor);
+                        let reached = if spoilt {
+                            two.after.min_angle
+                        } else {
+                            two.after.min_angle.min(floor)
+                        };
+                        let is_good = gain > 1e-7 * (1.0 + energy)
+                            && reached >= one.before.min_angle.min(floor);
+                        if is_good && best.is_none_or(|(most, _)| gain > most) {
+                            best = Some((gain, [first, *second]));
+                        }
+                    }
+                    bench.mesh.undo(mark);
+                }
+            }
+        }
+        bench.mesh.undo(mark);
+    }
+    bench.mesh.commit();
+    best.map(|(_, pair)| pair)
+}
+
+/// Moves the vertices of small angles until they rest.
+fn polish_all(mesh: &mut ArrayMesh, weights: &Weights, sweeper: &mut Sweeper) {
+    let mut active = vec![true; mesh.vertices.len()];
+    for _ in 0..15 {
+        let mut moved = false;
+        for v in 0..mesh.vertices.len() as u32 {
+            let vertex = &mesh.vertices[v as usize];
+            if vertex.kind != Kind::Free || vertex.triangles == 0 || !active[v as usize] {
+                continue;
+            }
+            active[v as usize] = false;
+            if polish(mesh, v, weights.floor + MARGIN, &mut sweeper.ring) {
+                moved = true;
+                for t in sweeper.ring.triangles() {
+                    mesh.triangles[*t as usize]
+                        .vertices
+                        .iter()
+                        .for_each(|u| active[*u as usize] = true);
+                }
+            }
+        }
+        if !moved {
+            break;
+        }
+    }
+}

@@ -1,0 +1,214 @@
+//! What is wanted, and why it cannot be done.
+
+use crate::outline::{OutlineError, is_usable};
+use glam::DVec2;
+use std::ops::{ControlFlow, RangeInclusive};
+use thiserror::Error;
+
+/// A wanted edge length at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SizeAt {
+    /// The place.
+    pub at: DVec2,
+    /// The greatest edge length there; it grows from here with [`Options::growth`].
+    pub size: f64,
+}
+
+/// Which aim wins where one costs the other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Prefer {
+    /// Degrees within their limits.
+    #[default]
+    Degree,
+    /// The minimum angle: the limit is then the one for any degree, and corners may get more triangles
+    /// than the boundary degree allows.
+    Angle,
+}
+
+/// What the mesh is to be like.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Options {
+    /// How fast the size grows from the boundary: change of size per distance. Above 0; 0.5 by default.
+    pub growth: f64,
+    /// The size far from the boundary; by default a mean of the boundary edges' lengths.
+    pub size_inside: Option<f64>,
+    /// Places with a size of their own; they make the mesh finer, never coarser.
+    pub sizes: Vec<SizeAt>,
+    /// The degrees wanted inside; 5..=7 by default. Contains 6, as the mean degree is near 6.
+    pub interior_degree: RangeInclusive<u32>,
+    /// The greatest degree wanted at the boundary, 5 by default;
+    /// see [`degree_limit`](crate::limits::degree_limit) for reflex corners.
+    pub boundary_degree: u32,
+    /// The minimum angle wanted in degrees; by default as much as the limits allow, up to about 35.
+    pub target_angle: Option<f64>,
+    /// Which aim wins.
+    pub prefer: Prefer,
+    /// The mesh is refused where it would have more points than this; 20 million by default.
+    pub max_points: usize,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            growth: 0.5,
+            size_inside: None,
+            sizes: Vec::new(),
+            interior_degree: 5..=7,
+            boundary_degree: 5,
+            target_angle: None,
+            prefer: Prefer::default(),
+            max_points: 20_000_000,
+        }
+    }
+}
+
+/// Points and segments inside the domain that the mesh must have.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Fixed {
+    /// Points inside the domain.
+    pub points: Vec<DVec2>,
+    /// Segments between vertices: the outline's, then these points. The mesh
+    /// may divide a segment, but keeps its line.
+    pub segments: Vec<[u32; 2]>,
+}
+
+/// Progress callback: the share of the work that is done, 0 to 1. Break to cancel.
+pub type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
+
+/// Why there is no mesh.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum InteriorError {
+    /// The rings do not bound a domain.
+    #[error(transparent)]
+    Outline(#[from] OutlineError),
+    /// A size that is not above 0.
+    #[error("{what} is {value}; a size is a finite number above 0")]
+    Size {
+        /// Which one.
+        what: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A growth that is not above 0.
+    #[error("growth is {0}; it is a finite number above 0 (0.5 is usual, less grows slower)")]
+    Growth(f64),
+    /// A range of degrees that no mesh can keep to.
+    #[error(
+        "interior degrees {start}..={end} are out of reach: the range must contain 6 and start at 3 or more"
+    )]
+    InteriorDegree {
+        /// The least.
+        start: u32,
+        /// The greatest.
+        end: u32,
+    },
+    /// A limit at the boundary that is too low to mesh with.
+    #[error("a boundary degree of {0} is too low; use 4 or more (5 is usual)")]
+    BoundaryDegree(u32),
+    /// A target that is no angle.
+    #[error("target angle {0} is out of range; give degrees above 0 and below 60")]
+    TargetAngle(f64),
+    /// A target that is proven impossible.
+    #[error(
+        "a minimum angle of {target} degrees is impossible: the boundary at vertex {vertex} allows at most {limit:.3} degrees; lower the target, or make the interval lengths at this vertex more alike"
+    )]
+    TargetAboveLimit {
+        /// The angle wanted.
+        target: f64,
+        /// The proven limit.
+        limit: f64,
+        /// The boundary vertex that decides.
+        vertex: u32,
+    },
+    /// A place outside the domain.
+    #[error("{what} at ({}, {}) is not inside the domain", at[0], at[1])]
+    Outside {
+        /// What is there.
+        what: String,
+        /// Where it is.
+        at: [f64; 2],
+    },
+    /// A fixed segment that names a vertex that is not there, or one vertex twice.
+    #[error("fixed segment {segment} joins vertices {} and {}; give two different ones of the {vertices} boundary and fixed points", ends[0], ends[1])]
+    Segment {
+        /// The segment's index.
+        segment: usize,
+        /// Its ends.
+        ends: [u32; 2],
+        /// The number of vertices it may name.
+        vertices: usize,
+    },
+    /// A fixed segment that touches something it may not touch.
+    #[error(
+        "fixed segment {segment} touches or crosses {what}; segments may only meet at their ends, which are vertices of both"
+    )]
+    SegmentCrosses {
+        /// The segment's index.
+        segment: usize,
+        /// What it touches.
+        what: String,
+    },
+    /// More points than allowed.
+    #[error(
+        "the mesh needs more than {max} points; raise the size inside or the sizes at places, or allow more points"
+    )]
+    TooManyPoints {
+        /// How many are allowed.
+        max: usize,
+    },
+    /// The triangulation failed.
+    #[error("the triangulation of boundary and interior points failed: {0}")]
+    Triangulation(#[source] Box<dyn std::error::Error + Send + Sync>),
+    /// The triangulation lacks boundary edges or has too many or too few triangles.
+    #[error("the triangulation does not fill the outline: {0}")]
+    NotFilled(String),
+    /// A mesh that cannot be improved because it is not a planar triangle mesh.
+    #[error("the mesh cannot be improved: {0}")]
+    BadMesh(String),
+    /// The callback asked to stop.
+    #[error("cancelled")]
+    Cancelled,
+}
+
+impl Options {
+    /// Checks all values that need no outline to check.
+    pub(crate) fn check(&self) -> Result<(), InteriorError> {
+        let positive = |x: f64| x.is_finite() && x > 0.0;
+        if !positive(self.growth) {
+            return Err(InteriorError::Growth(self.growth));
+        }
+        if let Some(value) = self.size_inside.filter(|size| !positive(*size)) {
+            return Err(InteriorError::Size { what: "the size inside".into(), value });
+        }
+        for (index, place) in self.sizes.iter().enumerate() {
+            if !positive(place.size) {
+                let what = format!("size {index}");
+                return Err(InteriorError::Size { what, value: place.size });
+            }
+            if !is_usable(place.at) {
+                let what = format!("size {index}");
+                return Err(InteriorError::Outside { what, at: place.at.to_array() });
+            }
+        }
+        let (start, end) = (*self.interior_degree.start(), *self.interior_degree.end());
+        if !(3..=6).contains(&start) || end < 6 {
+            return Err(InteriorError::InteriorDegree { start, end });
+        }
+        if self.boundary_degree < 4 {
+            return Err(InteriorError::BoundaryDegree(self.boundary_degree));
+        }
+        match self.target_angle {
+            Some(angle) if !(angle > 0.0 && angle < 60.0) => Err(InteriorError::TargetAngle(angle)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Reports progress; an error if the callback wants to stop.
+pub(crate) fn report(progress: Progress<'_>, done: f32) -> Result<(), InteriorError> {
+    match progress(done) {
+        ControlFlow::Continue(()) => Ok(()),
+        ControlFlow::Break(()) => Err(InteriorError::Cancelled),
+    }
+}

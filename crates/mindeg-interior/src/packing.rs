@@ -1,0 +1,235 @@
+//! The first interior points: an equilateral packing that grows from the boundary.
+//!
+//! Corners between edges of unequal length get the best fan of their limit first. Then
+//! points are tried from the boundary inwards, each where it makes an equilateral
+//! triangle with what is there, and kept if no point is too near for the size field.
+
+use crate::edge_tree::EdgeTree;
+use crate::exact::orientation;
+use crate::goal::Goal;
+use crate::limits::fan_limit;
+use crate::near::Near;
+use crate::options::{InteriorError, Progress, report};
+use crate::outline::Outline;
+use crate::size::SizeField;
+use crate::triangle::SQRT_3;
+use glam::DVec2;
+use std::collections::VecDeque;
+use std::f64::consts::PI;
+
+/// A segment that the packing starts from and keeps clear of.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece {
+    pub(crate) from: DVec2,
+    pub(crate) to: DVec2,
+}
+
+/// What the packing works on.
+pub(crate) struct Ground<'a> {
+    pub(crate) outline: &'a Outline,
+    pub(crate) goals: &'a [Goal],
+    pub(crate) field: &'a SizeField,
+    /// Interior points that are there already, and pieces of segments between them.
+    pub(crate) fixed: &'a [DVec2],
+    pub(crate) pieces: &'a [Piece],
+    pub(crate) tree_of_pieces: EdgeTree,
+    /// The least distance of two points, in sizes.
+    pub(crate) spacing: f64,
+    /// The minimum angle that fans aim at, in degrees.
+    pub(crate) fan_angle: f64,
+    pub(crate) max_points: usize,
+}
+
+/// A place to try.
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    /// A point of the domain.
+    from: DVec2,
+    /// To the place, if the size were everywhere as it is at `from`.
+    step: DVec2,
+    /// The direction of the packing here.
+    direction: DVec2,
+}
+
+/// More triangles than this are of no use in any fan, nearly.
+const MOST_SPOKES: u32 = 64;
+
+/// Nearer to an edge than this share of size or edge length, no point is put.
+const CLEARANCE: f64 = 0.45;
+
+impl Ground<'_> {
+    /// Interior points and their sizes, without the fixed ones.
+    pub(crate) fn pack(
+        &self,
+        progress: Progress<'_>,
+    ) -> Result<(Vec<DVec2>, Vec<f64>), InteriorError> {
+        let points = self.outline.points();
+        let low = points.iter().copied().reduce(DVec2::min).unwrap_or_default();
+        let high = points.iter().copied().reduce(DVec2::max).unwrap_or_default();
+        let mut near = Near::new(low, high);
+        let mut sizes = Vec::with_capacity(points.len());
+        for vertex in 0..points.len() as u32 {
+            near.insert(points[vertex as usize]);
+            let before = self.outline.length(self.outline.previous(vertex));
+            sizes.push(self.outline.length(vertex).min(before));
+        }
+        for point in self.fixed {
+            near.insert(*point);
+            sizes.push(self.field.at(*point));
+        }
+        let given = sizes.len();
+        let mut queue = VecDeque::new();
+        self.fans(&mut near, &mut sizes, &mut queue);
+        self.start(&mut queue);
+        while let Some(candidate) = queue.pop_front() {
+            let Some((place, size)) = self.place(&near, &sizes, candidate) else { continue };
+            near.insert(place);
+            sizes.push(size);
+            if sizes.len() > self.max_points {
+                return Err(InteriorError::TooManyPoints { max: self.max_points });
+            }
+            if sizes.len() % (1 << 14) == 0 {
+                report(progress, 0.0)?;
+            }
+            surround(place, size, candidate.direction, &mut queue);
+        }
+        Ok((near.points()[given..].to_vec(), sizes.split_off(given)))
+    }
+
+    /// The ends of the spokes at corners between edges of unequal length.
+    fn fans(&self, near: &mut Near, sizes: &mut Vec<f64>, queue: &mut VecDeque<Candidate>) {
+        for vertex in 0..self.outline.points().len() as u32 {
+            let angle = self.outline.angle(vertex);
+            let (first, last) =
+                (self.outline.length(vertex), self.outline.length(self.outline.previous(vertex)));
+            let ratio = last / first;
+            let is_corner = (angle / PI - 1.0).abs() > 1.0 / 18.0;
+            if !is_corner || ratio.max(1.0 / ratio) <= 1.3 {
+                continue;
+            }
+            let goal = &self.goals[vertex as usize];
+            let reachable = goal.limit.min(self.fan_angle);
+            let most = goal.fan.unwrap_or(MOST_SPOKES);
+            let count = (1..=most)
+                .find(|k| fan_limit(angle, first, last, Some(*k)) >= reachable - 1e-9)
+                .unwrap_or(most);
+            let at = self.outline.point(vertex);
+            let along = (self.outline.point(self.outline.next(vertex)) - at) / first;
+            for spoke in 1..count {
+                let share = f64::from(spoke) / f64::from(count);
+                let (sine, cosine) = (libm::sin(angle * share), libm::cos(angle * share));
+                let length = first * libm::exp(libm::log(ratio) * share);
+                let direction = along.rotate(DVec2::new(cosine, sine));
+                let place = at + direction * length;
+                let is_free = near.nearest(place, 0.3 * length).is_none();
+                if is_free && self.is_inside(place, f64::INFINITY) {
+                    let size = self.field.at(place);
+                    near.insert(place);
+                    sizes.push(size);
+                    surround(place, size, direction, queue);
+                }
+            }
+        }
+    }
+
+    /// The apexes over the boundary edges, then over both sides of fixed pieces; short edges first.
+    fn start(&self, queue: &mut VecDeque<Candidate>) {
+        let boundary = self.outline.edges().map(|ends| ends.map(|v| self.outline.point(v)));
+        let pieces = self.pieces.iter().flat_map(|p| [[p.from, p.to], [p.to, p.from]]);
+        let mut edges: Vec<[DVec2; 2]> = boundary.chain(pieces).collect();
+        edges.sort_by(|a, b| a[0].distance_squared(a[1]).total_cmp(&b[0].distance_squared(b[1])));
+        let fans = std::mem::take(queue);
+        queue.extend(edges.into_iter().map(|[a, b]| Candidate {
+            from: a.midpoint(b) + (b - a).perp() * (SQRT_3 / 2.0),
+            step: DVec2::ZERO,
+            direction: (b - a).normalize_or_zero(),
+        }));
+        for point in self.fixed {
+            surround(*point, self.field.at(*point), DVec2::X, queue);
+        }
+        queue.extend(fans);
+    }
+
+    /// The place of a candidate and its size, if a point may be there.
+    fn place(&self, near: &Near, sizes: &[f64], candidate: Candidate) -> Option<(DVec2, f64)> {
+        let guess = candidate.from + candidate.step;
+        let reach = candidate.step.length();
+        let mut place = guess;
+        if reach > 0.0 {
+            // A cheap look first: most places round a point are taken.
+            if let Some((other, distance)) = near.nearest(guess, reach)
+                && distance < 0.5 * self.spacing * sizes[other as usize].min(reach)
+            {
+                return None;
+            }
+            let between = candidate.from + candidate.step / 2.0;
+            place = candidate.from + candidate.step * (self.field.at(between) / reach);
+        }
+        let travelled = place.distance(candidate.from);
+        let within = if reach > 0.0 { travelled * (1.0 + 1e-9) } else { f64::INFINITY };
+        if !self.is_inside(place, within) {
+            return None;
+        }
+        let size = self.field.at(place);
+        let boundary = self.field.boundary().nearest(place, CLEARANCE * size);
+        if let Some((edge, distance)) = boundary {
+            let ends = [edge, self.outline.next(edge)].map(|v| self.outline.point(v));
+            if is_crowded(place, ends, distance, size) {
+                return None;
+            }
+        }
+        if let Some((piece, distance)) = self.tree_of_pieces.nearest(place, CLEARANCE * size) {
+            let piece = self.pieces[piece as usize];
+            if is_crowded(place, [piece.from, piece.to], distance, size) {
+                return None;
+            }
+        }
+        near.nearest(place, self.spacing * size).is_none().then_some((place, size))
+    }
+
+    /// True if `x` lies in the domain. `within`: a distance at which a point inside is known.
+    fn is_inside(&self, x: DVec2, within: f64) -> bool {
+        match self.field.boundary().nearest(x, within) {
+            None => within.is_finite(),
+            Some((edge, _)) => is_inside_of(self.outline, edge, x),
+        }
+    }
+}
+
+/// True if `x` lies in the domain, given the boundary edge nearest to it.
+pub(crate) fn is_inside_of(outline: &Outline, edge: u32, x: DVec2) -> bool {
+    let (a, b) = (edge, outline.next(edge));
+    let left = |v: u32| orientation(outline.point(v), outline.point(outline.next(v)), x) > 0.0;
+    let (from, to) = (outline.point(a), outline.point(b));
+    let along = (x - from).dot(to - from);
+    let corner = if along <= 0.0 {
+        a
+    } else if along >= (to - from).length_squared() {
+        b
+    } else {
+        return left(a);
+    };
+    let before = outline.previous(corner);
+    if outline.angle(corner) <= PI {
+        left(before) && left(corner)
+    } else {
+        left(before) || left(corner)
+    }
+}
+
+/// True if a point is too near to an edge, or sees it under more than 120 degrees.
+fn is_crowded(x: DVec2, [a, b]: [DVec2; 2], distance: f64, size: f64) -> bool {
+    let length = a.distance(b);
+    let (u, v) = (a - x, b - x);
+    distance < CLEARANCE * size.min(length) || 2.0 * u.dot(v) < -u.length() * v.length()
+}
+
+/// Six places round a point.
+fn surround(from: DVec2, size: f64, direction: DVec2, queue: &mut VecDeque<Candidate>) {
+    let sixth = DVec2::new(0.5, SQRT_3 / 2.0);
+    let mut turned = direction;
+    for _ in 0..6 {
+        queue.push_back(Candidate { from, step: turned * size, direction });
+        turned = turned.rotate(sixth);
+    }
+}

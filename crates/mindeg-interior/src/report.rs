@@ -1,0 +1,130 @@
+//! What a mesh is like, measured on its points and triangles alone.
+
+use crate::goal::Goal;
+use crate::limits::Limits;
+use crate::triangle::{doubled_area, max_angle, min_angle};
+use glam::DVec2;
+use std::ops::RangeInclusive;
+
+/// A vertex whose degree is out of its range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Violation {
+    /// The vertex.
+    pub vertex: u32,
+    /// Where it is.
+    pub at: DVec2,
+    /// Its degree.
+    pub degree: u32,
+    /// True for a boundary vertex.
+    pub is_boundary: bool,
+}
+
+/// What was reached. Angles are in degrees.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    /// The proven limits of the minimum angle for this boundary.
+    pub limits: Limits,
+    /// The minimum angle.
+    pub min_angle: f64,
+    /// The vertex with the minimum angle.
+    pub min_angle_vertex: u32,
+    /// The minimum angle over [`Limits::angle`]. A mesh that breaks a degree limit may exceed 1.
+    pub share_of_limit: f64,
+    /// The maximum angle.
+    pub max_angle: f64,
+    /// The least and greatest degree inside; none without interior vertices.
+    pub interior_degree: Option<RangeInclusive<u32>>,
+    /// The least and greatest degree at the boundary.
+    pub boundary_degree: RangeInclusive<u32>,
+    /// Vertices whose degree is out of its range, in ascending order.
+    pub violations: Vec<Violation>,
+    /// The greatest ratio of the areas of two triangles with a common edge.
+    pub area_ratio: f64,
+    /// The 99th percentile of the square root of that ratio: how fast edge lengths change.
+    pub grading_p99: f64,
+    /// The number of triangles.
+    pub triangles: usize,
+    /// The number of vertices that are not on the boundary.
+    pub interior_points: usize,
+}
+
+/// Measures a mesh. `goal` gives the goal of a boundary vertex, none of an interior one.
+pub(crate) fn measure<'a>(
+    points: &[DVec2],
+    triangles: &[[u32; 3]],
+    interior: &RangeInclusive<u32>,
+    goal: impl Fn(u32) -> Option<&'a Goal>,
+    limits: Limits,
+) -> Report {
+    let corners = |t: &[u32; 3]| t.map(|v| points[v as usize]);
+    let mut counts = vec![0_u32; points.len()];
+    let (mut least, mut greatest) = ((f64::INFINITY, 0), 0.0_f64);
+    let mut halves = Vec::with_capacity(3 * triangles.len());
+    for (index, t) in triangles.iter().enumerate() {
+        let angle = min_angle(corners(t));
+        if angle < least.0 {
+            least = (angle, index);
+        }
+        greatest = greatest.max(max_angle(corners(t)));
+        for i in 0..3 {
+            counts[t[i] as usize] += 1;
+            let (a, b) = (t[i], t[(i + 1) % 3]);
+            halves.push((a.min(b), a.max(b), index as u32));
+        }
+    }
+    halves.sort_unstable();
+    let area = |t: u32| doubled_area(corners(&triangles[t as usize]));
+    let mut ratios: Vec<f64> = halves
+        .windows(2)
+        .filter(|pair| (pair[0].0, pair[0].1) == (pair[1].0, pair[1].1))
+        .map(|pair| area(pair[0].2) / area(pair[1].2))
+        .map(|ratio| ratio.max(1.0 / ratio))
+        .collect();
+    ratios.sort_unstable_by(f64::total_cmp);
+    let percentile = ratios.get(ratios.len().saturating_sub(1) * 99 / 100).copied().unwrap_or(1.0);
+
+    let mut violations = Vec::new();
+    let mut inside: Option<(u32, u32)> = None;
+    let mut boundary = (u32::MAX, 0);
+    let mut interior_points = 0;
+    for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
+        let (degree, is_fine, is_boundary) = match goal(vertex) {
+            Some(goal) => {
+                let degree = count + 1;
+                boundary = (boundary.0.min(degree), boundary.1.max(degree));
+                (degree, count <= goal.triangles, true)
+            }
+            None => {
+                interior_points += 1;
+                let (low, high) = inside.unwrap_or((count, count));
+                inside = Some((low.min(count), high.max(count)));
+                (count, interior.contains(&count), false)
+            }
+        };
+        if !is_fine {
+            let at = points[vertex as usize];
+            violations.push(Violation { vertex, at, degree, is_boundary });
+        }
+    }
+    Report {
+        limits,
+        min_angle: least.0,
+        min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),
+        share_of_limit: least.0 / limits.angle(),
+        max_angle: greatest,
+        interior_degree: inside.map(|(low, high)| low..=high),
+        boundary_degree: boundary.0..=boundary.1,
+        violations,
+        area_ratio: ratios.last().copied().unwrap_or(1.0),
+        grading_p99: percentile.sqrt(),
+        triangles: triangles.len(),
+        interior_points,
+    }
+}
+
+/// The vertex opposite the shortest edge.
+fn sharpest(triangle: &[u32; 3], corners: [DVec2; 3]) -> u32 {
+    let opposite = |i: usize| corners[(i + 1) % 3].distance_squared(corners[(i + 2) % 3]);
+    let i = (1..3).fold(0, |best, i| if opposite(i) < opposite(best) { i } else { best });
+    triangle[i]
+}

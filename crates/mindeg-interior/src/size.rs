@@ -1,0 +1,216 @@
+//! The size of the mesh at any place: edges' lengths, carried smoothly inside.
+
+use crate::edge_tree::{EdgeTree, Item, Node};
+use crate::options::SizeAt;
+use crate::outline::Outline;
+use glam::DVec2;
+
+/// The wanted edge length at every place of a domain.
+///
+/// It is the least of three:
+/// - the mean of the boundary edges' lengths, each edge weighted by the integral of dtheta / r over the
+///   angle under which it is seen (Floater's mean value coordinates; the boundary
+///   counts as transparent, so weights stay positive where a domain is not convex), or a
+///   fixed size inside instead;
+/// - length + growth * distance of any boundary edge;
+/// - size + growth * distance of any place with a size of its own.
+///
+/// One evaluation takes O(log n) for straight sides with equal or graded intervals.
+#[derive(Debug, Clone)]
+pub(crate) struct SizeField {
+    boundary: EdgeTree,
+    places: EdgeTree,
+    growth: f64,
+    inside: Option<f64>,
+}
+
+/// A run of edges counts as one when it is this much shorter than its distance.
+const FAR: f64 = 0.3;
+
+impl SizeField {
+    pub(crate) fn new(
+        outline: &Outline,
+        growth: f64,
+        inside: Option<f64>,
+        places: &[SizeAt],
+    ) -> Self {
+        let items = places.iter().enumerate().map(|(id, place)| Item {
+            id: id as u32,
+            from: place.at,
+            to: place.at,
+            size: place.size,
+        });
+        Self {
+            boundary: EdgeTree::of_outline(outline),
+            places: EdgeTree::of_items(items.collect()),
+            growth,
+            inside,
+        }
+    }
+
+    pub(crate) fn boundary(&self) -> &EdgeTree {
+        &self.boundary
+    }
+
+    /// The wanted edge length at `x`.
+    pub(crate) fn at(&self, x: DVec2) -> f64 {
+        let wanted = match self.inside {
+            // Sizes shrink no faster than they grow.
+            Some(inside) => inside.max(self.shrunk(x)),
+            None => self.mean(x),
+        };
+        let mut least = wanted;
+        for tree in [&self.boundary, &self.places] {
+            for root in tree.roots() {
+                self.least_grown(tree, *root, x, &mut least);
+            }
+        }
+        least
+    }
+
+    /// The least of size + growth * distance, where that is below `least`.
+    fn least_grown(&self, tree: &EdgeTree, at: u32, x: DVec2, least: &mut f64) {
+        let node = &tree.nodes()[at as usize];
+        let bound = |node: &Node| node.least + self.growth * node.distance(x);
+        if bound(node) >= *least {
+            return;
+        }
+        match tree.children(at) {
+            Some([a, b]) if !is_uniform(node) => {
+                let swap = bound(&tree.nodes()[b as usize]) < bound(&tree.nodes()[a as usize]);
+                let [near, far] = if swap { [b, a] } else { [a, b] };
+                self.least_grown(tree, near, x, least);
+                self.least_grown(tree, far, x, least);
+            }
+            _ => *least = bound(node),
+        }
+    }
+
+    /// The greatest of length - growth * distance over the boundary edges, at least 0.
+    fn shrunk(&self, x: DVec2) -> f64 {
+        let mut greatest = 0.0_f64;
+        for root in self.boundary.roots() {
+            let mut stack = vec![*root];
+            while let Some(at) = stack.pop() {
+                let node = &self.boundary.nodes()[at as usize];
+                let bound = node.greatest - self.growth * node.distance(x);
+                if bound <= greatest {
+                    continue;
+                }
+                match self.boundary.children(at) {
+                    Some(children) if !is_uniform(node) => stack.extend(children),
+                    _ => greatest = bound,
+                }
+            }
+        }
+        greatest
+    }
+
+    /// The weighted mean of the edges' lengths.
+    fn mean(&self, x: DVec2) -> f64 {
+        let (mut weights, mut sum) = (0.0, 0.0);
+        for root in self.boundary.roots() {
+            self.add_mean(*root, x, &mut weights, &mut sum);
+        }
+        // On the boundary itself a weight is infinite; the growth bound decides there.
+        if sum.is_finite() && weights > 0.0 { sum / weights } else { f64::INFINITY }
+    }
+
+    fn add_mean(&self, at: u32, x: DVec2, weights: &mut f64, sum: &mut f64) {
+        let node = &self.boundary.nodes()[at as usize];
+        let size = node.from.distance(node.to) + 2.0 * node.spread;
+        let weight = match self.boundary.children(at) {
+            // Weights of one line add up exactly.
+            None => sight(node.from - x, node.to - x),
+            Some(_) if is_uniform(node) => sight(node.from - x, node.to - x),
+            Some(_) if size < FAR * node.distance(x) => {
+                if node.is_straight {
+                    sight(node.from - x, node.to - x)
+                } else {
+                    distant(node, x)
+                }
+            }
+            Some(children) => {
+                return children.into_iter().for_each(|c| self.add_mean(c, x, weights, sum));
+            }
+        };
+        *weights += weight;
+        *sum += weight * (node.moment / node.length);
+    }
+}
+
+/// True if all edges of the run are of one length and on one line.
+fn is_uniform(node: &Node) -> bool {
+    node.is_straight && node.greatest <= node.least * (1.0 + 1e-6)
+}
+
+/// The integral of dtheta / r over a segment, given from the eye to its ends:
+/// tan(theta / 2) (1/|a| + 1/|b|).
+fn sight(a: DVec2, b: DVec2) -> f64 {
+    let (from, to) = (a.length(), b.length());
+    a.perp_dot(b).abs() * (from + to) / (from * to * (from * to + a.dot(b)))
+}
+
+/// The same for a run that is far away: the edges' lengths, foreshortened, over r squared.
+fn distant(node: &Node, x: DVec2) -> f64 {
+    let to = node.from.midpoint(node.to) - x;
+    let squared = to.length_squared();
+    let [xx, xy, yy] = node.normals;
+    // Sum of l |n.u|, by Cauchy and Schwarz at most this, and this exactly on one line.
+    let projected = xx * to.x * to.x + 2.0 * xy * to.x * to.y + yy * to.y * to.y;
+    (node.length * projected.max(0.0) / squared).sqrt() / squared
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    fn exact(outline: &Outline, growth: f64, x: DVec2) -> f64 {
+        let (mut weights, mut sum, mut grown) = (0.0, 0.0, f64::INFINITY);
+        for [a, b] in outline.edges() {
+            let (from, to) = (outline.point(a), outline.point(b));
+            let weight = sight(from - x, to - x);
+            weights += weight;
+            sum += weight * from.distance(to);
+            let distance = crate::edge_tree::distance_to_segment(x, from, to);
+            grown = grown.min(from.distance(to) + growth * distance);
+        }
+        grown.min(sum / weights)
+    }
+
+    #[test]
+    fn the_tree_agrees_with_the_sum_over_all_edges() {
+        for outline in [
+            samples::plate_with_hole(),
+            samples::rectangle(100.0, 40.0, [1000, 3, 5, 2]),
+            samples::rectangle(9.0, 9.0, [30, 70, 10, 45]),
+        ] {
+            let field = SizeField::new(&outline, 0.5, None, &[]);
+            let high = outline.points().iter().fold(DVec2::ZERO, |a, b| a.max(*b));
+            for i in 0..400 {
+                let x = high * DVec2::new(f64::from(i % 20) + 0.5, f64::from(i / 20) + 0.7) / 20.3;
+                let (found, expected) = (field.at(x), exact(&outline, 0.5, x));
+                assert!((found / expected - 1.0).abs() < 0.03, "{x}: {found} {expected}");
+            }
+        }
+    }
+
+    #[test]
+    fn sizes_inside_and_at_places_count() {
+        let outline = samples::rectangle(10.0, 10.0, [10; 4]);
+        let middle = DVec2::new(5.0, 5.0);
+        let at = |inside, places: &[SizeAt]| {
+            let field = SizeField::new(&outline, 0.5, inside, places);
+            move |x: DVec2| field.at(x)
+        };
+        assert!((at(None, &[])(middle) - 1.0).abs() < 1e-9);
+        assert_eq!(at(Some(2.0), &[])(middle), 2.0);
+        assert_eq!(at(Some(9.0), &[])(middle), 3.5);
+        assert_eq!(at(Some(0.1), &[])(middle), 0.1);
+        assert!((at(Some(0.1), &[])(DVec2::new(5.0, 1.0)) - 0.5).abs() < 1e-12);
+        let place = [SizeAt { at: middle, size: 0.2 }];
+        assert_eq!(at(None, &place)(middle), 0.2);
+        assert!((at(None, &place)(DVec2::new(5.0, 6.0)) - 0.7).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,213 @@
+//! Moving free vertices: Newton's method on distortion, and a search along a compass for angles.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::triangle::{SQRT_3, cross, distortion, min_angle};
+use glam::DVec2;
+
+/// The exponent of distortion in what smoothing minimises. More weighs bad triangles more.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Power {
+    Two,
+    Four,
+}
+
+// By multiplication: the library's integer powers may differ from machine to machine.
+impl Power {
+    fn exponent(self) -> f64 {
+        if self == Self::Two { 2.0 } else { 4.0 }
+    }
+
+    fn of(self, x: f64) -> f64 {
+        x * x * self.of_two_less(x)
+    }
+
+    fn of_two_less(self, x: f64) -> f64 {
+        if self == Self::Two { 1.0 } else { x * x }
+    }
+}
+
+/// The two ring points of each triangle at a vertex, so that a move needs no look-ups.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Ring {
+    edges: Vec<[DVec2; 2]>,
+    triangles: Vec<u32>,
+}
+
+impl Ring {
+    fn load(&mut self, mesh: &ArrayMesh, vertex: u32) {
+        mesh.star(vertex, &mut self.triangles);
+        self.edges.clear();
+        for t in &self.triangles {
+            let triangle = &mesh.triangles[*t as usize];
+            let corner = triangle.corner(vertex);
+            self.edges.push([1, 2].map(|i| mesh.at(triangle.vertices[(corner + i) % 3])));
+        }
+    }
+
+    fn distortion(&self, x: DVec2, power: Power) -> f64 {
+        self.edges.iter().map(|[b, c]| power.of(distortion([x, *b, *c]))).sum()
+    }
+
+    fn min_angle(&self, x: DVec2) -> f64 {
+        let each = self.edges.iter().map(|[b, c]| min_angle([x, *b, *c]));
+        each.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The triangles at the vertex loaded last.
+    pub(crate) fn triangles(&self) -> &[u32] {
+        &self.triangles
+    }
+}
+
+/// One step of Newton's method on the sum of distortion^power over the triangles at a free vertex.
+/// The sum is convex where no triangle is inverted. Returns how far the vertex moved.
+pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut Ring) -> f64 {
+    debug_assert_eq!(mesh.vertices[vertex as usize].kind, Kind::Free);
+    ring.load(mesh, vertex);
+    let x = mesh.at(vertex);
+    let (mut before, mut slope) = (0.0, DVec2::ZERO);
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    let p = power.exponent();
+    for [b, c] in &ring.edges {
+        // distortion = s / (2 sqrt3 d): s the sum of squares, d the doubled area, linear in x.
+        let (u, v) = (*b - x, *c - x);
+        let d = cross(u, v);
+        if d <= 0.0 {
+            return 0.0;
+        }
+        let s = u.length_squared() + v.length_squared() + b.distance_squared(*c);
+        let (ds, dd) = (-2.0 * (u + v), DVec2::new(b.y - c.y, c.x - b.x));
+        let unit = 1.0 / (2.0 * SQRT_3 * d);
+        let value = s * unit;
+        let gradient = (ds - dd * (s / d)) * unit;
+        let outer = |a: DVec2, b: DVec2| [a.x * b.x, a.x * b.y + a.y * b.x, a.y * b.y];
+        let (mixed, square) = (outer(ds, dd), outer(dd, dd));
+        let curve = |diagonal: f64, mixed: f64, square: f64| {
+            (diagonal - mixed / d + square * s / (d * d)) * unit
+        };
+        let low = power.of_two_less(value);
+        let (first, second) = (p * low * value, p * (p - 1.0) * low);
+        before += low * value * value;
+        slope += gradient * first;
+        // The mixed terms: ds dd^T + dd ds^T.
+        xx +=
+            first * curve(4.0, 2.0 * mixed[0], 2.0 * square[0]) + second * gradient.x * gradient.x;
+        xy += first * curve(0.0, mixed[1], square[1]) + second * gradient.x * gradient.y;
+        yy +=
+            first * curve(4.0, 2.0 * mixed[2], 2.0 * square[2]) + second * gradient.y * gradient.y;
+    }
+    let determinant = xx * yy - xy * xy;
+    if !(determinant > 0.0 && determinant.is_finite()) {
+        return 0.0;
+    }
+    let step = DVec2::new(xy * slope.y - yy * slope.x, xy * slope.x - xx * slope.y) / determinant;
+    let mut share = 1.0;
+    for _ in 0..5 {
+        let place = x + step * share;
+        if place.is_finite() && ring.distortion(place, power) < before {
+            mesh.move_to(vertex, place);
+            return step.length() * share;
+        }
+        share *= 0.4;
+    }
+    0.0
+}
+
+/// Moves a free vertex along a compass to where small angles at it weigh less, without lowering
+/// the least. True if it moved.
+pub(crate) fn polish(mesh: &mut ArrayMesh, vertex: u32, below: f64, ring: &mut Ring) -> bool {
+    ring.load(mesh, vertex);
+    let start = mesh.at(vertex);
+    let mut x = start;
+    let mut least = ring.min_angle(x);
+    if least >= below {
+        return false;
+    }
+    let weight = |ring: &Ring, x: DVec2| {
+        let mut least = f64::INFINITY;
+        let mut sum = 0.0;
+        for [b, c] in &ring.edges {
+            let angle = min_angle([x, *b, *c]);
+            least = least.min(angle);
+            sum += libm::exp((20.0 - angle) / 1.5);
+        }
+        (sum, least)
+    };
+    let mut best = weight(ring, x).0;
+    let reach = ring.edges.iter().map(|[b, _]| b.distance(x)).fold(f64::INFINITY, f64::min);
+    let mut step = 0.1 * reach;
+    let diagonal = std::f64::consts::FRAC_1_SQRT_2;
+    while step > 2e-3 * reach {
+        let compass = [
+            [1.0, 0.0],
+            [0.0, 1.0],
+            [-1.0, 0.0],
+            [0.0, -1.0],
+            [diagonal, diagonal],
+            [-diagonal, diagonal],
+            [-diagonal, -diagonal],
+            [diagonal, -diagonal],
+        ];
+        let mut found = false;
+        for direction in compass {
+            let place = x + DVec2::from(direction) * step;
+            let (sum, angle) = weight(ring, place);
+            if sum < best * (1.0 - 1e-9) && angle >= least {
+                (x, best, least, found) = (place, sum, angle, true);
+            }
+        }
+        if !found {
+            step /= 2.0;
+        }
+    }
+    if x == start {
+        return false;
+    }
+    mesh.move_to(vertex, x);
+    true
+}
+
+/// Smooths all free vertices, those that stopped moving less often.
+pub(crate) struct Sweeper {
+    is_active: Vec<bool>,
+    pub(crate) ring: Ring,
+}
+
+/// Below this share of the size, a move does not count.
+const STILL: f64 = 3e-3;
+
+impl Sweeper {
+    pub(crate) fn new() -> Self {
+        Self { is_active: Vec::new(), ring: Ring::default() }
+    }
+
+    /// `sweeps` sweeps over all vertices.
+    pub(crate) fn run(&mut self, mesh: &mut ArrayMesh, power: Power, sweeps: usize) {
+        self.is_active.clear();
+        self.is_active.resize(mesh.vertices.len(), true);
+        for _ in 0..sweeps {
+            let mut moved = false;
+            for v in 0..mesh.vertices.len() as u32 {
+                let vertex = &mesh.vertices[v as usize];
+                if vertex.kind != Kind::Free || vertex.triangles == 0 || !self.is_active[v as usize]
+                {
+                    continue;
+                }
+                self.is_active[v as usize] = false;
+                let size = vertex.size;
+                if smooth(mesh, v, power, &mut self.ring) > STILL * size {
+                    moved = true;
+                    for t in self.ring.triangles() {
+                        mesh.triangles[*t as usize]
+                            .vertices
+                            .iter()
+                            .for_each(|u| self.is_active[*u as usize] = true);
+                    }
+                }
+            }
+            if !moved {
+                break;
+            }
+        }
+    }
+}

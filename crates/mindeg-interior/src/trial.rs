@@ -1,0 +1,152 @@
+//! Trying an operation: do it, smooth round it, compare costs, and take it back or keep it.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::energy::Cost;
+use crate::goal::Weights;
+use crate::operations::{Cavity, Operation};
+use crate::smooth::{Power, Ring, smooth};
+
+/// The mesh under work, with what trials need again and again.
+pub(crate) struct Bench<'a> {
+    pub(crate) mesh: &'a mut ArrayMesh,
+    pub(crate) weights: Weights,
+    pub(crate) cavity: Cavity,
+    ring: Ring,
+    star: Vec<u32>,
+    patch: Vec<u32>,
+    /// When a triangle was last put into a patch.
+    seen: Vec<u32>,
+    round: u32,
+}
+
+/// What an operation did.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Effect {
+    pub(crate) before: Cost,
+    pub(crate) after: Cost,
+}
+
+impl Effect {
+    /// By how much the energy falls.
+    pub(crate) fn gain(&self) -> f64 {
+        self.before.energy - self.after.energy
+    }
+
+    /// True if the energy falls and no angle below `floor` gets smaller: the hard guard.
+    pub(crate) fn is_good(&self, floor: f64) -> bool {
+        self.gain() > 1e-7 * (1.0 + self.after.energy.abs())
+            && self.after.min_angle >= self.before.min_angle.min(floor)
+    }
+}
+
+impl<'a> Bench<'a> {
+    pub(crate) fn new(mesh: &'a mut ArrayMesh, weights: Weights) -> Self {
+        let seen = vec![0; mesh.triangles.len()];
+        Self {
+            mesh,
+            weights,
+            cavity: Cavity::default(),
+            ring: Ring::default(),
+            star: Vec::new(),
+            patch: Vec::new(),
+            seen,
+            round: 0,
+        }
+    }
+
+    /// The cost of some vertices, of all triangles at those that can move, and of further triangles.
+    pub(crate) fn cost(&mut self, vertices: &[u32], further: impl Iterator<Item = u32>) -> Cost {
+        self.round += 1;
+        self.seen.resize(self.mesh.triangles.len().max(self.seen.len()), 0);
+        self.patch.clear();
+        let mut cost = Cost { energy: 0.0, min_angle: 180.0, hard: 0.0 };
+        for t in further {
+            put(&mut self.patch, &mut self.seen, self.round, t);
+        }
+        for v in vertices {
+            let vertex = &self.mesh.vertices[*v as usize];
+            if vertex.triangles == 0 {
+                continue;
+            }
+            let (all, hard) = self.weights.vertex(self.mesh, *v);
+            cost.energy += all;
+            cost.hard += hard;
+            if vertex.kind == Kind::Free {
+                self.mesh.star(*v, &mut self.star);
+                for t in &self.star {
+                    put(&mut self.patch, &mut self.seen, self.round, *t);
+                }
+            }
+        }
+        for t in &self.patch {
+            let (energy, angle) = self.weights.triangle(self.mesh, *t);
+            cost.energy += energy;
+            cost.min_angle = cost.min_angle.min(angle);
+        }
+        cost
+    }
+
+    /// Does an operation and smooths the cavity. None if it is not possible, or if it raises the cost of
+    /// hard degree violations by more than `allowance`; whatever was done is in the log.
+    pub(crate) fn perform(&mut self, operation: Operation, allowance: f64) -> Option<Effect> {
+        let mut cavity = std::mem::take(&mut self.cavity);
+        let effect = self.perform_in(&mut cavity, operation, allowance);
+        self.cavity = cavity;
+        effect
+    }
+
+    fn perform_in(
+        &mut self,
+        cavity: &mut Cavity,
+        operation: Operation,
+        allowance: f64,
+    ) -> Option<Effect> {
+        // Most operations fail here, before anything is costly.
+        if !cavity.open(self.mesh, operation)
+            || !cavity.plan(self.mesh, operation)
+            || self.hard_change(cavity) > allowance
+        {
+            return None;
+        }
+        let before = self.cost(&cavity.vertices, cavity.removed.iter().copied());
+        let first = self.mesh.triangles.len() as u32;
+        cavity.carry_out(self.mesh);
+        let added = first..self.mesh.triangles.len() as u32;
+        for _ in 0..SWEEPS {
+            for v in &cavity.vertices {
+                let vertex = &self.mesh.vertices[*v as usize];
+                if vertex.kind == Kind::Free && vertex.triangles > 0 {
+                    smooth(self.mesh, *v, Power::Four, &mut self.ring);
+                }
+            }
+        }
+        let after = self.cost(&cavity.vertices, added);
+        Some(Effect { before, after })
+    }
+
+    /// The change of the cost of hard degree violations.
+    fn hard_change(&self, cavity: &Cavity) -> f64 {
+        let mut change = 0.0;
+        for v in &cavity.vertices {
+            let before = self.mesh.vertices[*v as usize].triangles;
+            let after = before.saturating_add_signed(cavity.growth(self.mesh, *v));
+            let excess = |triangles: u32| match triangles {
+                // Not there, or no longer.
+                0 => 0.0,
+                _ => f64::from(self.weights.excess_of(self.mesh, *v, triangles).pow(2)),
+            };
+            change += excess(after) - excess(before);
+        }
+        change * self.weights.degree
+    }
+}
+
+/// Sweeps over a cavity after an operation.
+const SWEEPS: usize = 3;
+
+fn put(patch: &mut Vec<u32>, seen: &mut [u32], round: u32, triangle: u32) {
+    if seen[triangle as usize] != round {
+        seen[triangle as usize] = round;
+        patch.push(triangle);
+    }
+}

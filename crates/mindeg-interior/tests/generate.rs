@@ -1,0 +1,356 @@
+//! Whole meshes: valid, with the boundary as it was, and as good as promised.
+#![allow(clippy::unwrap_used, clippy::cloned_ref_to_slice_refs)]
+
+mod checker;
+#[path = "../examples/corpus/delaunay.rs"]
+mod delaunay;
+#[path = "../examples/corpus/polygons.rs"]
+#[allow(dead_code)]
+mod polygons;
+
+use checker::{assert_valid, degrees, min_angle};
+use glam::DVec2;
+use mindeg_interior::{
+    Fixed, InteriorError, InteriorMesh, Options, Outline, Prefer, SizeAt, generate,
+};
+use polygons::{Random, domains, random_polygon, ring};
+use std::ops::ControlFlow;
+
+fn points(list: &[[f64; 2]]) -> Vec<DVec2> {
+    list.iter().copied().map(DVec2::from).collect()
+}
+
+fn try_mesh(
+    rings: &[Vec<DVec2>],
+    fixed: &Fixed,
+    options: &Options,
+) -> Result<InteriorMesh, InteriorError> {
+    let outline = Outline::new(rings)?;
+    let go = &mut |_| ControlFlow::Continue(());
+    generate(&outline, fixed, options, delaunay::triangulate, go)
+}
+
+/// Meshes, and checks everything that must hold whatever was reached.
+fn mesh(rings: &[Vec<DVec2>], fixed: &Fixed, options: &Options) -> InteriorMesh {
+    let mesh = try_mesh(rings, fixed, options).unwrap();
+    let outline = Outline::new(rings).unwrap();
+    let boundary: Vec<[u32; 2]> = outline.edges().collect();
+    let given: Vec<DVec2> = rings.concat();
+    let bits = |p: &DVec2| p.to_array().map(f64::to_bits);
+    let same = given.iter().zip(&mesh.points).all(|(a, b)| bits(a) == bits(b));
+    assert!(same, "the boundary is as it was, bit for bit");
+    assert_valid(&mesh.points, &mesh.triangles, &boundary);
+    let start = given.len();
+    assert_eq!(mesh.points[start..start + fixed.points.len()], fixed.points[..]);
+    let r = &mesh.report;
+    assert_eq!(r.triangles, mesh.triangles.len());
+    let degrees = degrees(mesh.points.len(), &mesh.triangles);
+    assert_eq!(degrees[..start].iter().max(), Some(r.boundary_degree.end()));
+    assert_eq!(degrees[start..].iter().max(), r.interior_degree.as_ref().map(|d| d.end()));
+    assert_eq!(degrees[start..].iter().min(), r.interior_degree.as_ref().map(|d| d.start()));
+    assert!((min_angle(&mesh.points, &mesh.triangles) - r.min_angle).abs() < 1e-5);
+    assert!(r.min_angle <= r.limits.angle_at_any_degree() + 1e-9);
+    if r.violations.is_empty() {
+        assert!(r.min_angle <= r.limits.angle() + 1e-9, "a proven limit is exceeded");
+    }
+    for [a, b] in &mesh.fixed_edges {
+        assert!(mesh.triangles.iter().any(|t| t.contains(a) && t.contains(b)), "edge {a}-{b}");
+    }
+    mesh
+}
+
+fn plain(rings: &[Vec<DVec2>]) -> InteriorMesh {
+    mesh(rings, &Fixed::default(), &Options::default())
+}
+
+fn share(mesh: &InteriorMesh) -> f64 {
+    mesh.report.min_angle / mesh.report.limits.angle().min(35.0)
+}
+
+fn plate() -> Vec<Vec<DVec2>> {
+    let outer = points(&[[0.0, 0.0], [10.0, 0.0], [10.0, 4.0], [6.0, 4.0], [6.0, 8.0], [0.0, 8.0]]);
+    let hole = points(&[[2.0, 2.0], [2.0, 4.0], [4.0, 4.0], [4.0, 2.0]]);
+    vec![ring(&outer, &[20, 8, 8, 8, 12, 16]), ring(&hole, &[5, 5, 5, 5])]
+}
+
+#[test]
+fn the_domains_have_no_violation_and_nearly_the_best_angles() {
+    for (name, ring) in domains() {
+        // The long search of dominated-side is measured by the example.
+        let found = plain(&[ring]);
+        assert_eq!(found.report.violations, [], "{name}");
+        assert!(share(&found) >= 0.95, "{name}: {}", share(&found));
+    }
+}
+
+#[test]
+fn random_polygons_have_no_violation() {
+    let mut random = Random(99);
+    for i in 0..12 {
+        let found = plain(&[random_polygon(&mut random)]);
+        assert_eq!(found.report.violations, [], "{i}");
+        assert!(share(&found) >= 0.8, "{i}: {}", share(&found));
+    }
+}
+
+#[test]
+fn two_runs_give_the_same_bytes() {
+    let rings = plate();
+    let (first, second) = (plain(&rings), plain(&rings));
+    let bytes = |mesh: &InteriorMesh| -> Vec<u64> {
+        mesh.points.iter().flat_map(|p| p.to_array().map(f64::to_bits)).collect()
+    };
+    assert_eq!(bytes(&first), bytes(&second));
+    assert_eq!(first, second);
+}
+
+#[test]
+fn holes_and_reflex_corners_are_meshed() {
+    let found = plain(&plate());
+    assert_eq!(found.report.violations, []);
+    assert!(share(&found) > 0.9, "{:?}", found.report);
+
+    // A comb: long teeth, eight reflex corners.
+    let mut corners = vec![[0.0, 0.0], [9.0, 0.0]];
+    for tooth in (0..5).rev() {
+        let x = f64::from(tooth) * 2.0;
+        corners.extend([[x + 1.0, 6.0], [x, 6.0]]);
+        if tooth > 0 {
+            corners.extend([[x, 1.0], [x - 1.0, 1.0]]);
+        }
+    }
+    corners[2] = [9.0, 6.0];
+    let count = |i: usize| {
+        let (a, b) = (DVec2::from(corners[i]), DVec2::from(corners[(i + 1) % corners.len()]));
+        (a.distance(b) * 3.0).round() as u32
+    };
+    let intervals: Vec<u32> = (0..corners.len()).map(count).collect();
+    let found = plain(&[ring(&points(&corners), &intervals)]);
+    assert_eq!(found.report.violations, []);
+    assert!(share(&found) > 0.9, "{:?}", found.report);
+
+    // A ring of two circles.
+    let circle = |radius: f64, count: u32, sign: f64| -> Vec<DVec2> {
+        let at = |i: u32| sign * std::f64::consts::TAU * f64::from(i) / f64::from(count);
+        (0..count).map(|i| DVec2::from_angle(at(i)) * radius).collect()
+    };
+    let found = plain(&[circle(5.0, 90, 1.0), circle(1.0, 30, -1.0)]);
+    assert_eq!(found.report.violations, []);
+    assert!(share(&found) > 0.95, "{:?}", found.report);
+}
+
+#[test]
+fn fixed_points_and_segments_stay() {
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[10; 4]);
+    let fixed = Fixed {
+        points: points(&[[2.0, 2.0], [6.0, 5.5], [4.0, 6.1], [4.1, 1.3], [4.2, 1.3]]),
+        // Two fixed points, and a boundary vertex.
+        segments: vec![[40, 41], [41, 15], [42, 41]],
+    };
+    let found = mesh(&[square], &fixed, &Options::default());
+    assert!(found.fixed_edges.len() > 6, "segments are divided");
+    // Each piece is on its segment.
+    let at = |v: u32| found.points[v as usize];
+    for [a, b] in &found.fixed_edges {
+        let middle = at(*a).midpoint(at(*b));
+        let on = fixed.segments.iter().any(|[c, d]| {
+            let (c, d) = (at(*c), at(*d));
+            ((middle - c).perp_dot(d - c) / c.distance(d)).abs() < 1e-9
+        });
+        assert!(on, "{a}-{b}");
+    }
+    assert_eq!(found.report.violations, []);
+    assert!(found.report.min_angle > 20.0, "{:?}", found.report);
+}
+
+#[test]
+fn sizes_are_kept() {
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8; 4]);
+    let count = |options: &Options| {
+        let found = mesh(&[square.clone()], &Fixed::default(), options);
+        assert_eq!(found.report.violations, []);
+        found.report.triangles
+    };
+    let plain = count(&Options::default());
+    let coarse = count(&Options { size_inside: Some(2.0), ..Options::default() });
+    let fine = count(&Options { size_inside: Some(0.4), ..Options::default() });
+    assert!(coarse < plain * 9 / 10 && fine > plain * 3, "{coarse} {plain} {fine}");
+    let place = SizeAt { at: DVec2::new(3.0, 5.0), size: 0.1 };
+    let local = count(&Options { sizes: vec![place], ..Options::default() });
+    assert!(local > plain * 5 / 4, "{local} {plain}");
+}
+
+#[test]
+fn other_limits_on_degrees_are_kept() {
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8, 11, 14, 9]);
+    for (interior_degree, boundary_degree) in [(4..=8, 6), (5..=8, 5), (5..=7, 4)] {
+        let options = Options { interior_degree, boundary_degree, ..Options::default() };
+        let found = mesh(&[square.clone()], &Fixed::default(), &options);
+        assert_eq!(found.report.violations, [], "{options:?}");
+    }
+}
+
+#[test]
+fn preferred_angles_exceed_the_limit_that_degrees_set() {
+    // At the first corner an edge of 20 meets one of 0.25.
+    let corners = points(&[[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]]);
+    let rings = [ring(&corners, &[160, 2, 2, 2])];
+    let best = |prefer| {
+        let options = Options { prefer, ..Options::default() };
+        mesh(&rings, &Fixed::default(), &options).report
+    };
+    let (degree, angle) = (best(Prefer::Degree), best(Prefer::Angle));
+    assert_eq!(degree.violations, []);
+    assert!(degree.min_angle < degree.limits.angle());
+    assert!(angle.min_angle > angle.limits.angle() + 0.5, "{angle:?}");
+    assert!(!angle.violations.is_empty());
+}
+
+#[test]
+fn far_from_the_origin_and_at_other_scales_it_is_the_same() {
+    let corners = points(&[[0.0, 0.0], [8.0, 0.0], [9.0, 6.0], [1.0, 7.0]]);
+    let home = plain(&[ring(&corners, &[9, 7, 12, 8])]);
+    for scale in [1e-30, 1e-12, 1e9, 1e40] {
+        let scaled: Vec<DVec2> = corners.iter().map(|p| *p * scale).collect();
+        let found = plain(&[ring(&scaled, &[9, 7, 12, 8])]);
+        assert_eq!(found.report.violations, []);
+        assert!((share(&found) - share(&home)).abs() < 0.05);
+    }
+    let moved: Vec<DVec2> = corners.iter().map(|p| *p + DVec2::new(5e8, -3e8)).collect();
+    let found = plain(&[ring(&moved, &[9, 7, 12, 8])]);
+    assert_eq!(found.report.violations, []);
+    assert!((share(&found) - share(&home)).abs() < 0.05);
+}
+
+#[test]
+fn bad_options_are_refused_with_what_to_do() {
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8, 4, 8, 4]);
+    let default = Options::default;
+    let place = |x: f64, size: f64| vec![SizeAt { at: DVec2::new(x, 1.0), size }];
+    for (options, expected) in [
+        (Options { growth: 0.0, ..default() }, "growth is 0;"),
+        (Options { growth: f64::NAN, ..default() }, "growth is NaN;"),
+        (Options { size_inside: Some(0.0), ..default() }, "the size inside is 0;"),
+        (Options { size_inside: Some(-1.0), ..default() }, "the size inside is -1;"),
+        (Options { sizes: place(1.0, 0.0), ..default() }, "size 0 is 0;"),
+        (Options { sizes: place(9.0, 1.0), ..default() }, "size 0 at (9, 1) is not inside"),
+        (Options { interior_degree: 7..=9, ..default() }, "7..=9"),
+        (Options { boundary_degree: 3, ..default() }, "boundary degree of 3"),
+        (Options { target_angle: Some(0.0), ..default() }, "target angle 0"),
+        (Options { target_angle: Some(46.0), ..default() }, "at most "),
+        (
+            Options { size_inside: Some(0.01), max_points: 1000, ..default() },
+            "more than 1000 points",
+        ),
+    ] {
+        let error = try_mesh(&[square.clone()], &Fixed::default(), &options).unwrap_err();
+        assert!(error.to_string().contains(expected), "{error}");
+    }
+    let point = |x: f64| points(&[[x, 3.0]]);
+    for (points, segments, expected) in [
+        (point(9.0), vec![], "fixed point 0 at (9, 3) is not inside"),
+        (point(8.0), vec![], "is not inside"),
+        (point(f64::NAN), vec![], "is not inside"),
+        (point(4.0), vec![[24, 24]], "fixed segment 0 joins vertices 24 and 24"),
+        (point(4.0), vec![[24, 25]], "of the 25 boundary and fixed points"),
+        (point(4.0), vec![[0, 1]], "boundary edge 0-1"),
+        (point(4.0), vec![[0, 3]], "boundary edge"),
+        (point(4.0), vec![[0, 14], [24, 16]], "fixed segment 1"),
+        (points(&[[4.0, 4.0], [4.0, 4.0]]), vec![], "fixed point 1, a second one"),
+        (points(&[[4.0, 4.0]]), vec![[0, 12]], "fixed point 0"),
+    ] {
+        let fixed = Fixed { points, segments };
+        let error = try_mesh(&[square.clone()], &fixed, &default()).unwrap_err();
+        assert!(error.to_string().contains(expected), "{fixed:?}: {error}");
+    }
+}
+
+#[test]
+fn a_reachable_target_is_aimed_at() {
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[12; 4]);
+    let options = Options { target_angle: Some(36.0), ..Options::default() };
+    let found = mesh(&[square], &Fixed::default(), &options);
+    assert!(found.report.min_angle >= 36.0, "{:?}", found.report);
+}
+
+#[test]
+fn progress_rises_to_one_and_can_cancel() {
+    let outline = Outline::new(&[plate()[0].clone()]).unwrap();
+    let mut seen = vec![0.0];
+    let mut run = |stop: f32| {
+        generate(
+            &outline,
+            &Fixed::default(),
+            &Options::default(),
+            delaunay::triangulate,
+            &mut |done| {
+                seen.push(done);
+                if done > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            },
+        )
+    };
+    assert!(matches!(run(0.01), Err(InteriorError::Cancelled)));
+    run(2.0).unwrap();
+    assert_eq!(seen.last(), Some(&1.0));
+    assert!(seen[3..].windows(2).all(|pair| pair[0] <= pair[1]), "{seen:?}");
+}
+
+#[test]
+fn a_failing_triangulation_is_an_error() {
+    let outline = Outline::new(&plate()).unwrap();
+    let go = &mut |_| ControlFlow::Continue(());
+    let (fixed, options) = (Fixed::default(), Options::default());
+    let error = generate(&outline, &fixed, &options, |_, _| Err("no luck"), go).unwrap_err();
+    assert!(error.to_string().contains("no luck"), "{error}");
+    for broken in [vec![], vec![[0, 1, 2]], vec![[0, 1, 1_000_000]]] {
+        let give = |_: &[DVec2], _: &[[u32; 2]]| Ok::<_, String>(broken.clone());
+        let error = generate(&outline, &fixed, &options, give, go).unwrap_err();
+        assert!(matches!(error, InteriorError::NotFilled(_)), "{error}");
+    }
+}
+
+/// A polygon round the origin with a corner in each direction, at random distances.
+fn star_shaped(radii: &[f64], intervals: &[u32]) -> Vec<DVec2> {
+    let turn = std::f64::consts::TAU / radii.len() as f64;
+    let corner = |(i, r): (usize, &f64)| DVec2::from_angle(turn * i as f64) * *r;
+    let corners: Vec<DVec2> = radii.iter().enumerate().map(corner).collect();
+    ring(&corners, intervals)
+}
+
+proptest::proptest! {
+    #![proptest_config(proptest::test_runner::Config::with_cases(8))]
+
+    /// Whatever the shape, the mesh is valid, with the boundary and what is fixed as they were.
+    #[test]
+    fn any_outline_gives_a_valid_mesh(
+        sides in proptest::collection::vec((2.0..9.0_f64, 1..12_u32), 3..9),
+        hole in proptest::option::of(proptest::collection::vec((0.1..0.9_f64, 1..6_u32), 3..6)),
+        fixed in proptest::collection::vec((0.0..std::f64::consts::TAU, 0.91..0.97_f64), 0..6),
+        growth in 0.1..2.0_f64,
+    ) {
+        let split = |sides: &[(f64, u32)]| -> (Vec<f64>, Vec<u32>) { sides.iter().copied().unzip() };
+        let (radii, intervals) = split(&sides);
+        let mut rings = vec![star_shaped(&radii, &intervals)];
+        // With three sides the outline comes nearest to the origin, at half the least radius.
+        if let Some((radii, intervals)) = hole.as_deref().map(split) {
+            let mut hole = star_shaped(&radii, &intervals);
+            hole.reverse();
+            rings.push(hole);
+        }
+        // Points between hole and outline; a segment through the first two if it is free.
+        let points: Vec<DVec2> =
+            fixed.iter().map(|(turn, r)| DVec2::from_angle(*turn) * *r).collect();
+        let first = rings.concat().len() as u32;
+        let segments = if points.len() > 1 { vec![[first, first + 1]] } else { vec![] };
+        let options = Options { growth, ..Options::default() };
+        let fixed = Fixed { points, segments };
+        match try_mesh(&rings, &fixed, &options) {
+            Ok(_) => drop(mesh(&rings, &fixed, &options)),
+            Err(InteriorError::Outside { .. } | InteriorError::SegmentCrosses { .. }) => {
+                drop(mesh(&rings, &Fixed::default(), &options));
+            }
+            Err(InteriorError::Outline(_)) => {}
+            Err(error) => panic!("{error}"),
+        }
+    }
+}

@@ -1,0 +1,153 @@
+//! Help, colors, line widths and shells.
+
+use crate::run::{mindeg, output_of};
+use std::process::Command;
+
+/// Prints a verdict of several sentences.
+#[cfg(target_os = "linux")]
+const COMPARE: &str = "compare --rectangle 4x3 --intervals 12,9,4,4 --json > /dev/null";
+
+#[test]
+fn own_errors_are_colored_as_the_parser_s_are() {
+    let errors =
+        |arguments: &[&str], color| mindeg(arguments.iter().chain(&["--color", color])).errors;
+    let own = &["mesh", "-o", "x.obj"][..];
+    let of_parser = &["mesh", "--wrong"][..];
+    let colored = "\u{1b}[1m\u{1b}[31merror:\u{1b}[0m ";
+    for arguments in [own, of_parser] {
+        assert!(
+            errors(arguments, "always").starts_with(colored),
+            "{:?}",
+            errors(arguments, "always")
+        );
+        assert!(errors(arguments, "never").starts_with("error: "));
+        // Standard error is no terminal here.
+        assert!(errors(arguments, "auto").starts_with("error: "));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_has_colors_unless_they_are_not_wanted() {
+    let on_terminal = |before: &str, arguments: &str| {
+        let script = format!("stty rows 40 cols 60; {before} \"$MINDEG\" {arguments}; true");
+        let mut command = Command::new("script");
+        command.args(["-qec", &script, "/dev/null"]).stdin(std::process::Stdio::null());
+        command.env("MINDEG", env!("CARGO_BIN_EXE_mindeg")).env("TERM", "xterm");
+        command.env_remove("NO_COLOR");
+        let output = output_of(&mut command);
+        String::from_utf8_lossy(&output.stdout).replace('\r', "")
+    };
+    assert!(on_terminal("", "mesh -o x.obj").starts_with("\u{1b}[1m\u{1b}[31merror:"));
+    assert!(on_terminal("NO_COLOR=1", "mesh -o x.obj").starts_with("error: "));
+    assert!(on_terminal("", "mesh -o x.obj --color never").starts_with("error: "));
+
+    for arguments in ["mesh -o x.obj", "mesh --help", "compare -h", COMPARE] {
+        let shown = on_terminal("NO_COLOR=1", arguments);
+        assert!(shown.lines().count() > 1, "{shown}");
+        for line in shown.lines() {
+            let width = line.chars().count();
+            // An example is a command to copy, and stays in one piece.
+            assert!(width <= 60 || line.trim_start().starts_with("mindeg "), "{width}: {line}");
+        }
+    }
+}
+
+#[test]
+fn help_goes_to_standard_output_with_examples() {
+    for command in ["degree", "suggest", "mesh", "tradeoff", "compare", "inspect", "convert"] {
+        let run = mindeg([command, "--help"]);
+        assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+        assert!(run.text().contains(&format!("Examples:\n  mindeg {command} ")), "{}", run.text());
+        assert!(run.text().contains("Exit codes:"), "{}", run.text());
+    }
+    let mesh = mindeg(["mesh", "--help"]);
+    for words in ["last-length:LENGTH", "MeshLab cannot open such a .glb", "two runs write"] {
+        let text = mesh.text().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(words), "{words}: {text}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn examples_of_the_help_work() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let assets = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets");
+    std::os::unix::fs::symlink(
+        assets.canonicalize().expect("it is there"),
+        folder.path().join("assets"),
+    )
+    .expect("a link");
+    let mut count = 0;
+    // Those of inspect and convert name meshes that the reader has.
+    let part = "\"$MINDEG\" mesh --rectangle 4x3 --size 1 -q -o part.obj -o part.glb -o part.gltf";
+    assert_eq!(crate::run::shell(folder.path(), part).code, Some(0));
+    std::fs::copy(
+        folder.path().join("assets/domains/figure-1.json"),
+        folder.path().join("domain.json"),
+    )
+    .expect("a copy");
+    for command in ["degree", "suggest", "mesh", "tradeoff", "compare", "inspect", "convert"] {
+        let help = mindeg([command, "--help"]);
+        let (_, examples) = help.text().split_once("Examples:\n").expect("examples");
+        for example in examples.lines().take_while(|line| !line.is_empty()) {
+            // Pipes to other programs are theirs.
+            let example = example.split(" | ").next().unwrap_or_default();
+            let script = example.replace("mindeg ", "\"$MINDEG\" ");
+            let run = crate::run::shell(folder.path(), &script);
+            assert!(
+                matches!(run.code, Some(0)) || example.contains("--fail-"),
+                "{example}: {run:?}"
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 20, "{count}");
+}
+
+#[test]
+fn every_shell_has_completions() {
+    for (shell, word) in [
+        ("bash", "complete -F _mindeg"),
+        ("zsh", "#compdef mindeg"),
+        ("fish", "complete -c mindeg"),
+        ("powershell", "Register-ArgumentCompleter"),
+        ("elvish", "edit:completion"),
+    ] {
+        let run = mindeg(["completions", shell]);
+        assert_eq!(run.code, Some(0), "{run:?}");
+        assert!(run.text().contains(word) && run.text().contains("fail-above-degree"), "{shell}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn output_that_is_lost_is_an_error() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (script, code) in [
+        ("\"$MINDEG\" --help > /dev/full", 1),
+        ("\"$MINDEG\" mesh --help > /dev/full", 1),
+        ("\"$MINDEG\" --version > /dev/full", 1),
+        ("\"$MINDEG\" degree 3,3,3 > /dev/full", 1),
+        ("\"$MINDEG\" completions bash > /dev/full", 1),
+        ("\"$MINDEG\" mesh --rectangle 4x3 --size 1 -o - --format obj >&-", 1),
+        ("\"$MINDEG\" compare --rectangle 4x3 --size 1 -o - --format md >&-", 1),
+        ("\"$MINDEG\" mesh --rectangle 4x3 --size 1 -o - --format obj > /dev/null", 0),
+        ("\"$MINDEG\" --help > /dev/null", 0),
+        ("\"$MINDEG\" --help | true", 0),
+    ] {
+        let run = crate::run::shell(folder.path(), script);
+        assert_eq!(run.code, Some(code), "{script}: {run:?}");
+        assert_eq!(run.errors.contains("cannot write to standard output"), code == 1, "{run:?}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn no_number_of_threads_holds_a_run_up() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let script =
+        "RAYON_NUM_THREADS=20000 timeout 60 \"$MINDEG\" mesh --rectangle 4x3 --size 1 -o x.obj";
+    let run = crate::run::shell(folder.path(), script);
+    assert_eq!(run.code, Some(0), "{run:?}");
+}
