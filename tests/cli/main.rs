@@ -2,6 +2,7 @@
 
 mod compare;
 mod degree;
+mod domain;
 mod inspect;
 #[cfg(unix)]
 mod interrupts;

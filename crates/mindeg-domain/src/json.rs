@@ -50,7 +50,7 @@ impl Domain {
     /// |---|---|
     /// | `intervals` | a whole number, at least 1 |
     /// | `size` | instead: a target length, above 0, that the side's length is divided by |
-    /// | `spacing` | `"uniform"`, `{"geometric": {"ratio": r}}`, `{"bump": {"ratio": c}}`, `{"beta": {"beta": b}}`, `{"first_length": h}`, `{"last_length": h}` or `{"parameters": [t1, …]}`; see [`Spacing`] |
+    /// | `spacing` | `"uniform"`, `{"geometric": {"ratio": r}}`, `{"bump": {"ratio": c}}`, `{"beta": {"beta": b}}`, `{"first_length": h}`, `{"last_length": h}` or `{"parameters": [t1, …]}`; see [`Spacing`](crate::Spacing) |
     /// | `name` | the side's name; no two sides may have the same |
     /// | `outside_degree` | the external degree of its vertices, which counts their edges on the other side of the boundary and none of the boundary itself: one number for all vertices that are not corners, or a list of one for each from the side's first corner to its last |
     /// | `max_degree` | the degree limit of each of its vertices, corners included: the most edges that they may have, external degree included |

@@ -163,7 +163,8 @@ fn what_is_no_convex_outline_is_told_why() {
 
 #[test]
 fn what_32_bit_floats_blur_is_too_fine_to_tell() {
-    let corners = |corners: &[[f64; 2]]| corners.iter().map(|&corner| corner.into()).collect();
+    let corners =
+        |corners: &[[f64; 2]]| corners.iter().copied().map(DVec2::from).collect::<Vec<_>>();
     // Intervals near the corners are so short that 32-bit floats turn them by several degrees,
     let layer = Side::count(40).spaced(Spacing::Bump { ratio: 1e-5 });
     let layers = corners(&[[0.1, 0.2], [1.3, 0.7], [0.9, 1.7], [0.3, 1.1]]);
@@ -192,7 +193,7 @@ fn meshes() -> impl Strategy<Value = BoundaryMesh> {
             let angle = TAU * (i as f64 + shift) / k;
             DVec2::new(x + width * angle.cos(), angle.sin())
         };
-        let corners = sides.iter().enumerate().map(corner).collect();
+        let corners: Vec<DVec2> = sides.iter().enumerate().map(corner).collect();
         let sides = sides
             .iter()
             .map(|&(_, count, ratio)| Side::count(count).spaced(Spacing::Geometric { ratio }));

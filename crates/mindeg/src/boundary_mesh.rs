@@ -11,6 +11,7 @@ mod angles;
 mod choice;
 mod error;
 mod faces;
+mod measures;
 mod source;
 
 use std::ops::Range;
@@ -21,13 +22,13 @@ use mindeg_core::Boundary;
 use rayon::prelude::*;
 
 use mindeg_domain::{Domain, Placement};
-use mindeg_mesh::parallel::{blocks, fill_blocks, try_blocks};
-use mindeg_mesh::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
-use mindeg_mesh::{Cancelled, Progress};
+use mindeg_mesh::Progress;
+use mindeg_mesh::parallel::fill_blocks;
 
 use self::angles::{cotangents, placed};
 pub use self::error::MeshError;
 use self::faces::{Faces, TriangleList};
+pub use self::measures::{AngleRange, DegreeHistograms};
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
@@ -53,24 +54,6 @@ use self::faces::{Faces, TriangleList};
 pub struct BoundaryMesh {
     domain: Domain,
     triangulation: Faces,
-}
-
-/// The minimum and the maximum angle of a mesh, in degrees.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AngleRange {
-    /// In (0, 60].
-    pub min: f64,
-    /// In [60, 180).
-    pub max: f64,
-}
-
-/// How many vertices have each degree, corners apart from the others.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DegreeHistograms {
-    /// The degrees of the corners.
-    pub corners: DegreeHistogram,
-    /// The degrees of the vertices inside sides.
-    pub sides: DegreeHistogram,
 }
 
 /// Up to this many triangles, one thread writes them: that takes less time than to wake another.
@@ -312,52 +295,6 @@ impl BoundaryMesh {
         placed(self.triangles_of(range), move |vertex| walk.point(vertex))
     }
 
-    /// The measures of all triangles, in the order of [`triangles`](Self::triangles).
-    pub fn qualities(&self) -> impl ExactSizeIterator<Item = TriangleQuality> + '_ {
-        self.placed_triangles().map(|[a, b, c]| TriangleQuality::of(a, b, c))
-    }
-
-    /// The measures of all triangles summed up, as
-    /// [`QualitySummary::of`](mindeg_mesh::quality::QualitySummary::of) has them. O(n) time and memory.
-    #[must_use]
-    pub fn quality_summary(&self) -> QualitySummary {
-        let qualities = |range| {
-            let triangles = self.placed_triangles_of(range);
-            triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c))
-        };
-        let summary = QualitySummary::of_ranges(self.triangle_count(), qualities);
-        summary.expect("a mesh has a triangle")
-    }
-
-    /// The minimum and the maximum angle. O(n) time, next to no memory, and much faster than
-    /// [`qualities`](Self::qualities).
-    #[must_use]
-    pub fn angle_range(&self) -> AngleRange {
-        self.measure_angles(Progress::NONE).expect("nothing cancels the work")
-    }
-
-    /// [`angle_range`](Self::angle_range), with reports to `progress`.
-    ///
-    /// # Errors
-    ///
-    /// [`Cancelled`].
-    pub fn measure_angles(&self, progress: Progress<'_>) -> Result<AngleRange, Cancelled> {
-        let counter = progress.counter("measuring the angles", self.triangle_count().into());
-        let worse = |[of_least, of_greatest]: [f64; 2], [least, greatest]: [f64; 2]| {
-            [of_least.max(least), of_greatest.min(greatest)]
-        };
-        let extremes = [f64::NEG_INFINITY, f64::INFINITY];
-        let in_blocks = try_blocks(self.triangle_count(), |range| {
-            let count = range.len();
-            let of_block = self.placed_triangles_of(range).map(cotangents).fold(extremes, worse);
-            counter.add(count)?;
-            Ok::<_, Cancelled>(of_block)
-        })?;
-        let [least, greatest] = in_blocks.into_iter().fold(extremes, worse);
-        let degrees = |cotangent: f64| libm::atan2(1.0, cotangent).to_degrees();
-        Ok(AngleRange { min: degrees(least), max: degrees(greatest) })
-    }
-
     /// The number of edges at a vertex, the two along the boundary included. O(1).
     ///
     /// # Panics
@@ -413,19 +350,6 @@ impl BoundaryMesh {
             return self.max_degree();
         }
         (0..self.vertex_count()).map(|vertex| self.total_degree(vertex)).fold(0, u32::max)
-    }
-
-    /// How many corners and how many other vertices have each degree. O(n).
-    #[must_use]
-    pub fn degree_histograms(&self) -> DegreeHistograms {
-        let boundary = self.boundary();
-        let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
-        let corners: DegreeHistogram = corners.map(|corner| self.degree(corner)).collect();
-        let in_blocks = blocks(self.vertex_count(), |range| {
-            let sides = range.filter(|&vertex| !boundary.is_corner(vertex));
-            sides.map(|vertex| self.degree(vertex)).collect::<DegreeHistogram>()
-        });
-        DegreeHistograms { corners, sides: in_blocks.iter().sum() }
     }
 }
 

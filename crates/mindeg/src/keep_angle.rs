@@ -12,7 +12,7 @@ use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::BoundaryMesh;
 use crate::exact::{self, ExactError};
-use crate::goal::{FoundBy, Meshed};
+use crate::meshed::{FoundBy, Meshed};
 
 /// The mesh with the smallest maximum degree that has `share` of the largest minimum angle there is,
 /// 0 to 1.

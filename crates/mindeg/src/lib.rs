@@ -43,11 +43,15 @@ pub mod exact;
 mod goal;
 #[cfg(feature = "exact")]
 mod keep_angle;
+#[cfg(feature = "exact")]
+mod meshed;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
-pub use goal::{FoundBy, Goal, HigherDegree, Meshed, mesh};
+pub use goal::{Goal, mesh};
+#[cfg(feature = "exact")]
+pub use meshed::{FoundBy, HigherDegree, Meshed};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
     Bounds, Cancelled, Group, Line, Mesh, Positions, Progress, Step, TriMesh, TriMeshError,

@@ -1,7 +1,5 @@
 //! Progress of choosing and measuring a mesh, and cancelling.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use mindeg::exact::ExactError;
 use mindeg::{
     BoundaryMesh, Cancelled, Domain, Goal, MeshError, Progress, Side, Spacing, Step, mesh,

@@ -24,7 +24,7 @@ pub enum MeshError {
          outside_degree and max_degree for a mesh of least degree"
     )]
     Constrained,
-    /// The [`Progress`] callback has cancelled the work.
+    /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
     /// The triangles given do not triangulate the domain's boundary.

@@ -1,0 +1,67 @@
+//! A mesh with how it was found, so that what is proven of it can be told.
+//!
+//! Limits: the figures are those that were worked out on the way to the mesh.
+
+use crate::boundary_mesh::BoundaryMesh;
+use crate::exact::TradeOff;
+
+/// How a mesh was found, and so what is proven of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FoundBy {
+    /// The formula: its maximum degree is the least possible; of the candidates that were tried, it
+    /// has the largest minimum angle.
+    Formula,
+    /// The search: its minimum angle is the largest possible within its degree limit, and for
+    /// [`Goal::KeepAngle`](crate::Goal::KeepAngle) no smaller limit keeps the share.
+    Search,
+    /// Windows: it has at least this share of Delaunay's minimum angle; its maximum degree is an
+    /// upper bound.
+    Windows {
+        /// The share, 0 to 1.
+        share: f64,
+    },
+}
+
+/// A mesh, and the degrees and angles to compare it with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meshed {
+    /// The mesh.
+    pub mesh: BoundaryMesh,
+    /// The least maximum total degree that any mesh of the domain has.
+    pub least_max_degree: u32,
+    /// How it was found.
+    pub found_by: FoundBy,
+    /// The minimum angle of a Delaunay triangulation, in degrees, if that was worked out.
+    pub delaunay_min_angle: Option<f64>,
+    /// What one or two degrees more would bring, if that is much.
+    pub higher_degree: Option<HigherDegree>,
+}
+
+/// What a higher degree limit would bring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HigherDegree {
+    /// The limit.
+    pub max_degree: u32,
+    /// The largest minimum angle within it, in degrees.
+    pub min_angle: f64,
+}
+
+impl Meshed {
+    /// The last mesh of a trade-off that starts at the least maximum degree.
+    pub(crate) fn last_of(trade_off: &TradeOff) -> Self {
+        let last = trade_off.meshes().len() - 1;
+        Self::of(trade_off, last)
+    }
+
+    /// The mesh with this index of a trade-off that starts at the least maximum degree.
+    pub(crate) fn of(trade_off: &TradeOff, index: usize) -> Self {
+        let exact = &trade_off.meshes()[index];
+        Self {
+            mesh: exact.mesh.clone(),
+            least_max_degree: trade_off.meshes()[0].max_degree,
+            found_by: FoundBy::Search,
+            delaunay_min_angle: Some(trade_off.delaunay_min_angle()),
+            higher_degree: None,
+        }
+    }
+}
