@@ -133,7 +133,7 @@ fn caps_that_cannot_be_kept_are_refused_with_the_least_that_can() {
     };
     let all_two = domain(r#"{"max_degree": 2}, {"max_degree": 2}, {"max_degree": 2}, {}"#);
     for command in [&["mesh", "-", "-o", "x.obj"][..], &["tradeoff", "-"]] {
-        mindeg_reading(command, all_two.as_bytes()).refuses(&["caps of single vertices", "raise"]);
+        mindeg_reading(command, all_two.as_bytes()).refuses(&["degree limits of single vertices", "raise"]);
     }
     let no_room = domain(r#"{"outside_degree": 3, "max_degree": 4}, {}, {}, {}"#);
     mindeg_reading(["tradeoff", "-"], no_room.as_bytes()).refuses(&[
@@ -264,7 +264,7 @@ fn single_vertices_keep_to_their_caps() {
     let capped = verified(&capped.output, &[10; 4]).degrees;
     assert_eq!((capped[5], capped[20]), (3, 2));
     // Without an edge inside, a vertex would join its neighbours: on one side, that is flat.
-    run(r#"[{"vertex": 5, "max_degree": 2}]"#).refuses(&["caps of single vertices"]);
+    run(r#"[{"vertex": 5, "max_degree": 2}]"#).refuses(&["degree limits of single vertices"]);
 }
 
 #[cfg(unix)]

@@ -8,12 +8,11 @@
 //! above all.
 
 use std::cmp::Reverse;
-use std::ops::ControlFlow;
 
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::Domain;
-use mindeg_exact::{Optimum, Problem, ProblemError, Stage, Unsolved, best_angle};
+use mindeg_exact::{Optimum, Problem, ProblemError, Unsolved, best_angle};
 use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
@@ -72,7 +71,7 @@ pub enum ExactError {
     /// It is too large.
     #[error(transparent)]
     Problem(#[from] ProblemError),
-    /// The caps cannot be kept, or the work was stopped.
+    /// The caps cannot be kept, or the work was cancelled.
     #[error(transparent)]
     Unsolved(#[from] Unsolved),
     /// Its points have no Delaunay triangulation to start from.
@@ -108,7 +107,7 @@ pub fn optimal_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32
         return Ok(mindeg_core::least_max_degree(domain.boundary()));
     }
     let problem = problem(domain)?;
-    Ok(reporting(progress, |watch| mindeg_exact::least_max_degree(&problem, watch))?)
+    Ok(mindeg_exact::least_max_degree(&problem, progress)?)
 }
 
 /// The mesh with the largest minimum angle in which no total degree is above `max_degree`, nor
@@ -118,7 +117,7 @@ pub fn optimal_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32
 ///
 /// # Errors
 ///
-/// A domain that is too large, caps that cannot be kept, `watch` asking to stop, or points so
+/// A domain that is too large, caps that cannot be kept, a cancelled `progress`, or points so
 /// close together that triangles have no area.
 ///
 /// # Example
@@ -139,7 +138,7 @@ pub fn mesh(
     progress: Progress<'_>,
 ) -> Result<ExactMesh, ExactError> {
     let problem = problem(domain)?;
-    placed(domain, reporting(progress, |watch| best_angle(&problem, max_degree, watch))?)
+    placed(domain, best_angle(&problem, max_degree, progress)?)
 }
 
 /// The best mesh for every maximum degree.
@@ -179,45 +178,13 @@ pub fn trade_off_until(
 ) -> Result<TradeOff, ExactError> {
     let problem = problem(domain)?;
     let mut is_enough = |optimum: &Optimum, most: f64| is_enough(optimum.min_angle, most);
-    let answer = reporting(progress, |watch| {
-        mindeg_exact::trade_off_until(&problem, &mut is_enough, watch)
-    })?;
+    let answer = mindeg_exact::trade_off_until(&problem, &mut is_enough, progress)?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
     Ok(TradeOff {
         domain: domain.clone(),
         meshes: meshes.collect::<Result<_, _>>()?,
-        delaunay_min_angle: answer.uncapped_min_angle,
+        delaunay_min_angle: answer.unlimited_min_angle,
     })
-}
-
-/// Does the solver's work and reports how far it is.
-pub(crate) fn reporting<T>(
-    progress: Progress<'_>,
-    work: impl FnOnce(mindeg_exact::Watch<'_>) -> T,
-) -> T {
-    /// The parts that a stage is reported in.
-    const PARTS: u64 = 1000;
-    work(&mut |mindeg_exact::Progress { stage, done }| match progress.report(
-        &name(stage),
-        (done * PARTS as f64) as u64,
-        PARTS,
-    ) {
-        Ok(()) => ControlFlow::Continue(()),
-        Err(_) => ControlFlow::Break(()),
-    })
-}
-
-fn name(stage: Stage) -> String {
-    match stage {
-        Stage::Feasibility { max_degree } => format!("is degree {max_degree} possible?"),
-        Stage::Bounds => "bounding the angles".to_owned(),
-        Stage::Search { max_degree, .. } => format!("degree {max_degree}: the best angle"),
-        Stage::Ties { max_degree } => format!("degree {max_degree}: the best mesh"),
-        Stage::Windows { max_degree } => {
-            format!("taking edges off vertices of degree {max_degree}")
-        }
-        _ => "working".to_owned(),
-    }
 }
 
 /// The domain as the solver takes it.
@@ -237,9 +204,9 @@ fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
 pub(crate) fn constrain(problem: &mut Problem, domain: &Domain) {
     if domain.is_constrained() {
         for vertex in 0..domain.boundary().vertex_count() {
-            problem.set_outside_degree(vertex, domain.outside_degree(vertex));
+            problem.set_external_degree(vertex, domain.outside_degree(vertex));
             if let Some(max_degree) = domain.max_degree(vertex) {
-                problem.set_max_degree(vertex, max_degree);
+                problem.set_degree_limit(vertex, max_degree);
             }
         }
     }
