@@ -291,7 +291,7 @@ fn single_vertices_keep_to_their_caps() {
     let capped = verified(&capped.output, &[10; 4]).degrees;
     assert_eq!((capped[5], capped[20]), (3, 2));
     // Without an edge inside, a vertex would join its neighbours: on one side, that is flat.
-    run(r#"[{"vertex": 5, "max_degree": 2}]"#).refuses(&["caps of single vertices"]);
+    run(r#"[{"vertex": 5, "max_degree": 2}]"#).refuses(&["degree limits of single vertices"]);
 }
 
 #[cfg(unix)]

@@ -1,8 +1,8 @@
 //! What the whole trade-off costs as the number of vertices grows.
 //!
 //! `cargo bench -p mindeg-exact` runs up to 400 vertices;
-//! `cargo bench -p mindeg-exact -- --include-ignored` goes on to 2,000. The bias: a 4 by 3 rectangle with equal intervals, where two or three degrees have
-//! an angle of their own; `graded` has a ratio of 1.02 from each interval to the next, and more
+//! `cargo bench -p mindeg-exact -- --include-ignored` goes on to 2,000. The bias: a 4 by 3 rectangle
+//! with equal intervals, where two or three degrees have an angle of their own; `graded` has a ratio of 1.02 from each interval to the next, and more
 //! such degrees. Memory is what is allocated at the same time.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may panic")]
@@ -10,7 +10,7 @@
 use divan::{AllocProfiler, Bencher};
 use glam::DVec2;
 use mindeg_core::Boundary;
-use mindeg_exact::{Problem, best_angle, least_max_degree, trade_off, unwatched};
+use mindeg_exact::{Problem, Progress, best_angle, least_max_degree, trade_off};
 
 #[global_allocator]
 static ALLOCATOR: AllocProfiler = AllocProfiler::system();
@@ -19,7 +19,7 @@ fn main() {
     divan::main();
 }
 
-/// A rectangle of 4 by 3 with so many vertices, shared out as 10:10:10:10 or 12:9:4:4.
+/// A rectangle of 4 by 3 with this number of vertices, shared out as 10:10:10:10 or 12:9:4:4.
 fn rectangle(vertices: u64, is_even: bool, ratio: f64) -> Problem {
     let shares = if is_even { [5, 5, 5, 5] } else { [8, 6, 3, 3] };
     // Halves are rounded up on the first and third side, down on the others.
@@ -42,27 +42,27 @@ fn rectangle(vertices: u64, is_even: bool, ratio: f64) -> Problem {
 #[divan::bench(args = [50, 100, 200, 400], sample_count = 10)]
 fn even_counts(bencher: Bencher, vertices: u64) {
     let problem = rectangle(vertices, true, 1.0);
-    bencher.bench(|| trade_off(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| trade_off(&problem, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [50, 100, 200, 400], sample_count = 10)]
 fn uneven_counts(bencher: Bencher, vertices: u64) {
     let problem = rectangle(vertices, false, 1.0);
-    bencher.bench(|| trade_off(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| trade_off(&problem, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [50, 100, 200, 400], sample_count = 10)]
 fn graded(bencher: Bencher, vertices: u64) {
     let problem = rectangle(vertices, true, 1.02);
-    bencher.bench(|| trade_off(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| trade_off(&problem, Progress::NONE).unwrap());
 }
 
 /// One point of the curve, the one that is asked for when no degree is.
 #[divan::bench(args = [50, 100, 200, 400], sample_count = 10)]
 fn least_degree_only(bencher: Bencher, vertices: u64) {
     let problem = rectangle(vertices, false, 1.0);
-    let least = least_max_degree(&problem, &mut unwatched).unwrap();
-    bencher.bench(|| best_angle(&problem, least, &mut unwatched).unwrap());
+    let least = least_max_degree(&problem, Progress::NONE).unwrap();
+    bencher.bench(|| best_angle(&problem, least, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [800, 2000], sample_count = 1, ignore)]

@@ -12,7 +12,7 @@ mod outlines;
 
 use divan::Bencher;
 use glam::DVec2;
-use mindeg_exact::{Problem, WindowGoal, degree_range, measure, trade_off, unwatched, windows};
+use mindeg_exact::{Problem, Progress, WindowGoal, degree_range, measure, trade_off, windows};
 use outlines::{Outline, Random, turn};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -44,7 +44,7 @@ fn l_shape(vertices: u32) -> Outline {
     Outline::l_shape([2 * short, short, short, short, short, 2 * short])
 }
 
-/// The problem with a Delaunay triangulation, and the smallest tangent of its angles.
+/// The problem with a Delaunay triangulation, and the tangent of its minimum angle.
 fn problem(outline: &Outline) -> (Problem, f64) {
     let points = &outline.points;
     let n = points.len();
@@ -74,25 +74,25 @@ fn problem(outline: &Outline) -> (Problem, f64) {
 #[divan::bench(args = [500, 2000], sample_count = 3)]
 fn degree_of_coast(bencher: Bencher, vertices: u32) {
     let (problem, _) = problem(&coast(vertices));
-    bencher.bench(|| degree_range(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| degree_range(&problem, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [200, 1000, 2000], sample_count = 3)]
 fn degree_of_l(bencher: Bencher, vertices: u32) {
     let (problem, _) = problem(&l_shape(vertices));
-    bencher.bench(|| degree_range(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| degree_range(&problem, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [200, 1000], sample_count = 3)]
 fn trade_off_of_l(bencher: Bencher, vertices: u32) {
     let (problem, _) = problem(&l_shape(vertices));
-    bencher.bench(|| trade_off(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| trade_off(&problem, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [500], sample_count = 3)]
 fn trade_off_of_coast(bencher: Bencher, vertices: u32) {
     let (problem, _) = problem(&coast(vertices));
-    bencher.bench(|| trade_off(&problem, &mut unwatched).unwrap());
+    bencher.bench(|| trade_off(&problem, Progress::NONE).unwrap());
 }
 
 /// At nine tenths of Delaunay's angle.
@@ -100,7 +100,7 @@ fn trade_off_of_coast(bencher: Bencher, vertices: u32) {
 fn windows_of_coast(bencher: Bencher, vertices: u32) {
     let (problem, tangent) = problem(&coast(vertices));
     let goal = WindowGoal { max_degree: 0, min_tangent: 0.9 * tangent };
-    bencher.bench(|| windows(&problem, goal, &mut unwatched).unwrap());
+    bencher.bench(|| windows(&problem, goal, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [1_000_000], sample_count = 1, ignore)]

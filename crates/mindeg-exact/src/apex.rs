@@ -1,19 +1,20 @@
 //! A lower bound on the maximum degree: too many boundary edges for the vertices that see them.
 //!
-//! Let R be the boundary edges that are no side of an ear. Each has a triangle, and its apex sees both
-//! of its ends. A vertex of degree D has D-1 triangles, of which the first and the last have a
-//! boundary edge at the vertex itself, and would be ears if their opposite side was a boundary edge, too. So it is apex
-//! to at most D-3 edges of R, and for any set S of edges of R that only the vertices A can be apex to,
-//! D >= 3 + |S|/|A|, rounded up. For a convex polygon with one long side this is Liu's bound.
+//! Let R be the boundary edges that are no side of an ear. Each has a triangle, and its apex sees
+//! both of its ends. A vertex of degree D has D-1 triangles, of which the first and the last have a
+//! boundary edge at the vertex itself; if their opposite side were a boundary edge too, they would be
+//! ears. So a vertex is apex to at most D-3 edges of R. If only the vertices A can be apexes of the
+//! edges S of R, then D >= 3 + |S|/|A|, rounded up. For a convex polygon with one long side this is
+//! Liu's bound.
 //!
-//! The best S comes from a matching of edges to apexes: where no further edge finds a place, the
-//! edges and apexes that can be reached from it are S and A (Hall).
+//! The best S comes from a matching of edges to apexes: if a further edge finds no place, the edges
+//! and apexes that alternating paths reach from it are S and A (Hall).
 
 use crate::chords::{Chords, Lists};
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
-/// Boundary edges and all vertices that can be apex to them.
+/// Boundary edges and all vertices that can be their apexes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ApexBound {
     /// The edges, from vertex `e` to the next one; none is a side of an ear.
@@ -33,20 +34,20 @@ impl ApexBound {
 const UNSEEN: u32 = u32::MAX;
 
 struct Matching {
-    /// The boundary edges that no ear has.
+    /// The boundary edges that are no side of an ear.
     edges: Vec<u32>,
-    /// Of each of them where its apexes begin in `apexes`.
+    /// For each of them, the start of its apexes in `apexes`.
     offsets: Vec<u32>,
     apexes: Vec<u32>,
-    /// Of each vertex the indices of the edges that it is apex to.
+    /// For each vertex the indices of the edges that it is apex to.
     taken: Vec<Vec<u32>>,
     is_placed: Vec<bool>,
     edge_level: Vec<u32>,
     apex_level: Vec<u32>,
 }
 
-/// The best bound of this kind that needs more than degree 4. O(chords * sqrt(vertices)) at most times the
-/// bound, by Hopcroft and Karp's phases.
+/// The best bound of this kind above degree 4. At most O(chords * sqrt(vertices)) times the bound,
+/// by Hopcroft and Karp's phases.
 pub(crate) fn apex_bound(chords: &Chords) -> Option<ApexBound> {
     let mut matching = Matching::new(chords);
     let mut best = None;
@@ -112,7 +113,8 @@ impl Matching {
         matching
     }
 
-    /// Goes out from all edges without a place, level by level; says whether it comes to an apex that has place.
+    /// Numbers edges and apexes by their distance from the edges without a place. Returns whether it
+    /// reaches an apex with free space.
     fn levels(&mut self, capacity: usize) -> bool {
         self.edge_level.fill(UNSEEN);
         self.apex_level.fill(UNSEEN);
@@ -121,7 +123,7 @@ impl Matching {
             self.edge_level[edge] = 0;
             open.push_back(edge as u32);
         }
-        let mut has_place = false;
+        let mut has_space = false;
         while let Some(edge) = open.pop_front() {
             let level = self.edge_level[edge as usize];
             for index in self.offsets[edge as usize]..self.offsets[edge as usize + 1] {
@@ -130,7 +132,7 @@ impl Matching {
                     continue;
                 }
                 self.apex_level[apex] = level + 1;
-                has_place |= self.taken[apex].len() < capacity;
+                has_space |= self.taken[apex].len() < capacity;
                 for &next in &self.taken[apex] {
                     if self.edge_level[next as usize] == UNSEEN {
                         self.edge_level[next as usize] = level + 2;
@@ -139,23 +141,23 @@ impl Matching {
                 }
             }
         }
-        has_place
+        has_space
     }
 
-    /// Places edges along shortest ways, each of which moves other edges on to their next apex.
+    /// Places edges along shortest paths, each of which moves other edges to their next apex.
     fn augment(&mut self, capacity: usize) {
         let mut next_apex: Vec<u32> = self.offsets[..self.edges.len()].to_vec();
         for first in 0..self.edges.len() as u32 {
             if self.is_placed[first as usize] {
                 continue;
             }
-            // Edges, each with the apex that it would take and the place there of the edge after it.
-            let mut way: Vec<(u32, usize)> = vec![(first, 0)];
-            while let Some(&(edge, _)) = way.last() {
+            // Edges, each with its place in the list of the apex that the edge before it takes.
+            let mut path: Vec<(u32, usize)> = vec![(first, 0)];
+            while let Some(&(edge, _)) = path.last() {
                 let index = next_apex[edge as usize];
                 if index == self.offsets[edge as usize + 1] {
                     self.edge_level[edge as usize] = UNSEEN;
-                    way.pop();
+                    path.pop();
                     continue;
                 }
                 let apex = self.apexes[index as usize] as usize;
@@ -164,7 +166,7 @@ impl Matching {
                     next_apex[edge as usize] += 1;
                 } else if self.taken[apex].len() < capacity {
                     self.taken[apex].push(edge);
-                    for pair in way.windows(2) {
+                    for pair in path.windows(2) {
                         let [(before, _), (_, place)] = [pair[0], pair[1]];
                         let apex = self.apexes[next_apex[before as usize] as usize] as usize;
                         self.taken[apex][place] = before;
@@ -176,21 +178,21 @@ impl Matching {
                     let mut beyond =
                         beyond.filter(|&(_, &next)| self.edge_level[next as usize] == level + 2);
                     match beyond.next() {
-                        Some((place, &next)) => way.push((next, place)),
+                        Some((place, &next)) => path.push((next, place)),
                         None => next_apex[edge as usize] += 1,
                     }
                 }
             }
-            // The edges of a way that was found are used up.
+            // No other path of this phase may have the edges of this one.
             if self.is_placed[first as usize] {
-                for (edge, _) in way {
+                for (edge, _) in path {
                     self.edge_level[edge as usize] = UNSEEN;
                 }
             }
         }
     }
 
-    /// What the last levels came to, when no apex had place.
+    /// The edges and apexes of the last levels, if no apex had free space.
     fn witness(&self) -> ApexBound {
         let seen = |levels: &[u32]| -> Vec<u32> {
             let seen = levels.iter().enumerate().filter(|&(_, &level)| level != UNSEEN);

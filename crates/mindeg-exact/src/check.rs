@@ -10,7 +10,7 @@ use robust::{Coord, orient2d};
 use std::collections::BTreeMap;
 use thiserror::Error;
 
-/// What a correct triangulation is like.
+/// The degrees of a correct triangulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Checked {
     /// The number of edges at each vertex, boundary edges included.
@@ -19,7 +19,7 @@ pub struct Checked {
     pub max_degree: u32,
 }
 
-/// What is wrong with triangles.
+/// Why triangles are not a triangulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum CheckError {
@@ -42,7 +42,7 @@ pub enum CheckError {
         from: u32,
         /// Where it ends.
         to: u32,
-        /// How many triangles have it, in either direction.
+        /// The number of triangles that have it, in either direction.
         triangles: usize,
     },
     /// Another edge that is not the edge of one triangle on either side.
@@ -63,11 +63,12 @@ pub enum CheckError {
 
 /// Checks that `triangles` triangulate the domain on the left of `rings`. O(n log n).
 ///
-/// The outer ring is counter-clockwise, holes are clockwise; that they do not cross is the caller's to know.
+/// The outer ring is counter-clockwise, holes are clockwise. The check assumes that rings do not
+/// cross.
 ///
 /// # Errors
 ///
-/// What is wrong first, in the order of [`CheckError`].
+/// The first fault, in the order of [`CheckError`].
 ///
 /// # Example
 ///
@@ -101,7 +102,7 @@ pub fn triangulation(
         }
         return Err(CheckError::NotCounterClockwise { triangle });
     }
-    // Of every edge from its smaller to its larger end the triangles on the left and on the right.
+    // For every edge from its smaller to its larger end the triangles on the left and on the right.
     let mut edges = BTreeMap::<(u32, u32), [usize; 2]>::new();
     for &[a, b, c] in triangles {
         for (from, to) in [(a, b), (b, c), (c, a)] {

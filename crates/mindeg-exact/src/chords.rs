@@ -1,8 +1,11 @@
-//! Which vertices may be joined.
+//! The edges that a triangulation may use.
 
+use crate::parallel::map_chunks;
+use crate::progress::Stage;
 use crate::triangulation::Triangulation;
 use mindeg_core::Boundary;
-use rayon::prelude::*;
+use mindeg_mesh::Cancelled;
+use std::ops::Range;
 
 /// A set of edges that a triangulation may use: all boundary edges and some chords, ordered by
 /// span, the number of boundary edges that they cut off.
@@ -16,8 +19,8 @@ pub(crate) struct Chords {
 }
 
 impl Chords {
-    /// The boundary edges and these chords (lower end, upper end), in lists that are, one after the other,
-    /// in ascending order of lower ends. O(n + chords).
+    /// The boundary edges and these chords (lower end, upper end). The lists, one after the other,
+    /// are in ascending order of lower ends. O(n + chords).
     pub(crate) fn new(vertices: usize, chords: &[Vec<[u32; 2]>]) -> Self {
         let mut offsets = vec![0_u32; vertices + 1];
         for [i, j] in chords.iter().flatten() {
@@ -76,13 +79,13 @@ impl Chords {
         self.vertices
     }
 
-    /// How many edges there are, those of the boundary included.
+    /// The number of edges, boundary edges included.
     pub(crate) fn len(&self) -> usize {
         self.starts.len()
     }
 
     /// The indices of the edges of this span.
-    pub(crate) fn indices(&self, span: usize) -> std::ops::Range<usize> {
+    pub(crate) fn indices(&self, span: usize) -> Range<usize> {
         self.offsets[span] as usize..self.offsets[span + 1] as usize
     }
 
@@ -103,39 +106,47 @@ impl Chords {
         self.of_span((j - i) as usize).binary_search(&i).is_ok()
     }
 
-    /// How many triples i < k < j have all three edges, the work of one pass of the dynamic
-    /// program; none where they are more than `most`. O(triples), in parallel.
-    pub(crate) fn count_triples(&self, most: u64) -> Option<u64> {
-        const ROUND: usize = 4096;
+    /// The number of triples i < k < j with all three edges, the work of one pass of the dynamic
+    /// program; none if it is more than `most`. O(triples), in parallel.
+    pub(crate) fn count_triples(
+        &self,
+        most: u64,
+        stage: &Stage<'_>,
+    ) -> Result<Option<u64>, Cancelled> {
+        const CHUNK: usize = 64;
+        const ROUND: usize = 16 * CHUNK;
         let [counts, _] = self.end_counts();
         let mut up = Lists::new(&counts);
         self.ends().for_each(|[i, j]| up.push(i, j));
-        let vertices = self.vertices as u32;
-        let mut total = 0;
-        for round in (0..vertices).step_by(ROUND) {
-            let of_round = round..vertices.min(round + ROUND as u32);
-            let count = |marks: &mut Vec<u8>, i: u32| {
-                marks.resize(self.vertices, 0);
+        let count = |starts: Range<usize>| {
+            let mut marks = vec![0_u8; self.vertices];
+            let mut count = 0;
+            for i in starts.start as u32..starts.end as u32 {
                 up.of(i).iter().for_each(|&j| marks[j as usize] = 1);
                 let last = up.of(i).last().copied().unwrap_or(0);
-                let mut count = 0;
                 for &k in up.of(i) {
                     let ends = up.of(k);
                     let ends = &ends[..ends.partition_point(|&j| j <= last)];
                     count += ends.iter().map(|&j| u64::from(marks[j as usize])).sum::<u64>();
                 }
                 up.of(i).iter().for_each(|&j| marks[j as usize] = 0);
-                count
-            };
-            total += of_round.into_par_iter().map_init(Vec::new, count).sum::<u64>();
+            }
+            count
+        };
+        let mut total = 0;
+        // In rounds, so that too many triples end it early.
+        for round in (0..self.vertices).step_by(ROUND) {
+            stage.report(round as f64 / self.vertices as f64)?;
+            let counts = map_chunks(round..self.vertices.min(round + ROUND), CHUNK, count);
+            total += counts.iter().sum::<u64>();
             if total > most {
-                return None;
+                return Ok(None);
             }
         }
-        Some(total)
+        Ok(Some(total))
     }
 
-    /// Of each vertex how many chords it has, boundary edges left out.
+    /// The number of chords at each vertex, without boundary edges.
     pub(crate) fn degrees(&self) -> Vec<u32> {
         let mut degrees = vec![0_u32; self.vertices];
         for [i, j] in self.ends() {
@@ -145,7 +156,7 @@ impl Chords {
         degrees.iter().map(|degree| degree - 2).collect()
     }
 
-    /// Of each vertex how many edges have it as lower end, and how many as upper end.
+    /// For each vertex the number of edges with it as lower end, and as upper end.
     pub(crate) fn end_counts(&self) -> [Vec<u32>; 2] {
         let mut counts = [vec![0; self.vertices], vec![0; self.vertices]];
         for [i, j] in self.ends() {
@@ -156,7 +167,7 @@ impl Chords {
     }
 }
 
-/// One list for each vertex, with space set aside for all it may get.
+/// One list for each vertex, in memory allocated at once.
 #[derive(Clone, Debug)]
 pub(crate) struct Lists<T> {
     offsets: Vec<u32>,
@@ -187,8 +198,8 @@ impl<T: Copy + Default> Lists<T> {
     }
 }
 
-/// Visits the entries of equal vertex of two lists, one by ascending and one by descending
-/// vertex, in ascending order until `visit` answers with a break.
+/// Visits the entries of equal vertex of two lists, one by ascending and one by descending vertex,
+/// in ascending order, until `visit` breaks.
 pub(crate) fn meet<T>(
     ascending: &[T],
     descending: &[T],
@@ -211,7 +222,7 @@ pub(crate) fn meet<T>(
     }
 }
 
-/// The one or two straight sides that every vertex is on.
+/// The one or two straight sides of every vertex.
 #[derive(Clone, Debug)]
 pub(crate) struct Sides {
     /// The sides of the boundary edges before and after each vertex.

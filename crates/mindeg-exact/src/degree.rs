@@ -1,32 +1,32 @@
 //! The least maximum degree with its proof, or what is reached and what is known below.
 
-use crate::answer::{Unsolved, least_by_search};
 use crate::apex::{ApexBound, apex_bound};
 use crate::delaunay::least_tangent;
+use crate::feasibility::{any_triangulation, least_by_search};
 use crate::problem::{Domain, MANY_EDGES, Problem};
-use crate::progress::Watch;
-use crate::search::any_triangulation;
 use crate::triangulation::Triangulation;
+use crate::unsolved::Unsolved;
 use crate::windows::{WindowGoal, windows};
 use crate::zigzag::{self, Found, ZigZag};
 use mindeg_core::{least_degree_triangulation, least_max_degree};
+use mindeg_mesh::Progress;
 
-/// How many triangles the test for degree 4 may walk through, about a second.
+/// The most triangles that the test for degree 4 walks through, about a second.
 const ZIGZAG_STEPS: u64 = 50_000_000;
 
-/// The shares of the start's smallest tangent at which windows are tried.
+/// The shares of the given triangulation's minimum tangent that windows keep, one after the other.
 const SHARES: [f64; 3] = [0.9, 0.5, 0.0];
 
-/// A triangulation, its maximum degree, and the largest degree that is known to be necessary.
+/// A triangulation, its maximum degree, and a lower bound on the maximum degree of all.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DegreeRange {
-    /// The maximum degree of `triangles`, edges outside included.
+    /// The maximum degree of `triangles`, external edges included.
     pub max_degree: u32,
     /// No triangulation has a smaller maximum degree than this.
     pub lower_bound: u32,
-    /// How `max_degree` was reached.
+    /// The method that reached `max_degree`.
     pub reached_by: Reached,
-    /// Why it cannot be below `lower_bound`.
+    /// The proof of `lower_bound`.
     pub bounded_by: LowerBound,
     /// The triangles, counter-clockwise.
     pub triangles: Vec<[u32; 3]>,
@@ -40,17 +40,17 @@ impl DegreeRange {
     }
 }
 
-/// How a maximum degree was reached.
+/// The method that reached a maximum degree.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Reached {
-    /// By the formula for convex polygons.
+    /// The formula for convex polygons.
     ClosedForm,
-    /// By this zig-zag, of degree 4.
+    /// This zig-zag, of degree 4.
     ZigZag(ZigZag),
-    /// By windows.
+    /// Windows.
     Windows,
-    /// By the dynamic program over all triangulations.
+    /// The dynamic program over all triangulations.
     Exhaustive,
 }
 
@@ -58,37 +58,44 @@ pub enum Reached {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LowerBound {
-    /// The formula for convex polygons is optimal (Liu's bounds).
+    /// Liu's bounds, which the formula for convex polygons reaches.
     ClosedForm,
-    /// The degrees add up to so many, or one vertex has so many edges outside.
+    /// The sum of the degrees, or the external degree of one vertex.
     Counting,
-    /// Degree 4 takes one of n zig-zags, and each of them has one of these chords, in the order
-    /// of [`ZigZag::all`], which are not admissible.
+    /// Degree 4 needs one of n zig-zags, and each has a chord that is not admissible: these, in the
+    /// order of [`ZigZag::all`].
     BlockedZigZags(Vec<[u32; 2]>),
-    /// Too many boundary edges for the vertices that see them.
+    /// Too many boundary edges for the vertices that can be their apexes.
     Apexes(ApexBound),
-    /// The dynamic program over all triangulations finds none of smaller degree.
+    /// The dynamic program over all triangulations, which finds none of smaller degree.
     Exhaustive,
 }
 
-/// The least maximum degree, with what proves it; where that is too much work, the degree
-/// reached and a lower bound.
+/// The least maximum degree with its proof; if that takes too much work, a degree that is reached
+/// and a lower bound.
 ///
-/// On a convex polygon without limits by the formula. On other polygons the n zig-zags decide
-/// about 4; [`windows()`] give an upper bound, and where that is 5 all is proven; else the dynamic
-/// program goes down from there, if the triples of vertices that see each other are within the problem's limit, and
-/// it need not go below what a matching of boundary edges to apexes shows to be necessary. With holes there is windows' result and the counting bound.
+/// The formula answers for a convex polygon without limits. On other polygons:
+///
+/// 1. The n zig-zags decide whether degree 4 is possible.
+/// 2. [`windows()`] give an upper bound; 5 is then proven.
+/// 3. A matching of boundary edges to apexes gives a lower bound.
+/// 4. The dynamic program goes down from the upper bound to the lower one, if the triples of
+///    vertices that see each other are within the problem's limit.
+///
+/// With holes, windows give the upper bound and the sum of the degrees the lower one.
 ///
 /// # Errors
 ///
-/// Caps of single vertices cannot be kept (or, with holes or beyond exact work, windows do not
-/// keep them: [`Unsolved::TooLarge`], [`Unsolved::NotAPolygon`]), or `watch` asked to stop.
+/// - [`Unsolved::VertexLimits`]: no triangulation keeps the degree limits of single vertices.
+/// - [`Unsolved::TooLarge`], [`Unsolved::NotAPolygon`]: windows do not keep these limits, and the
+///   polygon is too large for exact work or has holes.
+/// - [`Unsolved::Cancelled`]: `progress` cancelled the work.
 ///
 /// # Example
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_exact::{LowerBound, Problem, degree_range, unwatched};
+/// use mindeg_exact::{LowerBound, Problem, Progress, degree_range};
 ///
 /// // A star of six points.
 /// let at = |corner: u32| {
@@ -100,12 +107,12 @@ pub enum LowerBound {
 /// let triangles: Vec<_> = tips.chain([[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]]).collect();
 /// let problem = Problem::triangulated(&points, &Vec::from_iter(0..12), &triangles)?;
 ///
-/// let range = degree_range(&problem, &mut unwatched)?;
+/// let range = degree_range(&problem, Progress::NONE)?;
 /// assert_eq!((range.max_degree, range.lower_bound), (5, 5));
 /// assert!(matches!(range.bounded_by, LowerBound::BlockedZigZags(chords) if chords.len() == 12));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn degree_range(problem: &Problem, watch: Watch<'_>) -> Result<DegreeRange, Unsolved> {
+pub fn degree_range(problem: &Problem, progress: Progress<'_>) -> Result<DegreeRange, Unsolved> {
     match &problem.domain {
         Domain::Convex(boundary) if problem.is_plain() => {
             let max_degree = least_max_degree(boundary);
@@ -117,29 +124,29 @@ pub fn degree_range(problem: &Problem, watch: Watch<'_>) -> Result<DegreeRange, 
                 triangles: least_degree_triangulation(boundary).triangles().collect(),
             })
         }
-        Domain::Simple(mesh) if problem.is_plain() => polygon(problem, mesh, watch),
-        _ => with_limits(problem, watch),
+        Domain::Simple(mesh) if problem.is_plain() => polygon(problem, mesh, progress),
+        _ => with_limits(problem, progress),
     }
 }
 
-/// What the sum of the degrees and the edges outside make necessary.
+/// The lower bound from the sum of the degrees and from external degrees.
 fn counting_bound(problem: &Problem, triangles: usize) -> u32 {
     let vertices = problem.points().len();
-    let outside = |vertex| u64::from(problem.outside_degree(vertex));
-    let sum: u64 = (0..vertices as u32).map(outside).sum();
+    let external = |vertex| u64::from(problem.external_degree(vertex));
+    let sum: u64 = (0..vertices as u32).map(external).sum();
     // Every triangle has three sides, and the boundary edges have one triangle instead of two.
     let mean = (3 * triangles as u64 + vertices as u64 + sum).div_ceil(vertices as u64);
     // Without a hole, an ear has a tip of degree 2, and from four vertices on there is a chord.
     let least = 4.min(vertices as u64 - 1);
     let has_ear = triangles < vertices;
-    let busiest = (0..vertices as u32).map(outside).max().unwrap_or(0) + 2;
-    mean.max(busiest).max(if has_ear { least } else { 0 }) as u32
+    let largest = (0..vertices as u32).map(external).max().unwrap_or(0) + 2;
+    mean.max(largest).max(if has_ear { least } else { 0 }) as u32
 }
 
 fn polygon(
     problem: &Problem,
     mesh: &Triangulation,
-    watch: Watch<'_>,
+    progress: Progress<'_>,
 ) -> Result<DegreeRange, Unsolved> {
     let vertices = problem.points().len();
     let mut lower_bound = counting_bound(problem, mesh.triangles.len());
@@ -161,13 +168,16 @@ fn polygon(
             Found::Unknown => {}
         }
     }
-    let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, watch)?;
+    let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
     let reached_by = Reached::Windows;
     let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };
     if range.is_proven() {
         return Ok(range);
     }
-    let Ok(chords) = problem.chords() else { return Ok(range) };
+    let chords = match problem.chords(progress) {
+        Err(Unsolved::TooLarge { .. }) => return Ok(range),
+        chords => chords?,
+    };
     if let Some(bound) = apex_bound(&chords)
         && bound.max_degree() > range.lower_bound
     {
@@ -175,7 +185,7 @@ fn polygon(
         range.bounded_by = LowerBound::Apexes(bound);
     }
     while !range.is_proven() {
-        match any_triangulation(problem, &chords, range.max_degree - 1, watch)? {
+        match any_triangulation(problem, &chords, range.max_degree - 1, progress)? {
             Some(triangles) => {
                 range.max_degree -= 1;
                 range.reached_by = Reached::Exhaustive;
@@ -190,18 +200,18 @@ fn polygon(
     Ok(range)
 }
 
-/// The least degree that windows reach, at as large an angle as they reach it.
+/// The least degree that windows reach, with the largest of the shares that reaches it.
 fn by_windows(
     problem: &Problem,
     mesh: &Triangulation,
     lower_bound: u32,
-    watch: Watch<'_>,
+    progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
     let start = least_tangent(mesh, problem.points(), problem.sides());
     let mut best: Option<(u32, Vec<[u32; 3]>)> = None;
     for share in SHARES {
         let goal = WindowGoal { max_degree: lower_bound, min_tangent: share * start };
-        let windowed = windows(problem, goal, watch)?;
+        let windowed = windows(problem, goal, progress)?;
         if best.as_ref().is_none_or(|(degree, _)| windowed.max_degree < *degree) {
             best = Some((windowed.max_degree, windowed.triangles));
         }
@@ -212,10 +222,10 @@ fn by_windows(
     Ok(best.expect("some share was tried"))
 }
 
-fn with_limits(problem: &Problem, watch: Watch<'_>) -> Result<DegreeRange, Unsolved> {
+fn with_limits(problem: &Problem, progress: Progress<'_>) -> Result<DegreeRange, Unsolved> {
     let lower_bound = counting_bound(problem, problem.triangulation().triangles.len());
     let goal = WindowGoal { max_degree: lower_bound, min_tangent: 0.0 };
-    let windowed = windows(problem, goal, watch)?;
+    let windowed = windows(problem, goal, progress)?;
     let range = DegreeRange {
         max_degree: windowed.max_degree,
         lower_bound,
@@ -223,16 +233,17 @@ fn with_limits(problem: &Problem, watch: Watch<'_>) -> Result<DegreeRange, Unsol
         bounded_by: LowerBound::Counting,
         triangles: windowed.triangles,
     };
-    let are_told_apart = range.max_degree < MANY_EDGES;
-    if windowed.keeps_vertex_limits && range.is_proven() && are_told_apart {
+    let is_exact = range.max_degree < MANY_EDGES;
+    if windowed.keeps_vertex_limits && range.is_proven() && is_exact {
         return Ok(range);
     }
-    let chords = match problem.chords_or_refusal() {
-        Ok(chords) => chords,
-        Err(_) if windowed.keeps_vertex_limits => return Ok(range),
-        Err(refusal) => return Err(refusal),
+    let chords = match problem.chords(progress) {
+        Err(Unsolved::TooLarge { .. } | Unsolved::NotAPolygon) if windowed.keeps_vertex_limits => {
+            return Ok(range);
+        }
+        chords => chords?,
     };
-    let (least, triangles) = least_by_search(problem, &chords, watch)?;
+    let (least, triangles) = least_by_search(problem, &chords, progress)?;
     Ok(DegreeRange {
         max_degree: least,
         lower_bound: least,

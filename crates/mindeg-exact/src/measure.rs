@@ -1,25 +1,24 @@
-//! How good one triangle is: the two numbers that everything here compares.
+//! The two measures of a triangle that the solver compares: minimum angle and shape.
 //!
 //! Both use `+ - * /` alone, so they are the same on every machine, and both are rounded to
 //! 36 bits. Rounding is part of the definition: on a symmetric domain, triangles that are each
 //! other's mirror images should be equally good, and the last bits of a coordinate would
 //! otherwise decide between them at random.
 //!
-//! Limits: rounding cannot help where coordinates are large against the edges. In survey
-//! coordinates of a few million, mirror images differ in the ninth digit already; triangulate
-//! relative to a nearby origin where ties matter.
+//! Limits: rounding does not help if coordinates are large against the edges. In survey coordinates
+//! of a few million, mirror images differ in the ninth digit already; if ties matter, triangulate
+//! relative to a nearby origin.
 
 use glam::DVec2;
 
-/// What a [`shape`] of 1 is in its units: 2^36.
+/// The [`shape`] of an equilateral triangle, 2^36.
 pub const SHAPE_UNIT: u64 = 1 << 36;
 
-/// The tangent of the smallest angle of a counter-clockwise triangle, to 36 significant bits:
-/// 0 to √3.
+/// The tangent of the minimum angle of a counter-clockwise triangle, to 36 significant bits: 0 to √3.
 ///
-/// The tangent grows with the angle, so it orders triangles as their smallest angles do. With
-/// squared edge lengths x <= y <= z and area A it is 4A/(y+z-x). It is 0 where the triangle is
-/// clockwise or flat as far as f64 can tell, or too large or too small for it.
+/// The tangent grows with the angle, so it orders triangles as their minimum angles do. With
+/// squared edge lengths x <= y <= z and area A it is 4A/(y+z-x). It is 0 if the triangle is
+/// clockwise or flat in f64, or too large or too small for it.
 ///
 /// ```
 /// use glam::DVec2;
@@ -66,8 +65,8 @@ pub fn shape(triangle: [DVec2; 3]) -> u64 {
     if shape > 0.0 { (shape.min(1.0) * SHAPE_UNIT as f64 + 0.5) as u64 } else { 0 }
 }
 
-/// The triangle from its first point in the order of x, then y. The same triangle must have the
-/// same value wherever it is met, and rounding depends on the point that differences start from.
+/// The triangle from its first point in the order of x, then y. The same triangle must always have
+/// the same value, and rounding depends on the point that differences start from.
 fn from_the_first([a, b, c]: [DVec2; 3]) -> [DVec2; 3] {
     let is_before = |p: DVec2, q: DVec2| p.x < q.x || (p.x == q.x && p.y < q.y);
     if is_before(b, a) && is_before(b, c) {
@@ -99,8 +98,8 @@ mod tests {
     }
 
     #[test]
-    fn measures_the_smallest_angle_wherever_it_is() {
-        for (left, right, smallest) in [
+    fn measures_the_minimum_angle_at_any_corner() {
+        for (left, right, minimum) in [
             (60.0, 60.0, 60.0),
             (45.0, 90.0, 45.0),
             (90.0, 30.0, 30.0),
@@ -111,7 +110,7 @@ mod tests {
             let [a, b, c] = with_angles(left, right);
             for triangle in [[a, b, c], [b, c, a], [c, a, b]] {
                 let tangent = min_angle_tangent(triangle);
-                assert!((degrees(tangent) / smallest - 1.0).abs() < 1e-10, "{left}, {right}");
+                assert!((degrees(tangent) / minimum - 1.0).abs() < 1e-10, "{left}, {right}");
             }
             assert_eq!(min_angle_tangent([a, c, b]), 0.0);
             assert_eq!(shape([a, c, b]), 0);
@@ -139,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_area_is_worst() {
+    fn triangles_without_area_measure_0() {
         for (b, c) in [
             (DVec2::X, DVec2::X * 2.0),
             (ORIGIN, ORIGIN),

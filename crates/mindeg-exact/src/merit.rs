@@ -1,26 +1,26 @@
-//! What triangulations whose angles are all large enough are ranked by.
+//! The rank of triangulations whose angles are all large enough.
 
 use crate::measure;
 use glam::DVec2;
 use std::cmp::Ordering;
 
-/// How good a part of a triangulation is; the greater the better, and the best whole is made
-/// of best parts.
+/// The rank of the triangulation of a piece: greater is better, and the best whole consists of best
+/// pieces.
 pub(crate) trait Merit: Copy + Ord + Send + Sync {
-    /// The merit of a part without triangles, a boundary edge.
+    /// The merit of a piece without triangles, a boundary edge.
     const EMPTY: Self;
-    /// Whether all parts are equal, so that any one will do.
+    /// Whether all triangulations have equal rank.
     const ALL_EQUAL: bool;
 
     fn of_triangle(corners: [DVec2; 3]) -> Self;
 
     fn plus(self, other: Self) -> Self;
 
-    /// With one more vertex that has all the edges it may have.
+    /// The merit with one more vertex at its degree limit.
     fn with_full_vertex(self) -> Self;
 }
 
-/// For the question whether there is a triangulation at all.
+/// Any triangulation.
 impl Merit for () {
     const EMPTY: Self = ();
     const ALL_EQUAL: bool = true;
@@ -32,10 +32,10 @@ impl Merit for () {
     fn with_full_vertex(self) -> Self {}
 }
 
-/// The rule for ties: fewer vertices at their cap, then a larger sum of `shape`.
+/// The rule for ties: fewer vertices at their degree limit, then a larger sum of `shape`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct TieBreak {
-    /// How many vertices have all the edges they may have.
+    /// The number of vertices at their degree limit.
     pub(crate) full_vertices: u32,
     /// In units of 1/[`measure::SHAPE_UNIT`].
     pub(crate) shape: u64,

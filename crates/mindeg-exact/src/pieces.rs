@@ -1,61 +1,40 @@
 //! The interval dynamic program: which triangulations of each piece can be part of a best one.
 //!
-//! A chord (i, j) cuts off the piece of boundary from i to j. What is beyond the chord sees the
-//! piece only through the number of edges it has at i and at j, and through its [`Merit`]. So a
-//! piece is represented by a front: of the triangulations with each pair of end degrees the
-//! merit of the best, without those that another one beats in all three respects.
+//! A chord (i, j) cuts off the piece of boundary from i to j. The rest of the polygon depends on
+//! the piece only through its numbers of edges at i and j, and through its [`Merit`]. So a front
+//! represents the piece: for each pair of end degrees, the merit of the best triangulation, without
+//! those that another one beats in all three respects.
 //!
-//! The chord's own edge is counted by the pieces that it is part of, not by its own.
+//! ```text
+//!         k          the piece of (i, j) = the triangle (i, k, j)
+//!        / \                            + the piece of (i, k)
+//!       /   \                           + the piece of (k, j),  i < k < j
+//!      i-----j
+//! ```
+//!
+//! A piece does not count the edge of its own chord; the pieces that contain it do.
 
 use crate::chords::{Chords, Lists, meet};
+use crate::front::{Grid, State};
+use crate::limits::Capacity;
 use crate::measure::min_angle_tangent;
 use crate::merit::Merit;
-use crate::progress::Stopped;
+use crate::parallel::map_chunks;
 use glam::DVec2;
-use rayon::prelude::*;
-use std::ops::ControlFlow;
+use mindeg_mesh::Cancelled;
+use std::ops::{ControlFlow, Range};
 
-/// What a triangulation must keep to.
+/// The conditions on a triangulation.
 #[derive(Clone, Debug)]
 pub(crate) struct Rules<'a> {
     pub(crate) points: &'a [DVec2],
     /// The least tangent of an angle.
     pub(crate) threshold: f64,
-    /// Of each vertex, how many chords it may have, and whether they are counted at all.
-    /// Not counting at vertices that can never have too many keeps fronts small.
-    pub(crate) rooms: Vec<Room>,
+    /// The capacity of each vertex. Fronts stay small where it is unlimited.
+    pub(crate) capacities: Vec<Capacity>,
 }
 
-/// How many chords a vertex may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Room {
-    For(u16),
-    Unlimited,
-}
-
-impl Room {
-    /// What one more chord adds to the count.
-    fn step(self) -> u16 {
-        u16::from(self != Self::Unlimited)
-    }
-
-    /// The largest count.
-    fn most(self) -> u16 {
-        if let Self::For(chords) = self { chords } else { 0 }
-    }
-}
-
-/// One triangulation of a piece, as the rest sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct State<M> {
-    /// Chords counted at the lower end.
-    at_i: u16,
-    /// Chords counted at the upper end.
-    at_j: u16,
-    merit: M,
-}
-
-/// Where the front of the piece between a vertex and `other` is in the list of all states.
+/// The front of the piece between a vertex and `other`, as a range of the list of all states.
 #[derive(Clone, Copy, Default)]
 struct Front {
     other: u32,
@@ -68,11 +47,11 @@ pub(crate) struct Pieces<'a, M> {
     rules: Rules<'a>,
     vertices: usize,
     states: Vec<State<M>>,
-    /// Of each vertex the pieces that begin there and can be triangulated, by ascending end.
+    /// For each vertex the pieces that begin there and have a triangulation, by ascending end.
     up: Lists<Front>,
-    /// Of each vertex the pieces that end there and can be triangulated, by descending begin.
+    /// For each vertex the pieces that end there and have a triangulation, by descending begin.
     down: Lists<Front>,
-    /// The largest tangent below the threshold of a triangle that was left out for it.
+    /// The largest tangent of a triangle that the threshold left out.
     left_out: f64,
 }
 
@@ -86,19 +65,19 @@ struct Batch<M> {
 /// How many chords make a batch: enough to be worth handing to a thread.
 const BATCH: usize = 16;
 
-/// So few chords are not worth it at all.
+/// With fewer chords, one thread does all.
 const FEW: usize = 4096;
 
 impl<'a, M: Merit> Pieces<'a, M> {
     /// Solves all pieces. O(triples of chords) time, times the product of the fronts' lengths; in
     /// parallel over the chords of each span, with the same result on any number of threads.
     ///
-    /// Pieces that cannot be triangulated take no further time.
+    /// Pieces without a triangulation take no further time. `report` gets the share that is done.
     pub(crate) fn solve(
         rules: Rules<'a>,
         chords: &Chords,
-        mut watch: impl FnMut(f64) -> Result<(), Stopped>,
-    ) -> Result<Self, Stopped> {
+        report: impl Fn(f64) -> Result<(), Cancelled>,
+    ) -> Result<Self, Cancelled> {
         let vertices = chords.vertex_count();
         let states = vec![State { at_i: 0, at_j: 0, merit: M::EMPTY }];
         let [up, down] = chords.end_counts().map(|counts| Lists::new(&counts));
@@ -109,7 +88,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         let are_few = chords.len() < FEW;
         let mut grid = Grid::new();
         for span in 2..vertices {
-            watch(span as f64 / vertices as f64)?;
+            report(span as f64 / vertices as f64)?;
             let starts = chords.of_span(span);
             if starts.is_empty() {
                 continue;
@@ -128,8 +107,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
                 }
                 continue;
             }
-            let work = |starts: &[u32]| pieces.batch(starts, span);
-            let batches: Vec<Batch<M>> = starts.par_chunks(BATCH).map(work).collect();
+            let batch = |range: Range<usize>| pieces.batch(&starts[range], span);
+            let batches = map_chunks(0..starts.len(), BATCH, batch);
             for (starts, batch) in starts.chunks(BATCH).zip(batches) {
                 pieces.add(starts, span, batch);
             }
@@ -172,14 +151,14 @@ impl<'a, M: Merit> Pieces<'a, M> {
         &self.states[front.start as usize..][..front.len as usize]
     }
 
-    /// Puts the best merits of the piece from `i` to `j` on the grid of end degrees, and gives
-    /// the largest tangent of a triangle left out.
+    /// Puts the best merits of the piece from `i` to `j` on the grid of end degrees, and returns
+    /// the largest tangent of a triangle that the threshold left out.
     fn fill(&self, grid: &mut Grid<M>, i: usize, j: usize) -> f64 {
-        let [room_i, room_j] = [i, j].map(|vertex| self.rules.rooms[vertex]);
-        // A chord has to fit beside those of its piece.
+        let [capacity_i, capacity_j] = [i, j].map(|vertex| self.rules.capacities[vertex]);
+        // The chord (i, j) itself takes a place beside those of its piece.
         let is_chord = u16::from(j - i < self.vertices - 1);
-        let most = |room: Room| room.most().checked_sub(is_chord * room.step());
-        let (Some(most_at_i), Some(most_at_j)) = (most(room_i), most(room_j)) else {
+        let most = |capacity: Capacity| capacity.most().checked_sub(is_chord * capacity.step());
+        let (Some(most_at_i), Some(most_at_j)) = (most(capacity_i), most(capacity_j)) else {
             grid.clear(0, 0);
             return f64::NEG_INFINITY;
         };
@@ -201,7 +180,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
                 }
             });
             // Between the first apex and the last both ends take a chord, and no more is best.
-            M::ALL_EQUAL && grid.has(room_i.step(), room_j.step())
+            M::ALL_EQUAL && grid.has(capacity_i.step(), capacity_j.step())
         };
         let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
         let mut last_seen = i;
@@ -230,42 +209,42 @@ impl<'a, M: Merit> Pieces<'a, M> {
         triangle.map(|vertex| self.rules.points[vertex])
     }
 
-    /// Visits every pair of a state of (i, apex) and a state of (apex, j) that leave the apex
-    /// within its room, and what they make together, the triangle's own merit aside.
+    /// Visits every pair of a state of (i, apex) and a state of (apex, j) that the capacity of the
+    /// apex allows, and the state of both together, without the triangle's own merit.
     fn join(
         &self,
         [i, apex, j]: [usize; 3],
         [lefts, rights]: [&[State<M>]; 2],
         mut visit: impl FnMut(State<M>, State<M>, State<M>),
     ) {
-        let rooms = &self.rules.rooms;
+        let capacities = &self.rules.capacities;
         let is_left_chord = u16::from(apex > i + 1);
         let is_right_chord = u16::from(j > apex + 1);
-        let room = rooms[apex];
+        let capacity = capacities[apex];
         for &left in lefts {
-            let at_apex = left.at_j + (is_left_chord + is_right_chord) * room.step();
-            if at_apex > room.most() {
+            let at_apex = left.at_j + (is_left_chord + is_right_chord) * capacity.step();
+            if at_apex > capacity.most() {
                 continue;
             }
             for &right in rights {
                 let at_apex = at_apex + right.at_i;
-                if at_apex > room.most() {
+                if at_apex > capacity.most() {
                     // Fronts are sorted.
                     break;
                 }
                 let mut merit = left.merit.plus(right.merit);
-                if room == Room::For(at_apex) {
+                if capacity == Capacity::Limited(at_apex) {
                     merit = merit.with_full_vertex();
                 }
-                let at_i = left.at_i + is_left_chord * rooms[i].step();
-                let at_j = right.at_j + is_right_chord * rooms[j].step();
+                let at_i = left.at_i + is_left_chord * capacities[i].step();
+                let at_j = right.at_j + is_right_chord * capacities[j].step();
                 visit(left, right, State { at_i, at_j, merit });
             }
         }
     }
 
-    /// The best whole triangulation as the piece of all but one boundary edge, and its merit;
-    /// of equals the one with the fewest edges at the ends.
+    /// The best triangulation of the whole polygon, the piece of the boundary edge (0, n-1), and its
+    /// merit; of equals, that with the fewest edges at the ends.
     fn best(&self) -> Option<(State<M>, M)> {
         let last = self.vertices - 1;
         let whole = self.up.of(0).last().filter(|front| front.other as usize == last)?;
@@ -273,7 +252,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         for &state in self.states(whole) {
             let mut merit = state.merit;
             for (vertex, chords) in [(0, state.at_i), (last, state.at_j)] {
-                if self.rules.rooms[vertex] == Room::For(chords) {
+                if self.rules.capacities[vertex] == Capacity::Limited(chords) {
                     merit = merit.with_full_vertex();
                 }
             }
@@ -284,9 +263,9 @@ impl<'a, M: Merit> Pieces<'a, M> {
         best
     }
 
-    /// A best triangulation, every triangle before those beneath it, and its merit; none where the rules
-    /// allow none. Of equally good apexes the one with the smallest index is taken. O(n²)
-    /// times the product of the fronts' lengths.
+    /// A best triangulation, every triangle before those beneath it, and its merit; none if the
+    /// rules allow none. Of equally good apexes, that with the smallest index. O(n²) times the
+    /// product of the fronts' lengths.
     pub(crate) fn triangles(&self) -> Option<(Vec<[u32; 3]>, M)> {
         let (root, merit) = self.best()?;
         let mut triangles = Vec::with_capacity(self.vertices - 2);
@@ -334,92 +313,14 @@ impl<'a, M: Merit> Pieces<'a, M> {
         found
     }
 
-    /// The largest tangent below the threshold of a triangle that only the threshold kept out;
-    /// where there is no triangulation, none of these chords within these rooms has all angles
-    /// larger than that.
+    /// The largest tangent of a triangle that the threshold alone left out. If the rules allow no
+    /// triangulation, then none of these chords and capacities has a larger minimum tangent.
     ///
-    /// For take one, and of its triangles below the threshold one with none beneath it. The
-    /// pieces beneath have fronts here that are as good, so the triangle was looked at; or else
-    /// its piece was settled before with as few chords at the ends, and may be exchanged for
-    /// that, which leaves fewer triangles to take.
+    /// Proof: take a triangulation and, of its triangles below the threshold, one with none
+    /// beneath it. The fronts of the pieces beneath are as good, so `fill` visited the triangle; or
+    /// it had settled the piece before, with as few chords at the ends. Then that triangulation of
+    /// the piece may replace this one, and fewer triangles are below the threshold.
     pub(crate) fn left_out(&self) -> f64 {
         self.left_out
-    }
-}
-
-/// The best merit for every pair of end degrees of one piece.
-struct Grid<M> {
-    width: usize,
-    cells: Vec<Option<M>>,
-    /// Entry b: the best merit so far with at most b chords at the upper end.
-    best_below: Vec<Option<M>>,
-}
-
-impl<M: Merit> Grid<M> {
-    fn new() -> Self {
-        Self { width: 0, cells: Vec::new(), best_below: Vec::new() }
-    }
-
-    fn clear(&mut self, most_at_i: u16, most_at_j: u16) {
-        self.width = usize::from(most_at_j) + 1;
-        self.cells.clear();
-        self.cells.resize((usize::from(most_at_i) + 1) * self.width, None);
-    }
-
-    fn offer(&mut self, state: State<M>) {
-        let cell = &mut self.cells[usize::from(state.at_i) * self.width + usize::from(state.at_j)];
-        *cell = (*cell).max(Some(state.merit));
-    }
-
-    fn has(&self, at_i: u16, at_j: u16) -> bool {
-        let (at_i, at_j) = (usize::from(at_i), usize::from(at_j));
-        at_j < self.width && self.cells.get(at_i * self.width + at_j).is_some_and(Option::is_some)
-    }
-
-    /// Appends the states that no other one beats: with as few chords at either end and as
-    /// much merit.
-    fn append_front(&mut self, states: &mut Vec<State<M>>) {
-        self.best_below.clear();
-        self.best_below.resize(self.width, None);
-        for (at_i, row) in (0..).zip(self.cells.chunks(self.width)) {
-            let mut best = None;
-            for (at_j, (cell, below)) in (0..).zip(row.iter().zip(&mut self.best_below)) {
-                best = best.max(*below);
-                if let Some(merit) = *cell
-                    && best < Some(merit)
-                {
-                    states.push(State { at_i, at_j, merit });
-                    best = Some(merit);
-                }
-                *below = best;
-            }
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::merit::TieBreak;
-
-    #[test]
-    fn a_front_has_only_what_nothing_beats() {
-        let merit = |shape| TieBreak { full_vertices: 0, shape };
-        let state = |(at_i, at_j, shape)| State { at_i, at_j, merit: merit(shape) };
-        let mut grid = Grid::new();
-        let mut front = Vec::new();
-        for (offers, expected) in [
-            (&[][..], &[][..]),
-            (&[(0, 0, 5), (0, 2, 5), (1, 0, 4), (2, 2, 5)], &[(0, 0, 5)]),
-            (&[(1, 1, 7), (0, 2, 5), (2, 0, 6)], &[(0, 2, 5), (1, 1, 7), (2, 0, 6)]),
-            (&[(0, 1, 5), (1, 0, 6), (1, 1, 6), (2, 2, 7)], &[(0, 1, 5), (1, 0, 6), (2, 2, 7)]),
-            (&[(0, 0, 5), (0, 0, 6), (0, 0, 4)], &[(0, 0, 6)]),
-        ] {
-            grid.clear(2, 2);
-            offers.iter().for_each(|&offer| grid.offer(state(offer)));
-            front.clear();
-            grid.append_front(&mut front);
-            assert!(front.iter().copied().eq(expected.iter().map(|&it| state(it))), "{offers:?}");
-        }
     }
 }

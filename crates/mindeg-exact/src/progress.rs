@@ -1,96 +1,27 @@
-//! Watching long work, and stopping it.
+//! The progress of one stage, as a share.
 
-use std::fmt;
-use std::ops::ControlFlow;
+use mindeg_mesh::{Cancelled, Progress};
 
-/// What is being worked on, and how far it is.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_exact::{Progress, Stage};
-///
-/// let progress = Progress { stage: Stage::Bounds, done: 0.25 };
-/// assert_eq!(progress.to_string(), "bounding the angles: 25%");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Progress {
-    /// The stage.
-    pub stage: Stage,
-    /// The share of the stage that is done, 0 to 1; it never falls within a stage. Searching
-    /// and choosing take a number of passes that is not known before: there it is a guess on
-    /// the safe side, and they end early.
-    pub done: f64,
+/// One stage of long work.
+pub(crate) struct Stage<'a> {
+    progress: Progress<'a>,
+    name: String,
 }
 
-/// The stages of the work, in this order; the last two come for every cap.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum Stage {
-    /// Finding out whether a cap can be kept, where single vertices have limits.
-    Feasibility {
-        /// The cap.
-        max_degree: u32,
-    },
-    /// Retriangulating windows around the vertices with the most edges.
-    Windows {
-        /// The largest number of edges at a vertex so far.
-        max_degree: u32,
-    },
-    /// Finding the best angle that goes with each edge, degrees aside.
-    Bounds,
-    /// Searching for the largest minimum angle under a cap.
-    Search {
-        /// The cap.
-        max_degree: u32,
-        /// An angle that is possible, in degrees.
-        at_least: f64,
-        /// An angle that cannot be exceeded, in degrees.
-        at_most: f64,
-    },
-    /// Choosing among the triangulations that have it.
-    Ties {
-        /// The cap.
-        max_degree: u32,
-    },
-}
+impl<'a> Stage<'a> {
+    pub(crate) fn new(progress: Progress<'a>, name: impl Into<String>) -> Self {
+        Self { progress, name: name.into() }
+    }
 
-impl fmt::Display for Progress {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.stage {
-            Stage::Feasibility { max_degree } => write!(f, "degree {max_degree}, is it possible")?,
-            Stage::Windows { max_degree } => write!(f, "windows, from degree {max_degree} down")?,
-            Stage::Bounds => f.write_str("bounding the angles")?,
-            Stage::Search { max_degree, at_least, at_most } => {
-                write!(f, "degree {max_degree}, between {at_least:.3} and {at_most:.3} degrees")?;
-            }
-            Stage::Ties { max_degree } => write!(f, "degree {max_degree}, choosing the mesh")?,
-        }
-        write!(f, ": {:.0}%", 100.0 * self.done)
+    /// Reports that this share of the stage is done, 0 to 1.
+    pub(crate) fn report(&self, share: f64) -> Result<(), Cancelled> {
+        /// The resolution of a report.
+        const PARTS: u64 = 1000;
+        self.progress.report(&self.name, (share * PARTS as f64) as u64, PARTS)
     }
 }
 
-/// Hears of progress many times a second, on the thread that asked for the work, and stops it by
-/// answering with a break. [`unwatched`] is one.
-pub type Watch<'a> = &'a mut dyn FnMut(Progress) -> ControlFlow<()>;
-
-/// A [`Watch`] that never stops anything.
-pub fn unwatched(_: Progress) -> ControlFlow<()> {
-    ControlFlow::Continue(())
-}
-
-/// A [`Watch`] answered with a break.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stopped;
-
-pub(crate) fn report(watch: Watch<'_>, stage: Stage, done: f64) -> Result<(), Stopped> {
-    match watch(Progress { stage, done }) {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(Stopped),
-    }
-}
-
-/// The progress of passes whose number is not known: each is taken for half of what is left.
+/// The progress of an unknown number of passes: each counts for half of the share that is left.
 pub(crate) struct Passes {
     left: f64,
 }
@@ -100,7 +31,7 @@ impl Passes {
         Self { left: 1.0 }
     }
 
-    /// What is done when this share of the current pass is.
+    /// The share of all passes that is done, given that of the current pass.
     pub(crate) fn done(&self, share: f64) -> f64 {
         1.0 - self.left * (1.0 - share / 2.0)
     }
@@ -113,19 +44,23 @@ impl Passes {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::ops::ControlFlow;
+    use std::sync::Mutex;
 
     #[test]
-    fn every_stage_is_put_into_words() {
-        let search = Stage::Search { max_degree: 5, at_least: 2.5, at_most: 6.340_19 };
-        for (stage, done, words) in [
-            (Stage::Feasibility { max_degree: 7 }, 0.0, "degree 7, is it possible: 0%"),
-            (Stage::Windows { max_degree: 9 }, 0.0, "windows, from degree 9 down: 0%"),
-            (Stage::Bounds, 0.999, "bounding the angles: 100%"),
-            (search, 0.5, "degree 5, between 2.500 and 6.340 degrees: 50%"),
-            (Stage::Ties { max_degree: 114 }, 0.5, "degree 114, choosing the mesh: 50%"),
-        ] {
-            assert_eq!(Progress { stage, done }.to_string(), words);
-        }
+    fn a_share_is_reported_in_thousandths() {
+        let steps = Mutex::new(Vec::new());
+        let note = |step: mindeg_mesh::Step<'_>| {
+            steps.lock().unwrap().push((step.stage.to_owned(), step.done, step.total));
+            if step.done < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let stage = Stage::new(Progress::new(&note), "counting");
+        assert_eq!(
+            [0.0, 0.25, 1.0].map(|share| stage.report(share).is_err()),
+            [false, false, true]
+        );
+        let expected = [0, 250, 1000].map(|done| ("counting".to_owned(), done, 1000));
+        assert_eq!(*steps.lock().unwrap(), expected);
     }
 
     #[test]

@@ -1,30 +1,31 @@
-//! Which edges occur in a triangulation whose angles are all large enough, degrees aside: these
-//! few are all that the exact work has to look at.
+//! The edges of the triangulations whose angles are all large enough, whatever their degrees: the
+//! dynamic program needs only these few.
 
 use crate::chords::Chords;
 use crate::measure::min_angle_tangent;
-use crate::progress::Stopped;
+use crate::parallel::map_chunks;
 use glam::DVec2;
-use rayon::prelude::*;
+use mindeg_mesh::Cancelled;
+use std::ops::Range;
 
-/// With more vertices the bits would take more than 200 MB; then no edge is left out.
+/// With more vertices the bits would take more than 200 MB; then all edges stay.
 const MOST_VERTICES: usize = 40_000;
 
-/// How many edges are worth handing to a thread.
+/// Edges to a batch: enough work for one thread.
 const BATCH: usize = 64;
 
 /// The edges of `chords` that are in some triangulation of them without a tangent below
-/// `threshold`; none where there is no such triangulation.
+/// `threshold`; none if there is no such triangulation. `report` gets the share that is done.
 ///
-/// An edge splits the polygon into two pieces. The piece inside is looked at from short edges to
-/// long ones: it needs one triangle on the edge that is good enough and has two good
-/// pieces beneath; then the piece outside, from long edges to short ones.
+/// An edge splits the polygon into two pieces. A first pass goes over the inner pieces, from short
+/// edges to long ones: one is good if some good triangle on the edge has two good pieces beneath.
+/// A second pass goes over the outer pieces, from long edges to short ones.
 pub(crate) fn reaching(
     chords: &Chords,
     points: &[DVec2],
     threshold: f64,
-    mut watch: impl FnMut(f64) -> Result<(), Stopped>,
-) -> Result<Option<Chords>, Stopped> {
+    report: impl Fn(f64) -> Result<(), Cancelled>,
+) -> Result<Option<Chords>, Cancelled> {
     let vertices = chords.vertex_count();
     if vertices > MOST_VERTICES {
         return Ok(Some(chords.clone()));
@@ -37,7 +38,7 @@ pub(crate) fn reaching(
     };
     let mut inside = Pairs::new(vertices);
     for span in 1..vertices {
-        watch(span as f64 / vertices as f64 / 2.0)?;
+        report(span as f64 / vertices as f64 / 2.0)?;
         let starts = chords.of_span(span);
         let is_inside = |&i: &u32| {
             let (i, j) = (i as usize, i as usize + span);
@@ -54,7 +55,7 @@ pub(crate) fn reaching(
     }
     let mut both = Pairs::new(vertices);
     for span in (1..vertices).rev() {
-        watch(1.0 - span as f64 / vertices as f64 / 2.0)?;
+        report(1.0 - span as f64 / vertices as f64 / 2.0)?;
         let starts = chords.of_span(span);
         let is_both = |&i: &u32| {
             let (i, j) = (i as usize, i as usize + span);
@@ -73,8 +74,8 @@ pub(crate) fn reaching(
     Ok(Some(chords.filtered(|i, j| both.has(i as usize, j as usize))))
 }
 
-/// Whether the smallest angle may have a tangent of `threshold`, by a quick test that errs
-/// on the side of yes.
+/// Whether the minimum angle may have a tangent of `threshold`: a quick test, which errs on the
+/// side of yes.
 fn is_roughly([a, b, c]: [DVec2; 3], threshold: f64) -> bool {
     let squares = [(b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared()];
     let [x, y, z] = squares;
@@ -88,7 +89,8 @@ fn each(starts: &[u32], answer: impl Fn(&u32) -> bool + Send + Sync) -> Vec<bool
     if starts.len() <= BATCH {
         starts.iter().map(answer).collect()
     } else {
-        starts.par_iter().with_min_len(BATCH).map(answer).collect()
+        let batch = |range: Range<usize>| starts[range].iter().map(&answer).collect::<Vec<bool>>();
+        map_chunks(0..starts.len(), BATCH, batch).concat()
     }
 }
 
@@ -125,7 +127,7 @@ impl Pairs {
         other: &Self,
         i: usize,
         j: usize,
-        range: std::ops::Range<usize>,
+        range: Range<usize>,
         passes: impl Fn(usize) -> bool,
     ) -> bool {
         if range.is_empty() {
@@ -158,6 +160,7 @@ mod tests {
     use super::*;
     use crate::chords::Sides;
     use mindeg_core::Boundary;
+    use std::cell::RefCell;
 
     const SIDES: [u64; 4] = [3, 2, 1, 3];
 
@@ -173,7 +176,7 @@ mod tests {
         points
     }
 
-    /// Notes for every edge the smallest tangent of each triangulation that has it.
+    /// Notes for every edge the largest minimum tangent of the triangulations that have it.
     fn visit(
         boundary: &Boundary,
         points: &[DVec2],
@@ -231,14 +234,15 @@ mod tests {
     }
 
     #[test]
-    fn a_watch_can_stop_it() {
+    fn progress_can_cancel_it() {
         let boundary = Boundary::new(&SIDES).unwrap();
-        let mut shares = Vec::new();
+        let shares = RefCell::new(Vec::new());
         let chords = Chords::all(9, &Sides::of_boundary(&boundary));
-        let stopped = reaching(&chords, &points(), 0.0, |share| {
-            shares.push(share);
-            if shares.len() == 3 { Err(Stopped) } else { Ok(()) }
+        let answer = reaching(&chords, &points(), 0.0, |share| {
+            shares.borrow_mut().push(share);
+            if shares.borrow().len() == 3 { Err(Cancelled) } else { Ok(()) }
         });
-        assert!(stopped.is_err() && shares.is_sorted() && shares.len() == 3);
+        let shares = shares.into_inner();
+        assert!(answer.is_err() && shares.is_sorted() && shares.len() == 3);
     }
 }

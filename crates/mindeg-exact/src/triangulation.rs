@@ -1,26 +1,26 @@
 //! Triangles with their neighbours, and the exact predicates on points.
 
+use crate::parallel::sort;
 use glam::DVec2;
-use rayon::prelude::*;
 use robust::{Coord, orient2d};
 
 /// No triangle: beyond the boundary.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Positive where `a`, `b`, `c` turn left, negative where they turn right, exactly.
+/// Positive if `a`, `b`, `c` turn left, negative if they turn right, exactly.
 pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
     orient2d(a, b, c)
 }
 
-/// Triangles and what is beyond each of their edges.
+/// Triangles and their neighbours.
 ///
-/// Edge e of a triangle goes from its corner e to its corner e + 1.
+/// Edge e of a triangle is the half-edge from its corner e to its corner e + 1.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Triangulation {
     pub(crate) triangles: Vec<[u32; 3]>,
     /// The triangle beyond each edge, or [`NONE`].
-    pub(crate) across: Vec<[u32; 3]>,
+    pub(crate) neighbours: Vec<[u32; 3]>,
 }
 
 impl Triangulation {
@@ -28,22 +28,21 @@ impl Triangulation {
     ///
     /// # Errors
     ///
-    /// The two ends of an edge that two triangles have in the same direction, or three have.
+    /// The two ends of a half-edge that two triangles have, or of an edge that three have.
     pub(crate) fn new(triangles: Vec<[u32; 3]>) -> Result<Self, [u32; 2]> {
         let half_edge = |index: usize| {
             let corners = triangles[index / 3];
             [corners[index % 3], corners[(index + 1) % 3]]
         };
         let mut edges: Vec<(u64, u32)> = (0..3 * triangles.len())
-            .into_par_iter()
             .map(|index| {
                 let [from, to] = half_edge(index);
                 let (low, high) = (from.min(to), from.max(to));
                 ((u64::from(low) << 32) | u64::from(high), index as u32)
             })
             .collect();
-        edges.par_sort_unstable();
-        let mut across = vec![[NONE; 3]; triangles.len()];
+        sort(&mut edges);
+        let mut neighbours = vec![[NONE; 3]; triangles.len()];
         for same in edges.chunk_by(|a, b| a.0 == b.0) {
             match *same {
                 [_] => {}
@@ -52,17 +51,16 @@ impl Triangulation {
                     if half_edge(one)[0] == half_edge(other)[0] {
                         return Err(half_edge(one));
                     }
-                    across[one / 3][one % 3] = other as u32 / 3;
-                    across[other / 3][other % 3] = one as u32 / 3;
+                    neighbours[one / 3][one % 3] = other as u32 / 3;
+                    neighbours[other / 3][other % 3] = one as u32 / 3;
                 }
                 _ => return Err(half_edge(same[0].1 as usize)),
             }
         }
-        Ok(Self { triangles, across })
+        Ok(Self { triangles, neighbours })
     }
 
-    /// The third corner of the triangle entered through an edge that runs from `from` in it,
-    /// with the index of that edge.
+    /// The index of the triangle's edge that begins at `from`, and the corner opposite that edge.
     pub(crate) fn enter(&self, triangle: u32, from: u32) -> (usize, u32) {
         let corners = &self.triangles[triangle as usize];
         let edge = corners.iter().position(|&corner| corner == from).unwrap_or(0);
@@ -71,15 +69,15 @@ impl Triangulation {
 
     /// The edges without a triangle beyond, as (from, to), in the order of the triangles.
     pub(crate) fn boundary_edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        self.triangles.iter().zip(&self.across).flat_map(|(corners, across)| {
+        self.triangles.iter().zip(&self.neighbours).flat_map(|(corners, neighbours)| {
             (0..3)
-                .filter(|&edge| across[edge] == NONE)
+                .filter(|&edge| neighbours[edge] == NONE)
                 .map(|edge| [corners[edge], corners[(edge + 1) % 3]])
         })
     }
 }
 
-/// For every vertex its corners of triangles, as 3 * triangle + corner.
+/// For every vertex the corners of triangles there, as 3 * triangle + corner.
 pub(crate) struct Corners {
     offsets: Vec<u32>,
     corners: Vec<u32>,
@@ -116,7 +114,7 @@ mod tests {
     #[test]
     fn neighbours_are_mutual() {
         let mesh = Triangulation::new(vec![[0, 1, 2], [0, 2, 3], [2, 4, 3]]).unwrap();
-        assert_eq!(mesh.across, [[NONE, NONE, 1], [0, 2, NONE], [NONE, NONE, 1]]);
+        assert_eq!(mesh.neighbours, [[NONE, NONE, 1], [0, 2, NONE], [NONE, NONE, 1]]);
         assert_eq!(mesh.enter(1, 2), (1, 0));
         let boundary: Vec<_> = mesh.boundary_edges().collect();
         assert_eq!(boundary, [[0, 1], [1, 2], [3, 0], [2, 4], [4, 3]]);

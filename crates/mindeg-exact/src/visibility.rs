@@ -2,8 +2,8 @@
 //!
 //! Vertex w is visible from v when the open segment between them is in the open interior. A
 //! segment that touches a vertex or runs along the boundary is no chord: as an edge it would
-//! pass a vertex. From v the view is a cone that every edge crossed narrows; the strict signs of
-//! [`orientation`] are the rule for touching.
+//! pass a vertex. From v the view is a cone, and every edge that it crosses narrows it; the strict
+//! signs of [`orientation`] decide where it touches.
 //!
 //! ```text
 //!        L  w        v looks through the edge (r, l) at the third corner w.
@@ -14,14 +14,17 @@
 //! ```
 
 use crate::chords::{Chords, Sides};
+use crate::parallel::map_chunks;
+use crate::progress::Stage;
 use crate::triangulation::{Corners, NONE, Triangulation, orientation};
 use glam::DVec2;
-use rayon::prelude::*;
+use mindeg_mesh::Cancelled;
+use std::ops::Range;
 
-/// What is left to look at through one edge.
+/// The view through one edge.
 struct View {
     triangle: u32,
-    /// The edge crossed, right end and left end as seen from the eye.
+    /// The ends of the edge, right and left as seen from the eye.
     right: u32,
     left: u32,
     /// The vertices that limit the cone.
@@ -29,7 +32,7 @@ struct View {
     left_limit: u32,
 }
 
-/// Looks out from vertices; keeps its memory between them.
+/// Finds the vertices that a vertex sees; reuses its memory.
 #[derive(Default)]
 pub(crate) struct Eye {
     open: Vec<View>,
@@ -38,8 +41,8 @@ pub(crate) struct Eye {
 impl Eye {
     /// Visits every vertex, once, that corner `corner` (3 * triangle + corner) sees through its
     /// triangle: the last corner of the triangle unless it is a boundary neighbour, and all that is
-    /// visible through the opposite edge. Over all corners of a vertex that is each vertex that it sees,
-    /// boundary neighbours aside. O(triangles seen).
+    /// visible through the opposite edge. All corners of a vertex together visit each vertex that it
+    /// sees, without its boundary neighbours. O(triangles seen).
     pub(crate) fn look(
         &mut self,
         mesh: &Triangulation,
@@ -50,12 +53,12 @@ impl Eye {
         let (triangle, at) = (corner as usize / 3, corner as usize % 3);
         let corners = mesh.triangles[triangle];
         let [eye, right, left] = [corners[at], corners[(at + 1) % 3], corners[(at + 2) % 3]];
-        if mesh.across[triangle][(at + 2) % 3] != NONE {
+        if mesh.neighbours[triangle][(at + 2) % 3] != NONE {
             visit(left);
         }
         let at_eye = points[eye as usize];
         let turn = |a: u32, b: u32| orientation(at_eye, points[a as usize], points[b as usize]);
-        let beyond = mesh.across[triangle][(at + 1) % 3];
+        let beyond = mesh.neighbours[triangle][(at + 1) % 3];
         if beyond != NONE {
             let (right_limit, left_limit) = (right, left);
             self.open.push(View { triangle: beyond, right, left, right_limit, left_limit });
@@ -67,15 +70,15 @@ impl Eye {
             if is_left_of_right && is_right_of_left {
                 visit(apex);
             }
-            let across = &mesh.across[triangle as usize];
-            let over_right = across[(edge + 1) % 3];
+            let neighbours = &mesh.neighbours[triangle as usize];
+            let over_right = neighbours[(edge + 1) % 3];
             if is_left_of_right && over_right != NONE {
                 let left_limit = if is_right_of_left { apex } else { left_limit };
                 let view =
                     View { triangle: over_right, right, left: apex, right_limit, left_limit };
                 self.open.push(view);
             }
-            let over_left = across[(edge + 2) % 3];
+            let over_left = neighbours[(edge + 2) % 3];
             if is_right_of_left && over_left != NONE {
                 let right_limit = if is_left_of_right { apex } else { right_limit };
                 let view = View { triangle: over_left, right: apex, left, right_limit, left_limit };
@@ -85,23 +88,23 @@ impl Eye {
     }
 }
 
-/// All admissible chords of a simple polygon, those within a side left out; none where they are
-/// more than `most`. O(triangles seen), in parallel.
+/// All admissible chords of a simple polygon, without those within a side; none if they are more
+/// than `most`. O(triangles seen), in parallel.
 pub(crate) fn chords(
     mesh: &Triangulation,
     points: &[DVec2],
     sides: &Sides,
     most: usize,
-) -> Option<Chords> {
+    stage: &Stage<'_>,
+) -> Result<Option<Chords>, Cancelled> {
     const CHUNK: usize = 16;
     const ROUND: usize = 32 * CHUNK;
     let vertices = points.len();
     let corners = Corners::new(vertices, &mesh.triangles);
-    let seen_by = |from: usize| {
+    let seen_by = |range: Range<usize>| {
         let mut eye = Eye::default();
         let mut seen = Vec::new();
-        for vertex in from..vertices.min(from + CHUNK) {
-            let vertex = vertex as u32;
+        for vertex in range.start as u32..range.end as u32 {
             for &corner in corners.of(vertex) {
                 eye.look(mesh, points, corner, |other| {
                     if other > vertex && !sides.has_both(vertex, other) {
@@ -114,21 +117,21 @@ pub(crate) fn chords(
     };
     let mut chunks: Vec<Vec<[u32; 2]>> = Vec::new();
     let mut count = 0;
-    // In rounds, so that too many chords are noticed early.
+    // In rounds, so that too many chords end it early.
     for round in (0..vertices).step_by(ROUND) {
-        let starts = (round..vertices.min(round + ROUND)).into_par_iter().step_by(CHUNK);
-        let found: Vec<_> = starts.map(seen_by).collect();
+        stage.report(round as f64 / vertices as f64)?;
+        let found = map_chunks(round..vertices.min(round + ROUND), CHUNK, seen_by);
         count += found.iter().map(Vec::len).sum::<usize>();
         if count > most {
-            return None;
+            return Ok(None);
         }
         chunks.extend(found);
     }
-    Some(Chords::new(vertices, &chunks))
+    Ok(Some(Chords::new(vertices, &chunks)))
 }
 
-/// Whether two vertices see each other, told by walking from one to the other; edges of the
-/// triangulation are seen. O(triangles crossed), which `steps` counts.
+/// Whether two vertices see each other or are the ends of an edge, by a walk from one to the other.
+/// O(triangles crossed), which `steps` counts.
 pub(crate) fn sees(
     mesh: &Triangulation,
     points: &[DVec2],
@@ -150,7 +153,7 @@ pub(crate) fn sees(
         if !is_within {
             continue;
         }
-        let mut beyond = mesh.across[triangle][(at + 1) % 3];
+        let mut beyond = mesh.neighbours[triangle][(at + 1) % 3];
         while beyond != NONE {
             *steps += 1;
             let (edge, apex) = mesh.enter(beyond, left);
@@ -158,11 +161,11 @@ pub(crate) fn sees(
                 return true;
             }
             let side = orientation(at_from, at_to, points[apex as usize]);
-            let across = &mesh.across[beyond as usize];
+            let neighbours = &mesh.neighbours[beyond as usize];
             if side > 0.0 {
-                (left, beyond) = (apex, across[(edge + 1) % 3]);
+                (left, beyond) = (apex, neighbours[(edge + 1) % 3]);
             } else if side < 0.0 {
-                (right, beyond) = (apex, across[(edge + 2) % 3]);
+                (right, beyond) = (apex, neighbours[(edge + 2) % 3]);
             } else {
                 return false;
             }
@@ -181,9 +184,11 @@ mod outlines;
 mod tests {
     use super::outlines::{Outline, Random};
     use super::*;
+    use mindeg_mesh::Progress;
 
     #[test]
-    fn what_is_seen_is_what_the_definition_says() {
+    fn the_chords_are_those_of_the_definition() {
+        let stage = &Stage::new(Progress::NONE, "");
         let mut random = Random(5);
         let mut outlines = vec![
             Outline::l_shape([4, 3, 2, 1, 2, 3]),
@@ -199,7 +204,7 @@ mod tests {
             let n = outline.points.len();
             let mesh = Triangulation::new(outline.ears()).unwrap();
             let sides = Sides::of_triangulation(&mesh, &outline.side_of);
-            let found = chords(&mesh, &outline.points, &sides, n * n).unwrap();
+            let found = chords(&mesh, &outline.points, &sides, n * n, stage).unwrap().unwrap();
             let corners = Corners::new(n, &mesh.triangles);
             for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
                 assert_eq!(found.has(i as u32, j as u32), outline.may_join(i, j), "{outline:?}");
@@ -215,10 +220,11 @@ mod tests {
             let triples = (0..n).flat_map(|i| (i + 1..n).map(move |k| (i, k)));
             let triples: usize =
                 triples.map(|(i, k)| (k + 1..n).filter(|&j| is_triple(i, k, j)).count()).sum();
-            assert_eq!(found.count_triples(u64::MAX), Some(triples as u64));
-            assert_eq!(found.count_triples(triples as u64 - 1), None);
+            assert_eq!(found.count_triples(u64::MAX, stage), Ok(Some(triples as u64)));
+            assert_eq!(found.count_triples(triples as u64 - 1, stage), Ok(None));
             let few = found.len() - n - 1;
-            assert!(chords(&mesh, &outline.points, &sides, few).is_none() || found.len() <= n);
+            let fewer = chords(&mesh, &outline.points, &sides, few, stage).unwrap();
+            assert!(fewer.is_none() || found.len() <= n);
         }
     }
 }

@@ -1,7 +1,8 @@
 //! One window: some neighbouring triangles that form a disk, and their exact retriangulation.
 
 use crate::chords::Chords;
-use crate::pieces::{Pieces, Room, Rules};
+use crate::limits::Capacity;
+use crate::pieces::{Pieces, Rules};
 use crate::problem::Problem;
 use crate::triangulation::{NONE, Triangulation};
 use crate::visibility::Eye;
@@ -11,11 +12,11 @@ use glam::DVec2;
 pub(crate) struct Work<'a> {
     problem: &'a Problem,
     pub(crate) mesh: Triangulation,
-    /// Of each vertex the triangle on the boundary edge that begins there.
+    /// For each vertex the triangle on the boundary edge that begins there.
     first: Vec<u32>,
-    /// Of each vertex the number of edges, those outside included.
+    /// For each vertex its number of edges, external ones included.
     pub(crate) totals: Vec<u32>,
-    /// Of each vertex and of each triangle the index in the current window, or [`NONE`].
+    /// For each vertex and each triangle its index in the current window, or [`NONE`].
     vertex_in_window: Vec<u32>,
     triangle_in_window: Vec<u32>,
     eye: Eye,
@@ -24,19 +25,19 @@ pub(crate) struct Work<'a> {
 /// Some triangles whose union is a disk.
 struct Window {
     triangles: Vec<u32>,
-    /// The vertices in the order in which they came in.
+    /// The vertices, in the order in which they were added.
     vertices: Vec<u32>,
-    /// Of each of these vertices the one that follows on the ring around the window.
+    /// For each of these vertices the index of the next one on the ring around the window.
     next: Vec<u32>,
 }
 
-/// What one window is to achieve.
+/// The aim of one window.
 pub(crate) struct Aim<'a> {
-    /// The vertex that is to lose edges.
+    /// The vertex that should lose edges.
     pub(crate) vertex: u32,
-    /// How many it may keep, those outside included.
+    /// The most edges that it may keep, external ones included.
     pub(crate) keep: u32,
-    /// How many any other may have; more where it has more already.
+    /// The most edges of any other vertex, unless it has more already.
     pub(crate) limit: &'a dyn Fn(u32) -> u32,
     /// The least tangent of an angle.
     pub(crate) threshold: f64,
@@ -49,9 +50,11 @@ impl<'a> Work<'a> {
         let mut first = vec![NONE; vertices];
         // The edges at a vertex of one fan are one more than its triangles.
         let mut totals: Vec<u32> =
-            (0..vertices as u32).map(|v| problem.outside_degree(v).saturating_add(1)).collect();
-        for (triangle, (corners, across)) in (0..).zip(mesh.triangles.iter().zip(&mesh.across)) {
-            for (&corner, &beyond) in corners.iter().zip(across) {
+            (0..vertices as u32).map(|v| problem.external_degree(v).saturating_add(1)).collect();
+        for (triangle, (corners, neighbours)) in
+            (0..).zip(mesh.triangles.iter().zip(&mesh.neighbours))
+        {
+            for (&corner, &beyond) in corners.iter().zip(neighbours) {
                 totals[corner as usize] = totals[corner as usize].saturating_add(1);
                 if beyond == NONE {
                     first[corner as usize] = triangle;
@@ -72,17 +75,17 @@ impl<'a> Work<'a> {
     /// The triangle that follows counter-clockwise around `vertex`, or [`NONE`].
     pub(crate) fn next_of_fan(&self, vertex: u32, triangle: u32) -> u32 {
         let (at, _) = self.mesh.enter(triangle, vertex);
-        self.mesh.across[triangle as usize][(at + 2) % 3]
+        self.mesh.neighbours[triangle as usize][(at + 2) % 3]
     }
 
     /// The number of triangles at `vertex`.
     pub(crate) fn fan_len(&self, vertex: u32) -> usize {
-        (self.totals[vertex as usize] - self.problem.outside_degree(vertex)) as usize - 1
+        (self.totals[vertex as usize] - self.problem.external_degree(vertex)) as usize - 1
     }
 
     /// Retriangulates a window of `fan` triangles at the aim's vertex from `start` on, and others
-    /// around them up to `size`. Gives the triangle of the fan that follows on the window's, and the vertices whose
-    /// number of edges has changed where the aim was achieved.
+    /// around them up to `size`. Returns the triangle of the fan after those of the window, and, if
+    /// the aim was achieved, the vertices whose number of edges has changed.
     pub(crate) fn retriangulate(
         &mut self,
         aim: &Aim<'_>,
@@ -121,7 +124,7 @@ impl<'a> Work<'a> {
         while inner < window.triangles.len() && window.triangles.len() < size {
             let triangle = window.triangles[inner];
             for edge in 0..3 {
-                let beyond = self.mesh.across[triangle as usize][edge];
+                let beyond = self.mesh.neighbours[triangle as usize][edge];
                 if beyond != NONE && window.triangles.len() < size {
                     let to = self.mesh.triangles[triangle as usize][(edge + 1) % 3];
                     let (entry, _) = self.mesh.enter(beyond, to);
@@ -133,8 +136,8 @@ impl<'a> Work<'a> {
         (window, after)
     }
 
-    /// Takes in the triangle beyond the window's edge that is `edge` of the triangle, if its far
-    /// corner is new to the window: so the window stays a disk.
+    /// Adds a triangle whose edge `edge` is on the ring of the window, if the opposite corner is new
+    /// to the window: so the window stays a disk.
     fn extend(&mut self, window: &mut Window, triangle: u32, edge: usize) -> bool {
         let corners = self.mesh.triangles[triangle as usize];
         let apex = corners[(edge + 2) % 3];
@@ -143,7 +146,7 @@ impl<'a> Work<'a> {
         {
             return false;
         }
-        // Seen from the window the edge runs the other way.
+        // The window has the opposite half-edge.
         let from = self.vertex_in_window[corners[(edge + 1) % 3] as usize] as usize;
         let next = window.next[from];
         window.next[from] = window.vertices.len() as u32;
@@ -163,10 +166,10 @@ impl<'a> Work<'a> {
         window.triangles.push(triangle);
     }
 
-    /// Puts another triangulation of the window in place, if one achieves the aim.
+    /// Replaces the triangulation of the window, if another one achieves the aim.
     fn solve(&mut self, aim: &Aim<'_>, window: &Window) -> Option<Vec<u32>> {
         let count = window.vertices.len();
-        // From the order of coming in to that on the ring.
+        // From the order in which they were added to that on the ring.
         let mut ring = Vec::with_capacity(count);
         let mut position = vec![0; count];
         let mut at = 0;
@@ -184,11 +187,11 @@ impl<'a> Work<'a> {
                 .iter()
                 .map(|&triangle| self.mesh.triangles[triangle as usize].map(place))
                 .collect(),
-            across: window
+            neighbours: window
                 .triangles
                 .iter()
                 .map(|&triangle| {
-                    self.mesh.across[triangle as usize].map(|beyond| {
+                    self.mesh.neighbours[triangle as usize].map(|beyond| {
                         if beyond == NONE { NONE } else { self.triangle_in_window[beyond as usize] }
                     })
                 })
@@ -210,24 +213,28 @@ impl<'a> Work<'a> {
         }
         seen.sort_unstable();
         let chords = Chords::new(count, &[seen]);
-        let rooms = chords.degrees().into_iter().enumerate().map(|(place, visible)| {
+        let capacities = chords.degrees().into_iter().enumerate().map(|(place, visible)| {
             let vertex = ring[place];
             let total = self.totals[vertex as usize];
             let limit =
                 if vertex == aim.vertex { aim.keep } else { (aim.limit)(vertex).max(total) };
             let beyond = total - (before[place] - 1);
-            let room = limit.checked_sub(beyond)?;
-            Some(if visible <= room { Room::Unlimited } else { Room::For(room as u16) })
+            let capacity = limit.checked_sub(beyond)?;
+            Some(if visible <= capacity {
+                Capacity::Unlimited
+            } else {
+                Capacity::Limited(capacity as u16)
+            })
         });
-        let rooms = rooms.collect::<Option<_>>()?;
-        let rules = Rules { points: &points, threshold: aim.threshold, rooms };
+        let capacities = capacities.collect::<Option<_>>()?;
+        let rules = Rules { points: &points, threshold: aim.threshold, capacities };
         let pieces = Pieces::<()>::solve(rules, &chords, |_| Ok(())).ok()?;
         let (triangles, ()) = pieces.triangles()?;
         Some(self.replace(window, &ring, &local, &before, &triangles))
     }
 
-    /// Puts `triangles` in place, which come every one before those beneath it; gives the vertices
-    /// whose number of edges changes.
+    /// Replaces the window's triangles by these, each of which comes before those beneath it.
+    /// Returns the vertices whose number of edges changes.
     fn replace(
         &mut self,
         window: &Window,
@@ -237,18 +244,18 @@ impl<'a> Work<'a> {
         triangles: &[[u32; 3]],
     ) -> Vec<u32> {
         let mut outer = vec![NONE; ring.len()];
-        for ((&slot, corners), across) in
-            window.triangles.iter().zip(&local.triangles).zip(&local.across)
+        for ((&slot, corners), neighbours) in
+            window.triangles.iter().zip(&local.triangles).zip(&local.neighbours)
         {
             for edge in 0..3 {
-                if across[edge] == NONE {
-                    outer[corners[edge] as usize] = self.mesh.across[slot as usize][edge];
+                if neighbours[edge] == NONE {
+                    outer[corners[edge] as usize] = self.mesh.neighbours[slot as usize][edge];
                 }
             }
         }
         let last = ring.len() as u32 - 1;
         let slot = |index: usize| window.triangles[index];
-        self.mesh.across[slot(0) as usize][2] = NONE;
+        self.mesh.neighbours[slot(0) as usize][2] = NONE;
         for (index, &[i, apex, j]) in triangles.iter().enumerate() {
             let own = slot(index);
             self.mesh.triangles[own as usize] = [i, apex, j].map(|place| ring[place as usize]);
@@ -256,8 +263,8 @@ impl<'a> Work<'a> {
             let right = index + (apex - i) as usize;
             for (edge, [from, to], child) in [(0, [i, apex], left), (1, [apex, j], right)] {
                 if to - from > 1 {
-                    self.mesh.across[own as usize][edge] = slot(child);
-                    self.mesh.across[slot(child) as usize][2] = own;
+                    self.mesh.neighbours[own as usize][edge] = slot(child);
+                    self.mesh.neighbours[slot(child) as usize][2] = own;
                 } else {
                     self.join(own, edge, ring, from, outer[from as usize]);
                 }
@@ -278,15 +285,16 @@ impl<'a> Work<'a> {
         changed
     }
 
-    /// Joins an edge of a new triangle, from ring place `from` to the next, with what is beyond the window.
+    /// Connects an edge of a new triangle, from ring place `from` to the next, with the triangle beyond
+    /// the window.
     fn join(&mut self, triangle: u32, edge: usize, ring: &[u32], from: u32, beyond: u32) {
-        self.mesh.across[triangle as usize][edge] = beyond;
+        self.mesh.neighbours[triangle as usize][edge] = beyond;
         if beyond == NONE {
             self.first[ring[from as usize] as usize] = triangle;
         } else {
             let to = ring[(from as usize + 1) % ring.len()];
             let (entry, _) = self.mesh.enter(beyond, to);
-            self.mesh.across[beyond as usize][entry] = triangle;
+            self.mesh.neighbours[beyond as usize][entry] = triangle;
         }
     }
 }

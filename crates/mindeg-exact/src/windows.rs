@@ -1,64 +1,69 @@
-//! Fewer edges at the busiest vertices by retriangulating windows around them, in near-linear time.
+//! Fewer edges at the vertices with the most, by windows around them, in near-linear time.
 
-use crate::answer::Unsolved;
 use crate::measure::{self, min_angle_tangent};
+use crate::parallel::sort;
 use crate::problem::Problem;
-use crate::progress::{Stage, Watch, report};
+use crate::progress::Stage;
 use crate::triangulation::Triangulation;
+use crate::unsolved::Unsolved;
 use crate::window::{Aim, Work};
-use rayon::prelude::*;
+use mindeg_mesh::Progress;
 use std::collections::BTreeMap;
 
-/// How many triangles a window has, from the first try to the last.
+/// Triangles of a window, from the first try to the last.
 const SIZES: [usize; 5] = [12, 24, 48, 96, 192];
 
-/// How many places of a fan that is larger than the window are tried.
+/// The most places that are tried in a fan larger than the window.
 const PLACES: usize = 64;
 
-/// What [`windows()`] is to reach, and what it has to keep.
+/// Vertices from one report of progress to the next.
+const REPORT: u32 = 64;
+
+/// The degree that [`windows()`] should reach, and the angle that it must keep.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WindowGoal {
-    /// The work ends where no vertex has more edges, those outside included; 0 for as few as
-    /// can be reached.
+    /// The work ends when no vertex has more edges, external ones included; 0 for as few as
+    /// possible.
     pub max_degree: u32,
-    /// No new triangle has a minimum angle with a smaller tangent, as
-    /// [`min_angle_tangent`] gives it. 0 allows any.
+    /// No new triangle has a smaller [`min_angle_tangent`]. 0 allows any.
     pub min_tangent: f64,
 }
 
-/// What [`windows()`] has reached.
+/// The result of [`windows()`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Windowed {
     /// The triangles, counter-clockwise, in ascending order.
     pub triangles: Vec<[u32; 3]>,
-    /// The largest number of edges at a vertex, those outside included.
+    /// The largest number of edges at a vertex, external ones included.
     pub max_degree: u32,
-    /// Whether the limits of single vertices are kept.
+    /// Whether the triangles keep the degree limits of single vertices.
     pub keeps_vertex_limits: bool,
-    /// The smallest angle of all triangles, in degrees: at least the smaller one of the goal and of the
-    /// triangulation that the problem was given.
+    /// The minimum angle, in degrees: at least the smaller one of the goal's and of the given
+    /// triangulation's.
     pub min_angle: f64,
 }
 
-/// Takes edges off the vertices with the most of them, starting from the problem's own triangulation (for a
-/// convex polygon without one from the formula's): an upper bound on the least maximum degree, at
-/// a guaranteed minimum angle.
+/// Takes edges off the vertices with the most of them: an upper bound on the least maximum degree,
+/// at a guaranteed minimum angle.
 ///
-/// A window is the fan of such a vertex with some triangles around it, a disk; the exact dynamic program
-/// finds a triangulation of it in which the vertex has fewer edges and no other more than it may. It ends at
-/// the first vertex that no window of 12 to 192 triangles helps. Any domain will do, holes included.
-/// Near-linear time: each window takes constant time, and the sum of degrees in excess falls with each.
-/// The same input has the same answer on every machine.
+/// The start is the given triangulation; for [`Problem::new`], that of the formula. A window is the
+/// fan of such a vertex with some triangles around it, a disk. The exact dynamic program finds a
+/// triangulation of it in which the vertex has fewer edges and every other one keeps its limit. The
+/// work ends at the first vertex with the most edges that no window of 12 to 192 triangles improves.
+/// Any domain is possible, with holes too.
+///
+/// Near-linear time: each window takes constant time, and the sum of the excess degrees falls with
+/// each. The same input has the same answer on every machine.
 ///
 /// # Errors
 ///
-/// `watch` asked to stop.
+/// A cancelled `progress`.
 ///
 /// # Example
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_exact::{Problem, WindowGoal, unwatched, windows};
+/// use mindeg_exact::{Problem, Progress, WindowGoal, windows};
 ///
 /// // A regular octagon, as a fan.
 /// let at = |corner: u32| DVec2::from_angle(f64::from(corner) * std::f64::consts::FRAC_PI_4);
@@ -67,23 +72,29 @@ pub struct Windowed {
 /// let fan: Vec<[u32; 3]> = (1..7).map(|corner| [0, corner, corner + 1]).collect();
 /// let problem = Problem::triangulated(&points, &sides, &fan)?;
 /// let goal = WindowGoal { max_degree: 0, min_tangent: 0.0 };
-/// assert_eq!(windows(&problem, goal, &mut unwatched)?.max_degree, 4);
+/// assert_eq!(windows(&problem, goal, Progress::NONE)?.max_degree, 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn windows(
     problem: &Problem,
     goal: WindowGoal,
-    watch: Watch<'_>,
+    progress: Progress<'_>,
 ) -> Result<Windowed, Unsolved> {
     let mut work = Work::new(problem);
     let own_limit = |vertex: u32| problem.own_limit(vertex).unwrap_or(u32::MAX);
     let vertices = 0..problem.points().len() as u32;
     let mut resume = BTreeMap::new();
 
-    // What single vertices may not have comes first, whatever the others get.
+    // First the degree limits of single vertices, whatever edges the others get.
+    let stage = Stage::new(progress, "keeping the degree limits of vertices");
     let mut keeps_vertex_limits = true;
+    let mut tries = 0;
     for vertex in vertices.clone() {
         while work.totals[vertex as usize] > own_limit(vertex) {
+            if tries % REPORT == 0 {
+                stage.report(f64::from(vertex) / f64::from(vertices.end))?;
+            }
+            tries += 1;
             let aim = Aim {
                 vertex,
                 keep: work.totals[vertex as usize] - 1,
@@ -105,21 +116,21 @@ pub fn windows(
         }
     }
     let start = with_total.keys().next_back().map_or(0.0, |&total| f64::from(total));
-    let mut done = 0;
     'levels: while let Some((total, mut level)) = with_total.pop_last() {
         level.sort_unstable();
         level.dedup();
+        let stage = Stage::new(progress, format!("taking edges off vertices of degree {total}"));
+        let share = ((start - f64::from(total)) / start).clamp(0.0, 1.0);
         for vertex in level {
             if work.totals[vertex as usize] != total {
                 continue;
             }
-            if done % 256 == 0 {
-                let share = ((start - f64::from(total)) / start).clamp(0.0, 1.0);
-                report(watch, Stage::Windows { max_degree: total }, share)?;
+            if tries % REPORT == 0 {
+                stage.report(share)?;
             }
-            done += 1;
-            // Far from the goal, half of what the window has goes at once, and to vertices with
-            // far fewer edges.
+            tries += 1;
+            // Far from the goal, many edges of the window go at once, to vertices with far fewer
+            // edges.
             let is_far = total > 64 && total / 2 > goal.max_degree;
             let most = if is_far { total / 2 } else { total - 1 };
             let limit = |other: u32| own_limit(other).min(most);
@@ -144,20 +155,20 @@ pub fn windows(
 fn finished(problem: &Problem, work: Work<'_>, keeps_vertex_limits: bool) -> Windowed {
     let max_degree = work.totals.iter().copied().max().unwrap_or(0);
     let Triangulation { mut triangles, .. } = work.mesh;
-    triangles.par_iter_mut().for_each(|triangle| {
+    for triangle in &mut triangles {
         let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
         triangle.rotate_left(least);
-    });
-    triangles.par_sort_unstable();
+    }
+    sort(&mut triangles);
     let points = problem.points();
     let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
-    let least = triangles.par_iter().map(tangent).reduce(|| f64::INFINITY, f64::min);
+    let least = triangles.iter().map(tangent).fold(f64::INFINITY, f64::min);
     Windowed { triangles, max_degree, keeps_vertex_limits, min_angle: measure::degrees(least) }
 }
 
-/// Tries windows of growing size around the aim's vertex until one achieves the aim, and gives the vertices
-/// whose number of edges it has changed. In a fan that is larger than the window, it goes on where
-/// the last window of the same vertex ended.
+/// Tries windows of growing size around the aim's vertex until one achieves the aim, and returns the
+/// vertices whose number of edges it has changed. In a fan that is larger than the window, it goes on
+/// where the last window of the same vertex ended.
 fn improve(
     work: &mut Work<'_>,
     aim: &Aim<'_>,
@@ -173,11 +184,11 @@ fn improve(
             }
             continue;
         }
-        let part = size * 2 / 3;
-        if lost >= part {
+        let part_of_fan = size * 2 / 3;
+        if lost >= part_of_fan {
             continue;
         }
-        for _ in 0..PLACES.min(fan / part + 1) {
+        for _ in 0..PLACES.min(fan / part_of_fan + 1) {
             let start = resume
                 .get(&aim.vertex)
                 .copied()
@@ -186,7 +197,7 @@ fn improve(
                     triangle.is_some_and(|corners| corners.contains(&aim.vertex))
                 })
                 .unwrap_or(work.first_of_fan(aim.vertex));
-            let (after, changed) = work.retriangulate(aim, start, part, size);
+            let (after, changed) = work.retriangulate(aim, start, part_of_fan, size);
             resume.insert(aim.vertex, after);
             if changed.is_some() {
                 return changed;

@@ -3,9 +3,9 @@
 //!
 //! The degrees of n vertices add up to 4n - 6, so the vertices lack 6 edges to 4 each. An ear's
 //! tip lacks 2. Four ears lack too much. With three ears every other vertex has two chords, so that
-//! behind each ear the vertex next to its tip would have one chord too few unless n is 6. With two ears the
-//! triangles form a strip, each ear has one neighbour that lacks 1, and all others have two chords: then the strip can
-//! only alternate, as drawn here from the tip r.
+//! behind each ear the vertex next to its tip would have one chord too few unless n is 6. With two ears
+//! the triangles form a strip, each ear has one neighbour that lacks 1, and all others have two
+//! chords: then the strip can only alternate, as drawn here from the tip r.
 //!
 //! ```text
 //!         r-1  r-2  r-3
@@ -31,21 +31,21 @@ pub struct ZigZag {
     pub is_upward: bool,
 }
 
-/// What came out of looking at all zig-zags.
+/// The result of the test of all zig-zags.
 pub(crate) enum Found {
     /// One is admissible.
     ZigZag(ZigZag),
-    /// None is: a chord of each that cannot be used.
+    /// None is: for each, a chord that is not admissible.
     Blocked(Vec<[u32; 2]>),
-    /// There was not enough time to look at all.
+    /// The test took too many steps.
     Unknown,
 }
 
 impl ZigZag {
     /// The n zig-zags of a polygon of n vertices.
     pub fn all(vertices: u32) -> impl Iterator<Item = Self> {
-        // Each begins at either of its ends. With an even number of vertices the ends are opposite and it
-        // goes the same way from both; else it goes the other way from the other end.
+        // Each begins at either of its ends. With an even number of vertices the ends are opposite,
+        // and it goes the same way from both; else it goes the other way from the other end.
         let is_even = vertices.is_multiple_of(2);
         let last = if is_even { vertices / 2 } else { vertices };
         let ways = [true, false].into_iter().take(if is_even { 2 } else { 1 });
@@ -76,7 +76,7 @@ impl ZigZag {
     }
 }
 
-/// Looks for an admissible zig-zag of a polygon, in at most so many steps.
+/// Looks for an admissible zig-zag of a polygon, in at most `most_steps` steps.
 pub(crate) fn find(problem: &Problem, mesh: &Triangulation, mut most_steps: u64) -> Found {
     let vertices = problem.points().len();
     let corners = Corners::new(vertices, &mesh.triangles);

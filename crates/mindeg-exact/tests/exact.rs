@@ -4,44 +4,44 @@
 
 mod plain;
 
-use mindeg_exact::{Unsolved, best_angle, least_max_degree, trade_off, unwatched};
+use mindeg_exact::{Progress, Unsolved, best_angle, least_max_degree, trade_off};
 use plain::{Instance, Rank, instances, regular};
 use proptest::prelude::*;
 
-/// Checks the answers for every cap up to one above the degrees there can be.
+/// Checks the answers for every limit up to one above the degrees there can be.
 fn check(instance: &Instance, best: impl Fn(&Instance, u32) -> Option<Rank>) {
     let problem = instance.problem();
     let outside = instance.outside.iter().max().unwrap();
     let largest = instance.boundary.vertex_count() + outside;
-    let ranks: Vec<Option<Rank>> = (0..=largest).map(|cap| best(instance, cap)).collect();
+    let ranks: Vec<Option<Rank>> = (0..=largest).map(|limit| best(instance, limit)).collect();
     let least = ranks.iter().position(Option::is_some);
 
     let refused = |max_degree| match least {
         Some(least) => Unsolved::Infeasible { max_degree, least: least as u32 },
-        None => Unsolved::VertexCaps,
+        None => Unsolved::VertexLimits,
     };
     for (max_degree, rank) in (0..).zip(&ranks) {
-        match (best_angle(&problem, max_degree, &mut unwatched), *rank) {
+        match (best_angle(&problem, max_degree, Progress::NONE), *rank) {
             (Ok(optimum), Some(rank)) => instance.check(&optimum, max_degree, rank),
             (answer, _) => assert_eq!(answer, Err(refused(max_degree)), "{instance:?}"),
         }
     }
     let Some(least) = least else {
-        assert_eq!(trade_off(&problem, &mut unwatched), Err(Unsolved::VertexCaps));
+        assert_eq!(trade_off(&problem, Progress::NONE), Err(Unsolved::VertexLimits));
         return;
     };
-    assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least as u32), "{instance:?}");
+    assert_eq!(least_max_degree(&problem, Progress::NONE), Ok(least as u32), "{instance:?}");
 
-    let trade_off = trade_off(&problem, &mut unwatched).unwrap();
-    let tangent = |cap: usize| ranks[cap].unwrap().0;
-    let last = (least..).find(|&cap| tangent(cap) == tangent(largest as usize)).unwrap();
+    let trade_off = trade_off(&problem, Progress::NONE).unwrap();
+    let tangent = |limit: usize| ranks[limit].unwrap().0;
+    let last = (least..).find(|&limit| tangent(limit) == tangent(largest as usize)).unwrap();
     assert_eq!(trade_off.optima.len(), last - least + 1, "{instance:?}");
     for (max_degree, optimum) in (least..).zip(&trade_off.optima) {
         instance.check(optimum, max_degree as u32, ranks[max_degree].unwrap());
     }
     let unlimited = Instance::new(&instance.sides, instance.points.clone());
     let (tangent, _, _) = best(&unlimited, largest).unwrap();
-    assert_eq!(trade_off.uncapped_min_angle, libm::atan(tangent).to_degrees());
+    assert_eq!(trade_off.unlimited_min_angle, libm::atan(tangent).to_degrees());
 }
 
 #[test]
@@ -98,10 +98,10 @@ proptest! {
     #[test]
     fn agrees_with_all_triangulations_of_twelve_vertices(instance in instances(12)) {
         prop_assume!(instance.points.len() == 12);
-        let cap = mindeg_core::least_max_degree(&instance.boundary) + 1;
-        let best = instance.best_of_all(cap);
-        match best_angle(&instance.problem(), cap, &mut unwatched) {
-            Ok(optimum) => instance.check(&optimum, cap, best.unwrap()),
+        let limit = mindeg_core::least_max_degree(&instance.boundary) + 1;
+        let best = instance.best_of_all(limit);
+        match best_angle(&instance.problem(), limit, Progress::NONE) {
+            Ok(optimum) => instance.check(&optimum, limit, best.unwrap()),
             Err(_) => prop_assert_eq!(best, None),
         }
     }

@@ -6,8 +6,8 @@ mod outlines;
 
 use glam::DVec2;
 use mindeg_exact::{
-    DegreeRange, LowerBound, Problem, Reached, Unsolved, WindowGoal, ZigZag, best_angle, check,
-    degree_range, least_max_degree, trade_off, unwatched, windows,
+    DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal, ZigZag, best_angle,
+    check, degree_range, least_max_degree, trade_off, windows,
 };
 use outlines::{Measured, Outline, Random, Rank};
 
@@ -16,49 +16,53 @@ fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
     let n = outline.len() as u32;
     let mut problem = outline.problem();
     for (vertex, (&outside, &own)) in (0..).zip(outside.iter().zip(own)) {
-        problem.set_outside_degree(vertex, outside);
+        problem.set_external_degree(vertex, outside);
         if let Some(own) = own {
-            problem.set_max_degree(vertex, own);
+            problem.set_degree_limit(vertex, own);
         }
     }
     let all = outline.triangulations();
     let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
     assert!(!all.is_empty(), "{outline:?}");
-    let limits = |cap: u32| own.iter().map(|own| own.unwrap_or(cap).min(cap)).collect::<Vec<_>>();
-    let best = |cap: u32| -> Option<Rank> {
-        let limits = limits(cap);
+    let limits =
+        |limit: u32| own.iter().map(|own| own.unwrap_or(limit).min(limit)).collect::<Vec<_>>();
+    let best = |limit: u32| -> Option<Rank> {
+        let limits = limits(limit);
         let ranks = all.iter().filter_map(|it| it.rank(&limits, outside));
         ranks.max_by(|a, b| a.partial_cmp(b).unwrap())
     };
     let most = n + outside.iter().max().unwrap();
-    let least = (0..=most).find(|&cap| best(cap).is_some());
+    let least = (0..=most).find(|&limit| best(limit).is_some());
     let Some(least) = least else {
-        assert_eq!(least_max_degree(&problem, &mut unwatched), Err(Unsolved::VertexCaps));
+        assert_eq!(least_max_degree(&problem, Progress::NONE), Err(Unsolved::VertexLimits));
         return;
     };
-    assert_eq!(least_max_degree(&problem, &mut unwatched), Ok(least), "{outline:?}");
-    let check = |optimum: &mindeg_exact::Optimum, cap: u32| {
+    assert_eq!(least_max_degree(&problem, Progress::NONE), Ok(least), "{outline:?}");
+    let check = |optimum: &mindeg_exact::Optimum, limit: u32| {
         let checked =
             check::triangulation(&outline.points, &[(0..n).collect()], &optimum.triangles);
         let measured = Measured::new(&outline.points, &optimum.triangles);
         assert_eq!(checked.unwrap().degrees, measured.degrees);
-        let rank = measured.rank(&limits(cap), outside);
-        assert_eq!(rank, best(cap), "{outline:?}, {cap}");
-        assert_eq!(optimum.vertices_at_cap, rank.unwrap().1.0);
+        let rank = measured.rank(&limits(limit), outside);
+        assert_eq!(rank, best(limit), "{outline:?}, {limit}");
+        assert_eq!(optimum.vertices_at_limit, rank.unwrap().1.0);
         assert_eq!(optimum.min_angle, libm::atan(measured.tangent).to_degrees());
     };
-    let trade_off = trade_off(&problem, &mut unwatched).unwrap();
+    let trade_off = trade_off(&problem, Progress::NONE).unwrap();
     let free = best(u32::MAX).unwrap().0;
-    for (cap, optimum) in (least..).zip(&trade_off.optima) {
-        check(optimum, cap);
-        assert_eq!(best(cap).unwrap().0 == free, cap == least + trade_off.optima.len() as u32 - 1);
+    for (limit, optimum) in (least..).zip(&trade_off.optima) {
+        check(optimum, limit);
+        assert_eq!(
+            best(limit).unwrap().0 == free,
+            limit == least + trade_off.optima.len() as u32 - 1
+        );
     }
-    for cap in [least - 1, least, least + 1, most] {
-        match best_angle(&problem, cap, &mut unwatched) {
-            Ok(optimum) => check(&optimum, cap),
+    for limit in [least - 1, least, least + 1, most] {
+        match best_angle(&problem, limit, Progress::NONE) {
+            Ok(optimum) => check(&optimum, limit),
             Err(error) => {
-                assert_eq!(cap, least - 1, "{outline:?}");
-                assert_eq!(error, Unsolved::Infeasible { max_degree: cap, least });
+                assert_eq!(limit, least - 1, "{outline:?}");
+                assert_eq!(error, Unsolved::Infeasible { max_degree: limit, least });
             }
         }
     }
@@ -111,7 +115,7 @@ fn known_least_degrees() {
     ] {
         assert!(outline.is_simple(), "{name}");
         let problem = outline.problem();
-        let range = degree_range(&problem, &mut unwatched).unwrap();
+        let range = degree_range(&problem, Progress::NONE).unwrap();
         assert_eq!((range.max_degree, range.lower_bound), (least, least), "{name}");
         check_range(&outline, &range);
         assert_eq!(matches!(range.reached_by, Reached::ZigZag(_)), least == 4, "{name}");
@@ -135,7 +139,7 @@ fn windows_never_go_below_the_least_and_keep_the_angle() {
             .map(|it| it.degrees.iter().copied().max().unwrap())
             .min();
         let goal = WindowGoal { max_degree: 0, min_tangent };
-        let windowed = windows(&problem, goal, &mut unwatched).unwrap();
+        let windowed = windows(&problem, goal, Progress::NONE).unwrap();
         let rings = [(0..n).collect()];
         let checked = check::triangulation(&outline.points, &rings, &windowed.triangles).unwrap();
         assert_eq!(checked.max_degree, windowed.max_degree);
@@ -189,13 +193,13 @@ fn degree_ranges_are_right_and_their_proofs_hold() {
             |t: &Vec<[u32; 3]>| *Measured::new(&outline.points, t).degrees.iter().max().unwrap();
         let least = all.iter().map(degree).min().unwrap();
         let problem = outline.problem();
-        let range = degree_range(&problem, &mut unwatched).unwrap();
+        let range = degree_range(&problem, Progress::NONE).unwrap();
         assert_eq!((range.max_degree, range.lower_bound), (least, least), "{outline:?}");
         check_range(outline, &range);
         // With no exact work allowed, nothing wrong is said.
         let mut problem = problem;
         problem.set_max_triples(0);
-        let range = degree_range(&problem, &mut unwatched).unwrap();
+        let range = degree_range(&problem, Progress::NONE).unwrap();
         assert!(range.lower_bound <= least && least <= range.max_degree);
         check_range(outline, &range);
     });
@@ -237,7 +241,7 @@ fn windows_take_domains_with_holes() {
         let (Outline { points, side_of }, rings, triangles) = frame(outer, inner);
         let before = check::triangulation(&points, &rings, &triangles).unwrap();
         let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
-        let range = degree_range(&problem, &mut unwatched).unwrap();
+        let range = degree_range(&problem, Progress::NONE).unwrap();
         let after = check::triangulation(&points, &rings, &range.triangles).unwrap();
         assert_eq!((range.max_degree, range.lower_bound), (after.max_degree, 4));
         assert!(after.max_degree <= before.max_degree);
@@ -245,8 +249,8 @@ fn windows_take_domains_with_holes() {
             // 4 is impossible here, as an exhaustive search by other means has shown.
             assert_eq!(after.max_degree, 5);
         }
-        assert_eq!(least_max_degree(&problem, &mut unwatched), Err(Unsolved::NotAPolygon));
-        assert_eq!(best_angle(&problem, 9, &mut unwatched), Err(Unsolved::NotAPolygon));
+        assert_eq!(least_max_degree(&problem, Progress::NONE), Err(Unsolved::NotAPolygon));
+        assert_eq!(best_angle(&problem, 9, Progress::NONE), Err(Unsolved::NotAPolygon));
     }
 }
 
@@ -260,9 +264,9 @@ fn answers_do_not_depend_on_the_number_of_threads() {
             pool.install(|| {
                 let goal = WindowGoal { max_degree: 0, min_tangent: 1e-6 };
                 (
-                    trade_off(&problem, &mut unwatched).unwrap(),
-                    degree_range(&problem, &mut unwatched).unwrap(),
-                    windows(&problem, goal, &mut unwatched).unwrap(),
+                    trade_off(&problem, Progress::NONE).unwrap(),
+                    degree_range(&problem, Progress::NONE).unwrap(),
+                    windows(&problem, goal, Progress::NONE).unwrap(),
                 )
             })
         };
@@ -273,7 +277,7 @@ fn answers_do_not_depend_on_the_number_of_threads() {
 }
 
 #[test]
-fn what_is_no_triangulation_is_refused() {
+fn other_triangles_than_a_triangulation_are_refused() {
     let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (1.0, 1.0)].map(DVec2::from);
     let refusal = |count: usize, triangles: &[[u32; 3]]| {
         let side_of: Vec<u32> = (0..count as u32).collect();
@@ -284,13 +288,18 @@ fn what_is_no_triangulation_is_refused() {
         (
             4,
             &[[0, 1, 2], [0, 3, 2]],
-            "triangle 1 is clockwise or has no area; a triangulation has neither",
+            "triangle 1 is clockwise or has no area; give counter-clockwise triangles",
         ),
-        (4, &[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has two triangles on the same side"),
+        (
+            4,
+            &[[0, 1, 2], [0, 1, 3]],
+            "the edge from 0 to 1 has two triangles on the same side; remove one of them",
+        ),
         (
             5,
             &[[0, 1, 2], [0, 2, 3]],
-            "the boundary passes vertex 4 0 times; every vertex has to be on the boundary, and rings may not touch",
+            "the boundary passes vertex 4 0 times, expected once; leave out interior points, and keep \
+             rings apart",
         ),
     ] {
         assert_eq!(refusal(count, triangles), message);
@@ -298,5 +307,5 @@ fn what_is_no_triangulation_is_refused() {
     // A vertex of some other ring order is a domain for windows only.
     let turned = [points[0], points[2], points[1], points[3]];
     let problem = Problem::triangulated(&turned, &[0, 1, 2, 3], &[[0, 2, 1], [0, 1, 3]]).unwrap();
-    assert_eq!(trade_off(&problem, &mut unwatched), Err(Unsolved::NotAPolygon));
+    assert_eq!(trade_off(&problem, Progress::NONE), Err(Unsolved::NotAPolygon));
 }

@@ -8,12 +8,11 @@
 //! above all.
 
 use std::cmp::Reverse;
-use std::ops::ControlFlow;
 
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::Domain;
-use mindeg_exact::{Optimum, Problem, ProblemError, Stage, Unsolved, best_angle};
+use mindeg_exact::{Optimum, Problem, ProblemError, Unsolved, best_angle};
 use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
@@ -121,7 +120,7 @@ pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, 
         return Ok(mindeg_core::least_max_degree(domain.boundary()));
     }
     let problem = problem(domain)?;
-    reporting(progress, |watch| mindeg_exact::least_max_degree(&problem, watch))
+    mindeg_exact::least_max_degree(&problem, progress)
         .map_err(|error| unsolved(domain, error, progress))
 }
 
@@ -153,7 +152,7 @@ pub fn mesh(
     progress: Progress<'_>,
 ) -> Result<ExactMesh, ExactError> {
     let problem = problem(domain)?;
-    let best = reporting(progress, |watch| best_angle(&problem, max_degree, watch));
+    let best = best_angle(&problem, max_degree, progress);
     placed(domain, best.map_err(|error| unsolved(domain, error, progress))?)
 }
 
@@ -194,45 +193,14 @@ pub fn trade_off_until(
 ) -> Result<TradeOff, ExactError> {
     let problem = problem(domain)?;
     let mut is_enough = |optimum: &Optimum, most: f64| is_enough(optimum.min_angle, most);
-    let answer =
-        reporting(progress, |watch| mindeg_exact::trade_off_until(&problem, &mut is_enough, watch))
-            .map_err(|error| unsolved(domain, error, progress))?;
+    let answer = mindeg_exact::trade_off_until(&problem, &mut is_enough, progress)
+        .map_err(|error| unsolved(domain, error, progress))?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
     Ok(TradeOff {
         domain: domain.clone(),
         meshes: meshes.collect::<Result<_, _>>()?,
-        delaunay_min_angle: answer.uncapped_min_angle,
+        delaunay_min_angle: answer.unlimited_min_angle,
     })
-}
-
-/// Does the solver's work and reports how far it is.
-pub(crate) fn reporting<T>(
-    progress: Progress<'_>,
-    work: impl FnOnce(mindeg_exact::Watch<'_>) -> T,
-) -> T {
-    /// The parts that a stage is reported in.
-    const PARTS: u64 = 1000;
-    work(&mut |mindeg_exact::Progress { stage, done }| match progress.report(
-        &name(stage),
-        (done * PARTS as f64) as u64,
-        PARTS,
-    ) {
-        Ok(()) => ControlFlow::Continue(()),
-        Err(_) => ControlFlow::Break(()),
-    })
-}
-
-fn name(stage: Stage) -> String {
-    match stage {
-        Stage::Feasibility { max_degree } => format!("is degree {max_degree} possible?"),
-        Stage::Bounds => "bounding the angles".to_owned(),
-        Stage::Search { max_degree, .. } => format!("degree {max_degree}: the best angle"),
-        Stage::Ties { max_degree } => format!("degree {max_degree}: the best mesh"),
-        Stage::Windows { max_degree } => {
-            format!("taking edges off vertices of degree {max_degree}")
-        }
-        _ => "working".to_owned(),
-    }
 }
 
 /// The domain as the solver takes it.
@@ -252,14 +220,14 @@ fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
 pub(crate) fn constrain(problem: &mut Problem, domain: &Domain) {
     set_external_degrees(problem, domain);
     for (vertex, limit) in degree_limits(domain) {
-        problem.set_max_degree(vertex, limit);
+        problem.set_degree_limit(vertex, limit);
     }
 }
 
 fn set_external_degrees(problem: &mut Problem, domain: &Domain) {
     if domain.is_constrained() {
         for vertex in 0..domain.boundary().vertex_count() {
-            problem.set_outside_degree(vertex, domain.external_degree(vertex));
+            problem.set_external_degree(vertex, domain.external_degree(vertex));
         }
     }
 }
@@ -275,7 +243,7 @@ fn degree_limits(domain: &Domain) -> Vec<(u32, u32)> {
 
 /// Why the solver has no answer, with the vertices whose degree limits no mesh keeps together.
 fn unsolved(domain: &Domain, error: Unsolved, progress: Progress<'_>) -> ExactError {
-    if error != Unsolved::VertexCaps {
+    if error != Unsolved::VertexLimits {
         return error.into();
     }
     match vertices_in_conflict(domain, progress) {
@@ -291,10 +259,10 @@ fn vertices_in_conflict(domain: &Domain, progress: Progress<'_>) -> Result<Vec<u
     set_external_degrees(&mut plain, domain);
     let conflict = |limits: &[(u32, u32)]| {
         let mut problem = plain.clone();
-        limits.iter().for_each(|&(vertex, limit)| problem.set_max_degree(vertex, limit));
-        match reporting(progress, |watch| mindeg_exact::least_max_degree(&problem, watch)) {
+        limits.iter().for_each(|&(vertex, limit)| problem.set_degree_limit(vertex, limit));
+        match mindeg_exact::least_max_degree(&problem, progress) {
             Ok(_) => Ok(false),
-            Err(Unsolved::VertexCaps) => Ok(true),
+            Err(Unsolved::VertexLimits) => Ok(true),
             Err(error) => Err(error),
         }
     };

@@ -56,7 +56,7 @@ pub(crate) fn by_windows(
     let least_max_degree = mindeg_core::least_max_degree(boundary);
     let min_tangent = libm::tan((share * delaunay_min_angle).to_radians());
     let goal = WindowGoal { max_degree: max_degree.max(least_max_degree), min_tangent };
-    let windowed = exact::reporting(progress, |watch| windows(&problem, goal, watch))?;
+    let windowed = windows(&problem, goal, progress)?;
     let mesh = BoundaryMesh::with_triangles(domain, windowed.triangles)?;
     Ok(Meshed {
         mesh,

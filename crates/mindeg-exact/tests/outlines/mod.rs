@@ -254,7 +254,7 @@ fn on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
     turn(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0
 }
 
-/// What triangulations are compared by: the tangent of the smallest angle, the number of
+/// What triangulations are compared by: the tangent of the minimum angle, the number of
 /// vertices at their limit, the sum of shapes.
 pub(crate) type Rank = (f64, Reverse<u32>, u64);
 
@@ -276,7 +276,7 @@ impl Measured {
         Self { degrees, tangent: tangents.fold(f64::INFINITY, f64::min), shape }
     }
 
-    /// The rank, if the limits are kept; edges outside count.
+    /// The rank, if the triangulation keeps the limits; external edges count.
     pub(crate) fn rank(&self, limits: &[u32], outside: &[u32]) -> Option<Rank> {
         let total = || self.degrees.iter().zip(outside).map(|(degree, outside)| degree + outside);
         let full = total().zip(limits).filter(|(total, limit)| total == *limit).count();

@@ -14,18 +14,18 @@ pub(crate) struct Instance {
     pub(crate) boundary: Boundary,
     pub(crate) points: Vec<DVec2>,
     pub(crate) outside: Vec<u32>,
-    pub(crate) own_caps: Vec<Option<u32>>,
+    pub(crate) own_limits: Vec<Option<u32>>,
 }
 
-/// What triangulations are compared by: the tangent of the smallest angle, the number of
-/// vertices at their cap, the sum of shapes.
+/// What triangulations are compared by: the tangent of the minimum angle, the number of
+/// vertices at their limit, the sum of shapes.
 pub(crate) type Rank = (f64, Reverse<u32>, u64);
 
 impl Instance {
     pub(crate) fn new(sides: &[u64], points: Vec<DVec2>) -> Self {
         let boundary = Boundary::new(sides).unwrap();
-        let (outside, own_caps) = (vec![0; points.len()], vec![None; points.len()]);
-        Self { sides: sides.to_vec(), boundary, points, outside, own_caps }
+        let (outside, own_limits) = (vec![0; points.len()], vec![None; points.len()]);
+        Self { sides: sides.to_vec(), boundary, points, outside, own_limits }
     }
 
     /// A polygon with these corners, the intervals of each side equal.
@@ -52,10 +52,11 @@ impl Instance {
 
     pub(crate) fn problem(&self) -> Problem {
         let mut problem = Problem::new(&self.boundary, &self.points).unwrap();
-        for (vertex, (&outside, &own_cap)) in (0..).zip(self.outside.iter().zip(&self.own_caps)) {
-            problem.set_outside_degree(vertex, outside);
-            if let Some(cap) = own_cap {
-                problem.set_max_degree(vertex, cap);
+        for (vertex, (&outside, &own_limit)) in (0..).zip(self.outside.iter().zip(&self.own_limits))
+        {
+            problem.set_external_degree(vertex, outside);
+            if let Some(limit) = own_limit {
+                problem.set_degree_limit(vertex, limit);
             }
         }
         problem
@@ -65,20 +66,20 @@ impl Instance {
         triangle.map(|vertex| self.points[vertex as usize])
     }
 
-    fn cap(&self, vertex: usize, max_degree: u32) -> u32 {
-        self.own_caps[vertex].map_or(max_degree, |own| own.min(max_degree))
+    fn limit(&self, vertex: usize, max_degree: u32) -> u32 {
+        self.own_limits[vertex].map_or(max_degree, |own| own.min(max_degree))
     }
 
-    /// The rank of a triangulation given by its triangles, if it keeps to the caps.
+    /// The rank of a triangulation given by its triangles, if it keeps the limits.
     pub(crate) fn rank(&self, triangles: &[[u32; 3]], max_degree: u32) -> Option<Rank> {
         let degrees = verify(&self.sides, triangles.iter().copied()).unwrap().degrees;
         let mut full = 0;
         for (vertex, (degree, outside)) in degrees.iter().zip(&self.outside).enumerate() {
-            let cap = self.cap(vertex, max_degree);
-            if degree + outside > cap {
+            let limit = self.limit(vertex, max_degree);
+            if degree + outside > limit {
                 return None;
             }
-            full += u32::from(degree + outside == cap);
+            full += u32::from(degree + outside == limit);
         }
         let corners = |triangle: &[u32; 3]| self.corners(*triangle);
         let tangents = triangles.iter().map(|t| measure::min_angle_tangent(corners(t)));
@@ -144,7 +145,7 @@ impl Instance {
     }
 
     /// The best rank of the whole, where `join` makes a piece's rank of two pieces, their
-    /// triangle, and whether its apex is at its cap, and `close` counts the last two vertices.
+    /// triangle, and whether its apex is at its limit, and `close` counts the last two vertices.
     fn best_in_table<R: Copy + PartialOrd>(
         &self,
         max_degree: u32,
@@ -154,8 +155,8 @@ impl Instance {
     ) -> Option<R> {
         let n = self.points.len();
         // Chords allowed, below 0 where there are too many edges already.
-        let room = |vertex: usize| {
-            i64::from(self.cap(vertex, max_degree)) - 2 - i64::from(self.outside[vertex])
+        let capacity = |vertex: usize| {
+            i64::from(self.limit(vertex, max_degree)) - 2 - i64::from(self.outside[vertex])
         };
         let mut table = BTreeMap::<(usize, usize), BTreeMap<(i64, i64), R>>::new();
         for span in 1..n {
@@ -176,10 +177,10 @@ impl Instance {
                     for (&(at_i, at_left), &left) in &table[&(i, apex)] {
                         for (&(at_right, at_j), &right) in &table[&(apex, j)] {
                             let at_apex = at_left + at_right + left_edge + right_edge;
-                            if at_apex > room(apex) {
+                            if at_apex > capacity(apex) {
                                 continue;
                             }
-                            let is_full = at_apex == room(apex);
+                            let is_full = at_apex == capacity(apex);
                             let Some(rank) = join(left, right, triangle, is_full) else { continue };
                             let best = piece.entry((at_i + left_edge, at_j + right_edge));
                             let best = best.or_insert(rank);
@@ -193,9 +194,10 @@ impl Instance {
             }
         }
         let whole = table[&(0, n - 1)].iter();
-        let within = whole.filter(|&(&(first, last), _)| first <= room(0) && last <= room(n - 1));
+        let within =
+            whole.filter(|&(&(first, last), _)| first <= capacity(0) && last <= capacity(n - 1));
         let ranks = within.map(|(&(first, last), &rank)| {
-            close(close(rank, first == room(0)), last == room(n - 1))
+            close(close(rank, first == capacity(0)), last == capacity(n - 1))
         });
         ranks.fold(None, |best, rank| if Some(rank) > best { Some(rank) } else { best })
     }
@@ -206,7 +208,7 @@ impl Instance {
         assert_eq!(self.rank(&optimum.triangles, max_degree), Some(best), "{self:?}");
         assert_eq!(optimum.max_degree, max_degree);
         assert_eq!(optimum.min_angle, libm::atan(tangent).to_degrees(), "{self:?}");
-        assert_eq!(optimum.vertices_at_cap, full, "{self:?}");
+        assert_eq!(optimum.vertices_at_limit, full, "{self:?}");
         assert_eq!(optimum.shape_sum, shape as f64 / measure::SHAPE_UNIT as f64, "{self:?}");
         assert!(optimum.triangles.is_sorted());
     }
@@ -235,11 +237,11 @@ pub(crate) fn instances(largest: u64) -> impl Strategy<Value = Instance> {
                 let gap = 1.0 / *sides.iter().max().unwrap() as f64;
                 if place == 0.0 { 0.0 } else { place + gap * wobble * shifts[vertex] }
             });
-            for (vertex, (outside, own_cap)) in
+            for (vertex, (outside, own_limit)) in
                 limits.into_iter().take(instance.points.len()).enumerate()
             {
                 instance.outside[vertex] = outside;
-                instance.own_caps[vertex] = own_cap;
+                instance.own_limits[vertex] = own_limit;
             }
             instance
         },
