@@ -1,9 +1,11 @@
-//! What the whole trade-off costs as the number of vertices grows.
+//! Costs of the whole trade-off as the number of vertices grows.
 //!
-//! `cargo bench -p mindeg-exact` runs up to 400 vertices;
-//! `cargo bench -p mindeg-exact -- --include-ignored` goes on to 2,000. The bias: a 4 by 3 rectangle
-//! with equal intervals, where two or three degrees have an angle of their own; `graded` has a ratio of 1.02 from each interval to the next, and more
-//! such degrees. Memory is what is allocated at the same time.
+//! - `cargo bench -p mindeg-exact --bench cost`: up to 400 vertices.
+//! - `cargo bench -p mindeg-exact --bench cost -- --include-ignored`: up to 2,000.
+//!
+//! The bias: a 4 by 3 rectangle with equal intervals, where two or three degrees have an angle of
+//! their own; `graded` has a ratio of 1.02 from each interval to the next, and more such degrees.
+//! Memory is what is allocated at the same time.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may panic")]
 
@@ -57,7 +59,7 @@ fn graded(bencher: Bencher, vertices: u64) {
     bencher.bench(|| trade_off(&problem, Progress::NONE).unwrap());
 }
 
-/// One point of the curve, the one that is asked for when no degree is.
+/// One point of the curve: the least degree.
 #[divan::bench(args = [50, 100, 200, 400], sample_count = 10)]
 fn least_degree_only(bencher: Bencher, vertices: u64) {
     let problem = rectangle(vertices, false, 1.0);

@@ -1,9 +1,11 @@
-//! What degree, angle and windows cost on polygons that are not convex.
+//! Costs of degree, angle and windows on polygons that are not convex.
 //!
-//! `cargo bench -p mindeg-exact --bench polygons` runs up to some thousand vertices;
-//! `-- --include-ignored` goes on to 10^6 (windows alone). The bias: the coast is a circle with waves of many lengths, so
-//! that its middle sees almost everything; real coastlines have fewer chords. Delaunay triangulations are
-//! made by spade outside the time.
+//! - `cargo bench -p mindeg-exact --bench polygons`: up to some thousand vertices.
+//! - `cargo bench -p mindeg-exact --bench polygons -- --include-ignored`: windows up to 10^6.
+//!
+//! The bias: the coast is a circle with waves of many lengths, so that its middle sees almost
+//! everything; real coastlines have fewer chords. spade makes the Delaunay triangulations before the
+//! clock starts.
 
 #![expect(clippy::unwrap_used, reason = "a benchmark may panic")]
 

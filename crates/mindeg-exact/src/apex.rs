@@ -2,10 +2,10 @@
 //!
 //! Let R be the boundary edges that are no side of an ear. Each has a triangle, and its apex sees
 //! both of its ends. A vertex of degree D has D-1 triangles, of which the first and the last have a
-//! boundary edge at the vertex itself; if their opposite side were a boundary edge too, they would be
-//! ears. So a vertex is apex to at most D-3 edges of R. If only the vertices A can be apexes of the
-//! edges S of R, then D >= 3 + |S|/|A|, rounded up. For a convex polygon with one long side this is
-//! Liu's bound.
+//! boundary edge at the vertex itself; if their opposite side were a boundary edge too, they would
+//! be ears. So a vertex is apex to at most D-3 edges of R. If only the vertices A can be apexes of
+//! the edges S of R, then D >= 3 + |S|/|A|, rounded up. For a convex polygon with one long side
+//! this is Liu's bound.
 //!
 //! The best S comes from a matching of edges to apexes: if a further edge finds no place, the edges
 //! and apexes that alternating paths reach from it are S and A (Hall).
@@ -113,8 +113,8 @@ impl Matching {
         matching
     }
 
-    /// Numbers edges and apexes by their distance from the edges without a place. Returns whether it
-    /// reaches an apex with free space.
+    /// Numbers edges and apexes by their distance from the edges without a place. Returns whether
+    /// it reaches an apex with free space.
     fn levels(&mut self, capacity: usize) -> bool {
         self.edge_level.fill(UNSEEN);
         self.apex_level.fill(UNSEEN);

@@ -45,9 +45,10 @@ impl Chords {
         Self { vertices, offsets, starts }
     }
 
-    /// All chords of a convex polygon that are not on a side. No triangle of such chords and boundary
-    /// edges is flat: the edges of a flat one are all on its side, so they would be boundary
-    /// edges, but three boundary edges bound a triangle only where they are the whole boundary.
+    /// All chords of a convex polygon that are not on a side. No triangle of such chords and
+    /// boundary edges is flat: the edges of a flat one are all on its side, so they would be
+    /// boundary edges, but three boundary edges bound a triangle only where they are the whole
+    /// boundary.
     pub(crate) fn all(vertices: usize, sides: &Sides) -> Self {
         let n = vertices as u32;
         let of = |i: u32| {

@@ -1,8 +1,8 @@
 //! The least maximum degree of any polygon, proven, and how much angle each degree buys.
 //!
 //! A least maximum degree says nothing about angles, and a Delaunay triangulation, which has the
-//! largest minimum angle, nothing about degrees. For a polygon with given boundary points this crate
-//! finds what lies between: under any degree limit, for all vertices or for single ones, the
+//! largest minimum angle, nothing about degrees. For a polygon with given boundary points this
+//! crate finds what lies between: under any degree limit, for all vertices or for single ones, the
 //! triangulation of the boundary points with the largest minimum angle. One degree above the least
 //! often allows the Delaunay angle already.
 //!
@@ -40,13 +40,13 @@
 //! not convex, the two ends see each other; the crate finds these pairs through the given
 //! triangulation, with exact predicates, and often they are few.
 //!
-//! A chord splits the polygon into two pieces. Each depends on the other only through the numbers of
-//! edges at the chord's ends. So an interval dynamic program over all chords, with these two numbers
-//! as its state, decides whether some triangulation keeps the degree limits and has no angle below
-//! a threshold. A search over thresholds ends on the angle of an actual triangle. A last run of the
-//! same program chooses the mesh among the triangulations with that angle. Before each run the
-//! search removes the edges that occur in no triangulation with such angles, whatever the degrees;
-//! few remain. The angle of a Delaunay triangulation bounds the search from the start.
+//! A chord splits the polygon into two pieces. Each depends on the other only through the numbers
+//! of edges at the chord's ends. So an interval dynamic program over all chords, with these two
+//! numbers as its state, decides whether some triangulation keeps the degree limits and has no
+//! angle below a threshold. A search over thresholds ends on the angle of an actual triangle. A
+//! last run of the same program chooses the mesh among the triangulations with that angle. Before
+//! each run the search removes the edges that occur in no triangulation with such angles, whatever
+//! the degrees; few remain. The angle of a Delaunay triangulation bounds the search from the start.
 //!
 //! That a Delaunay triangulation has the largest minimum angle is due to Sibson ("Locally
 //! equiangular triangulations", 1978); the least degree of convex polygons to C.-L. Liu, "Minimum
@@ -59,13 +59,13 @@
 //! larger polygons, and for holes, there are windows and lower bounds. One pass of the dynamic
 //! program takes time in proportion to the triples, and some 50 bytes of memory a chord.
 //!
-//! On one core, the trade-off of a convex polygon of 2,000 vertices at equal intervals takes about a
-//! second, of 4,000 about 7. With graded intervals, many degrees have an angle of their own, and the
-//! work on each is long: if every interval of 2,000 is a hundredth longer than the one before, 73
-//! degrees do, and the trade-off takes minutes.
+//! On one core, the trade-off of a convex polygon of 2,000 vertices at equal intervals takes about
+//! a second, of 4,000 about 7. With graded intervals, many degrees have an angle of their own, and
+//! the work on each is long: if every interval of 2,000 is a hundredth longer than the one before,
+//! 73 degrees do, and the trade-off takes minutes.
 //!
-//! Angles and shapes are compared to 36 bits, see [`measure`]. Long work reports its [`Progress`] on
-//! the calling thread, and the callback can cancel it.
+//! Angles and shapes are compared to 36 bits, see [`measure`]. Long work reports its [`Progress`]
+//! on the calling thread, and the callback can cancel it.
 
 #[cfg(test)]
 extern crate self as mindeg_exact;

@@ -14,7 +14,8 @@ use glam::DVec2;
 /// The [`shape`] of an equilateral triangle, 2^36.
 pub const SHAPE_UNIT: u64 = 1 << 36;
 
-/// The tangent of the minimum angle of a counter-clockwise triangle, to 36 significant bits: 0 to √3.
+/// The tangent of the minimum angle of a counter-clockwise triangle, to 36 significant bits: 0 to
+/// √3.
 ///
 /// The tangent grows with the angle, so it orders triangles as their minimum angles do. With
 /// squared edge lengths x <= y <= z and area A it is 4A/(y+z-x). It is 0 if the triangle is

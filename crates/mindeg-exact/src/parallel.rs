@@ -1,5 +1,5 @@
-//! Work on items by all threads of the current rayon pool, or by one without the feature `parallel`;
-//! the results are the same.
+//! Work on items by all threads of the current rayon pool, or by one without the feature
+//! `parallel`; the results are the same.
 //!
 //! [`mindeg_mesh::parallel`] cuts work into blocks of 16,384 items, for items that take some
 //! nanoseconds; these take much longer.
@@ -25,7 +25,7 @@ pub(crate) fn map_chunks<R: Send>(
     return chunks.map(of_chunk).collect();
 }
 
-/// Sorts values of which equal ones cannot be told apart.
+/// Sorts values; equal ones must be identical.
 pub(crate) fn sort<T: Ord + Send>(values: &mut [T]) {
     #[cfg(feature = "parallel")]
     values.par_sort_unstable();

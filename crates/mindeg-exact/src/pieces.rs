@@ -243,8 +243,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
         }
     }
 
-    /// The best triangulation of the whole polygon, the piece of the boundary edge (0, n-1), and its
-    /// merit; of equals, that with the fewest edges at the ends.
+    /// The best triangulation of the whole polygon, the piece of the boundary edge (0, n-1), and
+    /// its merit; of equals, that with the fewest edges at the ends.
     fn best(&self) -> Option<(State<M>, M)> {
         let last = self.vertices - 1;
         let whole = self.up.of(0).last().filter(|front| front.other as usize == last)?;

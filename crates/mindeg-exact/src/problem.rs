@@ -18,8 +18,8 @@ pub const MAX_VERTICES: u32 = 4096;
 
 /// The most triples of vertices that see each other in another polygon: 4 * 10^9.
 ///
-/// One pass of the dynamic program over 10^9 triples takes 5 to 10 seconds on one core. A coastline of
-/// 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
+/// One pass of the dynamic program over 10^9 triples takes 5 to 10 seconds on one core. A coastline
+/// of 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
 pub const MAX_TRIPLES: u64 = 4_000_000_000;
 
 /// The largest external degree in windows, which take larger ones for this.
@@ -60,8 +60,8 @@ pub struct Problem {
 pub(crate) enum Domain {
     /// A convex polygon, where every two vertices see each other.
     Convex(Boundary),
-    /// A polygon whose ring is 0, 1, 2 and so on, with a triangulation that shows which vertices see
-    /// each other.
+    /// A polygon whose ring is 0, 1, 2 and so on, with a triangulation that shows which vertices
+    /// see each other.
     Simple(Triangulation),
     /// Any other domain, with a triangulation.
     Rings(Triangulation),
@@ -140,7 +140,8 @@ impl Problem {
     ///
     /// # Errors
     ///
-    /// More than [`MAX_VERTICES`] vertices, another number of points, or a point that is not finite.
+    /// More than [`MAX_VERTICES`] vertices, another number of points, or a point that is not
+    /// finite.
     pub fn new(boundary: &Boundary, points: &[DVec2]) -> Result<Self, ProblemError> {
         let vertices = boundary.vertex_count();
         if vertices > MAX_VERTICES {

@@ -155,7 +155,8 @@ impl<'a> Search<'a> {
         while possible < bound {
             let bits = libm::log2(bound / (bound - possible));
             // Far above the possible tangent, few edges reach the threshold. Near it, the pass has
-            // all edges that reach the possible tangent, so that what it leaves out bounds the rest.
+            // all edges that reach the possible tangent, so that what it leaves out bounds the
+            // rest.
             self.set_floor(possible)?;
             let is_far = threshold > FAR * possible;
             let reaching = if is_far { self.reaching(threshold)? } else { None };

@@ -15,7 +15,8 @@ pub enum Unsolved {
         /// The smallest limit that some triangulation keeps.
         least: u32,
     },
-    /// No triangulation keeps the degree limits of single vertices, however large the limit for all.
+    /// No triangulation keeps the degree limits of single vertices, however large the limit for
+    /// all.
     #[error(
         "no triangulation keeps the degree limits of single vertices, whatever its maximum \
          degree; raise these limits"

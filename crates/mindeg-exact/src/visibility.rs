@@ -41,8 +41,8 @@ pub(crate) struct Eye {
 impl Eye {
     /// Visits every vertex, once, that corner `corner` (3 * triangle + corner) sees through its
     /// triangle: the last corner of the triangle unless it is a boundary neighbour, and all that is
-    /// visible through the opposite edge. All corners of a vertex together visit each vertex that it
-    /// sees, without its boundary neighbours. O(triangles seen).
+    /// visible through the opposite edge. All corners of a vertex together visit each vertex that
+    /// it sees, without its boundary neighbours. O(triangles seen).
     pub(crate) fn look(
         &mut self,
         mesh: &Triangulation,

@@ -136,8 +136,8 @@ impl<'a> Work<'a> {
         (window, after)
     }
 
-    /// Adds a triangle whose edge `edge` is on the ring of the window, if the opposite corner is new
-    /// to the window: so the window stays a disk.
+    /// Adds a triangle whose edge `edge` is on the ring of the window, if the opposite corner is
+    /// new to the window: so the window stays a disk.
     fn extend(&mut self, window: &mut Window, triangle: u32, edge: usize) -> bool {
         let corners = self.mesh.triangles[triangle as usize];
         let apex = corners[(edge + 2) % 3];
@@ -285,8 +285,8 @@ impl<'a> Work<'a> {
         changed
     }
 
-    /// Connects an edge of a new triangle, from ring place `from` to the next, with the triangle beyond
-    /// the window.
+    /// Connects an edge of a new triangle, from ring place `from` to the next, with the triangle
+    /// beyond the window.
     fn join(&mut self, triangle: u32, edge: usize, ring: &[u32], from: u32, beyond: u32) {
         self.mesh.neighbours[triangle as usize][edge] = beyond;
         if beyond == NONE {

@@ -49,8 +49,8 @@ pub struct Windowed {
 /// The start is the given triangulation; for [`Problem::new`], that of the formula. A window is the
 /// fan of such a vertex with some triangles around it, a disk. The exact dynamic program finds a
 /// triangulation of it in which the vertex has fewer edges and every other one keeps its limit. The
-/// work ends at the first vertex with the most edges that no window of 12 to 192 triangles improves.
-/// Any domain is possible, with holes too.
+/// work ends at the first vertex with the most edges that no window of 12 to 192 triangles
+/// improves. Any domain is possible, with holes too.
 ///
 /// Near-linear time: each window takes constant time, and the sum of the excess degrees falls with
 /// each. The same input has the same answer on every machine.
@@ -166,9 +166,9 @@ fn finished(problem: &Problem, work: Work<'_>, keeps_vertex_limits: bool) -> Win
     Windowed { triangles, max_degree, keeps_vertex_limits, min_angle: measure::degrees(least) }
 }
 
-/// Tries windows of growing size around the aim's vertex until one achieves the aim, and returns the
-/// vertices whose number of edges it has changed. In a fan that is larger than the window, it goes on
-/// where the last window of the same vertex ended.
+/// Tries windows of growing size around the aim's vertex until one achieves the aim, and returns
+/// the vertices whose number of edges it has changed. In a fan that is larger than the window, it
+/// goes on where the last window of the same vertex ended.
 fn improve(
     work: &mut Work<'_>,
     aim: &Aim<'_>,

@@ -1,11 +1,11 @@
 //! Degree 4: a polygon of seven or more vertices has it if and only if one of its n zig-zags is
 //! admissible.
 //!
-//! The degrees of n vertices add up to 4n - 6, so the vertices lack 6 edges to 4 each. An ear's
-//! tip lacks 2. Four ears lack too much. With three ears every other vertex has two chords, so that
-//! behind each ear the vertex next to its tip would have one chord too few unless n is 6. With two ears
-//! the triangles form a strip, each ear has one neighbour that lacks 1, and all others have two
-//! chords: then the strip can only alternate, as drawn here from the tip r.
+//! The degrees of n vertices add up to 4n - 6, so the vertices lack 6 edges to 4 each. An ear's tip
+//! lacks 2. Four ears lack too much. With three ears every other vertex has two chords, so that
+//! behind each ear the vertex next to its tip would have one chord too few unless n is 6. With two
+//! ears the triangles form a strip, each ear has one neighbour that lacks 1, and all others have
+//! two chords: then the strip can only alternate, as drawn here from the tip r.
 //!
 //! ```text
 //!         r-1  r-2  r-3

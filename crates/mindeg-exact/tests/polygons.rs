@@ -6,10 +6,12 @@ mod outlines;
 
 use glam::DVec2;
 use mindeg_exact::{
-    DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal, ZigZag, best_angle,
-    check, degree_range, least_max_degree, trade_off, windows,
+    Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal, ZigZag,
+    best_angle, check, degree_range, least_max_degree, trade_off, windows,
 };
+use mindeg_mesh::Step;
 use outlines::{Measured, Outline, Random, Rank};
+use std::ops::ControlFlow;
 
 /// Compares the answers under every limit with the best of all triangulations.
 fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
@@ -255,6 +257,29 @@ fn windows_take_domains_with_holes() {
 }
 
 #[test]
+fn every_stage_can_be_cancelled() {
+    let mut problem = Outline::l_shape([9, 5, 4, 3, 4, 5]).problem();
+    for vertex in 0..problem.points().len() as u32 {
+        problem.set_degree_limit(vertex, 5);
+    }
+    for cancelled in [
+        "finding chords",
+        "counting triples of vertices",
+        "keeping the degree limits of vertices",
+        "is degree 4 possible?",
+        "bounding the angles",
+        "degree 5: the best angle",
+        "degree 5: the best mesh",
+    ] {
+        let watch = |step: Step<'_>| {
+            if step.stage == cancelled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let answer = trade_off(&problem, Progress::new(&watch));
+        assert_eq!(answer, Err(Unsolved::Cancelled(Cancelled)), "{cancelled}");
+    }
+}
+
+#[test]
 fn answers_do_not_depend_on_the_number_of_threads() {
     let outlines = [Outline::l_shape([60, 30, 30, 30, 30, 60]), Outline::gear(12, 6)];
     for outline in outlines {
@@ -298,8 +323,8 @@ fn other_triangles_than_a_triangulation_are_refused() {
         (
             5,
             &[[0, 1, 2], [0, 2, 3]],
-            "the boundary passes vertex 4 0 times, expected once; leave out interior points, and keep \
-             rings apart",
+            "the boundary passes vertex 4 0 times, expected once; leave out interior points, and \
+             keep rings apart",
         ),
     ] {
         assert_eq!(refusal(count, triangles), message);

@@ -1,4 +1,5 @@
-//! Polygons to test with, a plain definition of visibility, and all triangulations of the small ones.
+//! Polygons to test with, a plain definition of visibility, and all triangulations of the small
+//! ones.
 
 #![allow(dead_code, reason = "every test file takes what it needs")]
 
