@@ -71,7 +71,7 @@ fn introduction() -> Result<String, Box<dyn Error>> {
          line is what several of them take badly, and how badly depends on the shape: see the \
          square. On scattered points or concave outlines they do what mindeg cannot do at all. \
          And the least degree is our aim, not theirs: on the same points, a Delaunay \
-         triangulation's smallest angle is always the largest.\n\n\
+         triangulation's minimum angle is always the largest.\n\n\
          **How.** Every program runs in a process of its own and takes turns with mindeg; the best \
          of at least {ROUNDS} rounds counts, or of as many as fit into {patience} s. Times are the \
          processor's, all threads together (mindeg's own are limited to one), which on an idle \

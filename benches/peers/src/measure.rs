@@ -5,7 +5,7 @@ use mindeg_core::verify;
 use mindeg::quality::TriangleQuality;
 use serde::{Deserialize, Serialize};
 
-/// What can be said of a peer's triangles.
+/// What a peer's triangles are measured by.
 ///
 /// Degree and angle are those of the triangles that are not flat.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -10,10 +10,8 @@ use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::output::{Outputs, is_standard_output, write_to};
 use crate::terminal::say;
-use comparing::{check_gates, compared};
-use mindeg_compare::{
-    Comparison, Options, Provenance, shell_word, write_html, write_json, write_markdown,
-};
+use comparing::{check_gates, compared, provenance};
+use mindeg_compare::{Comparison, Options, write_html, write_json, write_markdown};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -113,17 +111,5 @@ fn say_written(files: &[PathBuf]) {
     if !files.is_empty() {
         let files: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
         say(&format!("wrote {}", files.join(", ")));
-    }
-}
-
-/// What a report says of its making: the file as it was given, and the command line.
-fn provenance(input: Option<&Path>) -> Provenance {
-    let words = std::env::args_os().skip(1).map(|word| shell_word(&word.to_string_lossy()));
-    let command = [String::from("mindeg")].into_iter().chain(words).collect::<Vec<_>>().join(" ");
-    let input = input.filter(|path| *path != Path::new("-"));
-    Provenance {
-        input: input.map(|path| path.display().to_string()),
-        command: Some(command),
-        ..Provenance::default()
     }
 }

@@ -7,7 +7,7 @@
 //! speak against it.
 
 use crate::Method;
-use crate::report::MethodFigures;
+use crate::figures::MethodFigures;
 use schemars::JsonSchema;
 use serde::Serialize;
 

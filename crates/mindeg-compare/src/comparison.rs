@@ -1,9 +1,8 @@
 //! One domain, triangulated by every method.
 
+use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 use crate::reference::Reference;
-use crate::report::{
-    DefectKind, DomainFigures, MethodDefect, MethodFigures, Provenance, Report, TradeOffFigures,
-};
+use crate::report::{Provenance, Report, TradeOffFigures};
 use crate::{Advice, KEPT, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
@@ -200,7 +199,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     Ok(Comparison { report, points, triangles, trade_off })
 }
 
-/// The trade-off, where it can be had in the size and the time allowed.
+/// The trade-off, if the size and the time allow it.
 fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
     if domain.boundary().vertex_count() > options.exact_vertices {
         return None;

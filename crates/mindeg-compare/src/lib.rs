@@ -29,6 +29,7 @@
 
 mod advice;
 mod comparison;
+mod figures;
 mod measure;
 mod method;
 pub mod number_format;
@@ -38,6 +39,10 @@ mod verdict;
 
 pub use advice::{Advice, KEPT, advised_command, shell_word};
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
+pub use figures::{
+    DefectKind, Distribution, DomainFigures, MethodDefect, MethodFigures, MetricFigures,
+    WorstTriangle,
+};
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{

@@ -3,7 +3,7 @@
 //! Limits: takes any list whose vertices exist, valid or not. Of one that is no triangulation
 //! the figures describe the triangles that are there.
 
-use crate::report::{
+use crate::figures::{
     DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
 };
 use glam::DVec2;

@@ -5,8 +5,9 @@
 //! Limits: it speaks of the maximum degree and of minimum angles alone. Whether degree or
 //! angle matters more is the reader's to know.
 
+use crate::figures::{DefectKind, MethodFigures};
 use crate::number_format::{angle, count, percent};
-use crate::report::{DefectKind, MethodFigures, Report};
+use crate::report::Report;
 use crate::{KEPT, Method};
 use std::cmp::Ordering::Equal;
 
@@ -231,7 +232,8 @@ fn reasons(method: &MethodFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::{DomainFigures, MethodDefect, Provenance};
+    use crate::figures::{DomainFigures, MethodDefect};
+    use crate::report::Provenance;
     use crate::{Advice, Reference, TradeOffFigures};
 
     const FAN: Method = Method::Reference(Reference::Fan);

@@ -3,7 +3,7 @@
 
 use glam::DVec2;
 use mindeg::{Domain, Side, Spacing};
-use mindeg_compare::report::DefectKind;
+use mindeg_compare::DefectKind;
 use mindeg_compare::{Comparison, Options, compare};
 
 /// How far an angle in degrees may be off: the cross and dot products of two edges have

@@ -1,7 +1,7 @@
 //! A Delaunay triangulation of boundary points, by the `spade` crate.
 //!
 //! Among all triangulations of a polygon without further points, Delaunay's has the largest
-//! smallest angle; where four points lie on one circle there are several.
+//! minimum angle; where four points lie on one circle there are several.
 //!
 //! Two things make boundary points harder than points in general. Points on a slanted side
 //! are rounded, so some lie a hair inside the hull of the others, and the hull is filled up

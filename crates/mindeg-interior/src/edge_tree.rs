@@ -4,7 +4,6 @@
 //! run strays from it, so a straight side is one exact node, however many edges it has and
 //! whichever way it points.
 
-use crate::outline::Outline;
 use glam::DVec2;
 
 /// One edge, or one point with a size (then both ends are equal).
@@ -50,25 +49,10 @@ pub(crate) struct EdgeTree {
 const STRAIGHT: f64 = 1e-7;
 
 impl EdgeTree {
-    /// The tree over an outline's edges; an edge's id is its first vertex.
-    pub(crate) fn of_outline(outline: &Outline) -> Self {
+    /// The tree over the items of rings, each ring from one of its corners on.
+    pub(crate) fn of_rings(rings: impl IntoIterator<Item = Vec<Item>>) -> Self {
         let mut tree = Self::default();
-        for ring in outline.rings() {
-            let corner = |v: u32| {
-                let [before, at, after] =
-                    [outline.previous(v), v, outline.next(v)].map(|v| outline.point(v));
-                !is_straight(at - before, after - at)
-            };
-            let start = ring.clone().find(|v| corner(*v)).unwrap_or(ring.start);
-            let items: Vec<Item> = (start..ring.end)
-                .chain(ring.start..start)
-                .map(|id| Item {
-                    id,
-                    from: outline.point(id),
-                    to: outline.point(outline.next(id)),
-                    size: outline.length(id),
-                })
-                .collect();
+        for items in rings {
             tree.push_root(&items);
         }
         tree
@@ -252,7 +236,7 @@ impl Node {
 }
 
 /// True if a run may go from direction `a` to direction `b` and still count as straight.
-fn is_straight(a: DVec2, b: DVec2) -> bool {
+pub(crate) fn is_straight(a: DVec2, b: DVec2) -> bool {
     a.dot(b) > 0.0 && a.perp_dot(b).abs() <= STRAIGHT * a.dot(b)
 }
 
@@ -293,7 +277,7 @@ mod tests {
     #[test]
     fn the_nearest_edge_is_that_of_a_full_search() {
         let outline = samples::plate_with_hole();
-        let tree = EdgeTree::of_outline(&outline);
+        let tree = outline.edge_tree();
         for i in 0..400 {
             let x = DVec2::new(f64::from(i % 20) * 0.61 - 1.0, f64::from(i / 20) * 0.57 - 1.0);
             let brute = outline
@@ -310,7 +294,7 @@ mod tests {
     #[test]
     fn a_straight_side_is_one_node() {
         let outline = samples::rectangle(4.0, 3.0, [64, 48, 64, 48]);
-        let tree = EdgeTree::of_outline(&outline);
+        let tree = outline.edge_tree();
         let whole = tree.nodes().iter().filter(|n| n.is_straight && n.length > 2.9);
         assert_eq!(whole.count(), 4);
     }

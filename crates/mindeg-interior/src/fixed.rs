@@ -62,7 +62,7 @@ pub(crate) fn breaklines(
 }
 
 fn check_points(outline: &Outline, fixed: &Fixed) -> Result<(), InteriorError> {
-    let tree = EdgeTree::of_outline(outline);
+    let tree = outline.edge_tree();
     for (index, point) in fixed.points.iter().enumerate() {
         let outside = || {
             let what = format!("fixed point {index}");
@@ -103,7 +103,7 @@ fn check_segments(
         let [from, to] = ends.map(|v| lines.at(outline, v));
         items.push(Item { id: segment as u32, from, to, size: from.distance(to) });
     }
-    let boundary = EdgeTree::of_outline(outline);
+    let boundary = outline.edge_tree();
     let tree = EdgeTree::of_items(items);
     let points = EdgeTree::of_items(
         (0..)

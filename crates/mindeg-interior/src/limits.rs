@@ -8,7 +8,7 @@
 //! ratio is at most sin(s + a) / sin(a). The ratios multiply to at least L / l. log sin(s + a) is
 //! concave in s, so their product is greatest for equal s = t / k. Hence
 //! (sin(t/k + a) / sin a)^k >= L / l and a <= t / k. Solved for a, the limit is the
-//! smallest angle of the triangle with sides 1 and q = (L / l)^(1/k) that enclose t / k: atan2(sin(t/k),
+//! minimum angle of the triangle with sides 1 and q = (L / l)^(1/k) that enclose t / k: atan2(sin(t/k),
 //! q - cos(t/k)), or t / k. The fan limit is the greatest of these over the allowed k. Nothing here
 //! asks for a convex corner, so it holds at reflex corners and on holes, too.
 //!
@@ -21,7 +21,6 @@
 //! Fixed interior points and segments have limits of their own, which are left out here: the limits stay true,
 //! but are less tight.
 
-use crate::edge_tree::EdgeTree;
 use crate::outline::Outline;
 use crate::triangle::cross;
 use glam::DVec2;
@@ -170,7 +169,7 @@ pub fn limits(outline: &Outline, edges: u32) -> Limits {
 /// The tent limit of an outline, if it is below `below` degrees.
 #[must_use]
 pub fn tent_limit(outline: &Outline, below: f64) -> Option<TentLimit> {
-    let tree = EdgeTree::of_outline(outline);
+    let tree = outline.edge_tree();
     let mut tangent = libm::tan(below.min(60.0) * (PI / 180.0));
     let mut found = None;
     if outline.points().len() == 3 {

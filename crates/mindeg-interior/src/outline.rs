@@ -1,6 +1,6 @@
 //! The outline of a domain: rings of boundary points that stay where they are.
 
-use crate::edge_tree::EdgeTree;
+use crate::edge_tree::{EdgeTree, Item, is_straight};
 use crate::exact::{meet, orientation};
 use crate::triangle::{angle_at, cross};
 use glam::DVec2;
@@ -115,6 +115,26 @@ impl Outline {
         }
     }
 
+    /// A search tree over the edges; an edge's id is its first vertex.
+    pub(crate) fn edge_tree(&self) -> EdgeTree {
+        EdgeTree::of_rings(self.rings().map(|ring| {
+            let is_corner = |v: u32| {
+                let [before, at, after] =
+                    [self.previous(v), v, self.next(v)].map(|v| self.point(v));
+                !is_straight(at - before, after - at)
+            };
+            let start = ring.clone().find(|v| is_corner(*v)).unwrap_or(ring.start);
+            let ids = (start..ring.end).chain(ring.start..start);
+            let item = |id| Item {
+                id,
+                from: self.point(id),
+                to: self.point(self.next(id)),
+                size: self.length(id),
+            };
+            ids.map(item).collect()
+        }))
+    }
+
     /// An outline from rings that are known to bound triangles, in any number and order.
     pub(crate) fn of_mesh(rings: &[Vec<DVec2>]) -> Self {
         let mut outline = Self::with_capacity(0);
@@ -151,7 +171,7 @@ impl Outline {
     }
 
     fn check_crossings(&self) -> Result<(), OutlineError> {
-        let tree = EdgeTree::of_outline(self);
+        let tree = self.edge_tree();
         for [a, b] in self.edges() {
             let (from, to) = (self.point(a), self.point(b));
             let mut crossed = None;

@@ -41,7 +41,7 @@ impl SizeField {
             size: place.size,
         });
         Self {
-            boundary: EdgeTree::of_outline(outline),
+            boundary: outline.edge_tree(),
             places: EdgeTree::of_items(items.collect()),
             growth,
             inside,

@@ -1,7 +1,7 @@
 //! Several domains: a page for each in a folder, and an index page.
 
-use super::comparing::{check_gates, compared};
-use super::{provenance, saved_meshes};
+use super::comparing::{check_gates, compared, provenance};
+use super::saved_meshes;
 use crate::args::CompareArguments;
 use crate::domain::{UNNAMED, from_file, from_options};
 use crate::failure::Failure;

@@ -4,15 +4,14 @@
 //! not an end of the edge. So the sides on which the tip lies must consist of edges at the
 //! tip: it is the middle of a side of two intervals, or a corner between two sides of one.
 
-use super::NoTriangulation;
 use mindeg_core::Boundary;
 
 /// The triangles round the first vertex round which none is flat, counter-clockwise.
-pub(super) fn triangulate(boundary: &Boundary) -> Result<Vec<[u32; 3]>, NoTriangulation> {
+pub(super) fn triangulate(boundary: &Boundary) -> Option<Vec<[u32; 3]>> {
     let vertices = boundary.vertex_count();
-    let tip = tip(boundary).ok_or(NoTriangulation::EveryFanIsFlat)?;
+    let tip = tip(boundary)?;
     let after = |steps: u32| ((u64::from(tip) + u64::from(steps)) % u64::from(vertices)) as u32;
-    Ok((1..vertices - 1).map(|steps| [tip, after(steps), after(steps + 1)]).collect())
+    Some((1..vertices - 1).map(|steps| [tip, after(steps), after(steps + 1)]).collect())
 }
 
 fn tip(boundary: &Boundary) -> Option<u32> {

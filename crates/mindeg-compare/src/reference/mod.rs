@@ -193,7 +193,7 @@ impl Reference {
         match self {
             Self::Delaunay => delaunay(boundary, points, deadline),
             Self::EarClipping => Ok(ear_clipping::triangulate(points)),
-            Self::Fan => fan::triangulate(boundary),
+            Self::Fan => fan::triangulate(boundary).ok_or(NoTriangulation::EveryFanIsFlat),
         }
     }
 

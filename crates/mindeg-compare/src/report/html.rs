@@ -11,7 +11,8 @@
 use super::picture::{self, MAX_DRAWN};
 use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
-use super::{MethodDefect, MethodFigures, Provenance, Report};
+use super::{Provenance, Report};
+use crate::figures::{MethodDefect, MethodFigures};
 use crate::number_format::{angle, count};
 use crate::verdict::{Verdict, verdict};
 use crate::{Comparison, Method, advised_command};

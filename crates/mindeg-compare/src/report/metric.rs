@@ -1,6 +1,6 @@
 //! The measures a report shows, and how it speaks of them.
 
-use super::{Distribution, MetricFigures};
+use crate::figures::{Distribution, MetricFigures};
 use mindeg::quality::{METRICS, Metric};
 
 /// A measure in a report.

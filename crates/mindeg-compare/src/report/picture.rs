@@ -7,10 +7,11 @@
 //! Limits: of a method with more than [`MAX_DRAWN`] triangles at most so many go into the
 //! picture. Charts and tables always count all.
 
+use super::Report;
 use super::metric::{SHOWN, ShownMetric};
 use super::svg::{self, DegreeColor};
 use super::tables::{self, Named};
-use super::{MethodFigures, Report};
+use crate::figures::MethodFigures;
 use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -6,9 +6,10 @@
 //! Limits: where a method has very many different degrees, high ones are put together in
 //! ranges; the JSON has each.
 
+use super::Report;
 use super::metric::SHOWN;
-use super::{DefectKind, Distribution, MethodFigures, Report};
 use crate::Method;
+use crate::figures::{DefectKind, Distribution, MethodFigures};
 use crate::number_format::{Column, count, seconds, steady_percent};
 use std::ops::RangeInclusive;
 
@@ -260,7 +261,7 @@ pub(crate) fn worst(report: &Report) -> Vec<Table> {
         let worst = &mesh.figures.worst_triangles;
         let least = Column::new(worst.iter().map(|triangle| triangle.min_angle), DIGITS);
         let greatest = Column::new(worst.iter().map(|triangle| triangle.max_angle), 4);
-        let row = |triangle: &super::WorstTriangle| {
+        let row = |triangle: &crate::figures::WorstTriangle| {
             let [a, b, c] = triangle.vertices;
             vec![
                 triangle.triangle.to_string(),
@@ -335,7 +336,8 @@ fn text<T>(value: Option<T>, write: impl FnOnce(T) -> String) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::{DomainFigures, Provenance};
+    use crate::figures::DomainFigures;
+    use crate::report::Provenance;
 
     fn report(degrees: &[u32]) -> Report {
         let domain = DomainFigures {

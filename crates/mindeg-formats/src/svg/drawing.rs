@@ -1,7 +1,7 @@
 //! The mesh itself: faces, edges, outline, dots and labels.
 
 use super::frame::Frame;
-use super::{LARGEST_DOT, MAX_DOTS, escaped, hex};
+use super::style::{LARGEST_DOT, MAX_DOTS, escaped, hex};
 use crate::degree_color;
 use glam::{DVec2, DVec3};
 use mindeg_mesh::{Line, Mesh, filled};

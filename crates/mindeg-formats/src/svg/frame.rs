@@ -1,6 +1,6 @@
 //! Where a mesh lies in a picture.
 
-use super::{BOTTOM, MAX_HEIGHT, MAX_SLENDERNESS, SIDE_MARGIN, TOP, WIDTH};
+use super::style::{BOTTOM, MAX_HEIGHT, MAX_SLENDERNESS, SIDE_MARGIN, TOP, WIDTH};
 use glam::DVec2;
 use mindeg_mesh::Bounds;
 

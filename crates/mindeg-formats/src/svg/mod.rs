@@ -14,50 +14,17 @@
 
 mod drawing;
 mod frame;
+mod style;
 
 use self::drawing::Drawing;
 use self::frame::Frame;
+pub use self::style::{MAX_DOTS, MAX_VERTICES, STYLE};
+use self::style::{SIDE_MARGIN, WIDTH, escaped, hex};
 use crate::{GENERATOR, WriteError, degree_color, mesh_name};
 use glam::DVec2;
 use mindeg_mesh::{Bounds, Mesh};
 use std::fmt::Write as _;
 use std::io::Write;
-
-/// The most vertices a picture shows.
-pub const MAX_VERTICES: u32 = 100_000;
-
-/// The most vertices that are drawn as dots.
-pub const MAX_DOTS: u32 = 5_000;
-
-/// The width of the picture and the room round the mesh, in pixels.
-const WIDTH: f64 = 960.0;
-const SIDE_MARGIN: f64 = 56.0;
-const TOP: f64 = 124.0;
-const BOTTOM: f64 = 104.0;
-/// The most a mesh takes from top to bottom.
-const MAX_HEIGHT: f64 = 640.0;
-/// The radius of the largest dots as a share of the mesh's longer extent.
-const LARGEST_DOT: f64 = 0.0125;
-/// A mesh more slender than that is widened for the picture, which says so.
-const MAX_SLENDERNESS: f64 = 10.0;
-
-/// The colors of what [`Inset::write`] draws and of the classes `card`, `title`, `muted`, `key` and
-/// `label`, as a style sheet, on a light background and on a dark one.
-pub const STYLE: &str = "\
-text{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;\
-fill:#1f2328}\
-.card{fill:#fff;stroke:#d1d9e0}\
-.title{font-size:22px;font-weight:600}\
-.muted{font-size:15px;fill:#59636e}\
-.key{font-size:15px;font-weight:600}\
-.label{font-size:14px;fill:#59636e;text-anchor:middle}\
-.face{fill:#eef2fb}.shade{fill:#e0e7f5}\
-.edge{fill:none;stroke:#7f8ca3;stroke-linecap:round}\
-.outline{fill:none;stroke:#2b3440;stroke-width:2;stroke-linejoin:round}\
-.ring{stroke:#fff}\
-@media(prefers-color-scheme:dark){\
-text{fill:#f0f6fc}.card{fill:#0d1117;stroke:#3d444d}.muted,.label{fill:#9198a1}\
-.face{fill:#171e2b}.shade{fill:#1f2838}.edge{stroke:#66738a}.outline{stroke:#c3ccd8}.ring{stroke:#f0f6fc}}";
 
 /// Writes a picture of a mesh.
 ///
@@ -217,25 +184,4 @@ fn legend(mesh: &dyn Mesh, drawing: &Drawing<'_>, frame: &Frame) -> String {
         x += 67.0 + 9.0 * (degree.len() + count.len()) as f64;
     }
     text
-}
-
-fn hex(degree: u32) -> String {
-    let [red, green, blue] = degree_color::srgb(degree);
-    format!("#{red:02x}{green:02x}{blue:02x}")
-}
-
-/// Text as XML can hold it. Names have no control characters; what else XML has no place for
-/// is left out.
-fn escaped(text: &str) -> String {
-    let mut escaped = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '\u{fffe}' | '\u{ffff}' => {}
-            c => escaped.push(c),
-        }
-    }
-    escaped
 }

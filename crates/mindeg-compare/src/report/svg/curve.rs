@@ -3,7 +3,7 @@
 //! It is a step function, since a degree is a whole number, and it starts from no angle at all,
 //! so that heights compare as angles do. The dashed line is Delaunay's angle.
 //!
-//! Limits: of labels that would run into one another, only every so many are there.
+//! Limits: if labels would run into one another, some are left out at even steps.
 
 use super::pixel;
 use crate::number_format::{Column, count, percent, significant};
