@@ -83,6 +83,6 @@ fn a_mesh_that_does_not_fit_in_memory_is_an_error_that_names_it() {
     assert_eq!(mindeg(mesh.iter().chain(&["-o", text(&obj), "-o", text(&glb)])).code, Some(0));
     for (file, kibibytes) in [(&obj, 30_000), (&obj, 40_000), (&glb, 30_000), (&glb, 40_000)] {
         let run = within(kibibytes, &["inspect", text(file)]);
-        fails(&run, 1, &["cannot read", text(file), "out of memory"]);
+        fails(&run, 1, &["out of memory", text(file)]);
     }
 }

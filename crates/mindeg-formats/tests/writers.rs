@@ -111,7 +111,7 @@ fn obj_faces_name_what_there_is() {
 fn obj_names_have_no_white_space() {
     for (name, line) in [
         ("two words", "o two_words"),
-        ("  f 1\u{2028}2\u{a0} 3 ", "o f_1_2_3"),
+        ("  f 1\u{2003}2\u{a0} 3 ", "o f_1_2_3"),
         ("Flügel № 3", "o Flügel_№_3"),
     ] {
         let text = obj_text(&mesh(&GUSSET.replace("gusset plate", name)), &BARE);

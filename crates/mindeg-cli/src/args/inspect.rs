@@ -12,7 +12,7 @@ Examples:
   mindeg inspect part.obj
   mindeg inspect part.glb --fail-above-degree 8 --fail-below-angle 5
   mindeg inspect part.obj --weld 1e-6
-  mindeg inspect - < part.gltf --json";
+  mindeg inspect - < part.glb --json";
 
 /// Tell what is wrong with any triangle mesh, how many edges meet where, and how well its
 /// triangles are shaped
