@@ -290,7 +290,8 @@ fn single_vertices_keep_to_their_caps() {
     let capped = verified(&capped.output, &[10; 4]).degrees;
     assert_eq!((capped[5], capped[20]), (3, 2));
     // Without an edge inside, a vertex would join its neighbours: on one side, that is flat.
-    run(r#"[{"vertex": 5, "max_degree": 2}]"#).refuses(&["vertex 5 has a max_degree of 2 and needs 3"]);
+    run(r#"[{"vertex": 5, "max_degree": 2}]"#)
+        .refuses(&["vertex 5 has a max_degree of 2 and needs 3"]);
 }
 
 #[cfg(unix)]

@@ -6,6 +6,7 @@
 
 use crate::bar;
 use crate::failure::{Failure, plainly};
+use crate::memory;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -27,6 +28,12 @@ pub(crate) fn temporary() -> MutexGuard<'static, Vec<PathBuf>> {
 
 /// From here on, Ctrl-C and its like delete the temporary files before they end the process.
 pub(crate) fn clean_up_on_interrupt() -> Result<(), Failure> {
+    // The stack of a thread that listens, and what it allocates.
+    const LISTENER: u64 = 6 << 20;
+    if !memory::given(LISTENER) {
+        // The run ends for want of memory before it has files to delete.
+        return Ok(());
+    }
     listen().map_err(|error| Failure::Io(format!("cannot listen for Ctrl-C: {}", plainly(&error))))
 }
 

@@ -55,7 +55,7 @@ fn left(wanted: u64, threads: u64, given: impl Fn(u64) -> bool) -> u64 {
 }
 
 /// Whether the system gives so much memory at once; it is given back.
-fn given(bytes: u64) -> bool {
+pub(crate) fn given(bytes: u64) -> bool {
     let mut probe = Vec::<u8>::new();
     let given = usize::try_from(bytes).is_ok_and(|len| probe.try_reserve_exact(len).is_ok());
     // Asked for and not used: without this, the whole question could be optimised away.

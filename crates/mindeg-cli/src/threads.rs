@@ -1,8 +1,15 @@
 //! The threads that share work.
 
 use crate::failure::Failure;
+use crate::memory;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::{env, thread};
+
+/// The stack of a thread, as large as that of a main thread.
+const STACK: usize = 8 << 20;
+
+/// What is to be left beside the stacks.
+const MARGIN: usize = 24 << 20;
 
 /// More threads than this spend their time on one another.
 const MOST: usize = 256;
@@ -24,12 +31,14 @@ pub(crate) fn shared(work: impl FnOnce() -> Result<(), Failure> + Send) -> Resul
 fn pool() -> Result<ThreadPool, ThreadPoolBuildError> {
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let wanted = env::var("RAYON_NUM_THREADS").ok().and_then(|count| count.trim().parse().ok());
-    // As large as the stack of a main thread.
-    let builder = || ThreadPoolBuilder::new().stack_size(8 << 20);
-    builder()
-        .num_threads(count(wanted, cores))
-        .build()
-        .or_else(|_| builder().num_threads(1).use_current_thread().build())
+    let count = count(wanted, cores);
+    let builder = || ThreadPoolBuilder::new().stack_size(STACK);
+    let alone = || builder().num_threads(1).use_current_thread().build();
+    // A thread that starts with the last of the memory aborts when it allocates.
+    if !memory::given((count * STACK + MARGIN) as u64) {
+        return alone();
+    }
+    builder().num_threads(count).build().or_else(|_| alone())
 }
 
 /// The number of threads: what is wanted, up to four for a core.

@@ -19,10 +19,12 @@ pub(crate) fn map_chunks<R: Send>(
         let start = items.start + chunk * len;
         work(start..items.end.min(start + len))
     };
+    // Waking other threads for a single chunk would only cost time.
     #[cfg(feature = "parallel")]
-    return chunks.into_par_iter().map(of_chunk).collect();
-    #[cfg(not(feature = "parallel"))]
-    return chunks.map(of_chunk).collect();
+    if chunks.len() > 1 {
+        return chunks.into_par_iter().map(of_chunk).collect();
+    }
+    chunks.map(of_chunk).collect()
 }
 
 /// Sorts values; equal ones must be identical.

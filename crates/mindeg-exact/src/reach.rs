@@ -11,7 +11,7 @@ use std::ops::Range;
 /// With more vertices the bits would take more than 200 MB; then all edges stay.
 const MOST_VERTICES: usize = 40_000;
 
-/// Edges to a batch: enough work for one thread.
+/// The fewest edges of a batch, unless it is the only one: enough work for one thread.
 const BATCH: usize = 64;
 
 /// The edges of `chords` that are in some triangulation of them without a tangent below
@@ -86,12 +86,10 @@ fn is_roughly([a, b, c]: [DVec2; 3], threshold: f64) -> bool {
 
 /// The answers for all edges of one span.
 fn each(starts: &[u32], answer: impl Fn(&u32) -> bool + Send + Sync) -> Vec<bool> {
-    if starts.len() <= BATCH {
-        starts.iter().map(answer).collect()
-    } else {
-        let batch = |range: Range<usize>| starts[range].iter().map(&answer).collect::<Vec<bool>>();
-        map_chunks(0..starts.len(), BATCH, batch).concat()
-    }
+    // Even batches: the cost of a short last one is that of another thread.
+    let batches = (starts.len() / BATCH).max(1);
+    let batch = |range: Range<usize>| starts[range].iter().map(&answer).collect::<Vec<bool>>();
+    map_chunks(0..starts.len(), starts.len().div_ceil(batches).max(1), batch).concat()
 }
 
 /// A set of pairs of vertices, as bits.

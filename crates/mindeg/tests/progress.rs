@@ -49,10 +49,7 @@ fn a_callback_can_cancel() {
     assert_eq!(cancelled, Err(ExactError::Mesh(MeshError::Cancelled(Cancelled))));
     let small = Domain::rectangle(4.0, 3.0, vec![Side::count(5); 4]).unwrap();
     let goal = Goal::MaxDegree(4);
-    assert_eq!(
-        mesh(&small, goal, progress).unwrap_err().to_string(),
-        "cancelled"
-    );
+    assert_eq!(mesh(&small, goal, progress).unwrap_err().to_string(), "cancelled");
     let made = BoundaryMesh::least_degree(&domain).unwrap();
     assert_eq!(made.measure_angles(progress), Err(Cancelled));
 }
