@@ -74,3 +74,17 @@ fn bad_counts_are_refused_with_the_side() {
 fn a_closed_pipe_ends_quietly() {
     ends_quietly_when_nobody_reads(["degree", &vec!["1"; 20_000].join(","), "--json"]);
 }
+
+#[test]
+fn a_domain_is_told_what_one_degree_more_brings() {
+    let channel = "../../assets/domains/boundary-layer-channel.json";
+    let run = mindeg(["degree", channel]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    let text = String::from_utf8_lossy(&run.output).into_owned();
+    for words in [
+        "Hint: degree 4 has a minimum angle of 0.125°, degree 5 of 2.010°:",
+        "boundary-layer-channel.json --max-degree 5 -o mesh.obj",
+    ] {
+        assert!(text.contains(words), "{words:?} is missing in {text}");
+    }
+}

@@ -1,10 +1,13 @@
 //! `mindeg degree`: the answer from the counts alone.
 
-use crate::args::DegreeArguments;
+use crate::args::{Counts, DegreeArguments};
 use crate::domain::counts;
 use crate::failure::Failure;
+use crate::gates::degrees;
 use crate::standard_output::{print, print_json};
 use crate::suggest::in_words;
+use mindeg::{Domain, Goal, Progress};
+use mindeg_compare::shell_word;
 use mindeg_core::{Boundary, Certificate, certificate, suggest};
 use serde::Serialize;
 use std::fmt::Write;
@@ -31,7 +34,7 @@ enum Proof {
 }
 
 pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
-    let intervals = &counts(&arguments.counts)?;
+    let (intervals, domain) = &counts(&arguments.counts)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let certificate = certificate(&boundary);
     let vertices = boundary.vertex_count();
@@ -45,7 +48,28 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
             certificate: proof(&certificate),
         });
     }
-    print(&text(&boundary, &certificate))
+    let mut text = text(&boundary, &certificate);
+    if let (Some(domain), Counts::Domain(path)) = (domain, &arguments.counts) {
+        text.extend(higher_degree(domain, &path.display().to_string()));
+    }
+    print(&text)
+}
+
+/// What one or two degrees more bring on a domain, if that is much and found in about half a second.
+fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
+    // A domain without a mesh says so when it is meshed.
+    let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE).ok()?;
+    let higher = meshed.higher_degree?;
+    Some(format!(
+        "Hint: degree {} has a minimum angle of {}, degree {} of {}:\n\
+         mindeg mesh {} --max-degree {} -o mesh.obj\n",
+        meshed.least_max_degree,
+        degrees(meshed.mesh.angle_range().min),
+        higher.max_degree,
+        degrees(higher.min_angle),
+        shell_word(file),
+        higher.max_degree,
+    ))
 }
 
 fn proof(certificate: &Certificate) -> Proof {

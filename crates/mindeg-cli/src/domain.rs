@@ -32,10 +32,10 @@ pub(crate) fn name_in_text(domain: &Domain) -> &str {
     domain.name().unwrap_or("the domain")
 }
 
-/// The intervals of each side, as typed or as a domain's file has them.
-pub(crate) fn counts(counts: &Counts) -> Result<Vec<u64>, Failure> {
+/// The intervals of each side, as typed or as a domain's file has them; and that domain.
+pub(crate) fn counts(counts: &Counts) -> Result<(Vec<u64>, Option<Domain>), Failure> {
     match counts {
-        Counts::Given(counts) => Ok(counts.clone()),
+        Counts::Given(counts) => Ok((counts.clone(), None)),
         Counts::Domain(path) => {
             let domain = read(path)?;
             if domain.is_constrained() {
@@ -44,7 +44,7 @@ pub(crate) fn counts(counts: &Counts) -> Result<Vec<u64>, Failure> {
                                them";
                 return Err(Failure::Input(message.to_owned()));
             }
-            Ok(domain.boundary().sides().map(u64::from).collect())
+            Ok((domain.boundary().sides().map(u64::from).collect(), Some(domain)))
         }
     }
 }
