@@ -21,3 +21,4 @@ mod slips;
 mod suggest;
 mod terminal;
 mod tradeoff;
+mod view;

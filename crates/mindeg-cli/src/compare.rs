@@ -11,11 +11,10 @@ use crate::gates::{Gates, NamedTriangle};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::output::{Outputs, is_standard_output, write_to};
+use crate::provenance::provenance;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_compare::{
-    Comparison, Options, Provenance, compare, shell_word, write_html, write_json, write_markdown,
-};
+use mindeg_compare::{Comparison, Options, compare, write_html, write_json, write_markdown};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -156,16 +155,4 @@ fn compared(domain: &Domain, options: &Options, quiet: bool) -> Result<Compariso
     );
     let comparison = Bar::new(quiet).waiting(stage, || compare(domain, options));
     comparison.map_err(|error| Failure::Input(error.to_string()))
-}
-
-/// What a report says of its making: the file as it was given, and the command line.
-fn provenance(input: Option<&Path>) -> Provenance {
-    let words = std::env::args_os().skip(1).map(|word| shell_word(&word.to_string_lossy()));
-    let command = [String::from("mindeg")].into_iter().chain(words).collect::<Vec<_>>().join(" ");
-    let input = input.filter(|path| *path != Path::new("-"));
-    Provenance {
-        input: input.map(|path| path.display().to_string()),
-        command: Some(command),
-        ..Provenance::default()
-    }
 }

@@ -154,7 +154,10 @@ class Picture {
     context.stroke();
 
     if (!element("dots").checked) return;
-    const radius = (vertex) => Math.min(5.5, Math.max(1.2, room[vertex] * 0.4));
+    // Around a ring, dots have the outside for room; inside a mesh they would hide triangles.
+    const share = data.is_ring ? 0.4 : 0.25;
+    const radius = (vertex) => Math.min(5.5, Math.max(1.2, room[vertex] * share));
+    const isHiding = (vertex) => !data.is_ring && room[vertex] < DENSE && degrees[vertex] <= POLE;
     const isSmall = (vertex) => radius(vertex) < 3;
     context.strokeStyle = colors.ring;
     context.lineWidth = 1.25;
@@ -162,7 +165,7 @@ class Picture {
     for (const areSmall of [true, false]) {
       for (const vertex of this.order) {
         const [x, y, r] = [screen[2 * vertex], screen[2 * vertex + 1], radius(vertex)];
-        if (isSmall(vertex) !== areSmall) continue;
+        if (isSmall(vertex) !== areSmall || isHiding(vertex)) continue;
         if (x < -9 || y < -9 || x > this.width + 9 || y > this.height + 9) continue;
         context.fillStyle = this.dotColors[vertex];
         if (areSmall) {

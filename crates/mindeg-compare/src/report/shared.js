@@ -36,6 +36,10 @@ const MAX_ZOOM = 1e6;
 const STEPS = 16;
 /** Vertices closer than this, in pixels, go without edges. */
 const CROWDED = 1.5;
+/** Vertices inside a mesh that are closer than this, in pixels, go without dots, but for poles. */
+const DENSE = 4;
+/** Vertices with more edges are poles, as for `mindeg inspect`. */
+const POLE = 8;
 /** Pictures that take longer, in milliseconds, are moved at once and drawn after. */
 const SLOW = 30;
 

@@ -16,7 +16,7 @@ use crate::number_format::{Column, angle, count};
 use askama::Template;
 use flattened::Flattened;
 use mindeg::quality::TriangleQuality;
-use mindeg_mesh::{Mesh, Positions, TriMesh, Triangles};
+use mindeg_mesh::{Positions, TriMesh, Triangles};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -33,6 +33,8 @@ struct Page<'a> {
     figures: Table,
     /// What to know about the mesh and its picture.
     notes: Vec<String>,
+    /// Whether all vertices are on one boundary.
+    is_ring: bool,
     figure: Figure<'a>,
     measures: Table,
     /// The title of each measure, and what it is.
@@ -122,6 +124,7 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
         ),
         figures: decisive(&figures, vertices.len(), triangles.len()),
         notes: notes(mesh, &flattened, merged),
+        is_ring,
         figure: Figure {
             place: 0,
             name: title.to_owned(),
@@ -204,5 +207,70 @@ fn measures(figures: &MethodFigures) -> Table {
         note: String::new(),
         columns: ["Measure", "min", "1%", "median", "mean", "99%", "max"].map(str::to_owned).into(),
         rows: SHOWN.iter().filter_map(row).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    fn page(mesh: &TriMesh) -> String {
+        let mut page = Vec::new();
+        write_view(mesh, &Provenance::default(), &mut page).unwrap();
+        String::from_utf8(page).unwrap()
+    }
+
+    fn mesh(positions: &[[f64; 3]], triangles: &[[u32; 3]]) -> TriMesh {
+        let positions = positions.iter().copied().map(DVec3::from).collect();
+        TriMesh::new(positions, triangles.to_vec()).unwrap()
+    }
+
+    #[test]
+    fn any_mesh_has_a_page() {
+        let far = 1e300;
+        for (positions, triangles) in [
+            // Flat, twice the same vertex, far apart.
+            (&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]][..], &[[0, 1, 2]][..]),
+            (&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 0.0]], &[[0, 1, 2], [0, 0, 0]]),
+            (&[[-far, 0.0, 0.0], [far, 0.0, far], [far, far, 0.0]], &[[0, 1, 2]]),
+            // Three triangles at an edge.
+            (
+                &[[0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]],
+                &[[0, 1, 2], [0, 1, 3], [1, 0, 4]],
+            ),
+        ] {
+            let page = page(&mesh(positions, triangles));
+            let (_, data) = page.split_once("id=\"data\">").unwrap();
+            let (data, _) = data.split_once("</script>").unwrap();
+            assert!(!data.contains("NaN") && !data.contains("null,null"), "{data}");
+            let data: serde_json::Value = serde_json::from_str(data).unwrap();
+            for metric in data["metrics"].as_array().unwrap() {
+                let [low, high] = [0, 1].map(|end| metric["range"][end].as_f64().unwrap());
+                assert!(0.0 < low && low < high, "{metric}");
+            }
+        }
+    }
+
+    #[test]
+    fn measures_are_those_in_space() {
+        // Seen along z it is a right isosceles triangle; in space it is equilateral.
+        let tilted = mesh(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &[[0, 1, 2]]);
+        let page = page(&tilted);
+        assert!(page.contains("minimum angle 60°"), "{page}");
+        assert!(page.contains("projection along the z axis"));
+    }
+
+    #[test]
+    fn a_vertex_in_the_place_of_another_is_that_one() {
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, -0.0, 0.0]];
+        let split = mesh(
+            &[&corners[..], &[[0.0, 1.0, -0.0], [1.0, 1.0, 0.0]]].concat(),
+            &[[0, 1, 2], [3, 5, 4]],
+        );
+        let (welded, merged) = welded(&split).unwrap();
+        assert_eq!((welded.triangles(), merged), (&[[0, 1, 2], [1, 5, 2]][..], 2));
+        let page = page(&split);
+        assert!(page.contains("4 vertices · 2 triangles") && page.contains("maximum degree 3"));
     }
 }

@@ -55,8 +55,8 @@ impl Axis {
         }
     }
 
-    /// Where a point is in the picture. All three pictures are seen from where triangles that face
-    /// the reader are counter-clockwise.
+    /// Where a point is in the picture, which is no mirror image: x and z are looked at from their
+    /// positive end, y from its negative one.
     fn flatten(self, position: DVec3) -> DVec2 {
         let DVec3 { x, y, z } = position;
         match self {
