@@ -22,7 +22,7 @@ use std::path::Path;
 /// What is looked at, by its name.
 enum Subject<'a> {
     Mesh(&'a Path),
-    Domain(Domain),
+    Domain(Box<Domain>),
 }
 
 pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
@@ -77,7 +77,7 @@ fn check_output(path: &Path) -> Result<(), Failure> {
 fn subject(arguments: &ViewArguments) -> Result<Subject<'_>, Failure> {
     let options = &arguments.options;
     let Some(path) = &arguments.file else {
-        return Ok(Subject::Domain(from_options(options)?));
+        return Ok(Subject::Domain(Box::new(from_options(options)?)));
     };
     if Format::of_path(path).is_some_and(|format| Format::READ.contains(&format)) {
         for (option, is_given) in [
@@ -98,7 +98,7 @@ fn subject(arguments: &ViewArguments) -> Result<Subject<'_>, Failure> {
     }
     let is_json = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("json"));
     if is_json || path.as_os_str() == "-" {
-        return Ok(Subject::Domain(from_file(path, options)?));
+        return Ok(Subject::Domain(Box::new(from_file(path, options)?)));
     }
     Err(Failure::Input(format!(
         "{}: the name tells neither a mesh nor a domain; a mesh ends in .obj, .glb or .gltf, a \

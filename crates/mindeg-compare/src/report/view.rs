@@ -15,8 +15,9 @@ use crate::measure;
 use crate::number_format::{Column, angle, count};
 use askama::Template;
 use flattened::Flattened;
+use glam::DVec2;
 use mindeg::quality::TriangleQuality;
-use mindeg_mesh::{Positions, TriMesh, Triangles};
+use mindeg_mesh::{BoundaryLoop, Positions, TriMesh, Triangles};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 
@@ -95,13 +96,8 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
     let figures =
         MethodFigures { valid: true, ..measure::measured(used_degrees, &qualities, triangles) };
     let named = || Named { place: 0, name: title.to_owned(), figures: &figures };
-    let line = |boundary: &mindeg_mesh::BoundaryLoop| {
-        let first = boundary.vertices.first().filter(|_| boundary.closed);
-        let line = boundary.vertices.iter().chain(first);
-        line.map(|&vertex| points[vertex as usize]).collect()
-    };
     let data = serde_json::to_string(&picture::picture(&Scene {
-        outlines: loops.iter().map(line).collect(),
+        outlines: outlines(&loops, points, triangles.len()),
         fills_outlines: flattened.axis.is_none(),
         is_ring,
         points,
@@ -157,6 +153,21 @@ fn welded(mesh: &TriMesh) -> io::Result<(TriMesh, u64)> {
     let merged = (0..).zip(&first).filter(|&(vertex, &first)| vertex != first).count();
     let welded = TriMesh::new(mesh.positions().to_vec(), triangles.collect());
     Ok((welded.map_err(io::Error::other)?, merged as u64))
+}
+
+/// The boundary as lines. Where triangles are thinned out, so are the points of long lines, and
+/// short lines are left out.
+fn outlines(loops: &[BoundaryLoop], points: &[DVec2], triangles: usize) -> Vec<Vec<DVec2>> {
+    let count: usize = loops.iter().map(|boundary| boundary.vertices.len()).sum();
+    let step = if triangles > MAX_DRAWN { count.div_ceil(MAX_DRAWN).max(1) } else { 1 };
+    let line = |boundary: &BoundaryLoop| {
+        let end =
+            if boundary.closed { boundary.vertices.first() } else { boundary.vertices.last() };
+        // An open line of single steps has its last point already; twice the same does no harm.
+        let line = boundary.vertices.iter().step_by(step).chain(end);
+        line.map(|&vertex| points[vertex as usize]).collect()
+    };
+    loops.iter().filter(|boundary| boundary.vertices.len() >= step).map(line).collect()
 }
 
 /// The figures under the title.
@@ -250,6 +261,27 @@ mod tests {
                 assert!(0.0 < low && low < high, "{metric}");
             }
         }
+    }
+
+    #[test]
+    fn names_cannot_break_out() {
+        let named = mesh(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], &[[0, 1, 2]])
+            .named("</script><script>alert(1)</script>");
+        assert_eq!(page(&named).matches("</script>").count(), 2);
+    }
+
+    #[test]
+    fn long_outlines_are_thinned_with_the_triangles() {
+        let boundary = |length, closed| BoundaryLoop { vertices: (0..length).collect(), closed };
+        let points: Vec<DVec2> = (0..300_000).map(|x| DVec2::new(f64::from(x), 0.0)).collect();
+        let loops = [boundary(300_000, true), boundary(4, true), boundary(100_000, false)];
+        let lengths =
+            |triangles| outlines(&loops, &points, triangles).iter().map(Vec::len).collect();
+        let (all, some): (Vec<_>, Vec<_>) = (lengths(MAX_DRAWN), lengths(MAX_DRAWN + 1));
+        assert_eq!(all, [300_001, 5, 100_001]);
+        // Every fifth, and the last; four are too few.
+        assert_eq!(some, [60_001, 20_001]);
+        assert_eq!(outlines(&loops, &points, MAX_DRAWN + 1)[1].last(), Some(&points[99_999]));
     }
 
     #[test]
