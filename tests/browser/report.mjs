@@ -501,9 +501,9 @@ test("more triangles are thinned out, and the page says so", async () => {
   const second = await opened.locator(".mesh h3").nth(1).textContent();
   await opened.locator("[data-jump=busiest]").nth(1).click();
   await settled(opened);
-  const jsonRun = mindeg("compare", path, "-o", "more.json");
+  const jsonRun = mindeg("compare", path, "-o", "more-report.json");
   assert.equal(jsonRun.status, 0, jsonRun.stderr);
-  const full = JSON.parse(readFileSync(page("more.json"), "utf8"));
+  const full = JSON.parse(readFileSync(page("more-report.json"), "utf8"));
   const { max_degree } = full.methods.find(({ name }) => second.startsWith(name));
   assert.ok((await readouts(opened))[1].includes(`degree ${max_degree}`));
   await opened.context().close();
@@ -582,6 +582,92 @@ test("a trade-off is dark on a dark screen, light on paper, and fits a phone", a
   assert.ok((await brightness("h1", "color")) < 80);
   assert.ok((await brightness(".tick", "fill")) < 120);
   await opened.context().close();
+});
+
+/** Rings of quads around a hole in an ellipse: a mesh with vertices inside, in space where `height` is not 0. */
+function annulus(name, height) {
+  const around = 40;
+  const rings = 8;
+  const vertices = [];
+  const faces = [];
+  for (let ring = 0; ring <= rings; ring++) {
+    for (let place = 0; place < around; place++) {
+      const [angle, radius] = [(2 * Math.PI * place) / around, 1 + ring / rings];
+      vertices.push(`v ${1.6 * radius * Math.cos(angle)} ${radius * Math.sin(angle)} ${height * ring}`);
+      const next = (place + 1) % around;
+      const [a, b] = [place, next].map((at) => ring * around + at + 1);
+      if (ring < rings) faces.push(`f ${a} ${a + around} ${b + around} ${b}`);
+    }
+  }
+  writeFileSync(page(`${name}.obj`), [...vertices, ...faces, ""].join("\n"));
+}
+
+test("a view shows any mesh as a report does, and a domain", async () => {
+  annulus("annulus", 0);
+  annulus("bowl", 0.1);
+  for (const name of ["annulus", "bowl"]) assert.equal(mindeg("view", `${name}.obj`, "-o", `${name}.html`).status, 0);
+  assert.equal(mindeg("view", bundled("wing-panel"), "--keep-angle", "95%", "-o", "wing.html").status, 0);
+  for (const [name, vertices, triangles] of [["annulus", 360, 640], ["bowl", 360, 640], ["wing", 72, 70]]) {
+    const opened = await open(`${name}.html`);
+    assert.equal(await opened.locator(".stage").count(), 1, name);
+    assert.equal(await opened.locator(".facts").textContent(), `${vertices} vertices · ${triangles} triangles`);
+    const [first] = await drawn(opened);
+    await opened.mouse.move(...(await screenPlace(opened, 0, 5)));
+    await settled(opened);
+    assert.match((await readouts(opened))[0], /^Vertex 5: degree \d+$/, name);
+    await opened.locator("[data-jump=worst]").click();
+    await settled(opened);
+    assert.match((await readouts(opened))[0], /^Triangle \d+ /, name);
+    assert.notEqual((await drawn(opened))[0], first);
+    await opened.locator("#fit").click();
+    const seen = new Set();
+    for (const title of await opened.locator("#metric option").allTextContents()) {
+      await opened.selectOption("#metric", { label: title });
+      await settled(opened);
+      seen.add((await drawn(opened))[0]);
+    }
+    assert.equal(seen.size, 7, name);
+    const bars = await opened.$$eval("#metric-chart .bars i", (all) =>
+      all.reduce((sum, bar) => sum + Number(bar.title.match(/: (\d+)/)[1]), 0));
+    assert.equal(bars, triangles);
+    await opened.locator(".stage").focus();
+    const before = (await drawn(opened))[0];
+    await opened.keyboard.press("+");
+    await settled(opened);
+    assert.notEqual((await drawn(opened))[0], before, "the keyboard zooms");
+    assert.equal(await opened.getByText("The mesh is in space.").count(), name === "bowl" ? 1 : 0);
+    await opened.context().close();
+  }
+});
+
+test("a hole is left open", async () => {
+  const opened = await open("annulus.html");
+  const opacity = await opened.evaluate(() => {
+    const [picture] = pictures;
+    const at = (x, y) => {
+      const [left, top] = picture.toScreen(x, y).map((place) => Math.round(place * picture.dots));
+      return picture.mesh.getContext("2d").getImageData(left, top, 1, 1).data[3];
+    };
+    return [at(0, 0), at(2.4, 0.02), at(0, -1.52)];
+  });
+  assert.deepEqual(opacity, [0, 255, 255]);
+  await opened.context().close();
+});
+
+test("axe finds nothing serious in a view, and nothing is cut off", async () => {
+  for (const name of ["bowl.html", "wing.html"]) {
+    for (const { width, colorScheme } of SCREENS) {
+      const opened = await unfold(await open(name, { viewport: { width, height: 900 }, colorScheme, bypassCSP: true }));
+      const cut = await opened.$$eval("html, .scroll", (boxes) =>
+        boxes.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.innerText.slice(0, 40)));
+      assert.deepEqual(cut, [], `${name} at ${width} pixels`);
+      await opened.evaluate(axe);
+      const { violations } = await opened.evaluate(() => window.axe.run());
+      const found = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+      assert.deepEqual(found.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], `${name} at ${width} pixels, ${colorScheme}`);
+      await opened.context().close();
+    }
+  }
 });
 
 test("a picture for the README", async () => {

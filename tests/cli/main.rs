@@ -22,3 +22,4 @@ mod slips;
 mod suggest;
 mod terminal;
 mod tradeoff;
+mod view;

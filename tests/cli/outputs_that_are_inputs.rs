@@ -66,6 +66,16 @@ fn every_alias_of_an_input_is_refused() {
             "the mesh itself",
         ),
         ("\"$MINDEG\" convert a.gltf -o a.bin --format obj", "a.bin is the mesh's data itself"),
+        (
+            "mv a.obj a.html; ln a.html a.obj; \"$MINDEG\" view a.obj -o a.html; code=$?; rm a.html; \
+          exit $code",
+            "a.html is the mesh itself that a.obj names",
+        ),
+        (
+            "ln a.bin b.html; \"$MINDEG\" view a.gltf -o b.html; code=$?; rm b.html; exit $code",
+            "b.html is the mesh's data itself",
+        ),
+        ("\"$MINDEG\" view d.json -o sub/link.html", "sub/link.html is the domain itself"),
     ] {
         let (run, unchanged) = run(script);
         assert_eq!(run.code, Some(2), "{script}: {run:?}");
@@ -79,6 +89,8 @@ fn outputs_beside_an_input_are_written() {
     for script in [
         "\"$MINDEG\" mesh d.json -o d.obj",
         "\"$MINDEG\" compare d.json -o d.html",
+        "\"$MINDEG\" view d.json -o d.html",
+        "\"$MINDEG\" view a.obj -o a.html",
         "\"$MINDEG\" compare d.json other.json -o sub/",
         "\"$MINDEG\" convert a.obj -o b.obj",
         "\"$MINDEG\" mesh - -o d.obj < d.json",

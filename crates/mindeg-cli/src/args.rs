@@ -4,20 +4,24 @@ mod compare;
 mod convert;
 mod degree;
 mod domain;
+mod goal;
 mod inspect;
 mod mesh;
 mod surface;
 mod tradeoff;
 mod values;
+mod view;
 
 pub(crate) use compare::{CompareArguments, ReportFormat};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
 pub(crate) use domain::{DomainArguments, DomainOptions};
+pub(crate) use goal::GoalArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use mesh::{MeshArguments, Optimize};
 pub(crate) use tradeoff::TradeoffArguments;
 pub(crate) use values::point;
+pub(crate) use view::ViewArguments;
 
 use clap::{Args, ColorChoice, Parser, Subcommand};
 use clap_complete::Shell;
@@ -64,6 +68,7 @@ pub(crate) enum Command {
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
+    View(ViewArguments),
     Convert(ConvertArguments),
     Completions(CompletionsArguments),
 }

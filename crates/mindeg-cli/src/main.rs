@@ -19,6 +19,7 @@ mod memory;
 mod mesh;
 mod mesh_file;
 mod output;
+mod provenance;
 mod slips;
 mod standard_output;
 mod suggest;
@@ -26,6 +27,7 @@ mod targets;
 mod terminal;
 mod threads;
 mod tradeoff;
+mod view;
 
 use args::{Arguments, Command};
 use clap::{CommandFactory, FromArgMatches};
@@ -61,6 +63,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),
+        Command::View(arguments) => shared(|| view::run(arguments)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! `mindeg mesh`: from a domain to files.
 
-use crate::args::{MeshArguments, Optimize};
+use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
 use crate::domain::{domain, name, name_in_text};
 use crate::failure::Failure;
@@ -49,15 +49,14 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
     memory::require_to_stream(domain.boundary().vertex_count(), name_in_text(&domain))?;
-    let goal = goal(arguments, &domain)?;
+    let goal = goal(&arguments.goal, arguments.optimize, &domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();
 
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let meshed = mindeg::mesh(&domain, goal, progress)
-        .map_err(|error| unsolved(&error, "leave out outside_degree and max_degree"))?;
+    let meshed = meshed(&domain, goal, progress)?;
     let Meshed { mesh, least_max_degree, .. } = &meshed;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
@@ -97,9 +96,13 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
 /// What the mesh is chosen for, if that can be: a limit below the least degree is refused at any
 /// size, and so is exact work without the memory for it.
-fn goal(arguments: &MeshArguments, domain: &Domain) -> Result<Goal, Failure> {
+pub(crate) fn goal(
+    arguments: &GoalArguments,
+    optimize: Option<Optimize>,
+    domain: &Domain,
+) -> Result<Goal, Failure> {
     let least = mindeg_core::least_max_degree(domain.boundary());
-    let goal = match (arguments.keep_angle, arguments.max_degree, arguments.optimize) {
+    let goal = match (arguments.keep_angle, arguments.max_degree, optimize) {
         (Some(share), _, _) => Goal::KeepAngle(share),
         (None, Some(limit), _) => Goal::MaxDegree(limit),
         // The least degree of a domain with limits of its own takes the solver anyway.
@@ -119,6 +122,16 @@ fn goal(arguments: &MeshArguments, domain: &Domain) -> Result<Goal, Failure> {
             Ok(goal)
         }
     }
+}
+
+/// The mesh of a domain.
+pub(crate) fn meshed(
+    domain: &Domain,
+    goal: Goal,
+    progress: Progress<'_>,
+) -> Result<Meshed, Failure> {
+    mindeg::mesh(domain, goal, progress)
+        .map_err(|error| unsolved(&error, "leave out outside_degree and max_degree"))
 }
 
 /// Asks for the memory of exact work on a domain, if it is not too large for that anyway.

@@ -33,6 +33,7 @@ fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
     let example = match command {
         "mesh" | "convert" => "-o mesh.obj",
         "compare" => "-o report.html, or give --json",
+        "view" => "-o view.html",
         _ => return None,
     };
     let is_output = |argument: &String| argument.starts_with("--output");
@@ -126,10 +127,12 @@ fn one_too_many(command: &str, word: &str) -> Option<String> {
         )),
         ("mesh", Some("obj" | "glb" | "gltf" | "svg"))
         | ("convert", Some(_))
-        | ("tradeoff", Some("html" | "svg")) => {
+        | ("tradeoff" | "view", Some("html" | "svg")) => {
             Some(format!("give every output with -o: -o {word}"))
         }
-        ("inspect", Some(_)) => Some(format!("one mesh at a time: {word} is a second one")),
+        ("inspect" | "view", Some(_)) => {
+            Some(format!("one mesh at a time: {word} is a second one"))
+        }
         _ => None,
     }
 }

@@ -21,6 +21,8 @@
 //! [`exact`] has what lies between the least degree and Delaunay's angle: the best mesh for every
 //! maximum degree.
 //!
+//! [`write_view`] is for a single mesh of any program: the pictures and charts of the reports.
+//!
 //! # Limits
 //!
 //! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
@@ -48,5 +50,5 @@ pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
     IndexEntry, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint, report_schema,
     write_html, write_index, write_json, write_linked_html, write_markdown, write_trade_off_html,
-    write_trade_off_json, write_trade_off_svg,
+    write_trade_off_json, write_trade_off_svg, write_view,
 };

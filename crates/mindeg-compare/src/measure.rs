@@ -29,9 +29,30 @@ pub(crate) fn figures(
         Err(first) => defects(boundary, triangles, first),
     };
     let degrees = degrees(boundary.vertex_count(), triangles);
-    let histogram: DegreeHistogram = degrees.into_iter().collect();
     let qualities: Vec<TriangleQuality> =
         triangles.iter().map(|&triangle| quality(points, triangle)).collect();
+    let measured = measured(degrees, &qualities, triangles);
+    MethodFigures {
+        vertices_above_optimum: measured
+            .degree_histogram
+            .iter()
+            .filter(|&(&degree, _)| degree > optimal_max_degree)
+            .map(|(&degree, &vertices)| (degree, vertices))
+            .collect(),
+        valid: defects.is_empty(),
+        defects,
+        ..measured
+    }
+}
+
+/// The figures of triangles with these measures, whose vertices have these degrees: what can be
+/// counted without knowing what a valid mesh is.
+pub(crate) fn measured(
+    degrees: impl IntoIterator<Item = u32>,
+    qualities: &[TriangleQuality],
+    triangles: &[[u32; 3]],
+) -> MethodFigures {
+    let histogram: DegreeHistogram = degrees.into_iter().collect();
     let summary = QualitySummary::of(qualities.iter().copied());
     let share_below = |angle: u32| {
         let small = qualities.iter().filter(|quality| quality.min_angle < f64::from(angle)).count();
@@ -41,7 +62,6 @@ pub(crate) fn figures(
     MethodFigures {
         max_degree: histogram.max_degree(),
         degree_histogram: histogram.iter().collect(),
-        vertices_above_optimum: histogram.iter().filter(|&(d, _)| d > optimal_max_degree).collect(),
         min_angle: metrics.as_ref().map(|metrics| metrics.min_angle.min),
         max_angle: metrics.as_ref().map(|metrics| metrics.max_angle.max),
         metrics,
@@ -49,9 +69,7 @@ pub(crate) fn figures(
             0 => [].into(),
             _ => BELOW.map(share_below).into(),
         },
-        worst_triangles: worst(&qualities, triangles),
-        valid: defects.is_empty(),
-        defects,
+        worst_triangles: worst(qualities, triangles),
         ..MethodFigures::default()
     }
 }

@@ -14,6 +14,7 @@ mod picture;
 mod svg;
 mod tables;
 mod trade_off;
+mod view;
 
 pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
@@ -21,6 +22,7 @@ pub use markdown::write_markdown;
 pub use trade_off::{
     TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
+pub use view::write_view;
 
 use crate::Advice;
 use crate::figures::{DomainFigures, MethodFigures};

@@ -1,8 +1,8 @@
 //! `mindeg mesh`.
 
 use super::domain::DomainArguments;
+use super::goal::GoalArguments;
 use super::surface::SurfaceArguments;
-use super::values::{share, whole_number};
 use super::with_exit_codes;
 use crate::gates::Gates;
 use clap::{Args, ValueEnum};
@@ -35,22 +35,12 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
-    /// Make the mesh with the smallest maximum degree that keeps this share of the minimum angle of
-    /// a Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices; beyond, the share is
-    /// kept, and the degree is what was reached
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true,
-        conflicts_with_all = ["max_degree", "optimize"])]
-    pub(crate) keep_angle: Option<f64>,
-
-    /// Make the mesh with the largest minimum angle of all whose vertices have at most this many
-    /// edges. Exact up to 4096 vertices: below a second for 400, half a minute for 4000; beyond, as
-    /// large as was reached
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
-    pub(crate) max_degree: Option<u32>,
+    #[command(flatten)]
+    pub(crate) goal: GoalArguments,
 
     /// Make the mesh with the largest minimum angle of all within --max-degree, or of all with
     /// the least possible maximum degree, also where that is not the default for its cost
-    #[arg(long, value_name = "WHAT")]
+    #[arg(long, value_name = "WHAT", conflicts_with = "keep_angle")]
     pub(crate) optimize: Option<Optimize>,
 
     /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,

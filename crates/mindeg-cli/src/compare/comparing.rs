@@ -7,7 +7,6 @@ use crate::gates::{Gates, NamedTriangle};
 use crate::memory;
 use mindeg::Domain;
 use mindeg_compare::{Comparison, Options, Provenance, compare, shell_word};
-use std::path::Path;
 
 /// Checks mindeg's own mesh, the first method.
 pub(super) fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
@@ -53,16 +52,4 @@ pub(super) fn compared(
         memory::require(bytes, &what)?;
         compare(domain, options).map_err(|error| Failure::Input(error.to_string()))
     })
-}
-
-/// How a report was made: the file as it was given, and the command line.
-pub(super) fn provenance(input: Option<&Path>) -> Provenance {
-    let words = std::env::args_os().skip(1).map(|word| shell_word(&word.to_string_lossy()));
-    let command = [String::from("mindeg")].into_iter().chain(words).collect::<Vec<_>>().join(" ");
-    let input = input.filter(|path| *path != Path::new("-"));
-    Provenance {
-        input: input.map(|path| path.display().to_string()),
-        command: Some(command),
-        ..Provenance::default()
-    }
 }

@@ -1,12 +1,13 @@
 //! Several domains: a page for each in a folder, and an index page.
 
-use super::comparing::{check_gates, compared, provenance};
+use super::comparing::{check_gates, compared};
 use super::saved_meshes;
 use crate::args::CompareArguments;
 use crate::domain::{UNNAMED, from_file, from_options};
 use crate::failure::Failure;
 use crate::input;
 use crate::output::{Outputs, cannot_write, write_to};
+use crate::provenance::provenance;
 use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_compare::{Comparison, IndexEntry, Options, PageLinks, write_index, write_linked_html};

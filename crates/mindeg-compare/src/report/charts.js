@@ -109,6 +109,7 @@ function ticks(measure) {
       if (value >= from && value <= to) found.push(value);
     }
   }
+  if (found.length < 2) return measure.range;
   const apart = Math.ceil(found.length / 7);
   return found.filter((_, place) => place % apart === 0);
 }

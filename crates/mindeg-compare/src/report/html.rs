@@ -8,7 +8,7 @@
 //! Limits: pictures are thinned above 20,000 triangles a method; the page says so where it
 //! happens.
 
-use super::picture::{self, MAX_DRAWN};
+use super::picture::{self, MAX_DRAWN, thinned};
 use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
 use super::{Provenance, Report};
@@ -26,7 +26,7 @@ use std::io::{self, Write};
 pub(super) const STYLE: &str = include_str!("page.css");
 
 /// One script in parts; later parts use earlier ones.
-const SCRIPT: &str = concat!(
+pub(super) const SCRIPT: &str = concat!(
     include_str!("shared.js"),
     include_str!("picture.js"),
     include_str!("charts.js"),
@@ -92,15 +92,15 @@ struct Links<'a> {
     next: Option<(&'a str, String)>,
 }
 
-/// A place for a method's picture, or why there is none.
-struct Figure<'a> {
-    place: usize,
-    name: String,
-    is_advised: bool,
-    described: String,
-    defects: &'a [MethodDefect],
-    thinned: Option<String>,
-    has_triangles: bool,
+/// A place for a mesh's picture, or why there is none.
+pub(super) struct Figure<'a> {
+    pub(super) place: usize,
+    pub(super) name: String,
+    pub(super) is_advised: bool,
+    pub(super) described: String,
+    pub(super) defects: &'a [MethodDefect],
+    pub(super) thinned: Option<String>,
+    pub(super) has_triangles: bool,
 }
 
 /// Writes a comparison as one self-contained HTML page.
@@ -154,7 +154,7 @@ pub fn write_linked_html(
     mut out: impl Write,
 ) -> io::Result<()> {
     let report = comparison.report();
-    let data = serde_json::to_string(&picture::picture(comparison))?;
+    let data = serde_json::to_string(&picture::of_comparison(comparison))?;
     let mut all_figures = vec![tables::degrees(report), tables::shares(report)];
     all_figures.extend(tables::metrics(report));
     let (main_figures, other_figures) = figures(comparison);
@@ -178,7 +178,7 @@ pub fn write_linked_html(
         overview: tables::overview(report),
         sides: tables::sides(report),
         all_figures,
-        worst: tables::worst(report),
+        worst: tables::worst(&tables::named(report)),
         methods: &report.methods,
         data: script_safe(&data),
         script: SCRIPT,
@@ -232,7 +232,7 @@ pub(super) fn curve_picture(
 }
 
 /// JSON in which no string can end the script element or start a comment.
-fn script_safe(json: &str) -> String {
+pub(super) fn script_safe(json: &str) -> String {
     json.replace('<', "\\u003c")
 }
 
@@ -268,14 +268,6 @@ fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
             }
             None => "no triangulation".to_owned(),
         };
-        let thinned = (triangles > MAX_DRAWN).then(|| {
-            format!(
-                "Thinned out: {} of {} triangles are drawn, the largest and others evenly. Figures \
-                 and charts count all.",
-                count(MAX_DRAWN as u32),
-                count(triangles as u32)
-            )
-        });
         let is_advised = advised == Some(method.method);
         let figure = Figure {
             place,
@@ -283,7 +275,7 @@ fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
             is_advised,
             described,
             defects: &method.defects,
-            thinned,
+            thinned: thinned(triangles, MAX_DRAWN),
             has_triangles: triangles > 0,
         };
         match method.method {

@@ -57,7 +57,7 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     for table in tables::metrics(report) {
         write_table(&mut out, 3, &table)?;
     }
-    for table in tables::worst(report) {
+    for table in tables::worst(&tables::named(report)) {
         write_table(&mut out, 2, &table)?;
     }
     writeln!(out, "## Methods\n")?;

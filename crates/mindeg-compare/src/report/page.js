@@ -72,9 +72,10 @@ function restyle() {
   redraw();
 }
 
-/** A button that copies the command; without a clipboard the command is selected. */
+/** A button that copies the command, if there is one; without a clipboard the command is selected. */
 function offerCopy() {
   const button = element("copy");
+  if (!button) return;
   const select = () => getSelection().selectAllChildren(element("command"));
   button.hidden = false;
   button.addEventListener("click", async () => {

@@ -1,5 +1,23 @@
 // The picture of one mesh: drawing, pointing, moving.
 
+/** For every triangle, which of its edges it draws, as bits: each edge with its highest triangle. */
+function edgesByTriangle({ triangles, values }) {
+  const heights = values[HEIGHT];
+  const numbers = Array.from(heights.keys()).sort((a, b) => heights[b] - heights[a]);
+  const drawn = new Set();
+  const edges = new Uint8Array(heights.length);
+  for (const number of numbers) {
+    for (let place = 0; place < 3; place++) {
+      const from = triangles[3 * number + place];
+      const to = triangles[3 * number + (place + 1) % 3];
+      const edge = Math.min(from, to) * 2 ** 32 + Math.max(from, to);
+      if (!drawn.has(edge)) edges[number] |= 1 << place;
+      drawn.add(edge);
+    }
+  }
+  return edges;
+}
+
 class Picture {
   constructor(stage) {
     this.stage = stage;
@@ -7,6 +25,7 @@ class Picture {
     [this.mesh, this.overlay] = stage.querySelectorAll("canvas");
     this.readout = stage.parentElement.querySelector(".readout");
     const order = Array.from(this.method.degrees.keys());
+    this.edges = data.is_ring ? null : edgesByTriangle(this.method);
     this.dotColors = Array.from(this.method.degrees, degreeColor);
     this.order = order.sort((a, b) => this.method.degrees[a] - this.method.degrees[b]);
     this.color();
@@ -78,23 +97,22 @@ class Picture {
     };
     const outline = () => {
       context.beginPath();
-      for (const corner of data.corners) context.lineTo(ox + corner[0] * sx, oy - corner[1] * sy);
-      context.closePath();
+      for (const line of outlines) {
+        context.moveTo(ox + line[0] * sx, oy - line[1] * sy);
+        for (let i = 2; i < line.length; i += 2) context.lineTo(ox + line[i] * sx, oy - line[i + 1] * sy);
+        if (line[0] === line.at(-2) && line[1] === line.at(-1)) context.closePath();
+      }
     };
-    // How much room each vertex has to its neighbors, in pixels.
-    const room = new Float64Array(points.length / 2);
-    for (let i = 0, before = points.length - 2; i < points.length; before = i, i += 2) {
-      const apart = Math.hypot(screen[i] - screen[before], screen[i + 1] - screen[before + 1]);
-      room[i / 2] = i ? apart : Infinity;
-      room[before / 2] = Math.min(room[before / 2], apart);
-    }
+    const room = this.room(screen);
     // Where triangles are thinned out, what lies between them takes the usual color.
-    const half = triangles.length / 6;
-    let seen = 0;
-    const usual = this.steps.findIndex((numbers) => (seen += numbers.length) >= half);
-    outline();
-    context.fillStyle = colors.ramp[usual];
-    context.fill();
+    if (data.fills_outlines) {
+      const half = triangles.length / 6;
+      let seen = 0;
+      const usual = this.steps.findIndex((numbers) => (seen += numbers.length) >= half);
+      outline();
+      context.fillStyle = colors.ramp[usual];
+      context.fill("evenodd");
+    }
     // Many small paths are filled much faster than one large one.
     const edges = new Path2D();
     const heights = this.method.values[HEIGHT];
@@ -112,12 +130,15 @@ class Picture {
         context.lineTo(screen[2 * b], screen[2 * b + 1]);
         context.lineTo(screen[2 * c], screen[2 * c + 1]);
         // What covers next to nothing of a pixel would leave little but rounding there.
-        if (heights[number] * Math.min(sx, sy) < 0.3) context.stroke();
+        const height = heights[number] * Math.min(sx, sy);
+        if (height < 0.3) context.stroke();
         else context.fill();
-        // Both triangles have an interior edge, in opposite directions: one draws it, and
-        // none where edges would run into one another.
-        for (const [from, to] of [[a, b], [b, c], [c, a]]) {
-          if (from > to || Math.min(room[from], room[to]) < CROWDED) continue;
+        // Of the triangles at an edge one draws it, and none where edges would run into one another.
+        if (this.edges && height < CROWDED) continue;
+        for (const [place, from, to] of [[0, a, b], [1, b, c], [2, c, a]]) {
+          // Around a ring, both triangles have an interior edge, in opposite directions.
+          if (this.edges ? !(this.edges[number] >> place & 1) : from > to) continue;
+          if (!this.edges && Math.min(room[from], room[to]) < CROWDED) continue;
           edges.moveTo(screen[2 * from], screen[2 * from + 1]);
           edges.lineTo(screen[2 * to], screen[2 * to + 1]);
         }
@@ -133,7 +154,10 @@ class Picture {
     context.stroke();
 
     if (!element("dots").checked) return;
-    const radius = (vertex) => Math.min(5.5, Math.max(1.2, room[vertex] * 0.4));
+    // Around a ring, dots have the outside for room; inside a mesh they would hide triangles.
+    const share = data.is_ring ? 0.4 : 0.25;
+    const radius = (vertex) => Math.min(5.5, Math.max(1.2, room[vertex] * share));
+    const isHiding = (vertex) => !data.is_ring && room[vertex] < DENSE && degrees[vertex] <= POLE;
     const isSmall = (vertex) => radius(vertex) < 3;
     context.strokeStyle = colors.ring;
     context.lineWidth = 1.25;
@@ -141,7 +165,7 @@ class Picture {
     for (const areSmall of [true, false]) {
       for (const vertex of this.order) {
         const [x, y, r] = [screen[2 * vertex], screen[2 * vertex + 1], radius(vertex)];
-        if (isSmall(vertex) !== areSmall) continue;
+        if (isSmall(vertex) !== areSmall || isHiding(vertex)) continue;
         if (x < -9 || y < -9 || x > this.width + 9 || y > this.height + 9) continue;
         context.fillStyle = this.dotColors[vertex];
         if (areSmall) {
@@ -154,6 +178,29 @@ class Picture {
         }
       }
     }
+  }
+
+  /** How much room each vertex has to its neighbors, in pixels. */
+  room(screen) {
+    const room = new Float64Array(points.length / 2).fill(Infinity);
+    const join = (a, b, least) => {
+      const apart = Math.hypot(screen[2 * a] - screen[2 * b], screen[2 * a + 1] - screen[2 * b + 1]);
+      if (apart < least) return;
+      room[a] = Math.min(room[a], apart);
+      room[b] = Math.min(room[b], apart);
+    };
+    if (data.is_ring) {
+      for (let i = 0; i < room.length; i++) join(i, (i + 1) % room.length, 0);
+      return room;
+    }
+    // Neighbors seen one behind the other share a dot.
+    const { triangles } = this.method;
+    for (let i = 0; i < triangles.length; i += 3) {
+      join(triangles[i], triangles[i + 1], 1);
+      join(triangles[i + 1], triangles[i + 2], 1);
+      join(triangles[i + 2], triangles[i], 1);
+    }
+    return room;
   }
 
   /** Moves and scales what is drawn to where it belongs now. */
@@ -181,7 +228,10 @@ class Picture {
       (points[2 * to + 1] - points[2 * from + 1]) * (x - points[2 * from]);
     for (let i = 0; i < triangles.length; i += 3) {
       const [a, b, c] = triangles.subarray(i, i + 3);
-      if (left(a, b) >= 0 && left(b, c) >= 0 && left(c, a) >= 0) return { triangle: i / 3 };
+      const [ab, bc, ca] = [left(a, b), left(b, c), left(c, a)];
+      // Some meshes have triangles that are clockwise, seen from behind, or flat.
+      const isAround = (ab >= 0 && bc >= 0 && ca >= 0) || (ab <= 0 && bc <= 0 && ca <= 0);
+      if (isAround && ab + bc + ca !== 0) return { triangle: i / 3 };
     }
     return {};
   }
@@ -190,7 +240,7 @@ class Picture {
     const number = (place) => (vertexNumbers ? vertexNumbers[place] : place);
     if (vertex !== undefined) {
       const degree = this.method.degrees[vertex];
-      const above = degree - data.optimal_max_degree;
+      const above = degree - (data.optimal_max_degree ?? Infinity);
       const note = above > 0 ? `, ${above} above the least possible maximum` : "";
       return `Vertex ${number(vertex)}: degree ${degree}${note}`;
     }

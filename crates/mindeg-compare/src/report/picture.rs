@@ -1,38 +1,68 @@
-//! What the pictures and charts of an HTML report are drawn from, packed small.
+//! What the pictures and charts of an HTML page are drawn from, packed small.
 //!
-//! Arrays go as base64 of little-endian numbers. Coordinates are relative to the center of the
-//! domain, so that they are exact as far from the origin as they are near it. Measures go as
+//! Arrays go as base64 of little-endian numbers. Coordinates are relative to the center of what is
+//! drawn, so that they are exact as far from the origin as they are near it. Measures go as
 //! f32: they choose a color and are read off to four digits.
 //!
-//! Limits: of a method with more than [`MAX_DRAWN`] triangles at most so many go into the
+//! Limits: of a mesh with more triangles than [`Scene::most_drawn`] at most so many go into the
 //! picture. Charts and tables always count all.
 
-use super::Report;
 use super::metric::{SHOWN, ShownMetric};
 use super::svg::{self, DegreeColor};
 use super::tables::{self, Named};
-use crate::figures::MethodFigures;
+use crate::figures::{Distribution, MethodFigures};
+use crate::number_format::count;
 use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
+use mindeg::quality::TriangleQuality;
 use serde::Serialize;
+use std::ops::RangeInclusive;
 
-/// The most triangles of one method in a picture.
+/// The most triangles of one mesh in a page with several.
 pub(crate) const MAX_DRAWN: usize = 20_000;
 
 /// The number of bars in the chart of a measure.
 const BARS: usize = 30;
 
+/// Meshes that share their points, as they are to be drawn.
+pub(crate) struct Scene<'a> {
+    /// Lines around what is drawn; a closed one ends where it starts.
+    pub(crate) outlines: Vec<Vec<DVec2>>,
+    /// Whether what is within the outlines is all surface, so that it can be filled at once.
+    pub(crate) fills_outlines: bool,
+    /// Whether the vertices are those of one boundary, in order.
+    pub(crate) is_ring: bool,
+    pub(crate) points: &'a [DVec2],
+    /// The numbers of the vertices that belong to the meshes, ascending.
+    pub(crate) vertices: Vec<u32>,
+    /// The least maximum degree of any such mesh, where that is known.
+    pub(crate) optimal_max_degree: Option<u32>,
+    /// The most triangles of a mesh in the picture.
+    pub(crate) most_drawn: usize,
+    /// Each mesh with its triangles.
+    pub(crate) meshes: Vec<(Named<'a>, &'a [[u32; 3]])>,
+    /// The degrees of all points in each mesh.
+    pub(crate) degrees: Vec<Vec<u32>>,
+    /// The measures of a triangle.
+    pub(crate) quality: &'a dyn Fn([u32; 3]) -> TriangleQuality,
+}
+
 /// Everything the script of the page reads.
 #[derive(Serialize)]
 pub(crate) struct Picture {
-    corners: Vec<[f64; 2]>,
+    /// Width and height of what is drawn.
+    size: [f64; 2],
+    /// x and y along each outline, f64.
+    outlines: Vec<String>,
+    fills_outlines: bool,
+    is_ring: bool,
     /// x and y of each shown vertex, f64.
     points: String,
     /// The numbers of the shown vertices, u32; empty where all are shown.
     vertices: String,
-    optimal_max_degree: u32,
+    optimal_max_degree: Option<u32>,
     /// The colors of degrees, from the lowest degree.
     degree_colors: Vec<DegreeColor>,
     /// The places on the axis of the degree chart: a name, the lowest and the highest degree.
@@ -41,7 +71,7 @@ pub(crate) struct Picture {
     methods: Vec<Drawing>,
 }
 
-/// One measure, and the axis on which all methods show it.
+/// One measure, and the axis on which all meshes show it.
 #[derive(Serialize)]
 struct Measure {
     name: &'static str,
@@ -55,7 +85,7 @@ struct Measure {
     goes_beyond: [bool; 2],
 }
 
-/// One method's mesh.
+/// One mesh.
 #[derive(Serialize)]
 struct Drawing {
     name: String,
@@ -78,77 +108,112 @@ struct Drawing {
 }
 
 /// What goes into the pictures of a comparison.
-pub(crate) fn picture(comparison: &Comparison) -> Picture {
+pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     let report = comparison.report();
     let corners = report.domain.corners.iter().copied().map(DVec2::from);
-    let (low, high) = corners
-        .clone()
+    let points = comparison.points();
+    let meshes: Vec<_> = tables::named(report)
+        .into_iter()
+        .map(|named| {
+            let triangles = comparison.triangles(named.place);
+            (named, triangles)
+        })
+        .collect();
+    let vertex_count = points.len() as u32;
+    picture(&Scene {
+        outlines: vec![corners.clone().chain(corners.take(1)).collect()],
+        fills_outlines: true,
+        is_ring: true,
+        points,
+        vertices: (0..vertex_count).collect(),
+        optimal_max_degree: Some(report.domain.optimal_max_degree),
+        most_drawn: MAX_DRAWN,
+        degrees: meshes
+            .iter()
+            .map(|(_, triangles)| measure::degrees(vertex_count, triangles))
+            .collect(),
+        meshes,
+        quality: &|triangle| measure::quality(points, triangle),
+    })
+}
+
+/// What goes into the pictures of some meshes.
+pub(crate) fn picture(scene: &Scene) -> Picture {
+    let (low, high) = scene
+        .outlines
+        .iter()
+        .flatten()
+        .copied()
+        .chain(scene.vertices.iter().map(|&vertex| scene.points[vertex as usize]))
         .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
     let center = low + (high - low) / 2.0;
+    let coordinates = |point: DVec2| (point - center).to_array().map(f64::to_le_bytes);
 
-    let shown = Shown::new(comparison);
-    let points = comparison.points();
-    let placed = |vertex: u32| (points[vertex as usize] - center).to_array();
-    let ranges = tables::degree_ranges(report);
-    let metrics: Vec<Measure> = SHOWN.iter().map(|metric| measure(report, metric)).collect();
+    let shown = Shown::new(scene);
+    let placed = |vertex: u32| scene.points[vertex as usize];
+    let ranges = tables::degree_ranges(scene.meshes.iter().map(|(named, _)| named));
+    let metrics: Vec<Measure> = SHOWN.iter().map(|metric| measure(scene, metric)).collect();
+    let outline = |line: &Vec<DVec2>| packed(line.iter().copied().flat_map(coordinates));
     Picture {
-        corners: corners.map(|corner| (corner - center).to_array()).collect(),
-        points: packed(shown.vertices.iter().flat_map(|&v| placed(v)).map(f64::to_le_bytes)),
-        vertices: if shown.has_all_vertices(comparison) {
+        size: (high - low).to_array(),
+        outlines: scene.outlines.iter().map(outline).collect(),
+        fills_outlines: scene.fills_outlines,
+        is_ring: scene.is_ring,
+        points: packed(shown.vertices.iter().flat_map(|&vertex| coordinates(placed(vertex)))),
+        vertices: if shown.vertices.len() == scene.points.len() {
             String::new()
         } else {
             packed(shown.vertices.iter().map(|vertex| vertex.to_le_bytes()))
         },
-        optimal_max_degree: report.domain.optimal_max_degree,
+        optimal_max_degree: scene.optimal_max_degree,
         degree_colors: svg::degree_scale(),
         degrees: ranges
             .iter()
             .map(|range| (tables::degree_name(range), *range.start(), *range.end()))
             .collect(),
-        methods: tables::named(report)
-            .iter()
-            .map(|mesh| drawing(comparison, mesh, &shown, &metrics))
+        methods: (0..scene.meshes.len())
+            .map(|place| drawing(scene, place, &shown, &metrics, &ranges))
             .collect(),
         metrics,
     }
 }
 
+/// What a page says of a mesh of which it draws `most_drawn` triangles, if it has more.
+pub(crate) fn thinned(triangles: usize, most_drawn: usize) -> Option<String> {
+    (triangles > most_drawn).then(|| {
+        format!(
+            "Thinned out: {} of {} triangles are drawn, the largest and others evenly. Figures \
+             and charts count all.",
+            count(most_drawn as u64),
+            count(triangles as u64)
+        )
+    })
+}
+
 /// What of the meshes is in the pictures.
 struct Shown {
-    /// The numbers of each method's triangles, ascending.
+    /// The numbers of each mesh's triangles, ascending.
     triangles: Vec<Vec<usize>>,
-    /// The degrees of all vertices in each method.
-    degrees: Vec<Vec<u32>>,
-    /// All vertices, or those of the triangles of all methods and the busiest, ascending.
+    /// All vertices, or those of the triangles of all meshes and the busiest, ascending.
     vertices: Vec<u32>,
 }
 
 impl Shown {
-    fn new(comparison: &Comparison) -> Self {
-        let points = comparison.points();
-        let count = points.len() as u32;
-        let methods = || comparison.methods();
-        let triangles: Vec<Vec<usize>> = methods()
-            .map(|(method, triangles)| drawn_triangles(method, points, triangles))
-            .collect();
-        let degrees: Vec<Vec<u32>> =
-            methods().map(|(_, triangles)| measure::degrees(count, triangles)).collect();
-        let is_thinned = methods().zip(&triangles).any(|((_, all), some)| some.len() < all.len());
-        let vertices = if is_thinned {
-            let drawn = methods().zip(&triangles);
-            let drawn = drawn.flat_map(|((_, all), some)| some.iter().flat_map(|&n| all[n]));
-            let mut vertices: Vec<u32> = drawn.chain(degrees.iter().map(|d| busiest(d))).collect();
+    fn new(scene: &Scene) -> Self {
+        let triangles: Vec<Vec<usize>> =
+            scene.meshes.iter().map(|(mesh, all)| drawn_triangles(scene, mesh, all)).collect();
+        let drawn = || scene.meshes.iter().map(|&(_, all)| all).zip(&triangles);
+        let vertices = if drawn().any(|(all, some)| some.len() < all.len()) {
+            let drawn = drawn().flat_map(|(all, some)| some.iter().flat_map(|&n| all[n]));
+            let busiest = scene.degrees.iter().map(|degrees| busiest(degrees));
+            let mut vertices: Vec<u32> = drawn.chain(busiest).collect();
             vertices.sort_unstable();
             vertices.dedup();
             vertices
         } else {
-            (0..count).collect()
+            scene.vertices.clone()
         };
-        Self { triangles, degrees, vertices }
-    }
-
-    fn has_all_vertices(&self, comparison: &Comparison) -> bool {
-        self.vertices.len() == comparison.points().len()
+        Self { triangles, vertices }
     }
 
     /// The index of a shown vertex.
@@ -157,14 +222,18 @@ impl Shown {
     }
 }
 
-fn drawing(comparison: &Comparison, mesh: &Named, shown: &Shown, metrics: &[Measure]) -> Drawing {
-    let report = comparison.report();
-    let (method, place) = (mesh.figures, mesh.place);
-    let triangles = comparison.triangles(place);
-    let (drawn, degrees) = (&shown.triangles[place], &shown.degrees[place]);
+fn drawing(
+    scene: &Scene,
+    place: usize,
+    shown: &Shown,
+    metrics: &[Measure],
+    degree_ranges: &[RangeInclusive<u32>],
+) -> Drawing {
+    let (mesh, triangles) = &scene.meshes[place];
+    let (drawn, degrees) = (&shown.triangles[place], &scene.degrees[place]);
     let readers = SHOWN.map(|metric| metric.metric().of);
     let values = |number: usize| {
-        let quality = measure::quality(comparison.points(), triangles[number]);
+        let quality = (scene.quality)(triangles[number]);
         readers.map(|read| read(&quality))
     };
 
@@ -182,7 +251,7 @@ fn drawing(comparison: &Comparison, mesh: &Named, shown: &Shown, metrics: &[Meas
         }
     }
     let indices = drawn.iter().flat_map(|&number| triangles[number]);
-    let worst = method.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
+    let worst = mesh.figures.worst_triangles.first().map_or(0, |worst| worst.triangle as usize);
     Drawing {
         name: mesh.name.clone(),
         triangles: packed(indices.map(|vertex| (shown.place_of(vertex) as u32).to_le_bytes())),
@@ -194,9 +263,9 @@ fn drawing(comparison: &Comparison, mesh: &Named, shown: &Shown, metrics: &[Meas
         degrees: packed(shown.vertices.iter().map(|&v| degrees[v as usize].to_le_bytes())),
         values: columns.into_iter().map(|column| packed(column.into_iter())).collect(),
         bars,
-        degree_bars: tables::degree_ranges(report)
+        degree_bars: degree_ranges
             .iter()
-            .map(|range| tables::vertices_in(method, range))
+            .map(|range| tables::vertices_in(mesh.figures, range))
             .collect(),
         worst: drawn.partition_point(|&number| number < worst),
         busiest: shown.place_of(busiest(degrees)),
@@ -205,23 +274,21 @@ fn drawing(comparison: &Comparison, mesh: &Named, shown: &Shown, metrics: &[Meas
 
 /// The numbers of the triangles that are drawn, ascending: all, or the largest, which make up
 /// most of the picture, the worst, and others evenly by number.
-fn drawn_triangles(method: &MethodFigures, points: &[DVec2], triangles: &[[u32; 3]]) -> Vec<usize> {
-    let count = triangles.len();
-    if count <= MAX_DRAWN {
+fn drawn_triangles(scene: &Scene, mesh: &Named, triangles: &[[u32; 3]]) -> Vec<usize> {
+    let (count, most) = (triangles.len(), scene.most_drawn);
+    if count <= most {
         return (0..count).collect();
     }
     let area = |&triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
-        (b - a).perp_dot(c - a)
+        let [a, b, c] = triangle.map(|vertex| scene.points[vertex as usize]);
+        (b - a).perp_dot(c - a).abs()
     };
     let areas: Vec<f64> = triangles.iter().map(area).collect();
     let mut drawn: Vec<usize> = (0..count).collect();
-    drawn.select_nth_unstable_by(MAX_DRAWN / 4, |&a, &b| {
-        areas[b].total_cmp(&areas[a]).then(a.cmp(&b))
-    });
-    drawn.truncate(MAX_DRAWN / 4);
-    drawn.extend(method.worst_triangles.iter().map(|worst| worst.triangle as usize));
-    let others = MAX_DRAWN - drawn.len();
+    drawn.select_nth_unstable_by(most / 4, |&a, &b| areas[b].total_cmp(&areas[a]).then(a.cmp(&b)));
+    drawn.truncate(most / 4);
+    drawn.extend(mesh.figures.worst_triangles.iter().map(|worst| worst.triangle as usize));
+    let others = most - drawn.len();
     drawn.extend((0..others).map(|i| (i as u64 * count as u64 / others as u64) as usize));
     drawn.sort_unstable();
     drawn.dedup();
@@ -234,8 +301,8 @@ fn busiest(degrees: &[u32]) -> u32 {
     last_of_max.unwrap_or(0) as u32
 }
 
-fn measure(report: &Report, shown: &ShownMetric) -> Measure {
-    let range = axis(report, shown);
+fn measure(scene: &Scene, shown: &ShownMetric) -> Measure {
+    let range = axis(scene, shown);
     Measure {
         name: shown.name,
         title: shown.title,
@@ -244,20 +311,24 @@ fn measure(report: &Report, shown: &ShownMetric) -> Measure {
         higher_is_better: shown.higher_is_better(),
         logarithmic: shown.is_logarithmic,
         range,
-        goes_beyond: beyond(report, shown, range),
+        goes_beyond: beyond(scene, shown, range),
     }
 }
 
 /// The range of a measure in the meshes that matter most, mindeg's and Delaunay's: others would
-/// flatten the differences between these two. What is beyond goes to the ends.
-fn axis(report: &Report, shown: &ShownMetric) -> [f64; 2] {
-    let spreads = report.methods.iter().filter(|method| {
-        method.valid && [Method::LeastDegree, Method::DELAUNAY].contains(&method.method)
+/// flatten the differences between these two. What is beyond goes to the ends, as do the zeros and
+/// infinities of flat triangles.
+fn axis(scene: &Scene, shown: &ShownMetric) -> [f64; 2] {
+    let matters = |figures: &MethodFigures| {
+        figures.valid && [Method::LeastDegree, Method::DELAUNAY].contains(&figures.method)
+    };
+    let first = |values: [f64; 3]| values.into_iter().find(|&v| v > 0.0 && v.is_finite());
+    let ends = spreads(scene, shown, matters).fold([f64::INFINITY, 0.0_f64], |[low, high], s| {
+        let least = first([s.min, s.p01, s.median]).unwrap_or(f64::INFINITY);
+        let greatest = first([s.max, s.p99, s.median]).unwrap_or(0.0);
+        [low.min(least), high.max(greatest)]
     });
-    let spreads = spreads.filter_map(|method| method.metrics.as_ref().map(shown.of));
-    let [low, high] = spreads.fold([f64::INFINITY, 0.0_f64], |[low, high], spread| {
-        [low.min(spread.min), high.max(spread.max)]
-    });
+    let [low, high] = ends;
     // A single value still needs an axis, and so does no mesh at all.
     match (low < high, low > 0.0 && low.is_finite()) {
         (true, true) => [low, high],
@@ -266,11 +337,21 @@ fn axis(report: &Report, shown: &ShownMetric) -> [f64; 2] {
     }
 }
 
-fn beyond(report: &Report, shown: &ShownMetric, [low, high]: [f64; 2]) -> [bool; 2] {
-    let spreads = report.methods.iter().filter_map(|method| method.metrics.as_ref().map(shown.of));
-    spreads.fold([false; 2], |[below, above], spread| {
+fn beyond(scene: &Scene, shown: &ShownMetric, [low, high]: [f64; 2]) -> [bool; 2] {
+    spreads(scene, shown, |_| true).fold([false; 2], |[below, above], spread| {
         [below || spread.min < low, above || spread.max > high]
     })
+}
+
+/// How a measure is spread in those of the meshes that are `wanted`.
+fn spreads<'a>(
+    scene: &'a Scene,
+    shown: &ShownMetric,
+    wanted: impl Fn(&MethodFigures) -> bool,
+) -> impl Iterator<Item = &'a Distribution> {
+    let figures = scene.meshes.iter().map(|(mesh, _)| mesh.figures);
+    let metrics = figures.filter(move |figures| wanted(figures)).filter_map(|f| f.metrics.as_ref());
+    metrics.map(shown.of)
 }
 
 /// Where a value lies on an axis, 0 to 1.

@@ -23,15 +23,23 @@ const methods = data.methods.map((method) => ({
   values: method.values.map((values) => unpack(values, Float32Array)),
 }));
 
-const low = [0, 1].map((axis) => Math.min(...data.corners.map((corner) => corner[axis])));
-const high = [0, 1].map((axis) => Math.max(...data.corners.map((corner) => corner[axis])));
-const size = [high[0] - low[0], high[1] - low[1]];
+const outlines = data.outlines.map((outline) => unpack(outline, Float64Array));
+// What has no width or no height, as a plane seen from its edge, is drawn as if it had a little.
+const largest = Math.max(...data.size) || 1;
+const size = data.size.map((length) => Math.max(length, 1e-9 * largest));
+// Coordinates are relative to the center.
+const high = size.map((length) => length / 2);
+const low = high.map((length) => -length);
 const HEIGHT = data.metrics.findIndex((measure) => measure.name === "minimum_height");
 const SLENDER = 10;
 const MAX_ZOOM = 1e6;
 const STEPS = 16;
 /** Vertices closer than this, in pixels, go without edges. */
 const CROWDED = 1.5;
+/** Vertices inside a mesh that are closer than this, in pixels, go without dots, but for poles. */
+const DENSE = 4;
+/** Vertices with more edges are poles, as for `mindeg inspect`. */
+const POLE = 8;
 /** Pictures that take longer, in milliseconds, are moved at once and drawn after. */
 const SLOW = 30;
 

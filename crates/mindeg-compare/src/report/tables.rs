@@ -78,6 +78,11 @@ pub(crate) fn choice(report: &Report) -> Table {
         };
         columns.push((title, figures));
     }
+    decisive("The choice", &columns)
+}
+
+/// The figures that decide, a column for each mesh under its title.
+pub(crate) fn decisive(title: &str, columns: &[(String, &MethodFigures)]) -> Table {
     let row = |title: &str, of: &dyn Fn(&MethodFigures) -> String| {
         let cells = columns.iter().map(|(_, figures)| of(figures));
         [title.to_owned()].into_iter().chain(cells).collect()
@@ -90,7 +95,7 @@ pub(crate) fn choice(report: &Report) -> Table {
         text(figures.share_below_degrees.get(&angle).copied(), steady_percent)
     };
     Table {
-        title: "The choice".to_owned(),
+        title: title.to_owned(),
         note: String::new(),
         rows: vec![
             row("Maximum degree", &|figures| text(figures.max_degree, count)),
@@ -187,7 +192,8 @@ fn check(method: &MethodFigures) -> &'static str {
 
 /// How many vertices have each degree, a column for each mesh.
 pub(crate) fn degrees(report: &Report) -> Table {
-    let meshes = with_triangles(report);
+    let named = named(report);
+    let meshes: Vec<&Named> = with_triangles(&named).collect();
     let row = |range: RangeInclusive<u32>| {
         let counts = meshes.iter().map(|mesh| match vertices_in(mesh.figures, &range) {
             0 => NOTHING.to_owned(),
@@ -203,17 +209,18 @@ pub(crate) fn degrees(report: &Report) -> Table {
             count(report.domain.optimal_max_degree)
         ),
         columns: header("Degree", meshes.iter().map(|mesh| &mesh.name)),
-        rows: degree_ranges(report).into_iter().map(row).collect(),
+        rows: degree_ranges(&named).into_iter().map(row).collect(),
     }
 }
 
 /// The share of triangles with small angles.
 pub(crate) fn shares(report: &Report) -> Table {
-    let meshes = with_triangles(report);
+    let named = named(report);
+    let meshes: Vec<&Named> = with_triangles(&named).collect();
     let angles = meshes.first().map(|mesh| mesh.figures.share_below_degrees.keys());
     let row = |below: &u32| {
         let share = |mesh: &Named| mesh.figures.share_below_degrees.get(below).copied();
-        let shares = meshes.iter().map(|mesh| text(share(mesh), steady_percent));
+        let shares = meshes.iter().map(|&mesh| text(share(mesh), steady_percent));
         [format!("below {below}°")].into_iter().chain(shares).collect()
     };
     Table {
@@ -256,8 +263,8 @@ pub(crate) fn metrics(report: &Report) -> Vec<Table> {
 }
 
 /// The worst triangles, a table for each mesh.
-pub(crate) fn worst(report: &Report) -> Vec<Table> {
-    let tables = with_triangles(report).into_iter().map(|mesh| {
+pub(crate) fn worst(meshes: &[Named]) -> Vec<Table> {
+    let tables = with_triangles(meshes).map(|mesh| {
         let worst = &mesh.figures.worst_triangles;
         let least = Column::new(worst.iter().map(|triangle| triangle.min_angle), DIGITS);
         let greatest = Column::new(worst.iter().map(|triangle| triangle.max_angle), 4);
@@ -283,9 +290,11 @@ pub(crate) fn worst(report: &Report) -> Vec<Table> {
 }
 
 /// The degrees that occur, each on its own, or high ones in ranges that double in length.
-pub(crate) fn degree_ranges(report: &Report) -> Vec<RangeInclusive<u32>> {
-    let mut degrees: Vec<u32> =
-        report.methods.iter().flat_map(|method| method.degree_histogram.keys().copied()).collect();
+pub(crate) fn degree_ranges<'a, 'b: 'a>(
+    meshes: impl IntoIterator<Item = &'a Named<'b>>,
+) -> Vec<RangeInclusive<u32>> {
+    let degrees = meshes.into_iter().flat_map(|mesh| mesh.figures.degree_histogram.keys().copied());
+    let mut degrees: Vec<u32> = degrees.collect();
     degrees.sort_unstable();
     degrees.dedup();
     if degrees.len() <= MAX_DEGREE_ROWS {
@@ -319,10 +328,8 @@ pub(crate) fn vertices_in(method: &MethodFigures, degrees: &RangeInclusive<u32>)
     method.degree_histogram.range(degrees.clone()).map(|(_, &vertices)| vertices).sum()
 }
 
-fn with_triangles(report: &Report) -> Vec<Named<'_>> {
-    let mut meshes = named(report);
-    meshes.retain(|mesh| mesh.figures.max_degree.is_some());
-    meshes
+fn with_triangles<'a, 'b>(meshes: &'a [Named<'b>]) -> impl Iterator<Item = &'a Named<'b>> {
+    meshes.iter().filter(|mesh| mesh.figures.max_degree.is_some())
 }
 
 fn header<'a>(first: &str, others: impl Iterator<Item = &'a String>) -> Vec<String> {
@@ -382,7 +389,7 @@ mod tests {
     fn many_different_degrees_are_put_together() {
         let some: Vec<u32> = (2..17).chain([999]).collect();
         let singles: Vec<_> = some.iter().map(|&degree| degree..=degree).collect();
-        assert_eq!(degree_ranges(&report(&some)), singles);
+        assert_eq!(degree_ranges(&named(&report(&some))), singles);
 
         let many: Vec<u32> = (3..20).chain([64, 65, u32::MAX]).collect();
         let expected = [
@@ -399,7 +406,7 @@ mod tests {
             2_147_483_649..=u32::MAX,
         ];
         let report = report(&many);
-        assert_eq!(degree_ranges(&report), expected);
+        assert_eq!(degree_ranges(&named(&report)), expected);
         let counts = expected.map(|range| vertices_in(&report.methods[0], &range));
         assert_eq!(counts, [1, 1, 1, 1, 1, 1, 8, 3, 1, 1, 1]);
     }

@@ -1,0 +1,41 @@
+//! `mindeg view`.
+
+use super::domain::DomainOptions;
+use super::goal::GoalArguments;
+use super::with_exit_codes;
+use clap::Args;
+use std::path::PathBuf;
+
+const EXAMPLES: &str = "\
+Examples:
+  mindeg view part.obj -o part.html
+  mindeg view assets/domains/wing-panel.json --keep-angle 95% -o wing-panel.html
+  mindeg view --rectangle 4x3 --size 0.5 -o plate.html";
+
+/// Show a mesh of any program, or the mesh of a domain, as an HTML page with its figures
+///
+/// The page is one file that opens without a network. In it the mesh can be moved, zoomed and
+/// pointed at, and colored by degree and by any measure of its triangles. A mesh in space is shown as
+/// a projection along an axis. A domain is meshed as by mindeg mesh.
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
+pub(crate) struct ViewArguments {
+    /// A mesh, by extension .obj, .glb or .gltf (with the files it names in its folder), or a domain
+    /// in .json; - reads a domain from standard input
+    #[arg(id = "domain", value_name = "MESH|DOMAIN.json")]
+    pub(crate) file: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) options: DomainOptions,
+
+    #[command(flatten)]
+    pub(crate) goal: GoalArguments,
+
+    /// Where to write the page, which ends in .html; - is standard output
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: PathBuf,
+
+    /// Print no summary and show no progress on standard error
+    #[arg(short, long)]
+    pub(crate) quiet: bool,
+}
