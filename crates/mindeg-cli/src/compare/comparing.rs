@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
 use crate::memory;
 use mindeg::Domain;
-use mindeg_compare::{Comparison, Options, Provenance, compare, shell_word};
+use mindeg_compare::{Comparison, Options, compare};
 
 /// Checks mindeg's own mesh, the first method.
 pub(super) fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
