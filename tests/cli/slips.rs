@@ -63,7 +63,7 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh - -o x.obj", "standard input is empty; a domain in JSON is expected"),
     (
         "mesh a.obj -o b.obj",
-        "a.obj is a mesh, not a domain; mindeg inspect and mindeg convert take meshes",
+        "a.obj is a mesh, not a domain; mindeg view, inspect and convert take meshes",
     ),
     (
         "mesh a.json b.json -o x.obj",

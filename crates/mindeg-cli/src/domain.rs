@@ -145,7 +145,7 @@ fn refuse_mesh(path: &Path) -> Result<(), Failure> {
     let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
     if extension.is_some_and(|extension| MESHES.contains(&extension.as_str())) {
         return Err(Failure::Input(format!(
-            "{} is a mesh, not a domain; mindeg inspect and mindeg convert take meshes",
+            "{} is a mesh, not a domain; mindeg view, inspect and convert take meshes",
             path.display()
         )));
     }

@@ -227,6 +227,14 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
+    /// What the script of a page reads.
+    fn data(page: &str) -> serde_json::Value {
+        let (_, data) = page.split_once("id=\"data\">").unwrap();
+        let (data, _) = data.split_once("</script>").unwrap();
+        assert!(!data.contains("NaN") && !data.contains("null,null"), "{data}");
+        serde_json::from_str(data).unwrap()
+    }
+
     fn page(mesh: &TriMesh) -> String {
         let mut page = Vec::new();
         write_view(mesh, &Provenance::default(), &mut page).unwrap();
@@ -252,16 +260,23 @@ mod tests {
                 &[[0, 1, 2], [0, 1, 3], [1, 0, 4]],
             ),
         ] {
-            let page = page(&mesh(positions, triangles));
-            let (_, data) = page.split_once("id=\"data\">").unwrap();
-            let (data, _) = data.split_once("</script>").unwrap();
-            assert!(!data.contains("NaN") && !data.contains("null,null"), "{data}");
-            let data: serde_json::Value = serde_json::from_str(data).unwrap();
+            let data = data(&page(&mesh(positions, triangles)));
             for metric in data["metrics"].as_array().unwrap() {
                 let [low, high] = [0, 1].map(|end| metric["range"][end].as_f64().unwrap());
                 assert!(0.0 < low && low < high, "{metric}");
             }
         }
+    }
+
+    #[test]
+    fn a_flat_triangle_leaves_the_axes_to_the_others() {
+        let mut triangles = vec![[0, 1, 2]; 200];
+        triangles[7] = [0, 1, 3];
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 0.0, 0.0]];
+        let data = data(&page(&mesh(&corners, &triangles)));
+        let angles = &data["metrics"][0];
+        assert_eq!(angles["range"], serde_json::json!([22.5, 90.0]), "{angles}");
+        assert_eq!(angles["goes_beyond"], serde_json::json!([true, false]));
     }
 
     #[test]
