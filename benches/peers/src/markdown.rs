@@ -42,7 +42,7 @@ pub(crate) fn section(rows: &[Row]) -> Result<String, Box<dyn Error>> {
 
     text += "\n### Largest degree\n\n";
     figures_table(&mut text, rows, |figures| grouped(figures.max_degree.into()));
-    text += "\n### Smallest angle in degrees\n\n";
+    text += "\n### Minimum angle in degrees\n\n";
     figures_table(&mut text, rows, |figures| significant(figures.min_angle));
     text += "\nBoth are those of the triangles that are not flat.\n";
 

@@ -18,7 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! [`exact`] has what lies between the least degree and Delaunay's angle: the best mesh for every
+//! [`mindeg::exact`] has what lies between the least degree and Delaunay's angle: the best mesh for every
 //! maximum degree.
 //!
 //! [`write_view`] is for a single mesh of any program: the pictures and charts of the reports.

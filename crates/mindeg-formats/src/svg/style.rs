@@ -20,7 +20,7 @@ pub(super) const LARGEST_DOT: f64 = 0.0125;
 /// A mesh more slender than that is widened for the picture, which says so.
 pub(super) const MAX_SLENDERNESS: f64 = 10.0;
 
-/// The colors of what [`Inset::write`] draws and of the classes `card`, `title`, `muted`, `key` and
+/// The colors of what [`Inset::write`](super::Inset::write) draws and of the classes `card`, `title`, `muted`, `key` and
 /// `label`, as a style sheet, on a light background and on a dark one.
 pub const STYLE: &str = "\
 text{font-family:system-ui,-apple-system,'Segoe UI',Roboto,'DejaVu Sans',sans-serif;\
