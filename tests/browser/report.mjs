@@ -672,7 +672,7 @@ test("axe finds nothing serious in a view, and nothing is cut off", async () => 
 });
 
 test("a picture for the README", async () => {
-  const opened = await open("hexagon.html", { viewport: { width: 1240, height: 1500 } });
+  const opened = await open("channel.html", { viewport: { width: 1240, height: 1100 } });
   await opened.screenshot({ path: resolve("report.png") });
   await opened.context().close();
 });
