@@ -10,9 +10,10 @@ use crate::exact::{self, ExactError};
 use crate::keep_angle::{by_windows, keep_angle};
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 
-/// Up to this many chords between different sides, the search for the best mesh of least degree, and
-/// of one and two degrees more, takes less than about half a second on one core.
-const FEW_CHORDS: u64 = 200_000;
+/// Up to this many chords between different sides, times the least maximum degree, the search for the
+/// best mesh of least degree, and of one and two degrees more, takes less than about half a second on
+/// one core.
+const LITTLE_WORK: u64 = 150_000;
 
 /// How many times the minimum angle a higher degree must bring to be worth a hint.
 const MUCH: f64 = 1.5;
@@ -66,7 +67,7 @@ pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshe
 
 fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     let boundary = domain.boundary();
-    let is_cheap = boundary.vertex_count() <= MAX_VERTICES && chord_count(boundary) <= FEW_CHORDS;
+    let is_cheap = boundary.vertex_count() <= MAX_VERTICES && work(boundary) <= LITTLE_WORK;
     if !domain.is_constrained() && !is_cheap {
         return formula(domain, progress);
     }
@@ -127,9 +128,10 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
     formula(domain, progress)
 }
 
-/// How many chords join vertices that are not on one side. O(k).
-fn chord_count(boundary: &Boundary) -> u64 {
+/// How many chords join vertices that are not on one side, times the least maximum degree. O(k).
+fn work(boundary: &Boundary) -> u64 {
     let pairs = |vertices: u64| vertices * (vertices - 1) / 2;
     let on_sides: u64 = boundary.sides().map(|intervals| pairs(u64::from(intervals) + 1)).sum();
-    pairs(boundary.vertex_count().into()) - on_sides
+    let chords = pairs(boundary.vertex_count().into()) - on_sides;
+    chords.saturating_mul(mindeg_core::least_max_degree(boundary).into())
 }
