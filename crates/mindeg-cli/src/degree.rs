@@ -3,10 +3,10 @@
 use crate::args::{Counts, DegreeArguments};
 use crate::domain::counts;
 use crate::failure::Failure;
-use crate::gates::degrees;
 use crate::standard_output::{print, print_json};
 use crate::suggest::in_words;
 use mindeg::{Domain, Goal, Progress};
+use mindeg_compare::number_format::steady_angle;
 use mindeg_compare::shell_word;
 use mindeg_core::{Boundary, Certificate, certificate, suggest};
 use serde::Serialize;
@@ -64,9 +64,9 @@ fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
         "Hint: degree {} has a minimum angle of {}, degree {} of {}:\n\
          mindeg mesh {} --max-degree {} -o mesh.obj\n",
         meshed.least_max_degree,
-        degrees(meshed.mesh.angle_range().min),
+        steady_angle(meshed.mesh.angle_range().min),
         higher.max_degree,
-        degrees(higher.min_angle),
+        steady_angle(higher.min_angle),
         shell_word(file),
         higher.max_degree,
     ))

@@ -4,6 +4,7 @@ use crate::bar::Bar;
 use crate::failure::Failure;
 use clap::Args;
 use mindeg::BoundaryMesh;
+use mindeg_compare::number_format::steady_angle;
 
 /// What a mesh must be to pass.
 #[derive(Debug, Args)]
@@ -27,14 +28,9 @@ fn parse_angle(text: &str) -> Result<f64, String> {
     angle.ok_or_else(|| "give degrees from 0 to 60; no triangle has only larger angles".into())
 }
 
-/// An angle as people read it; one too small for three decimals as a power of ten.
-pub(crate) fn degrees(angle: f64) -> String {
-    if angle < 0.01 { format!("{angle:.1e}°") } else { format!("{angle:.3}°") }
-}
-
-/// As [`degrees`], with all digits where rounding would hide that the angle is below `limit`.
+/// As [`steady_angle`] has it, with all digits where rounding would hide that the angle is below `limit`.
 fn degrees_below(angle: f64, limit: f64) -> String {
-    let rounded = degrees(angle);
+    let rounded = steady_angle(angle);
     let hides = rounded.trim_end_matches('°').parse().is_ok_and(|shown: f64| shown >= limit);
     if hides { format!("{angle}°") } else { rounded }
 }
@@ -111,8 +107,8 @@ mod tests {
             (0.47490800682170436, 10.0, "0.475°"),
             (29.9999, 30.0, "29.9999°"),
             (29.99, 30.0, "29.990°"),
-            (0.0012, 0.002, "1.2e-3°"),
-            (0.00195, 0.002, "1.9e-3°"),
+            (0.0012, 0.002, "0.0012°"),
+            (0.00195, 0.002, "0.00195°"),
         ] {
             assert_eq!(degrees_below(angle, limit), shown);
         }

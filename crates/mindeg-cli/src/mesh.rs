@@ -4,7 +4,6 @@ use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
 use crate::domain::{domain, name, name_in_text};
 use crate::failure::Failure;
-use crate::gates::degrees;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::output::Outputs;
@@ -13,6 +12,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
 use mindeg::{Domain, FoundBy, Goal, HigherDegree, Meshed, Progress};
+use mindeg_compare::number_format::steady_angle;
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
@@ -168,8 +168,8 @@ fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
         summary.triangles,
         summary.max_degree,
         summary.least_max_degree,
-        degrees(summary.min_angle),
-        degrees(summary.max_angle),
+        steady_angle(summary.min_angle),
+        steady_angle(summary.max_angle),
     )];
     lines.extend(standing(meshed, goal, summary));
     if let Some(higher) = &meshed.higher_degree {
@@ -191,7 +191,7 @@ fn standing(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> Option<String
     let Summary { min_angle, max_degree, least_max_degree: least, .. } = summary;
     let kept = meshed.delaunay_min_angle.map(|most| {
         let share = 100.0 * min_angle / most;
-        format!("{share:.0}% of Delaunay's minimum angle, {}", degrees(most))
+        format!("{share:.0}% of Delaunay's minimum angle, {}", steady_angle(most))
     });
     match (meshed.found_by, goal, kept) {
         (FoundBy::Formula, Goal::LeastDegree, _) => Some(
@@ -227,7 +227,7 @@ pub(crate) fn hint(min_angle: f64, higher: &HigherDegree) -> String {
     format!(
         "Hint: degree {} has a minimum angle of {}, {:.1} times as much: add --max-degree {}",
         higher.max_degree,
-        degrees(higher.min_angle),
+        steady_angle(higher.min_angle),
         higher.min_angle / min_angle,
         higher.max_degree,
     )

@@ -4,7 +4,6 @@ use crate::args::TradeoffArguments;
 use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
-use crate::gates::degrees;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::mesh::{require_for_exact_work, unsolved};
 use crate::output::{Outputs, write_to};
@@ -12,6 +11,7 @@ use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
 use mindeg::Progress;
 use mindeg::exact::{self, TradeOff};
+use mindeg_compare::number_format::steady_angle;
 use mindeg_compare::{
     TradeOffFigures, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
@@ -76,7 +76,7 @@ fn table(trade_off: &TradeOff, limit: u32) -> String {
             text,
             "{:>14}  {:>14}  {:>12.1}%{}",
             exact.max_degree,
-            degrees(exact.min_angle),
+            steady_angle(exact.min_angle),
             100.0 * trade_off.share(exact),
             if knee == Some(row) { "  knee" } else { "" },
         );

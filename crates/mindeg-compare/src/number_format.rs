@@ -36,6 +36,29 @@ pub fn significant(value: f64, digits: usize) -> String {
     }
 }
 
+/// A number with four significant digits, trailing zeros too; infinity as ∞.
+///
+/// ```
+/// use mindeg_compare::number_format::four_digits;
+///
+/// let numbers = [0.0, 60.0, 59.999_96, 0.012_345_6, 999_960.0, 123_456.0, 1.5e-7, f64::INFINITY];
+/// let texts = ["0", "60.00", "60.00", "0.01235", "1.000e6", "123456", "1.500e-7", "∞"];
+/// assert_eq!(numbers.map(four_digits), texts);
+/// ```
+#[must_use]
+pub fn four_digits(value: f64) -> String {
+    if value.is_infinite() {
+        return "∞".to_owned();
+    }
+    let rounded = format!("{value:.3e}");
+    let exponent = rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
+    match exponent {
+        _ if value == 0.0 => "0".to_owned(),
+        -4..=5 => format!("{value:.*}", (3 - exponent).max(0) as usize),
+        _ => rounded,
+    }
+}
+
 /// An angle in degrees, to four significant digits.
 ///
 /// ```

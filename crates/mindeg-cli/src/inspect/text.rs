@@ -3,6 +3,7 @@
 use super::report::{Report, Spread};
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::quality::METRICS;
+use mindeg_compare::number_format::four_digits;
 use std::fmt::{Display, Write};
 
 /// How many of a kind are named one by one.
@@ -54,7 +55,7 @@ fn write_defects(text: &mut String, report: &Report) -> std::fmt::Result {
         1 => "1 kind of defect".to_owned(),
         kinds => format!("{kinds} kinds of defects"),
     };
-    let [min, max] = [report.min_angle, report.max_angle].map(number);
+    let [min, max] = [report.min_angle, report.max_angle].map(four_digits);
     writeln!(
         text,
         "{}: {verdict}; maximum degree {}, angles from {min}° to {max}°",
@@ -191,7 +192,7 @@ fn write_quality(text: &mut String, report: &Report) -> std::fmt::Result {
     for metric in METRICS {
         if let Some(spread) = report.metrics.get(metric.name) {
             let Spread { min, p01, median, mean, p99, max } = *spread;
-            let cells = [min, p01, median, mean, p99, max].map(number);
+            let cells = [min, p01, median, mean, p99, max].map(four_digits);
             let unit = if metric.unit == "1" { "" } else { metric.unit };
             let cells = cells.each_ref().map(String::as_str);
             writeln!(text, "{}", row(metric.name, cells, unit))?;
@@ -200,13 +201,18 @@ fn write_quality(text: &mut String, report: &Report) -> std::fmt::Result {
     let shares: Vec<String> = report
         .share_below_degrees
         .iter()
-        .map(|(angle, share)| format!("{}% below {angle}°", number(100.0 * share)))
+        .map(|(angle, share)| format!("{}% below {angle}°", four_digits(100.0 * share)))
         .collect();
-    writeln!(text, "Minimum angles: {}. Total area: {}.", shares.join(", "), number(report.area))?;
+    writeln!(
+        text,
+        "Minimum angles: {}. Total area: {}.",
+        shares.join(", "),
+        four_digits(report.area)
+    )?;
     writeln!(text, "Worst triangles:")?;
     for worst in &report.worst_triangles {
         let [a, b, c] = worst.vertices;
-        let [min, max] = [worst.min_angle, worst.max_angle].map(number);
+        let [min, max] = [worst.min_angle, worst.max_angle].map(four_digits);
         writeln!(
             text,
             "  triangle {} (vertices {a}, {b}, {c}): angles from {min}° to {max}°",
@@ -214,39 +220,4 @@ fn write_quality(text: &mut String, report: &Report) -> std::fmt::Result {
         )?;
     }
     Ok(())
-}
-
-/// A number with four significant digits.
-fn number(value: f64) -> String {
-    if value.is_infinite() {
-        return "∞".to_owned();
-    }
-    let rounded = format!("{value:.3e}");
-    let exponent = rounded.split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
-    match exponent {
-        _ if value == 0.0 => "0".to_owned(),
-        -4..=5 => format!("{value:.*}", (3 - exponent).max(0) as usize),
-        _ => rounded,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_four_digits() {
-        for (value, text) in [
-            (0.0, "0"),
-            (60.0, "60.00"),
-            (59.999_96, "60.00"),
-            (0.012_345_6, "0.01235"),
-            (999_960.0, "1.000e6"),
-            (123_456.0, "123456"),
-            (1.5e-7, "1.500e-7"),
-            (f64::INFINITY, "∞"),
-        ] {
-            assert_eq!(number(value), text);
-        }
-    }
 }
