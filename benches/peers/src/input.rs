@@ -2,8 +2,8 @@
 
 use Outline::{Rectangle, Regular};
 use glam::DVec2;
-use mindeg_core::{Boundary, BoundaryError};
 use mindeg::{Domain, DomainError, Side};
+use mindeg_core::{Boundary, BoundaryError};
 
 /// A boundary to triangulate.
 pub(crate) struct Case {

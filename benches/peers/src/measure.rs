@@ -1,8 +1,8 @@
 //! How good a list of triangles is that somebody else made.
 
 use crate::input::Input;
-use mindeg_core::verify;
 use mindeg::quality::TriangleQuality;
+use mindeg_core::verify;
 use serde::{Deserialize, Serialize};
 
 /// What a peer's triangles are measured by.

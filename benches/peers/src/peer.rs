@@ -8,9 +8,9 @@ use crate::input::Input;
 use crate::shewchuk;
 use i_triangle::float::triangulation::{RawTriangulation, Triangulation};
 use i_triangle::float::unchecked::UncheckedTriangulatable;
+use mindeg::BoundaryMesh;
 use mindeg_compare::Reference;
 use mindeg_core::least_degree_triangulation;
-use mindeg::BoundaryMesh;
 use std::collections::{HashMap, HashSet};
 use std::error::Error;
 
