@@ -112,7 +112,7 @@ mod tests {
             (&[[0, 1, 4], [1, 3, 4], [1, 2, 3], [0, 1, 2]], Validity::ValidBesidesFlat(1), 4),
             (
                 &[[0, 1, 2], [0, 2, 4], [2, 3, 4]],
-                invalid(1, 1, "there are 2 triangles where 3 are right"),
+                invalid(1, 1, "found 2 triangles, expected 3"),
                 4,
             ),
             (
@@ -120,7 +120,7 @@ mod tests {
                 invalid(0, 0, "triangle 2 has vertex 9, which does not exist"),
                 4,
             ),
-            (&[], invalid(0, 3, "there are 0 triangles where 3 are right"), 2),
+            (&[], invalid(0, 3, "found 0 triangles, expected 3"), 2),
         ] {
             let figures = measure(&halved(), triangles.to_vec());
             assert_eq!((figures.validity, figures.max_degree), (validity, max_degree));
