@@ -7,7 +7,7 @@ use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::BoundaryMesh;
 use crate::exact::{self, ExactError};
-use crate::keep_angle::{by_windows, keep_angle};
+use crate::keep_angle::{Delaunay, keep_angle};
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 
 /// Up to this many chords between different sides, times the least maximum degree, the search for the
@@ -118,8 +118,9 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
         }
         .into());
     }
+    let delaunay = Delaunay::new(domain, progress)?;
     for share in SHARES {
-        let windowed = by_windows(domain, share, limit, progress)?;
+        let windowed = delaunay.windows(share, limit, progress)?;
         if windowed.mesh.max_total_degree() <= limit {
             return Ok(windowed);
         }

@@ -22,7 +22,7 @@ pub(crate) fn keep_angle(
     progress: Progress<'_>,
 ) -> Result<Meshed, ExactError> {
     if domain.boundary().vertex_count() > MAX_VERTICES {
-        return by_windows(domain, share, 0, progress);
+        return Delaunay::new(domain, progress)?.windows(share, 0, progress);
     }
     // Angles are compared to 36 bits; the last of them decides nothing.
     let is_kept = |min_angle, most| min_angle >= share * most * (1.0 - 1e-10);
@@ -30,39 +30,52 @@ pub(crate) fn keep_angle(
     Ok(Meshed::last_of(&trade_off))
 }
 
-/// The mesh that windows of a Delaunay triangulation reach: with `share` of Delaunay's minimum angle,
-/// and no vertex above `max_degree` if that can be reached, else as few edges as can be.
-pub(crate) fn by_windows(
-    domain: &Domain,
-    share: f64,
-    max_degree: u32,
-    progress: Progress<'_>,
-) -> Result<Meshed, ExactError> {
-    let boundary = domain.boundary();
-    let mut points = vec![DVec2::ZERO; boundary.vertex_count() as usize];
-    domain.placement().fill_points(0, &mut points);
-    let corners: Vec<u32> = (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
-    let delaunay = mindeg_delaunay::of_boundary(&points, &corners, progress)?;
-    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
-    let least_tangent = delaunay.iter().map(tangent).fold(f64::INFINITY, f64::min);
-    let delaunay_min_angle = libm::atan(least_tangent).to_degrees();
+/// A domain with a Delaunay triangulation, in which windows start.
+pub(crate) struct Delaunay<'a> {
+    domain: &'a Domain,
+    problem: Problem,
+    /// In degrees.
+    min_angle: f64,
+}
 
-    let sides: Vec<u32> = (0..)
-        .zip(boundary.sides())
-        .flat_map(|(side, intervals)| std::iter::repeat_n(side, intervals as usize))
-        .collect();
-    let mut problem = Problem::triangulated(&points, &sides, &delaunay)?;
-    exact::constrain(&mut problem, domain);
-    let least_max_degree = mindeg_core::least_max_degree(boundary);
-    let min_tangent = libm::tan((share * delaunay_min_angle).to_radians());
-    let goal = WindowGoal { max_degree: max_degree.max(least_max_degree), min_tangent };
-    let windowed = windows(&problem, goal, progress)?;
-    let mesh = BoundaryMesh::with_triangles(domain, windowed.triangles)?;
-    Ok(Meshed {
-        mesh,
-        least_max_degree,
-        found_by: FoundBy::Windows { share },
-        delaunay_min_angle: Some(delaunay_min_angle),
-        higher_degree: None,
-    })
+impl<'a> Delaunay<'a> {
+    pub(crate) fn new(domain: &'a Domain, progress: Progress<'_>) -> Result<Self, ExactError> {
+        let boundary = domain.boundary();
+        let mut points = vec![DVec2::ZERO; boundary.vertex_count() as usize];
+        domain.placement().fill_points(0, &mut points);
+        let corners: Vec<u32> =
+            (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
+        let triangles = mindeg_delaunay::of_boundary(&points, &corners, progress)?;
+        let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
+        let least_tangent = triangles.iter().map(tangent).fold(f64::INFINITY, f64::min);
+
+        let sides: Vec<u32> = (0..)
+            .zip(boundary.sides())
+            .flat_map(|(side, intervals)| std::iter::repeat_n(side, intervals as usize))
+            .collect();
+        let mut problem = Problem::triangulated(&points, &sides, &triangles)?;
+        exact::constrain(&mut problem, domain);
+        Ok(Self { domain, problem, min_angle: libm::atan(least_tangent).to_degrees() })
+    }
+
+    /// The mesh that windows reach: with `share` of Delaunay's minimum angle, and no vertex above
+    /// `max_degree` if that can be reached, else as few edges as can be.
+    pub(crate) fn windows(
+        &self,
+        share: f64,
+        max_degree: u32,
+        progress: Progress<'_>,
+    ) -> Result<Meshed, ExactError> {
+        let least_max_degree = mindeg_core::least_max_degree(self.domain.boundary());
+        let min_tangent = libm::tan((share * self.min_angle).to_radians());
+        let goal = WindowGoal { max_degree: max_degree.max(least_max_degree), min_tangent };
+        let windowed = windows(&self.problem, goal, progress)?;
+        Ok(Meshed {
+            mesh: BoundaryMesh::with_triangles(self.domain, windowed.triangles)?,
+            least_max_degree,
+            found_by: FoundBy::Windows { share },
+            delaunay_min_angle: Some(self.min_angle),
+            higher_degree: None,
+        })
+    }
 }
