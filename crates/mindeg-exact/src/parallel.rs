@@ -27,14 +27,6 @@ pub(crate) fn map_chunks<R: Send>(
     chunks.map(of_chunk).collect()
 }
 
-/// Sorts values; equal ones must be identical.
-pub(crate) fn sort<T: Ord + Send>(values: &mut [T]) {
-    #[cfg(feature = "parallel")]
-    values.par_sort_unstable();
-    #[cfg(not(feature = "parallel"))]
-    values.sort_unstable();
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! Triangles with their neighbours, and the exact predicates on points.
 
-use crate::parallel::sort;
 use glam::DVec2;
+use mindeg_mesh::parallel::sort_all;
 use robust::{Coord, orient2d};
 
 /// No triangle: beyond the boundary.
@@ -41,7 +41,7 @@ impl Triangulation {
                 ((u64::from(low) << 32) | u64::from(high), index as u32)
             })
             .collect();
-        sort(&mut edges);
+        sort_all(&mut edges);
         let mut neighbours = vec![[NONE; 3]; triangles.len()];
         for same in edges.chunk_by(|a, b| a.0 == b.0) {
             match *same {

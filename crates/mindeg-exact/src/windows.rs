@@ -1,13 +1,13 @@
 //! Fewer edges at the vertices with the most, by windows around them, in near-linear time.
 
 use crate::measure::{self, min_angle_tangent};
-use crate::parallel::sort;
 use crate::problem::Problem;
 use crate::progress::Stage;
 use crate::triangulation::Triangulation;
 use crate::unsolved::Unsolved;
 use crate::window::{Aim, Work};
 use mindeg_mesh::Progress;
+use mindeg_mesh::parallel::sort_all;
 use std::collections::BTreeMap;
 
 /// Triangles of a window, from the first try to the last.
@@ -159,7 +159,7 @@ fn finished(problem: &Problem, work: Work<'_>, keeps_vertex_limits: bool) -> Win
         let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
         triangle.rotate_left(least);
     }
-    sort(&mut triangles);
+    sort_all(&mut triangles);
     let points = problem.points();
     let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
     let least = triangles.iter().map(tangent).fold(f64::INFINITY, f64::min);

@@ -77,8 +77,8 @@ pub(crate) fn map_all<T: Send, R: Send>(
     return items.into_iter().map(work).collect();
 }
 
-/// Sorts values whose order decides everything about them.
-pub(crate) fn sort_all<T: Ord + Send>(values: &mut [T]) {
+/// Sorts values; equal ones must be identical. O(n log n), shared by all threads.
+pub fn sort_all<T: Ord + Send>(values: &mut [T]) {
     #[cfg(feature = "parallel")]
     values.par_sort_unstable();
     #[cfg(not(feature = "parallel"))]
