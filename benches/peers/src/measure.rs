@@ -110,11 +110,7 @@ mod tests {
             // Clockwise.
             (&[[0, 4, 1], [4, 3, 1], [1, 3, 2]], Validity::Valid, 4),
             (&[[0, 1, 4], [1, 3, 4], [1, 2, 3], [0, 1, 2]], Validity::ValidBesidesFlat(1), 4),
-            (
-                &[[0, 1, 2], [0, 2, 4], [2, 3, 4]],
-                invalid(1, 1, "found 2 triangles, expected 3"),
-                4,
-            ),
+            (&[[0, 1, 2], [0, 2, 4], [2, 3, 4]], invalid(1, 1, "found 2 triangles, expected 3"), 4),
             (
                 &[[0, 1, 4], [1, 3, 4], [1, 2, 9]],
                 invalid(0, 0, "triangle 2 has vertex 9, which does not exist"),
