@@ -28,6 +28,7 @@ pub mod gltf;
 mod names;
 pub mod obj;
 mod options;
+pub mod outlines;
 mod sections;
 pub mod svg;
 
