@@ -71,6 +71,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     Ok(Outlines { features, notes: note.into_iter().collect() })
 }
 
+/// Whether these first lines are points, or names of columns.
+pub(super) fn begins<'a>(mut rows: impl Iterator<Item = &'a str>) -> bool {
+    rows.any(|row| {
+        let words = words(row);
+        named_columns(&words).is_some() || point(&words, [0, 1], 0, row).is_ok()
+    })
+}
+
 /// The cells of a line.
 fn words(text: &str) -> Vec<&str> {
     match [';', '\t', ','].into_iter().find(|&mark| text.contains(mark)) {

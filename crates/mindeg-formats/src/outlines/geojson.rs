@@ -3,9 +3,11 @@
 //! Other geometries are left out and counted. Names are `properties.name`, else `id`. Longitude
 //! and latitude are taken as planar coordinates; heights are left out.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use glam::DVec2;
+use serde::Deserialize;
 use serde_json::{Map, Value};
 
 use super::outline::{Feature, Outlines, Ring};
@@ -28,6 +30,32 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     reader.object(&document, &Path::Start, None)?;
     reader.end()
 }
+
+/// Whether a text is JSON with the type of a GeoJSON or TopoJSON object.
+pub(super) fn is_one(bytes: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Head<'a> {
+        #[serde(rename = "type", borrow)]
+        kind: Option<Cow<'a, str>>,
+    }
+    let head = text_of(bytes).ok().and_then(|text| serde_json::from_str::<Head<'_>>(text).ok());
+    let kind = head.and_then(|head| head.kind);
+    kind.is_some_and(|kind| TYPES.contains(&&*kind))
+}
+
+/// The types of objects, and that of TopoJSON.
+const TYPES: [&str; 10] = [
+    "Feature",
+    "FeatureCollection",
+    "GeometryCollection",
+    "LineString",
+    "MultiLineString",
+    "MultiPoint",
+    "MultiPolygon",
+    "Point",
+    "Polygon",
+    "Topology",
+];
 
 #[derive(Default)]
 struct Reader {

@@ -38,6 +38,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     Ok(Outlines { features, notes })
 }
 
+/// Whether a line is that of the number of vertices: three or four whole numbers, the second of
+/// which is 2.
+pub(super) fn begins(line: &str) -> bool {
+    let numbers = line.split('#').next().unwrap_or_default().split_whitespace();
+    let numbers: Vec<Option<u32>> = numbers.map(|word| word.parse().ok()).collect();
+    matches!(numbers[..], [Some(_), Some(2), Some(_), Some(0 | 1)])
+}
+
 /// The lines that hold something.
 struct Rows<'a> {
     rows: Box<dyn Iterator<Item = (u64, &'a str)> + 'a>,
