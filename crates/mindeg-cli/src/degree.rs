@@ -34,7 +34,7 @@ enum Proof {
 }
 
 pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
-    let (intervals, domain) = &counts(&arguments.counts)?;
+    let (intervals, domain) = &counts(&arguments.counts, &arguments.file)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let certificate = certificate(&boundary);
     let vertices = boundary.vertex_count();

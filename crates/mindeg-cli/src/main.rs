@@ -18,6 +18,7 @@ mod interrupt;
 mod memory;
 mod mesh;
 mod mesh_file;
+mod named_files;
 mod output;
 mod provenance;
 mod slips;
@@ -60,6 +61,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Domain(arguments) => domain::describe::run(arguments),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),

@@ -11,6 +11,7 @@ mod keys;
 mod place;
 mod syntax;
 mod value;
+mod write;
 
 pub use self::error::DomainJsonError;
 

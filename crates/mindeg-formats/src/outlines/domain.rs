@@ -1,6 +1,6 @@
 //! From a polygon of a file to a domain.
 
-use mindeg_domain::{Domain, DomainError, Ring, Side};
+use mindeg_domain::{Domain, DomainError, OutlineError, Ring, Side};
 use thiserror::Error;
 
 use super::outline::Feature;
@@ -16,6 +16,23 @@ pub enum FeatureError {
     /// Rings that are not those of a domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
+}
+
+impl FeatureError {
+    /// Whether rings cross, touch or repeat points, which [`Outlines::repaired`] may mend.
+    ///
+    /// [`Outlines::repaired`]: super::Outlines::repaired
+    #[must_use]
+    pub fn is_touch(&self) -> bool {
+        use OutlineError::{CoincidentCorners, RepeatedCorner};
+        match self {
+            Self::Domain(DomainError::Intersection(_)) => true,
+            Self::Domain(DomainError::Outline(error)) => {
+                matches!(error, CoincidentCorners { .. } | RepeatedCorner { .. })
+            }
+            _ => false,
+        }
+    }
 }
 
 impl Feature {
