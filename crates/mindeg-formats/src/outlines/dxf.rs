@@ -1,7 +1,7 @@
 //! DXF as text: the closed outlines that lines, polylines, arcs and circles form.
 //!
 //! `LINE`, `LWPOLYLINE` and `POLYLINE` with bulges, `ARC` and `CIRCLE` of the section `ENTITIES`.
-//! Lines that meet within a tolerance, [`TOLERANCE`] of the drawing's size, form rings; arcs stay
+//! Lines that meet within a millionth of the drawing's size form rings; arcs stay
 //! arcs. Rings inside others are holes. If a ring's lines lie in several layers, these name its
 //! sides; if all of a polygon's lie in one, that is its name.
 //!
@@ -9,17 +9,16 @@
 
 mod entities;
 mod joining;
+mod pairs;
 
 use std::collections::BTreeMap;
 
 use super::nesting::{FillRule, polygons};
 use super::outline::Outlines;
-use super::text::{at_line, counted, quoted};
+use super::text::{at_line, counted};
 use crate::error::ReadError;
 use entities::Entity;
-
-/// How far apart ends may be that meet, as a share of the drawing's size.
-pub(super) const TOLERANCE: f64 = 1e-6;
+use pairs::{Pair, pairs};
 
 /// Names of the units by the values of `$INSUNITS`.
 const UNITS: [&str; 7] =
@@ -70,14 +69,6 @@ struct Drawing {
     entities: Vec<Entity>,
     left_out: BTreeMap<String, usize>,
     units: Option<usize>,
-}
-
-/// A group code, its value, and the line of the code.
-#[derive(Clone, Copy)]
-struct Pair<'a> {
-    line: u64,
-    code: i32,
-    value: &'a str,
 }
 
 fn drawing(text: &str) -> Result<Drawing, ReadError> {
@@ -140,24 +131,6 @@ impl Drawing {
         }
         Ok(())
     }
-}
-
-/// The pairs of lines.
-fn pairs(text: &str) -> impl Iterator<Item = Result<Pair<'_>, ReadError>> {
-    let mut lines = super::text::lines(text.strip_prefix('\u{feff}').unwrap_or(text));
-    std::iter::from_fn(move || {
-        let (line, code) = lines.next()?;
-        let code = code.trim();
-        let Some((_, value)) = lines.next() else {
-            // A blank line at the end is no pair.
-            let is_end = code.is_empty();
-            return (!is_end).then(|| Err(at_line(line, "the file ends within a pair of lines")));
-        };
-        Some(match code.parse() {
-            Ok(code) => Ok(Pair { line, code, value: value.trim() }),
-            Err(_) => Err(at_line(line, format!("found {}, expected a group code", quoted(code)))),
-        })
-    })
 }
 
 #[cfg(test)]

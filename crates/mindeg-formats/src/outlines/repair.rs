@@ -1,12 +1,15 @@
 //! Rings that touch themselves or each other, parted into simple ones.
 //!
-//! A ring that comes back to a point it has been at is parted there; what then runs to and fro
-//! along one line is dropped, and so are repeated points. The parts are sorted anew: a part beside
+//! Where a ring crosses itself, or a vertex lies on another edge, both edges get a vertex. A ring that
+//! comes back to a point it has been at is parted there; what then runs to and fro along one line is
+//! dropped, and so are repeated points. The parts are sorted anew: a part beside
 //! the others is a polygon of its own, a part inside another is a hole. A hole that still touches
 //! another ring at a vertex is parted from it by moving that vertex a little into the hole.
 //!
-//! Limits: rings touch only where both have a vertex, at the same coordinates; rings that cross stay
-//! as they are, and are refused when the domain is made.
+//! Limits: only straight pieces are parted where they cross; two rings that cross each other stay as
+//! they are, and are refused when the domain is made.
+
+mod crossings;
 
 use std::collections::BTreeMap;
 
@@ -22,6 +25,7 @@ use crate::error::ReadError;
 /// What repairing did.
 #[derive(Default)]
 struct Repairs {
+    crossings: usize,
     repeated: usize,
     spikes: usize,
     split: usize,
@@ -65,6 +69,11 @@ impl Repairs {
     fn feature(&mut self, feature: Feature) -> Result<Vec<Feature>, ReadError> {
         let mut rings = Vec::new();
         for ring in feature.rings {
+            // A tip of a spike would meet the edges beside it.
+            let (pieces, spikes) = without_spikes(ring.pieces);
+            self.spikes += spikes;
+            let (ring, crossings) = crossings::with_vertices(Ring { pieces });
+            self.crossings += crossings;
             let parts = self.simple_rings(ring);
             self.split += parts.len().saturating_sub(1);
             rings.extend(parts);
@@ -152,6 +161,9 @@ impl Repairs {
 
     fn note(&self, whose: &str, polygons: usize) -> Option<String> {
         let mut done = Vec::new();
+        if self.crossings > 0 {
+            done.push(format!("added {} where edges meet", counted(self.crossings, "point")));
+        }
         if self.repeated > 0 {
             done.push(format!("dropped {}", counted(self.repeated, "repeated point")));
         }
@@ -363,6 +375,20 @@ mod tests {
             notes,
             [
                 "repaired polygon 1: parted rings at 1 place, into 1 polygon; moved 1 vertex of touching holes by 5.59e-1 at most"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_ring_that_crosses_itself_is_parted_there() {
+        let ring: &[[f64; 2]] = &[[0.0, 0.0], [4.0, 4.0], [4.0, 0.0], [0.0, 4.0]];
+        let (features, notes) = repaired(&[ring]);
+        let right = vec![[2.0, 2.0], [4.0, 4.0], [4.0, 0.0]];
+        assert_eq!(features, [[right], [vec![[0.0, 0.0], [2.0, 2.0], [0.0, 4.0]]]]);
+        assert_eq!(
+            notes,
+            [
+                "repaired polygon 1: added 2 points where edges meet; parted rings at 1 place, into 2 polygons"
             ]
         );
     }

@@ -7,7 +7,7 @@ use glam::DVec2;
 
 use super::super::curve::{Arc, Curve};
 use super::super::text::{at_line, number, quoted};
-use super::Pair;
+use super::pairs::Pair;
 use crate::error::ReadError;
 
 /// A run of the pen: points, and how each goes on to the next.
@@ -28,7 +28,8 @@ impl Entity {
     pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, ReadError> {
         let layer = pairs.iter().find(|pair| pair.code == 8).map(|pair| pair.value);
         let mut entity = Self {
-            layer: layer.filter(|layer| !layer.is_empty()).map(Shared::from),
+            // Layer 0 is where drawings begin, and no name.
+            layer: layer.filter(|layer| !matches!(*layer, "" | "0")).map(Shared::from),
             points: Vec::new(),
             bulges: Vec::new(),
             is_closed: false,

@@ -5,9 +5,11 @@ use glam::DVec2;
 use super::super::loops::{self, Link};
 use super::super::outline::Ring;
 use super::super::text::shown;
-use super::TOLERANCE;
 use super::entities::Entity;
 use crate::error::ReadError;
+
+/// How far apart ends may be that meet, as a share of the drawing's size.
+const TOLERANCE: f64 = 1e-6;
 
 /// The rings that the entities form, and a note on open lines.
 pub(super) fn rings(entities: Vec<Entity>) -> Result<(Vec<Ring>, Option<String>), ReadError> {

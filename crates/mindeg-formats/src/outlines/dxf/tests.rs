@@ -75,6 +75,7 @@ fn layers_name_polygons_or_sides() {
     let outlines = read("CIRCLE 8=plate 10=0 20=0 40=9\nCIRCLE 8=hole 10=0 20=0 40=1").unwrap();
     assert_eq!(outlines.features[0].name, None);
     assert_eq!(outlines.features[0].rings[1].pieces[0].side.as_deref(), Some("hole"));
+    assert_eq!(read("CIRCLE 8=0 10=0 20=0 40=9").unwrap().features[0].name, None);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! The sections of MSH 2.2.
 
-use super::{File, Line, Rows, is_line};
+use super::content::{File, Line, is_line};
+use super::rows::Rows;
 use crate::error::ReadError;
 
 /// The type of an element that is a point.

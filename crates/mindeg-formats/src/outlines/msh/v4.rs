@@ -1,6 +1,7 @@
 //! The sections of MSH 4.1.
 
-use super::{File, Line, Rows, is_line};
+use super::content::{File, Line, is_line};
+use super::rows::Rows;
 use crate::error::ReadError;
 
 /// `$Entities`: which physical groups the curves belong to.
