@@ -1,7 +1,5 @@
 //! The figures of `docs/theory.md` are those that the program draws.
 
-#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::path::Path;
 
 #[path = "../examples/theory_figures.rs"]
