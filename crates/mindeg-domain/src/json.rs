@@ -8,6 +8,7 @@
 mod error;
 mod guess;
 mod keys;
+mod model;
 mod place;
 mod syntax;
 mod value;

@@ -27,6 +27,7 @@ mod domain_error;
 #[cfg(feature = "json")]
 mod json;
 mod limits;
+mod model;
 mod name;
 mod outline;
 mod placement;
@@ -42,6 +43,10 @@ pub use domain::Domain;
 pub use domain_error::DomainError;
 #[cfg(feature = "json")]
 pub use json::DomainJsonError;
+pub use model::{
+    FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelError, ModelFace, ModelParts, ModelPlace,
+    PLANAR_SHARE, Plane,
+};
 pub use limits::{GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE};
 pub use name::NameError;
 pub use outline::{Outline, OutlineError};

@@ -28,7 +28,7 @@ const RECTANGLE: &str =
 const POLYGON: &str = "{\"corners\": [[x, y], …]}";
 const CORNERS: &str = "a list of [x, y] pairs of numbers";
 const PAIR: &str = "a pair [x, y] of numbers";
-const ABOVE_0: &str = "a number above 0";
+pub(super) const ABOVE_0: &str = "a number above 0";
 const SIDES: &str = "a list with one object for each side, such as {\"intervals\": 3}";
 const SIDE: &str = "an object such as {\"intervals\": 3} or {\"size\": 0.5}; optional: \"spacing\", \
                     \"name\", \"outside_degree\", \"max_degree\"";
@@ -173,7 +173,7 @@ fn degree_limit(keys: &Object<'_>) -> Result<Option<u32>, DomainJsonError> {
     keys.get("max_degree").map(|limit| limit.whole(DEGREE_LIMIT)).transpose()
 }
 
-fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
+pub(super) fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
     if !given.is_object() {
         return match given.text(SPACING)?.as_str() {
             "uniform" => Ok(Spacing::Uniform),
