@@ -15,7 +15,10 @@ use super::joint::Joint;
 use super::random::hash;
 
 /// Steps of the dynamic program that one degree may take, by default: some seconds on one core.
-pub(super) const LEVEL_STEPS: u64 = 1 << 30;
+pub(super) const LEVEL_STEPS: u64 = 1 << 28;
+
+/// What it takes to set up a face, in steps a vertex.
+const SETUP_STEPS: u64 = 200;
 
 /// A face of at most this many triangles without holes is one block.
 const WHOLE: usize = 64;
@@ -79,16 +82,15 @@ impl<'j, 'm> Descent<'j, 'm> {
         self.joint
     }
 
-    /// Aims at a degree: whether no vertex has more edges at the end. If it fails, the maximum
-    /// degree is no larger than before.
+    /// Aims at a degree: whether no vertex has more edges at the end. If that fails, the result is
+    /// the best there was.
     pub(super) fn reach(&mut self, degree: u32, most_steps: u64) -> Result<bool, Cancelled> {
         let before = self.joint.max_degree();
         if before <= degree {
             return Ok(true);
         }
-        let (triangles, totals) = (self.joint.triangles.clone(), self.joint.totals.clone());
-        let mut best = before;
-        let mut weights = vec![LEAST_WEIGHT; totals.len()];
+        let mut best = (before, self.joint.triangles.clone(), self.joint.totals.clone());
+        let mut weights = vec![LEAST_WEIGHT; self.joint.totals.len()];
         let mut steps = 0;
         let mut round = 0;
         let stage = format!("looking for degree {degree}");
@@ -107,15 +109,14 @@ impl<'j, 'm> Descent<'j, 'm> {
                     (*weight - *weight / 100).max(LEAST_WEIGHT)
                 };
             }
-            best = best.min(self.joint.max_degree());
+            let reached = self.joint.max_degree();
+            if reached < best.0 {
+                best = (reached, self.joint.triangles.clone(), self.joint.totals.clone());
+            }
             round += 1;
         }
-        let reached = self.joint.max_degree();
-        if reached > best.min(before) || reached >= before {
-            self.joint.triangles = triangles;
-            self.joint.totals = totals;
-        }
-        Ok(reached <= degree)
+        (_, self.joint.triangles, self.joint.totals) = best;
+        Ok(self.joint.max_degree() <= degree)
     }
 
     /// One round over the faces, class by class. Returns the steps of work.
@@ -191,6 +192,6 @@ fn improved(
             }
         }
     }
-    let steps = patch.steps();
+    let steps = SETUP_STEPS * places as u64 + patch.steps();
     Some((changed.then(|| patch.triangles().to_vec()), steps))
 }

@@ -194,7 +194,8 @@ fn group_name(model: &Model, group: usize) -> String {
 
 fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let angle = |triangle: &[u32; 3]| {
-        TriangleQuality::of(triangle.map(|vertex| positions[vertex as usize])).min_angle
+        let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
+        TriangleQuality::in_space(a, b, c).min_angle
     };
     triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
 }
