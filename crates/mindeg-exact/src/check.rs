@@ -195,8 +195,8 @@ mod tests {
         };
         let points: Vec<DVec2> = (0..12).map(at).collect();
         let side_of: Vec<u32> = (0..12).collect();
-        let rings = [0..12];
-        let star = Outline { points: &points, rings: &rings, side_of: &side_of };
+        let rings = std::slice::from_ref(&(0..12));
+        let star = Outline { points: &points, rings, side_of: &side_of };
         let tips = (0..6).map(|tip| [(2 * tip + 11) % 12, 2 * tip, 2 * tip + 1]);
         let within = [[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]];
         let triangles: Vec<_> = tips.chain(within).collect();
