@@ -102,7 +102,7 @@ pub enum WriteError {
     },
     /// A coordinate beyond the range of 32-bit floats.
     #[error(
-        "vertex {vertex} (counted from 0) at ({}, {}) is beyond the range of glTF's 32-bit \
+        "vertex {vertex} (counted from 0) at ({}, {}) is beyond the range of 32-bit \
          floats; scale the domain down, or write OBJ", .point.x, .point.y
     )]
     OutOfRange {
@@ -113,7 +113,7 @@ pub enum WriteError {
     },
     /// Two vertices that are one point in 32-bit floats.
     #[error(
-        "vertices {} and {} (counted from 0) at ({}, {}) are too close together for glTF's \
+        "vertices {} and {} (counted from 0) at ({}, {}) are too close together for \
          32-bit floats to tell them apart; use fewer intervals there, or write OBJ, which keeps \
          every digit", .vertices[0], .vertices[1], .point.x, .point.y
     )]

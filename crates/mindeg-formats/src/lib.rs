@@ -21,11 +21,13 @@
 //! Readers take an [`std::io::Read`] or [`std::io::BufRead`]. A malformed file is an error that says
 //! what is wrong and where, never a panic. Files, paths and their replacement are the caller's.
 
+mod bytes;
 mod corners;
 mod decimals;
 pub mod degree_color;
 mod detect;
 mod error;
+mod face_list;
 mod format;
 pub mod gltf;
 mod lines;
@@ -33,8 +35,11 @@ mod lists;
 mod names;
 pub mod obj;
 mod options;
+pub mod ply;
 mod read;
+mod records;
 mod sections;
+pub mod stl;
 pub mod svg;
 mod words;
 mod write;

@@ -6,7 +6,7 @@ use std::path::Path;
 use mindeg_mesh::TriMesh;
 
 use crate::detect::format_of;
-use crate::{Format, ReadError, gltf, obj};
+use crate::{Format, ReadError, gltf, obj, ply, stl};
 
 /// How much of a file is looked at for its format.
 const HEAD: usize = 1 << 16;
@@ -69,11 +69,11 @@ pub fn read_as(
     match format {
         Format::Obj => obj::read(input),
         Format::Glb | Format::Gltf => gltf::read(input, beside),
+        Format::Ply => ply::read(input),
+        Format::Stl => stl::read(input),
         Format::Msh
         | Format::Vtu
         | Format::Vtk
-        | Format::Ply
-        | Format::Stl
         | Format::Off
         | Format::Node
         | Format::Fort14

@@ -6,7 +6,7 @@ use mindeg_mesh::{Mesh, Positions};
 
 use crate::gltf::Stored;
 use crate::sections::{self, Section, write_sections};
-use crate::{Format, WriteError, WriteOptions, glb, gltf, obj, svg};
+use crate::{Format, WriteError, WriteOptions, glb, gltf, obj, ply, stl, svg};
 
 /// Writes meshes on some positions in one format.
 ///
@@ -56,6 +56,8 @@ impl Writer {
                 }
                 stored = Some(Stored::new(positions, options.surface.plane)?);
             }
+            Format::Ply => ply::check(positions, &options)?,
+            Format::Stl => stl::check(positions, options.surface.plane)?,
             Format::Su2 | Format::Node | Format::Fort14 | Format::Sms2dm => {
                 check_plane(format, positions)?;
             }
@@ -129,6 +131,8 @@ impl Writer {
     fn contents<'a>(&'a self, mesh: &'a dyn Mesh) -> Option<Vec<Vec<Section<'a>>>> {
         Some(match self.format {
             Format::Obj => vec![obj::sections(mesh, &self.options.surface)],
+            Format::Ply => vec![ply::sections(mesh, &self.options)],
+            Format::Stl => vec![stl::sections(mesh, self.options.surface.plane)],
             _ => return None,
         })
     }
