@@ -4,7 +4,7 @@ use std::collections::TryReserveError;
 use std::io;
 
 use glam::DVec3;
-use mindeg_mesh::TriMeshError;
+use mindeg_mesh::{Positions, TriMeshError};
 use thiserror::Error;
 
 use crate::format::Format;
@@ -160,4 +160,16 @@ pub enum WriteError {
     /// A format that is read and not written.
     #[error("{} is read and not written", .0.description())]
     NotWritten(Format),
+}
+
+impl WriteError {
+    /// Refuses positions that do not all have the same z.
+    pub(crate) fn unless_in_plane(
+        format: Format,
+        positions: &dyn Positions,
+    ) -> Result<(), Self> {
+        let bounds = positions.bounds();
+        let z = [bounds.min.z, bounds.max.z];
+        if z[0] == z[1] { Ok(()) } else { Err(Self::NotInPlane { format, z }) }
+    }
 }

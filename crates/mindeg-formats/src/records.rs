@@ -3,6 +3,7 @@
 use crate::ReadError;
 use crate::lines::Lines;
 use crate::words::{finite, number};
+use glam::DVec3;
 use std::io::BufRead;
 
 /// The lines of a text file that say something: without comments, without blank ones.
@@ -41,6 +42,16 @@ impl<R: BufRead> Records<R> {
                 return Ok(true);
             }
         }
+    }
+
+    /// The next line as it is, also a blank one.
+    pub(crate) fn next_raw(&mut self) -> Result<Option<Words<'_>>, ReadError> {
+        let Some((number, line)) = self.lines.next()? else { return Ok(None) };
+        self.number = self.before + number;
+        self.text.clear();
+        self.text.try_reserve(line.len())?;
+        self.text.extend_from_slice(line);
+        Ok(Some(self.words(0)))
     }
 
     /// The words of the line gone to last, from a place in it.
@@ -92,6 +103,16 @@ impl<'a> Words<'a> {
     /// The next word as a finite number.
     pub(crate) fn number(&mut self, what: &str) -> Result<f64, ReadError> {
         self.value(what, "a finite number", finite)
+    }
+
+    /// The next word as the number of a vertex.
+    pub(crate) fn id(&mut self) -> Result<u32, ReadError> {
+        self.value("the number of a vertex", "a whole number of 32 bits", number)
+    }
+
+    /// The next words as x, y and a third coordinate.
+    pub(crate) fn point(&mut self, third: &str) -> Result<DVec3, ReadError> {
+        Ok(DVec3::new(self.number("x")?, self.number("y")?, self.number(third)?))
     }
 
     /// The next word as a whole number.

@@ -138,9 +138,7 @@ fn read_facet(
             return Err(words.problem(format!("{word:?} where {keyword} is expected")));
         }
         if keyword == "vertex" {
-            let mut coordinate = |name| words.number(name);
-            let corner = DVec3::new(coordinate("x")?, coordinate("y")?, coordinate("z")?);
-            push(corners, corner)?;
+            push(corners, words.point("z")?)?;
         }
     }
     Ok(())
