@@ -4,7 +4,7 @@ use std::collections::TryReserveError;
 use std::io;
 
 use glam::DVec3;
-use mindeg_mesh::TriMeshError;
+use mindeg_mesh::{Positions, TriMeshError};
 use thiserror::Error;
 
 use crate::format::Format;
@@ -102,7 +102,7 @@ pub enum WriteError {
     },
     /// A coordinate beyond the range of 32-bit floats.
     #[error(
-        "vertex {vertex} (counted from 0) at ({}, {}) is beyond the range of glTF's 32-bit \
+        "vertex {vertex} (counted from 0) at ({}, {}) is beyond the range of 32-bit \
          floats; scale the domain down, or write OBJ", .point.x, .point.y
     )]
     OutOfRange {
@@ -113,7 +113,7 @@ pub enum WriteError {
     },
     /// Two vertices that are one point in 32-bit floats.
     #[error(
-        "vertices {} and {} (counted from 0) at ({}, {}) are too close together for glTF's \
+        "vertices {} and {} (counted from 0) at ({}, {}) are too close together for \
          32-bit floats to tell them apart; use fewer intervals there, or write OBJ, which keeps \
          every digit", .vertices[0], .vertices[1], .point.x, .point.y
     )]
@@ -160,4 +160,16 @@ pub enum WriteError {
     /// A format that is read and not written.
     #[error("{} is read and not written", .0.description())]
     NotWritten(Format),
+}
+
+impl WriteError {
+    /// Refuses positions that do not all have the same z.
+    pub(crate) fn unless_in_plane(
+        format: Format,
+        positions: &dyn Positions,
+    ) -> Result<(), Self> {
+        let bounds = positions.bounds();
+        let z = [bounds.min.z, bounds.max.z];
+        if z[0] == z[1] { Ok(()) } else { Err(Self::NotInPlane { format, z }) }
+    }
 }

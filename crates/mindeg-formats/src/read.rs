@@ -6,7 +6,7 @@ use std::path::Path;
 use mindeg_mesh::TriMesh;
 
 use crate::detect::format_of;
-use crate::{Format, ReadError, gltf, obj};
+use crate::{Format, ReadError, fort14, gltf, obj, off, ply, sms2dm, stl};
 
 /// How much of a file is looked at for its format.
 const HEAD: usize = 1 << 16;
@@ -69,15 +69,15 @@ pub fn read_as(
     match format {
         Format::Obj => obj::read(input),
         Format::Glb | Format::Gltf => gltf::read(input, beside),
+        Format::Ply => ply::read(input),
+        Format::Stl => stl::read(input),
+        Format::Off => off::read(input),
+        Format::Sms2dm => sms2dm::read(input),
+        Format::Fort14 => fort14::read(input),
         Format::Msh
         | Format::Vtu
         | Format::Vtk
-        | Format::Ply
-        | Format::Stl
-        | Format::Off
         | Format::Node
-        | Format::Fort14
-        | Format::Sms2dm
         | Format::Npz
         | Format::Su2
         | Format::Inp

@@ -6,7 +6,7 @@ use mindeg_mesh::{Mesh, Positions};
 
 use crate::gltf::Stored;
 use crate::sections::{self, Section, write_sections};
-use crate::{Format, WriteError, WriteOptions, glb, gltf, obj, svg};
+use crate::{Format, WriteError, WriteOptions, fort14, glb, gltf, obj, off, ply, sms2dm, stl, svg};
 
 /// Writes meshes on some positions in one format.
 ///
@@ -52,8 +52,11 @@ impl Writer {
             Format::Glb | Format::Gltf => {
                 stored = Some(Stored::new(positions, options.surface.plane)?);
             }
-            Format::Su2 | Format::Node | Format::Fort14 | Format::Sms2dm => {
-                check_plane(format, positions)?;
+            Format::Ply => ply::check(positions, &options)?,
+            Format::Stl => stl::check(positions, options.surface.plane)?,
+            Format::Fort14 => fort14::check(positions)?,
+            Format::Su2 | Format::Node => {
+                WriteError::unless_in_plane(format, positions)?;
             }
             _ => {}
         }
@@ -143,14 +146,12 @@ impl Writer {
     fn contents<'a>(&'a self, mesh: &'a dyn Mesh) -> Option<Vec<Vec<Section<'a>>>> {
         Some(match self.format {
             Format::Obj => vec![obj::sections(mesh, &self.options.surface)],
+            Format::Ply => vec![ply::sections(mesh, &self.options)],
+            Format::Stl => vec![stl::sections(mesh, self.options.surface.plane)],
+            Format::Off => vec![off::sections(mesh, self.options.surface.plane)],
+            Format::Sms2dm => vec![sms2dm::sections(mesh)],
+            Format::Fort14 => vec![fort14::sections(mesh)],
             _ => return None,
         })
     }
-}
-
-/// Refuses positions that do not all have the same z.
-fn check_plane(format: Format, positions: &dyn Positions) -> Result<(), WriteError> {
-    let bounds = positions.bounds();
-    let z = [bounds.min.z, bounds.max.z];
-    if z[0] == z[1] { Ok(()) } else { Err(WriteError::NotInPlane { format, z }) }
 }
