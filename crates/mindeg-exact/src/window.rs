@@ -267,12 +267,7 @@ impl<'a> Work<'a> {
 
     /// Replaces the window's triangles by these, each of which comes before those beneath it.
     /// Returns the vertices whose number of edges changes.
-    fn replace(
-        &mut self,
-        window: &Window,
-        local: &Local,
-        triangles: &[[u32; 3]],
-    ) -> Vec<u32> {
+    fn replace(&mut self, window: &Window, local: &Local, triangles: &[[u32; 3]]) -> Vec<u32> {
         let Local { ring, mesh: local, triangle_counts: before, .. } = local;
         let mut outer = vec![NONE; ring.len()];
         for ((&slot, corners), neighbours) in

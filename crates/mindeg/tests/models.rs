@@ -107,6 +107,13 @@ fn time_table() {
         let model = solid.model(side);
         let start = std::time::Instant::now();
         let meshed = mesh_model(&model, ModelGoal::default(), Progress::NONE).unwrap();
-        println!("{name}: V {} degree {} bound {} angle {:.2} {:.2?}", model.vertex_count(), meshed.max_degree, meshed.lower_bound, meshed.min_angle, start.elapsed());
+        println!(
+            "{name}: V {} degree {} bound {} angle {:.2} {:.2?}",
+            model.vertex_count(),
+            meshed.max_degree,
+            meshed.lower_bound,
+            meshed.min_angle,
+            start.elapsed()
+        );
     }
 }

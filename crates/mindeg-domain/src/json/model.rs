@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::error::DomainJsonError;
 use super::keys::{ABOVE_0, spacing};
 use super::value::{Step, Value};
-use crate::model::{Model, ModelEdge, ModelError, ModelFace, ModelParts};
+use crate::model::{Model, ModelEdge, ModelError, ModelFace, ModelParts, check_name};
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
@@ -98,8 +98,8 @@ impl Model {
         match Self::new(parts) {
             Ok(model) => Ok(match name {
                 Some(name) => {
-                    crate::name::check(&name, None)
-                        .map_err(|error| located(&text, &[Step::Key("name")], &error.into()))?;
+                    check_name(Some(&name), || "the model".to_owned())
+                        .map_err(|error| located(&text, &[Step::Key("name")], &error))?;
                     model.named(name)
                 }
                 None => model,
@@ -138,6 +138,7 @@ fn path(error: &ModelError, edges: &[Value<'_>]) -> Vec<Step> {
         | ModelError::NoArea { face }
         | ModelError::NotPlanar { face, .. }
         | ModelError::Crossing { face, .. }
+        | ModelError::Touch { face, .. }
         | ModelError::HoleOutside { face, .. }
         | ModelError::FaceTwice { second: face, .. } => vec![Key("faces"), Index(face)],
         ModelError::CoincidentCorners { corners: [_, corner] } => {
@@ -148,9 +149,7 @@ fn path(error: &ModelError, edges: &[Value<'_>]) -> Vec<Step> {
         | ModelError::NoIntervals { corners }
         | ModelError::Edge { corners, .. }
         | ModelError::IntervalTooShort { corners, .. } => of_edge(corners),
-        ModelError::NoDivision { .. } | ModelError::TooManyVertices { .. } | ModelError::Name(_) => {
-            vec![]
-        }
+        _ => vec![],
     }
 }
 
@@ -212,9 +211,8 @@ fn edge(given: &Value<'_>, default_size: Option<f64>) -> Result<ModelEdge, Domai
         (Some(count), None, _) => Intervals::Count(count),
         (None, None, Spacing::Parameters(given)) => Intervals::Count(given.len() as u64 + 1),
         (None, size, _) => Intervals::Size(size.or(default_size).ok_or_else(|| {
-            given.error(
-                "give \"intervals\" (a whole number) or \"size\" (a target interval length)",
-            )
+            given
+                .error("give \"intervals\" (a whole number) or \"size\" (a target interval length)")
         })?),
     };
     Ok(ModelEdge { corners, side: Side { intervals, spacing, name } })

@@ -11,7 +11,7 @@ use super::{
     Plane,
 };
 use crate::limits::LEAST_ROUNDINGS;
-use crate::name;
+use crate::name::{self, NameError};
 use crate::side::{Intervals, Side, SideError};
 use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;
@@ -51,17 +51,28 @@ impl Model {
             if next > u64::from(u32::MAX) {
                 return Err(ModelError::TooManyVertices { vertices: next });
             }
-            model_edges.push(Edge { corners: *ends, first: first as u32, law, name, passes: [0; 2] });
+            model_edges.push(Edge {
+                corners: *ends,
+                first: first as u32,
+                law,
+                name,
+                passes: [0; 2],
+            });
         }
         let mut groups = Groups::default();
         let mut model_faces = Vec::with_capacity(faces.len());
         for ((face, loops), plane) in faces.into_iter().zip(&loops).zip(planes) {
             let ModelFace { name, group, material, .. } = face;
-            for name in [&name, &group, &material].into_iter().flatten() {
-                name::check(name, None)?;
+            let index = model_faces.len();
+            for (kind, name) in
+                [("", &name), ("the group of ", &group), ("the material of ", &material)]
+            {
+                check_name(name.as_deref(), || format!("{kind}face {index}"))?;
             }
             let passes = |corners: &Vec<u32>| passes(corners, &ends, &mut model_edges);
             let loops = loops.iter().map(passes).collect();
+            // A face with a name and no group is a group of its own.
+            let group = group.or_else(|| name.clone());
             model_faces.push(Face { loops, plane, name, group: groups.index(group, material) });
         }
         let mut model = Self {
@@ -77,6 +88,37 @@ impl Model {
         model.notes = faults::notes(&model);
         Ok(model)
     }
+}
+
+impl Model {
+    /// The same model with all its edges divided in another way; they keep their names.
+    ///
+    /// # Errors
+    ///
+    /// A division that does not fit an edge.
+    pub fn divided(mut self, side: &Side) -> Result<Self, ModelError> {
+        let mut next = self.used.len() as u64;
+        for edge in &mut self.edges {
+            edge.law = law(&self.corners, edge.corners, side)?;
+            edge.first = next as u32;
+            next += u64::from(edge.law.intervals()) - 1;
+            if next > u64::from(u32::MAX) {
+                return Err(ModelError::TooManyVertices { vertices: next });
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// Checks a name if there is one.
+pub(crate) fn check_name(name: Option<&str>, what: impl Fn() -> String) -> Result<(), ModelError> {
+    let Some(name) = name else { return Ok(()) };
+    name::check(name, None).map_err(|error| match error {
+        NameError::Character { character, .. } => {
+            ModelError::NameCharacter { what: what(), character }
+        }
+        _ => ModelError::BlankName { what: what() },
+    })
 }
 
 fn check_corners(
@@ -195,12 +237,8 @@ fn laws(
             });
         }
     }
-    let mut names = BTreeMap::new();
     for (index, edge) in given.iter().enumerate() {
-        if let Some(edge_name) = edge.side.name.as_deref() {
-            name::check(edge_name, Some(index))?;
-            names.entry(edge_name).or_insert(index);
-        }
+        check_name(edge.side.name.as_deref(), || format!("edge {index}"))?;
     }
     let law = |(at, &corners_of): (usize, &[u32; 2])| {
         let side = divisions.get(&at).map(|(_, side)| side).or(other);

@@ -38,9 +38,8 @@ pub(super) fn merged(corners: &[DVec3], faces: Vec<ModelFace>, tolerance: f64) -
                 let is_alike = region_of[other] == NONE
                     && faces[other].group == faces[seed].group
                     && faces[other].material == faces[seed].material;
-                let is_near = |&corner: &u32| {
-                    seed_plane.distance(corners[corner as usize]) <= tolerance
-                };
+                let is_near =
+                    |&corner: &u32| seed_plane.distance(corners[corner as usize]) <= tolerance;
                 let faces_same_way =
                     || planes[other].is_some_and(|at| at.normal.dot(seed_plane.normal) > 0.5);
                 if is_alike && faces_same_way() && faces[other].loops.iter().flatten().all(is_near)
@@ -120,7 +119,8 @@ impl HalfEdges {
 
 /// The loops around some faces; none if they pass a corner twice.
 fn outline(faces: &[ModelFace], members: &[usize], edges: &HalfEdges) -> Option<Vec<Vec<u32>>> {
-    let is_within = |edge| edges.across(edge).is_some_and(|face| members.binary_search(&face).is_ok());
+    let is_within =
+        |edge| edges.across(edge).is_some_and(|face| members.binary_search(&face).is_ok());
     let mut next = BTreeMap::new();
     for &member in members {
         for [from, to] in half_edges(&faces[member]) {
@@ -149,8 +149,12 @@ fn remove_straight_corners(corners: &[DVec3], faces: &mut [ModelFace]) {
     ends.dedup();
     let is_straight = |corner: u32| {
         let first = ends.partition_point(|&[from, _]| from < corner);
-        let own: Vec<u32> =
-            ends[first..].iter().take(3).filter(|[from, _]| *from == corner).map(|e| e[1]).collect();
+        let own: Vec<u32> = ends[first..]
+            .iter()
+            .take(3)
+            .filter(|[from, _]| *from == corner)
+            .map(|e| e[1])
+            .collect();
         let &[a, b] = &own[..] else { return false };
         let [a, at, b] = [a, corner, b].map(|corner| corners[corner as usize]);
         let (before, after) = (at - a, b - at);

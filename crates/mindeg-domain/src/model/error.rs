@@ -1,6 +1,5 @@
 //! Why faces and edges are no model.
 
-use crate::name::NameError;
 use crate::side::SideError;
 
 /// Why corners, edges and faces are no [`Model`](super::Model). Corners, edges and faces count from
@@ -101,6 +100,19 @@ pub enum ModelError {
         /// The edges, by corners.
         edges: [[u32; 2]; 2],
     },
+    /// A corner of a face lies on another edge of it.
+    #[error(
+        "face {face} touches itself: corner {corner} lies on its edge {}-{} (by corners)",
+        edge[0], edge[1]
+    )]
+    Touch {
+        /// The face.
+        face: usize,
+        /// The corner.
+        corner: u32,
+        /// The edge, by corners.
+        edge: [u32; 2],
+    },
     /// A hole that is not inside the outer loop.
     #[error("hole {hole} of face {face} is not inside the face's outer loop")]
     HoleOutside {
@@ -194,7 +206,18 @@ pub enum ModelError {
         /// How many vertices there are.
         vertices: u64,
     },
-    /// A name that cannot be used.
-    #[error("{0}")]
-    Name(#[from] NameError),
+    /// A name without a visible character.
+    #[error("the name of {what} is blank; give it a letter or leave it out")]
+    BlankName {
+        /// Such as "face 3".
+        what: String,
+    },
+    /// A name with a character that mesh files or terminals do not take as text.
+    #[error("the name of {what} contains the character U+{:04X}; remove it", *character as u32)]
+    NameCharacter {
+        /// Such as "face 3".
+        what: String,
+        /// The character.
+        character: char,
+    },
 }

@@ -141,8 +141,7 @@ fn split_at_bridges(polygon: Vec<u32>) -> Vec<Vec<u32>> {
 fn find_bridge(corners: &[u32]) -> Option<(usize, usize)> {
     let n = corners.len();
     let next = |i: usize| corners[(i + 1) % n];
-    let mut edges: Vec<([u32; 2], usize)> =
-        (0..n).map(|i| ([corners[i], next(i)], i)).collect();
+    let mut edges: Vec<([u32; 2], usize)> = (0..n).map(|i| ([corners[i], next(i)], i)).collect();
     edges.sort_unstable();
     (0..n).find_map(|i| {
         let back = [next(i), corners[i]];
@@ -155,7 +154,9 @@ fn find_bridge(corners: &[u32]) -> Option<(usize, usize)> {
 /// Puts the loop with the largest area first.
 pub(super) fn put_largest_first(loops: &mut [Vec<u32>], corners: &[DVec3]) {
     let area = |corners_of: &[u32]| {
-        let at = |i: usize| corners[corners_of[i % corners_of.len()] as usize] - corners[corners_of[0] as usize];
+        let at = |i: usize| {
+            corners[corners_of[i % corners_of.len()] as usize] - corners[corners_of[0] as usize]
+        };
         let sum: DVec3 = (0..corners_of.len()).map(|i| at(i).cross(at(i + 1))).sum();
         sum.length_squared()
     };

@@ -18,6 +18,8 @@ mod face;
 mod faults;
 mod from_mesh;
 
+#[cfg(feature = "json")]
+pub(crate) use build::check_name;
 pub use error::ModelError;
 pub use face::{FaceRings, Plane};
 pub use from_mesh::FromMesh;

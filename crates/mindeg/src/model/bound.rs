@@ -83,7 +83,11 @@ impl JointBound {
 pub(super) fn cheap(joint: &Joint<'_>) -> JointBound {
     let sum = joint.totals.iter().map(|&total| u64::from(total)).sum();
     let mut best = JointBound::Sum { sum, vertices: joint.totals.len() as u32 };
-    let most_edges = joint.edge_degrees.iter().enumerate().max_by_key(|&(v, &edges)| (edges, std::cmp::Reverse(v)));
+    let most_edges = joint
+        .edge_degrees
+        .iter()
+        .enumerate()
+        .max_by_key(|&(v, &edges)| (edges, std::cmp::Reverse(v)));
     if let Some((vertex, &edges)) = most_edges
         && edges > best.max_degree()
     {
@@ -110,7 +114,8 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
     let run_count = plane_face.runs.iter().max().map_or(0, |&run| run as usize + 1);
     let apexes = |degree: u32, run: u32| -> u64 {
         let capacity = |place: usize| u64::from(degree.saturating_sub(edges(place) + 1));
-        let ring = plane_face.rings.iter().find(|ring| ring.contains(&first_of(&plane_face.runs, run)));
+        let ring =
+            plane_face.rings.iter().find(|ring| ring.contains(&first_of(&plane_face.runs, run)));
         let before = |place: usize| {
             let ring = ring.cloned().unwrap_or(0..n as u32);
             if ring.contains(&(place as u32)) && place as u32 == ring.start {
@@ -119,9 +124,8 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
                 place.saturating_sub(1)
             }
         };
-        let is_on = |place: usize| {
-            plane_face.runs[place] == run || plane_face.runs[before(place)] == run
-        };
+        let is_on =
+            |place: usize| plane_face.runs[place] == run || plane_face.runs[before(place)] == run;
         (0..n).filter(|&place| !is_on(place)).map(capacity).sum()
     };
     let mut best: Option<(u32, u32)> = None;
@@ -131,7 +135,9 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
         if intervals < 3 || apexes(degree, run) >= intervals - 2 {
             continue;
         }
-        while apexes(degree, run) < intervals - 2 && u64::from(degree) < intervals + u64::from(above) + 3 {
+        while apexes(degree, run) < intervals - 2
+            && u64::from(degree) < intervals + u64::from(above) + 3
+        {
             degree += 1;
         }
         best = Some((degree, intervals as u32));
@@ -201,7 +207,8 @@ pub(super) fn with_weights(
         if best.max_degree() >= joint.max_degree() {
             break;
         }
-        let mean = degrees.iter().map(|&degree| f64::from(degree)).sum::<f64>() / degrees.len() as f64;
+        let mean =
+            degrees.iter().map(|&degree| f64::from(degree)).sum::<f64>() / degrees.len() as f64;
         let pace = 0.15 / (1.0 + f64::from(round) / 20.0);
         for (weight, &degree) in weights.iter_mut().zip(&degrees) {
             let change = (pace * (f64::from(degree) - mean)).clamp(-1.0, 1.0);

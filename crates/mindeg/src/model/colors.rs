@@ -10,7 +10,9 @@ pub(super) fn classes(model: &Model) -> Vec<Vec<usize>> {
     for face in 0..model.face_count() {
         let corners: Vec<u32> = model.face_loops(face).flatten().collect();
         let is_free = |class: usize| {
-            let bit = |words: &Vec<u64>| words.get(class / 64).is_some_and(|w| w >> (class % 64) & 1 == 1);
+            let bit = |words: &Vec<u64>| {
+                words.get(class / 64).is_some_and(|w| w >> (class % 64) & 1 == 1)
+            };
             !corners.iter().any(|&corner| bit(&used[corner as usize]))
         };
         let class = (0..classes.len()).find(|&class| is_free(class)).unwrap_or(classes.len());
@@ -30,7 +32,10 @@ pub(super) fn classes(model: &Model) -> Vec<Vec<usize>> {
 }
 
 /// The results of `work` on some faces, in order, on all threads.
-pub(super) fn map_faces<R: Send>(faces: &[usize], work: impl Fn(usize) -> R + Sync + Send) -> Vec<R> {
+pub(super) fn map_faces<R: Send>(
+    faces: &[usize],
+    work: impl Fn(usize) -> R + Sync + Send,
+) -> Vec<R> {
     #[cfg(feature = "parallel")]
     if faces.len() > 1 {
         use rayon::prelude::*;

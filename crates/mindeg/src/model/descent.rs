@@ -5,8 +5,8 @@
 //! stays, the weight grows with every round, until the descent breaks out of the hole (breakout
 //! weights, after Morris 1993).
 
-use mindeg_exact::{Block, Cost, Patch};
 use mindeg_exact::measure::min_angle_tangent;
+use mindeg_exact::{Block, Cost, Patch};
 use mindeg_mesh::{Cancelled, Progress};
 
 use super::colors::{classes, map_faces};
@@ -130,7 +130,11 @@ impl<'j, 'm> Descent<'j, 'm> {
             let solve = |face: usize| {
                 let is_active = is_small
                     || joint.model.rings(face).vertices.iter().any(|&v| is_crowded[v as usize]);
-                if is_active { improved(joint, face, degree, round, weights, is_small) } else { None }
+                if is_active {
+                    improved(joint, face, degree, round, weights, is_small)
+                } else {
+                    None
+                }
             };
             let found = map_faces(&self.classes[class], solve);
             let faces = self.classes[class].clone();
@@ -174,9 +178,8 @@ fn improved(
         degree,
         threshold: joint.thresholds[face],
     };
-    let is_crowded = |patch: &Patch<'_>, place: usize| {
-        cost.others[place] + patch.chords(place as u32) > degree
-    };
+    let is_crowded =
+        |patch: &Patch<'_>, place: usize| cost.others[place] + patch.chords(place as u32) > degree;
     let mut changed = false;
     let is_whole = is_small && plane_face.rings.len() == 1 && joint.triangles[face].len() <= WHOLE;
     if is_whole {

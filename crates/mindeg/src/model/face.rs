@@ -32,7 +32,10 @@ impl PlaneFace {
         Self { vertices: rings.vertices, points, runs, rings: rings.rings, corners: rings.corners }
     }
 
-    pub(super) fn problem(&self, triangles: &[[u32; 3]]) -> Result<Problem, mindeg_exact::ProblemError> {
+    pub(super) fn problem(
+        &self,
+        triangles: &[[u32; 3]],
+    ) -> Result<Problem, mindeg_exact::ProblemError> {
         Problem::triangulated(&self.points, &self.runs, triangles)
     }
 
@@ -43,8 +46,9 @@ impl PlaneFace {
 
     /// The tangent of the minimum angle of some triangles.
     pub(super) fn min_tangent(&self, triangles: &[[u32; 3]]) -> f64 {
-        let tangent =
-            |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|place| self.points[place as usize]));
+        let tangent = |triangle: &[u32; 3]| {
+            min_angle_tangent(triangle.map(|place| self.points[place as usize]))
+        };
         triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
     }
 

@@ -14,7 +14,8 @@ pub struct Solid {
 
 impl Solid {
     pub fn model(&self, side: Side) -> Model {
-        let face = |loops: &Vec<Vec<u32>>| ModelFace { loops: loops.clone(), ..ModelFace::default() };
+        let face =
+            |loops: &Vec<Vec<u32>>| ModelFace { loops: loops.clone(), ..ModelFace::default() };
         Model::new(ModelParts {
             corners: self.corners.clone(),
             faces: self.faces.iter().map(face).collect(),
