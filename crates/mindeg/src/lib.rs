@@ -45,6 +45,8 @@ mod goal;
 mod keep_angle;
 #[cfg(feature = "exact")]
 mod meshed;
+#[cfg(feature = "exact")]
+pub mod model;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
