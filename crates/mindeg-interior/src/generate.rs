@@ -8,14 +8,16 @@ use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Goal, Weights, goals};
 use crate::limits::limits;
 use crate::optimise::optimise;
-use crate::options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+use crate::options::{Fixed, InteriorError, Options, Prefer, SizeAt};
 use crate::order::along_hilbert_curve;
 use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
 use crate::report::{Report, measure};
 use crate::size::SizeField;
+use crate::stage::Stage;
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
+use mindeg_mesh::Progress;
 use std::collections::VecDeque;
 use std::error::Error;
 
@@ -91,11 +93,12 @@ where
         let goals = goals(outline, &way);
         let (breaklines, field) = size_field(outline, fixed, &way)?;
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
-        let mut part = |done: f32| progress((index as f32 + done) / tries.len() as f32);
+        let mut stage = Stage::of_try(progress, "adding interior points", index, tries.len());
         let mut mesh =
-            start.mesh(seed.spacing, floor, options.max_points, &mut triangulate, &mut part)?;
+            start.mesh(seed.spacing, floor, options.max_points, &mut triangulate, &mut stage)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
-        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut part)?;
+        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut stage)?;
+        stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
         let goal = |v: u32| goals.get(v as usize);
@@ -112,7 +115,6 @@ where
             break;
         }
     }
-    crate::options::report(progress, 1.0)?;
     best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
 }
 
@@ -161,7 +163,7 @@ impl Start<'_> {
         floor: f64,
         max_points: usize,
         triangulate: &mut F,
-        progress: Progress<'_>,
+        stage: &mut Stage<'_>,
     ) -> Result<ArrayMesh, InteriorError>
     where
         E: Into<Box<dyn Error + Send + Sync>>,
@@ -185,7 +187,7 @@ impl Start<'_> {
             fan_angle: floor + 3.0,
             max_points,
         };
-        let (packed, sizes) = ground.pack(progress)?;
+        let (packed, sizes) = ground.pack(stage)?;
         let given = self.outline.points().len() + self.breaklines.points.len();
         let mut vertices = Vec::with_capacity(given + packed.len());
         let vertex =
@@ -206,6 +208,7 @@ impl Start<'_> {
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
         let boundary: Vec<[u32; 2]> = self.outline.edges().collect();
         let edges: Vec<[u32; 2]> = boundary.iter().chain(&self.breaklines.edges).copied().collect();
+        stage.reach(0.2)?;
         let all = triangulate(&points, &edges)
             .map_err(|error| InteriorError::Triangulation(error.into()))?;
         let mut triangles = inside(points.len(), &all, &boundary)?;

@@ -10,8 +10,8 @@
 //! ```
 //! use glam::DVec2;
 //! use mindeg_interior::{Fixed, Options, Outline, generate};
+//! use mindeg_mesh::Progress;
 //! use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
-//! use std::ops::ControlFlow;
 //!
 //! let delaunay = |points: &[DVec2], edges: &[[u32; 2]]| {
 //!     let points = points.iter().map(|p| Point2::new(p.x, p.y)).collect();
@@ -29,8 +29,7 @@
 //! let ring: Vec<DVec2> = (0..4).flat_map(side).collect();
 //!
 //! let outline = Outline::new(&[&ring])?;
-//! let go = &mut |_| ControlFlow::Continue(());
-//! let mesh = generate(&outline, &Fixed::default(), &Options::default(), delaunay, go)?;
+//! let mesh = generate(&outline, &Fixed::default(), &Options::default(), delaunay, Progress::NONE)?;
 //! assert_eq!(mesh.points[..32], ring[..]);
 //! assert!(mesh.report.min_angle > 35.0);
 //! assert!(mesh.report.violations.is_empty());
@@ -85,12 +84,13 @@ mod report;
 mod samples;
 mod size;
 mod smooth;
+mod stage;
 mod trial;
 mod triangle;
 mod verdict;
 
 pub use generate::{InteriorMesh, generate};
 pub use improve::{Improved, Keep, improve};
-pub use options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+pub use options::{Fixed, InteriorError, Options, Prefer, SizeAt};
 pub use outline::{Outline, OutlineError};
 pub use report::{Report, Violation};

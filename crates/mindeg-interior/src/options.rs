@@ -2,7 +2,8 @@
 
 use crate::outline::{OutlineError, is_usable};
 use glam::DVec2;
-use std::ops::{ControlFlow, RangeInclusive};
+use mindeg_mesh::Cancelled;
+use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// A wanted edge length at a place.
@@ -71,9 +72,6 @@ pub struct Fixed {
     /// may divide a segment, but keeps its line.
     pub segments: Vec<[u32; 2]>,
 }
-
-/// Progress callback: the share of the work that is done, 0 to 1. Break to cancel.
-pub type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
 
 /// Why there is no mesh.
 #[derive(Debug, Error)]
@@ -166,9 +164,9 @@ pub enum InteriorError {
     /// A mesh that cannot be improved because it is not a planar triangle mesh.
     #[error("the mesh cannot be improved: {0}")]
     BadMesh(String),
-    /// The callback asked to stop.
-    #[error("cancelled")]
-    Cancelled,
+    /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
 }
 
 impl Options {
@@ -202,13 +200,5 @@ impl Options {
             Some(angle) if !(angle > 0.0 && angle < 60.0) => Err(InteriorError::TargetAngle(angle)),
             _ => Ok(()),
         }
-    }
-}
-
-/// Reports progress; an error if the callback wants to stop.
-pub(crate) fn report(progress: Progress<'_>, done: f32) -> Result<(), InteriorError> {
-    match progress(done) {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(InteriorError::Cancelled),
     }
 }

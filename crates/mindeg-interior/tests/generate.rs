@@ -13,8 +13,10 @@ use glam::DVec2;
 use mindeg_interior::{
     Fixed, InteriorError, InteriorMesh, Options, Outline, Prefer, SizeAt, generate,
 };
+use mindeg_mesh::{Progress, Step};
 use polygons::{Random, domains, random_polygon, ring};
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 fn points(list: &[[f64; 2]]) -> Vec<DVec2> {
     list.iter().copied().map(DVec2::from).collect()
@@ -26,8 +28,7 @@ fn try_mesh(
     options: &Options,
 ) -> Result<InteriorMesh, InteriorError> {
     let outline = Outline::new(rings)?;
-    let go = &mut |_| ControlFlow::Continue(());
-    generate(&outline, fixed, options, delaunay::triangulate, go)
+    generate(&outline, fixed, options, delaunay::triangulate, Progress::NONE)
 }
 
 /// Meshes, and checks everything that must hold whatever was reached.
@@ -274,37 +275,37 @@ fn a_reachable_target_is_aimed_at() {
 }
 
 #[test]
-fn progress_rises_to_one_and_can_cancel() {
+fn progress_rises_to_the_end_and_can_cancel() {
     let outline = Outline::new(&[plate()[0].clone()]).unwrap();
-    let mut seen = vec![0.0];
-    let mut run = |stop: f32| {
-        generate(
-            &outline,
-            &Fixed::default(),
-            &Options::default(),
-            delaunay::triangulate,
-            &mut |done| {
-                seen.push(done);
-                if done > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            },
-        )
+    let seen = Mutex::new(Vec::new());
+    let run = |most: u64| {
+        let callback = |step: Step<'_>| {
+            seen.lock().unwrap().push((step.stage.to_owned(), step.done, step.total));
+            if step.done > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let (fixed, options) = (Fixed::default(), Options::default());
+        let progress = Progress::new(&callback);
+        generate(&outline, &fixed, &options, delaunay::triangulate, progress)
     };
-    assert!(matches!(run(0.01), Err(InteriorError::Cancelled)));
-    run(2.0).unwrap();
-    assert_eq!(seen.last(), Some(&1.0));
-    assert!(seen[3..].windows(2).all(|pair| pair[0] <= pair[1]), "{seen:?}");
+    assert!(matches!(run(10), Err(InteriorError::Cancelled(_))));
+    seen.lock().unwrap().clear();
+    run(u64::MAX).unwrap();
+    let seen = seen.lock().unwrap();
+    assert!(seen.iter().all(|(stage, done, total)| !stage.is_empty() && done <= total));
+    assert_eq!(seen.last().map(|(_, done, total)| done == total), Some(true));
+    assert!(seen.windows(2).all(|p| p[0].0 != p[1].0 || p[0].1 <= p[1].1), "{seen:?}");
 }
 
 #[test]
 fn a_failing_triangulation_is_an_error() {
     let outline = Outline::new(&plate()).unwrap();
-    let go = &mut |_| ControlFlow::Continue(());
     let (fixed, options) = (Fixed::default(), Options::default());
-    let error = generate(&outline, &fixed, &options, |_, _| Err("no luck"), go).unwrap_err();
+    let error =
+        generate(&outline, &fixed, &options, |_, _| Err("no luck"), Progress::NONE).unwrap_err();
     assert!(error.to_string().contains("no luck"), "{error}");
     for broken in [vec![], vec![[0, 1, 2]], vec![[0, 1, 1_000_000]]] {
         let give = |_: &[DVec2], _: &[[u32; 2]]| Ok::<_, String>(broken.clone());
-        let error = generate(&outline, &fixed, &options, give, go).unwrap_err();
+        let error = generate(&outline, &fixed, &options, give, Progress::NONE).unwrap_err();
         assert!(matches!(error, InteriorError::NotFilled(_)), "{error}");
     }
 }

@@ -8,8 +8,8 @@ mod polygons;
 
 use glam::DVec2;
 use mindeg_interior::{Fixed, Options, Outline, Prefer, generate};
+use mindeg_mesh::Progress;
 use polygons::{Random, domains, random_polygon, random_star};
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 fn main() {
@@ -35,9 +35,7 @@ fn main() {
     for (name, rings) in &all {
         let begin = Instant::now();
         let result = Outline::new(rings).map_err(Into::into).and_then(|outline| {
-            generate(&outline, &Fixed::default(), &options, delaunay::triangulate, &mut |_| {
-                ControlFlow::Continue(())
-            })
+            generate(&outline, &Fixed::default(), &options, delaunay::triangulate, Progress::NONE)
         });
         let mesh = match result {
             Ok(mesh) => mesh,

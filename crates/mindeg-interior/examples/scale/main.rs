@@ -7,7 +7,7 @@ mod delaunay;
 
 use glam::DVec2;
 use mindeg_interior::{Fixed, Options, Outline, generate};
-use std::ops::ControlFlow;
+use mindeg_mesh::Progress;
 use std::time::{Duration, Instant};
 
 /// The boundary of the unit square; each side's intervals are `counts`, the first side's towards a corner.
@@ -52,7 +52,7 @@ fn main() {
                     delaunay += begin.elapsed();
                     triangles
                 },
-                &mut |_| ControlFlow::Continue(()),
+                Progress::NONE,
             );
             let seconds = start.elapsed().as_secs_f64();
             match mesh {
