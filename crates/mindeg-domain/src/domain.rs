@@ -14,6 +14,7 @@ use mindeg_core::Boundary;
 
 use crate::constraints::Constraints;
 use crate::domain_error::DomainError;
+use crate::interior::Interior;
 use crate::name;
 use crate::outline::{self, Orientation, Outline};
 use crate::placement::{Placement, PlacementError};
@@ -44,6 +45,7 @@ pub struct Domain {
     sides: Vec<Side>,
     placement: Placement,
     constraints: Constraints,
+    interior: Option<Interior>,
     was_reversed: bool,
 }
 
@@ -110,7 +112,8 @@ impl Domain {
         let laws = laws(&corners, &sides, &boundary)?;
         let placement = Placement::new(boundary, corners, laws)?;
         let constraints = constraints.checked(placement.boundary())?;
-        Ok(Self { name: None, outline, sides, placement, constraints, was_reversed: false })
+        let (name, interior, was_reversed) = (None, None, false);
+        Ok(Self { name, outline, sides, placement, constraints, interior, was_reversed })
     }
 
     /// [`Domain::new`] for an upright rectangle with its first corner at the origin. Its sides
@@ -156,6 +159,18 @@ impl Domain {
         let name = name.into();
         name::check(&name, None)?;
         Ok(Self { name: Some(name), ..self })
+    }
+
+    /// The same domain with what is wanted of a mesh with interior points.
+    #[must_use]
+    pub fn with_interior(self, interior: Interior) -> Self {
+        Self { interior: Some(interior), ..self }
+    }
+
+    /// What is wanted of a mesh with interior points, if the domain tells.
+    #[must_use]
+    pub fn interior(&self) -> Option<&Interior> {
+        self.interior.as_ref()
     }
 
     /// The name, if there is one.

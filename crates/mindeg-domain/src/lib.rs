@@ -24,6 +24,7 @@
 mod constraints;
 mod domain;
 mod domain_error;
+mod interior;
 #[cfg(feature = "json")]
 mod json;
 mod limits;
@@ -40,6 +41,7 @@ pub use constraints::{
 };
 pub use domain::Domain;
 pub use domain_error::DomainError;
+pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 #[cfg(feature = "json")]
 pub use json::DomainJsonError;
 pub use limits::{GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE};

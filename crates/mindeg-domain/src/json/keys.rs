@@ -6,8 +6,10 @@
 use glam::DVec2;
 
 use super::error::DomainJsonError;
+use super::interior::interior;
 use super::value::{Object, Value};
 use crate::constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstraint};
+use crate::interior::Interior;
 use crate::outline::Outline;
 use crate::rectangle::Rectangle;
 use crate::side::{Intervals, Side};
@@ -19,6 +21,7 @@ pub(super) struct Description {
     pub(super) outline: Outline,
     pub(super) sides: Vec<Side>,
     pub(super) constraints: Constraints,
+    pub(super) interior: Option<Interior>,
 }
 
 const DOMAIN: &str = "an object with \"rectangle\" or \"polygon\", and \"sides\" or \"size\"; \
@@ -26,9 +29,9 @@ const DOMAIN: &str = "an object with \"rectangle\" or \"polygon\", and \"sides\"
 const RECTANGLE: &str =
     "{\"width\": w, \"height\": h}; optional: \"origin\": [x, y], \"rotation\": degrees";
 const POLYGON: &str = "{\"corners\": [[x, y], …]}";
-const CORNERS: &str = "a list of [x, y] pairs of numbers";
+pub(super) const CORNERS: &str = "a list of [x, y] pairs of numbers";
 const PAIR: &str = "a pair [x, y] of numbers";
-const ABOVE_0: &str = "a number above 0";
+pub(super) const ABOVE_0: &str = "a number above 0";
 const SIDES: &str = "a list with one object for each side, such as {\"intervals\": 3}";
 const SIDE: &str = "an object such as {\"intervals\": 3} or {\"size\": 0.5}; optional: \"spacing\", \
                     \"name\", \"outside_degree\", \"max_degree\"";
@@ -52,7 +55,7 @@ pub(super) fn description(text: &Value<'_>) -> Result<Description, DomainJsonErr
              {POLYGON}"
         )));
     }
-    let allowed = ["name", "rectangle", "polygon", "size", "sides", "vertices"];
+    let allowed = ["name", "rectangle", "polygon", "size", "sides", "vertices", "interior"];
     let keys = text.object(&allowed, DOMAIN)?;
     let name = name(&keys)?;
     let outline = outline(text, &keys)?;
@@ -82,7 +85,9 @@ pub(super) fn description(text: &Value<'_>) -> Result<Description, DomainJsonErr
         Some(given) => given.items(VERTICES)?.iter().map(vertex).collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
-    Ok(Description { name, outline, sides, constraints: Constraints { sides: of_sides, vertices } })
+    let interior = keys.get("interior").map(interior).transpose()?;
+    let constraints = Constraints { sides: of_sides, vertices };
+    Ok(Description { name, outline, sides, constraints, interior })
 }
 
 fn name(keys: &Object<'_>) -> Result<Option<String>, DomainJsonError> {
@@ -116,7 +121,7 @@ fn rectangle(given: &Value<'_>) -> Result<Rectangle, DomainJsonError> {
     })
 }
 
-fn pair(given: &Value<'_>) -> Result<DVec2, DomainJsonError> {
+pub(super) fn pair(given: &Value<'_>) -> Result<DVec2, DomainJsonError> {
     match &given.items(PAIR)?[..] {
         [x, y] => Ok(DVec2::new(x.number("a number")?, y.number("a number")?)),
         items => {
