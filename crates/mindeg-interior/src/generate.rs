@@ -8,7 +8,7 @@ use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Goal, Weights, goals};
 use crate::limits::limits;
 use crate::optimise::optimise;
-use crate::options::{Fixed, InteriorError, Options, Prefer, SizeAt};
+use crate::options::{Fixed, InteriorError, Options};
 use crate::order::along_hilbert_curve;
 use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
@@ -17,6 +17,7 @@ use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
+use mindeg_domain::{Prefer, SizeAt};
 use mindeg_mesh::Progress;
 use std::collections::VecDeque;
 use std::error::Error;
@@ -76,7 +77,7 @@ where
     F: FnMut(&[DVec2], &[[u32; 2]]) -> Result<Vec<[u32; 3]>, E>,
 {
     options.check()?;
-    let limits = limits(outline, options.boundary_degree);
+    let limits = limits(outline, |v| options.degree_limit(outline, v));
     check_target(&limits, options)?;
     let floor = floor(options);
     let mut best: Option<InteriorMesh> = None;

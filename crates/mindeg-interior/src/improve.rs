@@ -143,7 +143,7 @@ impl Input {
             mesh.vertices[*v as usize].goal = goal;
         }
         mesh.goals = goals(&outline, options);
-        let mut limits = limits(&outline, options.boundary_degree);
+        let mut limits = limits(&outline, |v| options.degree_limit(&outline, v));
         let name = |v: &mut u32| *v = names[*v as usize];
         name(&mut limits.any_degree.vertex);
         name(&mut limits.with_degree_limit.vertex);

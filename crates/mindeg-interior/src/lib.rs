@@ -72,6 +72,7 @@ mod goal;
 mod improve;
 mod invariants;
 pub mod limits;
+mod lines;
 mod near;
 mod operations;
 mod optimise;
@@ -91,6 +92,7 @@ mod verdict;
 
 pub use generate::{InteriorMesh, generate};
 pub use improve::{Improved, Keep, improve};
-pub use options::{Fixed, InteriorError, Options, Prefer, SizeAt};
+pub use mindeg_domain::{Prefer, SizeAt};
+pub use options::{Fixed, InteriorError, Options};
 pub use outline::{Outline, OutlineError};
 pub use report::{Report, Violation};
