@@ -3,6 +3,7 @@
 use crate::limits::degree_limit;
 use crate::outline::{Outline, OutlineError, is_usable};
 use glam::DVec2;
+use mindeg_delaunay::DelaunayError;
 use mindeg_domain::{Prefer, SizeAt};
 use mindeg_mesh::Cancelled;
 use std::collections::BTreeMap;
@@ -176,8 +177,8 @@ pub enum InteriorError {
     },
     /// The triangulation failed.
     #[error("the triangulation of boundary and interior points failed: {0}")]
-    Triangulation(#[source] Box<dyn std::error::Error + Send + Sync>),
-    /// The triangulation lacks boundary edges or has too many or too few triangles.
+    Triangulation(#[source] DelaunayError),
+    /// The triangulation has too many or too few triangles.
     #[error("the triangulation does not fill the outline: {0}")]
     NotFilled(String),
     /// A mesh that cannot be improved because it is not a planar triangle mesh.
@@ -186,6 +187,15 @@ pub enum InteriorError {
     /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+impl From<DelaunayError> for InteriorError {
+    fn from(error: DelaunayError) -> Self {
+        match error {
+            DelaunayError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+            error => Self::Triangulation(error),
+        }
+    }
 }
 
 impl Options {

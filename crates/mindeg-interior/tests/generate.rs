@@ -2,8 +2,6 @@
 #![allow(clippy::unwrap_used, clippy::cloned_ref_to_slice_refs)]
 
 mod checker;
-#[path = "../examples/corpus/delaunay.rs"]
-mod delaunay;
 #[path = "../examples/corpus/polygons.rs"]
 #[allow(dead_code)]
 mod polygons;
@@ -28,7 +26,7 @@ fn try_mesh(
     options: &Options,
 ) -> Result<InteriorMesh, InteriorError> {
     let outline = Outline::new(rings)?;
-    generate(&outline, fixed, options, delaunay::triangulate, Progress::NONE)
+    generate(&outline, fixed, options, Progress::NONE)
 }
 
 /// Meshes, and checks everything that must hold whatever was reached.
@@ -192,6 +190,22 @@ fn other_limits_on_degrees_are_kept() {
 }
 
 #[test]
+fn a_vertex_may_have_a_limit_of_its_own() {
+    // On a side, three triangles meet where nothing limits them.
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8; 4]);
+    let degree = |degree_limits| {
+        let options = Options { degree_limits, ..Options::default() };
+        let found = mesh(&[square.clone()], &Fixed::default(), &options);
+        assert_eq!(found.report.violations, []);
+        degrees(found.points.len(), &found.triangles)[4]
+    };
+    assert_eq!((degree([].into()), degree([(4, 3)].into())), (4, 3));
+    let options = Options { degree_limits: [(3, 1)].into(), ..Options::default() };
+    let error = try_mesh(&[square.clone()], &Fixed::default(), &options).unwrap_err();
+    assert!(error.to_string().starts_with("vertex 3 has a degree limit of 1"), "{error}");
+}
+
+#[test]
 fn preferred_angles_exceed_the_limit_that_degrees_set() {
     // At the first corner an edge of 20 meets one of 0.25.
     let corners = points(&[[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]]);
@@ -285,7 +299,7 @@ fn progress_rises_to_the_end_and_can_cancel() {
         };
         let (fixed, options) = (Fixed::default(), Options::default());
         let progress = Progress::new(&callback);
-        generate(&outline, &fixed, &options, delaunay::triangulate, progress)
+        generate(&outline, &fixed, &options, progress)
     };
     assert!(matches!(run(10), Err(InteriorError::Cancelled(_))));
     seen.lock().unwrap().clear();
@@ -294,20 +308,6 @@ fn progress_rises_to_the_end_and_can_cancel() {
     assert!(seen.iter().all(|(stage, done, total)| !stage.is_empty() && done <= total));
     assert_eq!(seen.last().map(|(_, done, total)| done == total), Some(true));
     assert!(seen.windows(2).all(|p| p[0].0 != p[1].0 || p[0].1 <= p[1].1), "{seen:?}");
-}
-
-#[test]
-fn a_failing_triangulation_is_an_error() {
-    let outline = Outline::new(&plate()).unwrap();
-    let (fixed, options) = (Fixed::default(), Options::default());
-    let error =
-        generate(&outline, &fixed, &options, |_, _| Err("no luck"), Progress::NONE).unwrap_err();
-    assert!(error.to_string().contains("no luck"), "{error}");
-    for broken in [vec![], vec![[0, 1, 2]], vec![[0, 1, 1_000_000]]] {
-        let give = |_: &[DVec2], _: &[[u32; 2]]| Ok::<_, String>(broken.clone());
-        let error = generate(&outline, &fixed, &options, give, Progress::NONE).unwrap_err();
-        assert!(matches!(error, InteriorError::NotFilled(_)), "{error}");
-    }
 }
 
 /// A polygon round the origin with a corner in each direction, at random distances.

@@ -2,11 +2,10 @@
 #![allow(clippy::unwrap_used)]
 
 mod checker;
-#[path = "../examples/corpus/delaunay.rs"]
-mod delaunay;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
+use mindeg_delaunay::of_rings;
 use mindeg_interior::{Improved, InteriorError, Keep, Options, improve};
 use mindeg_mesh::Progress;
 use proptest::prelude::*;
@@ -22,8 +21,8 @@ fn square(side: u32, inside: &[(f64, f64)]) -> Mesh {
         points.extend((0..side).map(along));
     }
     points.extend(inside.iter().map(|(x, y)| DVec2::new(0.02 + 0.96 * x, 0.02 + 0.96 * y)));
-    let edges: Vec<[u32; 2]> = (0..4 * side).map(|v| [v, (v + 1) % (4 * side)]).collect();
-    let triangles = delaunay::triangulate(&points, &edges).unwrap();
+    let ring = 0..4 * side;
+    let triangles = of_rings(&points, &[ring], &[], &[], Progress::NONE).unwrap();
     (points, triangles)
 }
 

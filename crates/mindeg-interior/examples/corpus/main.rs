@@ -3,7 +3,6 @@
 //!
 //! `cargo run --release --example corpus [-- --prefer-angle] [-- PART…]`: names or numbers of boundaries, all by default.
 
-mod delaunay;
 mod polygons;
 
 use glam::DVec2;
@@ -34,9 +33,9 @@ fn main() {
     );
     for (name, rings) in &all {
         let begin = Instant::now();
-        let result = Outline::new(rings).map_err(Into::into).and_then(|outline| {
-            generate(&outline, &Fixed::default(), &options, delaunay::triangulate, Progress::NONE)
-        });
+        let result = Outline::new(rings)
+            .map_err(Into::into)
+            .and_then(|outline| generate(&outline, &Fixed::default(), &options, Progress::NONE));
         let mesh = match result {
             Ok(mesh) => mesh,
             Err(error) => {
