@@ -49,8 +49,8 @@ pub struct InteriorMesh {
 
 /// Meshes a domain with interior points.
 ///
-/// The domain's external degrees and degree limits hold for its boundary vertices, besides
-/// [`Interior::boundary_degree`]. Equal input gives equal bytes on every machine. O(n log n) for n
+/// Where the domain gives a boundary vertex a degree limit, that holds instead of
+/// [`Interior::boundary_degree`], and external degrees count. Equal input gives equal bytes on every machine. O(n log n) for n
 /// points, besides what is spent where degrees or angles need mending.
 ///
 /// # Errors
@@ -143,12 +143,9 @@ fn options(domain: &Domain, wanted: &Interior) -> Options {
     };
     if domain.is_constrained() {
         for vertex in 0..domain.placement().vertex_count() {
-            let external = domain.external_degree(vertex);
-            let own = domain.degree_limit(vertex).map(|limit| limit.saturating_sub(external));
-            if external > 0 || own.is_some() {
-                let usual = options.boundary_degree.saturating_sub(external);
-                let limit = own.map_or(usual, |own| own.min(usual)).max(2);
-                options.degree_limits.insert(vertex, limit);
+            if let Some(limit) = domain.degree_limit(vertex) {
+                let limit = limit.saturating_sub(domain.external_degree(vertex));
+                options.degree_limits.insert(vertex, limit.max(2));
             }
         }
     }
