@@ -335,7 +335,7 @@ mod tests {
             for center in [DVec2::ZERO, DVec2::new(500_000.0, 4_650_000.0)] {
                 let domain = regular(center, sides);
                 let points: Vec<DVec2> = domain.placement().points().collect();
-                let boundary = domain.boundary();
+                let boundary = domain.rings();
                 let corners: Vec<u32> =
                     (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
                 let triangles = of_boundary(&points, &corners, Progress::NONE).unwrap();

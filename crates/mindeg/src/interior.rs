@@ -32,6 +32,8 @@ pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{InteriorError, Report, Violation};
 
+use std::ops::Range;
+
 use glam::DVec2;
 use mindeg_domain::{Domain, Interior};
 use mindeg_interior::{Fixed, Options, Outline, generate};
@@ -103,28 +105,26 @@ fn free_name(lines: &[Line], wanted: &str) -> String {
     name
 }
 
-/// The sides of a domain as lines.
+/// The sides of a domain as lines, with the boundary's edges.
 fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
-    let boundary = domain.boundary();
+    let rings = domain.rings();
+    let runs = domain.straight_runs();
     let line = |side| {
-        let start = boundary.corner(side);
-        Line {
-            name: domain.side_name(side),
-            segments: start..start + boundary.intervals(side),
-            is_straight: true,
-        }
+        let start = rings.corner(side);
+        let edges = start..start + rings.intervals(side);
+        let is_straight = runs[start as usize] == runs[edges.end as usize - 1];
+        Line { name: domain.side_name(side), segments: edges, is_straight }
     };
-    let edge = |vertex| [vertex, boundary.next(vertex)];
-    let edges = (0..boundary.vertex_count()).map(edge).collect();
-    ((0..boundary.side_count()).map(line).collect(), edges)
+    let edges = (0..rings.vertex_count()).map(|vertex| [vertex, rings.next(vertex)]).collect();
+    ((0..rings.side_count()).map(line).collect(), edges)
 }
 
 /// The boundary points of a domain.
 fn outline(domain: &Domain) -> Result<Outline, InteriorError> {
-    let placement = domain.placement();
-    let mut points = vec![DVec2::ZERO; placement.vertex_count() as usize];
-    placement.fill_points(0, &mut points);
-    Ok(Outline::new(&[points])?)
+    let mut points = vec![DVec2::ZERO; domain.rings().vertex_count() as usize];
+    domain.placement().fill_points(0, &mut points);
+    let ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
+    Ok(Outline::new(&domain.rings().rings().map(ring).collect::<Vec<_>>())?)
 }
 
 /// What is wanted, with defaults for what is left out.
@@ -142,7 +142,7 @@ fn options(domain: &Domain, wanted: &Interior) -> Options {
         max_points: wanted.max_points.unwrap_or(default.max_points),
     };
     if domain.is_constrained() {
-        for vertex in 0..domain.placement().vertex_count() {
+        for vertex in 0..domain.rings().vertex_count() {
             if let Some(limit) = domain.degree_limit(vertex) {
                 let limit = limit.saturating_sub(domain.external_degree(vertex));
                 options.degree_limits.insert(vertex, limit.max(2));

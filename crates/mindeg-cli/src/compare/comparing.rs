@@ -39,7 +39,7 @@ pub(super) fn compared(
     const PER_VERTEX: u64 = 1000;
     /// Bytes for each pair of vertices in exact work: as measured, 36.
     const PER_PAIR: u64 = 100;
-    let vertices = domain.boundary().vertex_count();
+    let vertices = domain.rings().vertex_count();
     let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
     let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
     let stage = format!(

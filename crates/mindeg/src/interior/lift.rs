@@ -31,11 +31,11 @@ const WORTH: f64 = 1.02;
 /// brings nine tenths of what any such change can; none if it brings nothing, or for domains of more
 /// than 20,000 boundary vertices.
 ///
-/// Constraints on single vertices do not count, since the change renames vertices. Takes up to about
-/// 50 times as long as [`angle_limit`].
+/// Constraints stay on their vertices' indices. Takes up to about 50 times as long as
+/// [`angle_limit`].
 #[must_use]
 pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Lift> {
-    if domain.placement().vertex_count() > MOST_VERTICES {
+    if domain.rings().vertex_count() > MOST_VERTICES {
         return None;
     }
     let tried: Vec<Lift> = candidates(domain, &limit.cause)
@@ -54,7 +54,7 @@ pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Li
 
 /// Counts to try, each as a list of sides with their new counts.
 fn candidates(domain: &Domain, cause: &Cause) -> Vec<Vec<(usize, u64)>> {
-    let count = |side: usize| u64::from(domain.boundary().intervals(side));
+    let count = |side: usize| u64::from(domain.rings().intervals(side));
     match cause {
         Cause::Corner { corner, side_before, lengths: [before, after], .. } => {
             let ratio = (before / after).max(after / before);
@@ -106,11 +106,11 @@ fn changed(domain: &Domain, wanted: &Interior, counts: &[(usize, u64)]) -> Optio
     for (side, count) in counts {
         sides[*side].intervals = Intervals::Count(*count);
     }
-    let changed = Domain::new(domain.outline().clone(), sides).ok()?;
+    let changed = domain.with_sides(sides).ok()?;
     let limit = angle_limit(&changed, wanted).ok()?;
     let by = |(side, count): &(usize, u64)| Change {
         side: *side,
-        by: *count as i64 - i64::from(domain.boundary().intervals(*side)),
+        by: *count as i64 - i64::from(domain.rings().intervals(*side)),
     };
     Some(Lift {
         changes: counts.iter().map(by).collect(),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use mindeg_domain::{Domain, Interior};
+use mindeg_domain::{Domain, InRing, Interior};
 use mindeg_interior::limits::{Limits, TentLimit, limits};
 use mindeg_interior::{InteriorError, Outline};
 
@@ -29,6 +29,8 @@ pub enum Cause {
     Corner {
         /// The side that begins there, which is the corner's index too.
         corner: usize,
+        /// What it is called, such as "corner 3".
+        name: String,
         /// The side that ends there.
         side_before: usize,
         /// The vertex.
@@ -101,21 +103,24 @@ impl AngleLimit {
 
 impl Cause {
     fn of_tent(domain: &Domain, tent: &TentLimit) -> Self {
-        let sides = tent.edges.map(|vertex| domain.boundary().side_of(vertex));
+        let sides = tent.edges.map(|vertex| domain.rings().side_of(vertex));
         let names = sides.map(|side| domain.side_name(side));
         Self::Facing { sides, names, vertices: tent.edges }
     }
 
     fn of_fan(domain: &Domain, outline: &Outline, vertex: u32) -> Self {
-        let boundary = domain.boundary();
+        let rings = domain.rings();
         let at = |vertex: u32| outline.points()[vertex as usize];
         let (before, after) = (outline.previous(vertex), outline.next(vertex));
         let lengths = [before, after].map(|other| at(other).distance(at(vertex)));
-        let side = boundary.side_of(vertex);
-        if boundary.is_corner(vertex) {
-            let side_before = boundary.side_of(before);
+        let side = rings.side_of(vertex);
+        if rings.is_corner(vertex) {
+            let InRing { ring, index } = rings.in_ring(side);
+            let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
+            let name = format!("corner {}{hole}", index + 1);
+            let side_before = rings.previous_side(side);
             let angle = outline.angle(vertex).to_degrees();
-            Self::Corner { corner: side, side_before, vertex, angle, lengths }
+            Self::Corner { corner: side, name, side_before, vertex, angle, lengths }
         } else {
             Self::Vertex { side, name: domain.side_name(side), vertex, lengths }
         }
@@ -125,10 +130,9 @@ impl Cause {
 impl fmt::Display for Cause {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Corner { corner, vertex, angle, lengths: [before, after], .. } => write!(
+            Self::Corner { name, vertex, angle, lengths: [before, after], .. } => write!(
                 f,
-                "corner {} (vertex {vertex}), where intervals of {} and {} meet at {}°",
-                corner + 1,
+                "{name} (vertex {vertex}), where intervals of {} and {} meet at {}°",
                 short(*before),
                 short(*after),
                 short(*angle)
