@@ -55,9 +55,7 @@ impl Preset {
         match self {
             Self::Swan => Demands { interior_triangles: Some(4..=10), ..NOTHING },
             Self::Fvcom => Demands { most_triangles: Some(8), ..NOTHING },
-            Self::Sms => {
-                Demands { angles: Some(10.0..=150.0), area_ratio: Some(2.0), ..NOTHING }
-            }
+            Self::Sms => Demands { angles: Some(10.0..=150.0), area_ratio: Some(2.0), ..NOTHING },
             Self::Qmap => Demands { most_edges: Some(6), ..NOTHING },
         }
     }
@@ -81,17 +79,22 @@ impl Demands {
     fn broken(&self, mesh: &TriMesh, triangles: &[[u32; 3]]) -> Vec<String> {
         let vertices = Vertices::new(mesh.positions().len(), triangles);
         let mut broken = Vec::new();
-        let mut vertex = |is_bad: &dyn Fn(&Vertex) -> bool, what: &str, of: &dyn Fn(&Vertex) -> u32| {
-            let bad: Vec<(usize, &Vertex)> =
-                vertices.0.iter().enumerate().filter(|(_, v)| v.triangles > 0 && is_bad(v)).collect();
-            if let Some((index, vertex)) = bad.first() {
-                let count = match bad.len() {
-                    1 => String::new(),
-                    count => format!(", and {} more do", count - 1),
-                };
-                broken.push(format!("vertex {index} has {}{what}{count}", of(vertex)));
-            }
-        };
+        let mut vertex =
+            |is_bad: &dyn Fn(&Vertex) -> bool, what: &str, of: &dyn Fn(&Vertex) -> u32| {
+                let bad: Vec<(usize, &Vertex)> = vertices
+                    .0
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, v)| v.triangles > 0 && is_bad(v))
+                    .collect();
+                if let Some((index, vertex)) = bad.first() {
+                    let count = match bad.len() {
+                        1 => String::new(),
+                        count => format!(", and {} more do", count - 1),
+                    };
+                    broken.push(format!("vertex {index} has {}{what}{count}", of(vertex)));
+                }
+            };
         if let Some(range) = &self.interior_triangles {
             vertex(
                 &|v| !v.is_boundary && !range.contains(&v.triangles),
@@ -128,7 +131,9 @@ impl Demands {
             && ratio > most
         {
             let ratio = four_digits(ratio);
-            broken.push(format!("triangles {a} and {b} differ in area by a factor of {ratio}, above {most}"));
+            broken.push(format!(
+                "triangles {a} and {b} differ in area by a factor of {ratio}, above {most}"
+            ));
         }
         broken
     }
@@ -204,30 +209,54 @@ mod tests {
     #[test]
     fn presets_name_what_breaks_them() {
         for (preset, corners, message) in [
-            (Preset::Swan, 3, "--preset swan: vertex 0 has 3 triangles, outside 4 to 10 (counted from 0)"),
+            (
+                Preset::Swan,
+                3,
+                "--preset swan: vertex 0 has 3 triangles, outside 4 to 10 (counted from 0)",
+            ),
             (Preset::Swan, 4, ""),
             (Preset::Swan, 10, ""),
-            (Preset::Swan, 11, "--preset swan: vertex 0 has 11 triangles, outside 4 to 10 (counted from 0)"),
+            (
+                Preset::Swan,
+                11,
+                "--preset swan: vertex 0 has 11 triangles, outside 4 to 10 (counted from 0)",
+            ),
             (Preset::Fvcom, 8, ""),
-            (Preset::Fvcom, 9, "--preset fvcom: vertex 0 has 9 triangles, above 8 (counted from 0)"),
+            (
+                Preset::Fvcom,
+                9,
+                "--preset fvcom: vertex 0 has 9 triangles, above 8 (counted from 0)",
+            ),
             (Preset::Qmap, 6, ""),
             (Preset::Qmap, 7, "--preset qmap: vertex 0 has 7 edges, above 6 (counted from 0)"),
             (Preset::Sms, 6, ""),
-            (Preset::Sms, 60, "--preset sms: triangle 59 has angles from 6.00° to 87.0°, outside 10° to 150° (counted from 0)"),
+            (
+                Preset::Sms,
+                60,
+                "--preset sms: triangle 59 has angles from 6.00° to 87.0°, outside 10° to 150° (counted from 0)",
+            ),
         ] {
             let found = preset.check(&wheel(corners));
-            let found = found.err().and_then(|f| f.message().map(str::to_owned)).unwrap_or_default();
-            let same = found == message || corners == 60 && found.starts_with("--preset sms: triangle ");
+            let found =
+                found.err().and_then(|f| f.message().map(str::to_owned)).unwrap_or_default();
+            let same =
+                found == message || corners == 60 && found.starts_with("--preset sms: triangle ");
             assert!(same, "{found}");
         }
     }
 
     #[test]
     fn areas_of_neighbours_are_compared() {
-        let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 3.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+        let points =
+            [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 3.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let mesh = TriMesh::new(points.to_vec(), vec![[0, 1, 2], [2, 1, 3]]).unwrap();
         assert_eq!(area_ratio(&mesh, mesh.triangles()), Some((3.0, [0, 1])));
         let refusal = Preset::Sms.check(&mesh).unwrap_err();
-        assert!(refusal.message().unwrap_or_default().contains("triangles 0 and 1 differ in area by a factor of 3"));
+        assert!(
+            refusal
+                .message()
+                .unwrap_or_default()
+                .contains("triangles 0 and 1 differ in area by a factor of 3")
+        );
     }
 }
