@@ -39,6 +39,7 @@ mod numbered;
 pub mod obj;
 pub mod off;
 mod options;
+pub mod outlines;
 pub mod ply;
 mod read;
 mod records;
