@@ -49,14 +49,10 @@ impl Writer {
         positions: &dyn Positions,
         triangle_count: u32,
     ) -> Result<Self, WriteError> {
-        let vertex_count = positions.vertex_count();
+        Self::check_size(format, &options, positions.vertex_count(), triangle_count)?;
         let mut stored = None;
         match format {
-            Format::Svg => svg::check_size(vertex_count)?,
             Format::Glb | Format::Gltf => {
-                if format == Format::Glb {
-                    glb::check_size(vertex_count, triangle_count, &options.surface)?;
-                }
                 stored = Some(Stored::new(positions, options.surface.plane)?);
             }
             Format::Ply => ply::check(positions, &options)?,
@@ -69,6 +65,25 @@ impl Writer {
             _ => {}
         }
         Ok(Self { format, options, stored })
+    }
+
+    /// Refuses what a format cannot hold for its size alone. O(1).
+    ///
+    /// # Errors
+    ///
+    /// A mesh that is too large, or a format that is not written.
+    pub fn check_size(
+        format: Format,
+        options: &WriteOptions,
+        vertex_count: u32,
+        triangle_count: u32,
+    ) -> Result<(), WriteError> {
+        match format {
+            Format::Svg => svg::check_size(vertex_count),
+            Format::Glb => glb::check_size(vertex_count, triangle_count, &options.surface),
+            Format::Off => Err(WriteError::NotWritten(format)),
+            _ => Ok(()),
+        }
     }
 
     /// The format.
