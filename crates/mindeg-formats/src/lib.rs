@@ -35,6 +35,7 @@ pub mod gltf;
 mod lines;
 mod lists;
 mod names;
+pub mod npz;
 mod numbered;
 pub mod obj;
 pub mod off;
@@ -48,6 +49,7 @@ pub mod sms2dm;
 pub mod stl;
 pub mod svg;
 mod tables;
+pub mod triangle;
 mod words;
 mod write;
 

@@ -45,22 +45,15 @@ pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
 ///
 /// [`NotInPlane`](WriteError::NotInPlane), and more vertices than Fortran's integers count.
 pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
-    let (count, limit) = (positions.vertex_count().into(), i32::MAX.unsigned_abs().into());
-    if count > limit {
-        let (format, what) = (Format::Fort14, "vertices");
-        return Err(WriteError::TooLarge { format, what, count, limit });
-    }
+    WriteError::unless_numbered(Format::Fort14, positions)?;
     WriteError::unless_in_plane(Format::Fort14, positions)
 }
 
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = one_line(mesh_name(mesh));
-    let head = format!(
-        "{name} ({GENERATOR})\n {} {}\n",
-        mesh.triangle_count(),
-        mesh.vertex_count()
-    );
+    let head =
+        format!("{name} ({GENERATOR})\n {} {}\n", mesh.triangle_count(), mesh.vertex_count());
     let mut sections =
         vec![Section::bytes(head), vertices(mesh), triangle_lines(mesh, b"", b" 3", |_, _| {})];
     let [open, closed] = segments(mesh);
@@ -109,7 +102,8 @@ fn segments(mesh: &dyn Mesh) -> [Vec<Segment>; 2] {
     let mut segments = Vec::new();
     let mut taken = 0;
     let mut push = |ring: &[Chain], is_ring: bool| {
-        let others = if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
+        let others =
+            if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
         let kind = |chain: &Chain| mesh.line_kind(chain.line).unwrap_or(others);
         if is_ring && ring.iter().all(|chain| kind(chain) == LineKind::Island) {
             segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });

@@ -30,7 +30,11 @@ use std::io::Write;
 /// assert_eq!((read.positions(), read.triangles()), (square.positions(), square.triangles()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write(mesh: &dyn Mesh, options: &WriteOptions, mut out: impl Write) -> Result<(), WriteError> {
+pub fn write(
+    mesh: &dyn Mesh,
+    options: &WriteOptions,
+    mut out: impl Write,
+) -> Result<(), WriteError> {
     check(mesh, options)?;
     write_sections(&mut out, &sections(mesh, options))?;
     Ok(out.flush()?)
@@ -44,11 +48,7 @@ pub fn write(mesh: &dyn Mesh, options: &WriteOptions, mut out: impl Write) -> Re
 /// [`OutOfRange`](WriteError::OutOfRange) and, for vertices round a boundary,
 /// [`Coincident`](WriteError::Coincident).
 pub fn check(positions: &dyn Positions, options: &WriteOptions) -> Result<(), WriteError> {
-    let (vertices, limit) = (positions.vertex_count(), i32::MAX.unsigned_abs());
-    if vertices > limit {
-        let (count, limit) = (vertices.into(), limit.into());
-        return Err(WriteError::TooLarge { format: Format::Ply, what: "vertices", count, limit });
-    }
+    WriteError::unless_numbered(Format::Ply, positions)?;
     if !options.double {
         Stored::in_place(positions, options.surface.plane)?;
     }
@@ -77,7 +77,8 @@ fn header<'a>(mesh: &dyn Mesh, options: &WriteOptions) -> Section<'a> {
 }
 
 fn vertices<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Section<'a> {
-    let len = if options.double { 24 } else { 12 } + if options.surface.degree_colors { 3 } else { 0 };
+    let len =
+        if options.double { 24 } else { 12 } + if options.surface.degree_colors { 3 } else { 0 };
     Section::new(mesh.vertex_count(), len, move |range, buffer| {
         let degrees = if options.surface.degree_colors {
             filled(range.clone(), 0, |first, out| mesh.fill_degrees(first, out))
