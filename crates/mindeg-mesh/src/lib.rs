@@ -23,6 +23,7 @@
 
 mod bounds;
 mod connectivity;
+pub mod crossing;
 pub mod ear_clipping;
 pub mod inspection;
 mod mesh;
