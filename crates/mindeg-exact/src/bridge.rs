@@ -299,7 +299,8 @@ impl BridgeProblem {
     /// The most edges of the strip at each vertex beyond its first.
     fn capacities(&self, limit: u32) -> Capacities {
         let [x, y] = [0, 1].map(|ring| {
-            let most = self.points[1 - ring].len() as u32;
+            // All edges of the other ring in one run would come back to the edge they started from.
+            let most = self.points[1 - ring].len() as u32 - 1;
             self.external[ring].iter().map(|&own| limit.saturating_sub(own + 1).min(most)).collect()
         });
         let is_possible =

@@ -4,11 +4,17 @@
 //! lead round. Each closed staircase comes to j = 0 by a step Y, at one i: so all of them start
 //! there, one start after the other. The run of steps Y in which a start lies is cut in two. Its
 //! part before the cut is guessed, from one step up; in the end the real one may not be longer.
+//!
+//! All steps X in one run, then all steps Y, would come to the same edge twice. Limits on runs
+//! exclude that; without limits, the state is how often the kind of step has changed.
 
 use mindeg_mesh::{Cancelled, Progress};
 
 /// The cost of a step that is not allowed, and of no staircase.
 pub(super) const BLOCKED: u64 = u64::MAX;
+
+/// The number of states without limits on runs.
+const UNLIMITED: usize = 5;
 
 /// What each step costs.
 pub(super) struct Steps {
@@ -95,10 +101,11 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The number of lengths of runs of steps Y and of steps X that are told apart.
+    /// The numbers of states after a step Y and after a step X: with limits, the lengths of the
+    /// current run, from 1; without, see [`next`](Self::next).
     fn widths(&self) -> [usize; 2] {
         let longest = |runs: &[u32]| runs.iter().copied().max().unwrap_or(1).max(1) as usize;
-        self.capacities.map_or([1, 1], |capacities| [longest(&capacities.x), longest(&capacities.y)])
+        self.capacities.map_or([3, 2], |capacities| [longest(&capacities.x), longest(&capacities.y)])
     }
 
     /// The number of states that are kept.
@@ -109,7 +116,9 @@ impl Search<'_> {
 
     /// The number of states that could be visited.
     pub(super) fn most_steps(&self) -> u64 {
-        let cuts = self.widths()[0] as u64 * self.steps.p as u64;
+        let cuts = self.capacities.map_or(self.steps.p as u64, |capacities| {
+            capacities.x.iter().map(|&run| u64::from(run)).sum()
+        });
         self.table_len().saturating_mul(cuts)
     }
 
@@ -160,10 +169,13 @@ impl Search<'_> {
             for dj in 0..=q {
                 let j = dj % q;
                 // Of runs of one kind, a longer one must cost less to be of use.
-                let mut least = [bound; 2];
+                let mut least = [bound; UNLIMITED];
                 for state in 0..width {
                     let cost = rows[dj * width + state];
-                    let kind = usize::from(state >= ys);
+                    let kind = match self.capacities {
+                        Some(_) => usize::from(state >= ys),
+                        None => state,
+                    };
                     if cost >= least[kind] {
                         continue;
                     }
@@ -190,15 +202,23 @@ impl Search<'_> {
             }
         }
         let end = p * row + q * width;
-        let ends = (0..before.min(ys)).map(|state| (table[end + state], state));
+        let ends = if self.capacities.is_some() { 0..before.min(ys) } else { 2..3 };
+        let ends = ends.map(|state| (table[end + state], state));
         ends.min().filter(|&(cost, _)| cost < bound)
     }
 
-    /// The state after a step, if runs may be so long. States are the lengths of runs of steps Y
-    /// from 1, then those of steps X.
+    /// The state after a step, if runs may be so long.
+    ///
+    /// With limits, states are the lengths of runs of steps Y from 1, then those of steps X.
+    /// Without, they are: in the first run of steps Y; in the second; in a later one; in the first
+    /// run of steps X; in a later one. A staircase ends in the third of these, or its steps X were
+    /// all in one run.
     fn next(&self, state: usize, is_x: bool, i: usize, j: usize) -> Option<usize> {
         let [ys, _] = self.widths();
-        let Some(capacities) = self.capacities else { return Some(usize::from(is_x)) };
+        let Some(capacities) = self.capacities else {
+            let [after_y, after_x] = [[0, 1, 2, 1, 2], [3, 4, 4, 3, 4]];
+            return Some(if is_x { after_x[state] } else { after_y[state] });
+        };
         let (first, capacity) = if is_x { (ys, capacities.y[j]) } else { (0, capacities.x[i]) };
         let goes_on = (state >= ys) == is_x;
         let run = if goes_on { state - first + 2 } else { 1 };
