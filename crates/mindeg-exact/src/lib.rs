@@ -32,7 +32,7 @@
 //! - [`best_angle`] and [`trade_off`]: the best angle under one limit, and under each.
 //! - [`windows()`]: for any size, and with holes: fewer edges at the vertices with the most, at a
 //!   guaranteed minimum angle.
-//! - [`check`]: whether triangles are a triangulation, by other means.
+//! - [`check`]: whether the proof of a lower bound holds, by other means.
 //!
 //! # How it works
 //!
@@ -96,7 +96,7 @@ mod zigzag;
 
 pub use answer::{TradeOff, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
-pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
+pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
 pub use mindeg_mesh::{Cancelled, Progress};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use search::Optimum;
