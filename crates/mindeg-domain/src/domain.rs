@@ -111,6 +111,16 @@ impl Domain {
         }
     }
 
+    /// Whether a side is straight: all its points are on the line between its ends.
+    ///
+    /// # Panics
+    ///
+    /// If the domain has no such side.
+    #[must_use]
+    pub fn is_straight(&self, side: usize) -> bool {
+        self.straight[side]
+    }
+
     /// What limits the degrees of sides and vertices, numbered as [`rings`](Self::rings) does.
     #[must_use]
     pub fn constraints(&self) -> &Constraints {
