@@ -3,6 +3,7 @@
 mod compare;
 mod convert;
 mod degree;
+mod describe;
 mod domain;
 mod goal;
 mod improve;
@@ -17,7 +18,8 @@ mod view;
 pub(crate) use compare::{CompareArguments, ReportFormat};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
-pub(crate) use domain::{DomainArguments, DomainOptions};
+pub(crate) use describe::DescribeArguments;
+pub(crate) use domain::{DomainArguments, DomainOptions, FileOptions, OutlineOptions};
 pub(crate) use goal::GoalArguments;
 pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
@@ -69,6 +71,7 @@ pub(crate) enum Command {
     Degree(DegreeArguments),
     Suggest(SuggestArguments),
     Mesh(MeshArguments),
+    Domain(DescribeArguments),
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),

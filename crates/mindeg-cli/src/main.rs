@@ -22,6 +22,7 @@ mod interrupt;
 mod memory;
 mod mesh;
 mod mesh_file;
+mod named_files;
 mod output;
 mod polygon_degree;
 mod preset;
@@ -66,6 +67,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Domain(arguments) => domain::describe::run(arguments),
         Command::Improve(arguments) => shared(|| improve::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
