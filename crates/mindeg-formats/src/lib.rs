@@ -41,6 +41,8 @@ pub mod obj;
 pub mod off;
 mod options;
 pub mod ply;
+#[cfg(feature = "png")]
+pub mod png;
 mod read;
 mod records;
 mod sections;

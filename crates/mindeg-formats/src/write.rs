@@ -79,9 +79,11 @@ impl Writer {
         triangle_count: u32,
     ) -> Result<(), WriteError> {
         match format {
-            Format::Svg => svg::check_size(vertex_count),
+            Format::Png if cfg!(not(feature = "png")) => {
+                Err(WriteError::NotBuilt { format, feature: "png" })
+            }
+            Format::Svg | Format::Png => svg::check_size(vertex_count),
             Format::Glb => glb::check_size(vertex_count, triangle_count, &options.surface),
-            Format::Off => Err(WriteError::NotWritten(format)),
             _ => Ok(()),
         }
     }
@@ -124,6 +126,8 @@ impl Writer {
             (Format::Gltf, Some(stored), [(_, document), (name, binary)]) => {
                 Ok(gltf::write_stored(mesh, stored, surface, name, document, binary)?)
             }
+            #[cfg(feature = "png")]
+            (Format::Png, _, [(_, out)]) => crate::png::write(mesh, out),
             (Format::Npz, _, [(_, out)]) => Ok(npz::write(mesh, self.options.fields, out)?),
             _ => Err(WriteError::NotWritten(self.format)),
         }
