@@ -6,7 +6,7 @@ use std::path::Path;
 use mindeg_mesh::TriMesh;
 
 use crate::detect::format_of;
-use crate::{Format, ReadError, fort14, gltf, obj, off, ply, sms2dm, stl};
+use crate::{Format, ReadError, fort14, gltf, msh, obj, off, ply, sms2dm, stl, vtk, vtu};
 
 /// How much of a file is looked at for its format.
 const HEAD: usize = 1 << 16;
@@ -74,15 +74,10 @@ pub fn read_as(
         Format::Off => off::read(input),
         Format::Sms2dm => sms2dm::read(input),
         Format::Fort14 => fort14::read(input),
-        Format::Msh
-        | Format::Vtu
-        | Format::Vtk
-        | Format::Node
-        | Format::Npz
-        | Format::Su2
-        | Format::Inp
-        | Format::Svg
-        | Format::Png => {
+        Format::Msh => msh::read(input),
+        Format::Vtu => vtu::read(input),
+        Format::Vtk => vtk::read(input),
+        Format::Node | Format::Npz | Format::Su2 | Format::Inp | Format::Svg | Format::Png => {
             let problem = format!("{} is not read as a mesh", format.description());
             Err(ReadError::Format { problem })
         }
