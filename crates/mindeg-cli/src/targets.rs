@@ -9,9 +9,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Extensions that tell a format, though none that is written: `--format` does not override them.
-const OTHERS: [&str; 18] = [
-    "off", "vtp", "mesh", "cgns", "bdf", "med", "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf",
-    "pdf", "html", "json", "xdmf", "e",
+const OTHERS: [&str; 17] = [
+    "vtp", "mesh", "cgns", "bdf", "med", "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf", "pdf",
+    "html", "json", "xdmf", "e",
 ];
 
 /// All `-o` of a command that writes one mesh.

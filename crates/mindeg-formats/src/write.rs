@@ -7,8 +7,8 @@ use mindeg_mesh::{Mesh, Positions};
 use crate::gltf::Stored;
 use crate::sections::{self, Section, write_sections};
 use crate::{
-    Format, WriteError, WriteOptions, fort14, glb, gltf, inp, msh, obj, off, ply, sms2dm, stl, su2,
-    svg, vtk, vtu,
+    Format, WriteError, WriteOptions, fort14, glb, gltf, inp, msh, npz, obj, off, ply, sms2dm, stl,
+    su2, svg, triangle, vtk, vtu,
 };
 
 /// Writes meshes on some positions in one format.
@@ -58,7 +58,8 @@ impl Writer {
             Format::Ply => ply::check(positions, &options)?,
             Format::Stl => stl::check(positions, options.surface.plane)?,
             Format::Fort14 => fort14::check(positions)?,
-            Format::Su2 | Format::Node => {
+            Format::Node => triangle::check(positions)?,
+            Format::Su2 => {
                 WriteError::unless_in_plane(format, positions)?;
             }
             _ => {}
@@ -78,11 +79,13 @@ impl Writer {
         triangle_count: u32,
     ) -> Result<(), WriteError> {
         match format {
-            Format::Svg => svg::check_size(vertex_count),
+            Format::Png if cfg!(not(feature = "png")) => {
+                Err(WriteError::NotBuilt { format, feature: "png" })
+            }
+            Format::Svg | Format::Png => svg::check_size(vertex_count),
             Format::Vtk => vtk::check_size(vertex_count),
             Format::Msh => msh::check_size(options, vertex_count, triangle_count),
             Format::Glb => glb::check_size(vertex_count, triangle_count, &options.surface),
-            Format::Off => Err(WriteError::NotWritten(format)),
             _ => Ok(()),
         }
     }
@@ -125,6 +128,9 @@ impl Writer {
             (Format::Gltf, Some(stored), [(_, document), (name, binary)]) => {
                 Ok(gltf::write_stored(mesh, stored, surface, name, document, binary)?)
             }
+            #[cfg(feature = "png")]
+            (Format::Png, _, [(_, out)]) => crate::png::write(mesh, out),
+            (Format::Npz, _, [(_, out)]) => Ok(npz::write(mesh, self.options.fields, out)?),
             _ => Err(WriteError::NotWritten(self.format)),
         }
     }
@@ -142,6 +148,7 @@ impl Writer {
         Ok(match (self.format, &self.stored) {
             (Format::Glb, Some(stored)) => vec![glb::file_len(mesh, stored, surface)?],
             (Format::Gltf, Some(stored)) => gltf::file_lens(mesh, stored, surface).into(),
+            (Format::Npz, _) => vec![npz::file_len(mesh, self.options.fields)],
             // A picture is small.
             _ => vec![0; self.format.file_count()],
         })
@@ -161,6 +168,7 @@ impl Writer {
             Format::Off => vec![off::sections(mesh, self.options.surface.plane)],
             Format::Sms2dm => vec![sms2dm::sections(mesh)],
             Format::Fort14 => vec![fort14::sections(mesh)],
+            Format::Node => triangle::sections(mesh).into(),
             _ => return None,
         })
     }
