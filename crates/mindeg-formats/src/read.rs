@@ -75,11 +75,11 @@ pub fn read_as(
         Format::Off => off::read(input),
         Format::Sms2dm => sms2dm::read(input),
         Format::Fort14 => fort14::read(input),
-        Format::Node => read_triangle(name, input, beside),
-        Format::Npz => npz::read(input),
         Format::Msh => msh::read(input),
         Format::Vtu => vtu::read(input),
         Format::Vtk => vtk::read(input),
+        Format::Node => read_triangle(name, input, beside),
+        Format::Npz => npz::read(input),
         Format::Su2 | Format::Inp | Format::Svg | Format::Png => {
             let problem = format!("{} is not read as a mesh", format.description());
             Err(ReadError::Format { problem })
