@@ -215,6 +215,7 @@ def foreign_files(folder, expected):
     for name in ("a.ply", "a.stl", "a.off"):
         meshes.save_current_mesh(str(folder / f"meshlab-{name}"))
     numpy.savez(folder / "numpy-a.npz", points=points, triangles=triangles)
+    numpy.savez_compressed(folder / "numpy-c.npz", points=points, triangles=triangles)
     numpy.savez(
         folder / "numpy-b.npz",
         points=numpy.asfortranarray(points[:, :2].astype(">f8")),

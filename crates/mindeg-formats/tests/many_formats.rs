@@ -465,8 +465,8 @@ fn damaged_and_compressed_arrays_are_refused() {
     };
     assert_eq!(error(&damaged), "byte 0: points.npy: the check sum is wrong; the file is damaged");
     let mut compressed = file.clone();
-    compressed[find(b"PK\x01\x02") + 10] = 8;
-    let expected = "byte 0: points.npy: the array is compressed, which is not read; save it with \
-                    numpy.savez, not savez_compressed";
+    compressed[find(b"PK\x01\x02") + 10] = 12;
+    let expected = "byte 0: points.npy: the array is compressed by method 12; only 0 (stored) and 8 \
+                    (deflate) are read";
     assert_eq!(error(&compressed), expected);
 }

@@ -1,6 +1,7 @@
 //! An array of numpy: a head that tells type and shape, then the numbers.
 
 use crate::ReadError;
+use std::borrow::Cow;
 
 /// The head of an array with rows of three numbers, or of one if `columns` is none.
 pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
@@ -34,12 +35,12 @@ pub(super) struct Array<'a> {
     is_big_endian: bool,
     is_transposed: bool,
     shape: [usize; 2],
-    numbers: &'a [u8],
+    numbers: Cow<'a, [u8]>,
 }
 
 impl<'a> Array<'a> {
     /// An array of two dimensions that starts at an offset of the file.
-    pub(super) fn new(offset: usize, bytes: &'a [u8]) -> Result<Self, ReadError> {
+    pub(super) fn new(offset: usize, bytes: Cow<'a, [u8]>) -> Result<Self, ReadError> {
         let problem = |problem: &str| ReadError::byte(offset, problem.to_owned());
         let broken = || problem("this is not the head of an array of numpy");
         let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(broken)?;
@@ -93,6 +94,14 @@ impl<'a> Array<'a> {
             )));
         }
         let shape = [rows, columns];
+        let start = bytes.len() - numbers.len();
+        let numbers = match bytes {
+            Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[start..]),
+            Cow::Owned(mut bytes) => {
+                bytes.drain(..start);
+                Cow::Owned(bytes)
+            }
+        };
         Ok(Self { kind, size, is_big_endian, is_transposed, shape, numbers })
     }
 
@@ -170,23 +179,26 @@ mod tests {
             ("'>i2'", "True", &[0, 1, 0, 3, 0, 2, 0, 4]),
         ] {
             let bytes = array(kind, order, "(2, 2)", numbers);
-            let array = Array::new(0, &bytes).unwrap();
+            let array = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
             let rows = [[0, 0], [0, 1], [1, 0], [1, 1]];
             assert_eq!(rows.map(|[i, j]| array.index(i, j)), [1, 2, 3, 4].map(Ok), "{kind}");
             assert_eq!(rows.map(|[i, j]| array.float(i, j)), [1.0, 2.0, 3.0, 4.0], "{kind}");
         }
         let halves: Vec<u8> = [0.5_f32, -1.5].iter().flat_map(|x| x.to_be_bytes()).collect();
         let bytes = array("'>f4'", "False", "(1, 2)", &halves);
-        let array = Array::new(0, &bytes).unwrap();
+        let array = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
         assert_eq!([array.float(0, 0), array.float(0, 1)], [0.5, -1.5]);
     }
 
     #[test]
     fn indices_beyond_32_bits_are_told() {
         let bytes = array("'<i8'", "False", "(1, 1)", &(-1_i64).to_le_bytes());
-        assert_eq!(Array::new(0, &bytes).unwrap().index(0, 0), Err("-1".to_owned()));
+        assert_eq!(Array::new(0, Cow::Borrowed(&bytes)).unwrap().index(0, 0), Err("-1".to_owned()));
         let bytes = array("'<u8'", "False", "(1, 1)", &(1_u64 << 32).to_le_bytes());
-        assert_eq!(Array::new(0, &bytes).unwrap().index(0, 0), Err("4294967296".to_owned()));
+        assert_eq!(
+            Array::new(0, Cow::Borrowed(&bytes)).unwrap().index(0, 0),
+            Err("4294967296".to_owned())
+        );
     }
 
     #[test]
@@ -209,7 +221,7 @@ mod tests {
             ("'<f8'", "x", "this is not the head of an array of numpy"),
         ] {
             let bytes = array(kind, "False", shape, &[0; 16]);
-            let error = Array::new(7, &bytes).unwrap_err();
+            let error = Array::new(7, Cow::Borrowed(&bytes)).unwrap_err();
             assert_eq!(error.to_string(), format!("byte 7: {expected}"));
         }
     }
