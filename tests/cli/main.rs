@@ -1,6 +1,7 @@
 //! What a user does, through the real binary.
 
 mod compare;
+mod convert;
 mod degree;
 mod domain;
 mod inspect;
