@@ -109,7 +109,7 @@ fn subject(arguments: &ViewArguments) -> Result<Subject<'_>, Failure> {
 
 /// The mesh of a domain as a list.
 fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
-    let vertices = domain.boundary().vertex_count() as usize;
+    let vertices = domain.rings().vertex_count() as usize;
     memory::require_to_view(name_in_text(domain), vertices, vertices)?;
     let goal = goal(&arguments.goal, None, domain)?;
     let callback = bar.callback();

@@ -1,0 +1,238 @@
+//! From a description to a checked domain.
+
+use glam::DVec2;
+
+use crate::constraints::Constraints;
+use crate::divided::{Divided, Placed};
+use crate::domain::Domain;
+use crate::domain_error::DomainError;
+use crate::outline::{Outline, OutlineError, Ring};
+use crate::rectangle::Rectangle;
+use crate::rings::InRing;
+use crate::side::Side;
+use crate::turning::Turning;
+
+impl Domain {
+    /// A domain from its outline and one [`Side`] for each of the outline's sides.
+    ///
+    /// Corners given clockwise are reversed, each side staying on its edge (with its spacing law
+    /// [reversed](crate::Spacing::reversed)): the first corner given stays the first, and the side
+    /// that ended there now starts there. [`notes`](Self::notes) tells.
+    ///
+    /// O(k log k) for k straight sides of a convex outline, and linear in explicit parameters; of any
+    /// other, O(n log n) for n points.
+    ///
+    /// # Errors
+    ///
+    /// The first fault, in this order: a measure of the rectangle; the corners, in number,
+    /// magnitude or distance; the number of sides; their names; their intervals; their
+    /// spacing laws; points so close that f64 cannot tell them apart; a boundary that crosses or
+    /// touches itself.
+    pub fn new(outline: Outline, sides: Vec<Side>) -> Result<Self, DomainError> {
+        Self::builder(outline, sides).build()
+    }
+
+    /// [`Domain::new`] with constraints on degrees.
+    ///
+    /// Where the corners run clockwise, the constraints of each side stay on their edge too. Single
+    /// vertices are always those of the mesh, counter-clockwise from the first corner.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`], and then constraints that do not fit the boundary or that no mesh keeps.
+    pub fn constrained(
+        outline: Outline,
+        sides: Vec<Side>,
+        constraints: Constraints,
+    ) -> Result<Self, DomainError> {
+        Self::builder(outline, sides).constraints(constraints).build()
+    }
+
+    /// Starts a domain with holes, constraints or a name.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Outline, Rectangle, Ring, Side};
+    ///
+    /// let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
+    /// let slot = Ring::new([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0]], vec![Side::size(0.5); 3]);
+    /// let domain = Domain::builder(outline, vec![Side::count(4); 4]).hole(slot).build()?;
+    /// assert_eq!(domain.rings().ring(1), 16..26);
+    /// assert_eq!(domain.placement().area(), 11.0);
+    /// // A hole runs clockwise in the mesh, from its first corner on.
+    /// assert_eq!(domain.placement().corners()[5].to_array(), [3.0, 2.0]);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn builder(outline: Outline, sides: Vec<Side>) -> DomainBuilder {
+        DomainBuilder::new(outline, sides)
+    }
+
+    /// The domain inside the first ring and outside the others.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`], and rings that cross, touch or do not nest.
+    pub fn of_rings(rings: Vec<Ring>) -> Result<Self, DomainError> {
+        let mut rings = rings.into_iter();
+        let Ring { corners, sides } = rings.next().unwrap_or_default();
+        rings.fold(Self::builder(Outline::Polygon(corners), sides), DomainBuilder::hole).build()
+    }
+
+    /// The domain inside the first ring of points and outside the others; its boundary points are
+    /// these, bit for bit. Each ring is one side.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::of_rings`].
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use mindeg_domain::Domain;
+    ///
+    /// let square = |x: f64, size: f64| {
+    ///     [[x, x], [x + size, x], [x + size, x + size], [x, x + size]].map(DVec2::from).to_vec()
+    /// };
+    /// let domain = Domain::from_rings(vec![square(0.0, 3.0), square(1.0, 1.0)])?;
+    /// assert_eq!(domain.rings().vertex_count(), 8);
+    /// assert_eq!(domain.placement().point(5).to_array(), [1.0, 2.0]); // a hole runs clockwise
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn from_rings(rings: impl IntoIterator<Item = Vec<DVec2>>) -> Result<Self, DomainError> {
+        Self::of_rings(rings.into_iter().map(Ring::of_points).collect())
+    }
+
+    /// [`Domain::new`] for an upright rectangle with its first corner at the origin. Its sides
+    /// are bottom, right, top and left.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    pub fn rectangle(width: f64, height: f64, sides: Vec<Side>) -> Result<Self, DomainError> {
+        Self::new(Outline::Rectangle(Rectangle::new(width, height)), sides)
+    }
+
+    /// [`Domain::new`] for the polygon with the given corners.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let domain = Domain::polygon([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], vec![Side::count(2); 3])?;
+    /// assert_eq!(domain.placement().area(), 6.0);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn polygon(
+        corners: impl IntoIterator<Item = impl Into<DVec2>>,
+        sides: Vec<Side>,
+    ) -> Result<Self, DomainError> {
+        let corners = corners.into_iter().map(Into::into).collect();
+        Self::new(Outline::Polygon(corners), sides)
+    }
+
+    /// The same domain with other sides, one for each [side](Self::sides) in the same order.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
+        let rings = self.rings();
+        if sides.len() != rings.side_count() {
+            let corners = rings.side_count();
+            return Err(DomainError::SideCount { ring: 0, corners, sides: sides.len() });
+        }
+        let mut sides = sides.into_iter();
+        let mut of_ring = |ring| sides.by_ref().take(rings.ring_sides(ring).len()).collect();
+        let mut builder = Self::builder(self.outline.clone(), of_ring(0));
+        for ring in 1..rings.ring_count() {
+            let corners = self.placement.corners()[rings.ring_sides(ring)].to_vec();
+            builder = builder.hole(Ring { corners, sides: of_ring(ring) });
+        }
+        let domain = builder.constraints(self.constraints.clone()).build()?;
+        let (name, interior) = (self.name.clone(), self.interior.clone());
+        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
+    }
+}
+
+/// A domain in the making; [`Domain::builder`] starts one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DomainBuilder {
+    outline: Outline,
+    sides: Vec<Side>,
+    holes: Vec<Ring>,
+    constraints: Constraints,
+}
+
+impl DomainBuilder {
+    pub(crate) fn new(outline: Outline, sides: Vec<Side>) -> Self {
+        Self { outline, sides, holes: Vec::new(), constraints: Constraints::default() }
+    }
+
+    /// With another hole. It lies inside the outline, outside all other holes, and touches none of
+    /// them; either way round.
+    #[must_use]
+    pub fn hole(mut self, hole: Ring) -> Self {
+        self.holes.push(hole);
+        self
+    }
+
+    /// With constraints on degrees. Their sides are those of the outline and then those of each hole,
+    /// in the order given; single vertices are those of the mesh, ring after ring.
+    #[must_use]
+    pub fn constraints(self, constraints: Constraints) -> Self {
+        Self { constraints, ..self }
+    }
+
+    /// The domain.
+    ///
+    /// # Errors
+    ///
+    /// See [`Domain::new`] and [`Domain::constrained`].
+    pub fn build(self) -> Result<Domain, DomainError> {
+        let Self { outline, sides, holes, mut constraints } = self;
+        let corners = outline.corners().map_err(OutlineError::from)?;
+        let mut given = vec![Ring { corners, sides }];
+        given.extend(holes);
+
+        let divided = Divided::new(&given)?;
+        constraints.check_side_count(divided.rings.side_count())?;
+        let Placed { placement, straight, turned } = divided.placed(&mut given)?;
+        for &ring in &turned {
+            constraints.turn_sides(placement.rings().ring_sides(ring));
+        }
+        let turning = Turning { placement: &placement, straight: &straight };
+        let constraints = constraints.checked(turning).map_err(|error| {
+            error.with_side(|side| {
+                if turned.contains(&side.ring) {
+                    let sides = placement.rings().ring_sides(side.ring).len();
+                    InRing { index: sides - 1 - side.index, ..side }
+                } else {
+                    side
+                }
+            })
+        })?;
+        let outline = match outline {
+            Outline::Rectangle(_) if !turned.contains(&0) => outline,
+            _ => Outline::Polygon(std::mem::take(&mut given[0].corners)),
+        };
+        Ok(Domain {
+            name: None,
+            outline,
+            convex: turning.convex_form(),
+            sides: given.into_iter().flat_map(|ring| ring.sides).collect(),
+            placement,
+            straight,
+            constraints,
+            interior: None,
+            turned,
+        })
+    }
+}
