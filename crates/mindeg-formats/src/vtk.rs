@@ -9,7 +9,7 @@
 //! What is read: unstructured grids and polygonal data, in text and binary, up to version 5.1.
 //!
 //! Limits: 31 bits for vertices. Names of sides and groups are not kept: field data before the points,
-//! where they would be, is more than Gmsh reads.
+//! where they would be, is more than Gmsh reads. Gmsh 4.15 reads such files as text only.
 
 mod read;
 mod write;

@@ -205,6 +205,8 @@ impl Contents {
     fn take_field(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
         scanner.word();
         for _ in 0..scanner.size("the number of arrays")? {
+            // The array before may have ended in bytes.
+            scanner.encoding = Numbers::Text;
             let name = loop {
                 // Of each array there may be more, up to an empty line.
                 match scanner.word() {
@@ -277,8 +279,16 @@ impl Contents {
             b"unsigned_short" => Kind::Unsigned(2),
             b"int" => Kind::Int(4),
             b"unsigned_int" => Kind::Unsigned(4),
-            b"long" | b"vtktypeint64" | b"vtkidtype" => Kind::Int(8),
-            b"unsigned_long" | b"vtktypeuint64" => Kind::Unsigned(8),
+            b"long" | b"long_long" | b"vtkidtype" => Kind::Int(8),
+            b"unsigned_long" | b"unsigned_long_long" => Kind::Unsigned(8),
+            b"vtktypeint8" => Kind::Int(1),
+            b"vtktypeuint8" => Kind::Unsigned(1),
+            b"vtktypeint16" => Kind::Int(2),
+            b"vtktypeuint16" => Kind::Unsigned(2),
+            b"vtktypeint32" => Kind::Int(4),
+            b"vtktypeuint32" => Kind::Unsigned(4),
+            b"vtktypeint64" => Kind::Int(8),
+            b"vtktypeuint64" => Kind::Unsigned(8),
             b"float" => Kind::Float(4),
             b"double" => Kind::Float(8),
             other => {
