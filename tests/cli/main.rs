@@ -3,7 +3,9 @@
 mod compare;
 mod degree;
 mod domain;
+mod improve;
 mod inspect;
+mod interior;
 #[cfg(unix)]
 mod interrupts;
 #[cfg(unix)]

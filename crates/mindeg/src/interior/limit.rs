@@ -203,7 +203,7 @@ mod tests {
                         Side::count(4),
                     ],
                 ),
-                5.0,
+                24.8,
                 "vertex 2 on side 1, where intervals of 0.04 and 1 meet",
             ),
         ] {
