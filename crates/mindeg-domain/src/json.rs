@@ -9,6 +9,7 @@ mod error;
 mod guess;
 mod interior;
 mod keys;
+mod model;
 mod place;
 mod syntax;
 mod value;

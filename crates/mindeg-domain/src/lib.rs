@@ -32,6 +32,7 @@ mod intersection;
 #[cfg(feature = "json")]
 mod json;
 mod limits;
+mod model;
 mod name;
 mod outline;
 mod placement;
@@ -56,6 +57,10 @@ pub use intersection::{EdgePlace, IntersectionError, PointPlace};
 pub use json::DomainJsonError;
 pub use limits::{
     GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE, MAX_STORED_VERTICES,
+};
+pub use model::{
+    FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelError, ModelFace, ModelParts,
+    ModelPlace, PLANAR_SHARE, Plane,
 };
 pub use name::NameError;
 pub use outline::{Outline, OutlineError, Ring};

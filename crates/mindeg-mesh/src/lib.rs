@@ -25,6 +25,7 @@
 mod bounds;
 pub mod check;
 mod connectivity;
+pub mod crossing;
 pub mod ear_clipping;
 pub mod inspection;
 mod mesh;
@@ -39,7 +40,7 @@ mod worst;
 
 pub use bounds::Bounds;
 pub use connectivity::boundary::BoundaryLoop;
-pub use mesh::{Group, Line, Mesh, Positions, Triangles, filled};
+pub use mesh::{Group, Line, LineKind, Mesh, Positions, Triangles, filled};
 pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};

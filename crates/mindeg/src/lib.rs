@@ -48,6 +48,8 @@ pub mod interior;
 mod keep_angle;
 #[cfg(feature = "exact")]
 mod meshed;
+#[cfg(feature = "exact")]
+pub mod model;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;

@@ -218,7 +218,7 @@ fn degree_limit(keys: &Object<'_>) -> Result<Option<u32>, DomainJsonError> {
     keys.get("max_degree").map(|limit| limit.whole(DEGREE_LIMIT)).transpose()
 }
 
-fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
+pub(super) fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
     if !given.is_object() {
         return match given.text(SPACING)?.as_str() {
             "uniform" => Ok(Spacing::Uniform),
