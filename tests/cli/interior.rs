@@ -56,8 +56,8 @@ fn the_summary_names_the_limit_and_what_lifts_it() {
         "of the limit) to ",
         "degrees 5 to 7 inside, 2 to 5 at the boundary",
         "The boundary allows a minimum angle of at most ",
-        "corner 1 (vertex 0), where intervals of 2 and 0.25 meet at 90° decides; with ",
-        "intervals on side 4, it would be ",
+        ", decided by corner 1 (vertex 0), where intervals of 2 and 0.25 meet at 90°. With ",
+        "intervals on side 4 it would be ",
         "Neighbouring triangles differ in area by a factor of ",
         "wrote ",
     ] {
@@ -73,7 +73,7 @@ fn impossible_targets_are_refused_with_the_limit() {
     mindeg(COARSE.into_iter().chain(aims)).refuses(&[
         "a minimum angle of 40° is impossible. The boundary allows a minimum angle of at most ",
         "corner 1 (vertex 0)",
-        "intervals on side 4, it would be ",
+        "intervals on side 4 it would be ",
     ]);
     assert_eq!(content(folder.path()), [] as [&str; 0]);
 }
@@ -82,10 +82,9 @@ fn impossible_targets_are_refused_with_the_limit() {
 fn what_is_demanded_and_not_reached_is_not_written() {
     let folder = tempfile::tempdir().expect("a folder for the file");
     let file = folder.path().join("mesh.obj");
-    // Two triangles at every boundary vertex of a strip that is one cell wide: no degree 6 inside.
-    let strip = ["mesh", "--rectangle", "10x1", "--intervals", "10,1,10,1", "--interior"];
-    let demands = ["--interior-degree", "6..6", "--size-inside", "0.3", "-o", text(&file)];
-    let all = || strip.into_iter().chain(demands);
+    // A corner between unequal intervals takes degrees other than 6.
+    let demands = ["--interior", "--interior-degree", "6..6", "-o", text(&file)];
+    let all = || COARSE.into_iter().chain(demands);
     let run = mindeg(all());
     assert_eq!(run.code, Some(3), "{run:?}");
     assert!(run.errors.contains("outside the range: vertex "), "{}", run.errors);
@@ -174,7 +173,8 @@ fn a_domain_file_says_what_is_wanted_inside() {
 #[test]
 fn more_points_than_allowed_are_refused_before_they_are_made() {
     let sizes = ["--interior", "--size-inside", "1e-9", "-o", "-", "--format", "obj"];
-    let run = mindeg(COARSE.into_iter().chain(sizes));
+    let fine = ["mesh", "--rectangle", "4x4", "--size", "0.25"];
+    let run = mindeg(fine.into_iter().chain(sizes));
     run.refuses(&["the mesh needs more than ", "raise the size inside"]);
 }
 
@@ -205,11 +205,13 @@ fn degree_and_suggest_tell_the_limit_of_a_domain() {
     assert_eq!(mindeg(["degree", "3,3,2,2", "--json"]).json()["angle_limit"], Value::Null);
 
     let told = mindeg(["degree", text(&domain)]);
-    let words = "With interior points: The boundary allows a minimum angle of at most 7.68° (11.2";
+    let words = "With interior points: The boundary allows a minimum angle of at most 7.683° (11.250° at any degree), decided by corner 1";
     assert!(told.text().contains(words), "{}", told.text());
 
     let suggested = mindeg(["suggest", text(&domain)]);
-    for words in ["With interior points the minimum angle is at most 7.68°: corner 1", "\nFor "] {
+    for words in
+        ["With interior points the minimum angle is at most 7.683°, decided by corner 1", "\nFor "]
+    {
         assert!(suggested.text().contains(words), "{}", suggested.text());
     }
     let steps = mindeg(["suggest", text(&domain), "--json"]).json();
