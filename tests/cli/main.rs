@@ -4,7 +4,9 @@ mod compare;
 mod convert;
 mod degree;
 mod domain;
+mod improve;
 mod inspect;
+mod interior;
 #[cfg(unix)]
 mod interrupts;
 #[cfg(unix)]
