@@ -18,6 +18,7 @@ mod interrupt;
 mod memory;
 mod mesh;
 mod mesh_file;
+mod mesh_model;
 mod output;
 mod provenance;
 mod slips;

@@ -6,6 +6,7 @@ use crate::domain::{domain, name, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
+use crate::mesh_model;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
@@ -38,6 +39,9 @@ struct Summary<'a> {
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
+    if let Some(path) = arguments.domain.file.as_deref().filter(|path| mesh_model::is_model(path)) {
+        return mesh_model::run(path, arguments);
+    }
     let surface = &arguments.surface;
     let mut targets =
         Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;

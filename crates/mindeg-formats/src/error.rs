@@ -164,10 +164,7 @@ pub enum WriteError {
 
 impl WriteError {
     /// Refuses positions that do not all have the same z.
-    pub(crate) fn unless_in_plane(
-        format: Format,
-        positions: &dyn Positions,
-    ) -> Result<(), Self> {
+    pub(crate) fn unless_in_plane(format: Format, positions: &dyn Positions) -> Result<(), Self> {
         let bounds = positions.bounds();
         let z = [bounds.min.z, bounds.max.z];
         if z[0] == z[1] { Ok(()) } else { Err(Self::NotInPlane { format, z }) }

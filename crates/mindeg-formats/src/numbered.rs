@@ -154,8 +154,10 @@ impl Ids {
         sorted.extend(ids.into_iter().zip(0..));
         sorted.sort_unstable();
         if let Some(twice) = sorted.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            let problem = format!("is the number of two vertices, {} and {} (counted from 0)",
-                twice[0].1, twice[1].1);
+            let problem = format!(
+                "is the number of two vertices, {} and {} (counted from 0)",
+                twice[0].1, twice[1].1
+            );
             return Err(ReadError::place(twice[0].0.to_string(), problem));
         }
         Ok(Self::Sorted(sorted))
@@ -164,9 +166,7 @@ impl Ids {
     /// The index of the vertex with a number, which a line names.
     fn index(&self, id: u32, line: u64) -> Result<u32, ReadError> {
         let index = match self {
-            Self::InOrder { first, count } => {
-                id.checked_sub(*first).filter(|index| index < count)
-            }
+            Self::InOrder { first, count } => id.checked_sub(*first).filter(|index| index < count),
             Self::Sorted(sorted) => {
                 let found = sorted.binary_search_by_key(&id, |&(id, _)| id);
                 found.ok().map(|found| sorted[found].1)
@@ -175,7 +175,10 @@ impl Ids {
         index.ok_or_else(|| {
             let numbers = match self {
                 Self::InOrder { first, count } if *count > 0 => {
-                    format!("; the file has {first} to {}", u64::from(*first) + u64::from(*count) - 1)
+                    format!(
+                        "; the file has {first} to {}",
+                        u64::from(*first) + u64::from(*count) - 1
+                    )
                 }
                 _ => String::new(),
             };

@@ -11,5 +11,5 @@ mod read;
 mod write;
 
 pub use read::read;
-pub use write::{check, write};
 pub(crate) use write::sections;
+pub use write::{check, write};

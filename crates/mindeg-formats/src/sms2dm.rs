@@ -135,9 +135,8 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
             b"NS" => {
                 while !words.rest.trim_ascii().is_empty() {
                     let id = words.integer("the number of a vertex")?;
-                    let number = u32::try_from(id.unsigned_abs()).map_err(|_| {
-                        words.problem(format!("the vertex {id} is beyond 32 bits"))
-                    })?;
+                    let number = u32::try_from(id.unsigned_abs())
+                        .map_err(|_| words.problem(format!("the vertex {id} is beyond 32 bits")))?;
                     crate::lists::push(&mut string, (number, words.line))?;
                     if id < 0 {
                         strings += 1;

@@ -56,11 +56,8 @@ pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = one_line(mesh_name(mesh));
-    let head = format!(
-        "{name} ({GENERATOR})\n {} {}\n",
-        mesh.triangle_count(),
-        mesh.vertex_count()
-    );
+    let head =
+        format!("{name} ({GENERATOR})\n {} {}\n", mesh.triangle_count(), mesh.vertex_count());
     let mut sections =
         vec![Section::bytes(head), vertices(mesh), triangle_lines(mesh, b"", b" 3", |_, _| {})];
     let [open, closed] = segments(mesh);
@@ -109,7 +106,8 @@ fn segments(mesh: &dyn Mesh) -> [Vec<Segment>; 2] {
     let mut segments = Vec::new();
     let mut taken = 0;
     let mut push = |ring: &[Chain], is_ring: bool| {
-        let others = if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
+        let others =
+            if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
         let kind = |chain: &Chain| mesh.line_kind(chain.line).unwrap_or(others);
         if is_ring && ring.iter().all(|chain| kind(chain) == LineKind::Island) {
             segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });

@@ -142,9 +142,8 @@ fn encoding_of(mut words: Words<'_>) -> Result<Encoding, ReadError> {
         Some(b"ascii") => Ok(Encoding::Ascii),
         Some(b"binary_little_endian") => Ok(Encoding::LittleEndian),
         Some(b"binary_big_endian") => Ok(Encoding::BigEndian),
-        _ => Err(words.problem(
-            "the format is none of ascii, binary_little_endian and binary_big_endian",
-        )),
+        _ => Err(words
+            .problem("the format is none of ascii, binary_little_endian and binary_big_endian")),
     }
 }
 

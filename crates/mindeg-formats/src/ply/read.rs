@@ -192,8 +192,7 @@ impl<R: BufRead> Contents<R> {
 
     fn take_faces(&mut self, element: &Element) -> Result<(), ReadError> {
         let is_corners = |property: &Property| {
-            property.list.is_some()
-                && matches!(&*property.name, "vertex_indices" | "vertex_index")
+            property.list.is_some() && matches!(&*property.name, "vertex_indices" | "vertex_index")
         };
         if element.count > 0 && !element.properties.iter().any(is_corners) {
             let problem = "has no list vertex_indices or vertex_index";

@@ -30,7 +30,11 @@ use std::io::Write;
 /// assert_eq!((read.positions(), read.triangles()), (square.positions(), square.triangles()));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write(mesh: &dyn Mesh, options: &WriteOptions, mut out: impl Write) -> Result<(), WriteError> {
+pub fn write(
+    mesh: &dyn Mesh,
+    options: &WriteOptions,
+    mut out: impl Write,
+) -> Result<(), WriteError> {
     check(mesh, options)?;
     write_sections(&mut out, &sections(mesh, options))?;
     Ok(out.flush()?)
@@ -77,7 +81,8 @@ fn header<'a>(mesh: &dyn Mesh, options: &WriteOptions) -> Section<'a> {
 }
 
 fn vertices<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Section<'a> {
-    let len = if options.double { 24 } else { 12 } + if options.surface.degree_colors { 3 } else { 0 };
+    let len =
+        if options.double { 24 } else { 12 } + if options.surface.degree_colors { 3 } else { 0 };
     Section::new(mesh.vertex_count(), len, move |range, buffer| {
         let degrees = if options.surface.degree_colors {
             filled(range.clone(), 0, |first, out| mesh.fill_degrees(first, out))

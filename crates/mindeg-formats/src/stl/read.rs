@@ -79,8 +79,10 @@ fn read_binary(head: &[u8], mut input: impl BufRead) -> Result<TriMesh, ReadErro
         for corner in numbers[3..12].as_chunks::<3>().0 {
             let corner = Vec3::from_array(corner.map(f32::from_le_bytes));
             if !corner.is_finite() {
-                let problem = format!("triangle {triangle} (from 0) has a coordinate that is not \
-                                       finite");
+                let problem = format!(
+                    "triangle {triangle} (from 0) has a coordinate that is not \
+                                       finite"
+                );
                 return Err(bytes.problem(problem));
             }
             push(&mut corners, corner.as_dvec3())?;
@@ -145,11 +147,7 @@ fn read_facet(
 }
 
 /// The mesh of triangles by their corners.
-fn welded(
-    corners: Vec<DVec3>,
-    groups: Vec<Group>,
-    is_binary: bool,
-) -> Result<TriMesh, ReadError> {
+fn welded(corners: Vec<DVec3>, groups: Vec<Group>, is_binary: bool) -> Result<TriMesh, ReadError> {
     let count = corners.len();
     if u32::try_from(count).is_err() {
         return Err(TriMeshError::TooManyTriangles { triangles: count / 3 }.into());
