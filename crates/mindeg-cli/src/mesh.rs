@@ -1,5 +1,7 @@
 //! `mindeg mesh`: from a domain to files.
 
+mod interior;
+
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
 use crate::domain::{domain, name, name_in_text};
@@ -50,6 +52,9 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
 
+    if let Some(wanted) = interior::wanted(arguments, &domain)? {
+        return interior::run(arguments, &domain, &wanted, targets, bar);
+    }
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), domain.rings().vertex_count() - 2)?;
     memory::require_to_stream(domain.rings().vertex_count(), name_in_text(&domain))?;

@@ -94,6 +94,7 @@ impl DomainBuilder {
             placement,
             straight,
             constraints,
+            interior: None,
             turned,
         })
     }

@@ -13,6 +13,7 @@ use glam::DVec2;
 use crate::build::DomainBuilder;
 use crate::constraints::Constraints;
 use crate::domain_error::DomainError;
+use crate::interior::Interior;
 use crate::name;
 use crate::outline::{Outline, Ring};
 use crate::placement::Placement;
@@ -48,6 +49,7 @@ pub struct Domain {
     pub(crate) straight: Vec<bool>,
     pub(crate) convex: Option<ConvexForm>,
     pub(crate) constraints: Constraints,
+    pub(crate) interior: Option<Interior>,
     /// The rings that were given the other way round.
     pub(crate) turned: Vec<usize>,
 }
@@ -165,6 +167,18 @@ impl Domain {
         Ok(Self { name: Some(name), ..self })
     }
 
+    /// The same domain with what is wanted of a mesh with interior points.
+    #[must_use]
+    pub fn with_interior(self, interior: Interior) -> Self {
+        Self { interior: Some(interior), ..self }
+    }
+
+    /// What is wanted of a mesh with interior points, if the domain tells.
+    #[must_use]
+    pub fn interior(&self) -> Option<&Interior> {
+        self.interior.as_ref()
+    }
+
     /// The same domain with other sides, one for each [side](Self::sides) in the same order.
     ///
     /// # Errors
@@ -184,7 +198,8 @@ impl Domain {
             builder = builder.hole(Ring { corners, sides: of_ring(ring) });
         }
         let domain = builder.constraints(self.constraints.clone()).build()?;
-        Ok(Self { name: self.name.clone(), turned: self.turned.clone(), ..domain })
+        let (name, interior) = (self.name.clone(), self.interior.clone());
+        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
     }
 
     /// The name, if there is one.

@@ -27,6 +27,7 @@ mod build;
 mod constraints;
 mod domain;
 mod domain_error;
+mod interior;
 mod intersection;
 #[cfg(feature = "json")]
 mod json;
@@ -50,6 +51,7 @@ pub use constraints::{
 };
 pub use domain::Domain;
 pub use domain_error::DomainError;
+pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 pub use intersection::{EdgePlace, IntersectionError, PointPlace};
 #[cfg(feature = "json")]
 pub use json::DomainJsonError;

@@ -20,7 +20,7 @@ use mindeg_core::MAX_VERTICES;
 /// use mindeg_domain::Rings;
 ///
 /// // A square with a triangular hole.
-/// let rings = Rings::new(&[&[3, 3, 2, 2], &[1, 2, 1]])?;
+/// let rings = Rings::new(&[&[3, 3, 2, 2][..], &[1, 2, 1]])?;
 /// assert_eq!((rings.vertex_count(), rings.ring_count()), (14, 2));
 /// assert_eq!((rings.ring(1), rings.ring_sides(1)), (10..14, 4..7));
 /// assert_eq!((rings.corner(5), rings.side_end(5)), (11, 13));

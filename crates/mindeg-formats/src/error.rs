@@ -71,6 +71,14 @@ impl ReadError {
         Self::Byte { offset: offset as u64, problem: problem.into() }
     }
 
+    /// The same error, in a file that is one of several.
+    pub(crate) fn within(self, file: &str) -> Self {
+        match self {
+            Self::Line { line, problem } => Self::place(format!("{file}, line {line}"), problem),
+            error => error,
+        }
+    }
+
     /// An error at a part of a structured format.
     pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::Place { place: place.into(), problem: problem.into() }
@@ -163,6 +171,15 @@ pub enum WriteError {
 }
 
 impl WriteError {
+    /// Refuses more vertices than a 32-bit integer with a sign counts from 1.
+    pub(crate) fn unless_numbered(format: Format, positions: &dyn Positions) -> Result<(), Self> {
+        let (count, limit) = (positions.vertex_count().into(), i32::MAX.unsigned_abs().into());
+        if count <= limit {
+            return Ok(());
+        }
+        Err(Self::TooLarge { format, what: "vertices", count, limit })
+    }
+
     /// Refuses positions that do not all have the same z.
     pub(crate) fn unless_in_plane(format: Format, positions: &dyn Positions) -> Result<(), Self> {
         let bounds = positions.bounds();

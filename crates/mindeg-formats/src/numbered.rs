@@ -17,6 +17,8 @@ pub(crate) struct Numbered {
     segments: Vec<[Named; 2]>,
     lines: Vec<Line>,
     kinds: Vec<Option<LineKind>>,
+    /// The files that have the elements and the segments, where they are several.
+    files: Option<[&'static str; 2]>,
 }
 
 /// A triangle or a quadrilateral.
@@ -32,6 +34,11 @@ struct Element {
 type Named = (u32, u64);
 
 impl Numbered {
+    /// What several files say: the elements are in the first, the segments in the second.
+    pub(crate) fn of_files(files: [&'static str; 2]) -> Self {
+        Self { files: Some(files), ..Self::default() }
+    }
+
     pub(crate) fn vertex(&mut self, id: u32, position: DVec3) -> Result<(), TryReserveError> {
         push(&mut self.ids, id)?;
         push(&mut self.positions, position)
@@ -88,13 +95,17 @@ impl Numbered {
     /// The mesh; materials, if there are several, become groups named `material` and their number.
     pub(crate) fn into_mesh(self, material: &str) -> Result<TriMesh, ReadError> {
         let ids = Ids::new(self.ids)?;
+        let within = |error: ReadError, file: usize| match self.files {
+            Some(files) => error.within(files[file]),
+            None => error,
+        };
         let mut faces = FaceList::default();
         let mut groups: Vec<(i64, Group)> = Vec::new();
         for element in &self.elements {
             let mut corners = [0; 4];
             let count = if element.is_quad { 4 } else { 3 };
             for (corner, &id) in corners.iter_mut().zip(&element.corners[..count]) {
-                *corner = ids.index(id, element.line)?;
+                *corner = ids.index(id, element.line).map_err(|error| within(error, 0))?;
             }
             let start = faces.triangle_count() as u32;
             faces.push(&corners[..count])?;
@@ -109,8 +120,10 @@ impl Numbered {
         }
         let mut segments = Vec::new();
         segments.try_reserve_exact(self.segments.len())?;
-        for [(a, first), (b, second)] in self.segments {
-            segments.push([ids.index(a, first)?, ids.index(b, second)?]);
+        for ends in self.segments {
+            let [a, b] = ends.map(|(id, line)| ids.index(id, line));
+            let within = |error| within(error, 1);
+            segments.push([a.map_err(within)?, b.map_err(within)?]);
         }
         let counts =
             NonTriangles { line_segments: segments.len() as u64, ..NonTriangles::default() };

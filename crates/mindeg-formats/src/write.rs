@@ -6,7 +6,10 @@ use mindeg_mesh::{Mesh, Positions};
 
 use crate::gltf::Stored;
 use crate::sections::{self, Section, write_sections};
-use crate::{Format, WriteError, WriteOptions, fort14, glb, gltf, obj, off, ply, sms2dm, stl, svg};
+use crate::{
+    Format, WriteError, WriteOptions, fort14, glb, gltf, npz, obj, off, ply, sms2dm, stl, svg,
+    triangle,
+};
 
 /// Writes meshes on some positions in one format.
 ///
@@ -55,7 +58,8 @@ impl Writer {
             Format::Ply => ply::check(positions, &options)?,
             Format::Stl => stl::check(positions, options.surface.plane)?,
             Format::Fort14 => fort14::check(positions)?,
-            Format::Su2 | Format::Node => {
+            Format::Node => triangle::check(positions)?,
+            Format::Su2 => {
                 WriteError::unless_in_plane(format, positions)?;
             }
             _ => {}
@@ -120,6 +124,7 @@ impl Writer {
             (Format::Gltf, Some(stored), [(_, document), (name, binary)]) => {
                 Ok(gltf::write_stored(mesh, stored, surface, name, document, binary)?)
             }
+            (Format::Npz, _, [(_, out)]) => Ok(npz::write(mesh, self.options.fields, out)?),
             _ => Err(WriteError::NotWritten(self.format)),
         }
     }
@@ -137,6 +142,7 @@ impl Writer {
         Ok(match (self.format, &self.stored) {
             (Format::Glb, Some(stored)) => vec![glb::file_len(mesh, stored, surface)?],
             (Format::Gltf, Some(stored)) => gltf::file_lens(mesh, stored, surface).into(),
+            (Format::Npz, _) => vec![npz::file_len(mesh, self.options.fields)],
             // A picture is small.
             _ => vec![0; self.format.file_count()],
         })
@@ -151,6 +157,7 @@ impl Writer {
             Format::Off => vec![off::sections(mesh, self.options.surface.plane)],
             Format::Sms2dm => vec![sms2dm::sections(mesh)],
             Format::Fort14 => vec![fort14::sections(mesh)],
+            Format::Node => triangle::sections(mesh).into(),
             _ => return None,
         })
     }

@@ -25,6 +25,7 @@
 mod bounds;
 pub mod check;
 mod connectivity;
+pub mod crossing;
 pub mod ear_clipping;
 pub mod inspection;
 mod mesh;

@@ -1,5 +1,7 @@
 //! A triangle mesh as lists: what every reader gives.
 
+mod append;
+
 use std::borrow::Cow;
 use std::sync::OnceLock;
 

@@ -26,6 +26,7 @@
 //! | feature | what it adds |
 //! |---|---|
 //! | `exact` | `mesh` for any `Goal`, and `exact`: the solver |
+//! | `interior` | `interior`: meshes with interior points, and improving planar meshes |
 //! | `json` | `Domain::from_json` |
 //! | `parallel` | work shared among rayon's threads, with the same results |
 //!
@@ -41,6 +42,8 @@ mod conflict;
 pub mod exact;
 #[cfg(feature = "exact")]
 mod goal;
+#[cfg(feature = "interior")]
+pub mod interior;
 #[cfg(feature = "exact")]
 mod keep_angle;
 #[cfg(feature = "exact")]

@@ -6,8 +6,10 @@
 use glam::DVec2;
 
 use super::error::DomainJsonError;
+use super::interior::interior;
 use super::value::{Object, Value};
 use crate::constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstraint};
+use crate::interior::Interior;
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
 use crate::side::{Intervals, Side};
@@ -20,6 +22,7 @@ pub(super) struct Description {
     pub(super) sides: Vec<Side>,
     pub(super) holes: Vec<Ring>,
     pub(super) constraints: Constraints,
+    pub(super) interior: Option<Interior>,
 }
 
 const DOMAIN: &str = "an object with \"rectangle\" or \"polygon\", and \"sides\" or \"size\"; \
@@ -30,7 +33,7 @@ const POLYGON: &str = "{\"corners\": [[x, y], …]}";
 const HOLES: &str = "a list of {\"corners\": [[x, y], …], \"sides\": […]}";
 const HOLE: &str = "an object such as {\"corners\": [[x, y], …], \"sides\": [{\"intervals\": 3}, …]}; \
                     optional: \"size\"";
-const CORNERS: &str = "a list of [x, y] pairs of numbers";
+pub(super) const CORNERS: &str = "a list of [x, y] pairs of numbers";
 const PAIR: &str = "a pair [x, y] of numbers";
 pub(super) const ABOVE_0: &str = "a number above 0";
 const SIDES: &str = "a list with one object for each side, such as {\"intervals\": 3}";
@@ -56,7 +59,8 @@ pub(super) fn description(text: &Value<'_>) -> Result<Description, DomainJsonErr
              {POLYGON}"
         )));
     }
-    let allowed = ["name", "rectangle", "polygon", "holes", "size", "sides", "vertices"];
+    let allowed =
+        ["name", "rectangle", "polygon", "holes", "size", "sides", "vertices", "interior"];
     let keys = text.object(&allowed, DOMAIN)?;
     let name = name(&keys)?;
     let outline = outline(text, &keys)?;
@@ -84,8 +88,9 @@ pub(super) fn description(text: &Value<'_>) -> Result<Description, DomainJsonErr
         Some(given) => given.items(VERTICES)?.iter().map(vertex).collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
+    let interior = keys.get("interior").map(interior).transpose()?;
     let constraints = Constraints { sides: of_sides, vertices };
-    Ok(Description { name, outline, sides, holes, constraints })
+    Ok(Description { name, outline, sides, holes, constraints, interior })
 }
 
 /// The sides of a ring, if they are given or a size says it all.
@@ -156,7 +161,7 @@ fn rectangle(given: &Value<'_>) -> Result<Rectangle, DomainJsonError> {
     })
 }
 
-fn pair(given: &Value<'_>) -> Result<DVec2, DomainJsonError> {
+pub(super) fn pair(given: &Value<'_>) -> Result<DVec2, DomainJsonError> {
     match &given.items(PAIR)?[..] {
         [x, y] => Ok(DVec2::new(x.number("a number")?, y.number("a number")?)),
         items => {

@@ -45,11 +45,7 @@ pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
 ///
 /// [`NotInPlane`](WriteError::NotInPlane), and more vertices than Fortran's integers count.
 pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
-    let (count, limit) = (positions.vertex_count().into(), i32::MAX.unsigned_abs().into());
-    if count > limit {
-        let (format, what) = (Format::Fort14, "vertices");
-        return Err(WriteError::TooLarge { format, what, count, limit });
-    }
+    WriteError::unless_numbered(Format::Fort14, positions)?;
     WriteError::unless_in_plane(Format::Fort14, positions)
 }
 

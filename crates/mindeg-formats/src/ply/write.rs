@@ -48,11 +48,7 @@ pub fn write(
 /// [`OutOfRange`](WriteError::OutOfRange) and, for vertices round a boundary,
 /// [`Coincident`](WriteError::Coincident).
 pub fn check(positions: &dyn Positions, options: &WriteOptions) -> Result<(), WriteError> {
-    let (vertices, limit) = (positions.vertex_count(), i32::MAX.unsigned_abs());
-    if vertices > limit {
-        let (count, limit) = (vertices.into(), limit.into());
-        return Err(WriteError::TooLarge { format: Format::Ply, what: "vertices", count, limit });
-    }
+    WriteError::unless_numbered(Format::Ply, positions)?;
     if !options.double {
         Stored::in_place(positions, options.surface.plane)?;
     }
