@@ -22,7 +22,6 @@ mod interrupt;
 mod memory;
 mod mesh;
 mod mesh_file;
-mod mesh_model;
 mod output;
 mod preset;
 mod provenance;

@@ -1,6 +1,7 @@
 //! `mindeg mesh`: from a domain to files.
 
 mod interior;
+mod model;
 
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
@@ -8,7 +9,6 @@ use crate::domain::{domain, name, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
-use crate::mesh_model;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
@@ -41,8 +41,8 @@ struct Summary<'a> {
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
-    if let Some(path) = arguments.domain.file.as_deref().filter(|path| mesh_model::is_model(path)) {
-        return mesh_model::run(path, arguments);
+    if let Some(path) = arguments.domain.file.as_deref().filter(|path| model::is_model(path)) {
+        return model::run(path, arguments);
     }
     let surface = &arguments.surface;
     let mut targets =

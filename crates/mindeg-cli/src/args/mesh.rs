@@ -79,9 +79,14 @@ pub(crate) struct ModelArguments {
     pub(crate) planar_tolerance: Option<f64>,
 
     /// How long to look for a smaller degree, as a multiple of the default, which takes seconds
-    #[arg(long, value_name = "FACTOR", value_parser = length, default_value = "1",
+    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1",
         allow_hyphen_values = true)]
     pub(crate) effort: f64,
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let factor = text.trim().parse().ok().filter(|factor| (0.0..=1e6).contains(factor));
+    factor.ok_or_else(|| "give a factor from 0 to 1000000, such as 10".to_owned())
 }
 
 /// What a mesh is chosen for.

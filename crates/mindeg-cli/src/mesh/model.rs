@@ -64,7 +64,7 @@ struct GroupSummary<'a> {
 }
 
 /// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`.
-pub(crate) fn is_model(path: &Path) -> bool {
+pub(super) fn is_model(path: &Path) -> bool {
     let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
     match extension.as_deref() {
         Some("glb" | "gltf") => true,
@@ -77,12 +77,16 @@ pub(crate) fn is_model(path: &Path) -> bool {
     }
 }
 
-pub(crate) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
+pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut targets =
         Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
     if arguments.optimize.is_some() {
         let message = "--optimize is for domains; for a model give --keep-angle or --max-degree";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    if arguments.interior.interior {
+        let message = "--interior is for domains; the faces of a model have no interior points yet";
         return Err(Failure::Input(message.to_owned()));
     }
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
