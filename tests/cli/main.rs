@@ -13,6 +13,7 @@ mod memory;
 mod mesh;
 #[cfg(unix)]
 mod mesh_files;
+mod models;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
 #[cfg(target_os = "linux")]
