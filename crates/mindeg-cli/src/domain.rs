@@ -38,20 +38,24 @@ pub(crate) fn counts(counts: &Counts) -> Result<(Vec<u64>, Option<Domain>), Fail
         Counts::Given(counts) => Ok((counts.clone(), None)),
         Counts::Domain(path) => {
             let domain = read(path)?;
-            if domain.is_constrained() {
-                let message = "the domain gives outside_degree or max_degree, which interval \
-                               counts alone do not tell; mindeg mesh and mindeg tradeoff keep to \
-                               them";
-                return Err(Failure::Input(message.to_owned()));
-            }
-            let Some(convex) = domain.convex() else {
-                let message = "the domain is not convex, and interval counts alone describe convex \
-                               domains";
-                return Err(Failure::Input(message.to_owned()));
-            };
-            Ok((convex.boundary().sides().map(u64::from).collect(), Some(domain)))
+            counts_of(domain).map(|(counts, domain)| (counts, Some(domain)))
         }
     }
+}
+
+/// The intervals of each side of a convex domain without limits, sides on one line counted as one.
+pub(crate) fn counts_of(domain: Domain) -> Result<(Vec<u64>, Domain), Failure> {
+    if domain.is_constrained() {
+        let message = "the domain gives outside_degree or max_degree, which interval counts alone do \
+                       not tell; mindeg degree, mesh and tradeoff keep to them";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let Some(convex) = domain.convex() else {
+        let message = "the domain is not convex, and only a convex one is described by its interval \
+                       counts; mindeg degree tells its least maximum degree";
+        return Err(Failure::Input(message.to_owned()));
+    };
+    Ok((convex.boundary().sides().map(u64::from).collect(), domain))
 }
 
 /// The domain in a file, with the options in place of what the file gives for its sides.
@@ -119,7 +123,7 @@ fn overridden(mut sides: Vec<Side>, options: &DomainOptions) -> Result<Vec<Side>
 }
 
 /// Reads a domain from a JSON file, or from standard input where the path is `-`.
-fn read(path: &Path) -> Result<Domain, Failure> {
+pub(crate) fn read(path: &Path) -> Result<Domain, Failure> {
     let (name, text) = if path == Path::new("-") {
         input::note_standard_input("domain");
         let mut text = Vec::new();

@@ -23,6 +23,7 @@ mod memory;
 mod mesh;
 mod mesh_file;
 mod output;
+mod polygon_degree;
 mod preset;
 mod provenance;
 mod slips;

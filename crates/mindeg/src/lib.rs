@@ -32,14 +32,20 @@
 //!
 //! # Limits
 //!
-//! Convex outlines with straight sides, in the plane. Triangles use boundary points only, so a
-//! boundary that is dense against the width of its domain has thin triangles, whatever the mesh.
+//! Polygons in the plane, with or without holes. Triangles use boundary points only, so a boundary
+//! that is dense against the width of its domain has thin triangles, whatever the mesh. The formula
+//! takes convex domains, of any size. On other domains the solver finds the least maximum degree with
+//! its proof; with holes, and where too many vertices see each other, it states the gap.
 
 mod boundary_mesh;
 #[cfg(feature = "exact")]
 mod conflict;
 #[cfg(feature = "exact")]
+mod degree;
+#[cfg(feature = "exact")]
 pub mod exact;
+#[cfg(feature = "exact")]
+mod exact_error;
 #[cfg(feature = "exact")]
 mod goal;
 #[cfg(feature = "interior")]
@@ -50,6 +56,8 @@ mod keep_angle;
 mod meshed;
 #[cfg(feature = "exact")]
 pub mod model;
+#[cfg(feature = "exact")]
+mod posed;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
