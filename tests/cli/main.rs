@@ -16,6 +16,7 @@ mod memory;
 mod mesh;
 #[cfg(unix)]
 mod mesh_files;
+mod models;
 mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
