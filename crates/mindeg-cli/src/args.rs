@@ -1,23 +1,29 @@
 //! The arguments as they are typed: one file of them a command.
 
+mod bridge;
 mod compare;
 mod convert;
 mod degree;
 mod domain;
+mod fill;
 mod goal;
 mod inspect;
+mod loop_choice;
 mod mesh;
 mod surface;
 mod tradeoff;
 mod values;
 mod view;
 
+pub(crate) use bridge::BridgeArguments;
 pub(crate) use compare::{CompareArguments, ReportFormat};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
 pub(crate) use domain::{DomainArguments, DomainOptions};
+pub(crate) use fill::FillArguments;
 pub(crate) use goal::GoalArguments;
 pub(crate) use inspect::InspectArguments;
+pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, Optimize};
 pub(crate) use tradeoff::TradeoffArguments;
 pub(crate) use values::point;
@@ -70,6 +76,8 @@ pub(crate) enum Command {
     Inspect(InspectArguments),
     View(ViewArguments),
     Convert(ConvertArguments),
+    Fill(FillArguments),
+    Bridge(BridgeArguments),
     Completions(CompletionsArguments),
 }
 

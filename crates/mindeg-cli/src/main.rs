@@ -5,12 +5,15 @@
 
 mod args;
 mod bar;
+mod boundary_loops;
+mod bridge;
 mod compare;
 mod completions;
 mod convert;
 mod degree;
 mod domain;
 mod failure;
+mod fill;
 mod gates;
 mod input;
 mod inspect;
@@ -60,6 +63,8 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Fill(arguments) => shared(|| fill::run(arguments)),
+        Command::Bridge(arguments) => shared(|| bridge::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),

@@ -102,7 +102,9 @@ mod zigzag;
 
 pub use answer::{TradeOff, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
-pub use bridge::{Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings};
+pub use bridge::{
+    Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings, largest_bridge_angle,
+};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
 pub use fill::{
     LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
