@@ -1,8 +1,10 @@
 //! What a user does, through the real binary.
 
+mod bridge;
 mod compare;
 mod degree;
 mod domain;
+mod fill;
 mod inspect;
 #[cfg(unix)]
 mod interrupts;

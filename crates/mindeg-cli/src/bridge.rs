@@ -62,9 +62,10 @@ impl<'a> Side<'a> {
         match (choice, self.loops.list()) {
             (Some(choice), _) => index_of(choice, &self.loops, &self.mesh, self.path),
             (None, [_]) => Ok(0),
-            (None, []) => {
-                Err(Failure::Input(format!("{} has no boundary loop; it is closed", self.path.display())))
-            }
+            (None, []) => Err(Failure::Input(format!(
+                "{} has no boundary loop; it is closed",
+                self.path.display()
+            ))),
             (None, all) => Err(Failure::Input(format!(
                 "{} has {} boundary loops; name one with {option}{}",
                 self.path.display(),

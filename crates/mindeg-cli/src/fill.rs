@@ -40,6 +40,8 @@ struct FilledSummary {
     max_degree: u32,
     area: f64,
     area_without_limit: f64,
+    /// With a limit one higher; null where that saves little or was not worked out.
+    next_area: Option<f64>,
     degree_without_limit: u32,
     min_angle: f64,
     /// The first, and the one after the last.
@@ -135,6 +137,7 @@ fn summary(found: &FilledLoop, loops: &Loops) -> FilledSummary {
         max_degree: found.max_degree,
         area: found.area,
         area_without_limit: found.without_limit.0,
+        next_area: found.next_area,
         degree_without_limit: found.without_limit.1,
         min_angle: found.min_angle,
         triangles: [found.triangles.start, found.triangles.end],
@@ -151,13 +154,7 @@ fn left<'a>(result: &'a Filled, loops: &'a Loops) -> impl Iterator<Item = LeftSu
 /// How many loops a summary describes one by one.
 const DESCRIBED: usize = 8;
 
-fn text(
-    file: &Path,
-    result: &Filled,
-    loops: &Loops,
-    files: &[String],
-    is_given: bool,
-) -> String {
+fn text(file: &Path, result: &Filled, loops: &Loops, files: &[String], is_given: bool) -> String {
     let (filled, open) = (result.filled.len(), result.left.len());
     let triangles: usize = result.filled.iter().map(|found| found.triangles.len()).sum();
     let largest = result.filled.iter().map(|found| found.max_degree).max().unwrap_or(0);
@@ -177,13 +174,17 @@ fn text(
             (false, limit) => format!("degree limit {limit}, the least that is possible"),
         };
         let (least, degree) = found.without_limit;
-        let more = found.area / least - 1.0;
+        let more = (found.area / least - 1.0).max(0.0);
         let cost = if degree == found.max_degree && found.area <= least || least == 0.0 {
             "the least without a limit, too".to_owned()
         } else {
-            format!("{} more than without a limit, where the degree is {degree}", percent(more.max(0.0)))
+            format!("{} more than without a limit, where the degree is {degree}", percent(more))
         };
         text += &format!("\n  {name}: {limit}; area {}, {cost}", four_digits(found.area));
+        if let Some(next) = found.next_area {
+            let more = percent((next / least - 1.0).max(0.0));
+            text += &format!("; --max-degree {} takes {more} more", found.limit + 1);
+        }
     }
     if filled > DESCRIBED {
         text += &format!("\n  and {} more", filled - DESCRIBED);

@@ -197,11 +197,7 @@ mod tests {
         for (xs, ys, message) in [
             (2, 9, "a ring has 2 vertices; the minimum is 3"),
             (3, 0, "a ring has 0 vertices; the minimum is 3"),
-            (
-                u32::MAX - 3,
-                3,
-                "the rings have 4294967295 vertices; the maximum is 4294967294",
-            ),
+            (u32::MAX - 3, 3, "the rings have 4294967295 vertices; the maximum is 4294967294"),
         ] {
             assert_eq!(RingStrip::new(xs, ys).unwrap_err().to_string(), message);
         }

@@ -319,15 +319,15 @@ impl BridgeProblem {
             let most = self.points[1 - ring].len() as u32 - 1;
             self.external[ring].iter().map(|&own| limit.saturating_sub(own + 1).min(most)).collect()
         });
-        let is_possible =
-            self.external.iter().all(|own| own.iter().all(|&own| own < limit));
+        let is_possible = self.external.iter().all(|own| own.iter().all(|&own| own < limit));
         Capacities { x, y, is_possible }
     }
 
     /// The vertices of the x ring, the nearest to the first of the y ring first.
     fn starts(&self) -> Vec<u32> {
         let [x, y] = &self.points;
-        let distances: Vec<f64> = x.iter().map(|point| (0.5 * *point - 0.5 * y[0]).length()).collect();
+        let distances: Vec<f64> =
+            x.iter().map(|point| (0.5 * *point - 0.5 * y[0]).length()).collect();
         let mut starts: Vec<u32> = (0..x.len() as u32).collect();
         starts.sort_by(|&a, &b| distances[a as usize].total_cmp(&distances[b as usize]));
         starts

@@ -107,7 +107,8 @@ pub use bridge::{
 };
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
 pub use fill::{
-    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
+    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, WORTH_MORE,
+    fill_loop,
 };
 pub use mindeg_mesh::{Cancelled, Progress};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};

@@ -36,10 +36,10 @@ impl Cost {
 
 /// The points in a box of edges below 1, scaled by a power of two.
 pub(crate) fn scaled<'a>(points: impl Iterator<Item = &'a DVec3> + Clone) -> Vec<DVec3> {
-    let [min, max] = points.clone().fold(
-        [DVec3::INFINITY, DVec3::NEG_INFINITY],
-        |[min, max], &point| [min.min(point), max.max(point)],
-    );
+    let [min, max] =
+        points.clone().fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[min, max], &point| {
+            [min.min(point), max.max(point)]
+        });
     // Halves, since the difference of two large numbers may be infinite.
     let extent = (0.5 * max - 0.5 * min).max_element();
     let exponent = if extent > 0.0 { libm::frexp(extent).1 + 1 } else { 0 };

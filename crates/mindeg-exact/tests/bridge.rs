@@ -16,7 +16,8 @@ fn strips(p: u32, q: u32) -> Vec<Vec<[u32; 3]>> {
             if word.count_ones() != p || word & 1 == 0 {
                 continue;
             }
-            let changes = (0..p + q).filter(|&l| (word >> l ^ word >> ((l + 1) % (p + q))) & 1 == 1);
+            let changes =
+                (0..p + q).filter(|&l| (word >> l ^ word >> ((l + 1) % (p + q))) & 1 == 1);
             if changes.count() == 2 {
                 continue;
             }
@@ -132,7 +133,10 @@ fn cases() -> impl Strategy<Value = Case> {
         (noise(), external, excluded).prop_map(move |(noise, external, excluded)| {
             let mut x = ring(p, 2.0, 0.0, 0.1);
             let mut y = ring(q, 1.5, 1.0, 0.4);
-            x.iter_mut().chain(&mut y).zip(&noise).for_each(|(point, &by)| *point += DVec3::from(by));
+            x.iter_mut()
+                .chain(&mut y)
+                .zip(&noise)
+                .for_each(|(point, &by)| *point += DVec3::from(by));
             let (a, b) = external.split_at(p);
             Case { rings: [x, y], external: [a.to_vec(), b.to_vec()], excluded }
         })

@@ -96,18 +96,20 @@ fn cases() -> impl Strategy<Value = Case> {
         let external = prop::collection::vec(2_u32..7, n);
         let pair = [0..n as u32, 0..n as u32];
         let excluded = prop::collection::vec(pair, 0..n / 2);
-        (points, external, excluded, any::<bool>()).prop_map(|(points, external, excluded, flat)| {
-            let point = |p: [i32; 3]| {
-                // Coordinates that are not round, and often planes.
-                let [x, y, z] = p.map(|x| f64::from(x) + 0.1 * f64::from(x * x));
-                DVec3::new(x, y, if flat { 0.0 } else { z })
-            };
-            Case {
-                points: points.into_iter().map(point).collect(),
-                external,
-                excluded: excluded.into_iter().filter(|[a, b]| a != b).collect(),
-            }
-        })
+        (points, external, excluded, any::<bool>()).prop_map(
+            |(points, external, excluded, flat)| {
+                let point = |p: [i32; 3]| {
+                    // Coordinates that are not round, and often planes.
+                    let [x, y, z] = p.map(|x| f64::from(x) + 0.1 * f64::from(x * x));
+                    DVec3::new(x, y, if flat { 0.0 } else { z })
+                };
+                Case {
+                    points: points.into_iter().map(point).collect(),
+                    external,
+                    excluded: excluded.into_iter().filter(|[a, b]| a != b).collect(),
+                }
+            },
+        )
     })
 }
 
@@ -168,6 +170,11 @@ proptest! {
         let expected = (6..).find(|&limit| least(limit, Some(fewest_flat)).is_some());
         prop_assert_eq!(default.limit, expected);
         prop_assert!(is_least(default.area, least(expected.unwrap(), None).unwrap()));
+        if let Some(next) = default.next_area {
+            let expected = (expected.unwrap() + 1..)
+                .find_map(|limit| least(limit, Some(fewest_flat)));
+            prop_assert!(is_least(next, expected.unwrap()) && next <= default.area);
+        }
     }
 }
 

@@ -36,11 +36,7 @@ pub use triangles::cross;
 /// assert_eq!(crossings(&points, &[[0, 1, 2], [1, 5, 2]], 1..2), [[0; 2]; 0]);
 /// ```
 #[must_use]
-pub fn crossings(
-    positions: &[DVec3],
-    triangles: &[[u32; 3]],
-    range: Range<u32>,
-) -> Vec<[u32; 2]> {
+pub fn crossings(positions: &[DVec3], triangles: &[[u32; 3]], range: Range<u32>) -> Vec<[u32; 2]> {
     let tree = Tree::new(positions, triangles);
     let found = blocks(range.len() as u32, |block| {
         let mut near = Vec::new();

@@ -74,6 +74,8 @@ pub struct FilledLoop {
     pub area: f64,
     /// The least area without a limit, and the largest total degree that goes with it.
     pub without_limit: (f64, u32),
+    /// The least area under a limit one higher, where no limit was given and it may be worth it.
+    pub next_area: Option<f64>,
     /// The minimum angle of its triangles, in degrees.
     pub min_angle: f64,
 }
@@ -216,6 +218,7 @@ pub fn fill(
             max_degree: solved.max_degree,
             area: solved.area,
             without_limit: solved.without_limit,
+            next_area: solved.next_area,
             min_angle: min_angle(&mesh, &own),
         });
         triangles.extend(own);

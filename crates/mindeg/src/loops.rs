@@ -3,13 +3,14 @@
 //! Vertices with equal coordinates count as one, the first of them: so the seams of a file are no
 //! boundary. Loops run in the direction of the faces. One that comes through a vertex twice is
 //! taken apart there, so that no loop touches itself and a vertex between two holes becomes a
-//! sound one when both are closed.
+//! sound one when both are closed. A vertex in which two parts of the mesh touch, each with a loop
+//! of its own, stays such a vertex.
 //!
 //! Limits: no tolerance joins vertices that are only near each other.
 
 use glam::DVec3;
-use mindeg_mesh::inspection::first_at_same_position;
 use mindeg_mesh::TriMesh;
+use mindeg_mesh::inspection::first_at_same_position;
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
@@ -125,7 +126,8 @@ impl Loops {
                     edges(&vertices).find(|&[from, to]| !runs(from, to) || runs(to, from));
                 let mut corners = vertices.clone();
                 corners.sort_unstable();
-                let is_single = whole_on_loops.binary_search_by(|whole| whole[..].cmp(&corners)).is_ok();
+                let is_single =
+                    whole_on_loops.binary_search_by(|whole| whole[..].cmp(&corners)).is_ok();
                 let defect = match against {
                     Some(edge) => Some(LoopDefect::Disagreeing { edge }),
                     None => is_single.then_some(LoopDefect::SingleTriangle),

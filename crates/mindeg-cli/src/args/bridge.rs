@@ -10,8 +10,8 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg bridge lower.obj upper.obj -o joined.obj
-  mindeg bridge part.obj -o part-with-handle.glb --from 1 --to 3
-  mindeg bridge pipe.obj flange.obj -o joined.obj --from 0,0,10 --max-degree 7";
+  mindeg bridge lower.obj upper.obj -o joined.glb --from 1 --to v0 --max-degree 8
+  mindeg bridge both.obj -o joined.obj --from 0,0,1 --to 0,0,2";
 
 /// Join two boundary loops, of one mesh or of two, by a strip of triangles
 ///

@@ -9,9 +9,9 @@ use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
 Examples:
-  mindeg fill scan.obj -o closed.obj
-  mindeg fill scan.obj -o closed.glb --max-loop 100 --max-degree 7
-  mindeg fill tube.obj -o cup.obj --loop 0,0,0";
+  mindeg fill part.obj -o closed.obj
+  mindeg fill part.obj -o closed.glb --max-loop 100 --max-degree 8
+  mindeg fill part.obj -o cup.obj --loop 0,0,0";
 
 /// Close the holes of a mesh: each boundary loop by the triangulation of least area under a limit
 /// on the total degree of its vertices
@@ -49,8 +49,8 @@ pub(crate) struct FillArguments {
     pub(crate) loops: Vec<LoopChoice>,
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
-    /// limit, max_degree, area, area_without_limit, degree_without_limit, min_angle, triangles),
-    /// left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), files.
+    /// limit, max_degree, area, area_without_limit, next_area, degree_without_limit, min_angle,
+    /// triangles), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long)]
     pub(crate) json: bool,

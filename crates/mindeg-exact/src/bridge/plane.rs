@@ -19,7 +19,8 @@ impl Plane {
     /// None if the rings do not lie in one plane.
     pub(super) fn of(x: &[DVec3], y: &[DVec3]) -> Option<Self> {
         let all = || x.iter().chain(y);
-        let extent = all().fold(0.0_f64, |most, &point| most.max((point - x[0]).abs().max_element()));
+        let extent =
+            all().fold(0.0_f64, |most, &point| most.max((point - x[0]).abs().max_element()));
         let scale = if extent > 0.0 && extent.is_finite() { extent } else { return None };
         let relative = |point: DVec3| (point - x[0]) / scale;
         let [own, others] = [x, y].map(|ring| newell(ring.iter().map(|&point| relative(point))));

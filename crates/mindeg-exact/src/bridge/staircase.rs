@@ -105,7 +105,8 @@ impl Search<'_> {
     /// current run, from 1; without, see [`next`](Self::next).
     fn widths(&self) -> [usize; 2] {
         let longest = |runs: &[u32]| runs.iter().copied().max().unwrap_or(1).max(1) as usize;
-        self.capacities.map_or([3, 2], |capacities| [longest(&capacities.x), longest(&capacities.y)])
+        self.capacities
+            .map_or([3, 2], |capacities| [longest(&capacities.x), longest(&capacities.y)])
     }
 
     /// The number of states that are kept.
@@ -250,7 +251,8 @@ impl Search<'_> {
                         && self.next(*from, is_x, i, j) == Some(state)
                         && self.join(before, step) == cost
                 };
-                found = found.or((0..width).find(leads_here).map(|from| (is_x, from_i, from_j, from)));
+                found =
+                    found.or((0..width).find(leads_here).map(|from| (is_x, from_i, from_j, from)));
             }
             // Each cost in the table came from such a state.
             let Some((is_x, from_i, from_j, from)) = found else { break };

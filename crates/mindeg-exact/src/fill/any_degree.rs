@@ -33,7 +33,11 @@ impl AnyDegree {
             let costs = map_chunks(0..n - span, CHUNK, |starts| {
                 let of_piece = |i: usize| {
                     let j = i + span;
-                    if problem.is_excluded(i, j) { Cost::INFINITE } else { all.best(points, i, j).0 }
+                    if problem.is_excluded(i, j) {
+                        Cost::INFINITE
+                    } else {
+                        all.best(points, i, j).0
+                    }
                 };
                 starts.map(of_piece).collect::<Vec<Cost>>()
             });

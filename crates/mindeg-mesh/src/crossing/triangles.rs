@@ -92,7 +92,8 @@ impl Plane {
     fn meets(self, triangle: [DVec3; 3], [from, to]: [DVec3; 2]) -> bool {
         let [a, b, c] = triangle;
         let turn = self.orient(a, b, c);
-        let holds = |point| edges(triangle).iter().all(|&[a, b]| turn * self.orient(a, b, point) >= 0.0);
+        let holds =
+            |point| edges(triangle).iter().all(|&[a, b]| turn * self.orient(a, b, point) >= 0.0);
         holds(from) || edges(triangle).iter().any(|&edge| self.segments_meet(edge, [from, to]))
     }
 

@@ -156,7 +156,8 @@ mod tests {
             assert_eq!(both.triangles()[..triangles], *a.triangles());
             let others = b.triangles().iter().map(|t| t.map(|vertex| vertices + vertex));
             assert!(both.triangles()[triangles..].iter().copied().eq(others));
-            let count = |mesh: &TriMesh| mesh.polygons().map_or(mesh.triangles().len(), Polygons::count);
+            let count =
+                |mesh: &TriMesh| mesh.polygons().map_or(mesh.triangles().len(), Polygons::count);
             assert_eq!(both.polygons().unwrap().count(), count(&a) + count(&b));
             assert_eq!(both.polygons().unwrap().iter().last().unwrap()[0], vertices);
             assert_eq!(both.segments().len(), a.segments().len() + b.segments().len());
