@@ -1,25 +1,34 @@
 //! The arguments as they are typed: one file of them a command.
 
+mod bridge;
 mod compare;
 mod convert;
 mod degree;
 mod describe;
 mod domain;
+mod fill;
 mod goal;
+mod improve;
 mod inspect;
+mod interior;
+mod loop_choice;
 mod mesh;
 mod surface;
 mod tradeoff;
 mod values;
 mod view;
 
+pub(crate) use bridge::BridgeArguments;
 pub(crate) use compare::{CompareArguments, ReportFormat};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
 pub(crate) use describe::DescribeArguments;
 pub(crate) use domain::{DomainArguments, DomainOptions, FileOptions, OutlineOptions};
+pub(crate) use fill::FillArguments;
 pub(crate) use goal::GoalArguments;
+pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
+pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, Optimize};
 pub(crate) use tradeoff::TradeoffArguments;
 pub(crate) use values::point;
@@ -34,7 +43,8 @@ Exit codes:
   1  something could not be read or written, or does not fit where it is to go
   2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, degree
      limits that cannot be kept, a broken file
-  3  a mesh fails --fail-above-degree or --fail-below-angle";
+  3  a mesh fails a gate (--fail-above-degree, --fail-below-angle, --preset), or is not what was
+     demanded of it (--target-angle, --interior-degree, --boundary-degree)";
 
 /// Examples, and the exit codes below them, for `--help`.
 fn with_exit_codes(examples: &str) -> String {
@@ -71,8 +81,11 @@ pub(crate) enum Command {
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
+    Improve(ImproveArguments),
     View(ViewArguments),
     Convert(ConvertArguments),
+    Fill(FillArguments),
+    Bridge(BridgeArguments),
     Completions(CompletionsArguments),
 }
 

@@ -40,20 +40,24 @@ pub(crate) fn counts(
         Counts::Given(counts) => Ok((counts.clone(), None)),
         Counts::Domain(path) => {
             let domain = file_with_size(path, options)?;
-            if domain.is_constrained() {
-                let message = "the domain gives outside_degree or max_degree, which interval \
-                               counts alone do not tell; mindeg mesh and mindeg tradeoff keep to \
-                               them";
-                return Err(Failure::Input(message.to_owned()));
-            }
-            let Some(convex) = domain.convex() else {
-                let message = "the domain is not convex, and interval counts alone describe convex \
-                               domains";
-                return Err(Failure::Input(message.to_owned()));
-            };
-            Ok((convex.boundary().sides().map(u64::from).collect(), Some(domain)))
+            counts_of(domain).map(|(counts, domain)| (counts, Some(domain)))
         }
     }
+}
+
+/// The intervals of each side of a convex domain without limits, sides on one line counted as one.
+pub(crate) fn counts_of(domain: Domain) -> Result<(Vec<u64>, Domain), Failure> {
+    if domain.is_constrained() {
+        let message = "the domain gives outside_degree or max_degree, which interval counts alone do \
+                       not tell; mindeg degree, mesh and tradeoff keep to them";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let Some(convex) = domain.convex() else {
+        let message = "the domain is not convex, and only a convex one is described by its interval \
+                       counts; mindeg degree tells its least maximum degree";
+        return Err(Failure::Input(message.to_owned()));
+    };
+    Ok((convex.boundary().sides().map(u64::from).collect(), domain))
 }
 
 /// The domain in a file, with the options in place of what the file gives for its sides.
@@ -65,7 +69,7 @@ pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, 
 }
 
 /// The domain in a file, where interval counts might stand instead.
-fn file_with_size(path: &Path, options: &FileOptions) -> Result<Domain, Failure> {
+pub(crate) fn file_with_size(path: &Path, options: &FileOptions) -> Result<Domain, Failure> {
     match (file::read(path, &options.outline, options.size)?, options.size) {
         (Content::Domain(domain), None) => Ok(*domain),
         (Content::Domain(domain), Some(size)) => {

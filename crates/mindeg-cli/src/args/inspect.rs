@@ -24,8 +24,9 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct InspectArguments {
-    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder); - is
-    /// standard input, whose content tells the format
+    /// The mesh, by extension, else by content: .obj, .glb, .gltf (with the files it names in its
+    /// folder), .msh, .vtu, .vtk, .ply, .stl, .off, .node (with its .ele), .14, .2dm or .npz; - is
+    /// standard input
     #[arg(value_name = "MESH")]
     pub(crate) file: PathBuf,
 
@@ -52,7 +53,7 @@ pub(crate) struct InspectArguments {
 
     /// Print JSON: file, vertices, welded_vertices, triangles, quads, polygons, line_segments,
     /// points, not_read, faces, edges, boundary_edges, boundary_loops, open_boundaries, components,
-    /// euler_characteristic, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
+    /// euler_characteristic, closed, manifold, genus, volume, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
     /// duplicate_faces, duplicate_triangles, zero_area_triangles, unreferenced_vertices,
     /// max_degree, degree_histogram, poles, area, min_angle, max_angle, metrics,
     /// share_below_degrees, worst_triangles, outline, no_outline

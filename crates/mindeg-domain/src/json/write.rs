@@ -65,6 +65,9 @@ impl Domain {
         if !vertices.is_empty() {
             keys.insert("vertices".to_owned(), Value::Array(vertices));
         }
+        if let Some(interior) = self.interior() {
+            keys.insert("interior".to_owned(), super::interior::to_json(interior));
+        }
         Value::Object(keys).to_string()
     }
 
