@@ -5,7 +5,7 @@ use crate::failure::{Failure, plainly};
 use crate::input;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_formats::outlines::{self, Division, Feature, OutlineFormat, Outlines};
+use mindeg_outlines::{self as outlines, Division, Feature, OutlineFormat, Outlines};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};

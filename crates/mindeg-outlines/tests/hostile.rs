@@ -1,6 +1,6 @@
 //! The readers of outlines on files that are none: they say why, and never panic.
 
-use mindeg_formats::outlines::{self, Division, OutlineFormat};
+use mindeg_outlines::{self as outlines, Division, OutlineFormat};
 use proptest::prelude::*;
 
 /// A small valid file of each format, and some that are almost.

@@ -69,7 +69,7 @@ impl OutlineFormat {
     /// # Example
     ///
     /// ```
-    /// use mindeg_formats::outlines::OutlineFormat;
+    /// use mindeg_outlines::OutlineFormat;
     ///
     /// assert_eq!(OutlineFormat::of_path("Icon.SVG".as_ref()), Some(OutlineFormat::Svg));
     /// assert_eq!(OutlineFormat::of_path("domain.json".as_ref()), None);
@@ -135,16 +135,16 @@ impl OutlineFormat {
 /// # Example
 ///
 /// ```
-/// use mindeg_formats::outlines::{self, OutlineFormat};
+/// use mindeg_outlines::OutlineFormat;
 ///
 /// let text = b"POLYGON((0 0, 4 0, 4 3, 0 3), (1 1, 1 2, 2 2, 2 1))";
 /// assert_eq!(OutlineFormat::of_content(text), Some(OutlineFormat::Wkt));
-/// let outlines = outlines::read(text, OutlineFormat::Wkt)?;
+/// let outlines = mindeg_outlines::read(text, OutlineFormat::Wkt)?;
 /// assert_eq!(outlines.features[0].rings.len(), 2);
 ///
-/// let error = outlines::read(b"POLYGON((0 0, 4 x))", OutlineFormat::Wkt).unwrap_err();
+/// let error = mindeg_outlines::read(b"POLYGON((0 0, 4 x))", OutlineFormat::Wkt).unwrap_err();
 /// assert!(error.to_string().starts_with("line 1, column 17: found \"x))\""));
-/// # Ok::<(), mindeg_formats::ReadError>(())
+/// # Ok::<(), mindeg_outlines::ReadError>(())
 /// ```
 pub fn read(bytes: &[u8], format: OutlineFormat) -> Result<Outlines, ReadError> {
     match format {
