@@ -7,7 +7,9 @@ mod degree;
 mod domain;
 mod fill;
 mod goal;
+mod improve;
 mod inspect;
+mod interior;
 mod loop_choice;
 mod mesh;
 mod surface;
@@ -22,6 +24,7 @@ pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
 pub(crate) use domain::{DomainArguments, DomainOptions};
 pub(crate) use fill::FillArguments;
 pub(crate) use goal::GoalArguments;
+pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, Optimize};
@@ -38,7 +41,8 @@ Exit codes:
   1  something could not be read or written, or does not fit where it is to go
   2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, degree
      limits that cannot be kept, a broken file
-  3  a mesh fails --fail-above-degree or --fail-below-angle";
+  3  a mesh fails a gate (--fail-above-degree, --fail-below-angle, --preset), or is not what was
+     demanded of it (--target-angle, --interior-degree, --boundary-degree)";
 
 /// Examples, and the exit codes below them, for `--help`.
 fn with_exit_codes(examples: &str) -> String {
@@ -74,6 +78,7 @@ pub(crate) enum Command {
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
+    Improve(ImproveArguments),
     View(ViewArguments),
     Convert(ConvertArguments),
     Fill(FillArguments),

@@ -83,10 +83,13 @@ mod delaunay;
 mod feasibility;
 mod fill;
 mod front;
+mod least_cost;
+mod least_weight;
 mod limits;
 pub mod measure;
 mod merit;
 mod parallel;
+mod patch;
 mod pieces;
 mod problem;
 mod progress;
@@ -110,7 +113,9 @@ pub use fill::{
     LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, WORTH_MORE,
     fill_loop,
 };
+pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};
+pub use patch::{Block, Cost, Patch};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use search::Optimum;
 pub use unsolved::Unsolved;

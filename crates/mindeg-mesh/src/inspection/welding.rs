@@ -10,7 +10,17 @@ use glam::DVec3;
 /// joins them; at a tolerance of 0, if their coordinates are equal as numbers. O(n log n), shared
 /// by all threads, as long as `tolerance` is 0 or more than 1e-11 of the largest coordinate; below,
 /// O(m²) besides for m different positions within 1e-12 of it.
-pub(super) fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec3;
+/// use mindeg_mesh::inspection::weld;
+///
+/// assert_eq!(weld(&[DVec3::X, DVec3::Y, DVec3::X], 0.0), [0, 1, 0]);
+/// ```
+#[must_use]
+pub fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
     let mut first = first_at_same_position(positions);
     if tolerance > 0.0 {
         let mut sets = DisjointSets::new(positions.len());
