@@ -1,9 +1,12 @@
 //! What a user does, through the real binary.
 
 mod compare;
+mod convert;
 mod degree;
 mod domain;
+mod improve;
 mod inspect;
+mod interior;
 #[cfg(unix)]
 mod interrupts;
 #[cfg(unix)]
@@ -13,6 +16,7 @@ mod memory;
 mod mesh;
 #[cfg(unix)]
 mod mesh_files;
+mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
 #[cfg(target_os = "linux")]

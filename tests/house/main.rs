@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod claims;
 mod modules;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -161,4 +162,29 @@ fn no_phrase_is_retired() {
         }
     }
     assert_none(&faults, "write these sentences in plain words");
+}
+
+#[test]
+fn documents_name_tests_that_exist() {
+    let root = root();
+    let mut faults = Vec::new();
+    let tests = [root.join("crates"), root.join("tests")];
+    let sources: Vec<String> = tests
+        .iter()
+        .flat_map(|folder| files(folder, &[".rs", ".py"]))
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    for page in files(&root.join("docs"), &[".md"]) {
+        for name in claims::named_tests(&fs::read_to_string(&page).unwrap()) {
+            let exists = if name.contains('/') {
+                root.join(&name).exists()
+            } else {
+                sources.iter().any(|source| claims::has_test(source, &name))
+            };
+            if !exists {
+                faults.push(format!("{}: {name}", page.strip_prefix(&root).unwrap().display()));
+            }
+        }
+    }
+    assert_none(&faults, "name tests that exist, or write them");
 }

@@ -157,7 +157,8 @@ impl Domain {
             builder = builder.hole(Ring { corners, sides: of_ring(ring) });
         }
         let domain = builder.constraints(self.constraints.clone()).build()?;
-        Ok(Self { name: self.name.clone(), turned: self.turned.clone(), ..domain })
+        let (name, interior) = (self.name.clone(), self.interior.clone());
+        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
     }
 }
 
@@ -230,6 +231,7 @@ impl DomainBuilder {
             placement,
             straight,
             constraints,
+            interior: None,
             turned,
         })
     }

@@ -10,6 +10,7 @@
 
 use crate::constraints::Constraints;
 use crate::domain_error::DomainError;
+use crate::interior::Interior;
 use crate::name;
 use crate::outline::Outline;
 use crate::placement::Placement;
@@ -44,6 +45,7 @@ pub struct Domain {
     pub(crate) straight: Vec<bool>,
     pub(crate) convex: Option<ConvexForm>,
     pub(crate) constraints: Constraints,
+    pub(crate) interior: Option<Interior>,
     /// The rings that were given the other way round.
     pub(crate) turned: Vec<usize>,
 }
@@ -59,6 +61,18 @@ impl Domain {
         let name = name.into();
         name::check(&name, None)?;
         Ok(Self { name: Some(name), ..self })
+    }
+
+    /// The same domain with what is wanted of a mesh with interior points.
+    #[must_use]
+    pub fn with_interior(self, interior: Interior) -> Self {
+        Self { interior: Some(interior), ..self }
+    }
+
+    /// What is wanted of a mesh with interior points, if the domain tells.
+    #[must_use]
+    pub fn interior(&self) -> Option<&Interior> {
+        self.interior.as_ref()
     }
 
     /// The name, if there is one.
@@ -95,6 +109,16 @@ impl Domain {
             None if self.rings().ring_sides(ring).len() == 1 => ring_name(ring),
             None => format!("{} side {}", ring_name(ring), index + 1),
         }
+    }
+
+    /// Whether a side is straight: all its points are on the line between its ends.
+    ///
+    /// # Panics
+    ///
+    /// If the domain has no such side.
+    #[must_use]
+    pub fn is_straight(&self, side: usize) -> bool {
+        self.straight[side]
     }
 
     /// What limits the degrees of sides and vertices, numbered as [`rings`](Self::rings) does.

@@ -9,6 +9,8 @@ mod constraint;
 mod description;
 mod error;
 mod guess;
+mod interior;
+mod model;
 mod place;
 mod point;
 mod ring;
@@ -18,6 +20,7 @@ mod syntax;
 #[cfg(test)]
 mod tests;
 mod value;
+mod write;
 
 pub use self::error::DomainJsonError;
 
@@ -51,6 +54,7 @@ impl Domain {
     /// | `sides` | one entry for each side, from the first corner on; may be left out where `size` says it all |
     /// | `size` | optional: the target interval length of every side that gives neither `intervals` nor `size` nor `parameters` |
     /// | `vertices` | optional: constraints on single vertices, each `{"vertex": v, "outside_degree": d, "max_degree": D}` with one of the last two or both. Vertices have the indices of the mesh: from 0 at the first corner, counter-clockwise, also where the corners are given clockwise |
+    /// | `interior` | optional: what is wanted of a mesh with interior points, see below |
     ///
     /// and in each side, all optional:
     ///
@@ -67,6 +71,19 @@ impl Domain {
     /// | `kind` | `"open"`, `"land"` or `"island"`: what kind of boundary ocean models take it for |
     /// | `outside_degree` | the external degree of its vertices, which counts their edges on the other side of the boundary and none of the boundary itself: one number for all vertices that are not corners, or a list of one for each from the side's first corner to its last |
     /// | `max_degree` | the degree limit of each of its vertices, corners included: the most edges that they may have, external degree included |
+    ///
+    /// and in `interior`, all optional:
+    ///
+    /// | key | value |
+    /// |---|---|
+    /// | `growth` | how fast the size grows from the boundary: change of size per distance |
+    /// | `size_inside` | the size far from the boundary |
+    /// | `sizes` | a list of `[x, y, h]`: the size is at most h at this place, and grows from there |
+    /// | `interior_degree` | the least and the greatest degree of interior vertices, such as `[5, 7]` |
+    /// | `boundary_degree` | the greatest degree of boundary vertices |
+    /// | `target_angle` | the minimum angle in degrees |
+    /// | `prefer` | `"degree"` or `"angle"`: which wins where one costs the other |
+    /// | `fixed` | `points`, a list of `[x, y]`, and `segments`, a list of lines: each a list of ends, which are `[x, y]` or the index of a fixed point |
     ///
     /// The value `null` counts as left out. Constraints on one vertex in several places count
     /// together: external degrees add up, and the least degree limit holds.
@@ -100,10 +117,14 @@ impl Domain {
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
         // A mark that some Windows programs put before UTF-8 text.
         let text = Value::document(text.strip_prefix('\u{feff}').unwrap_or(text))?;
-        let (builder, name) = description::description(&text)?;
+        let (builder, name, interior) = description::description(&text)?;
         let domain = builder.build().and_then(|domain| match name {
             Some(name) => domain.named(name),
             None => Ok(domain),
+        });
+        let domain = domain.map(|domain| match interior {
+            Some(interior) => domain.with_interior(interior),
+            None => domain,
         });
         domain.map_err(|error| place::located(&text, &error))
     }

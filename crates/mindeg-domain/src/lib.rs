@@ -30,10 +30,12 @@ mod curve;
 mod divided;
 mod domain;
 mod domain_error;
+mod interior;
 mod intersection;
 #[cfg(feature = "json")]
 mod json;
 mod limits;
+mod model;
 mod name;
 mod outline;
 mod placement;
@@ -52,11 +54,16 @@ pub use constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstra
 pub use curve::{Arc, Curve, CurveError};
 pub use domain::Domain;
 pub use domain_error::DomainError;
+pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 pub use intersection::{EdgePlace, IntersectionError, PointPlace};
 #[cfg(feature = "json")]
 pub use json::DomainJsonError;
 pub use limits::{
     GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE, MAX_STORED_VERTICES,
+};
+pub use model::{
+    FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelError, ModelFace, ModelParts,
+    ModelPlace, PLANAR_SHARE, Plane,
 };
 pub use name::NameError;
 pub use outline::{Outline, OutlineError, Ring};

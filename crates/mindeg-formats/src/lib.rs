@@ -21,20 +21,55 @@
 //! Readers take an [`std::io::Read`] or [`std::io::BufRead`]. A malformed file is an error that says
 //! what is wrong and where, never a panic. Files, paths and their replacement are the caller's.
 
+mod boundary;
+mod bytes;
+mod corners;
+mod decimals;
 pub mod degree_color;
+mod detect;
 mod error;
+mod face_list;
 mod format;
+pub mod fort14;
 pub mod gltf;
+mod grid;
+pub mod inp;
+mod lines;
+mod lists;
+pub mod msh;
 mod names;
+pub mod npz;
+mod numbered;
 pub mod obj;
+pub mod off;
 mod options;
+pub mod outlines;
+pub mod ply;
+#[cfg(feature = "png")]
+pub mod png;
+mod read;
+mod records;
+mod runs;
+mod scanner;
 mod sections;
+pub mod sms2dm;
+pub mod stl;
+pub mod su2;
 pub mod svg;
+mod tables;
+pub mod triangle;
+pub mod vtk;
+pub mod vtu;
+mod words;
+mod write;
 
 pub use self::gltf::glb;
+pub use boundary::with_boundary_lines;
 pub use error::{ReadError, WriteError};
-pub use format::Format;
-pub use options::{Plane, SurfaceOptions};
+pub use format::{Format, extensions};
+pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};
+pub use read::{read, read_as};
+pub use write::Writer;
 
 /// The program and its version, as files name their maker.
 const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));

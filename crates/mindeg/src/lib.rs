@@ -26,25 +26,38 @@
 //! | feature | what it adds |
 //! |---|---|
 //! | `exact` | `mesh` for any `Goal`, and `exact`: the solver |
+//! | `interior` | `interior`: meshes with interior points, and improving planar meshes |
 //! | `json` | `Domain::from_json` |
 //! | `parallel` | work shared among rayon's threads, with the same results |
 //!
 //! # Limits
 //!
-//! Convex outlines with straight sides, in the plane. Triangles use boundary points only, so a
-//! boundary that is dense against the width of its domain has thin triangles, whatever the mesh.
+//! Polygons in the plane, with or without holes. Triangles use boundary points only, so a boundary
+//! that is dense against the width of its domain has thin triangles, whatever the mesh. The formula
+//! takes convex domains, of any size. On other domains the solver finds the least maximum degree with
+//! its proof; with holes, and where too many vertices see each other, it states the gap.
 
 mod boundary_mesh;
 #[cfg(feature = "exact")]
 mod conflict;
 #[cfg(feature = "exact")]
+mod degree;
+#[cfg(feature = "exact")]
 pub mod exact;
 #[cfg(feature = "exact")]
+mod exact_error;
+#[cfg(feature = "exact")]
 mod goal;
+#[cfg(feature = "interior")]
+pub mod interior;
 #[cfg(feature = "exact")]
 mod keep_angle;
 #[cfg(feature = "exact")]
 mod meshed;
+#[cfg(feature = "exact")]
+pub mod model;
+#[cfg(feature = "exact")]
+mod posed;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;

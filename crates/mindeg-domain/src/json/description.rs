@@ -5,12 +5,14 @@
 
 use super::constraint::vertex;
 use super::error::DomainJsonError;
+use super::interior::interior;
 use super::ring::{OWN_POINTS, POLYGON, hole, outline};
 use super::side::name;
 use super::value::Value;
 use crate::build::DomainBuilder;
 use crate::constraints::Constraints;
 use crate::domain::Domain;
+use crate::interior::Interior;
 
 const DOMAIN: &str = "an object with \"rectangle\", \"polygon\" or \"ring\", and \"sides\" or \"size\"; \
                       optional: \"name\", \"holes\", \"vertices\"";
@@ -20,7 +22,7 @@ const VERTICES: &str = "a list of {\"vertex\": v, \"outside_degree\": d, \"max_d
 /// Reads the whole text: a domain to build, and its name.
 pub(super) fn description(
     text: &Value<'_>,
-) -> Result<(DomainBuilder, Option<String>), DomainJsonError> {
+) -> Result<(DomainBuilder, Option<String>, Option<Interior>), DomainJsonError> {
     if let Some(format) = text.other_format() {
         return Err(text.error(format!("this looks like {format}; a domain is {DOMAIN}")));
     }
@@ -30,7 +32,8 @@ pub(super) fn description(
              {POLYGON}"
         )));
     }
-    let allowed = ["name", "rectangle", "polygon", "ring", "holes", "size", "sides", "vertices"];
+    let allowed =
+        ["name", "rectangle", "polygon", "ring", "holes", "size", "sides", "vertices", "interior"];
     let keys = text.object(&allowed, DOMAIN)?;
     let name = name(&keys)?;
     let size = keys.get("size").map(|size| size.number("a number above 0")).transpose()?;
@@ -50,5 +53,6 @@ pub(super) fn description(
         Some(given) => given.items(VERTICES)?.iter().map(vertex).collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
-    Ok((builder.constraints(Constraints { sides: of_sides, vertices }), name))
+    let interior = keys.get("interior").map(interior).transpose()?;
+    Ok((builder.constraints(Constraints { sides: of_sides, vertices }), name, interior))
 }

@@ -1,0 +1,99 @@
+//! Draws the figures of `docs/theory.md` into a folder: `theory_figures docs/figures`.
+//!
+//! Each figure is what the library makes, not what somebody drew.
+
+use std::error::Error;
+use std::path::Path;
+
+use mindeg::glam::{DVec2, DVec3};
+use mindeg::{BoundaryMesh, Domain, Mesh, Progress, Side, TriMesh};
+use mindeg_exact::{Problem, Reached, degree_range};
+use mindeg_formats::svg;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let folder = std::env::args().nth(1).ok_or("name the folder to write into")?;
+    for (name, figure) in figures()? {
+        let mut file = Vec::new();
+        svg::write(&*figure, &mut file)?;
+        std::fs::write(Path::new(&folder).join(name), file)?;
+    }
+    Ok(())
+}
+
+pub(crate) type Figure = (&'static str, Box<dyn Mesh>);
+
+pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
+    let zig_zag =
+        domain("zig-zag", &[[0.0, 0.0], [6.0, 0.0], [6.0, 4.0], [0.0, 4.0]], &[3, 3, 2, 2])?;
+    let dominant =
+        domain("dominant side", &[[0.0, 0.0], [6.0, 0.0], [4.5, 3.0], [1.5, 3.0]], &[6, 1, 1, 1])?;
+    let removal = domain("corner removal", &[[0.0, 0.0], [6.0, 0.0], [3.0, 4.5]], &[4, 3, 3])?;
+    let medial = domain("medial triangle", &[[0.0, 0.0], [6.0, 0.0], [3.0, 4.5]], &[2, 2, 2])?;
+    Ok(vec![
+        ("zig-zag.svg", Box::new(BoundaryMesh::least_degree(&zig_zag)?)),
+        ("dominant-side.svg", Box::new(BoundaryMesh::least_degree(&dominant)?)),
+        ("corner-removal.svg", Box::new(BoundaryMesh::least_degree(&removal)?)),
+        ("medial.svg", Box::new(BoundaryMesh::least_degree(&medial)?)),
+        ("zig-zag-of-an-l.svg", Box::new(zig_zag_of_an_l()?)),
+        ("fan-limit.svg", Box::new(fan_limit()?)),
+        ("tent-limit.svg", Box::new(tent_limit()?)),
+    ])
+}
+
+fn domain(name: &str, corners: &[[f64; 2]], counts: &[u64]) -> Result<Domain, Box<dyn Error>> {
+    let sides = counts.iter().copied().map(Side::count).collect();
+    Ok(Domain::polygon(corners.iter().copied(), sides)?.named(name)?)
+}
+
+/// An L of which the test for degree 4 finds an admissible zig-zag.
+fn zig_zag_of_an_l() -> Result<TriMesh, Box<dyn Error>> {
+    const CORNERS: [[f64; 2]; 6] =
+        [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
+    const COUNTS: [u32; 6] = [4, 2, 2, 2, 2, 4];
+    let (mut points, mut sides, mut corners) = (Vec::new(), Vec::new(), Vec::new());
+    for (side, &count) in COUNTS.iter().enumerate() {
+        corners.push(points.len() as u32);
+        let ends = [CORNERS[side], CORNERS[(side + 1) % 6]].map(DVec2::from);
+        let at = |step| ends[0].lerp(ends[1], f64::from(step) / f64::from(count));
+        points.extend((0..count).map(at));
+        sides.extend((0..count).map(|_| side as u32));
+    }
+    let delaunay = mindeg_delaunay::of_boundary(&points, &corners, Progress::NONE)?;
+    let problem = Problem::triangulated(&points, &sides, &delaunay)?;
+    let answer = degree_range(&problem, Progress::NONE)?;
+    assert!(matches!(answer.reached_by, Reached::ZigZag(_)), "a zig-zag is admissible");
+    let points = points.into_iter().map(|point| point.extend(0.0)).collect();
+    Ok(TriMesh::new(points, answer.triangles)?.named("zig-zag of an L"))
+}
+
+/// Four triangles at a right angle between edges of lengths 1 and 16: equal angles, each spoke twice
+/// as long as the one before.
+fn fan_limit() -> Result<TriMesh, Box<dyn Error>> {
+    const TRIANGLES: u32 = 4;
+    let spoke = |index: u32| {
+        let share = f64::from(index) / f64::from(TRIANGLES);
+        let (angle, length) = (share * std::f64::consts::FRAC_PI_2, 16_f64.powf(share));
+        DVec3::new(libm::cos(angle) * length, libm::sin(angle) * length, 0.0)
+    };
+    let points = std::iter::once(DVec3::ZERO).chain((0..=TRIANGLES).map(spoke)).collect();
+    let triangles = (1..=TRIANGLES).map(|spoke| [0, spoke, spoke + 1]).collect();
+    Ok(TriMesh::new(points, triangles)?.named("fan limit: 1 to 16 at 90°, four triangles"))
+}
+
+/// The tents of a strip three intervals long and half an interval wide, with the base angle of
+/// 26.565° at which they touch.
+fn tent_limit() -> Result<TriMesh, Box<dyn Error>> {
+    const INTERVALS: u32 = 3;
+    let (mut points, mut triangles) = (Vec::new(), Vec::new());
+    for index in 0..INTERVALS {
+        let x = f64::from(index);
+        for (from, to) in [([x, 0.0], [x + 1.0, 0.0]), ([x + 1.0, 0.5], [x, 0.5])] {
+            let (from, to) = (DVec2::from(from), DVec2::from(to));
+            let apex = from.midpoint(to) + (to - from).perp() * 0.25;
+            let first = points.len() as u32;
+            points.extend([from, to, apex].map(|point| point.extend(0.0)));
+            triangles.push([first, first + 1, first + 2]);
+        }
+    }
+    Ok(TriMesh::new(points, triangles)?.named("tent limit: base angles of 26.565°"))
+}
