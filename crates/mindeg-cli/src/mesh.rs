@@ -2,6 +2,7 @@
 
 mod features;
 mod interior;
+mod model;
 
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
@@ -46,6 +47,9 @@ struct Summary<'a> {
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
+    if let Some(path) = arguments.domain.file.as_deref().filter(|path| model::is_model(path)) {
+        return model::run(path, arguments);
+    }
     let output = &arguments.surface.output;
     match subject(&arguments.domain)? {
         Content::Domain(domain) => mesh_of(&domain, arguments, output),
