@@ -15,6 +15,7 @@ mod mesh;
 mod mesh_files;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
+mod polygons;
 #[cfg(target_os = "linux")]
 mod progress;
 mod run;
