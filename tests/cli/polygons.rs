@@ -77,7 +77,10 @@ fn a_mesh_goes_around_a_hole_in_every_report() {
     let curve = mindeg(["tradeoff", path, "--json", "-o", &svg, "-o", &html]).json();
     assert_eq!(curve["points"][0]["exact"], false);
     let report = mindeg(["compare", path, "--json", "-o", &html]).json();
-    assert_eq!((&report["domain"]["holes"], &report["domain"]["triangles"]), (&1.into(), &24.into()));
+    assert_eq!(
+        (&report["domain"]["holes"], &report["domain"]["triangles"]),
+        (&1.into(), &24.into())
+    );
     assert_eq!(report["domain"]["optimum_is_proven"], false);
     let methods = report["methods"].as_array().expect("a list");
     let names: Vec<_> = methods.iter().filter_map(|method| method["name"].as_str()).collect();
