@@ -1,9 +1,11 @@
 //! What a user does, through the real binary.
 
+mod bridge;
 mod compare;
 mod convert;
 mod degree;
 mod domain;
+mod fill;
 mod improve;
 mod inspect;
 mod interior;

@@ -78,7 +78,7 @@ fn domains_are_written_as_json_that_gives_the_same_points() {
     for (name, size) in FILES.iter().flat_map(|(name, _)| [(name, None), (name, Some("0.37"))]) {
         let file = folder.path().join(name);
         let mut options: Vec<&std::ffi::OsStr> = Vec::new();
-        options.extend(size.iter().flat_map(|size| ["--size".as_ref(), size.as_ref()]));
+        options.extend(size.iter().flat_map(|size| ["--size", *size].map(std::ffi::OsStr::new)));
         let call = |command: &str, file: &Path, out: &Path, options: &[&std::ffi::OsStr]| {
             let words = [command.as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()];
             let run = mindeg(words.iter().chain(options));

@@ -198,7 +198,7 @@ fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
         (None, None) => return Ok(None),
     };
     let spacing = spacing.clone().unwrap_or(Spacing::Uniform);
-    Ok(Some(Side { intervals, spacing, name: None }))
+    Ok(Some(Side { intervals, spacing, ..Side::count(1) }))
 }
 
 fn check_gates(meshed: &ModelMesh, arguments: &MeshArguments) -> Result<(), Failure> {

@@ -15,7 +15,8 @@ use crate::spacing::Spacing;
 impl Domain {
     /// The domain as JSON text, which [`Domain::from_json`] reads as the same points, bit for bit.
     ///
-    /// Rings run as in the mesh, also where they were given the other way round.
+    /// Rings run as in the mesh; the sides of one that was given the other way round have their
+    /// points in place of a spacing law.
     ///
     /// # Example
     ///
@@ -72,7 +73,24 @@ impl Domain {
         let of_ring = self.rings().ring_sides(ring);
         let corners = &self.placement().corners()[of_ring.clone()];
         let constraints = &self.constraints().sides;
-        let sides = of_ring.map(|index| side(&self.sides()[index], constraints.get(index)));
+        // Points that were worked out the other way round differ in their last bits: so the sides
+        // of a turned ring give them one by one, but where all points are formulas anyway.
+        let is_formula =
+            self.convex().is_some() && self.sides().iter().all(|side| side.curve == Curve::Line);
+        let is_turned = self.turned.contains(&ring) && !is_formula;
+        let sides = of_ring.map(|index| {
+            let own = &self.sides()[index];
+            let intervals = self.rings().intervals(index);
+            if is_turned && intervals > 1 {
+                let corner = self.rings().corner(index);
+                let mut points = vec![DVec2::ZERO; intervals as usize - 1];
+                self.placement().fill_points(corner + 1, &mut points);
+                let (name, kind) = (own.name.clone(), own.kind);
+                side(&Side { name, kind, ..Side::points(points) }, constraints.get(index))
+            } else {
+                side(own, constraints.get(index))
+            }
+        });
         let mut keys = Map::new();
         keys.insert("corners".to_owned(), corners.iter().copied().map(pair).collect());
         keys.insert("sides".to_owned(), sides.collect());
@@ -86,14 +104,21 @@ fn pair(point: DVec2) -> Value {
 
 fn side(side: &Side, constraint: Option<&SideConstraint>) -> Value {
     let mut keys = Map::new();
+    match &side.curve {
+        Curve::Line => {}
+        Curve::Polyline(points) => {
+            let key = if side.intervals == Intervals::Points { "points" } else { "polyline" };
+            keys.insert(key.to_owned(), points.iter().copied().map(pair).collect());
+        }
+        Curve::Cubic(points) => {
+            keys.insert("bezier".to_owned(), points.iter().copied().map(pair).collect());
+        }
+        Curve::Arc(arc) => _ = keys.insert("arc".to_owned(), self::arc(*arc)),
+    }
     match (side.intervals, &side.spacing) {
-        // The points, or the parameters, say how many there are.
         (Intervals::Points, _) | (_, Spacing::Parameters(_)) => {}
         (Intervals::Count(count), _) => _ = keys.insert("intervals".to_owned(), json!(count)),
         (Intervals::Size(size), _) => _ = keys.insert("size".to_owned(), json!(size)),
-    }
-    if let Some((key, curve)) = curve(side) {
-        keys.insert(key.to_owned(), curve);
     }
     if let Some(spacing) = spacing(&side.spacing) {
         keys.insert("spacing".to_owned(), spacing);
@@ -126,20 +151,14 @@ fn side(side: &Side, constraint: Option<&SideConstraint>) -> Value {
     Value::Object(keys)
 }
 
-/// None for a straight side.
-fn curve(side: &Side) -> Option<(&'static str, Value)> {
-    Some(match &side.curve {
-        Curve::Line => return None,
-        Curve::Arc(Arc::Through(point)) => ("arc", json!({"through": pair(*point)})),
-        Curve::Arc(Arc::Center { center, is_clockwise }) => {
-            ("arc", json!({"center": pair(*center), "clockwise": is_clockwise}))
+fn arc(arc: Arc) -> Value {
+    match arc {
+        Arc::Through(point) => json!({"through": pair(point)}),
+        Arc::Center { center, is_clockwise: false } => json!({"center": pair(center)}),
+        Arc::Center { center, is_clockwise: true } => {
+            json!({"center": pair(center), "clockwise": true})
         }
-        Curve::Cubic(controls) => ("bezier", controls.iter().copied().map(pair).collect()),
-        Curve::Polyline(points) => {
-            let key = if side.intervals == Intervals::Points { "points" } else { "polyline" };
-            (key, points.iter().copied().map(pair).collect())
-        }
-    })
+    }
 }
 
 /// None for the law that is the default.
@@ -165,4 +184,46 @@ fn vertex(constraint: &VertexConstraint) -> Value {
         keys.insert("max_degree".to_owned(), json!(limit));
     }
     Value::Object(keys)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::domain::Domain;
+
+    #[test]
+    fn what_is_written_is_read_as_the_same_domain() {
+        for text in [
+            r#"{"name": "a", "rectangle": {"width": 4, "height": 3, "origin": [1, 0.1], "rotation": 30}, "size": 0.3,
+                "vertices": [{"vertex": 3, "outside_degree": 2}, {"vertex": 1, "max_degree": 9}]}"#,
+            r#"{"rectangle": {"width": 4, "height": 3}, "sides": [
+                {"intervals": 3, "spacing": {"geometric": {"ratio": 1.2}}, "name": "bottom", "kind": "open"},
+                {"intervals": 3, "spacing": {"bump": {"ratio": 1.2}}, "outside_degree": 1, "max_degree": 8},
+                {"intervals": 3, "spacing": {"first_length": 0.1}, "outside_degree": [1, 2, 3, 4], "kind": "land"},
+                {"spacing": {"parameters": [0.1, 0.7]}, "kind": "island"}]}"#,
+            // Clockwise, with curves of all kinds and holes.
+            r#"{"polygon": {"corners": [[0, 0], [0, 6], [6, 6], [6, 0]]}, "sides": [
+                {"size": 0.7, "arc": {"through": [-1, 3]}},
+                {"intervals": 5, "bezier": [[2, 7], [4, 5.5]], "spacing": {"last_length": 0.1}},
+                {"points": [[6.1, 4], [6.3, 2.1]], "name": "x"},
+                {"intervals": 4, "polyline": [[4, -0.1], [2, 0.1]], "spacing": {"beta": {"beta": 1.2}}}],
+                "holes": [
+                    {"corners": [[2, 1]], "sides": [{"intervals": 7, "arc": {"center": [2, 2], "clockwise": true}}]},
+                    {"corners": [[4, 4]], "sides": [{"intervals": 7, "arc": {"center": [4, 4.5]}}]},
+                    {"ring": [[1, 4], [2, 4.1], [1.5, 4.7]]}]}"#,
+        ] {
+            let domain = Domain::from_json(text).unwrap();
+            let again = Domain::from_json(&domain.to_json()).unwrap();
+            assert!(again.placement().points().eq(domain.placement().points()), "{text}");
+            let names = |domain: &Domain| -> Vec<String> {
+                (0..domain.sides().len()).map(|side| domain.side_name(side)).collect()
+            };
+            assert_eq!((names(&again), again.name()), (names(&domain), domain.name()), "{text}");
+            if domain.turned.is_empty() {
+                assert_eq!(again.sides(), domain.sides(), "{text}");
+            }
+            assert_eq!(again.constraints(), domain.constraints(), "{text}");
+            assert_eq!(again.rings(), domain.rings(), "{text}");
+            assert_eq!(again.to_json(), domain.to_json());
+        }
+    }
 }
