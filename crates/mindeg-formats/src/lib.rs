@@ -64,6 +64,7 @@ mod words;
 mod write;
 
 pub use self::gltf::glb;
+pub use boundary::with_boundary_lines;
 pub use error::{ReadError, WriteError};
 pub use format::{Format, extensions};
 pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};

@@ -181,6 +181,16 @@ fn damaged(mut file: Vec<u8>, damages: &[(u8, usize, usize)]) -> Vec<u8> {
     file
 }
 
+/// How files begin.
+const STARTS: [&[u8]; 5] = [
+    b"",
+    b"solid ",
+    b"PK\x03\x04",
+    b"OFF\n",
+    b"ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+      element face 2\nproperty list uchar int vertex_index\nend_header\n",
+];
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1500))]
 
@@ -207,10 +217,7 @@ proptest! {
     #[test]
     fn no_bytes_make_a_reader_panic(
         bytes in prop::collection::vec(any::<u8>(), 0..300),
-        start in prop_oneof![Just(&b""[..]), Just(b"solid "), Just(b"PK\x03\x04"), Just(b"OFF\n"),
-            Just(b"ply\nformat binary_big_endian 1.0\nelement vertex 3\nproperty float x\n\
-                   property float y\nelement face 2\nproperty list uchar int vertex_index\n\
-                   end_header\n")],
+        start in prop::sample::select(&STARTS[..]),
     ) {
         let file = [start, &bytes].concat();
         for format in Format::READ {
@@ -445,9 +452,8 @@ fn formats_for_the_plane_refuse_a_mesh_in_space() {
     }
 }
 
-/// Python's zipfile and numpy give these: big-endian, transposed, integers as points.
 #[test]
-fn arrays_of_all_kinds_are_read() {
+fn damaged_and_compressed_arrays_are_refused() {
     let mesh = ring();
     let file = &write(&mesh, Format::Npz, WriteOptions { fields: false, ..exact() })[0].1;
     let find = |what: &[u8]| file.windows(what.len()).position(|window| window == what).unwrap();
@@ -459,7 +465,8 @@ fn arrays_of_all_kinds_are_read() {
     };
     assert_eq!(error(&damaged), "byte 0: points.npy: the check sum is wrong; the file is damaged");
     let mut compressed = file.clone();
-    compressed[find(b"PK\x01\x02") + 10] = 8;
-    assert!(error(&compressed).contains("compressed"));
-    assert!(error(&file[..file.len() - 1]).contains("no zip directory") || !file.is_empty());
+    compressed[find(b"PK\x01\x02") + 10] = 12;
+    let expected = "byte 0: points.npy: the array is compressed by method 12; only 0 (stored) and 8 \
+                    (deflate) are read";
+    assert_eq!(error(&compressed), expected);
 }
