@@ -125,7 +125,7 @@ mod tests {
         let nodes = "1 0 0 0\n2 1 0 0\n3 2 0.1 0\n4 2 2 0\n5 0 2 0\n";
         let lines = [(7, 1, 2), (7, 2, 3), (8, 3, 4), (8, 4, 5), (9, 5, 1)];
         let mut text = format!(
-            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"wall\"\n1 2 \"in\\u{7}let\"\n$EndPhysicalNames\n$Nodes\n5\n{nodes}$EndNodes\n$Elements\n5\n"
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"wall\"\n1 2 \"in\\u{{7}}let\"\n$EndPhysicalNames\n$Nodes\n5\n{nodes}$EndNodes\n$Elements\n5\n"
         );
         for (index, (curve, a, b)) in lines.into_iter().enumerate() {
             let group = if curve == 9 { 2 } else { 1 };
