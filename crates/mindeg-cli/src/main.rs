@@ -70,16 +70,10 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
-<<<<<<< HEAD
         Command::Domain(arguments) => domain::describe::run(arguments),
         Command::Improve(arguments) => shared(|| improve::run(arguments)),
         Command::Fill(arguments) => shared(|| fill::run(arguments)),
         Command::Bridge(arguments) => shared(|| bridge::run(arguments)),
-=======
-        Command::Fill(arguments) => shared(|| fill::run(arguments)),
-        Command::Bridge(arguments) => shared(|| bridge::run(arguments)),
-        Command::Improve(arguments) => shared(|| improve::run(arguments)),
->>>>>>> loops
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),
