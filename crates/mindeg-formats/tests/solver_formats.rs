@@ -198,13 +198,13 @@ fn errors_say_where() {
     let huge = format!("{vtk_head}POINTS 9000000000000000000 double\n");
     let cut = format!("{vtk_head}POINTS 2 double\n1234");
     for (format, file, message) in [
-        (Format::Msh, "$Nodes\n", "line 1: $Nodes has no $EndNodes"),
+        (Format::Msh, "$Nodes\n", "line 2: $Nodes has no $EndNodes"),
         (Format::Msh, "", "line 1: $MeshFormat is missing; is it a mesh of Gmsh?"),
         (Format::Msh, "$MeshFormat\n4 0 8\n", "line 2: MSH 4 is not read; save it as 4.1 or 2.2"),
         (Format::Msh, msh2, "line 6: a coordinate is \"x\", which is not a number"),
-        (Format::Msh, big, "line 8: the file ends before the tag of a node"),
+        (Format::Msh, big, "line 7: the file ends before the tag of a node"),
         (Format::Vtk, &huge, "line 5: no file has so many points"),
-        (Format::Vtk, &cut, "byte 91: the file"),
+        (Format::Vtk, &cut, "byte 78: numbers should take 48 bytes; the file has 4 more"),
         (Format::Vtk, "x", "line 1: a legacy VTK file begins with # vtk DataFile Version"),
         (Format::Vtu, "<a/>", "byte 0: no element VTKFile; is it a VTU?"),
         (
