@@ -189,6 +189,27 @@ fn what_other_programs_write_is_read() {
     assert_eq!((mesh.segments(), names(&mesh)), (&[[0, 1]][..], vec![("lines".to_owned(), 0..1)]));
 }
 
+/// As meshio writes data: several arrays of bytes in one field.
+#[test]
+fn fields_of_bytes_follow_one_another() {
+    let mut file = b"# vtk DataFile Version 4.2\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\n\
+                     POINTS 3 double\n"
+        .to_vec();
+    for value in [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0_f64] {
+        file.extend_from_slice(&value.to_be_bytes());
+    }
+    let ints = |file: &mut Vec<u8>, head: &str, values: &[i32]| {
+        file.extend_from_slice(head.as_bytes());
+        values.iter().for_each(|value| file.extend_from_slice(&value.to_be_bytes()));
+    };
+    ints(&mut file, "\nCELLS 2 7\n", &[3, 0, 1, 2, 2, 0, 1]);
+    ints(&mut file, "\nCELL_TYPES 2\n", &[5, 3]);
+    ints(&mut file, "\nCELL_DATA 2\nFIELD FieldData 2\nother 1 2 int\n", &[7, 8]);
+    ints(&mut file, "\nside 1 2 vtktypeint32\n", &[-1, 4]);
+    let mesh = vtk::read(&file[..]).unwrap();
+    assert_eq!(names(&mesh), [("side 4".to_owned(), 0..1)]);
+}
+
 #[test]
 fn errors_say_where() {
     let msh2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 x\n";
