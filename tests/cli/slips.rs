@@ -60,7 +60,7 @@ const SLIPS: &[(&str, &str)] = &[
         "no domain: name a JSON file, or - for standard input, or give --rectangle or --corners",
     ),
     ("mesh plate.json", "where to? name a file, such as -o mesh.obj"),
-    ("mesh - -o x.obj", "standard input is empty; a domain in JSON is expected"),
+    ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
     (
         "mesh a.obj -o b.obj",
         "a.obj is a mesh, not a domain; mindeg view, inspect and convert take meshes",
@@ -132,6 +132,8 @@ const SLIPS: &[(&str, &str)] = &[
          vertex has more edges",
     ),
     ("convert a.obj b.glb", "give every output with -o: -o b.glb"),
+    ("fill a.obj", "where to? name a file, such as -o mesh.obj"),
+    ("bridge a.obj b.obj", "where to? name a file, such as -o mesh.obj"),
     ("inspect a.obj b.obj", "one mesh at a time: b.obj is a second one"),
     (
         "plate.json",

@@ -33,11 +33,12 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     writeln!(
         out,
         "{} boundary vertices, {} triangles, {} interior edges. The least maximum degree that \
-         any triangulation of this domain can have is {}.\n",
+         any triangulation of this domain can have is {}{}.\n",
         count(domain.vertices),
         count(domain.triangles),
         count(domain.interior_edges),
-        count(domain.optimal_max_degree)
+        count(domain.optimal_max_degree),
+        if domain.optimum_is_proven { "" } else { " or more" }
     )?;
     for sentence in verdict(report).sentences() {
         writeln!(out, "{}\n", escaped(sentence))?;
