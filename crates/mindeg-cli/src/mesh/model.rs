@@ -12,7 +12,7 @@ use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
-use mindeg::model::{JointBound, ModelGoal, ModelMesh, mesh_model};
+use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
 use mindeg::{FromMesh, Intervals, Model, ModelPlace, Progress, Side, Spacing};
 use mindeg_compare::number_format::{percent, steady_angle};
@@ -55,6 +55,23 @@ struct Summary<'a> {
     files: Vec<String>,
 }
 
+/// What `--json` prints with `--interior`.
+#[derive(Serialize)]
+struct FilledSummary<'a> {
+    name: Option<&'a str>,
+    faces: usize,
+    edges: usize,
+    vertices: usize,
+    interior_points: usize,
+    triangles: u32,
+    max_degree: u32,
+    min_angle: f64,
+    max_angle: f64,
+    closed: bool,
+    notes: &'a [String],
+    files: Vec<String>,
+}
+
 #[derive(Serialize)]
 struct GroupSummary<'a> {
     name: Option<&'a str>,
@@ -85,14 +102,13 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
         let message = "--optimize is for domains; for a model give --keep-angle or --max-degree";
         return Err(Failure::Input(message.to_owned()));
     }
-    if arguments.interior.interior {
-        let message = "--interior is for domains; the faces of a model have no interior points yet";
-        return Err(Failure::Input(message.to_owned()));
-    }
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
     let model = read(path, arguments, &bar)?;
+    if arguments.interior.interior {
+        return fill(path, &model, arguments, targets, bar);
+    }
     let goal = ModelGoal {
         keep_angle: arguments.goal.keep_angle,
         max_degree: arguments.goal.max_degree,
@@ -148,6 +164,81 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
+/// Fills the faces with interior points.
+fn fill(
+    path: &Path,
+    model: &Model,
+    arguments: &MeshArguments,
+    mut targets: Targets<'_>,
+    bar: Bar,
+) -> Result<(), Failure> {
+    let goal = &arguments.goal;
+    if goal.keep_angle.is_some() || goal.max_degree.is_some() {
+        let message = "--keep-angle and --max-degree are for meshes of boundary points alone; \
+                       leave them out, or --interior";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+    let callback = bar.callback();
+    let filled = fill_model(model, &arguments.interior.over(None), Progress::new(&callback));
+    let filled = filled.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    drop(callback);
+    let mesh = &filled.mesh;
+    let highest = || {
+        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == filled.max_degree);
+        highest.map_or(0, |(vertex, _)| vertex)
+    };
+    let worst = || NamedTriangle::worst_of(mesh);
+    arguments.gates.check(filled.max_degree, filled.min_angle, highest, worst)?;
+    targets.check(mesh, mesh.triangle_count())?;
+    let all_taken = targets.write(mesh, &bar)?;
+    outputs.finish()?;
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    let summary = FilledSummary {
+        name: model.name(),
+        faces: model.face_count(),
+        edges: model.edge_count(),
+        vertices: mesh.positions().len(),
+        interior_points: filled.interior_points,
+        triangles: mesh.triangle_count(),
+        max_degree: filled.max_degree,
+        min_angle: filled.min_angle,
+        max_angle: max_angle(mesh),
+        closed: model.is_closed(),
+        notes: model.notes(),
+        files,
+    };
+    if !arguments.quiet {
+        let mut lines = vec![format!(
+            "{}: {} faces, {} vertices, {} of them inside faces, {} triangles, maximum degree {}, \
+             angles {} to {}",
+            summary.name.unwrap_or("model"),
+            summary.faces,
+            summary.vertices,
+            summary.interior_points,
+            summary.triangles,
+            summary.max_degree,
+            steady_angle(summary.min_angle),
+            steady_angle(summary.max_angle),
+        )];
+        lines.extend(model.notes().iter().cloned());
+        lines.extend(written(&summary.files));
+        say(&lines.join("\n"));
+    }
+    if arguments.json { print_json(&summary) } else { Ok(()) }
+}
+
+/// The line on the files that were written.
+fn written(files: &[String]) -> Option<String> {
+    let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
+    (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
+}
+
 /// The model in a file, with the options in place of what the file gives for its edges.
 fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<Model, Failure> {
     input::note(path, "model");
@@ -198,17 +289,12 @@ fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
         (None, None) => return Ok(None),
     };
     let spacing = spacing.clone().unwrap_or(Spacing::Uniform);
-    Ok(Some(Side { intervals, spacing, name: None }))
+    Ok(Some(Side { intervals, ..Side::count(1).spaced(spacing) }))
 }
 
 fn check_gates(meshed: &ModelMesh, arguments: &MeshArguments) -> Result<(), Failure> {
     let mesh = &meshed.mesh;
-    let worst_triangle = || {
-        let angles = (0..).zip(mesh.triangles().iter().map(|&triangle| quality(mesh, triangle)));
-        let worst = angles.min_by(|(_, a), (_, b)| a.min_angle.total_cmp(&b.min_angle));
-        let number = worst.map_or(0, |(number, _)| number);
-        NamedTriangle { number, vertices: mesh.triangles()[number as usize] }
-    };
+    let worst_triangle = || NamedTriangle::worst_of(mesh);
     let highest_vertex = || meshed.worst_vertices.first().copied().unwrap_or_default();
     arguments.gates.check(meshed.max_degree, meshed.min_angle, highest_vertex, worst_triangle)
 }
@@ -273,10 +359,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
         lines.push(format!("Every face keeps {share} of its Delaunay minimum angle, or more."));
     }
     lines.extend(model.notes().iter().cloned());
-    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
-    if !files.is_empty() {
-        lines.push(format!("wrote {}", files.join(", ")));
-    }
+    lines.extend(written(&summary.files));
     lines.join("\n")
 }
 
