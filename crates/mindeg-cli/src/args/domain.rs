@@ -8,7 +8,8 @@ use std::path::PathBuf;
 /// One domain, from a file or from options.
 #[derive(Debug, Args)]
 pub(crate) struct DomainArguments {
-    /// A domain in JSON; - reads standard input
+    /// A domain in JSON; - reads standard input. mindeg mesh also takes a model: an OBJ with faces,
+    /// a .glb or .gltf, or JSON with "faces"
     #[arg(id = "domain", value_name = "DOMAIN.json")]
     pub(crate) file: Option<PathBuf>,
 

@@ -1,24 +1,24 @@
 //! `mindeg mesh` of a whole model: from its faces to one watertight mesh.
 
-use crate::args::{DomainOptions, MeshArguments};
+mod source;
+
+pub(super) use source::is_model;
+
+use crate::args::MeshArguments;
 use crate::bar::Bar;
-use crate::failure::{Failure, plainly};
+use crate::failure::Failure;
 use crate::gates::NamedTriangle;
-use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
-use crate::mesh_file;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
-use mindeg::{FromMesh, Intervals, Model, ModelPlace, Progress, Side, Spacing};
+use mindeg::{Model, ModelPlace, Progress};
 use mindeg_compare::number_format::{percent, steady_angle};
 use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
-use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
@@ -80,20 +80,6 @@ struct GroupSummary<'a> {
     triangles: u32,
 }
 
-/// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`.
-pub(super) fn is_model(path: &Path) -> bool {
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    match extension.as_deref() {
-        Some("glb" | "gltf") => true,
-        Some("obj") => fs::read(path).is_ok_and(|bytes| {
-            let mut lines = bytes.split(|&byte| byte == b'\n' || byte == b'\r');
-            lines.any(|line| line.starts_with(b"f ") || line.starts_with(b"f\t"))
-        }),
-        Some("json") => fs::read_to_string(path).is_ok_and(|text| Model::is_model_json(&text)),
-        _ => false,
-    }
-}
-
 pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut targets =
@@ -105,7 +91,7 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
-    let model = read(path, arguments, &bar)?;
+    let model = source::read(path, arguments, &bar)?;
     if arguments.interior.interior {
         return fill(path, &model, arguments, targets, bar);
     }
@@ -237,59 +223,6 @@ fn fill(
 fn written(files: &[String]) -> Option<String> {
     let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
     (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
-}
-
-/// The model in a file, with the options in place of what the file gives for its edges.
-fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<Model, Failure> {
-    input::note(path, "model");
-    let bad = |error: String| Failure::Input(format!("{}: {error}", path.display()));
-    let division = division(&arguments.domain.options)?;
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    let is_json = extension.as_deref() == Some("json");
-    if is_json {
-        let text = fs::read_to_string(path).map_err(|error| {
-            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
-        })?;
-        let model = Model::from_json(&text).map_err(|error| bad(error.to_string()))?;
-        return match division {
-            Some(side) => model.divided(&side).map_err(|error| bad(error.to_string())),
-            None => Ok(model),
-        };
-    }
-    let Some(edges) = division else {
-        let message = "how many intervals? give --size S, or --intervals N for every edge";
-        return Err(Failure::Input(message.to_owned()));
-    };
-    memory::require_to_read(path)?;
-    let mesh = mesh_file::read(path, bar)?;
-    let from_mesh = FromMesh {
-        edges,
-        merge_coplanar: arguments.model.merge_coplanar || extension.as_deref() != Some("obj"),
-        planar_tolerance: arguments.model.planar_tolerance,
-    };
-    Model::of_mesh(&mesh, &from_mesh).map_err(|error| bad(error.to_string()))
-}
-
-/// The division of every edge that the options ask for.
-fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
-    let DomainOptions { intervals, size, spacing, .. } = options;
-    let intervals = match (intervals.as_ref().map(|counts| &counts.0[..]), size) {
-        (Some(&[count]), _) => Intervals::Count(count),
-        (Some(counts), _) => {
-            return Err(Failure::Input(format!(
-                "--intervals gives {} counts; for a model give one, which every edge gets",
-                counts.len()
-            )));
-        }
-        (None, Some(size)) => Intervals::Size(*size),
-        (None, None) if spacing.is_some() => {
-            let message = "--spacing of a model needs --size or --intervals beside it";
-            return Err(Failure::Input(message.to_owned()));
-        }
-        (None, None) => return Ok(None),
-    };
-    let spacing = spacing.clone().unwrap_or(Spacing::Uniform);
-    Ok(Some(Side { intervals, ..Side::count(1).spaced(spacing) }))
 }
 
 fn check_gates(meshed: &ModelMesh, arguments: &MeshArguments) -> Result<(), Failure> {
