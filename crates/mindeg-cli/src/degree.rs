@@ -3,7 +3,7 @@
 use crate::angle_limit::Lifting;
 use crate::args::{Counts, DegreeArguments};
 use crate::bar::Bar;
-use crate::domain::{counts_of, read};
+use crate::domain::{counts_of, file_with_size};
 use crate::failure::Failure;
 use crate::interior_report::Limit;
 use crate::polygon_degree::{Answer, failed};
@@ -45,7 +45,7 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     let (intervals, domain) = &match &arguments.counts {
         Counts::Given(counts) => (counts.clone(), None),
         Counts::Domain(path) => {
-            let domain = read(path)?;
+            let domain = file_with_size(path, &arguments.file)?;
             if domain.convex().is_none() || domain.is_constrained() {
                 return of_any(&domain, arguments);
             }

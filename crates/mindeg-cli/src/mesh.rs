@@ -1,11 +1,12 @@
 //! `mindeg mesh`: from a domain to files.
 
+mod features;
 mod interior;
 mod model;
 
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
-use crate::domain::{domain, name, name_in_text};
+use crate::domain::{Content, name, name_in_text, subject};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
@@ -20,6 +21,7 @@ use mindeg_compare::number_format::steady_angle;
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
+use std::path::PathBuf;
 
 /// What `--json` prints; angles in degrees. Degrees are total: edges outside the domain count.
 #[derive(Serialize)]
@@ -48,28 +50,41 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     if let Some(path) = arguments.domain.file.as_deref().filter(|path| model::is_model(path)) {
         return model::run(path, arguments);
     }
+    let output = &arguments.surface.output;
+    match subject(&arguments.domain)? {
+        Content::Domain(domain) => mesh_of(&domain, arguments, output),
+        Content::Polygons(polygons) if polygons.polygons.len() > 1 => {
+            features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
+        }
+        Content::Polygons(polygons) => {
+            let output = features::outputs_of_one(arguments, &polygons)?;
+            mesh_of(&polygons.only()?, arguments, &output)
+        }
+    }
+}
+
+/// Meshes one domain into files.
+fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut targets =
-        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
-    let domain = domain(&arguments.domain)?;
+    let mut targets = Targets::new(output, surface.format, surface.options(), arguments.json)?;
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
 
-    if let Some(wanted) = interior::wanted(arguments, &domain)? {
-        return interior::run(arguments, &domain, &wanted, targets, bar);
+    if let Some(wanted) = interior::wanted(arguments, domain)? {
+        return interior::run(arguments, domain, &wanted, targets, bar);
     }
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), triangle_count(domain.rings()))?;
-    memory::require_to_stream(domain.rings().vertex_count(), name_in_text(&domain))?;
-    let goal = goal(&arguments.goal, arguments.optimize, &domain)?;
+    memory::require_to_stream(domain.rings().vertex_count(), name_in_text(domain))?;
+    let goal = goal(&arguments.goal, arguments.optimize, domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();
 
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let meshed = meshed(&domain, goal, progress)?;
+    let meshed = meshed(domain, goal, progress)?;
     let Meshed { mesh, least_max_degree, .. } = &meshed;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;

@@ -20,6 +20,7 @@ mod syntax;
 #[cfg(test)]
 mod tests;
 mod value;
+mod write;
 
 pub use self::error::DomainJsonError;
 

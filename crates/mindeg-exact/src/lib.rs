@@ -105,10 +105,13 @@ mod zigzag;
 
 pub use answer::{TradeOff, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
-pub use bridge::{Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings};
+pub use bridge::{
+    Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings, largest_bridge_angle,
+};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
 pub use fill::{
-    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
+    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, WORTH_MORE,
+    fill_loop,
 };
 pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};

@@ -39,6 +39,8 @@
 
 mod boundary_mesh;
 #[cfg(feature = "exact")]
+pub mod bridge;
+#[cfg(feature = "exact")]
 mod conflict;
 #[cfg(feature = "exact")]
 mod degree;
@@ -47,11 +49,15 @@ pub mod exact;
 #[cfg(feature = "exact")]
 mod exact_error;
 #[cfg(feature = "exact")]
+pub mod fill;
+#[cfg(feature = "exact")]
 mod goal;
 #[cfg(feature = "interior")]
 pub mod interior;
 #[cfg(feature = "exact")]
 mod keep_angle;
+#[cfg(feature = "exact")]
+mod loops;
 #[cfg(feature = "exact")]
 mod meshed;
 #[cfg(feature = "exact")]
@@ -63,6 +69,8 @@ pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
 pub use goal::{Goal, mesh};
+#[cfg(feature = "exact")]
+pub use loops::{LoopDefect, Loops, MeshLoop};
 #[cfg(feature = "exact")]
 pub use meshed::{FoundBy, HigherDegree, Meshed};
 pub use mindeg_domain::*;
