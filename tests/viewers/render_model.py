@@ -66,6 +66,7 @@ def main(source, target):
     bpy.data.objects["sun"].rotation_euler = (math.radians(40), math.radians(12), math.radians(20))
     bpy.data.lights["sun"].energy = 2.2
     bpy.data.worlds["paper"].node_tree.nodes["Background"].inputs["Strength"].default_value = 0.85
+    render.WIDTH, render.HEIGHT = 800, 600
     render.render(target)
 
 

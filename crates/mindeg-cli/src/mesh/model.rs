@@ -313,11 +313,15 @@ fn standing(meshed: &ModelMesh) -> String {
         _ => "a weighted sum of the degrees, least over all triangulations of each face".to_owned(),
     };
     let (degree, bound) = (meshed.max_degree, meshed.lower_bound);
+    let mesh = match meshed.angle_share {
+        Some(_) => "mesh of these points with such angles",
+        None => "mesh of these points",
+    };
     if meshed.is_proven() {
-        format!("No mesh of these points has a smaller maximum degree: {why}.")
+        format!("No {mesh} has a smaller maximum degree: {why}.")
     } else {
         format!(
-            "Degree {degree} was reached. No mesh has less than {bound}: {why}. The gap is {}; \
+            "Degree {degree} was reached. No {mesh} has less than {bound}: {why}. The gap is {}; \
              --effort 10 looks ten times as long.",
             degree - bound
         )

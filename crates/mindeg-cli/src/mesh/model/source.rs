@@ -52,7 +52,14 @@ pub(super) fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<
         merge_coplanar: arguments.model.merge_coplanar || extension.as_deref() != Some("obj"),
         planar_tolerance: arguments.model.planar_tolerance,
     };
-    Model::of_mesh(&mesh, &from_mesh).map_err(|error| bad(error.to_string()))
+    let model = Model::of_mesh(&mesh, &from_mesh).map_err(|error| bad(error.to_string()))?;
+    // An OBJ has names for groups alone.
+    let stem = path.file_stem().and_then(|stem| stem.to_str());
+    let is_plain = |stem: &&str| stem.chars().all(|c| c.is_alphanumeric() || "-_. ".contains(c));
+    Ok(match stem.filter(is_plain) {
+        Some(stem) if model.name().is_none() => model.named(stem),
+        _ => model,
+    })
 }
 
 /// The division of every edge that the options ask for.
