@@ -11,7 +11,8 @@ import sys
 
 sys.dont_write_bytecode = True  # leave no compiled files in the source tree
 
-import bpy
+import bpy  # first: it is what makes bmesh importable
+import bmesh
 from mathutils import Vector
 
 import render
@@ -23,18 +24,16 @@ WORST = (0.78, 0.09, 0.05)
 
 
 def main(source, target):
-    objects = open_mesh(source)
-    bpy.ops.object.select_all(action="DESELECT")
-    for thing in objects:
-        thing.select_set(True)
-    bpy.context.view_layer.objects.active = objects[0]
-    if len(objects) > 1:
-        bpy.ops.object.join()
-    surface = bpy.context.view_layer.objects.active
-    # The groups of an OBJ are objects with vertices of their own.
-    weld = surface.modifiers.new("weld", "WELD")
-    weld.merge_threshold = 1e-6
-    bpy.ops.object.modifier_apply(modifier="weld")
+    # The groups of an OBJ are objects with vertices of their own: equal ones are merged.
+    mesh = bmesh.new()
+    for thing in open_mesh(source):
+        mesh.from_mesh(thing.data)
+        bpy.data.objects.remove(thing)
+    bmesh.ops.remove_doubles(mesh, verts=mesh.verts, dist=1e-6)
+    for face in mesh.faces:
+        face.smooth = False
+    surface = render.add("surface", bpy.data.meshes.new("surface"))
+    mesh.to_mesh(surface.data)
 
     vertices = surface.data.vertices
     degrees = [0] * len(vertices)
@@ -60,7 +59,7 @@ def main(source, target):
         render.add_bead(place, bead, WORST if degree == most else PLAIN)
     render.light_and_camera()
     camera = bpy.context.scene.camera
-    camera.data.ortho_scale = SIZE * 1.12
+    camera.data.ortho_scale = SIZE * 1.35
     camera.location = Vector((10, -11, 7.5))
     camera.rotation_euler = (-camera.location).to_track_quat("-Z", "Y").to_euler()
     bpy.data.objects["sun"].rotation_euler = (math.radians(40), math.radians(12), math.radians(20))

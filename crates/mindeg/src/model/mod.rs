@@ -59,7 +59,8 @@ pub struct ModelMesh {
     pub face_starts: Vec<u32>,
     /// The maximum degree.
     pub max_degree: u32,
-    /// No mesh of the model from these points has a smaller maximum degree.
+    /// No mesh of the model from these points has a smaller maximum degree; with
+    /// [`ModelGoal::keep_angle`], none whose faces keep that share.
     pub lower_bound: u32,
     /// The proof of that.
     pub bounded_by: JointBound,
