@@ -4,8 +4,7 @@ mod solids;
 
 use std::collections::BTreeMap;
 
-use mindeg::glam::DVec3;
-use mindeg::model::{JointBound, ModelGoal, ModelMesh, mesh_model};
+use mindeg::model::{ModelGoal, ModelMesh, mesh_model};
 use mindeg::{Model, Progress, Side};
 use solids::Solid;
 
