@@ -11,7 +11,7 @@ use std::fs;
 use std::path::Path;
 
 /// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`.
-pub(in crate::mesh) fn is_model(path: &Path) -> bool {
+pub(crate) fn is_model(path: &Path) -> bool {
     let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
     match extension.as_deref() {
         Some("glb" | "gltf") => true,
