@@ -1,5 +1,7 @@
 //! Models: what they are made of, and what is wrong with bad ones.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use glam::DVec3;
 use mindeg_domain::{FromMesh, Model, ModelPlace, Side, Spacing};
 use mindeg_mesh::{Group, Polygons, TriMesh};

@@ -65,6 +65,9 @@ pub struct LoopTriangulation {
 /// From which share of the least area on a higher limit is worth a look.
 pub const WORTH_MORE: f64 = 1.02;
 
+/// The triangles of a loop, and their cost.
+type Solved = (Vec<[u32; 3]>, Cost);
+
 /// The triangulation of least area of a loop, under a limit on the total degrees of its vertices.
 ///
 /// O(n³) time for n vertices without a limit, and O(n³ f²) with one, for fronts of f states.
@@ -100,7 +103,7 @@ pub fn fill_loop(
         let (area, max_degree) = (area(problem, &triangles), max_degree(problem, &triangles));
         LoopTriangulation { triangles, limit, max_degree, area, without_limit, next_area: None }
     };
-    let solve = |limit: u32| -> Result<Option<(Vec<[u32; 3]>, Cost)>, LoopUnsolved> {
+    let solve = |limit: u32| -> Result<Option<Solved>, LoopUnsolved> {
         if keeps(problem, &free, limit) {
             return Ok(Some((free.clone(), least)));
         }
