@@ -62,7 +62,7 @@ fn outlines(count: usize) -> impl Iterator<Item = (Outline, Random)> {
         Outline::random(&mut random, corners, 12)
             .map(|outline| (outline, Random(random.below(1 << 40))))
     };
-    std::iter::repeat_with(move || next()).flatten().take(count)
+    std::iter::repeat_with(next).flatten().take(count)
 }
 
 #[test]
