@@ -21,7 +21,7 @@ const DOMAINS: [(&str, &[u64], u32); 8] = [
 const OTHERS: [(&str, u32, usize); 5] = [
     ("great-britain", 391, 0),
     ("half-round-cap", 36, 0),
-    ("l-bracket", 76, 0),
+    ("l-bracket", 71, 0),
     ("plate-with-holes", 140, 3),
     ("step-channel", 197, 0),
 ];
