@@ -281,18 +281,19 @@ impl Problem {
         }
     }
 
-    /// Refuses chords of another polygon than a convex one if they have too many triples.
+    /// Refuses chords of another polygon than a convex one if they have too many triples, and counts
+    /// them.
     pub(crate) fn require_triples(
         &self,
         chords: &Chords,
         progress: Progress<'_>,
-    ) -> Result<(), Unsolved> {
+    ) -> Result<u64, Unsolved> {
         if let Domain::Convex(_) = self.domain {
-            return Ok(());
+            return Ok(0);
         }
         let stage = Stage::new(progress, "counting triples of vertices");
         let triples = chords.count_triples(self.max_triples, &stage)?;
-        triples.map(|_| ()).ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
+        triples.ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
     }
 
     /// The number of triples of vertices that see each other, the work of one pass of the dynamic
