@@ -137,7 +137,7 @@ mod tests {
         ] {
             let outlines = read(text).unwrap();
             assert_eq!(outlines.features.len(), 1, "{text:?}");
-            assert_eq!(outlines.features[0].rings, [expected.clone()], "{text:?}");
+            assert_eq!(outlines.features[0].rings, std::slice::from_ref(&expected), "{text:?}");
         }
     }
 

@@ -283,8 +283,10 @@ fn moved_inside(ring: &Ring, index: usize) -> Option<DVec2> {
 mod tests {
     use super::*;
 
+    type Points = Vec<[f64; 2]>;
+
     /// The rings of each polygon after the repair of one ring or more, and the notes.
-    fn repaired(rings: &[&[[f64; 2]]]) -> (Vec<Vec<Vec<[f64; 2]>>>, Vec<String>) {
+    fn repaired(rings: &[&[[f64; 2]]]) -> (Vec<Vec<Points>>, Vec<String>) {
         let ring = |points: &&[[f64; 2]]| Ring {
             pieces: points.iter().map(|&point| Piece::line(point.into())).collect(),
         };
