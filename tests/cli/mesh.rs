@@ -4,12 +4,23 @@ use mindeg_formats::obj;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+/// The bundled domains that are not convex, or whose sides are curved: not every command takes them.
+const OTHERS: [&str; 5] = [
+    "great-britain.json",
+    "half-round-cap.json",
+    "l-bracket.json",
+    "plate-with-holes.json",
+    "step-channel.json",
+];
+
+/// The bundled domains that are convex with straight sides.
 pub(crate) fn domains() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
     let mut domains: Vec<PathBuf> = fs::read_dir(folder)
         .expect("the domains are there")
         .map(|entry| entry.expect("the folder can be read").path())
         .collect();
+    domains.retain(|path| !OTHERS.iter().any(|name| path.ends_with(name)));
     domains.sort();
     domains
 }

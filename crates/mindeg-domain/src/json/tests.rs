@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
-use crate::side::Side;
+use crate::side::{Side, SideKind};
 use crate::spacing::Spacing;
 
 #[test]
@@ -169,6 +169,110 @@ fn says_what_is_wrong_with_a_side() {
     ];
     for (side, message) in table {
         check(&with_side(side), message);
+    }
+}
+
+/// A domain in which the hole is as given, from column 63 on.
+fn with_hole(hole: &str) -> String {
+    format!(r#"{{"rectangle": {{"width": 9, "height": 9}}, "size": 3, "holes": [{hole}]}}"#)
+}
+
+#[test]
+fn reads_holes_rings_and_curves() {
+    let holes = r#"{"corners": [[1, 1], [2, 1], [1, 2]], "size": 0.5, "sides": [{"name": "a", "max_degree": 9}, {"intervals": 3}, {}]},
+        {"ring": [[4, 4], [4, 5], [5, 4.5]], "sides": [{"name": "b", "kind": "island"}]},
+        {"corners": [[7, 7]], "sides": [{"intervals": 6, "arc": {"center": [6.5, 7]}}]},
+        {"corners": [[6, 1], [8, 1]], "sides": [{"arc": {"through": [7, 2]}, "intervals": 4}, {"points": [[7, 0.5]]}]},
+        {"corners": [[1, 6], [2, 6]], "sides": [{"bezier": [[1, 8], [2, 8]], "intervals": 3}, {"polyline": [[2, 5], [1, 5]]}]}"#;
+    let domain = Domain::from_json(&with_hole(holes)).unwrap();
+    let rings = domain.rings();
+    assert!(rings.rings().eq([0..12, 12..19, 19..22, 22..28, 28..34, 34..38]));
+    assert_eq!(domain.notes().len(), 2, "{:?}", domain.notes());
+    // Turned: from the first corner back.
+    assert_eq!(domain.sides()[6].name.as_deref(), Some("a"));
+    assert_eq!(domain.constraints().sides[6].degree_limit, Some(9));
+    assert_eq!(domain.sides()[7].kind, Some(SideKind::Island));
+    let names: Vec<_> = (4..13).map(|side| domain.side_name(side)).collect();
+    assert_eq!(
+        names,
+        [
+            "hole 1 side 1",
+            "hole 1 side 2",
+            "a",
+            "b",
+            "hole 3",
+            "hole 4 side 1",
+            "hole 4 side 2",
+            "hole 5 side 1",
+            "hole 5 side 2"
+        ]
+    );
+    let point = |vertex| domain.placement().point(vertex).to_array();
+    assert_eq!([19, 20, 21].map(point), [[4.0, 4.0], [4.0, 5.0], [5.0, 4.5]]);
+    assert_eq!([28, 32, 33].map(point), [[6.0, 1.0], [8.0, 1.0], [7.0, 0.5]]);
+    assert!(
+        (22..28)
+            .all(|v| (domain.placement().point(v).distance(DVec2::new(6.5, 7.0)) - 0.5).abs()
+                < 1e-15)
+    );
+    // The polyline of 3, in intervals of 3.
+    assert_eq!(rings.intervals(12), 1);
+
+    let ring = Domain::from_json(r#"{"ring": [[0.1, 0], [1e3, -0.0], [0.3, 7]]}"#).unwrap();
+    assert!(ring.placement().points().eq([[0.1, 0.0], [1e3, -0.0], [0.3, 7.0]].map(DVec2::from)));
+    assert!(ring.convex().is_some());
+}
+
+#[test]
+fn says_what_is_wrong_with_holes_rings_and_curves() {
+    let triangle = r#""corners": [[1, 1], [2, 1], [1, 2]]"#;
+    let hole = |keys: &str| with_hole(&format!("{{{triangle}, {keys}}}"));
+    let side = |keys: &str| with_side(&format!("{{{keys}}}"));
+    let ring = |points: &str| format!(r#"{{"ring": {points}}}"#);
+    #[rustfmt::skip]
+    let table = [
+        (with_hole("3"), r#"line 1, column 63, holes[0]: found the number 3, expected {"corners": [[x, y], …], "sides": [{"intervals": 3}, …]} or {"ring": [[x, y], …]}; optional: "size""#),
+        (with_hole("{}"), r#"line 1, column 63, holes[0]: the key "corners" or "ring" is missing; expected {"corners": [[x, y], …], "sides": [{"intervals": 3}, …]} or {"ring": [[x, y], …]}; optional: "size""#),
+        (hole(r#""ring": []"#), r#"line 1, column 63, holes[0]: a hole has either "corners" or a "ring"; drop one"#),
+        (hole(r#""name": "a""#), r#"line 1, column 109, holes[0].name: unknown key "name"; allowed: "corners", "ring", "sides", "size""#),
+        (hole(r#""sides": [{}]"#), r#"line 1, column 110, holes[0].sides: 1 side is described and hole 1 has 3; describe each side once"#),
+        (hole(r#""sides": [{}, {"intervals": 0}, {}]"#), r#"line 1, column 129, holes[0].sides[1].intervals: side 2 of hole 1 has 0 intervals; every side needs at least 1"#),
+        (hole(r#""size": 0"#), r#"line 1, column 109, holes[0].size: side 1 of hole 1: the size is 0.0; it must be a finite number above 0"#),
+        (hole(r#""sides": [{"name": "a"}, {"name": "a"}, {}]"#), r#"line 1, column 135, holes[0].sides[1].name: sides 1 and 2 of hole 1 are both named "a"; names become groups in mesh files and must differ"#),
+        (hole(r#""sides": [{}, {}, {"outside_degree": [1]}]"#), r#"line 1, column 138, holes[0].sides[2].outside_degree: side 3 of hole 1: outside_degree lists 1 number, and the side has 2 vertices, both corners included; give one for each, or a single number for all that are not corners"#),
+        (with_hole(r#"{"corners": [[1, 1], [12, 1], [1, 2]]}"#), r#"line 1, column 63, holes[0]: interval 1 of side 2 and interval 3 of side 1 of hole 1 cross near (9.0, 1.0); list the points in the order in which they lie around the domain, and keep rings apart"#),
+        (with_hole(r#"{"corners": [[11, 1], [12, 1], [11, 2]]}"#), r#"line 1, column 63, holes[0]: hole 1 lies outside the outline, with its first corner at (11.0, 1.0); move it inside, or drop it"#),
+        (with_hole(r#"{"corners": [[1, 1], [2, 1]]}"#), r#"line 1, column 75, holes[0].corners: found 2 corners of hole 1; a hole of straight sides needs at least 3"#),
+        (with_hole(r#"{"ring": [[1, 1], [2, 1], [1, 1], [3, 5]]}"#), r#"line 1, column 81, holes[0].ring[1]: the boundary folds back on itself at point 2 of hole 1 at (2.0, 1.0) (0°); drop the point or move it"#),
+        (with_hole(r#"{"ring": [[1, 1], [2, 1], [1, 2]], "size": 1}"#), r#"line 1, column 106, holes[0].size: a "ring" has its own points; drop "size""#),
+        (ring("3"), r#"line 1, column 10, ring: found the number 3, expected a list of [x, y] pairs of numbers"#),
+        (ring("[[0, 0], [1, 0]]"), r#"line 1, column 10, ring: found 2 points; a ring needs at least 3"#),
+        (ring("[[0, 0], [1, 0], [0, 1, 0]]"), r#"line 1, column 27, ring[2]: found a list of 3 values, expected a pair [x, y] of numbers"#),
+        (ring("[[0, 0], [1, 0], [0, 1e999]]"), r#"line 1, column 31, ring[2][1]: the number 1e999 is too large; the maximum is about 1e308"#),
+        (ring("[[0, 0], [1, 0], [0, 1e101]]"), r#"line 1, column 27, ring[2]: side 1: point 2 of the curve is at (0.0, 1e101); coordinates must be finite and at most 1e100 in size"#),
+        (ring("[[0, 0], [1, 1], [1, 0], [0, 1]]"), r#"line 1, column 27, ring[2]: edge 1 and edge 3 cross near (0.5, 0.5); list the points in the order in which they lie around the domain, and keep rings apart"#),
+        (ring("[[0, 0], [4, 0], [4, 4], [4, 0], [0, 4]]"), r#"line 1, column 27, ring[2]: the boundary folds back on itself at point 3 at (4.0, 4.0) (0°); drop the point or move it"#),
+        (ring("[[0, 0], [4, 0], [4, 4], [3, 4], [4, 0], [0, 4]]"), r#"line 1, column 43, ring[4]: point 5 is at (4.0, 0.0), where point 2 is too; a boundary passes each point once: move one of them, or split the ring there"#),
+        (r#"{"ring": [[0, 0], [1, 0], [0, 1]], "size": 1}"#.to_owned(), r#"line 1, column 44, size: a "ring" has its own points; drop "size""#),
+        (r#"{"ring": [[0, 0], [1, 0], [0, 1]], "sides": [{}, {}]}"#.to_owned(), r#"line 1, column 45, sides: found 2 sides; a "ring" is one side; for several, give corners and the "points" of each side"#),
+        (r#"{"ring": [[0, 0], [1, 0], [0, 1]], "sides": [{"intervals": 3}]}"#.to_owned(), r#"line 1, column 60, sides[0].intervals: unknown key "intervals"; allowed: "name", "kind", "outside_degree", "max_degree""#),
+        (side(r#""points": [[0, 0.5]], "intervals": 2"#), r#"line 3, column 2, sides[3]: "points" say how many intervals there are; drop "intervals""#),
+        (side(r#""points": [[0, 0.5]], "spacing": "uniform""#), r#"line 3, column 2, sides[3]: "points" say how many intervals there are; drop "spacing""#),
+        (side(r#""points": []"#), r#"line 3, column 13, sides[3].points: side 4: the side is to keep its own points and gives none; give a polyline or a count"#),
+        (side(r#""points": [[0, 0.2], [0, 0.8]]"#), r#"line 3, column 24, sides[3].points[1]: side 4: point 2 at (0.0, 0.8) is not farther along the straight side than the one before; list the points in the order in which they lie on it"#),
+        (side(r#""points": [[0.1, 0.5], [0.5, 0], [0.2, 0.3]]"#), r#"line 3, column 26, sides[3].points[1]: point 2 of side 4 at (0.5, 0.0) lies on side 1; rings may not touch: move the point off, or split the ring there"#),
+        (side(r#""points": [[0, 1], [0, 0.5]]"#), r#"line 3, column 14, sides[3].points[0]: side 4: point 1 at (0.0, 1.0) is not farther along the straight side than the one before; list the points in the order in which they lie on it"#),
+        (side(r#""points": [[0, 0.5]], "arc": {"through": [0, 0]}"#), r#"line 3, column 2, sides[3]: a side runs one way: give either "points" or "arc""#),
+        (side(r#""intervals": 3, "arc": {"through": [0, 0.5]}"#), r#"line 3, column 26, sides[3].arc: side 4: the arc goes through (0.0, 0.5), which lies on the line through its corners; move that point off, or drop the arc"#),
+        (side(r#""intervals": 3, "arc": {"center": [1, 0]}"#), r#"line 3, column 26, sides[3].arc: side 4: the arc's center is 1.4142135623730951 from the corner where the arc starts and 1.0 from the corner where it ends; move it to where both are equal"#),
+        (side(r#""intervals": 3, "arc": {}"#), r#"line 3, column 26, sides[3].arc: give exactly one of "through" and "center": {"through": [x, y]} or {"center": [x, y]}; optional: "clockwise": true"#),
+        (side(r#""intervals": 3, "arc": {"through": [1, 1], "clockwise": true}"#), r#"line 3, column 59, sides[3].arc.clockwise: "through" says which way the arc runs; drop "clockwise""#),
+        (side(r#""intervals": 3, "arc": {"center": [1, 1], "clockwise": 1}"#), r#"line 3, column 58, sides[3].arc.clockwise: found the number 1, expected true or false"#),
+        (side(r#""intervals": 3, "bezier": [[1, 1]]"#), r#"line 3, column 29, sides[3].bezier: found 1 points, expected a list of two control points [x, y]"#),
+        (side(r#""intervals": 3, "kind": "water""#), r#"line 3, column 27, sides[3].kind: found the text "water", expected "open", "land" or "island""#),
+    ];
+    for (text, message) in table {
+        check(&text, message);
     }
 }
 

@@ -1,9 +1,9 @@
 """What real programs see in PLY, STL, OFF, Triangle's files, fort.14, 2DM and NPZ, and what mindeg
 sees in theirs.
 
-    checks_b.py MINDEG_BINARY FOLDER [DOMAIN.json ...]
+    surface_formats.py MINDEG_BINARY FOLDER [DOMAIN.json ...]
 
-Without domains: every assets/domains/*.json. Needs the packages of REQUIREMENTS.
+Without domains: every assets/domains/*.json.
 """
 
 import json
@@ -13,16 +13,6 @@ from pathlib import Path
 
 import numpy
 
-REQUIREMENTS = [
-    "numpy",
-    "scipy",  # for trimesh
-    "trimesh",
-    "meshio",
-    "meshlane",
-    "pymeshlab",
-    "triangle",
-    "py2dm",
-]
 DOMAINS = Path(__file__).resolve().parents[2] / "assets" / "domains"
 EXTENSIONS = ("ply", "stl", "off", "node", "14", "2dm", "npz")
 
