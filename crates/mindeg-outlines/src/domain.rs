@@ -120,9 +120,14 @@ mod tests {
         outlines.features[0].domain(&Division { size, ..Division::default() }).unwrap()
     }
 
+    /// Whether names and points are the same, bit for bit. Sides of a turned ring come back with
+    /// their points.
     fn same(one: &Domain, other: &Domain) -> bool {
+        let names = |domain: &Domain| {
+            domain.sides().iter().map(|side| side.name.clone()).collect::<Vec<_>>()
+        };
         one.name() == other.name()
-            && one.sides() == other.sides()
+            && names(one) == names(other)
             && one.rings() == other.rings()
             && one.placement().points().eq(other.placement().points())
     }
