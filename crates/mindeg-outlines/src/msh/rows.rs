@@ -28,7 +28,10 @@ impl<'a> Rows<'a> {
             Some((line, text)) if !text.starts_with('$') => {
                 Ok(Row { line, words: text.split_ascii_whitespace() })
             }
-            _ => Err(at_line(self.last + 1, format!("the section ends where {what} should be"))),
+            ended => {
+                let line = ended.map_or(self.last + 1, |(line, _)| line);
+                Err(at_line(line, format!("the section ends where {what} should be")))
+            }
         }
     }
 

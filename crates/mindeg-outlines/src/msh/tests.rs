@@ -86,12 +86,12 @@ fn errors_say_where_and_what() {
             "",
             "line 6: $Entities stands before $MeshFormat",
         ),
-        (V4, "\n12\n11", "\n12\n12", "line 24: the node 12 is there twice"),
+        (V4, "\n12\n11", "\n12\n12", "line 25: the node 12 is there twice"),
         (
             V4,
             "0.1 3.3 0",
             "0.1 x 0",
-            "line 24: found \"x\", expected the y coordinate, a finite number",
+            "line 25: found \"x\", expected the y coordinate, a finite number",
         ),
         (
             V4,
@@ -99,13 +99,13 @@ fn errors_say_where_and_what() {
             "0.1 3.3 1",
             "the whole file: the points do not lie in a plane of equal z",
         ),
-        (V4, "3 12 11", "3 12 13", "line 31: the node 13 is not in the file"),
-        (V4, "3 12 11", "3 12", "line 31: the second node is missing"),
-        (V4, "1 7 0 2", "1 7 0 9", "line 24: found \"0.1\", expected the tag of the node"),
-        (V4, "$EndElements", "", "line 26: the section has no end: $EndElements is missing"),
+        (V4, "3 12 11", "3 12 13", "line 33: the node 13 is not in the file"),
+        (V4, "3 12 11", "3 12", "line 33: the second node is missing"),
+        (V4, "1 7 0 2", "1 7 0 9", "line 25: found \"0.1\", expected the tag of the node"),
+        (V4, "$EndElements", "", "line 27: the section has no end: $EndElements is missing"),
         (V4, "4 11 10 99", "4 11 12 99", "node 11: three or more lines meet"),
-        (V2, "4 1 3 0 3 0 7 1", "4 1 3 0 3 0 7 8", "line 21: the node 8 is not in the file"),
-        (V2, "5 2 2 0 1 1 2 7", "", "line 22: the section ends where an element should be"),
+        (V2, "4 1 3 0 3 0 7 1", "4 1 3 0 3 0 7 8", "line 18: the node 8 is not in the file"),
+        (V2, "5 2 2 0 1 1 2 7", "", "line 20: the section ends where an element should be"),
     ] {
         let error = read(&text.replacen(from, to, 1)).unwrap_err();
         assert!(

@@ -34,7 +34,7 @@ pub(super) fn with_vertices(mut ring: Ring) -> (Ring, usize) {
     (ring, added)
 }
 
-/// The points to insert into each edge.
+/// The points to insert into each edge, in their order on it.
 fn meetings(ring: &Ring) -> BTreeMap<usize, Vec<DVec2>> {
     let mut meetings: BTreeMap<usize, Vec<DVec2>> = BTreeMap::new();
     let edges: Vec<[DVec2; 2]> = ring.segments().map(|it| [it.start, it.end]).collect();
@@ -58,6 +58,12 @@ fn meetings(ring: &Ring) -> BTreeMap<usize, Vec<DVec2>> {
             }
         }
         active.push(edge);
+    }
+    // Two edges that end at a vertex both find it on a third.
+    for (&edge, points) in &mut meetings {
+        let distance = |point: &DVec2| (*point - edges[edge][0]).length_squared();
+        points.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+        points.dedup();
     }
     meetings
 }
@@ -102,12 +108,9 @@ fn meeting(one: [DVec2; 2], other: [DVec2; 2]) -> Vec<(usize, DVec2)> {
 fn inserted(ring: Ring, mut meetings: BTreeMap<usize, Vec<DVec2>>) -> Ring {
     let mut pieces = Vec::with_capacity(ring.pieces.len());
     for (index, piece) in ring.pieces.into_iter().enumerate() {
-        let (start, side) = (piece.start, piece.side.clone());
+        let side = piece.side.clone();
         pieces.push(piece);
-        if let Some(mut points) = meetings.remove(&index) {
-            let distance = |point: &DVec2| (*point - start).length_squared();
-            points.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
-            points.dedup();
+        if let Some(points) = meetings.remove(&index) {
             let inner =
                 points.into_iter().map(|point| Piece { side: side.clone(), ..Piece::line(point) });
             pieces.extend(inner);
