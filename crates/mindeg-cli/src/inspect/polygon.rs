@@ -138,7 +138,7 @@ fn straight_runs(points: &[DVec2], rings: &[Range<u32>], rounding: f64) -> Optio
             let height = (b - a).perp_dot(c - a).abs() / c.distance(a);
             (b - a).dot(c - b) > 0.0 && height <= 2.0 * rounding
         };
-        let Some(first) = ring.clone().find(|&vertex| !is_straight(vertex)) else { return None };
+        let first = ring.clone().find(|&vertex| !is_straight(vertex))?;
         for step in 0..ring.len() as u32 {
             let vertex = ring.start + (first - ring.start + step) % ring.len() as u32;
             run += u32::from(!is_straight(vertex));
