@@ -44,7 +44,6 @@ fn lines_in_any_order_form_rings() {
 }
 
 #[test]
-#[expect(clippy::approx_constant, reason = "rounded as the lengths are")]
 fn arcs_bulges_and_circles_stay_curves() {
     let length = |ring: &Ring| ring.segments().map(|segment| segment.length()).sum::<f64>();
     for (entities, expected) in [
