@@ -298,13 +298,6 @@ fn mistakes_are_named_with_what_to_do() {
         ),
         ("plain.json", &["--repair"], &["--repair is for outlines"]),
         (
-            "mesh.obj",
-            &[],
-            &[
-                "mesh.obj: line 4: the file has faces, so it is a mesh; mindeg view, inspect and convert take meshes",
-            ],
-        ),
-        (
             "broken.geojson",
             &[],
             &[
@@ -319,4 +312,9 @@ fn mistakes_are_named_with_what_to_do() {
         call.extend(options);
         mindeg(&call).refuses(words);
     }
+    // mindeg mesh takes faces as a model.
+    let mesh = at("mesh.obj");
+    mindeg(["degree".as_ref(), mesh.as_os_str()]).refuses(&[
+        "mesh.obj: line 4: the file has faces, so it is a mesh; mindeg view, inspect and convert take meshes",
+    ]);
 }

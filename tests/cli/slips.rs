@@ -62,8 +62,8 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh plate.json", "where to? name a file, such as -o mesh.obj"),
     ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
     (
-        "mesh a.obj -o b.obj",
-        "a.obj is a mesh, not a domain; mindeg view, inspect and convert take meshes",
+        "mesh a.stl -o b.obj",
+        "a.stl is a mesh, not a domain; mindeg view, inspect and convert take meshes",
     ),
     (
         "mesh a.json b.json -o x.obj",
