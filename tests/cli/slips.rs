@@ -104,12 +104,12 @@ const SLIPS: &[(&str, &str)] = &[
     ("degree 3, 3, 2, 2", "join the counts by commas, without spaces: mindeg degree 3,3,2,2"),
     (
         "degree 18446744073709551616,1,1",
-        "invalid value '18446744073709551616,1,1' for '<INTERVALS|DOMAIN.json>': side 1: the \
+        "invalid value '18446744073709551616,1,1' for '<INTERVALS|DOMAIN>': side 1: the \
          maximum is 4294967294 intervals",
     ),
     (
         "degree wing",
-        "invalid value 'wing' for '<INTERVALS|DOMAIN.json>': side 1: give a whole number of \
+        "invalid value 'wing' for '<INTERVALS|DOMAIN>': side 1: give a whole number of \
          intervals for each side, such as 3,3,2,2",
     ),
     (
