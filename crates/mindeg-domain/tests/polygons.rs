@@ -47,7 +47,7 @@ fn signed_area(ring: &[DVec2]) -> f64 {
 fn refusal(rings: Vec<Vec<DVec2>>) -> IntersectionError {
     match Domain::from_rings(rings).map(|domain| domain.placement().area()) {
         Err(DomainError::Intersection(error)) => error,
-        other => panic!("{other:?}"),
+        other => unreachable!("the damage is not found: {other:?}"),
     }
 }
 
