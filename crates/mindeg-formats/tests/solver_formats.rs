@@ -76,7 +76,7 @@ fn what_is_written_is_read_again() {
         }
         assert_eq!(found.segments(), mesh.segments(), "{what}");
         let expected = match format {
-            Format::Vtk => ["side 0", "side 1", "side 2"],
+            Format::Vtk => ["side 1", "side 2", "side 3"],
             _ => ["wall", "end", "wall"],
         };
         assert!(names(&found).iter().map(|(name, _)| name).eq(expected), "{what}");
@@ -209,7 +209,7 @@ fn fields_of_bytes_follow_one_another() {
     ints(&mut file, "\nCELL_DATA 2\nFIELD FieldData 2\nother 1 2 int\n", &[7, 8]);
     ints(&mut file, "\nside 1 2 vtktypeint32\n", &[-1, 4]);
     let mesh = vtk::read(&file[..]).unwrap();
-    assert_eq!(names(&mesh), [("side 4".to_owned(), 0..1)]);
+    assert_eq!(names(&mesh), [("side 5".to_owned(), 0..1)]);
 }
 
 #[test]

@@ -27,7 +27,7 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct FillArguments {
-    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder)
+    /// The mesh, in any format that mindeg reads, told by its extension
     #[arg(value_name = "MESH")]
     pub(crate) file: PathBuf,
 

@@ -161,13 +161,14 @@ impl Grid {
     }
 }
 
-/// The name of a side or group by its index, else its index.
+/// The name of a side or group by its index, else its number: names without one in the file count from
+/// 1, as those of a domain's sides do.
 fn name_of(index: Option<i64>, names: &[String], kind: &str) -> String {
     let Some(index) = index else { return "lines".to_owned() };
     let name = usize::try_from(index).ok().and_then(|index| names.get(index));
     match name {
         Some(name) if !name.trim().is_empty() => name.clone(),
-        _ => format!("{kind} {index}"),
+        _ => format!("{kind} {}", index.saturating_add(1)),
     }
 }
 
@@ -189,6 +190,26 @@ impl ReadErrorOr {
         match self {
             Self::Problem(problem) => at(format!("cell {cell} (counted from 0): {problem}")),
             Self::Other(error) => error,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sides_without_names_count_from_one_as_those_of_a_domain() {
+        let names = ["inlet".to_owned(), " ".to_owned()];
+        for (index, name) in [
+            (Some(0), "inlet"),
+            (Some(1), "side 2"),
+            (Some(2), "side 3"),
+            (Some(-1), "side 0"),
+            (Some(i64::MAX), "side 9223372036854775807"),
+            (None, "lines"),
+        ] {
+            assert_eq!(name_of(index, &names, "side"), name);
         }
     }
 }
