@@ -89,7 +89,7 @@ fn a_domain_s_file_has_the_counts_too() {
         let limited = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
             {"max_degree": 5}, {}, {}, {}]}"#;
         mindeg_reading([command, "-"], limited.as_bytes())
-            .refuses(&["the domain gives outside_degree or max_degree", "mindeg mesh"]);
+            .refuses(&["the domain gives outside_degree or max_degree", "mindeg degree, mesh"]);
     }
 }
 
