@@ -7,6 +7,8 @@ use glam::DVec3;
 use mindeg_mesh::TriMeshError;
 use thiserror::Error;
 
+use crate::format::Format;
+
 /// Why a file could not be read as a mesh.
 #[derive(Debug, Error)]
 #[non_exhaustive]
@@ -30,6 +32,20 @@ pub enum ReadError {
         /// What is wrong, and what would be right.
         problem: String,
     },
+    /// Bytes of a binary format are not as the format has them.
+    #[error("byte {offset}: {problem}")]
+    Byte {
+        /// The offset in the file, counted from 0.
+        offset: u64,
+        /// What is wrong, and what would be right.
+        problem: String,
+    },
+    /// The name and the content of a file do not agree on a format, or tell none that is read.
+    #[error("{problem}")]
+    Format {
+        /// What the two say, and what to do.
+        problem: String,
+    },
     /// A second file that the first one needs could not be read. The kind of the source is
     /// [`InvalidInput`](io::ErrorKind::InvalidInput) if it is a URI that is never read.
     #[error("the file {uri:?}, which this one needs, could not be read: {source}")]
@@ -45,6 +61,16 @@ pub enum ReadError {
 }
 
 impl ReadError {
+    /// An error in a line of a text, counted from 1.
+    pub(crate) fn line(line: u64, problem: impl Into<String>) -> Self {
+        Self::Line { line, problem: problem.into() }
+    }
+
+    /// An error at an offset of a binary file.
+    pub(crate) fn byte(offset: usize, problem: impl Into<String>) -> Self {
+        Self::Byte { offset: offset as u64, problem: problem.into() }
+    }
+
     /// An error at a part of a structured format.
     pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::Place { place: place.into(), problem: problem.into() }
@@ -108,4 +134,30 @@ pub enum WriteError {
         /// The most an SVG shows.
         limit: u32,
     },
+    /// A mesh in space, in a format for meshes in the plane.
+    #[error(
+        "{} holds meshes in the plane, and the z of this one goes from {} to {}; write .vtu, \
+         .ply or .obj instead", .format.description(), .z[0], .z[1]
+    )]
+    NotInPlane {
+        /// The format.
+        format: Format,
+        /// The smallest and the largest z.
+        z: [f64; 2],
+    },
+    /// A format that does not hold so large a mesh.
+    #[error("{} holds {limit} {what} at most, and this mesh has {count}", .format.description())]
+    TooLarge {
+        /// The format.
+        format: Format,
+        /// What there are too many of.
+        what: &'static str,
+        /// How many the mesh has.
+        count: u64,
+        /// The most that the format holds.
+        limit: u64,
+    },
+    /// A format that is read and not written.
+    #[error("{} is read and not written", .0.description())]
+    NotWritten(Format),
 }

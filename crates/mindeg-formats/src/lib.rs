@@ -21,20 +21,30 @@
 //! Readers take an [`std::io::Read`] or [`std::io::BufRead`]. A malformed file is an error that says
 //! what is wrong and where, never a panic. Files, paths and their replacement are the caller's.
 
+mod corners;
+mod decimals;
 pub mod degree_color;
+mod detect;
 mod error;
 mod format;
 pub mod gltf;
+mod lines;
+mod lists;
 mod names;
 pub mod obj;
 mod options;
+mod read;
 mod sections;
 pub mod svg;
+mod words;
+mod write;
 
 pub use self::gltf::glb;
 pub use error::{ReadError, WriteError};
-pub use format::Format;
-pub use options::{Plane, SurfaceOptions};
+pub use format::{Format, extensions};
+pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};
+pub use read::{read, read_as};
+pub use write::Writer;
 
 /// The program and its version, as files name their maker.
 const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));

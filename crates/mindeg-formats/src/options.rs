@@ -1,7 +1,65 @@
-//! What a surface file holds besides points and triangles, and how it lies.
+//! What a file holds besides points and triangles, how it lies, and how numbers are written.
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::Bounds;
+
+/// How a mesh is written, whatever the format; each format takes what it can hold.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{Encoding, WriteOptions};
+///
+/// let options = WriteOptions { encoding: Encoding::Ascii, ..WriteOptions::default() };
+/// assert!(options.fields && !options.double);
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WriteOptions {
+    /// What OBJ and glTF hold besides points and triangles. PLY takes the degree colors.
+    pub surface: SurfaceOptions,
+    /// Binary or text, where a format has both.
+    pub encoding: Encoding,
+    /// The version of MSH.
+    pub msh_version: MshVersion,
+    /// 64-bit coordinates in a PLY; Gmsh cannot read such a file. Off by default. Other formats
+    /// have one precision.
+    pub double: bool,
+    /// The degree of every vertex, the minimum angle of every triangle and the side of every
+    /// boundary edge, where a format has data fields. On by default.
+    pub fields: bool,
+}
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        Self {
+            surface: SurfaceOptions::default(),
+            encoding: Encoding::Binary,
+            msh_version: MshVersion::V4,
+            double: false,
+            fields: true,
+        }
+    }
+}
+
+/// How numbers are written, in formats that have both ways.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Encoding {
+    /// Bytes: small, fast and exact.
+    #[default]
+    Binary,
+    /// Text. Decimals are the shortest that read back as the same numbers.
+    Ascii,
+}
+
+/// A version of Gmsh's MSH.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum MshVersion {
+    /// 4.1, what Gmsh writes today.
+    #[default]
+    V4,
+    /// 2.2, which more programs read.
+    V2,
+}
 
 /// What a surface file (OBJ, glTF) holds besides points and triangles, and how it lies.
 ///

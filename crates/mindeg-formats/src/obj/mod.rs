@@ -13,11 +13,11 @@
 //! Limits: an OBJ has no units and no up axis. Vertex colors, on request, follow the
 //! coordinates as `v x y z r g b`, a common extension that some readers reject.
 
-mod lines;
 mod numbers;
 mod read;
 mod references;
 mod write;
 
 pub use read::read;
+pub(crate) use write::sections;
 pub use write::{estimated_len, write};

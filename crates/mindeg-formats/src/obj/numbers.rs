@@ -1,62 +1,8 @@
-//! Numbers as text, fast where they come again.
+//! Numbers of vertices as text, fast where they come again.
 //!
-//! Limits: what is kept is small, and made for vertices in the order of strips and points in the
-//! order of sides.
+//! Limits: what is kept is small, and made for vertices in the order of strips.
 
-/// Decimals of one coordinate after another, each after a space.
-///
-/// The last one is kept: along a side that is parallel to an axis, one coordinate stays the same.
-pub(super) struct Decimals<F> {
-    last: Option<F>,
-    text: Text<LONGEST_DECIMAL>,
-    digits: zmij::Buffer,
-}
-
-/// How long a decimal can get: a space, a sign, 17 digits with a point, and `e-308`; longer by what
-/// makes copying all of it as fast as it gets.
-const LONGEST_DECIMAL: usize = 32;
-
-/// A short text. Appending it copies all `N` bytes, which is fast since their number is known, and
-/// takes back those too many.
-#[derive(Clone, Copy)]
-struct Text<const N: usize> {
-    bytes: [u8; N],
-    len: usize,
-}
-
-impl<const N: usize> Text<N> {
-    const EMPTY: Self = Self { bytes: [0; N], len: 0 };
-
-    fn push(&mut self, text: &[u8]) {
-        self.bytes[self.len..][..text.len()].copy_from_slice(text);
-        self.len += text.len();
-    }
-
-    fn append_to(&self, buffer: &mut Vec<u8>) {
-        let end = buffer.len() + self.len;
-        buffer.extend_from_slice(&self.bytes);
-        buffer.truncate(end);
-    }
-}
-
-impl<F: zmij::Float + PartialEq> Decimals<F> {
-    pub(super) fn new() -> Self {
-        Self { last: None, text: Text::EMPTY, digits: zmij::Buffer::new() }
-    }
-
-    /// Appends a finite number that is not -0: the shortest decimal that reads back the same.
-    pub(super) fn push(&mut self, value: F, buffer: &mut Vec<u8>) {
-        if self.last != Some(value) {
-            let number = self.digits.format_finite(value);
-            let number = number.strip_suffix(".0").unwrap_or(number);
-            self.text = Text::EMPTY;
-            self.text.push(b" ");
-            self.text.push(number.as_bytes());
-            self.last = Some(value);
-        }
-        self.text.append_to(buffer);
-    }
-}
+use crate::decimals::Text;
 
 /// How long the name of a corner can get: a space, and three numbers of ten digits with slashes.
 const LONGEST_CORNER: usize = (1 + 3 * 10 + 2_usize).next_multiple_of(8);
@@ -121,16 +67,6 @@ impl CornerNames {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn decimals_come_again_as_they_are() {
-        let mut decimals = Decimals::new();
-        let mut text = Vec::new();
-        for value in [0.0, 0.0, 1.5, 1.5, 0.1, 1e300, 1e300, -2.0, -5e-324] {
-            decimals.push(value, &mut text);
-        }
-        assert_eq!(String::from_utf8_lossy(&text), " 0 0 1.5 1.5 0.1 1e+300 1e+300 -2 -5e-324");
-    }
 
     #[test]
     fn faces_have_room_for_the_longest_names() {

@@ -1,8 +1,9 @@
 //! Reading OBJ.
 
-use super::lines::Lines;
 use super::references::{Numbered, Unknown, leading_number};
 use crate::ReadError;
+use crate::lines::Lines;
+use crate::lists::push;
 use glam::DVec3;
 use mindeg_mesh::ear_clipping::cut_polygon;
 use mindeg_mesh::{Group, Line, NonTriangles, Polygons, TriMesh, TriMeshError};
@@ -47,7 +48,7 @@ use std::io::BufRead;
 /// # Ok::<(), mindeg_formats::ReadError>(())
 /// ```
 pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
-    let mut lines = Lines::new(input);
+    let mut lines = Lines::new(input).with_continued_lines();
     let mut contents = Contents::default();
     contents.start_group(String::new());
     while let Some((number, line)) = lines.next()? {
@@ -343,15 +344,6 @@ impl Contents {
             None => mesh,
         })
     }
-}
-
-/// Adds a value to a list; too little memory is an error.
-fn push<T>(list: &mut Vec<T>, value: T) -> Result<(), TryReserveError> {
-    if list.len() == list.capacity() {
-        list.try_reserve(1)?;
-    }
-    list.push(value);
-    Ok(())
 }
 
 /// Triangles as polygons, but for where the last one ends.

@@ -1,6 +1,7 @@
 //! Writing OBJ.
 
-use super::numbers::{CornerNames, Decimals};
+use super::numbers::CornerNames;
+use crate::decimals::Decimals;
 use crate::names::Names;
 use crate::options::in_box;
 use crate::sections::{self, Section, write_sections};
@@ -69,7 +70,7 @@ pub fn estimated_len(mesh: &dyn Mesh, options: &SurfaceOptions) -> u64 {
 }
 
 /// The file from front to back.
-fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Vec<Section<'a>> {
+pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Vec<Section<'a>> {
     let normal = mesh.normal();
     // Only a mesh in a plane has a box to lay an image over.
     let texture = options.texture_coordinates && normal.is_some();

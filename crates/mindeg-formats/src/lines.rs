@@ -1,4 +1,4 @@
-//! The lines of an OBJ, one at a time.
+//! The lines of a text file, one at a time.
 
 use memchr::memchr2;
 use std::io::{self, BufRead, ErrorKind};
@@ -8,28 +8,35 @@ use std::io::{self, BufRead, ErrorKind};
 const LONGEST: usize = 1 << 24;
 
 /// The lines of a text, ended by LF, CR LF or CR.
-pub(super) struct Lines<R> {
+pub(crate) struct Lines<R> {
     input: R,
     line: Vec<u8>,
     number: u64,
     /// Whether the line before ended in a CR, so that an LF right after it belongs to it.
     after_return: bool,
+    /// Whether a line that ends in a backslash goes on in the next.
+    continues: bool,
 }
 
 impl<R: BufRead> Lines<R> {
-    pub(super) fn new(input: R) -> Self {
-        Self { input, line: Vec::new(), number: 0, after_return: false }
+    pub(crate) fn new(input: R) -> Self {
+        Self { input, line: Vec::new(), number: 0, after_return: false, continues: false }
     }
 
-    /// The next line without its end, and its number, counted from 1; none after the last. A line
-    /// that ends in a backslash goes on in the next: then the number is that of the last.
-    pub(super) fn next(&mut self) -> io::Result<Option<(u64, &[u8])>> {
+    /// A line that ends in a backslash goes on in the next, as an OBJ has it.
+    pub(crate) fn with_continued_lines(self) -> Self {
+        Self { continues: true, ..self }
+    }
+
+    /// The next line without its end, and its number, counted from 1; none after the last. The
+    /// number of a line that goes on is that of its last part.
+    pub(crate) fn next(&mut self) -> io::Result<Option<(u64, &[u8])>> {
         self.line.clear();
         let mut found = false;
         while self.append_line()? {
             found = true;
             match self.line.last_mut() {
-                Some(last @ b'\\') => *last = b' ',
+                Some(last @ b'\\') if self.continues => *last = b' ',
                 _ => break,
             }
         }
@@ -59,7 +66,7 @@ impl<R: BufRead> Lines<R> {
             let text = &rest[..end.unwrap_or(rest.len())];
             if self.line.len() + text.len() > LONGEST {
                 let message = format!(
-                    "line {} is longer than {} MiB; is it an OBJ?",
+                    "line {} is longer than {} MiB; is it a text file?",
                     self.number + 1,
                     LONGEST >> 20
                 );
@@ -87,7 +94,8 @@ mod tests {
 
     /// The lines, read with a buffer of so many bytes.
     fn lines(text: &str, buffer: usize) -> Vec<(u64, String)> {
-        let mut lines = Lines::new(BufReader::with_capacity(buffer, text.as_bytes()));
+        let mut lines =
+            Lines::new(BufReader::with_capacity(buffer, text.as_bytes())).with_continued_lines();
         let mut found = Vec::new();
         while let Some((number, line)) = lines.next().unwrap() {
             found.push((number, String::from_utf8(line.to_vec()).unwrap()));
@@ -121,9 +129,9 @@ mod tests {
     fn a_line_without_end_is_refused() {
         let mut lines = Lines::new(BufReader::new(io::repeat(b' ')));
         let error = lines.next().unwrap_err();
-        assert_eq!(error.to_string(), "line 1 is longer than 16 MiB; is it an OBJ?");
+        assert_eq!(error.to_string(), "line 1 is longer than 16 MiB; is it a text file?");
         let continued = b"\\\n".repeat(LONGEST + 1);
-        let error = Lines::new(&continued[..]).next().unwrap_err();
-        assert_eq!(error.to_string(), "line 16777217 is longer than 16 MiB; is it an OBJ?");
+        let error = Lines::new(&continued[..]).with_continued_lines().next().unwrap_err();
+        assert_eq!(error.to_string(), "line 16777217 is longer than 16 MiB; is it a text file?");
     }
 }

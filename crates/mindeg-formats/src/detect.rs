@@ -1,0 +1,170 @@
+//! Which format a file is in, by its first bytes.
+
+use std::path::Path;
+
+use crate::format::{Format, extensions};
+
+/// Why a file's format is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unknown {
+    /// The name says one format and the content another.
+    Lie {
+        /// What the extension says.
+        named: Format,
+        /// What the content is.
+        found: Format,
+    },
+    /// The extension is that of a format that is written and not read.
+    OnlyWritten(Format),
+    /// Neither the name nor the content tells a format.
+    Nothing,
+}
+
+impl Unknown {
+    pub(crate) fn problem(self) -> String {
+        match self {
+            Self::Lie { named, found } => format!(
+                "the name ends in .{}, which is {}, but the content is {}; rename the file to end \
+                 in .{}",
+                named.extension(),
+                named.description(),
+                found.description(),
+                found.extension()
+            ),
+            Self::OnlyWritten(format) => format!(
+                "mindeg writes .{} files and does not read them as meshes; a mesh ends in {}",
+                format.extension(),
+                extensions(&Format::READ)
+            ),
+            Self::Nothing => format!(
+                "neither the name nor the content tells a mesh format that can be read; the name \
+                 must end in {}",
+                extensions(&Format::READ)
+            ),
+        }
+    }
+}
+
+impl Format {
+    /// The format that the first bytes of a file tell; some thousand of them are enough. Formats
+    /// that are nothing but numbers tell none.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_formats::Format;
+    ///
+    /// assert_eq!(Format::of_content(b"$MeshFormat\n4.1 0 8\n"), Some(Format::Msh));
+    /// assert_eq!(Format::of_content(b"3 2 0 1\n1 0 0 1\n"), None);
+    /// ```
+    #[must_use]
+    pub fn of_content(head: &[u8]) -> Option<Self> {
+        for (start, format) in
+            [(&b"glTF"[..], Self::Glb), (b"PK\x03\x04", Self::Npz), (b"\x89PNG", Self::Png)]
+        {
+            if head.starts_with(start) {
+                return Some(format);
+            }
+        }
+        let text = head.strip_prefix("\u{feff}".as_bytes()).unwrap_or(head).trim_ascii_start();
+        let has = |word: &[u8]| memchr::memmem::find(text, word).is_some();
+        match text {
+            [b'<', ..] if has(b"<VTKFile") => Some(Self::Vtu),
+            [b'<', ..] if has(b"<svg") => Some(Self::Svg),
+            // A domain, or GeoJSON, has none of these keys.
+            [b'{', ..] => {
+                let keys = [&b"\"asset\""[..], b"\"meshes\"", b"\"accessors\"", b"\"bufferViews\""];
+                keys.into_iter().any(has).then_some(Self::Gltf)
+            }
+            [b'$', ..] if has(b"$MeshFormat") => Some(Self::Msh),
+            _ if text.starts_with(b"# vtk DataFile") => Some(Self::Vtk),
+            _ => Self::of_first_word(text),
+        }
+    }
+
+    /// The format that the first line tells that is no comment.
+    fn of_first_word(text: &[u8]) -> Option<Self> {
+        let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
+        let mut lines = text.split(is_end).map(<[u8]>::trim_ascii);
+        let line = lines.find(|line| !matches!(line, [] | [b'#' | b'%', ..]))?;
+        let mut words = line.split(|byte| byte.is_ascii_whitespace() || *byte == b'=');
+        Some(match words.next()? {
+            b"ply" => Self::Ply,
+            // A binary STL must not begin so, though some do: the reader of STL looks at its length.
+            b"solid" => Self::Stl,
+            b"OFF" | b"COFF" | b"NOFF" | b"STOFF" | b"CNOFF" => Self::Off,
+            b"MESH2D" => Self::Sms2dm,
+            b"NDIME" => Self::Su2,
+            [b'*', ..] => Self::Inp,
+            b"v" | b"vn" | b"vt" | b"o" | b"g" | b"mtllib" => Self::Obj,
+            _ => return None,
+        })
+    }
+}
+
+/// The format of a file with a name and some first bytes: what the extension says, unless the
+/// content is of another format for sure; else what the content says.
+pub(crate) fn format_of(path: &Path, head: &[u8]) -> Result<Format, Unknown> {
+    let named = Format::of_path(path);
+    let found = Format::of_content(head);
+    match (named, found) {
+        // A .gltf may be binary and a .glb may be JSON: one reader takes both.
+        (Some(named @ (Format::Glb | Format::Gltf)), Some(Format::Glb | Format::Gltf)) => Ok(named),
+        // The first word of an OBJ is too short to be sure of anything else.
+        (Some(named), Some(Format::Obj)) if Format::READ.contains(&named) => Ok(named),
+        (Some(named), Some(found)) if named != found => Err(Unknown::Lie { named, found }),
+        (Some(named), _) if Format::READ.contains(&named) => Ok(named),
+        (Some(named), _) => Err(Unknown::OnlyWritten(named)),
+        (None, Some(found)) if Format::READ.contains(&found) => Ok(found),
+        (None, Some(found)) => Err(Unknown::OnlyWritten(found)),
+        (None, None) => Err(Unknown::Nothing),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn content_tells_the_format() {
+        for (content, format) in [
+            (&b"glTF\x02"[..], Some(Format::Glb)),
+            (b" \n{\"asset\": {}}", Some(Format::Gltf)),
+            (b"{\"rectangle\": {}}", None),
+            ("\u{feff}{ \"meshes\": []}".as_bytes(), Some(Format::Gltf)),
+            (b"# a comment\nv 0 0 0\n", Some(Format::Obj)),
+            (b"ply\r\nformat ascii 1.0\r\n", Some(Format::Ply)),
+            (b"PK\x03\x04", Some(Format::Npz)),
+            (b"$Comments\nby hand\n$EndComments\n$MeshFormat\n", Some(Format::Msh)),
+            (b"# vtk DataFile Version 4.2\n", Some(Format::Vtk)),
+            (b"<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\">", Some(Format::Vtu)),
+            (b"<svg xmlns=\"\">", Some(Format::Svg)),
+            (b"# numbers\nOFF\n", Some(Format::Off)),
+            (b"solid part\n", Some(Format::Stl)),
+            (b"MESH2D\n", Some(Format::Sms2dm)),
+            (b"% by hand\nNDIME= 2\n", Some(Format::Su2)),
+            (b"*HEADING\n", Some(Format::Inp)),
+            (b"3 2 0 0\n", None),
+            (b"", None),
+        ] {
+            assert_eq!(Format::of_content(content), format, "{:?}", content.escape_ascii());
+        }
+    }
+
+    #[test]
+    fn a_name_that_lies_is_told() {
+        let of = |path: &str, head: &[u8]| format_of(path.as_ref(), head);
+        assert_eq!(of("a.vtk", b"# vtk DataFile Version 3.0\n"), Ok(Format::Vtk));
+        assert_eq!(of("a.gltf", b"glTF\x02\0\0\0"), Ok(Format::Gltf));
+        assert_eq!(of("a.node", b"v 1 2 3"), Ok(Format::Node));
+        assert_eq!(of("a.mesh", b"OFF\n"), Ok(Format::Off));
+        assert_eq!(of("a.svg", b"<svg>"), Err(Unknown::OnlyWritten(Format::Svg)));
+        assert_eq!(of("a.txt", b"hello"), Err(Unknown::Nothing));
+        let lie = of("a.vtk", b"<VTKFile type=\"UnstructuredGrid\">").unwrap_err();
+        assert_eq!(
+            lie.problem(),
+            "the name ends in .vtk, which is legacy VTK, but the content is VTK's XML \
+             unstructured grid; rename the file to end in .vtu"
+        );
+    }
+}

@@ -1,0 +1,142 @@
+//! Writing a mesh in any format.
+
+use std::io::Write;
+
+use mindeg_mesh::{Mesh, Positions};
+
+use crate::gltf::Stored;
+use crate::sections::{self, Section, write_sections};
+use crate::{Format, WriteError, WriteOptions, glb, gltf, obj, svg};
+
+/// Writes meshes on some positions in one format.
+///
+/// It is made before there are triangles, so that what a format cannot hold is refused before a
+/// mesh is looked for.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{Format, WriteOptions, Writer, obj};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n".as_bytes())?;
+/// let writer = Writer::new(Format::Glb, WriteOptions::default(), &mesh, 1)?;
+/// let mut file = Vec::new();
+/// writer.write(&mesh, &mut [("plate.glb", &mut file)])?;
+/// assert!(file.starts_with(b"glTF"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct Writer {
+    format: Format,
+    options: WriteOptions,
+    /// How glTF stores the positions.
+    stored: Option<Stored>,
+}
+
+impl Writer {
+    /// A writer of meshes with these positions and so many triangles.
+    ///
+    /// # Errors
+    ///
+    /// What the format cannot hold, as far as that is known before there are triangles: a mesh
+    /// that is too large, coordinates beyond 32-bit floats, a mesh in space where the format is
+    /// for the plane.
+    pub fn new(
+        format: Format,
+        options: WriteOptions,
+        positions: &dyn Positions,
+        triangle_count: u32,
+    ) -> Result<Self, WriteError> {
+        let vertex_count = positions.vertex_count();
+        let mut stored = None;
+        match format {
+            Format::Svg => svg::check_size(vertex_count)?,
+            Format::Glb | Format::Gltf => {
+                if format == Format::Glb {
+                    glb::check_size(vertex_count, triangle_count, &options.surface)?;
+                }
+                stored = Some(Stored::new(positions, options.surface.plane)?);
+            }
+            Format::Su2 | Format::Node | Format::Fort14 | Format::Sms2dm => {
+                check_plane(format, positions)?;
+            }
+            Format::Off => return Err(WriteError::NotWritten(format)),
+            _ => {}
+        }
+        Ok(Self { format, options, stored })
+    }
+
+    /// The format.
+    #[must_use]
+    pub fn format(&self) -> Format {
+        self.format
+    }
+
+    /// Writes a mesh to the format's [files](Format::files): each a name and where it goes. Writes
+    /// are large: the files need no buffers around them. The bytes do not depend on the threads.
+    ///
+    /// # Errors
+    ///
+    /// Those of the files, and what the format cannot hold.
+    ///
+    /// # Panics
+    ///
+    /// If the number of files is not that of the format.
+    pub fn write<W: Write>(
+        &self,
+        mesh: &dyn Mesh,
+        files: &mut [(&str, W)],
+    ) -> Result<(), WriteError> {
+        assert_eq!(files.len(), self.format.file_count(), "as many as Format::files has");
+        if let Some(contents) = self.contents(mesh) {
+            for ((_, out), sections) in files.iter_mut().zip(contents) {
+                write_sections(out, &sections)?;
+                out.flush()?;
+            }
+            return Ok(());
+        }
+        let surface = &self.options.surface;
+        match (self.format, &self.stored, files) {
+            (Format::Svg, _, [(_, out)]) => svg::write(mesh, out),
+            (Format::Glb, Some(stored), [(_, out)]) => {
+                glb::write_stored(mesh, stored, surface, out)
+            }
+            (Format::Gltf, Some(stored), [(_, document), (name, binary)]) => {
+                Ok(gltf::write_stored(mesh, stored, surface, name, document, binary)?)
+            }
+            _ => Err(WriteError::NotWritten(self.format)),
+        }
+    }
+
+    /// About how many bytes go to each file, found in a few milliseconds.
+    ///
+    /// # Errors
+    ///
+    /// [`WriteError::TooLargeForGlb`].
+    pub fn expected_lens(&self, mesh: &dyn Mesh) -> Result<Vec<u64>, WriteError> {
+        if let Some(contents) = self.contents(mesh) {
+            return Ok(contents.iter().map(|file| sections::estimated_len(file)).collect());
+        }
+        let surface = &self.options.surface;
+        Ok(match (self.format, &self.stored) {
+            (Format::Glb, Some(stored)) => vec![glb::file_len(mesh, stored, surface)?],
+            (Format::Gltf, Some(stored)) => gltf::file_lens(mesh, stored, surface).into(),
+            // A picture is small.
+            _ => vec![0; self.format.file_count()],
+        })
+    }
+
+    /// What each of the format's files holds, from front to back, where that is made of sections.
+    fn contents<'a>(&'a self, mesh: &'a dyn Mesh) -> Option<Vec<Vec<Section<'a>>>> {
+        Some(match self.format {
+            Format::Obj => vec![obj::sections(mesh, &self.options.surface)],
+            _ => return None,
+        })
+    }
+}
+
+/// Refuses positions that do not all have the same z.
+fn check_plane(format: Format, positions: &dyn Positions) -> Result<(), WriteError> {
+    let bounds = positions.bounds();
+    let z = [bounds.min.z, bounds.max.z];
+    if z[0] == z[1] { Ok(()) } else { Err(WriteError::NotInPlane { format, z }) }
+}
