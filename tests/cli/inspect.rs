@@ -332,8 +332,9 @@ fn what_cannot_be_read_is_code_1_and_what_is_broken_code_2() {
     assert_eq!(missing.code, Some(1), "{missing:?}");
     assert!(missing.errors.contains("cannot read no/such.obj"), "{missing:?}");
     for (name, content, words) in [
-        ("mesh.stl", "", &["mesh.stl", ".obj, .glb or .gltf"][..]),
-        ("mesh", "", &[".obj, .glb or .gltf"]),
+        ("mesh.svg", "<svg>", &["mesh.svg", "mindeg writes .svg", ".obj, .glb, .gltf"][..]),
+        ("mesh.vtk", "<VTKFile>", &["mesh.vtk", "the name ends in .vtk", "end in .vtu"]),
+        ("mesh", "", &[".obj, .glb, .gltf"]),
         ("mesh.obj", "", &["mesh.obj", "no triangle"]),
         ("mesh.obj", "v 0 0 0\nf 1 2 3\n", &["mesh.obj", "line 2", "vertex 3"]),
         ("MESH.OBJ", "v 0 0\n", &["line 1"]),

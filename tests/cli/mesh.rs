@@ -165,7 +165,7 @@ fn bad_input_is_refused_with_what_to_do() {
     with(&["--size", "1e-300"]).refuses(&["side 1", "4294967294"]);
     with(&["--intervals", "3,3,2,2", "--spacing", "geometric:0"]).refuses(&["side 1", "ratio"]);
     with(&["--intervals", "3,3,2,2", "--spacing", "gemetric:1.2"]).refuses(&["geometric"]);
-    with(&["--intervals", "3,3,2,2", "-o", "y.stl"]).refuses(&["y.stl", ".obj", "--format"]);
+    with(&["--intervals", "3,3,2,2", "-o", "y.fbx"]).refuses(&["y.fbx", ".obj", "--format"]);
     with(&["--intervals", "3,3,2,2", "-o", "-"]).refuses(&["--format"]);
     with(&["--intervals", "3,3,2,2", "-o", "-", "--format", "gltf"]).refuses(&[".bin", "glb"]);
     with(&["--intervals", "3,3,2,2", "-o", "-", "--format", "obj", "--json"])

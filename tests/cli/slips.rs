@@ -71,8 +71,8 @@ const SLIPS: &[(&str, &str)] = &[
     ),
     ("mesh a.json x.obj", "give every output with -o: -o x.obj"),
     (
-        "mesh --rectangle 4x3 --size 1 -o q.ply --format obj",
-        "-o q.ply: mindeg does not write .ply files; end the name in .obj for what --format asks \
+        "mesh --rectangle 4x3 --size 1 -o q.fbx --format obj",
+        "-o q.fbx: mindeg does not write .fbx files; end the name in .obj for what --format asks \
          for",
     ),
     (

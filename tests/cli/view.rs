@@ -94,10 +94,7 @@ fn triangles_left_out_of_the_drawing_are_told() {
 fn what_is_no_mesh_and_no_domain_is_refused() {
     let view = |arguments: &[&str]| -> Run { mindeg([&["view"], arguments].concat()) };
     for (arguments, words) in [
-        (
-            &["a.stl", "-o", "a.html"][..],
-            &["neither a mesh nor a domain", ".obj, .glb or .gltf"][..],
-        ),
+        (&["a.fbx", "-o", "a.html"][..], &["neither a mesh nor a domain", ".obj, .glb, .gltf"][..]),
         (&["a.svg", "-o", "a.html"], &["neither a mesh nor a domain"]),
         (&["-o", "a.html"], &["no domain: name a JSON file"]),
         (&["a.obj", "-o", "a.png"], &["-o a.png: a view ends in .html"]),

@@ -63,7 +63,7 @@ impl Case {
         };
         let domain = domain(&corners, &intervals)?;
         let points = domain.placement().points().collect();
-        Ok(Input { intervals, corners, boundary: domain.boundary().clone(), points })
+        Ok(Input { intervals, corners, boundary: domain.convex().expect("these are convex").boundary().clone(), points })
     }
 }
 

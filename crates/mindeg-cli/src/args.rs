@@ -5,7 +5,9 @@ mod convert;
 mod degree;
 mod domain;
 mod goal;
+mod improve;
 mod inspect;
+mod interior;
 mod mesh;
 mod surface;
 mod tradeoff;
@@ -17,6 +19,7 @@ pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
 pub(crate) use domain::{DomainArguments, DomainOptions};
 pub(crate) use goal::GoalArguments;
+pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use mesh::{MeshArguments, Optimize};
 pub(crate) use tradeoff::TradeoffArguments;
@@ -32,7 +35,8 @@ Exit codes:
   1  something could not be read or written, or does not fit where it is to go
   2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, degree
      limits that cannot be kept, a broken file
-  3  a mesh fails --fail-above-degree or --fail-below-angle";
+  3  a mesh fails a gate (--fail-above-degree, --fail-below-angle, --preset), or is not what was
+     demanded of it (--target-angle, --interior-degree, --boundary-degree)";
 
 /// Examples, and the exit codes below them, for `--help`.
 fn with_exit_codes(examples: &str) -> String {
@@ -68,6 +72,7 @@ pub(crate) enum Command {
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
+    Improve(ImproveArguments),
     View(ViewArguments),
     Convert(ConvertArguments),
     Completions(CompletionsArguments),

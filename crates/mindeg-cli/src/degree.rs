@@ -1,8 +1,10 @@
 //! `mindeg degree`: the answer from the counts alone.
 
+use crate::angle_limit::Lifting;
 use crate::args::{Counts, DegreeArguments};
 use crate::domain::counts;
 use crate::failure::Failure;
+use crate::interior_report::Limit;
 use crate::standard_output::{print, print_json};
 use crate::suggest::in_words;
 use mindeg::{Domain, Goal, Progress};
@@ -21,6 +23,9 @@ struct Answer<'a> {
     interior_edges: u32,
     least_max_degree: u32,
     certificate: Proof,
+    /// The limit of the minimum angle with interior points; only for a domain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angle_limit: Option<Limit>,
 }
 
 /// A certificate in the words of the JSON output; sides count from 1, as in the text.
@@ -38,6 +43,8 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let certificate = certificate(&boundary);
     let vertices = boundary.vertex_count();
+    let lifting =
+        domain.as_ref().and_then(|domain| Lifting::of(domain, arguments.boundary_degree, 1));
     if arguments.json {
         return print_json(&Answer {
             intervals,
@@ -46,12 +53,14 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
             interior_edges: mindeg_core::bound::interior_edge_count(&boundary),
             least_max_degree: certificate.max_degree(),
             certificate: proof(&certificate),
+            angle_limit: lifting.as_ref().map(Lifting::json),
         });
     }
     let mut text = text(&boundary, &certificate);
     if let (Some(domain), Counts::Domain(path)) = (domain, &arguments.counts) {
         text.extend(higher_degree(domain, &path.display().to_string()));
     }
+    text.extend(lifting.as_ref().map(Lifting::text));
     print(&text)
 }
 

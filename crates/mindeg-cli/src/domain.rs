@@ -44,7 +44,12 @@ pub(crate) fn counts(counts: &Counts) -> Result<(Vec<u64>, Option<Domain>), Fail
                                them";
                 return Err(Failure::Input(message.to_owned()));
             }
-            Ok((domain.boundary().sides().map(u64::from).collect(), Some(domain)))
+            let Some(convex) = domain.convex() else {
+                let message = "the domain is not convex, and interval counts alone describe convex \
+                               domains";
+                return Err(Failure::Input(message.to_owned()));
+            };
+            Ok((convex.boundary().sides().map(u64::from).collect(), Some(domain)))
         }
     }
 }
@@ -57,13 +62,7 @@ pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, 
         return Ok(domain);
     }
     let sides = overridden(domain.sides().to_vec(), options)?;
-    let constraints = domain.constraints().clone();
-    let replaced =
-        Domain::constrained(domain.outline().clone(), sides, constraints).map_err(bad)?;
-    match domain.name() {
-        Some(name) => replaced.named(name).map_err(bad),
-        None => Ok(replaced),
-    }
+    domain.with_sides(sides).map_err(bad)
 }
 
 /// The domain that options describe without a file.

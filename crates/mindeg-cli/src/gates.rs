@@ -2,9 +2,12 @@
 
 use crate::bar::Bar;
 use crate::failure::Failure;
+use crate::preset::Preset;
 use clap::Args;
-use mindeg::BoundaryMesh;
+use mindeg::quality::TriangleQuality;
+use mindeg::{BoundaryMesh, Triangles};
 use mindeg_compare::number_format::steady_angle;
+use mindeg_mesh::TriMesh;
 
 /// What a mesh must be to pass.
 #[derive(Debug, Args)]
@@ -17,6 +20,10 @@ pub(crate) struct Gates {
     /// End with exit code 3 if a triangle has an angle below this many degrees, up to 60
     #[arg(long, value_name = "A", value_parser = parse_angle, allow_hyphen_values = true)]
     pub(crate) fail_below_angle: Option<f64>,
+
+    /// End with exit code 3 if the mesh breaks a rule of this program
+    #[arg(long, value_name = "PROGRAM")]
+    pub(crate) preset: Option<Preset>,
 }
 
 fn parse_degree(text: &str) -> Result<u32, String> {
@@ -39,6 +46,21 @@ fn degrees_below(angle: f64, limit: f64) -> String {
 pub(crate) struct NamedTriangle {
     pub(crate) number: u32,
     pub(crate) vertices: [u32; 3],
+}
+
+impl NamedTriangle {
+    /// The triangle with the minimum angle.
+    pub(crate) fn worst_of(mesh: &TriMesh) -> Self {
+        let angle = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|v| mesh.positions()[v as usize]);
+            TriangleQuality::in_space(a, b, c).min_angle
+        };
+        let worst = (0..).zip(mesh.triangles()).min_by(|a, b| angle(a.1).total_cmp(&angle(b.1)));
+        worst.map_or(Self { number: 0, vertices: [0, 1, 2] }, |(number, vertices)| Self {
+            number,
+            vertices: *vertices,
+        })
+    }
 }
 
 impl Gates {
@@ -93,7 +115,12 @@ impl Gates {
             let number = worst.map_or(0, |(number, _)| number);
             NamedTriangle { number, vertices: mesh.triangle(number) }
         };
-        self.check(max_degree, min_angle, highest_vertex, worst_triangle)
+        self.check(max_degree, min_angle, highest_vertex, worst_triangle)?;
+        let Some(preset) = self.preset else { return Ok(()) };
+        let points = mesh.points().map(|point| point.extend(0.0)).collect();
+        let triangles = mesh.triangles().collect();
+        let mesh = TriMesh::new(points, triangles);
+        preset.check(&mesh.map_err(|error| Failure::Input(error.to_string()))?)
     }
 }
 

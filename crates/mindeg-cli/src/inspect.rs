@@ -52,5 +52,6 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     };
     let passed =
         arguments.gates.check(report.max_degree, report.min_angle, highest_vertex, worst_triangle);
-    passed.and(printed)
+    let kept = || arguments.gates.preset.map_or(Ok(()), |preset| preset.check(&mesh));
+    passed.and_then(|()| kept()).and(printed)
 }

@@ -3,22 +3,27 @@
 //! Paths, standard streams and exit codes live in this crate; everything it computes is in the
 //! libraries below it.
 
+mod angle_limit;
 mod args;
 mod bar;
 mod compare;
 mod completions;
 mod convert;
 mod degree;
+mod demands;
 mod domain;
 mod failure;
 mod gates;
+mod improve;
 mod input;
 mod inspect;
+mod interior_report;
 mod interrupt;
 mod memory;
 mod mesh;
 mod mesh_file;
 mod output;
+mod preset;
 mod provenance;
 mod slips;
 mod standard_output;
@@ -60,6 +65,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Improve(arguments) => shared(|| improve::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),

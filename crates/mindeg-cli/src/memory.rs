@@ -71,6 +71,32 @@ pub(crate) fn require_to_stream(vertices: u32, what: &str) -> Result<(), Failure
     require((u64::from(vertices) * PER_VERTEX).min(MOST), &format!("meshing {what}"))
 }
 
+/// The greatest number of points that a mesh with interior points may have: 20 million, or what there is
+/// memory for.
+pub(crate) fn most_points(what: &str) -> Result<usize, Failure> {
+    const MOST: u64 = 20_000_000;
+    const LEAST: u64 = 20_000;
+    let mut points = MOST;
+    while points > LEAST && require(points * PER_INTERIOR_POINT, what).is_err() {
+        points /= 2;
+    }
+    require(points * PER_INTERIOR_POINT, &format!("meshing {what} with {points} points"))?;
+    Ok(points as usize)
+}
+
+/// Bytes for each point of a mesh with interior points: as measured, and a third more.
+const PER_INTERIOR_POINT: u64 = 1000;
+
+/// Asks for the memory of improving a mesh.
+pub(crate) fn require_to_improve(
+    what: &str,
+    vertices: usize,
+    triangles: usize,
+) -> Result<(), Failure> {
+    let points = vertices.max(triangles / 2) as u64;
+    require(points.saturating_mul(PER_INTERIOR_POINT), &format!("improving {what}"))
+}
+
 /// Asks for the memory of reading a mesh from a file.
 pub(crate) fn require_to_read(path: &Path) -> Result<(), Failure> {
     // As measured, 2.1 of an OBJ of long numbers and 2.3 of a GLB; short numbers take more.

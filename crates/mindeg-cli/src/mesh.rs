@@ -1,5 +1,7 @@
 //! `mindeg mesh`: from a domain to files.
 
+mod interior;
+
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
 use crate::domain::{domain, name, name_in_text};
@@ -11,7 +13,7 @@ use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
-use mindeg::{Domain, FoundBy, Goal, HigherDegree, Meshed, Progress};
+use mindeg::{Domain, FoundBy, Goal, HigherDegree, MeshError, Meshed, Progress};
 use mindeg_compare::number_format::steady_angle;
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
@@ -46,9 +48,12 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
 
+    if let Some(wanted) = interior::wanted(arguments, &domain)? {
+        return interior::run(arguments, &domain, &wanted, targets, bar);
+    }
     // What can be refused is refused before the mesh is looked for, which can take minutes.
-    targets.check(domain.placement(), domain.boundary().vertex_count() - 2)?;
-    memory::require_to_stream(domain.boundary().vertex_count(), name_in_text(&domain))?;
+    targets.check(domain.placement(), domain.rings().vertex_count() - 2)?;
+    memory::require_to_stream(domain.rings().vertex_count(), name_in_text(&domain))?;
     let goal = goal(&arguments.goal, arguments.optimize, &domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
@@ -72,7 +77,7 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
 
     let summary = Summary {
         name: domain.name(),
-        intervals: domain.boundary().sides().collect(),
+        intervals: domain.rings().sides().collect(),
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
         max_degree: mesh.max_total_degree(),
@@ -101,7 +106,8 @@ pub(crate) fn goal(
     optimize: Option<Optimize>,
     domain: &Domain,
 ) -> Result<Goal, Failure> {
-    let least = mindeg_core::least_max_degree(domain.boundary());
+    let convex = domain.convex().ok_or_else(|| Failure::Input(MeshError::NotConvex.to_string()))?;
+    let least = mindeg_core::least_max_degree(convex.boundary());
     let goal = match (arguments.keep_angle, arguments.max_degree, optimize) {
         (Some(share), _, _) => Goal::KeepAngle(share),
         (None, Some(limit), _) => Goal::MaxDegree(limit),
@@ -138,7 +144,7 @@ pub(crate) fn meshed(
 pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
     /// Bytes for each pair of vertices, as measured, 28 to 36, and a third more.
     const PER_PAIR: u64 = 48;
-    let vertices = domain.boundary().vertex_count();
+    let vertices = domain.rings().vertex_count();
     if vertices > MAX_VERTICES {
         return Ok(());
     }

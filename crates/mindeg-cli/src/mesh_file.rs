@@ -3,13 +3,13 @@
 use crate::bar::{Bar, Counting, Unit};
 use crate::failure::{Failure, plainly};
 use crate::input;
-use mindeg_formats::{Format, ReadError, gltf, obj};
+use mindeg_formats::ReadError;
 use mindeg_mesh::TriMesh;
 use std::fs::{File, Metadata};
-use std::io::{self, BufReader, ErrorKind, Read};
+use std::io::{self, ErrorKind, Read};
 use std::path::{Component, Path};
 
-/// Reads a mesh by the extension of its file, and lets the bar count the bytes.
+/// Reads a mesh by the extension of its file or its content, and lets the bar count the bytes.
 pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
     let open = || -> Result<Counting<'_, File>, ReadError> {
         let file = File::open(path)?;
@@ -17,26 +17,13 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
         bar.stage("reading", len, Unit::Bytes);
         Ok(bar.counting(file, len))
     };
-    let mesh = match Format::of_path(path) {
-        Some(Format::Obj) => {
-            open().and_then(|file| obj::read(BufReader::with_capacity(1 << 16, file)))
-        }
-        Some(Format::Glb | Format::Gltf) => {
-            open().and_then(|file| gltf::read(file, |name| read_beside(path, name)))
-        }
-        Some(Format::Svg) | None => {
-            return Err(Failure::Input(format!(
-                "{}: the name tells no format that can be read; it must end in .obj, .glb or \
-                 .gltf",
-                path.display()
-            )));
-        }
-    };
+    let mesh =
+        open().and_then(|file| mindeg_formats::read(path, file, |name| read_beside(path, name)));
     mesh.map_err(|error| match error {
         ReadError::Io(error) => {
             Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
         }
-        // A name that is refused is a mistake in the .gltf.
+        // A name that is refused is a mistake in the file that has it.
         ReadError::External { ref source, .. } if source.kind() != ErrorKind::InvalidInput => {
             Failure::Io(format!("{}: {error}", path.display()))
         }
@@ -44,12 +31,13 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
     })
 }
 
-/// Reads a file that a .gltf names, relative to it. A mesh has no business elsewhere, and it
-/// may come from anywhere: so the file must be a regular one in the folder of the .gltf, also where
-/// links lead to it.
+/// Reads a file that another names, such as a .gltf, relative to it. A mesh has no business
+/// elsewhere, and it may come from anywhere: so the file must be a regular one in the same folder,
+/// also where links lead to it.
 fn read_beside(path: &Path, name: &str) -> io::Result<Vec<u8>> {
     let outside = || {
-        let problem = "it is not in the folder of the .gltf, and no other is looked into";
+        let problem =
+            "it is not in the folder of the file that names it, and no other is looked into";
         io::Error::new(ErrorKind::InvalidInput, problem)
     };
     let name = Path::new(name);

@@ -1,8 +1,10 @@
 //! `mindeg suggest`: which interval counts to change, and by how little.
 
+use crate::angle_limit::Lifting;
 use crate::args::SuggestArguments;
 use crate::domain::counts;
 use crate::failure::Failure;
+use crate::interior_report::{LiftRow, Limit};
 use crate::standard_output::{print, print_json};
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
@@ -15,6 +17,12 @@ struct Answer<'a> {
     /// Of all suggestions, of which `--limit` leaves some out.
     suggestion_count: usize,
     suggestions: Vec<Row>,
+    /// The limit of the minimum angle with interior points, and changes that lift it, each on top of
+    /// the one before; only for a domain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angle_limit: Option<Limit>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    angle_suggestions: Vec<LiftRow>,
 }
 
 #[derive(Serialize)]
@@ -34,7 +42,7 @@ struct SideChange {
 }
 
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
-    let (intervals, _) = &counts(&arguments.counts)?;
+    let (intervals, domain) = &counts(&arguments.counts)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let today = least_max_degree(&boundary);
     let rows: Vec<Suggestion> = match arguments.target {
@@ -46,6 +54,7 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             ))
         })?],
     };
+    let lifting = domain.as_ref().and_then(|domain| Lifting::of(domain, None, usize::MAX));
     let suggestion_count = rows.len();
     let shown = spread(suggestion_count, arguments.limit, None);
     let rows: Vec<Suggestion> = shown.into_iter().map(|row| rows[row].clone()).collect();
@@ -66,6 +75,8 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             least_max_degree: today,
             suggestion_count,
             suggestions,
+            angle_limit: lifting.as_ref().map(Lifting::json),
+            angle_suggestions: lifting.as_ref().map_or_else(Vec::new, Lifting::rows),
         });
     }
     let mut text = format!("The least maximum degree is {today}.\n");
@@ -81,6 +92,7 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
         });
     }
     text.push_str(&left_out(rows.len(), suggestion_count));
+    text.extend(lifting.as_ref().map(Lifting::steps_in_words));
     print(&text)
 }
 

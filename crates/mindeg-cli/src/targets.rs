@@ -3,32 +3,32 @@
 use crate::bar::{Bar, Counting, Unit};
 use crate::failure::Failure;
 use crate::output::{Outputs, cannot_write, is_standard_output};
-use mindeg_formats::gltf::Stored;
-use mindeg_formats::{Format, SurfaceOptions, WriteError, glb, gltf, obj, svg};
+use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
 use mindeg_mesh::{Mesh, Positions};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Extensions that tell a format, though none that is written: `--format` does not override them.
-const OTHERS: [&str; 24] = [
-    "ply", "stl", "off", "vtk", "vtu", "vtp", "msh", "mesh", "su2", "cgns", "inp", "bdf", "med",
-    "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf", "png", "pdf", "html", "json",
+const OTHERS: [&str; 18] = [
+    "off", "vtp", "mesh", "cgns", "bdf", "med", "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf",
+    "pdf", "html", "json", "xdmf", "e",
 ];
 
 /// All `-o` of a command that writes one mesh.
 pub(crate) struct Targets<'a> {
     targets: Vec<Target<'a>>,
-    options: SurfaceOptions,
-    /// How glTF stores the positions, once they have been looked at.
-    stored: Option<Stored>,
+    options: WriteOptions,
 }
 
 /// One `-o`.
 struct Target<'a> {
     path: &'a Path,
     format: Format,
-    /// The streams that the format's files go to, once they are open: for a `.gltf` the document
-    /// and the binary.
+    /// The format's files, the one that is named first.
+    files: Vec<PathBuf>,
+    /// What writes them, once the positions have been looked at.
+    writer: Option<Writer>,
+    /// The streams that the files go to, once they are open.
     out: Vec<Box<dyn Write>>,
 }
 
@@ -38,7 +38,7 @@ impl<'a> Targets<'a> {
     pub(crate) fn new(
         paths: &'a [PathBuf],
         format: Option<Format>,
-        options: SurfaceOptions,
+        options: WriteOptions,
         prints_json: bool,
     ) -> Result<Self, Failure> {
         let target = |path: &'a PathBuf| Target::new(path, format);
@@ -54,7 +54,7 @@ impl<'a> Targets<'a> {
                 return Err(Failure::Input(format!("-o {} is given twice", path.display())));
             }
         }
-        Ok(Self { targets, options, stored: None })
+        Ok(Self { targets, options })
     }
 
     /// Whether one of them goes where this process prints.
@@ -70,27 +70,19 @@ impl<'a> Targets<'a> {
     ) -> Result<(), Failure> {
         let vertex_count = positions.vertex_count();
         for target in &self.targets {
-            match target.format {
-                Format::Glb => glb::check_size(vertex_count, triangle_count, &self.options),
-                Format::Svg => svg::check_size(vertex_count),
-                Format::Obj | Format::Gltf => Ok(()),
-            }
-            .map_err(|error| target.failure(error))?;
+            Writer::check_size(target.format, &self.options, vertex_count, triangle_count)
+                .map_err(|error| target.failure(error))?;
         }
-        let is_gltf = |target: &&Target<'_>| matches!(target.format, Format::Glb | Format::Gltf);
-        if let Some(target) = self.targets.iter().find(is_gltf) {
-            let stored = Stored::new(positions, self.options.plane);
-            self.stored = Some(stored.map_err(|error| target.failure(error))?);
+        for target in &mut self.targets {
+            let writer = Writer::new(target.format, self.options, positions, triangle_count);
+            target.writer = Some(writer.map_err(|error| target.failure(error))?);
         }
         Ok(())
     }
 
     /// The names of all files, as the user gave them; `-` for standard output.
     pub(crate) fn files(&self) -> Vec<String> {
-        let files = self.targets.iter().flat_map(|target| {
-            let binary = (target.format == Format::Gltf).then(|| target.binary());
-            [Some(target.path.to_path_buf()), binary].into_iter().flatten()
-        });
+        let files = self.targets.iter().flat_map(|target| &target.files);
         files.map(|path| path.display().to_string()).collect()
     }
 
@@ -104,14 +96,14 @@ impl<'a> Targets<'a> {
     pub(crate) fn write(mut self, mesh: &dyn Mesh, bar: &Bar) -> Result<bool, Failure> {
         let mut writers = Vec::new();
         for target in &mut self.targets {
-            let expected = target.expected_lens(mesh, self.stored.as_ref(), &self.options)?;
+            let expected = target.expected_lens(mesh)?;
             writers.push((target, expected));
         }
         let total = writers.iter().flat_map(|(_, expected)| expected).sum();
         bar.stage("writing", total, Unit::Bytes);
         let mut all_taken = true;
         for (target, expected) in writers {
-            match target.write(mesh, self.stored.as_ref(), &self.options, &expected, bar) {
+            match target.write(mesh, &expected, bar) {
                 // Nobody reads on, and the other outputs are not for that reader.
                 Err(Failure::ClosedPipe) => all_taken = false,
                 written => written?,
@@ -125,9 +117,9 @@ impl<'a> Target<'a> {
     fn new(path: &'a Path, format: Option<Format>) -> Result<Self, Failure> {
         let Some(format) = Format::of_path(path).or(format) else {
             return Err(Failure::Input(format!(
-                "-o {}: the name tells no format; end it in .obj, .glb, .gltf or .svg, or give \
-                 --format",
-                path.display()
+                "-o {}: the name tells no format; end it in {}, or give --format",
+                path.display(),
+                extensions(&Format::WRITTEN)
             )));
         };
         let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
@@ -139,11 +131,21 @@ impl<'a> Target<'a> {
                 format.extension()
             )));
         }
-        let target = Self { path, format, out: Vec::new() };
-        if format == Format::Gltf && target.is_standard_output() {
-            let message = "a .gltf has its .bin beside it, so it cannot go to standard output; \
-                           use --format glb";
-            return Err(Failure::Input(message.to_owned()));
+        let files = format.files(path);
+        let target = Self { path, format, files, writer: None, out: Vec::new() };
+        if target.files.len() > 1 && target.is_standard_output() {
+            let beside: Vec<_> =
+                target.files[1..].iter().filter_map(|file| file.extension()).collect();
+            return Err(Failure::Input(format!(
+                "a .{} has its {} beside it, so it cannot go to standard output; use another \
+                 --format, such as glb",
+                format.extension(),
+                beside
+                    .iter()
+                    .map(|name| format!(".{}", name.to_string_lossy()))
+                    .collect::<Vec<_>>()
+                    .join(" and ")
+            )));
         }
         Ok(target)
     }
@@ -152,68 +154,37 @@ impl<'a> Target<'a> {
         is_standard_output(self.path)
     }
 
-    /// The file beside a `.gltf`.
-    fn binary(&self) -> PathBuf {
-        self.path.with_extension("bin")
-    }
-
     fn open(&mut self, outputs: &mut Outputs) -> Result<(), Failure> {
-        // Files get their names in this order: no .gltf names a .bin that is not there.
-        let binary = match self.format {
-            Format::Gltf => Some(outputs.open(&self.binary())?),
-            _ => None,
-        };
-        self.out = [Some(outputs.open(self.path)?), binary].into_iter().flatten().collect();
+        // Files get their names in this order: none names another that is not there.
+        for path in self.files.iter().rev() {
+            self.out.insert(0, outputs.open(path)?);
+        }
         Ok(())
     }
 
-    /// About how many bytes go to each stream.
-    fn expected_lens(
-        &self,
-        mesh: &dyn Mesh,
-        stored: Option<&Stored>,
-        options: &SurfaceOptions,
-    ) -> Result<Vec<u64>, Failure> {
-        Ok(match (self.format, stored) {
-            (Format::Obj, _) => vec![obj::estimated_len(mesh, options)],
-            (Format::Glb, Some(stored)) => {
-                let len = glb::file_len(mesh, stored, options);
-                vec![len.map_err(|error| self.failure(error))?]
-            }
-            (Format::Gltf, Some(stored)) => gltf::file_lens(mesh, stored, options).into(),
-            // A picture is small.
-            (Format::Svg | Format::Glb | Format::Gltf, _) => vec![0],
-        })
+    fn writer(&self) -> &Writer {
+        self.writer.as_ref().expect("checked before")
     }
 
-    fn write(
-        &mut self,
-        mesh: &dyn Mesh,
-        stored: Option<&Stored>,
-        options: &SurfaceOptions,
-        expected: &[u64],
-        bar: &Bar,
-    ) -> Result<(), Failure> {
-        let beside = self.binary();
-        let mut out: Vec<Counting<'_, &mut Box<dyn Write>>> = self
-            .out
-            .iter_mut()
-            .zip(expected)
-            .map(|(out, &expected)| bar.counting(out, expected))
+    /// About how many bytes go to each file.
+    fn expected_lens(&self, mesh: &dyn Mesh) -> Result<Vec<u64>, Failure> {
+        self.writer().expected_lens(mesh).map_err(|error| self.failure(error))
+    }
+
+    fn write(&mut self, mesh: &dyn Mesh, expected: &[u64], bar: &Bar) -> Result<(), Failure> {
+        let mut streams = std::mem::take(&mut self.out);
+        let names: Vec<_> = self
+            .files
+            .iter()
+            .map(|file| file.file_name().unwrap_or_default().to_string_lossy())
             .collect();
-        let written = match (self.format, stored, &mut out[..]) {
-            (Format::Obj, _, [out]) => obj::write(mesh, options, out).map_err(WriteError::from),
-            (Format::Svg, _, [out]) => svg::write(mesh, out),
-            (Format::Glb, Some(stored), [out]) => glb::write_stored(mesh, stored, options, out),
-            (Format::Gltf, Some(stored), [document, binary]) => {
-                let name = beside.file_name().unwrap_or_default().to_string_lossy();
-                let written = gltf::write_stored(mesh, stored, options, &name, document, binary);
-                written.map_err(WriteError::from)
-            }
-            _ => unreachable!("checked and opened before"),
-        };
-        drop(out);
-        written.map_err(|error| self.failure(error))
+        let mut files: Vec<(&str, Counting<'_, &mut Box<dyn Write>>)> = names
+            .iter()
+            .zip(&mut streams)
+            .zip(expected)
+            .map(|((name, out), &expected)| (&**name, bar.counting(out, expected)))
+            .collect();
+        self.writer().write(mesh, &mut files).map_err(|error| self.failure(error))
     }
 
     fn failure(&self, error: WriteError) -> Failure {

@@ -15,7 +15,7 @@ use crate::terminal::say;
 use mindeg::glam::DVec3;
 use mindeg::{Domain, Progress};
 use mindeg_compare::write_view;
-use mindeg_formats::Format;
+use mindeg_formats::{Format, extensions};
 use mindeg_mesh::{Positions, TriMesh, filled};
 use std::path::Path;
 
@@ -101,15 +101,15 @@ fn subject(arguments: &ViewArguments) -> Result<Subject<'_>, Failure> {
         return Ok(Subject::Domain(Box::new(from_file(path, options)?)));
     }
     Err(Failure::Input(format!(
-        "{}: the name tells neither a mesh nor a domain; a mesh ends in .obj, .glb or .gltf, a \
-         domain in .json",
-        path.display()
+        "{}: the name tells neither a mesh nor a domain; a mesh ends in {}, a domain in .json",
+        path.display(),
+        extensions(&Format::READ)
     )))
 }
 
 /// The mesh of a domain as a list.
 fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
-    let vertices = domain.boundary().vertex_count() as usize;
+    let vertices = domain.rings().vertex_count() as usize;
     memory::require_to_view(name_in_text(domain), vertices, vertices)?;
     let goal = goal(&arguments.goal, None, domain)?;
     let callback = bar.callback();

@@ -132,13 +132,13 @@ impl Comparison {
 ///
 /// Too many vertices, or a domain on which mindeg itself has no mesh.
 pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, CompareError> {
-    let boundary = domain.boundary();
-    let vertices = boundary.vertex_count();
+    let vertices = domain.rings().vertex_count();
     if vertices > MAX_COMPARED_VERTICES {
         return Err(CompareError::TooManyVertices { vertices });
     }
     let start = Instant::now();
     let mesh = BoundaryMesh::least_degree(domain)?;
+    let boundary = domain.convex().ok_or(MeshError::NotConvex)?.boundary();
     let own: Vec<[u32; 3]> = mesh.triangles().collect();
     let own_time = start.elapsed();
 
@@ -179,7 +179,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     mark_same_meshes(&mut methods, &triangles);
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
-        intervals: boundary.sides().collect(),
+        intervals: domain.rings().sides().collect(),
         side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
         vertices,
@@ -201,7 +201,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
 
 /// The trade-off, if the size and the time allow it.
 fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
-    if domain.boundary().vertex_count() > options.exact_vertices {
+    if domain.rings().vertex_count() > options.exact_vertices {
         return None;
     }
     let start = Instant::now();

@@ -32,6 +32,7 @@
 //! - [`least_max_degree`] is the optimum. [`certificate`] proves that no triangulation has less,
 //!   [`bound`] has the theorems that it uses, and [`suggest`] finds the smallest change of counts
 //!   for a lower optimum.
+//! - [`RingStrip`] joins two closed loops of vertices, as a tube or an annulus has them.
 //! - [`verify`] checks a list of triangles from any source, and [`exact`] finds the optimum by
 //!   search. Neither shares code with the constructions.
 //!
@@ -59,6 +60,7 @@ mod cut;
 pub mod exact;
 mod least_degree;
 mod ring;
+mod ring_strip;
 mod strip;
 mod suggest;
 mod triangles;
@@ -71,6 +73,7 @@ pub use candidates::Candidates;
 pub use certificate::{Certificate, CertificateError, certificate, least_max_degree};
 pub use cut::{Cut, best_cuts, least_imbalance};
 pub use least_degree::least_degree_triangulation;
+pub use ring_strip::{RingStrip, RingStripError};
 pub use strip::{Chain, End, Strip};
 pub use suggest::{Change, Suggestion, suggest, suggestions};
 pub use triangles::Triangles;

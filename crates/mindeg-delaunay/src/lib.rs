@@ -1,4 +1,5 @@
-//! A Delaunay triangulation of boundary points, by the `spade` crate.
+//! A constrained Delaunay triangulation of boundary rings, interior points and segments, by the
+//! `spade` crate.
 //!
 //! Among all triangulations of a polygon without further points, Delaunay's has the largest
 //! minimum angle; where four points lie on one circle there are several.
@@ -6,9 +7,9 @@
 //! Two things make boundary points harder than points in general. Points on a slanted side
 //! are rounded, so some lie a hair inside the hull of the others, and the hull is filled up
 //! with slivers: hence the boundary goes in as constraints, and what can be reached from
-//! outside without crossing one is dropped. And points in the order of the boundary make the
-//! insertion quadratic: hence the corners come first, then every 2^j-th vertex for falling j,
-//! with a neighbour already there as the place to start looking.
+//! outside, or from within a hole, without crossing it is dropped. And points in the order of the
+//! boundary make the insertion quadratic: hence each ring's corners come first, then every 2^j-th
+//! vertex for falling j, with a neighbour already there as the place to start looking.
 //!
 //! The predicates are exact on the points as they are, so far from the origin they need not
 //! be moved: a mesh of other points would be the result.
@@ -17,12 +18,14 @@
 //! On intervals below a hundred-millionth of the domain's size, three rounded points of one
 //! side can bulge so much that the flat triangle on them is Delaunay's; it is left in.
 
+use std::ops::Range;
+
 use glam::DVec2;
 use mindeg_mesh::{Cancelled, Progress};
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
 
-/// A boundary vertex as spade sees it.
+/// A vertex as spade sees it.
 #[derive(Clone, Copy)]
 struct Site {
     position: Point2<f64>,
@@ -63,26 +66,37 @@ pub enum DelaunayError {
         /// The vertices.
         vertices: [u32; 2],
     },
-    /// The boundary through the rounded points crosses itself.
+    /// The boundary through the rounded points crosses or touches itself.
     #[error(
-        "the boundary edge from {} to {} crosses another once coordinates are rounded to f64; \
-         use fewer intervals there, or an origin near the domain",
+        "the boundary edge from {} to {} crosses or touches another once coordinates are rounded \
+         to f64; use fewer intervals there, or an origin near the domain",
         edge[0],
         edge[1]
     )]
     CrossingBoundary {
-        /// The edge, counter-clockwise.
+        /// The edge, with the domain on its left.
         edge: [u32; 2],
+    },
+    /// A segment crosses the boundary or another segment.
+    #[error(
+        "the segment from {} to {} crosses the boundary or another segment; end both at a common \
+         point",
+        segment[0],
+        segment[1]
+    )]
+    CrossingSegment {
+        /// The segment.
+        segment: [u32; 2],
     },
     /// The [`Progress`] callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
 }
 
-/// The triangles inside a boundary, counter-clockwise, in no particular order.
+/// The triangles inside a boundary of one ring, counter-clockwise, in no particular order.
 ///
-/// `points` run round the boundary; `corners` are the indices of its corners, in ascending order
-/// from 0. O(n log n) for sides of like length; more where one vertex gets a large part of all edges.
+/// `points` run round the boundary; `corners` are the indices of its corners, in ascending order.
+/// As [`of_rings`] for one ring.
 ///
 /// # Errors
 ///
@@ -104,28 +118,95 @@ pub fn of_boundary(
     corners: &[u32],
     progress: Progress<'_>,
 ) -> Result<Vec<[u32; 3]>, DelaunayError> {
+    let ring = 0..points.len() as u32;
+    of_rings(points, std::slice::from_ref(&ring), corners, &[], progress)
+}
+
+/// The triangles on the left of some rings, counter-clockwise, in no particular order.
+///
+/// Each ring is a range of at least three vertices, in the order of the ring; the ranges follow each
+/// other from 0 on, none is empty. The outer ring is counter-clockwise, holes are clockwise. The
+/// points after the last ring are interior points; what lies outside the domain gets no triangle.
+/// `corners` are vertices to insert first, in ascending order: those where sides meet, or none.
+/// `segments` join any two vertices inside the domain; one that passes through a vertex is split
+/// there.
+///
+/// O(n log n) for sides of like length; more where one vertex gets a large part of all edges.
+///
+/// # Errors
+///
+/// [`DelaunayError`].
+///
+/// # Panics
+///
+/// If rings do not follow each other from 0 on, or a corner or a segment has no point.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_mesh::Progress;
+///
+/// let outer = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+/// let hole = [[1.0, 1.0], [1.0, 2.0], [2.0, 2.0]];
+/// let interior = [[3.0, 3.0], [3.0, 1.0]];
+/// let points: Vec<_> = [&outer[..], &hole, &interior].concat().into_iter().map(DVec2::from).collect();
+/// let triangles =
+///     mindeg_delaunay::of_rings(&points, &[0..4, 4..7], &[], &[[7, 8]], Progress::NONE)?;
+/// assert_eq!(triangles.len(), 7 + 2 * 2);
+/// # Ok::<(), mindeg_delaunay::DelaunayError>(())
+/// ```
+pub fn of_rings(
+    points: &[DVec2],
+    rings: &[Range<u32>],
+    corners: &[u32],
+    segments: &[[u32; 2]],
+    progress: Progress<'_>,
+) -> Result<Vec<[u32; 3]>, DelaunayError> {
+    let ends = rings.iter().map(|ring| ring.end);
+    assert!(
+        rings.iter().map(|ring| ring.start).eq([0].into_iter().chain(ends).take(rings.len())),
+        "rings follow each other from 0 on"
+    );
     let in_range = |point: &DVec2| spade::validate_vertex(&Point2::from(point.to_array())).is_ok();
     if let Some(vertex) = points.iter().position(|point| !in_range(point)) {
         return Err(DelaunayError::CoordinateOutOfRange { vertex: vertex as u32 });
     }
-    let (mut sites, handles) = insert(points, corners, progress)?;
-    for (from, to) in ring(points.len() as u32) {
+    let (mut sites, handles) = insert(points, rings, corners, progress)?;
+    let next = next_on_rings(rings);
+    for (from, &to) in (0..).zip(&next) {
+        let (a, b) = (handles[from as usize], handles[to as usize]);
+        let is_free = sites.can_add_constraint(a, b);
+        if is_free {
+            sites.add_constraint(a, b);
+        }
+        // A constraint that passes through a vertex is split there.
+        if !is_free || !sites.exists_constraint(a, b) {
+            return Err(DelaunayError::CrossingBoundary { edge: [from, to] });
+        }
+    }
+    for &[from, to] in segments {
         let (a, b) = (handles[from as usize], handles[to as usize]);
         if !sites.can_add_constraint(a, b) {
-            return Err(DelaunayError::CrossingBoundary { edge: [from, to] });
+            return Err(DelaunayError::CrossingSegment { segment: [from, to] });
         }
         sites.add_constraint(a, b);
     }
-    Ok(inside(&sites))
+    Ok(inside(&sites, &next))
 }
 
-/// The boundary edges.
-fn ring(vertices: u32) -> impl Iterator<Item = (u32, u32)> {
-    (0..vertices).map(move |from| (from, if from + 1 == vertices { 0 } else { from + 1 }))
+/// For every vertex of a ring the next one.
+fn next_on_rings(rings: &[Range<u32>]) -> Vec<u32> {
+    let of_ring = |ring: &Range<u32>| {
+        let start = ring.start;
+        (start + 1..ring.end).chain((!ring.is_empty()).then_some(start))
+    };
+    rings.iter().flat_map(of_ring).collect()
 }
 
 fn insert(
     points: &[DVec2],
+    rings: &[Range<u32>],
     corners: &[u32],
     progress: Progress<'_>,
 ) -> Result<(Sites, Vec<FixedVertexHandle>), DelaunayError> {
@@ -133,7 +214,7 @@ fn insert(
     let counter = progress.counter("Delaunay triangulation", vertices.into());
     let mut sites = Sites::new();
     let mut handles: Vec<Option<FixedVertexHandle>> = vec![None; points.len()];
-    for (vertex, neighbor) in order(vertices, corners) {
+    for (vertex, neighbor) in order(vertices, rings, corners) {
         if handles[vertex as usize].is_some() {
             continue;
         }
@@ -156,25 +237,56 @@ fn insert(
     Ok((sites, handles))
 }
 
-/// Every vertex, some twice, each with one that comes before it and is near on the boundary.
+/// Every vertex, some twice, each with one that comes before it and is near on its ring; at last
+/// the interior points.
 ///
 /// Corners come first: while all points are on one line, each insertion takes linear time.
-fn order(vertices: u32, corners: &[u32]) -> impl Iterator<Item = (u32, u32)> + '_ {
-    let vertices = u64::from(vertices);
-    let corners = corners.iter().zip(corners.iter().take(1).chain(corners)).map(|(&a, &b)| (a, b));
-    let steps = (0..u64::BITS - vertices.leading_zeros()).rev().map(|power| 1_u64 << power);
-    let bisection = steps.flat_map(move |step| {
-        (step..vertices).step_by(2 * step as usize).map(move |at| (at as u32, (at - step) as u32))
+fn order(vertices: u32, rings: &[Range<u32>], corners: &[u32]) -> impl Iterator<Item = (u32, u32)> {
+    let start_before = |ring: usize| rings[ring.saturating_sub(1)].start;
+    let of_rings = rings.iter().enumerate().flat_map(move |(index, ring)| {
+        let from = corners.partition_point(|&corner| corner <= ring.start);
+        let to = corners.partition_point(|&corner| corner < ring.end);
+        let own = &corners[from..to.max(from)];
+        let corner = move |at: u32| if at == 0 { ring.start } else { own[at as usize - 1] };
+        let corners = bisection(own.len() as u32 + 1).map(move |(a, b)| (corner(a), corner(b)));
+        let start = ring.start;
+        let all = bisection(ring.len() as u32).map(move |(a, b)| (start + a, start + b));
+        [(start, start_before(index))].into_iter().chain(corners).chain(all)
     });
-    corners.chain(bisection)
+    let end = rings.last().map_or(0, |ring| ring.end);
+    let interior = bisection(vertices - end).map(move |(a, b)| (end + a, end + b));
+    let first = (end < vertices).then_some((end, 0));
+    of_rings.chain(first).chain(interior)
 }
 
-/// The triangles that cannot be reached from outside without crossing the boundary.
-fn inside(sites: &Sites) -> Vec<[u32; 3]> {
-    let mut is_outside = vec![false; sites.num_all_faces()];
+/// The numbers from 1 on below a count, each after the smaller number beside it.
+fn bisection(count: u32) -> impl Iterator<Item = (u32, u32)> {
+    let count = u64::from(count);
+    let steps = (0..u64::BITS - count.leading_zeros()).rev().map(|power| 1_u64 << power);
+    steps.flat_map(move |step| {
+        (step..count).step_by(2 * step as usize).map(move |at| (at as u32, (at - step) as u32))
+    })
+}
+
+/// The triangles that cannot be reached, without crossing the boundary, from outside the hull or
+/// from the right of a boundary edge.
+fn inside(sites: &Sites, next: &[u32]) -> Vec<[u32; 3]> {
+    let is_next = |a: u32, b: u32| next.get(a as usize) == Some(&b);
+    // Half-edges of triangles that are outside if the half-edge is not on the boundary.
     let mut border: Vec<_> = sites.convex_hull().map(|edge| edge.rev()).collect();
+    let mut is_outside = vec![false; sites.num_all_faces()];
+    for edge in sites.directed_edges() {
+        let [from, to] = [edge.from().data().vertex, edge.to().data().vertex];
+        if is_next(to, from)
+            && let Some(face) = edge.face().as_inner()
+            && !std::mem::replace(&mut is_outside[face.fix().index()], true)
+        {
+            border.extend(face.adjacent_edges().map(|edge| edge.rev()));
+        }
+    }
     while let Some(edge) = border.pop() {
-        if edge.is_constraint_edge() {
+        let [from, to] = [edge.from().data().vertex, edge.to().data().vertex];
+        if is_next(from, to) || is_next(to, from) {
             continue;
         }
         let Some(face) = edge.face().as_inner() else { continue };
@@ -223,7 +335,7 @@ mod tests {
             for center in [DVec2::ZERO, DVec2::new(500_000.0, 4_650_000.0)] {
                 let domain = regular(center, sides);
                 let points: Vec<DVec2> = domain.placement().points().collect();
-                let boundary = domain.boundary();
+                let boundary = domain.rings();
                 let corners: Vec<u32> =
                     (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
                 let triangles = of_boundary(&points, &corners, Progress::NONE).unwrap();
@@ -267,6 +379,58 @@ mod tests {
         );
     }
 
+    /// A square of 6 by 6 with a square hole of 2 by 2.
+    #[test]
+    fn holes_stay_empty_and_segments_stay_edges() {
+        let outer = [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]];
+        let hole = [[2.0, 2.0], [2.0, 4.0], [4.0, 4.0], [4.0, 2.0]];
+        let interior = [[5.0, 1.0], [1.0, 1.0], [3.0, 1.0], [3.0, 3.0]];
+        let points = [outer, hole, interior].concat().into_iter().map(DVec2::from);
+        let points: Vec<_> = points.collect();
+        let area = |triangles: &[[u32; 3]]| {
+            let double = |&[a, b, c]: &[u32; 3]| {
+                let [a, b, c] = [a, b, c].map(|v| points[v as usize]);
+                assert!((b - a).perp_dot(c - a) > 0.0);
+                (b - a).perp_dot(c - a)
+            };
+            triangles.iter().map(double).sum::<f64>() / 2.0
+        };
+        let of = |vertices: usize, segments: &[[u32; 2]]| {
+            of_rings(&points[..vertices], &[0..4, 4..8], &[0, 2, 5], segments, Progress::NONE)
+        };
+        let plain = of(8, &[]).unwrap();
+        assert_eq!((plain.len(), area(&plain)), (8, 32.0));
+        // Delaunay's diagonals run from the corners of the square to those of the hole.
+        assert!(!plain.iter().any(|corners| corners.contains(&0) && corners.contains(&7)));
+        let with_segment = of(8, &[[0, 7]]).unwrap();
+        assert_eq!((with_segment.len(), area(&with_segment)), (8, 32.0));
+        assert!(with_segment.iter().any(|corners| corners.contains(&0) && corners.contains(&7)));
+        // The last interior point is in the hole. The segment passes through vertex 10.
+        let with_points = of(12, &[[8, 9]]).unwrap();
+        assert_eq!((with_points.len(), area(&with_points)), (8 + 2 * 3, 32.0));
+        let has =
+            |a, b| with_points.iter().any(|corners| corners.contains(&a) && corners.contains(&b));
+        assert!(has(8, 10) && has(10, 9) && !has(8, 9));
+
+        let crossing = DelaunayError::CrossingSegment { segment: [10, 5] };
+        assert_eq!(of(12, &[[10, 5]]), Err(crossing));
+        let crossing = DelaunayError::CrossingSegment { segment: [1, 9] };
+        assert_eq!(of(12, &[[0, 8], [1, 9]]), Err(crossing));
+    }
+
+    /// Vertex 5 is on the edge from 1 to 2.
+    #[test]
+    fn rings_that_touch_are_refused() {
+        let points =
+            [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0], [4.0, 3.0], [6.0, 4.0], [4.0, 5.0]];
+        let points = points.map(DVec2::from);
+        // The hole is clockwise from 4 by 6 to 5.
+        let clockwise = [points[4], points[6], points[5]];
+        let points = [&points[..4], &clockwise].concat();
+        let refusal = of_rings(&points, &[0..4, 4..7], &[], &[], Progress::NONE);
+        assert_eq!(refusal, Err(DelaunayError::CrossingBoundary { edge: [1, 2] }));
+    }
+
     /// At once, not at the fault that comes after.
     #[test]
     fn stops_when_it_is_cancelled() {
@@ -280,12 +444,19 @@ mod tests {
         for (vertices, corners) in
             [(3, &[0, 1, 2][..]), (7, &[0, 5, 6]), (33, &[0, 7, 16, 17]), (66, &[0, 64, 65])]
         {
-            let mut seen = vec![false; vertices as usize];
-            for (vertex, neighbor) in order(vertices, corners) {
-                assert!(seen[neighbor as usize] || (vertex, neighbor) == (0, 0));
-                seen[vertex as usize] = true;
+            for rings in [vec![0..2, 2..vertices], vec![0..2, 2..vertices - 1], Vec::new()] {
+                let mut seen = vec![false; vertices as usize];
+                for (vertex, neighbor) in order(vertices, &rings, corners) {
+                    assert!(seen[neighbor as usize] || (vertex, neighbor) == (0, 0));
+                    seen[vertex as usize] = true;
+                }
+                assert!(seen.iter().all(|&seen| seen), "{rings:?}");
             }
-            assert!(seen.iter().all(|&seen| seen));
         }
+        // In the order of the ring, each of many corners would take time for all before it.
+        let corners = Vec::from_iter(0..8);
+        let first =
+            order(8, std::slice::from_ref(&(0..8)), &corners).take(8).map(|(vertex, _)| vertex);
+        assert!(first.eq([0, 4, 2, 6, 1, 3, 5, 7]));
     }
 }

@@ -11,10 +11,11 @@
 //! takes some thousand vertices.
 
 use std::collections::BTreeMap;
-
-use mindeg_core::Boundary;
+use std::ops::Range;
 
 use crate::limits::GREATEST_EXTERNAL_DEGREE;
+use crate::rings::{InRing, Rings};
+use crate::turning::{Turn, Turning};
 
 /// The external degrees and degree limits of a domain's sides and vertices.
 ///
@@ -85,13 +86,13 @@ pub struct VertexConstraint {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ConstraintPlace {
     /// The entry of this side.
-    Side(usize),
+    Side(InRing),
     /// This entry of the list of [`VertexConstraint`]s.
     Entry(usize),
 }
 
-/// Why constraints do not fit a boundary. Sides and entries are counted from 0 here and from 1 in
-/// messages; vertices always from 0.
+/// Why constraints do not fit a boundary. Entries are counted from 0 here and from 1 in messages;
+/// vertices always from 0.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConstraintError {
@@ -107,13 +108,13 @@ pub enum ConstraintError {
     },
     /// A list of external degrees whose length does not fit the side.
     #[error(
-        "side {}: outside_degree lists {degrees} {}, and the side has {vertices} vertices, both \
+        "{}: outside_degree lists {degrees} {}, and the side has {vertices} vertices, both \
          corners included; give one for each, or a single number for all that are not corners",
-        side + 1, if *degrees == 1 { "number" } else { "numbers" }
+        side.side(), if *degrees == 1 { "number" } else { "numbers" }
     )]
     ExternalDegreeCount {
         /// The side.
-        side: usize,
+        side: InRing,
         /// The length of the list.
         degrees: usize,
         /// The vertices of the side, both corners included.
@@ -123,7 +124,7 @@ pub enum ConstraintError {
     #[error(
         "{}: outside_degree is {external_degree}; the maximum is {GREATEST_EXTERNAL_DEGREE}",
         match place {
-            ConstraintPlace::Side(side) => format!("side {}", side + 1),
+            ConstraintPlace::Side(side) => side.side(),
             ConstraintPlace::Entry(entry) => format!("entry {}", entry + 1),
         }
     )]
@@ -160,7 +161,7 @@ pub enum ConstraintError {
     #[error(
         "vertex {vertex} has a max_degree of {degree_limit} and needs {least_degree}: {}; raise \
          max_degree to {least_degree} or more",
-        describe_edges(least_degree - external_degree, *external_degree)
+        describe_edges(*bend, *external_degree)
     )]
     Capacity {
         /// The entry.
@@ -173,16 +174,52 @@ pub enum ConstraintError {
         external_degree: u32,
         /// The least total degree that it has in any mesh.
         least_degree: u32,
+        /// How the boundary bends at the vertex, which decides what it needs.
+        bend: Bend,
     },
 }
 
-/// The edges that a vertex has in any mesh; 3 besides those outside where it is inside a side.
-fn describe_edges(inside: u32, outside: u32) -> String {
-    match (inside, outside) {
-        (2, 0) => "2 edges along the boundary".to_owned(),
-        (2, _) => format!("2 edges along the boundary and {outside} outside"),
-        (_, 0) => "2 edges along its straight side and 1 into the domain".to_owned(),
-        _ => format!("2 edges along its straight side, 1 into the domain and {outside} outside"),
+/// How the boundary bends at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Bend {
+    /// Below 180° inside the domain: 2 edges are enough.
+    Convex,
+    /// Not at all. With 2 edges the vertex would be the tip of a triangle without area.
+    Straight,
+    /// Above 180° inside the domain: no triangle has its tip there.
+    Reflex,
+}
+
+impl Bend {
+    /// The least degree that a vertex has in any mesh.
+    fn least_degree(self) -> u32 {
+        if self == Self::Convex { 2 } else { 3 }
+    }
+}
+
+impl From<Turn> for Bend {
+    fn from(turn: Turn) -> Self {
+        match turn {
+            Turn::Straight => Self::Straight,
+            Turn::By(angle) if angle > 0.0 => Self::Convex,
+            Turn::By(_) => Self::Reflex,
+            // A needle: its tip is convex, or its foot is reflex. The former needs less.
+            Turn::Back => Self::Convex,
+        }
+    }
+}
+
+/// The edges that a vertex has in any mesh.
+fn describe_edges(bend: Bend, outside: u32) -> String {
+    let along = match bend {
+        Bend::Straight => "2 edges along its straight side",
+        Bend::Convex | Bend::Reflex => "2 edges along the boundary",
+    };
+    match (bend, outside) {
+        (Bend::Convex, 0) => along.to_owned(),
+        (Bend::Convex, _) => format!("{along} and {outside} outside"),
+        (_, 0) => format!("{along} and 1 into the domain"),
+        _ => format!("{along}, 1 into the domain and {outside} outside"),
     }
 }
 
@@ -233,8 +270,8 @@ impl Constraints {
     }
 
     /// The external degree of a vertex of the boundary that these were checked on. O(log n).
-    pub(crate) fn external_degree(&self, boundary: &Boundary, vertex: u32) -> u32 {
-        let sides = self.sides_at(boundary, vertex);
+    pub(crate) fn external_degree(&self, rings: &Rings, vertex: u32) -> u32 {
+        let sides = self.sides_at(rings, vertex);
         let of_sides =
             sides.map(|(side, i, intervals)| side.external_degree.at(i, intervals)).sum::<u32>();
         // Three times the greatest number at most.
@@ -242,8 +279,8 @@ impl Constraints {
     }
 
     /// The degree limit of a vertex, the least of all that apply. O(log n).
-    pub(crate) fn degree_limit(&self, boundary: &Boundary, vertex: u32) -> Option<u32> {
-        let sides = self.sides_at(boundary, vertex).filter_map(|(side, ..)| side.degree_limit);
+    pub(crate) fn degree_limit(&self, rings: &Rings, vertex: u32) -> Option<u32> {
+        let sides = self.sides_at(rings, vertex).filter_map(|(side, ..)| side.degree_limit);
         let own = self.of_vertex(vertex).and_then(|constraint| constraint.degree_limit);
         sides.chain(own).min()
     }
@@ -257,15 +294,15 @@ impl Constraints {
     /// it and its intervals.
     fn sides_at(
         &self,
-        boundary: &Boundary,
+        rings: &Rings,
         vertex: u32,
     ) -> impl Iterator<Item = (&SideConstraint, u32, u32)> {
-        let side = boundary.side_of(vertex);
-        let i = vertex - boundary.corner(side);
-        let before = (side + boundary.side_count() - 1) % boundary.side_count();
-        let here = [(side, i, boundary.intervals(side))];
+        let side = rings.side_of(vertex);
+        let i = vertex - rings.corner(side);
+        let here = [(side, i, rings.intervals(side))];
         let ends_here = (i == 0).then(|| {
-            let intervals = boundary.intervals(before);
+            let before = rings.previous_side(side);
+            let intervals = rings.intervals(before);
             (before, intervals, intervals)
         });
         here.into_iter().chain(ends_here).filter_map(|(side, i, intervals)| {
@@ -273,22 +310,34 @@ impl Constraints {
         })
     }
 
-    /// The constraints of the sides in the other direction; vertices stay.
-    pub(crate) fn with_sides_reversed(mut self) -> Self {
-        self.sides.reverse();
-        for side in &mut self.sides {
+    /// The constraints of some sides in the other direction; vertices stay.
+    pub(crate) fn turn_sides(&mut self, sides: Range<usize>) {
+        let Some(sides) = self.sides.get_mut(sides) else { return };
+        sides.reverse();
+        for side in sides {
             side.external_degree = std::mem::take(&mut side.external_degree).reversed();
         }
-        self
+    }
+
+    /// Checks that there is an entry for each side, or none.
+    pub(crate) fn check_side_count(&self, sides: usize) -> Result<(), ConstraintError> {
+        let entries = self.sides.len();
+        if [0, sides].contains(&entries) {
+            Ok(())
+        } else {
+            Err(ConstraintError::SideCount { entries, sides })
+        }
     }
 
     /// Checks these constraints on their boundary and sorts the vertices.
     ///
-    /// O(k + m log m) for k sides and m vertices, and linear in lists.
-    pub(crate) fn checked(mut self, boundary: &Boundary) -> Result<Self, ConstraintError> {
+    /// O(k + m log m) for k straight sides and m vertices, and linear in lists and in the vertices
+    /// of sides that are not straight.
+    pub(crate) fn checked(mut self, turning: Turning<'_>) -> Result<Self, ConstraintError> {
+        let rings = turning.placement.rings();
         let given = std::mem::take(&mut self.vertices);
-        self.check_sides(boundary)?;
-        let vertex_count = boundary.vertex_count();
+        self.check_sides(turning)?;
+        let vertex_count = rings.vertex_count();
         let mut first_entries = BTreeMap::new();
         for (entry, &VertexConstraint { vertex, external_degree, .. }) in given.iter().enumerate() {
             if vertex >= vertex_count {
@@ -302,41 +351,44 @@ impl Constraints {
         self.vertices.clone_from(&given);
         self.vertices.sort_unstable_by_key(|constraint| constraint.vertex);
         for (entry, constraint) in given.iter().enumerate() {
-            self.check_capacity(boundary, constraint.vertex, ConstraintPlace::Entry(entry))?;
+            self.check_capacity(turning, constraint.vertex, ConstraintPlace::Entry(entry))?;
         }
         Ok(self)
     }
 
     /// Checks the constraints of the sides, without those of single vertices.
-    fn check_sides(&self, boundary: &Boundary) -> Result<(), ConstraintError> {
-        let (entries, sides) = (self.sides.len(), boundary.side_count());
-        if ![0, sides].contains(&entries) {
-            return Err(ConstraintError::SideCount { entries, sides });
-        }
+    fn check_sides(&self, turning: Turning<'_>) -> Result<(), ConstraintError> {
+        let rings = turning.placement.rings();
+        self.check_side_count(rings.side_count())?;
         for (side, SideConstraint { external_degree, .. }) in self.sides.iter().enumerate() {
-            let vertices = u64::from(boundary.intervals(side)) + 1;
+            let vertices = u64::from(rings.intervals(side)) + 1;
+            let in_ring = rings.in_ring(side);
             if let ExternalDegree::Each(degrees) = external_degree
                 && degrees.len() as u64 != vertices
             {
                 let degrees = degrees.len();
-                return Err(ConstraintError::ExternalDegreeCount { side, degrees, vertices });
+                return Err(ConstraintError::ExternalDegreeCount {
+                    side: in_ring,
+                    degrees,
+                    vertices,
+                });
             }
-            check_external_degree(ConstraintPlace::Side(side), external_degree.greatest())?;
+            check_external_degree(ConstraintPlace::Side(in_ring), external_degree.greatest())?;
         }
         for (side, constraint) in self.sides.iter().enumerate() {
             if constraint.degree_limit.is_none() {
                 continue;
             }
-            let intervals = boundary.intervals(side);
-            // All vertices inside the side are alike where one number stands for them.
+            let intervals = rings.intervals(side);
+            // All vertices inside a straight side are alike where one number stands for them.
             let last_inside = match constraint.external_degree {
-                ExternalDegree::Inside(_) => 1.min(intervals - 1),
-                ExternalDegree::Each(_) => intervals - 1,
+                ExternalDegree::Inside(_) if turning.straight[side] => 1.min(intervals - 1),
+                _ => intervals - 1,
             };
-            let start = boundary.corner(side);
-            let end = boundary.corner(side + 1);
-            for vertex in (start..=start + last_inside).chain([end]) {
-                self.check_capacity(boundary, vertex, ConstraintPlace::Side(side))?;
+            let start = rings.corner(side);
+            for vertex in (start..=start + last_inside).chain([rings.side_end(side)]) {
+                let place = ConstraintPlace::Side(rings.in_ring(side));
+                self.check_capacity(turning, vertex, place)?;
             }
         }
         Ok(())
@@ -345,30 +397,32 @@ impl Constraints {
     /// Checks that the degree limit of a vertex leaves it the edges that it has in any mesh.
     fn check_capacity(
         &self,
-        boundary: &Boundary,
+        turning: Turning<'_>,
         vertex: u32,
         place: ConstraintPlace,
     ) -> Result<(), ConstraintError> {
-        let external_degree = self.external_degree(boundary, vertex);
-        // With 2 edges, a vertex inside a side would be the tip of a triangle without area.
-        let inside = if boundary.is_corner(vertex) { 2 } else { 3 };
-        let least_degree = inside + external_degree;
-        match self.degree_limit(boundary, vertex) {
-            Some(degree_limit) if degree_limit < least_degree => Err(ConstraintError::Capacity {
-                place,
-                vertex,
-                degree_limit,
-                external_degree,
-                least_degree,
-            }),
-            _ => Ok(()),
+        let rings = turning.placement.rings();
+        let Some(degree_limit) = self.degree_limit(rings, vertex) else { return Ok(()) };
+        let external_degree = self.external_degree(rings, vertex);
+        let bend = Bend::from(turning.at(vertex));
+        let least_degree = bend.least_degree() + external_degree;
+        if degree_limit >= least_degree {
+            return Ok(());
         }
+        Err(ConstraintError::Capacity {
+            place,
+            vertex,
+            degree_limit,
+            external_degree,
+            least_degree,
+            bend,
+        })
     }
 }
 
 impl ConstraintError {
     /// The same error with another number for its side.
-    pub(crate) fn with_side(mut self, number: impl Fn(usize) -> usize) -> Self {
+    pub(crate) fn with_side(mut self, number: impl Fn(InRing) -> InRing) -> Self {
         match &mut self {
             Self::ExternalDegreeCount { side, .. }
             | Self::ExternalDegree { place: ConstraintPlace::Side(side), .. }

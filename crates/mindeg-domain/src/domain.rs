@@ -1,27 +1,28 @@
-//! A convex domain: its outline, how each of its sides is divided, and what limits its degrees.
+//! A domain: its rings, how each of their sides is divided, and what limits its degrees.
 //!
-//! A [`Domain`] is checked as a whole when it is made, so that every later step (placing,
-//! meshing, writing) can rely on it. Sides and corners are counted from 0 in the interface and
-//! from 1 in messages, where they are those of the input even if it had to be reversed.
+//! A [`Domain`] is checked as a whole when it is made ([`build`](crate::DomainBuilder)), so that every
+//! later step (placing, meshing, writing) can rely on it. Sides and corners are counted from 0 in the
+//! interface and from 1 in messages, where they are those of the input even if a ring was turned.
 //!
-//! Limits: convex outlines with straight sides in the plane, coordinates up to
-//! [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE) and sides no shorter than
-//! [`LEAST_SIDE`](crate::LEAST_SIDE), so that areas neither overflow nor vanish. The unit of length
-//! is the user's.
+//! Limits: the plane; coordinates up to [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE) and sides
+//! no shorter than [`LEAST_SIDE`](crate::LEAST_SIDE), so that areas neither overflow nor vanish. The
+//! unit of length is the user's.
 
 use glam::DVec2;
-use mindeg_core::Boundary;
 
+use crate::build::DomainBuilder;
 use crate::constraints::Constraints;
 use crate::domain_error::DomainError;
+use crate::interior::Interior;
 use crate::name;
-use crate::outline::{self, Orientation, Outline};
-use crate::placement::{Placement, PlacementError};
+use crate::outline::{Outline, Ring};
+use crate::placement::Placement;
 use crate::rectangle::Rectangle;
-use crate::side::{Side, SideError};
-use crate::spacing_law::SpacingLaw;
+use crate::rings::{InRing, Rings, ring_name};
+use crate::side::Side;
+use crate::turning::{ConvexForm, Turning};
 
-/// A convex polygon with a number of intervals and a spacing law on every side.
+/// A polygon, with or without holes, with a number of intervals and a spacing law on every side.
 ///
 /// # Example
 ///
@@ -33,18 +34,24 @@ use crate::spacing_law::SpacingLaw;
 ///     [[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]],
 ///     vec![Side::count(8), Side::size(0.5), wall],
 /// )?;
-/// assert_eq!(domain.boundary().sides().collect::<Vec<_>>(), [8, 10, 6]);
+/// assert_eq!(domain.rings().sides().collect::<Vec<_>>(), [8, 10, 6]);
 /// assert_eq!(domain.sides()[2].name.as_deref(), Some("wall"));
 /// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Domain {
-    name: Option<String>,
-    outline: Outline,
-    sides: Vec<Side>,
-    placement: Placement,
-    constraints: Constraints,
-    was_reversed: bool,
+    pub(crate) name: Option<String>,
+    pub(crate) outline: Outline,
+    /// Of all rings.
+    pub(crate) sides: Vec<Side>,
+    pub(crate) placement: Placement,
+    /// Whether each side is straight.
+    pub(crate) straight: Vec<bool>,
+    pub(crate) convex: Option<ConvexForm>,
+    pub(crate) constraints: Constraints,
+    pub(crate) interior: Option<Interior>,
+    /// The rings that were given the other way round.
+    pub(crate) turned: Vec<usize>,
 }
 
 impl Domain {
@@ -52,17 +59,19 @@ impl Domain {
     ///
     /// Corners given clockwise are reversed, each side staying on its edge (with its spacing law
     /// [reversed](crate::Spacing::reversed)): the first corner given stays the first, and the side
-    /// that ended there now starts there. [`was_reversed`](Self::was_reversed) tells.
+    /// that ended there now starts there. [`notes`](Self::notes) tells.
     ///
-    /// O(k log k) for k sides, and linear in explicit parameters.
+    /// O(k log k) for k straight sides of a convex outline, and linear in explicit parameters; of any
+    /// other, O(n log n) for n points.
     ///
     /// # Errors
     ///
     /// The first fault, in this order: a measure of the rectangle; the corners, in number,
-    /// magnitude, order or convexity; the number of sides; their names; their intervals; their
-    /// spacing laws; points so close that f64 cannot tell them apart.
+    /// magnitude or distance; the number of sides; their names; their intervals; their
+    /// spacing laws; points so close that f64 cannot tell them apart; a boundary that crosses or
+    /// touches itself.
     pub fn new(outline: Outline, sides: Vec<Side>) -> Result<Self, DomainError> {
-        Self::constrained(outline, sides, Constraints::default())
+        Self::builder(outline, sides).build()
     }
 
     /// [`Domain::new`] with constraints on degrees.
@@ -78,39 +87,39 @@ impl Domain {
         sides: Vec<Side>,
         constraints: Constraints,
     ) -> Result<Self, DomainError> {
-        let corners = outline.corners().map_err(outline::OutlineError::from)?;
-        let orientation = outline::orientation(&corners)?;
-        // Checked as given, so that errors name what was given.
-        let intervals = check_sides(&corners, &sides)?;
-        if orientation == Orientation::CounterClockwise {
-            return Self::counter_clockwise(outline, corners, sides, &intervals, constraints);
-        }
-        let reversed = Self::counter_clockwise(
-            Outline::Polygon(from_the_same_corner(&corners)),
-            from_the_same_corner(&corners),
-            sides.into_iter().rev().map(Side::reversed).collect(),
-            &intervals.into_iter().rev().collect::<Vec<_>>(),
-            constraints.with_sides_reversed(),
-        );
-        match reversed {
-            Ok(domain) => Ok(Self { was_reversed: true, ..domain }),
-            Err(error) => Err(as_given(error, corners.len())),
-        }
+        Self::builder(outline, sides).constraints(constraints).build()
     }
 
-    /// The domain of corners and sides that run counter-clockwise and have been checked.
-    fn counter_clockwise(
-        outline: Outline,
-        corners: Vec<DVec2>,
-        sides: Vec<Side>,
-        intervals: &[u64],
-        constraints: Constraints,
-    ) -> Result<Self, DomainError> {
-        let boundary = Boundary::new(intervals)?;
-        let laws = laws(&corners, &sides, &boundary)?;
-        let placement = Placement::new(boundary, corners, laws)?;
-        let constraints = constraints.checked(placement.boundary())?;
-        Ok(Self { name: None, outline, sides, placement, constraints, was_reversed: false })
+    /// Starts a domain with holes, constraints or a name.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Outline, Rectangle, Ring, Side};
+    ///
+    /// let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
+    /// let slot = Ring::new([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0]], vec![Side::size(0.5); 3]);
+    /// let domain = Domain::builder(outline, vec![Side::count(4); 4]).hole(slot).build()?;
+    /// assert_eq!(domain.rings().ring(1), 16..26);
+    /// assert_eq!(domain.placement().area(), 11.0);
+    /// // A hole runs clockwise in the mesh, from its first corner on.
+    /// assert_eq!(domain.placement().corners()[5].to_array(), [3.0, 2.0]);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn builder(outline: Outline, sides: Vec<Side>) -> DomainBuilder {
+        DomainBuilder::new(outline, sides)
+    }
+
+    /// The domain inside the first ring and outside the others.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`], and rings that cross, touch or do not nest.
+    pub fn of_rings(rings: Vec<Ring>) -> Result<Self, DomainError> {
+        let mut rings = rings.into_iter();
+        let Ring { corners, sides } = rings.next().unwrap_or_default();
+        rings.fold(Self::builder(Outline::Polygon(corners), sides), DomainBuilder::hole).build()
     }
 
     /// [`Domain::new`] for an upright rectangle with its first corner at the origin. Its sides
@@ -158,38 +167,78 @@ impl Domain {
         Ok(Self { name: Some(name), ..self })
     }
 
+    /// The same domain with what is wanted of a mesh with interior points.
+    #[must_use]
+    pub fn with_interior(self, interior: Interior) -> Self {
+        Self { interior: Some(interior), ..self }
+    }
+
+    /// What is wanted of a mesh with interior points, if the domain tells.
+    #[must_use]
+    pub fn interior(&self) -> Option<&Interior> {
+        self.interior.as_ref()
+    }
+
+    /// The same domain with other sides, one for each [side](Self::sides) in the same order.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
+        let rings = self.rings();
+        if sides.len() != rings.side_count() {
+            let corners = rings.side_count();
+            return Err(DomainError::SideCount { ring: 0, corners, sides: sides.len() });
+        }
+        let mut sides = sides.into_iter();
+        let mut of_ring = |ring| sides.by_ref().take(rings.ring_sides(ring).len()).collect();
+        let mut builder = Self::builder(self.outline.clone(), of_ring(0));
+        for ring in 1..rings.ring_count() {
+            let corners = self.placement.corners()[rings.ring_sides(ring)].to_vec();
+            builder = builder.hole(Ring { corners, sides: of_ring(ring) });
+        }
+        let domain = builder.constraints(self.constraints.clone()).build()?;
+        let (name, interior) = (self.name.clone(), self.interior.clone());
+        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
+    }
+
     /// The name, if there is one.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
-    /// The outline, counter-clockwise.
+    /// The shape of the outer ring, counter-clockwise.
     #[must_use]
     pub fn outline(&self) -> &Outline {
         &self.outline
     }
 
-    /// The sides, counter-clockwise; each runs from the corner of its number to the next.
+    /// The sides of all rings, as [`rings`](Self::rings) numbers them; each runs from the corner of
+    /// its number to the next of its ring.
     #[must_use]
     pub fn sides(&self) -> &[Side] {
         &self.sides
     }
 
-    /// The name of a side; one without a name is called by its number from 1, such as "side 2".
+    /// The name of a side; one without a name is called by its number from 1, such as "side 2" or
+    /// "hole 1 side 2", and the only side of a hole as that hole.
     ///
     /// # Panics
     ///
     /// If the domain has no such side.
     #[must_use]
     pub fn side_name(&self, side: usize) -> String {
+        let InRing { ring, index } = self.rings().in_ring(side);
         match &self.sides[side].name {
             Some(name) => name.clone(),
-            None => format!("side {}", side + 1),
+            None if ring == 0 => format!("side {}", index + 1),
+            None if self.rings().ring_sides(ring).len() == 1 => ring_name(ring),
+            None => format!("{} side {}", ring_name(ring), index + 1),
         }
     }
 
-    /// What limits the degrees of sides and vertices, counter-clockwise as the sides are.
+    /// What limits the degrees of sides and vertices, numbered as [`rings`](Self::rings) does.
     #[must_use]
     pub fn constraints(&self) -> &Constraints {
         &self.constraints
@@ -208,7 +257,7 @@ impl Domain {
     /// If the domain has no such vertex.
     #[must_use]
     pub fn external_degree(&self, vertex: u32) -> u32 {
-        self.constraints.external_degree(self.boundary(), vertex)
+        self.constraints.external_degree(self.rings(), vertex)
     }
 
     /// The most edges that a vertex may have, its external degree included; `None` where nothing
@@ -219,13 +268,13 @@ impl Domain {
     /// If the domain has no such vertex.
     #[must_use]
     pub fn degree_limit(&self, vertex: u32) -> Option<u32> {
-        self.constraints.degree_limit(self.boundary(), vertex)
+        self.constraints.degree_limit(self.rings(), vertex)
     }
 
-    /// The boundary vertices without their positions.
+    /// The rings, sides and vertices of the boundary without their positions.
     #[must_use]
-    pub fn boundary(&self) -> &Boundary {
-        self.placement.boundary()
+    pub fn rings(&self) -> &Rings {
+        self.placement.rings()
     }
 
     /// The positions of the boundary vertices.
@@ -234,73 +283,53 @@ impl Domain {
         &self.placement
     }
 
-    /// Whether the corners were given clockwise, and so were reversed.
+    /// The domain as the formulas of `mindeg-core` take it, if it is convex and has no holes.
+    #[must_use]
+    pub fn convex(&self) -> Option<&ConvexForm> {
+        self.convex.as_ref()
+    }
+
+    /// For each vertex, the straight run that the boundary edge beginning there belongs to. Sides
+    /// that are straight, and edges of other sides, are in one run where they follow each other
+    /// without a turn. No edge of a mesh joins two vertices of a run that are not neighbours.
+    /// O(n log k).
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let corners = [[0.0, 0.0], [1.0, 0.0], [3.0, 0.0], [0.0, 3.0]];
+    /// let domain = Domain::polygon(corners, [1, 2, 1, 2].map(Side::count).into())?;
+    /// assert_eq!(domain.straight_runs(), [0, 0, 0, 1, 2, 2]);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn straight_runs(&self) -> Vec<u32> {
+        Turning { placement: &self.placement, straight: &self.straight }.runs()
+    }
+
+    /// Whether the corners of the outer ring were given clockwise, and so were reversed.
     #[must_use]
     pub fn was_reversed(&self) -> bool {
-        self.was_reversed
+        self.turned.contains(&0)
     }
-}
 
-/// Checks the sides of an outline one by one, and gives their intervals.
-fn check_sides(corners: &[DVec2], sides: &[Side]) -> Result<Vec<u64>, DomainError> {
-    if sides.len() != corners.len() {
-        let (corners, sides) = (corners.len(), sides.len());
-        return Err(DomainError::SideCount { corners, sides });
-    }
-    name::check_all(sides.iter().map(|side| side.name.as_deref()))?;
-    let on = |(side, wanted): (usize, &Side)| {
-        wanted.intervals.on(length(corners, side)).map_err(|source| (side, source).into())
-    };
-    let intervals = sides.iter().enumerate().map(on).collect::<Result<Vec<_>, DomainError>>()?;
-    laws(corners, sides, &Boundary::new(&intervals)?)?;
-    Ok(intervals)
-}
-
-/// The spacing laws of all sides, solved.
-fn laws(
-    corners: &[DVec2],
-    sides: &[Side],
-    boundary: &Boundary,
-) -> Result<Vec<SpacingLaw>, DomainError> {
-    let solve = |(side, wanted): (usize, &Side)| {
-        SpacingLaw::solve(&wanted.spacing, boundary.intervals(side), length(corners, side))
-            .map_err(|source| (side, SideError::from(source)).into())
-    };
-    sides.iter().enumerate().map(solve).collect()
-}
-
-fn length(corners: &[DVec2], side: usize) -> f64 {
-    corners[(side + 1) % corners.len()].distance(corners[side])
-}
-
-/// The corners the other way round, from the same first corner.
-fn from_the_same_corner(corners: &[DVec2]) -> Vec<DVec2> {
-    let mut corners = corners.to_vec();
-    corners[1..].reverse();
-    corners
-}
-
-/// The error of a domain whose `count` corners were reversed, with the numbers as given.
-fn as_given(error: DomainError, count: usize) -> DomainError {
-    let side_as_given = |side| count - 1 - side;
-    match error {
-        DomainError::Side { side, source } => {
-            DomainError::Side { side: side_as_given(side), source }
-        }
-        DomainError::Placement(PlacementError::Interval { side, length }) => {
-            PlacementError::Interval { side: side_as_given(side), length }.into()
-        }
-        DomainError::Placement(PlacementError::Corner { corner, distance }) => {
-            PlacementError::Corner { corner: (count - corner) % count, distance }.into()
-        }
-        DomainError::Constraint(error) => error.with_side(side_as_given).into(),
-        error => error,
-    }
-}
-
-impl From<(usize, SideError)> for DomainError {
-    fn from((side, source): (usize, SideError)) -> Self {
-        Self::Side { side, source }
+    /// What was changed of the description, for the user to know: one sentence each.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        let note = |&ring: &usize| {
+            let (way, right) = match ring {
+                0 => ("clockwise", "an outline runs counter-clockwise"),
+                _ => ("counter-clockwise", "a hole runs clockwise"),
+            };
+            format!(
+                "The corners of {} ran {way} and were reversed ({right}, with the domain on its \
+                 left); each side kept its edge.",
+                ring_name(ring)
+            )
+        };
+        self.turned.iter().map(note).collect()
     }
 }
 

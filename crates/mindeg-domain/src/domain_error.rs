@@ -1,29 +1,31 @@
 //! Why an outline and its sides are not a domain: one variant for each concept, which has the
 //! reasons in full.
 
-use mindeg_core::BoundaryError;
-
 use crate::constraints::ConstraintError;
+use crate::intersection::IntersectionError;
 use crate::name::NameError;
 use crate::outline::OutlineError;
 use crate::placement::PlacementError;
+use crate::rings::{InRing, RingsError, ring_name};
 use crate::side::SideError;
 
-/// Why an outline and its sides are not a domain. Sides and corners are counted from 0 here and
-/// from 1 in messages, in the order in which they were given.
+/// Why outlines and their sides are not a domain. Sides and corners are counted in the order in
+/// which they were given, also where a ring was turned.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DomainError {
-    /// Corners that are not those of a convex polygon.
+    /// Corners that are not those of a ring.
     #[error(transparent)]
     Outline(#[from] OutlineError),
     /// Another number of sides than corners.
     #[error(
-        "{sides} {} described and the outline has {corners}; describe each side once",
-        if *sides == 1 { "side is" } else { "sides are" }
+        "{sides} {} described and {} has {corners}; describe each side once",
+        if *sides == 1 { "side is" } else { "sides are" }, ring_name(*ring)
     )]
     SideCount {
-        /// The corners of the outline.
+        /// The ring.
+        ring: usize,
+        /// The corners of the ring.
         corners: usize,
         /// The sides described.
         sides: usize,
@@ -32,16 +34,36 @@ pub enum DomainError {
     #[error(transparent)]
     Name(#[from] NameError),
     /// A side that cannot be divided.
-    #[error("side {}: {source}", side + 1)]
+    #[error("{}: {source}", side.side())]
     Side {
         /// The side.
-        side: usize,
+        side: InRing,
         /// Why.
         source: SideError,
     },
-    /// Interval counts that are no boundary.
+    /// Interval counts that are those of no boundary.
     #[error(transparent)]
-    Boundary(#[from] BoundaryError),
+    Rings(#[from] RingsError),
+    /// Too many points to store, of a domain that is not convex with straight sides.
+    #[error(
+        "the boundary has {vertices} points; a domain that is not convex with straight sides takes at \
+         most {max}; use fewer intervals"
+    )]
+    TooManyStored {
+        /// The points.
+        vertices: u32,
+        /// [`MAX_STORED_VERTICES`](crate::MAX_STORED_VERTICES).
+        max: u32,
+    },
+    /// Not enough memory for the points.
+    #[error("not enough memory for a boundary of {vertices} points; use fewer intervals")]
+    NoMemory {
+        /// The points.
+        vertices: u32,
+    },
+    /// Rings that cross, touch or do not nest.
+    #[error(transparent)]
+    Intersection(#[from] IntersectionError),
     /// Points that 64-bit floats cannot tell apart.
     #[error(transparent)]
     Placement(#[from] PlacementError),

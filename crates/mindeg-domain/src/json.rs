@@ -7,7 +7,9 @@
 
 mod error;
 mod guess;
+mod interior;
 mod keys;
+mod model;
 mod place;
 mod syntax;
 mod value;
@@ -16,6 +18,7 @@ pub use self::error::DomainJsonError;
 
 use self::keys::Description;
 use self::value::Value;
+use crate::build::DomainBuilder;
 use crate::domain::Domain;
 
 impl Domain {
@@ -40,9 +43,11 @@ impl Domain {
     /// | `name` | optional: the domain's name |
     /// | `rectangle` | `width`, `height`, and optionally `origin`, the corner where the bottom starts, and `rotation` in degrees about it. Sides run bottom, right, top, left |
     /// | `polygon` | `corners`, a list of `[x, y]` pairs around the polygon; instead of `rectangle` |
+    /// | `holes` | optional: a list of `{"corners": [[x, y], …], "sides": […], "size": h}`, as for the outline; a size of their own goes before that of the domain |
     /// | `sides` | one entry for each side, from the first corner on; may be left out where `size` says it all |
     /// | `size` | optional: the target interval length of every side that gives neither `intervals` nor `size` nor `parameters` |
     /// | `vertices` | optional: constraints on single vertices, each `{"vertex": v, "outside_degree": d, "max_degree": D}` with one of the last two or both. Vertices have the indices of the mesh: from 0 at the first corner, counter-clockwise, also where the corners are given clockwise |
+    /// | `interior` | optional: what is wanted of a mesh with interior points, see below |
     ///
     /// and in each side, all optional:
     ///
@@ -54,6 +59,19 @@ impl Domain {
     /// | `name` | the side's name; no two sides may have the same |
     /// | `outside_degree` | the external degree of its vertices, which counts their edges on the other side of the boundary and none of the boundary itself: one number for all vertices that are not corners, or a list of one for each from the side's first corner to its last |
     /// | `max_degree` | the degree limit of each of its vertices, corners included: the most edges that they may have, external degree included |
+    ///
+    /// and in `interior`, all optional:
+    ///
+    /// | key | value |
+    /// |---|---|
+    /// | `growth` | how fast the size grows from the boundary: change of size per distance |
+    /// | `size_inside` | the size far from the boundary |
+    /// | `sizes` | a list of `[x, y, h]`: the size is at most h at this place, and grows from there |
+    /// | `interior_degree` | the least and the greatest degree of interior vertices, such as `[5, 7]` |
+    /// | `boundary_degree` | the greatest degree of boundary vertices |
+    /// | `target_angle` | the minimum angle in degrees |
+    /// | `prefer` | `"degree"` or `"angle"`: which wins where one costs the other |
+    /// | `fixed` | `points`, a list of `[x, y]`, and `segments`, a list of lines: each a list of ends, which are `[x, y]` or the index of a fixed point |
     ///
     /// The value `null` counts as left out. Constraints on one vertex in several places count
     /// together: external degrees add up, and the least degree limit holds.
@@ -77,7 +95,7 @@ impl Domain {
     ///         ]
     ///     }"#,
     /// )?;
-    /// assert_eq!(domain.boundary().sides().collect::<Vec<_>>(), [3, 6, 3, 2]);
+    /// assert_eq!(domain.rings().sides().collect::<Vec<_>>(), [3, 6, 3, 2]);
     ///
     /// let error = Domain::from_json(r#"{"rectangle": {"width": 4, "hight": 3}}"#).unwrap_err();
     /// assert_eq!(error.path, "rectangle.hight");
@@ -87,10 +105,17 @@ impl Domain {
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
         // A mark that some Windows programs put before UTF-8 text.
         let text = Value::document(text.strip_prefix('\u{feff}').unwrap_or(text))?;
-        let Description { name, outline, sides, constraints } = keys::description(&text)?;
-        let domain = Self::constrained(outline, sides, constraints).and_then(|domain| match name {
+        let Description { name, outline, sides, holes, constraints, interior } =
+            keys::description(&text)?;
+        let builder = Self::builder(outline, sides).constraints(constraints);
+        let built = holes.into_iter().fold(builder, DomainBuilder::hole).build();
+        let domain = built.and_then(|domain| match name {
             Some(name) => domain.named(name),
             None => Ok(domain),
+        });
+        let domain = domain.map(|domain| match interior {
+            Some(interior) => domain.with_interior(interior),
+            None => domain,
         });
         domain.map_err(|error| place::located(&text, &error))
     }
@@ -122,7 +147,7 @@ mod tests {
         )
         .unwrap();
         assert_eq!(domain.name(), Some("plate"));
-        assert!(domain.boundary().sides().eq([4, 3, 8, 3]));
+        assert!(domain.rings().sides().eq([4, 3, 8, 3]));
         assert_eq!(domain.sides()[0], Side::size(2.0).named("bottom"));
         assert_eq!(domain.sides()[1], Side::count(3).spaced(Spacing::FirstLength(0.5)));
         assert_eq!(domain.sides()[3], Side::parameters(vec![0.25, 0.5]));
@@ -130,7 +155,7 @@ mod tests {
         let text = r#"{"rectangle": {"width": 2, "height": 1, "origin": [5, 6], "rotation": 90}, "size": 0.5}"#;
         for text in [text.to_owned(), format!("\u{feff}{text}\n")] {
             let domain = Domain::from_json(&text).unwrap();
-            assert!(domain.boundary().sides().eq([4, 2, 4, 2]));
+            assert!(domain.rings().sides().eq([4, 2, 4, 2]));
             assert_eq!(domain.placement().corners()[1], DVec2::new(5.0, 8.0));
         }
     }
@@ -275,10 +300,10 @@ mod tests {
     fn says_what_is_wrong_with_a_domain() {
         #[rustfmt::skip]
         let table = [
-            (r#"3"#, r#"line 1, column 1: found the number 3, expected an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices""#),
-            (r#"true"#, r#"line 1, column 1: found true, expected an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices""#),
-            (r#"[]"#, r#"line 1, column 1: found a list; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices"; the corners of a polygon go into "polygon": {"corners": [[x, y], …]}"#),
-            (r#"[[0, 0], [4, 0], [0, 3]]"#, r#"line 1, column 1: found a list; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices"; the corners of a polygon go into "polygon": {"corners": [[x, y], …]}"#),
+            (r#"3"#, r#"line 1, column 1: found the number 3, expected an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices""#),
+            (r#"true"#, r#"line 1, column 1: found true, expected an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices""#),
+            (r#"[]"#, r#"line 1, column 1: found a list; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices"; the corners of a polygon go into "polygon": {"corners": [[x, y], …]}"#),
+            (r#"[[0, 0], [4, 0], [0, 3]]"#, r#"line 1, column 1: found a list; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices"; the corners of a polygon go into "polygon": {"corners": [[x, y], …]}"#),
             (r#"{}"#, r#"line 1, column 1: the outline is missing; give "rectangle": {"width": w, "height": h} or "polygon": {"corners": [[x, y], …]}"#),
             (r#"{"polygon": [[0, 0], [1, 0]]}"#, r#"line 1, column 13, polygon: found a list, expected {"corners": [[x, y], …]}"#),
             (r#"{"polygon": [[[0, 0], [4, 0], [0, 3]]]}"#, r#"line 1, column 13, polygon: found a list, expected {"corners": [[x, y], …]}"#),
@@ -323,10 +348,10 @@ mod tests {
             (r#"{"size": 1, "rectangle": {"width": 1e101, "height": 1}}"#, r#"line 1, column 26, rectangle: a corner of the rectangle is at (1e101, 0.0); coordinates must be finite and at most 1e100 in size; use another unit of length"#),
             (r#"{"size": 1, "rectangle": {"width": 1e-13, "height": 1}, "sides": [{"intervals": 99}, {}, {}, {}]}"#, r#"line 1, column 26, rectangle: corner 1: the points next to it are 1.0e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin"#),
             (r#"{"size": 1e9, "rectangle": {"width": 1, "height": 1e-15}}"#, r#"line 1, column 51, rectangle.height: the rectangle's height is 1e-15, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"#),
-            ("{\"size\": 1, \"polygon\": {\"corners\":\n[[0,0],[1,0],\n[2,0],[0,1]]}}", r#"line 2, column 8, polygon.corners[1]: corner 2 at (1.0, 0.0) is straight (180°); every corner must turn; drop this corner, so that its two sides become one"#),
+            ("{\"size\": 1, \"polygon\": {\"corners\":\n[[0,0],[3,0],\n[1,0],[0,1]]}}", r#"line 2, column 8, polygon.corners[1]: the boundary folds back on itself at corner 2 at (3.0, 0.0) (0°); drop the point or move it"#),
             (r#"{"size": 1, "polygon": {"corners": [[0,0],[4,0],[4,1e-17],[0,3]]}}"#, r#"line 1, column 49, polygon.corners[2]: corners 2 and 3 coincide: their distance is 1.0e-17, and the minimum at these coordinates is 7.1e-15; drop one of them"#),
             (r#"{"size": 1, "polygon": {"corners": [[0,0],[4,0],[0,3],[0,0]]}}"#, r#"line 1, column 37, polygon.corners[0]: corners 4 and 1 are the same point (0.0, 0.0); give each corner once (the outline closes by itself)"#),
-            (r#"{"size": 1, "polygon": {"corners": [[0,0],[4,0],[1,1],[0,4]]}}"#, r#"line 1, column 49, polygon.corners[2]: corner 3 at (1.0, 1.0) is reflex (233.130102°); every corner must turn the same way"#),
+            (r#"{"size": 9, "polygon": {"corners": [[0,0],[4,0],[1,1],[4,4],[2,0],[0,2]]}}"#, r#"line 1, column 61, polygon.corners[4]: corner 5 at (2.0, 0.0) lies on side 1; rings may not touch: move the point off, or split the ring there"#),
         ];
         for (text, message) in table {
             check(text, message);
@@ -372,10 +397,10 @@ mod tests {
             ("solid cube", r#"line 1, column 1: this looks like an STL mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
             ("# vtk DataFile Version 3.0", r#"line 1, column 1: this looks like a VTK mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
             ("OFF\n8 6 0", r#"line 1, column 1: this looks like an OFF mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-            ("{\"type\": \"FeatureCollection\", \"features\": []}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices""#),
-            ("{\"type\": \"Polygon\", \"coordinates\": [[[0, 0]]]}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices""#),
-            ("{\"type\": \"MultiPolygon\", \"coordinates\": []}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices""#),
-            ("{\"asset\": {\"version\": \"2.0\"}, \"meshes\": []}", r#"line 1, column 1: this looks like a glTF mesh (mindeg inspect reads meshes); a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "vertices""#),
+            ("{\"type\": \"FeatureCollection\", \"features\": []}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices""#),
+            ("{\"type\": \"Polygon\", \"coordinates\": [[[0, 0]]]}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices""#),
+            ("{\"type\": \"MultiPolygon\", \"coordinates\": []}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices""#),
+            ("{\"asset\": {\"version\": \"2.0\"}, \"meshes\": []}", r#"line 1, column 1: this looks like a glTF mesh (mindeg inspect reads meshes); a domain is an object with "rectangle" or "polygon", and "sides" or "size"; optional: "name", "holes", "vertices""#),
         ];
         for (text, message) in table {
             check(text, message);

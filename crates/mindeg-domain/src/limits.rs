@@ -16,6 +16,10 @@ pub const LEAST_SHARE: f64 = 1e-12;
 /// The two sides at a corner and its own entry give three times as much at most, which is a u32.
 pub const GREATEST_EXTERNAL_DEGREE: u32 = 1_000_000_000;
 
+/// The most boundary vertices of a domain whose points are stored one by one: one with holes, with
+/// reflex corners, or with sides that are not straight. Checking them takes some 60 bytes each.
+pub const MAX_STORED_VERTICES: u32 = 1 << 26;
+
 /// A corner that turns by less, in radians, is straight: 0.2 mm in 200 km.
 pub(crate) const LEAST_TURN: f64 = 1e-9;
 

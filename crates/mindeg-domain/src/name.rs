@@ -5,7 +5,9 @@
 
 use std::collections::BTreeMap;
 
-/// Why names cannot be used. Sides are counted from 0 here and from 1 in messages.
+use crate::rings::InRing;
+
+/// Why names cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NameError {
@@ -13,7 +15,7 @@ pub enum NameError {
     #[error("{} is blank; give it a letter or leave it out", whose(*side))]
     Blank {
         /// The side with that name; the domain itself if `None`.
-        side: Option<usize>,
+        side: Option<InRing>,
     },
     /// A name with a character that mesh files or terminals do not take as text.
     #[error(
@@ -22,27 +24,35 @@ pub enum NameError {
     )]
     Character {
         /// The side with that name; the domain itself if `None`.
-        side: Option<usize>,
+        side: Option<InRing>,
         /// The character.
         character: char,
     },
     /// Two sides of the same name.
     #[error(
-        "sides {} and {} are both named {name:?}; names become groups in mesh files and must differ",
-        first + 1, second + 1
+        "{} are both named {name:?}; names become groups in mesh files and must differ",
+        both(*first, *second)
     )]
     Repeated {
         /// The one.
-        first: usize,
+        first: InRing,
         /// The other.
-        second: usize,
+        second: InRing,
         /// Their name.
         name: String,
     },
 }
 
-fn whose(side: Option<usize>) -> String {
-    side.map_or("the domain's name".to_owned(), |side| format!("the name of side {}", side + 1))
+fn whose(side: Option<InRing>) -> String {
+    side.map_or("the domain's name".to_owned(), |side| format!("the name of {}", side.side()))
+}
+
+fn both(first: InRing, second: InRing) -> String {
+    if first.ring == second.ring {
+        format!("sides {} and {}", first.index + 1, second.named_last())
+    } else {
+        format!("{} and {}", first.side(), second.side())
+    }
 }
 
 fn kind(character: char) -> &'static str {
@@ -59,7 +69,7 @@ fn turns_direction(character: char) -> bool {
 }
 
 /// Checks the name of a side, or of the domain if there is no side.
-pub(crate) fn check(name: &str, side: Option<usize>) -> Result<(), NameError> {
+pub(crate) fn check(name: &str, side: Option<InRing>) -> Result<(), NameError> {
     if name.trim().is_empty() {
         return Err(NameError::Blank { side });
     }
@@ -75,9 +85,11 @@ pub(crate) fn check(name: &str, side: Option<usize>) -> Result<(), NameError> {
 }
 
 /// Checks the names of all sides. O(k log k).
-pub(crate) fn check_all<'a>(names: impl Iterator<Item = Option<&'a str>>) -> Result<(), NameError> {
+pub(crate) fn check_all<'a>(
+    names: impl Iterator<Item = (InRing, Option<&'a str>)>,
+) -> Result<(), NameError> {
     let mut sides = BTreeMap::new();
-    for (side, name) in names.enumerate() {
+    for (side, name) in names {
         let Some(name) = name else { continue };
         check(name, Some(side))?;
         if let Some(first) = sides.insert(name, side) {
@@ -112,14 +124,21 @@ mod tests {
         for (name, message) in table {
             assert_eq!(check(name, None).unwrap_err().to_string(), message);
         }
-        let names = [Some("a"), None, Some("b"), Some("a")];
-        assert_eq!(
-            check_all(names.into_iter()).unwrap_err().to_string(),
-            "sides 1 and 4 are both named \"a\"; names become groups in mesh files and must differ"
-        );
-        assert_eq!(
-            check_all([None, Some("\n")].into_iter()).unwrap_err().to_string(),
-            "the name of side 2 is blank; give it a letter or leave it out"
-        );
+        let message = |names: &[(usize, usize, Option<&'static str>)]| {
+            let names = names.iter().map(|&(ring, index, name)| (InRing { ring, index }, name));
+            check_all(names).unwrap_err().to_string()
+        };
+        let differ = "names become groups in mesh files and must differ";
+        #[rustfmt::skip]
+        let table = [
+            (message(&[(0, 0, Some("a")), (0, 1, None), (0, 2, Some("b")), (0, 3, Some("a"))]), format!("sides 1 and 4 are both named \"a\"; {differ}")),
+            (message(&[(0, 1, Some("a")), (2, 0, Some("a"))]), format!("side 2 and side 1 of hole 2 are both named \"a\"; {differ}")),
+            (message(&[(2, 1, Some("a")), (2, 3, Some("a"))]), format!("sides 2 and 4 of hole 2 are both named \"a\"; {differ}")),
+            (message(&[(0, 0, None), (0, 1, Some("\n"))]), "the name of side 2 is blank; give it a letter or leave it out".to_owned()),
+            (message(&[(1, 0, Some(" "))]), "the name of side 1 of hole 1 is blank; give it a letter or leave it out".to_owned()),
+        ];
+        for (found, expected) in table {
+            assert_eq!(found, expected);
+        }
     }
 }

@@ -1,32 +1,35 @@
-//! Where the boundary vertices are: straight sides between corners, and a law on each.
+//! Where the boundary vertices are.
 //!
-//! Points are closed forms, O(log k) each for k sides and nothing stored, so a boundary of
-//! billions of vertices takes no more memory than its sides.
+//! Of a convex domain with straight sides, points are closed forms, O(log k) each for k sides and
+//! nothing stored, so a boundary of billions of vertices takes no more memory than its sides. Of any
+//! other domain the points are stored.
 //!
 //! Limits: the checks keep points apart. A triangle of three distinct points may yet be so thin
 //! that rounding turns it over; meshing refuses to give one.
 
 use glam::{DVec2, DVec3};
-use mindeg_core::Boundary;
 use mindeg_mesh::{Bounds, Positions};
 
 use crate::limits::LEAST_ROUNDINGS;
+use crate::rings::{InRing, Rings};
 use crate::spacing_law::SpacingLaw;
 
-/// The positions of all boundary vertices, counter-clockwise from the first corner.
+/// The positions of all boundary vertices, ring by ring, from the first corner of each.
 ///
 /// A [`Domain`](crate::Domain) has one, in [`Domain::placement`](crate::Domain::placement).
 ///
 /// # What is promised of the rounded points
 ///
-/// Corners are exactly where they were put, points of a side that is parallel to an axis lie
-/// exactly on it, and no two points coincide:
+/// Corners and points given one by one are exactly where they were put, points of a straight side
+/// that is parallel to an axis lie exactly on it, and no two points coincide:
 ///
-/// - Along a side, the shortest interval is checked to be longer than what rounding at the
+/// - Along a straight side, the shortest interval is checked to be longer than what rounding at the
 ///   side's coordinates can move a point.
-/// - Points of two sides can come close at a corner only. There the nearest point of either side
-///   is checked to be farther from the line of the other side than rounding can move it. The
-///   other points of the sides are farther still, and in a convex polygon so are all other sides.
+/// - If the domain is convex and its sides straight, points of two sides can come close at a corner
+///   only. There the nearest point of either side is checked to be farther from the line of the
+///   other side than rounding can move it. The other points of the sides are farther still, and in a
+///   convex polygon so are all other sides.
+/// - In any other domain all points are checked: rings are simple and apart, exactly.
 ///
 /// # Example
 ///
@@ -44,143 +47,169 @@ use crate::spacing_law::SpacingLaw;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
-    boundary: Boundary,
+    rings: Rings,
+    /// Of all rings; corner `s` is where side `s` starts.
     corners: Vec<DVec2>,
-    laws: Vec<SpacingLaw>,
+    points: Points,
 }
 
-/// Why boundary vertices cannot be placed: 64-bit floats do not tell two of them apart. Sides and
-/// corners are counted from 0 here and from 1 in messages.
+#[derive(Clone, Debug, PartialEq)]
+enum Points {
+    /// On straight sides, by the law of each.
+    Formula(Vec<SpacingLaw>),
+    /// One by one, with the length of each side.
+    Stored { points: Vec<DVec2>, lengths: Vec<f64> },
+}
+
+/// Why boundary vertices cannot be placed: 64-bit floats do not tell two of them apart.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlacementError {
     /// The shortest interval of a side is too short for the coordinates at which it lies.
     #[error(
-        "side {}: its shortest interval is {length:.1e} long, too short to be told from nothing at \
+        "{}: its shortest interval is {length:.1e} long, too short to be told from nothing at \
          the size of the side's coordinates; use fewer intervals or a gentler law, or move the \
          domain towards the origin",
-        side + 1
+        side.side()
     )]
     Interval {
         /// The side.
-        side: usize,
+        side: InRing,
         /// The length of the interval.
         length: f64,
     },
     /// Two sides are so close next to a corner that their points coincide.
     #[error(
-        "corner {}: the points next to it are {distance:.1e} from the other side, too close to be \
+        "{}: the points next to it are {distance:.1e} from the other side, too close to be \
          told apart at the size of the coordinates; make the intervals there longer or the angle \
          larger, or move the domain towards the origin",
-        corner + 1
+        corner.corner()
     )]
     Corner {
         /// The corner.
-        corner: usize,
+        corner: InRing,
         /// The distance.
         distance: f64,
     },
 }
 
 impl Placement {
-    /// Corner `s` is where side `s` starts. As many `corners` as `laws`, as many as the
-    /// boundary has sides and with its intervals; the corners are those of a convex polygon,
-    /// counter-clockwise.
-    pub(crate) fn new(
-        boundary: Boundary,
-        corners: Vec<DVec2>,
-        laws: Vec<SpacingLaw>,
-    ) -> Result<Self, PlacementError> {
-        let placement = Self { boundary, corners, laws };
-        for side in 0..placement.corners.len() {
-            placement.check_intervals(side)?;
-            placement.check_corner(side)?;
-        }
-        Ok(placement)
+    /// Points on straight sides. As many `corners` as `laws`, as many as there are sides and with
+    /// their intervals.
+    pub(crate) fn straight(rings: Rings, corners: Vec<DVec2>, laws: Vec<SpacingLaw>) -> Self {
+        Self { rings, corners, points: Points::Formula(laws) }
     }
 
-    /// The rounded points of a side are in order along the coordinate in which it is longest,
-    /// since rounding never swaps two numbers. That they differ is what is checked.
-    fn check_intervals(&self, side: usize) -> Result<(), PlacementError> {
-        let span = (self.side_end(side) - self.corners[side]).abs();
+    /// Points one by one, and the length of each side.
+    pub(crate) fn stored(rings: Rings, points: Vec<DVec2>, lengths: Vec<f64>) -> Self {
+        let corners = (0..rings.side_count()).map(|side| points[rings.corner(side) as usize]);
+        Self { corners: corners.collect(), rings, points: Points::Stored { points, lengths } }
+    }
+
+    /// The rounded points of a straight side are in order along the coordinate in which it is
+    /// longest, since rounding never swaps two numbers. That they differ is what is checked.
+    pub(crate) fn check_intervals(
+        start: DVec2,
+        end: DVec2,
+        law: &SpacingLaw,
+        side: InRing,
+    ) -> Result<(), PlacementError> {
+        let span = (end - start).abs();
         let axis = usize::from(span.y > span.x);
-        let (_, share) = self.laws[side].shortest();
-        if share * span[axis] >= LEAST_ROUNDINGS * self.rounding(side)[axis] {
+        let (_, share) = law.shortest();
+        if share * span[axis] >= LEAST_ROUNDINGS * rounding(start, end)[axis] {
             return Ok(());
         }
-        Err(PlacementError::Interval { side, length: share * self.side_length(side) })
+        Err(PlacementError::Interval { side, length: share * start.distance(end) })
     }
 
-    /// At corner `side`, where `side` starts and the one before it ends.
-    fn check_corner(&self, side: usize) -> Result<(), PlacementError> {
-        let before = (side + self.corners.len() - 1) % self.corners.len();
-        let law = &self.laws[before];
-        let last = (1.0 - law.parameter(law.intervals() - 1)) * self.side_length(before);
-        let first = self.laws[side].parameter(1) * self.side_length(side);
-        let incoming = (self.corners[side] - self.corners[before]).normalize();
-        let outgoing = (self.side_end(side) - self.corners[side]).normalize();
-        let distance = last.min(first) * incoming.perp_dot(outgoing);
-        let rounding = self.rounding(before).max(self.rounding(side)).max_element();
-        if distance >= LEAST_ROUNDINGS * rounding {
-            return Ok(());
+    /// Checks that no points coincide next to the corners of a convex domain, either way round; at
+    /// a straight corner none can.
+    pub(crate) fn check_corners(
+        &self,
+        is_straight: impl Fn(usize) -> bool,
+    ) -> Result<(), PlacementError> {
+        let Points::Formula(laws) = &self.points else { return Ok(()) };
+        for side in (0..self.corners.len()).filter(|&side| !is_straight(side)) {
+            let before = self.rings.previous_side(side);
+            let law = &laws[before];
+            let last = (1.0 - law.parameter(law.intervals() - 1)) * self.side_length(before);
+            let first = laws[side].parameter(1) * self.side_length(side);
+            let incoming = (self.corners[side] - self.corners[before]).normalize();
+            let outgoing = (self.end(side) - self.corners[side]).normalize();
+            let distance = last.min(first) * incoming.perp_dot(outgoing).abs();
+            let rounding = |side| rounding(self.corners[side], self.end(side));
+            let rounding = rounding(before).max(rounding(side)).max_element();
+            if distance < LEAST_ROUNDINGS * rounding {
+                return Err(PlacementError::Corner { corner: self.rings.in_ring(side), distance });
+            }
         }
-        Err(PlacementError::Corner { corner: side, distance })
+        Ok(())
     }
 
-    /// A bound on the rounding of the coordinates of a side's points.
-    fn rounding(&self, side: usize) -> DVec2 {
-        self.corners[side].abs().max(self.side_end(side).abs()) * f64::EPSILON
+    /// Where a side ends.
+    fn end(&self, side: usize) -> DVec2 {
+        self.corners[self.rings.next_side(side)]
     }
 
-    fn side_end(&self, side: usize) -> DVec2 {
-        self.corners[(side + 1) % self.corners.len()]
-    }
-
-    /// The boundary whose vertices these are the positions of.
+    /// The rings whose vertices these are the positions of.
     #[must_use]
-    pub fn boundary(&self) -> &Boundary {
-        &self.boundary
+    pub fn rings(&self) -> &Rings {
+        &self.rings
     }
 
     /// The number of boundary vertices n.
     #[must_use]
     pub fn vertex_count(&self) -> u32 {
-        self.boundary.vertex_count()
+        self.rings.vertex_count()
     }
 
-    /// The corners, counter-clockwise; corner `s` is where side `s` starts.
+    /// The corners of all rings; corner `s` is where side `s` starts.
     #[must_use]
     pub fn corners(&self) -> &[DVec2] {
         &self.corners
     }
 
-    /// The length of a side.
+    /// The length of a side; along the curve, if it is one.
     ///
     /// # Panics
     ///
     /// When `side` is not below the number of sides.
     #[must_use]
     pub fn side_length(&self, side: usize) -> f64 {
-        self.side_end(side).distance(self.corners[side])
+        match &self.points {
+            Points::Formula(_) => self.end(side).distance(self.corners[side]),
+            Points::Stored { lengths, .. } => lengths[side],
+        }
     }
 
-    /// The position of a vertex. O(log k).
+    /// The position of a vertex. O(log k), O(1) if the points are stored.
     ///
     /// # Panics
     ///
     /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
-        let side = self.points_on(self.boundary.side_of(vertex));
-        side.point(vertex - side.first)
+        match &self.points {
+            Points::Stored { points, .. } => points[vertex as usize],
+            Points::Formula(laws) => {
+                let side = self.points_on(self.rings.side_of(vertex), laws);
+                side.point(vertex - side.first)
+            }
+        }
     }
 
-    /// The positions of all vertices in order, side by side. O(1) each.
+    /// The positions of all vertices in order, ring by ring. O(1) each.
     pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
-        (0..self.corners.len()).flat_map(move |side| {
-            let side = self.points_on(side);
-            (0..side.law.intervals()).map(move |index| side.point(index))
-        })
+        let (laws, points) = match &self.points {
+            Points::Formula(laws) => (&laws[..], &[][..]),
+            Points::Stored { points, .. } => (&[][..], &points[..]),
+        };
+        let on_sides = laws.iter().enumerate().flat_map(move |(side, law)| {
+            let side = self.points_on(side, laws);
+            (0..law.intervals()).map(move |index| side.point(index))
+        });
+        on_sides.chain(points.iter().copied())
     }
 
     /// Writes the positions of the vertices from `first` on into `out`, as many as it holds. Much
@@ -211,7 +240,15 @@ impl Placement {
         if out.is_empty() {
             return;
         }
-        let sides = (self.boundary.side_of(first)..).map(|side| self.points_on(side));
+        let laws = match &self.points {
+            Points::Formula(laws) => laws,
+            Points::Stored { points, .. } => {
+                let points = &points[first as usize..][..out.len()];
+                points.iter().zip(out).for_each(|(&point, out)| *out = of(point));
+                return;
+            }
+        };
+        let sides = (self.rings.side_of(first)..).map(|side| self.points_on(side, laws));
         let mut vertex = first;
         for side in sides {
             let index = vertex - side.first;
@@ -229,33 +266,56 @@ impl Placement {
     /// at a time, as those of a strip do.
     #[must_use]
     pub fn walk(&self) -> Walk<'_> {
-        Walk { placement: self, sides: [0, 1].map(|side| self.points_on(side)), last: 0 }
+        let sides = match &self.points {
+            Points::Formula(laws) => Some([0, 1].map(|side| self.points_on(side, laws))),
+            Points::Stored { .. } => None,
+        };
+        Walk { placement: self, sides, last: 0 }
     }
 
-    fn points_on(&self, side: usize) -> SidePoints<'_> {
+    fn points_on<'a>(&self, side: usize, laws: &'a [SpacingLaw]) -> SidePoints<'a> {
         let start = self.corners[side];
         SidePoints {
-            first: self.boundary.corner(side),
+            first: self.rings.corner(side),
             start,
-            span: self.side_end(side) - start,
-            law: &self.laws[side],
+            span: self.end(side) - start,
+            law: &laws[side],
         }
     }
 
-    /// The smallest box around the domain. O(k).
+    /// The smallest box around the domain. O(k), O(n) if the points are stored.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        Bounds::of(self.corners.iter().copied()).expect("a polygon has corners")
+        let bounds = match &self.points {
+            Points::Formula(_) => Bounds::of(self.corners.iter().copied()),
+            Points::Stored { points, .. } => Bounds::of(points.iter().copied()),
+        };
+        bounds.expect("a ring has points")
     }
 
-    /// The area of the domain, in square units. O(k).
+    /// The area of the domain, holes left out, in square units. O(k), O(n) if the points are
+    /// stored.
     #[must_use]
     pub fn area(&self) -> f64 {
-        // Relative to a corner, so that nothing cancels far from the origin.
-        let origin = self.corners[0];
-        let fan = self.corners[1..].windows(2);
-        fan.map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum::<f64>() / 2.0
+        // Relative to a point, so that nothing cancels far from the origin.
+        let of_ring = |points: &[DVec2]| {
+            let fan = points[1..].windows(2);
+            let origin = points[0];
+            fan.map(|pair| (pair[0] - origin).perp_dot(pair[1] - origin)).sum::<f64>() / 2.0
+        };
+        match &self.points {
+            Points::Formula(_) => of_ring(&self.corners),
+            Points::Stored { points, .. } => {
+                let rings = self.rings.rings();
+                rings.map(|ring| of_ring(&points[ring.start as usize..ring.end as usize])).sum()
+            }
+        }
     }
+}
+
+/// A bound on the rounding of the coordinates of a side's points.
+fn rounding(start: DVec2, end: DVec2) -> DVec2 {
+    start.abs().max(end.abs()) * f64::EPSILON
 }
 
 /// In the plane z = 0.
@@ -273,23 +333,23 @@ impl Positions for Placement {
     }
 
     fn is_ring(&self) -> bool {
-        true
+        self.rings.ring_count() == 1
     }
 }
 
-/// The points of one side.
+/// The points of one straight side.
 #[derive(Clone, Copy)]
-struct SidePoints<'a> {
+pub(crate) struct SidePoints<'a> {
     /// The vertex where the side starts.
-    first: u32,
-    start: DVec2,
-    span: DVec2,
-    law: &'a SpacingLaw,
+    pub(crate) first: u32,
+    pub(crate) start: DVec2,
+    pub(crate) span: DVec2,
+    pub(crate) law: &'a SpacingLaw,
 }
 
 impl SidePoints<'_> {
     /// Point `i`, below the number of intervals.
-    fn point(&self, i: u32) -> DVec2 {
+    pub(crate) fn point(&self, i: u32) -> DVec2 {
         self.start + self.law.parameter(i) * self.span
     }
 
@@ -317,8 +377,8 @@ impl SidePoints<'_> {
 #[derive(Clone)]
 pub struct Walk<'a> {
     placement: &'a Placement,
-    /// The last two different sides that were asked for.
-    sides: [SidePoints<'a>; 2],
+    /// The last two different sides that were asked for; none if the points are stored.
+    sides: Option<[SidePoints<'a>; 2]>,
     /// Which of them was the last.
     last: usize,
 }
@@ -326,15 +386,18 @@ pub struct Walk<'a> {
 impl Walk<'_> {
     /// The position of a vertex below the vertex count.
     pub fn point(&mut self, vertex: u32) -> DVec2 {
+        let (Some(sides), Points::Formula(laws)) = (&mut self.sides, &self.placement.points) else {
+            return self.placement.point(vertex);
+        };
         for slot in [self.last, 1 - self.last] {
-            if let Some(index) = self.sides[slot].index(vertex) {
+            if let Some(index) = sides[slot].index(vertex) {
                 self.last = slot;
-                return self.sides[slot].point(index);
+                return sides[slot].point(index);
             }
         }
         self.last = 1 - self.last;
-        let side = self.placement.points_on(self.placement.boundary.side_of(vertex));
-        self.sides[self.last] = side;
+        let side = self.placement.points_on(self.placement.rings.side_of(vertex), laws);
+        sides[self.last] = side;
         side.point(vertex - side.first)
     }
 }
@@ -346,14 +409,20 @@ mod tests {
 
     fn place(corners: &[[f64; 2]], spacing: &Spacing, m: u32) -> Result<Placement, PlacementError> {
         let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();
-        let laws = (0..corners.len())
+        let laws: Vec<SpacingLaw> = (0..corners.len())
             .map(|s| {
                 let length = corners[(s + 1) % corners.len()].distance(corners[s]);
                 SpacingLaw::solve(spacing, m, length).unwrap()
             })
             .collect();
-        let boundary = Boundary::new(&vec![u64::from(m); corners.len()]).unwrap();
-        Placement::new(boundary, corners, laws)
+        let rings = Rings::new(&[vec![u64::from(m); corners.len()]]).unwrap();
+        for (index, law) in laws.iter().enumerate() {
+            let (start, end) = (corners[index], corners[(index + 1) % corners.len()]);
+            Placement::check_intervals(start, end, law, InRing { ring: 0, index })?;
+        }
+        let placement = Placement::straight(rings, corners, laws);
+        placement.check_corners(|_| false)?;
+        Ok(placement)
     }
 
     const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -409,7 +478,8 @@ mod tests {
         assert!(place(&far(0.0), &dense, 4).is_ok());
         assert!(place(&far(1e5), &dense, 4).is_ok());
         let refused = place(&far(1e7), &dense, 4).unwrap_err();
-        let PlacementError::Interval { side: 0, length } = refused else {
+        let PlacementError::Interval { side: InRing { ring: 0, index: 0 }, length } = refused
+        else {
             panic!("{refused:?}");
         };
         assert!((length - 1e-9).abs() < 1e-11);
@@ -417,6 +487,9 @@ mod tests {
         let needle = |width: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, width]];
         assert!(place(&needle(1e-9), &Spacing::Uniform, 10).is_ok());
         let refused = place(&needle(1e-14), &Spacing::Uniform, 10).unwrap_err();
-        assert!(matches!(refused, PlacementError::Corner { corner: 0, .. }), "{refused:?}");
+        assert!(
+            matches!(refused, PlacementError::Corner { corner: InRing { ring: 0, index: 0 }, .. }),
+            "{refused:?}"
+        );
     }
 }

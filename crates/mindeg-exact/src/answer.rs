@@ -72,7 +72,7 @@ pub fn best_angle(
     let chords = problem.chords(progress)?;
     let is_possible = match closed_form(problem) {
         Some(least) => max_degree >= least,
-        None => any_triangulation(problem, &chords, max_degree, progress)?.is_some(),
+        None => any_triangulation(problem, &chords, max_degree, 0.0, progress)?.is_some(),
     };
     match problem.degree_limits(max_degree) {
         Some(limits) if is_possible => {

@@ -10,14 +10,15 @@
 //! The best S comes from a matching of edges to apexes: if a further edge finds no place, the edges
 //! and apexes that alternating paths reach from it are S and A (Hall).
 
-use crate::chords::{Chords, Lists};
+use crate::chords::Lists;
+use mindeg_mesh::parallel::sort_all;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
 /// Boundary edges and all vertices that can be their apexes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ApexBound {
-    /// The edges, from vertex `e` to the next one; none is a side of an ear.
+    /// The edges, from vertex `e` to the next one of its ring; none is a side of an ear.
     pub edges: Vec<u32>,
     /// The vertices that see both ends of one of them.
     pub apexes: Vec<u32>,
@@ -46,10 +47,11 @@ struct Matching {
     apex_level: Vec<u32>,
 }
 
-/// The best bound of this kind above degree 4. At most O(chords * sqrt(vertices)) times the bound,
-/// by Hopcroft and Karp's phases.
-pub(crate) fn apex_bound(chords: &Chords) -> Option<ApexBound> {
-    let mut matching = Matching::new(chords);
+/// The best bound of this kind above degree 4, from the next vertex of each on its ring and all edges
+/// that a triangulation may have. At most O(edges * sqrt(vertices)) times the bound, by Hopcroft and
+/// Karp's phases.
+pub(crate) fn apex_bound(next: &[u32], edges: impl Iterator<Item = [u32; 2]>) -> Option<ApexBound> {
+    let mut matching = Matching::new(next, edges);
     let mut best = None;
     let mut capacity = 1;
     loop {
@@ -69,14 +71,16 @@ pub(crate) fn apex_bound(chords: &Chords) -> Option<ApexBound> {
 }
 
 impl Matching {
-    fn new(chords: &Chords) -> Self {
-        let n = chords.vertex_count() as u32;
-        let [up_counts, down_counts] = chords.end_counts();
-        let counts: Vec<u32> = up_counts.iter().zip(&down_counts).map(|(a, b)| a + b).collect();
+    fn new(next: &[u32], edges: impl Iterator<Item = [u32; 2]>) -> Self {
+        let n = next.len() as u32;
+        let mut pairs: Vec<[u32; 2]> = edges.flat_map(|[i, j]| [[i, j], [j, i]]).collect();
+        sort_all(&mut pairs);
+        let mut counts = vec![0; next.len()];
+        pairs.iter().for_each(|&[from, _]| counts[from as usize] += 1);
         let mut neighbours = Lists::new(&counts);
-        let mut pairs: Vec<[u32; 2]> = chords.ends().flat_map(|[i, j]| [[i, j], [j, i]]).collect();
-        pairs.sort_unstable();
         pairs.iter().for_each(|&[from, to]| neighbours.push(from, to));
+        let mut previous = vec![0; next.len()];
+        (0..n).zip(next).for_each(|(from, &to)| previous[to as usize] = from);
         let joins = |a: u32, b: u32| neighbours.of(a).binary_search(&b).is_ok();
         let mut matching = Self {
             edges: Vec::new(),
@@ -88,8 +92,8 @@ impl Matching {
             apex_level: vec![UNSEEN; n as usize],
         };
         for from in 0..n {
-            let to = (from + 1) % n;
-            if joins((from + n - 1) % n, to) || joins(from, (to + 1) % n) {
+            let to = next[from as usize];
+            if joins(previous[from as usize], to) || joins(from, next[to as usize]) {
                 continue;
             }
             matching.edges.push(from);
@@ -209,8 +213,14 @@ impl Matching {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chords::Sides;
+    use crate::chords::{Chords, Sides};
     use mindeg_core::{Boundary, least_max_degree};
+
+    fn of_chords(chords: &Chords) -> Option<ApexBound> {
+        let n = chords.vertex_count() as u32;
+        let next: Vec<u32> = (0..n).map(|vertex| (vertex + 1) % n).collect();
+        apex_bound(&next, chords.ends())
+    }
 
     /// Every apex of the edges is in the bound.
     fn check(chords: &Chords, bound: &ApexBound) {
@@ -236,7 +246,7 @@ mod tests {
             let boundary = Boundary::new(sides).unwrap();
             let n = boundary.vertex_count() as usize;
             let chords = Chords::all(n, &Sides::of_boundary(&boundary));
-            let bound = apex_bound(&chords).unwrap();
+            let bound = of_chords(&chords).unwrap();
             check(&chords, &bound);
             assert_eq!(least_max_degree(&boundary), least, "{sides:?}");
             assert_eq!(bound.max_degree(), least, "{sides:?}");
@@ -251,7 +261,7 @@ mod tests {
                     let boundary = Boundary::new(&[a, b, c, 2]).unwrap();
                     let n = boundary.vertex_count() as usize;
                     let chords = Chords::all(n, &Sides::of_boundary(&boundary));
-                    if let Some(bound) = apex_bound(&chords) {
+                    if let Some(bound) = of_chords(&chords) {
                         check(&chords, &bound);
                         assert!(bound.max_degree() > 4);
                         assert!(bound.max_degree() <= least_max_degree(&boundary));

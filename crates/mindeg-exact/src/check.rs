@@ -1,173 +1,224 @@
-//! A checker for triangulations of any polygon, with or without holes; it shares nothing with
-//! the solver but the predicate [`robust::orient2d`].
+//! Checkers for what proves a least maximum degree, from the points and rings alone; they share nothing
+//! with the solver but the predicate [`robust::orient2d`]. [`mindeg_mesh::check`] checks the
+//! triangulation that reaches the degree.
 //!
-//! Triangles that are all counter-clockwise, that have every ring edge once in the ring's direction
-//! and every other edge once in each direction, cover every point as often as the rings wind
-//! around it: where the rings bound a domain, they are a triangulation of it.
+//! A chord is admissible if it lies inside, touches no vertex on its way, and no straight side has both
+//! of its ends. The checkers test that against every boundary edge.
+//!
+//! Limits: an exhaustive search leaves nothing to check but its repetition.
 
+use crate::apex::ApexBound;
 use glam::DVec2;
 use robust::{Coord, orient2d};
-use std::collections::BTreeMap;
-use thiserror::Error;
+use std::ops::Range;
 
-/// The degrees of a correct triangulation.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Checked {
-    /// The number of edges at each vertex, boundary edges included.
-    pub degrees: Vec<u32>,
-    /// The largest of them.
-    pub max_degree: u32,
-}
-
-/// Why triangles are not a triangulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum CheckError {
-    /// A ring or a triangle has a vertex without a point.
-    #[error("vertex {vertex} has no point")]
-    NoSuchVertex {
-        /// The vertex.
-        vertex: u32,
-    },
-    /// A triangle that is clockwise or has no area, exactly.
-    #[error("triangle {triangle} is clockwise or has no area")]
-    NotCounterClockwise {
-        /// Its index.
-        triangle: usize,
-    },
-    /// An edge of a ring that is not the edge of one triangle.
-    #[error("the boundary edge from {from} to {to} has {triangles} triangles, expected 1")]
-    BoundaryEdge {
-        /// Where it begins.
-        from: u32,
-        /// Where it ends.
-        to: u32,
-        /// The number of triangles that have it, in either direction.
-        triangles: usize,
-    },
-    /// Another edge that is not the edge of one triangle on either side.
-    #[error(
-        "the edge from {from} to {to} has {left} triangles on the left and {right} on the right"
-    )]
-    InnerEdge {
-        /// The smaller end.
-        from: u32,
-        /// The larger end.
-        to: u32,
-        /// The triangles on the left.
-        left: usize,
-        /// The triangles on the right.
-        right: usize,
-    },
-}
-
-/// Checks that `triangles` triangulate the domain on the left of `rings`. O(n log n).
-///
-/// The outer ring is counter-clockwise, holes are clockwise. The check assumes that rings do not
-/// cross.
-///
-/// # Errors
-///
-/// The first fault, in the order of [`CheckError`].
+/// Rings of points, and the straight side of the boundary edge that begins at each vertex.
 ///
 /// # Example
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_exact::check;
+/// use mindeg_exact::check::Outline;
 ///
-/// let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
-/// let ring = vec![0, 1, 2, 3];
-/// let checked = check::triangulation(&points, &[ring.clone()], &[[0, 1, 2], [0, 2, 3]])?;
-/// assert_eq!(checked.degrees, [3, 2, 3, 2]);
-/// let error = check::triangulation(&points, &[ring], &[[0, 1, 2]]).unwrap_err();
-/// assert_eq!(error.to_string(), "the boundary edge from 2 to 3 has 0 triangles, expected 1");
-/// # Ok::<(), check::CheckError>(())
+/// // An L of six corners.
+/// let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
+/// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+/// let outline = Outline { points: &points, rings: &[0..6], side_of: &[0, 1, 2, 3, 4, 5] };
+/// assert!(outline.is_admissible([3, 0]));
+/// assert!(!outline.is_admissible([2, 4]));
 /// ```
-pub fn triangulation(
-    points: &[DVec2],
-    rings: &[Vec<u32>],
-    triangles: &[[u32; 3]],
-) -> Result<Checked, CheckError> {
-    let vertices = rings.iter().flatten().chain(triangles.as_flattened());
-    if let Some(&vertex) = vertices.into_iter().find(|&&vertex| vertex as usize >= points.len()) {
-        return Err(CheckError::NoSuchVertex { vertex });
-    }
-    for (triangle, corners) in triangles.iter().enumerate() {
-        let [a, b, c] = corners.map(|corner| points[corner as usize]);
-        let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
-        // A point that is not finite makes this fail, too.
-        if orient2d(a, b, c) > 0.0 {
-            continue;
+#[derive(Clone, Copy, Debug)]
+pub struct Outline<'a> {
+    /// The points, by vertex.
+    pub points: &'a [DVec2],
+    /// The vertices of each ring in its order, with the domain on the left.
+    pub rings: &'a [Range<u32>],
+    /// The straight side of each boundary edge, named as for
+    /// [`Problem::triangulated`](crate::Problem::triangulated).
+    pub side_of: &'a [u32],
+}
+
+impl Outline<'_> {
+    /// Whether these chords prove that a polygon of one ring has no triangulation of maximum degree 4:
+    /// none of them is admissible, and every one of the n zig-zags has one of them. O(n * chords).
+    ///
+    /// The zig-zags of n vertices are the sets of all chords whose ends add up to s or s + 1, modulo n,
+    /// for s from 0 to n - 1. From n = 7 on, a triangulation of degree 4 is one of them.
+    #[must_use]
+    pub fn blocks_all_zigzags(&self, blocked: &[[u32; 2]]) -> bool {
+        let n = self.points.len() as u32;
+        if self.rings.len() != 1 || n < 7 {
+            return false;
         }
-        return Err(CheckError::NotCounterClockwise { triangle });
-    }
-    // For every edge from its smaller to its larger end the triangles on the left and on the right.
-    let mut edges = BTreeMap::<(u32, u32), [usize; 2]>::new();
-    for &[a, b, c] in triangles {
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            let is_backward = usize::from(from > to);
-            edges.entry((from.min(to), from.max(to))).or_default()[is_backward] += 1;
-        }
-    }
-    let mut degrees = vec![0; points.len()];
-    for ring in rings {
-        for (index, &from) in ring.iter().enumerate() {
-            let to = ring[(index + 1) % ring.len()];
-            let [left, right] = edges.remove(&(from.min(to), from.max(to))).unwrap_or_default();
-            let as_it_should = if from < to { (1, 0) } else { (0, 1) };
-            if (left, right) != as_it_should {
-                return Err(CheckError::BoundaryEdge { from, to, triangles: left + right });
+        let mut is_blocked = vec![false; n as usize];
+        for &[a, b] in blocked {
+            let is_chord = a < n && b < n && a != b && self.next(a) != b && self.next(b) != a;
+            if !is_chord || self.is_admissible([a, b]) {
+                return false;
             }
-            degrees[from as usize] += 1;
-            degrees[to as usize] += 1;
+            let sum = ((u64::from(a) + u64::from(b)) % u64::from(n)) as u32;
+            is_blocked[sum as usize] = true;
+            is_blocked[((sum + n - 1) % n) as usize] = true;
+        }
+        is_blocked.into_iter().all(|is_blocked| is_blocked)
+    }
+
+    /// Whether a bound by apexes holds: no edge is the side of an ear, and no vertex but its apexes sees
+    /// both ends of one of them. O(n² * edges).
+    #[must_use]
+    pub fn bounds_apexes(&self, bound: &ApexBound) -> bool {
+        let n = self.points.len() as u32;
+        let joins = |a: u32, b: u32| {
+            a != b && (self.next(a) == b || self.next(b) == a || self.is_admissible([a, b]))
+        };
+        let is_distinct = |vertices: &[u32]| {
+            let mut sorted = vertices.to_vec();
+            sorted.sort_unstable();
+            sorted.dedup();
+            sorted.len() == vertices.len() && sorted.iter().all(|&vertex| vertex < n)
+        };
+        is_distinct(&bound.edges)
+            && is_distinct(&bound.apexes)
+            && bound.edges.iter().all(|&from| {
+                let to = self.next(from);
+                let others = (0..n).filter(|vertex| !bound.apexes.contains(vertex));
+                !joins(self.previous(from), to)
+                    && !joins(from, self.next(to))
+                    && others
+                        .filter(|&v| v != from && v != to)
+                        .all(|v| !joins(v, from) || !joins(v, to))
+            })
+    }
+
+    /// Whether a triangulation may have this chord. O(n).
+    #[must_use]
+    pub fn is_admissible(&self, [a, b]: [u32; 2]) -> bool {
+        let sides = |v: u32| [self.side_of[self.previous(v) as usize], self.side_of[v as usize]];
+        let is_on_one_side = sides(a).iter().any(|side| sides(b).contains(side));
+        !is_on_one_side && self.starts_inside(a, b) && self.is_free([a, b])
+    }
+
+    /// Whether the segment from a to b begins within the interior angle at a.
+    fn starts_inside(&self, a: u32, b: u32) -> bool {
+        let (before, after) = (self.previous(a), self.next(a));
+        let is_left_of_after = self.turn(a, after, b) > 0.0;
+        let is_right_of_before = self.turn(a, b, before) > 0.0;
+        if self.turn(before, a, after) > 0.0 {
+            is_left_of_after && is_right_of_before
+        } else {
+            is_left_of_after || is_right_of_before
         }
     }
-    for (&(from, to), &[left, right]) in &edges {
-        if (left, right) != (1, 1) {
-            return Err(CheckError::InnerEdge { from, to, left, right });
-        }
-        degrees[from as usize] += 1;
-        degrees[to as usize] += 1;
+
+    /// Whether the open segment from a to b meets no boundary edge.
+    fn is_free(&self, [a, b]: [u32; 2]) -> bool {
+        let [p, q] = [a, b].map(|vertex| self.points[vertex as usize]);
+        let (low, high) = (p.min(q), p.max(q));
+        self.rings.iter().flat_map(Range::clone).all(|c| {
+            let d = self.next(c);
+            let [r, s] = [c, d].map(|vertex| self.points[vertex as usize]);
+            // Most edges are elsewhere.
+            if r.max(s).cmplt(low).any() || r.min(s).cmpgt(high).any() {
+                return true;
+            }
+            let (at_c, at_d) = (self.turn(a, b, c), self.turn(a, b, d));
+            let is_between = |vertex: u32| {
+                let point = self.points[vertex as usize];
+                vertex != a && vertex != b && (point - p).dot(point - q) < 0.0
+            };
+            if (at_c == 0.0 && is_between(c)) || (at_d == 0.0 && is_between(d)) {
+                return false;
+            }
+            let (at_a, at_b) = (self.turn(c, d, a), self.turn(c, d, b));
+            let are_opposite = |x: f64, y: f64| (x > 0.0 && y < 0.0) || (x < 0.0 && y > 0.0);
+            !(are_opposite(at_c, at_d) && are_opposite(at_a, at_b))
+        })
     }
-    let max_degree = degrees.iter().copied().max().unwrap_or(0);
-    Ok(Checked { degrees, max_degree })
+
+    fn turn(&self, a: u32, b: u32, c: u32) -> f64 {
+        let [a, b, c] = [a, b, c].map(|vertex| self.points[vertex as usize]);
+        let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
+        orient2d(a, b, c)
+    }
+
+    fn ring(&self, vertex: u32) -> Range<u32> {
+        let after = self.rings.partition_point(|ring| ring.start <= vertex);
+        self.rings[after.saturating_sub(1)].clone()
+    }
+
+    fn next(&self, vertex: u32) -> u32 {
+        let ring = self.ring(vertex);
+        if vertex + 1 == ring.end { ring.start } else { vertex + 1 }
+    }
+
+    fn previous(&self, vertex: u32) -> u32 {
+        let ring = self.ring(vertex);
+        if vertex == ring.start { ring.end - 1 } else { vertex - 1 }
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{LowerBound, Problem, Progress, ZigZag, degree_range};
+
+    /// What the checker takes for a zig-zag is one.
+    #[test]
+    fn the_chords_of_a_zigzag_have_two_sums() {
+        for n in 7..20 {
+            let mut sums = Vec::new();
+            for zigzag in ZigZag::all(n) {
+                let mut of_chords: Vec<u32> = zigzag.chords().map(|[a, b]| (a + b) % n).collect();
+                of_chords.sort_unstable();
+                of_chords.dedup();
+                let [low, high] = of_chords[..] else { panic!("{zigzag:?}: {of_chords:?}") };
+                assert!(low + 1 == high || (low, high) == (0, n - 1), "{zigzag:?}");
+                sums.push(if low + 1 == high { low } else { high });
+                let of_sum = |sum: u32| {
+                    let pairs = (0..n).flat_map(|a| (a + 2..n).map(move |b| [a, b]));
+                    pairs.filter(|[a, b]| b - a < n - 1 && (a + b) % n == sum).count()
+                };
+                assert_eq!(of_sum(low) + of_sum(high), n as usize - 3);
+            }
+            sums.sort_unstable();
+            assert!(sums.into_iter().eq(0..n));
+        }
+    }
 
     #[test]
-    fn every_kind_of_error_is_found() {
-        let points =
-            [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (1.0, 1.0), (1.0, 2.0), (2.0, 2.0)];
-        let points = points.map(DVec2::from);
-        let outer = [vec![0, 1, 2, 3]];
-        let check = |rings: &[Vec<u32>], triangles: &[[u32; 3]]| {
-            triangulation(&points, rings, triangles).map(|checked| checked.degrees)
+    fn wrong_proofs_are_refused() {
+        // A star of six points, and its ring of tips and notches.
+        let at = |corner: u32| {
+            let radius = if corner.is_multiple_of(2) { 3.0 } else { 1.0 };
+            let angle = f64::from(corner) * std::f64::consts::PI / 6.0;
+            DVec2::new(libm::cos(angle), libm::sin(angle)) * radius
         };
-        let square = [[0, 1, 2], [0, 2, 3]];
-        assert_eq!(check(&outer, &square), Ok(vec![3, 2, 3, 2, 0, 0, 0]));
-        assert_eq!(check(&[vec![0, 9]], &square), Err(CheckError::NoSuchVertex { vertex: 9 }));
-        let clockwise = [[0, 1, 2], [0, 3, 2]];
-        let error = CheckError::NotCounterClockwise { triangle: 1 };
-        assert_eq!(check(&outer, &clockwise), Err(error));
-        let flat = [[0, 6, 2]];
-        let error = CheckError::NotCounterClockwise { triangle: 0 };
-        assert_eq!(check(&outer, &flat), Err(error));
-        let crossing = [[0, 1, 2], [0, 1, 3]];
-        let error = CheckError::BoundaryEdge { from: 0, to: 1, triangles: 2 };
-        assert_eq!(check(&outer, &crossing), Err(error));
-        let one_more = [[0, 1, 2], [0, 2, 3], [4, 6, 5]];
-        let error = CheckError::InnerEdge { from: 4, to: 5, left: 0, right: 1 };
-        assert_eq!(check(&outer, &one_more), Err(error));
+        let points: Vec<DVec2> = (0..12).map(at).collect();
+        let side_of: Vec<u32> = (0..12).collect();
+        let rings = std::slice::from_ref(&(0..12));
+        let star = Outline { points: &points, rings, side_of: &side_of };
+        let tips = (0..6).map(|tip| [(2 * tip + 11) % 12, 2 * tip, 2 * tip + 1]);
+        let within = [[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]];
+        let triangles: Vec<_> = tips.chain(within).collect();
+        let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
+        let range = degree_range(&problem, Progress::NONE).unwrap();
+        let LowerBound::BlockedZigZags(blocked) = range.bounded_by else { panic!("not 4") };
+        assert!(star.blocks_all_zigzags(&blocked));
+        let mut needed: Vec<[u32; 2]> = blocked.clone();
+        needed.sort_unstable();
+        needed.dedup();
+        let is_needed = |left_out: &&[u32; 2]| {
+            let rest: Vec<_> = needed.iter().filter(|chord| chord != left_out).copied().collect();
+            !star.blocks_all_zigzags(&rest)
+        };
+        assert!(needed.iter().filter(is_needed).count() > 0);
+        // Two notches see each other; neighbours have no chord.
+        for other in [[1, 3], [1, 2], [4, 4], [0, 12]] {
+            assert!(!star.blocks_all_zigzags(&[&blocked[..], &[other]].concat()), "{other:?}");
+        }
 
-        // A hole: clockwise, and nothing in it.
-        let hole = vec![4, 5, 6];
-        let around = [[0, 1, 4], [1, 6, 4], [1, 2, 6], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
-        let degrees = Ok(vec![4, 4, 3, 4, 4, 4, 5]);
-        assert_eq!(check(&[outer[0].clone(), hole], &around), degrees);
-        assert!(check(&[outer[0].clone(), vec![4, 6, 5]], &around).is_err());
+        // Every edge is the side of an ear.
+        let bound = ApexBound { edges: vec![0], apexes: (0..12).collect() };
+        assert!(!star.bounds_apexes(&bound));
     }
 }

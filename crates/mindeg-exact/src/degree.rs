@@ -4,8 +4,10 @@ use crate::apex::{ApexBound, apex_bound};
 use crate::delaunay::least_tangent;
 use crate::feasibility::{any_triangulation, least_by_search};
 use crate::problem::{Domain, MANY_EDGES, Problem};
+use crate::progress::Stage;
 use crate::triangulation::Triangulation;
 use crate::unsolved::Unsolved;
+use crate::visibility;
 use crate::windows::{WindowGoal, windows};
 use crate::zigzag::{self, Found, ZigZag};
 use mindeg_core::{least_degree_triangulation, least_max_degree};
@@ -16,6 +18,9 @@ const ZIGZAG_STEPS: u64 = 50_000_000;
 
 /// The shares of the given triangulation's minimum tangent that windows keep, one after the other.
 const SHARES: [f64; 3] = [0.9, 0.5, 0.0];
+
+/// Those that the dynamic program keeps.
+const SEARCHED_SHARES: [f64; 2] = [0.5, 0.0];
 
 /// A triangulation, its maximum degree, and a lower bound on the maximum degree of all.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,6 +38,16 @@ pub struct DegreeRange {
 }
 
 impl DegreeRange {
+    /// Takes a bound if it is larger.
+    fn raise(&mut self, bound: Option<ApexBound>) {
+        if let Some(bound) = bound
+            && bound.max_degree() > self.lower_bound
+        {
+            self.lower_bound = bound.max_degree();
+            self.bounded_by = LowerBound::Apexes(bound);
+        }
+    }
+
     /// Whether the maximum degree is proven to be the least.
     #[must_use]
     pub fn is_proven(&self) -> bool {
@@ -82,7 +97,7 @@ pub enum LowerBound {
 /// 4. The dynamic program goes down from the upper bound to the lower one, if the triples of
 ///    vertices that see each other are within the problem's limit.
 ///
-/// With holes, windows give the upper bound and the sum of the degrees the lower one.
+/// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one.
 ///
 /// # Errors
 ///
@@ -125,6 +140,7 @@ pub fn degree_range(problem: &Problem, progress: Progress<'_>) -> Result<DegreeR
             })
         }
         Domain::Simple(mesh) if problem.is_plain() => polygon(problem, mesh, progress),
+        Domain::Rings(mesh) if problem.is_plain() => rings(problem, mesh, progress),
         _ => with_limits(problem, progress),
     }
 }
@@ -174,21 +190,33 @@ fn polygon(
     if range.is_proven() {
         return Ok(range);
     }
-    let chords = match problem.chords(progress) {
+    let chords = match problem.visible_chords(progress) {
         Err(Unsolved::TooLarge { .. }) => return Ok(range),
         chords => chords?,
     };
-    if let Some(bound) = apex_bound(&chords)
-        && bound.max_degree() > range.lower_bound
-    {
-        range.lower_bound = bound.max_degree();
-        range.bounded_by = LowerBound::Apexes(bound);
+    let next: Vec<u32> = (1..vertices as u32).chain([0]).collect();
+    range.raise(apex_bound(&next, chords.ends()));
+    if range.is_proven() {
+        return Ok(range);
     }
+    match problem.require_triples(&chords, progress) {
+        Err(Unsolved::TooLarge { .. }) => return Ok(range),
+        within => within?,
+    }
+    // A triangulation with large angles is welcome, and the search for it takes the least time.
+    let start = least_tangent(mesh, problem.points(), problem.sides());
     while !range.is_proven() {
-        match any_triangulation(problem, &chords, range.max_degree - 1, progress)? {
+        let max_degree = range.max_degree - 1;
+        let mut found = None;
+        for share in SEARCHED_SHARES {
+            found = any_triangulation(problem, &chords, max_degree, share * start, progress)?;
+            if found.is_some() {
+                break;
+            }
+        }
+        match found {
             Some(triangles) => {
-                range.max_degree -= 1;
-                range.reached_by = Reached::Exhaustive;
+                (range.max_degree, range.reached_by) = (max_degree, Reached::Exhaustive);
                 range.triangles = triangles;
             }
             None => {
@@ -196,6 +224,31 @@ fn polygon(
                 range.bounded_by = LowerBound::Exhaustive;
             }
         }
+    }
+    Ok(range)
+}
+
+/// Of a domain with holes: what windows reach, and bounds.
+fn rings(
+    problem: &Problem,
+    mesh: &Triangulation,
+    progress: Progress<'_>,
+) -> Result<DegreeRange, Unsolved> {
+    let lower_bound = counting_bound(problem, mesh.triangles.len());
+    let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
+    let (reached_by, bounded_by) = (Reached::Windows, LowerBound::Counting);
+    let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };
+    if range.is_proven() {
+        return Ok(range);
+    }
+    let stage = Stage::new(progress, "finding chords");
+    let most = problem.max_chords();
+    let pairs = visibility::pairs(mesh, problem.points(), problem.sides(), most, &stage)?;
+    if let Some(pairs) = pairs {
+        let mut next = vec![0; problem.points().len()];
+        mesh.boundary_edges().for_each(|[from, to]| next[from as usize] = to);
+        let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
+        range.raise(apex_bound(&next, edges));
     }
     Ok(range)
 }

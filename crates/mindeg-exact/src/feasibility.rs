@@ -8,17 +8,18 @@ use crate::unsolved::Unsolved;
 use mindeg_mesh::{Cancelled, Progress};
 
 /// A triangulation of these chords that keeps the degree limit for all vertices and those of
-/// single ones, if there is one.
+/// single ones, and has no tangent below `threshold`, if there is one.
 pub(crate) fn any_triangulation(
     problem: &Problem,
     chords: &Chords,
     max_degree: u32,
+    threshold: f64,
     progress: Progress<'_>,
 ) -> Result<Option<Vec<[u32; 3]>>, Cancelled> {
     let Some(limits) = problem.degree_limits(max_degree) else { return Ok(None) };
     let stage = Stage::new(progress, format!("is degree {max_degree} possible?"));
     let capacities = limits.capacities(chords, |chords, most| chords > most);
-    let rules = Rules { points: problem.points(), threshold: 0.0, capacities };
+    let rules = Rules { points: problem.points(), threshold, capacities };
     let pieces = Pieces::<()>::solve(rules, chords, |share| stage.report(share))?;
     Ok(pieces.triangles().map(|(triangles, ())| triangles))
 }
@@ -29,7 +30,7 @@ pub(crate) fn least_by_search(
     chords: &Chords,
     progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
-    let any = |max_degree| any_triangulation(problem, chords, max_degree, progress);
+    let any = |max_degree| any_triangulation(problem, chords, max_degree, 0.0, progress);
     let none = problem.no_limit();
     let mut found = any(none)?.ok_or(Unsolved::VertexLimits)?;
     // Up in growing steps, then down by halves, since small limits take the least time.

@@ -32,6 +32,9 @@
 //! - [`best_angle`] and [`trade_off`]: the best angle under one limit, and under each.
 //! - [`windows()`]: for any size, and with holes: fewer edges at the vertices with the most, at a
 //!   guaranteed minimum angle.
+//! - [`fill_loop`]: the triangulation of least area of a closed loop in space, under a degree limit.
+//! - [`bridge_rings`]: the strip between two loops with the least maximum degree, and of those the
+//!   largest minimum angle.
 //! - [`check`]: whether triangles are a triangulation, by other means.
 //!
 //! # How it works
@@ -72,21 +75,27 @@ extern crate self as mindeg_exact;
 
 mod answer;
 mod apex;
+mod bridge;
 pub mod check;
 mod chords;
 mod degree;
 mod delaunay;
 mod feasibility;
+mod fill;
 mod front;
+mod least_cost;
+mod least_weight;
 mod limits;
 pub mod measure;
 mod merit;
 mod parallel;
+mod patch;
 mod pieces;
 mod problem;
 mod progress;
 mod reach;
 mod search;
+mod space;
 mod triangulation;
 mod unsolved;
 mod visibility;
@@ -96,8 +105,14 @@ mod zigzag;
 
 pub use answer::{TradeOff, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
+pub use bridge::{Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
+pub use fill::{
+    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
+};
+pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};
+pub use patch::{Block, Cost, Patch};
 pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem, ProblemError};
 pub use search::Optimum;
 pub use unsolved::Unsolved;

@@ -8,7 +8,7 @@ use crate::unsolved::Unsolved;
 use crate::visibility;
 use glam::DVec2;
 use mindeg_core::{Boundary, least_degree_triangulation};
-use mindeg_mesh::Progress;
+use mindeg_mesh::{Cancelled, Progress};
 use thiserror::Error;
 
 /// The most boundary vertices of a convex polygon, 4,096.
@@ -329,22 +329,64 @@ impl Problem {
         }
     }
 
-    /// All chords that a triangulation may use.
+    /// All chords that a triangulation may use, if their triples are within the limit.
     pub(crate) fn chords(&self, progress: Progress<'_>) -> Result<Chords, Unsolved> {
+        let chords = self.visible_chords(progress)?;
+        self.require_triples(&chords, progress)?;
+        Ok(chords)
+    }
+
+    /// All chords that a triangulation may use, if they are not too many.
+    pub(crate) fn visible_chords(&self, progress: Progress<'_>) -> Result<Chords, Unsolved> {
         match &self.domain {
             Domain::Convex(_) => Ok(Chords::all(self.points.len(), &self.sides)),
             Domain::Simple(mesh) => {
-                let too_large = Unsolved::TooLarge { max_triples: self.max_triples };
-                let most = MAX_CHORDS.min(usize::try_from(self.max_triples).unwrap_or(MAX_CHORDS));
                 let stage = Stage::new(progress, "finding chords");
+                let most = self.max_chords();
                 let chords = visibility::chords(mesh, &self.points, &self.sides, most, &stage)?;
-                let chords = chords.ok_or(too_large)?;
-                let stage = Stage::new(progress, "counting triples of vertices");
-                let triples = chords.count_triples(self.max_triples, &stage)?;
-                triples.map(|_| chords).ok_or(too_large)
+                chords.ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
             }
             Domain::Rings(_) => Err(Unsolved::NotAPolygon),
         }
+    }
+
+    /// Refuses chords of another polygon than a convex one if they have too many triples.
+    pub(crate) fn require_triples(
+        &self,
+        chords: &Chords,
+        progress: Progress<'_>,
+    ) -> Result<(), Unsolved> {
+        if let Domain::Convex(_) = self.domain {
+            return Ok(());
+        }
+        let stage = Stage::new(progress, "counting triples of vertices");
+        let triples = chords.count_triples(self.max_triples, &stage)?;
+        triples.map(|_| ()).ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
+    }
+
+    /// The number of triples of vertices that see each other, the work of one pass of the dynamic
+    /// program; none if it is more than `most`, or if the problem has no exact answers. O(triples),
+    /// and little more than O(`most`).
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    pub fn count_triples(
+        &self,
+        most: u64,
+        progress: Progress<'_>,
+    ) -> Result<Option<u64>, Cancelled> {
+        let chords = match self.visible_chords(progress) {
+            Ok(chords) => chords,
+            Err(Unsolved::Cancelled(cancelled)) => return Err(cancelled),
+            Err(_) => return Ok(None),
+        };
+        chords.count_triples(most, &Stage::new(progress, "counting triples of vertices"))
+    }
+
+    /// The most chords that exact work takes.
+    pub(crate) fn max_chords(&self) -> usize {
+        MAX_CHORDS.min(usize::try_from(self.max_triples).unwrap_or(MAX_CHORDS))
     }
 
     /// The limit of [`set_max_triples`](Self::set_max_triples).

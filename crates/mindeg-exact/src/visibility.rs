@@ -88,8 +88,8 @@ impl Eye {
     }
 }
 
-/// All admissible chords of a simple polygon, without those within a side; none if they are more
-/// than `most`. O(triangles seen), in parallel.
+/// All admissible chords of a simple polygon; none if they are more than `most`. O(triangles seen),
+/// in parallel.
 pub(crate) fn chords(
     mesh: &Triangulation,
     points: &[DVec2],
@@ -97,6 +97,20 @@ pub(crate) fn chords(
     most: usize,
     stage: &Stage<'_>,
 ) -> Result<Option<Chords>, Cancelled> {
+    let pairs = pairs(mesh, points, sides, most, stage)?;
+    Ok(pairs.map(|pairs| Chords::new(points.len(), &pairs)))
+}
+
+/// The vertices that see each other in any domain, boundary neighbours and those within a side left
+/// out, smaller ones first and ascending; none if they are more than `most`. With holes a triangle is
+/// seen more than once, on either side of a hole.
+pub(crate) fn pairs(
+    mesh: &Triangulation,
+    points: &[DVec2],
+    sides: &Sides,
+    most: usize,
+    stage: &Stage<'_>,
+) -> Result<Option<Vec<Vec<[u32; 2]>>>, Cancelled> {
     const CHUNK: usize = 16;
     const ROUND: usize = 32 * CHUNK;
     let vertices = points.len();
@@ -127,7 +141,7 @@ pub(crate) fn chords(
         }
         chunks.extend(found);
     }
-    Ok(Some(Chords::new(vertices, &chunks)))
+    Ok(Some(chunks))
 }
 
 /// Whether two vertices see each other or are the ends of an edge, by a walk from one to the other.

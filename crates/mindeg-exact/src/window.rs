@@ -23,12 +23,24 @@ pub(crate) struct Work<'a> {
 }
 
 /// Some triangles whose union is a disk.
-struct Window {
+pub(crate) struct Window {
     triangles: Vec<u32>,
     /// The vertices, in the order in which they were added.
     vertices: Vec<u32>,
     /// For each of these vertices the index of the next one on the ring around the window.
     next: Vec<u32>,
+}
+
+/// A window as a polygon of its own, whose vertices are the places 0, 1, 2, … on its ring.
+pub(crate) struct Local {
+    /// The vertex at each place.
+    pub(crate) ring: Vec<u32>,
+    pub(crate) points: Vec<DVec2>,
+    pub(crate) mesh: Triangulation,
+    /// The triangles at each place: one more than its chords.
+    pub(crate) triangle_counts: Vec<u32>,
+    /// All chords that a triangulation of the window may use.
+    pub(crate) chords: Chords,
 }
 
 /// The aim of one window.
@@ -93,8 +105,23 @@ impl<'a> Work<'a> {
         fan: usize,
         size: usize,
     ) -> (u32, Option<Vec<u32>>) {
-        let (window, after) = self.window(aim.vertex, start, fan, size);
-        let changed = self.solve(aim, &window);
+        self.retriangulate_by(aim.vertex, start, fan, size, |work, local| work.solve(aim, local))
+    }
+
+    /// As [`retriangulate`](Self::retriangulate), with what `solve` finds for the window: its
+    /// triangles, each before those beneath it.
+    pub(crate) fn retriangulate_by(
+        &mut self,
+        vertex: u32,
+        start: u32,
+        fan: usize,
+        size: usize,
+        solve: impl FnOnce(&Self, &Local) -> Option<Vec<[u32; 3]>>,
+    ) -> (u32, Option<Vec<u32>>) {
+        let (window, after) = self.window(vertex, start, fan, size);
+        let local = self.local(&window);
+        let triangles = solve(self, &local);
+        let changed = triangles.map(|triangles| self.replace(&window, &local, &triangles));
         for &vertex in &window.vertices {
             self.vertex_in_window[vertex as usize] = NONE;
         }
@@ -166,8 +193,8 @@ impl<'a> Work<'a> {
         window.triangles.push(triangle);
     }
 
-    /// Replaces the triangulation of the window, if another one achieves the aim.
-    fn solve(&mut self, aim: &Aim<'_>, window: &Window) -> Option<Vec<u32>> {
+    /// The window as a polygon of its own.
+    fn local(&mut self, window: &Window) -> Local {
         let count = window.vertices.len();
         // From the order in which they were added to that on the ring.
         let mut ring = Vec::with_capacity(count);
@@ -197,9 +224,10 @@ impl<'a> Work<'a> {
                 })
                 .collect(),
         };
-        let mut before = vec![0_u32; count];
-        local.triangles.as_flattened().iter().for_each(|&place| before[place as usize] += 1);
-
+        let mut triangle_counts = vec![0_u32; count];
+        for &place in local.triangles.as_flattened() {
+            triangle_counts[place as usize] += 1;
+        }
         let mut seen = Vec::new();
         for corner in 0..3 * local.triangles.len() as u32 {
             let from = local.triangles[corner as usize / 3][corner as usize % 3];
@@ -213,12 +241,17 @@ impl<'a> Work<'a> {
         }
         seen.sort_unstable();
         let chords = Chords::new(count, &[seen]);
-        let capacities = chords.degrees().into_iter().enumerate().map(|(place, visible)| {
-            let vertex = ring[place];
+        Local { ring, points, mesh: local, triangle_counts, chords }
+    }
+
+    /// The triangles of a triangulation of the window that achieves the aim.
+    fn solve(&self, aim: &Aim<'_>, local: &Local) -> Option<Vec<[u32; 3]>> {
+        let capacities = local.chords.degrees().into_iter().enumerate().map(|(place, visible)| {
+            let vertex = local.ring[place];
             let total = self.totals[vertex as usize];
             let limit =
                 if vertex == aim.vertex { aim.keep } else { (aim.limit)(vertex).max(total) };
-            let beyond = total - (before[place] - 1);
+            let beyond = total - (local.triangle_counts[place] - 1);
             let capacity = limit.checked_sub(beyond)?;
             Some(if visible <= capacity {
                 Capacity::Unlimited
@@ -227,22 +260,15 @@ impl<'a> Work<'a> {
             })
         });
         let capacities = capacities.collect::<Option<_>>()?;
-        let rules = Rules { points: &points, threshold: aim.threshold, capacities };
-        let pieces = Pieces::<()>::solve(rules, &chords, |_| Ok(())).ok()?;
-        let (triangles, ()) = pieces.triangles()?;
-        Some(self.replace(window, &ring, &local, &before, &triangles))
+        let rules = Rules { points: &local.points, threshold: aim.threshold, capacities };
+        let pieces = Pieces::<()>::solve(rules, &local.chords, |_| Ok(())).ok()?;
+        pieces.triangles().map(|(triangles, ())| triangles)
     }
 
     /// Replaces the window's triangles by these, each of which comes before those beneath it.
     /// Returns the vertices whose number of edges changes.
-    fn replace(
-        &mut self,
-        window: &Window,
-        ring: &[u32],
-        local: &Triangulation,
-        before: &[u32],
-        triangles: &[[u32; 3]],
-    ) -> Vec<u32> {
+    fn replace(&mut self, window: &Window, local: &Local, triangles: &[[u32; 3]]) -> Vec<u32> {
+        let Local { ring, mesh: local, triangle_counts: before, .. } = local;
         let mut outer = vec![NONE; ring.len()];
         for ((&slot, corners), neighbours) in
             window.triangles.iter().zip(&local.triangles).zip(&local.neighbours)

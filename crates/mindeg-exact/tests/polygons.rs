@@ -6,12 +6,14 @@ mod outlines;
 
 use glam::DVec2;
 use mindeg_exact::{
-    Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal, ZigZag,
-    best_angle, check, degree_range, least_max_degree, trade_off, windows,
+    Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal,
+    best_angle, check::Outline as Rings, degree_range, least_max_degree, trade_off, windows,
 };
-use mindeg_mesh::Step;
+use mindeg_mesh::{Step, check};
 use outlines::{Measured, Outline, Random, Rank};
 use std::ops::ControlFlow;
+use std::ops::Range;
+use std::slice;
 
 /// Compares the answers under every limit with the best of all triangulations.
 fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
@@ -42,7 +44,7 @@ fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
     assert_eq!(least_max_degree(&problem, Progress::NONE), Ok(least), "{outline:?}");
     let check = |optimum: &mindeg_exact::Optimum, limit: u32| {
         let checked =
-            check::triangulation(&outline.points, &[(0..n).collect()], &optimum.triangles);
+            check::triangulation(&outline.points, slice::from_ref(&(0..n)), &optimum.triangles);
         let measured = Measured::new(&outline.points, &optimum.triangles);
         assert_eq!(checked.unwrap().degrees, measured.degrees);
         let rank = measured.rank(&limits(limit), outside);
@@ -142,8 +144,9 @@ fn windows_never_go_below_the_least_and_keep_the_angle() {
             .min();
         let goal = WindowGoal { max_degree: 0, min_tangent };
         let windowed = windows(&problem, goal, Progress::NONE).unwrap();
-        let rings = [(0..n).collect()];
-        let checked = check::triangulation(&outline.points, &rings, &windowed.triangles).unwrap();
+        let rings = [0..n, n..n];
+        let rings = &rings[..1];
+        let checked = check::triangulation(&outline.points, rings, &windowed.triangles).unwrap();
         assert_eq!(checked.max_degree, windowed.max_degree);
         let measured = Measured::new(&outline.points, &windowed.triangles);
         assert!(measured.tangent >= min_tangent, "{outline:?}");
@@ -158,30 +161,20 @@ fn windows_never_go_below_the_least_and_keep_the_angle() {
 /// The answer is a triangulation, and what proves it holds.
 fn check_range(outline: &Outline, range: &DegreeRange) {
     let n = outline.len() as u32;
-    let rings = [(0..n).collect()];
-    let checked = check::triangulation(&outline.points, &rings, &range.triangles).unwrap();
+    let rings = [0..n, n..n];
+    let rings = &rings[..1];
+    let checked = check::triangulation(&outline.points, rings, &range.triangles).unwrap();
     assert_eq!(checked.max_degree, range.max_degree);
     assert!(range.lower_bound <= range.max_degree);
-    let may_join = |a: u32, b: u32| outline.may_join(a as usize, b as usize);
+    let rings = Rings { points: &outline.points, rings, side_of: &outline.side_of };
     match &range.bounded_by {
         LowerBound::BlockedZigZags(blocked) => {
-            let zigzags: Vec<_> = ZigZag::all(n).collect();
-            assert_eq!(blocked.len(), zigzags.len());
-            for (zigzag, &[a, b]) in zigzags.iter().zip(blocked) {
-                assert!(zigzag.chords().any(|chord| chord == [a, b] || chord == [b, a]));
-                assert!(!may_join(a, b), "{outline:?}");
-            }
+            assert_eq!((range.lower_bound, blocked.len()), (5, n as usize));
+            assert!(rings.blocks_all_zigzags(blocked), "{outline:?}");
         }
         LowerBound::Apexes(bound) => {
             assert_eq!(bound.max_degree(), range.lower_bound);
-            for &e in &bound.edges {
-                let [before, to, after] = [n - 1, 1, 2].map(|step| (e + step) % n);
-                assert!(!may_join(before, to) && !may_join(e, after));
-                for apex in (0..n).filter(|&apex| apex != e && apex != to) {
-                    let sees_both = may_join(apex, e) && may_join(apex, to);
-                    assert!(!sees_both || bound.apexes.contains(&apex));
-                }
-            }
+            assert!(rings.bounds_apexes(bound), "{outline:?}");
         }
         _ => {}
     }
@@ -208,7 +201,7 @@ fn degree_ranges_are_right_and_their_proofs_hold() {
 }
 
 /// A frame between two squares, with equal numbers of edges to a side outside and inside.
-fn frame(outer: u32, inner: u32) -> (Outline, Vec<Vec<u32>>, Vec<[u32; 3]>) {
+fn frame(outer: u32, inner: u32) -> (Outline, [Range<u32>; 2], Vec<[u32; 3]>) {
     let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
     let around = Outline::new(&square(2.0), &[outer; 4]);
     let hole = Outline::new(&square(1.0), &[inner; 4]);
@@ -234,7 +227,7 @@ fn frame(outer: u32, inner: u32) -> (Outline, Vec<Vec<u32>>, Vec<[u32; 3]>) {
         triangles.extend(steps);
         assert_eq!(next, index(corner * inner + inner));
     }
-    (Outline { points, side_of }, vec![(0..n).collect(), (n..n + m).collect()], triangles)
+    (Outline { points, side_of }, [0..n, n..n + m], triangles)
 }
 
 #[test]

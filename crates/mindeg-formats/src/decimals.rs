@@ -57,6 +57,12 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
     }
 }
 
+/// Appends a whole number after a space.
+pub(crate) fn push_integer(value: impl itoa::Integer, buffer: &mut Vec<u8>) {
+    buffer.push(b' ');
+    buffer.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,7 +4,7 @@ use std::collections::TryReserveError;
 use std::io;
 
 use glam::DVec3;
-use mindeg_mesh::TriMeshError;
+use mindeg_mesh::{Positions, TriMeshError};
 use thiserror::Error;
 
 use crate::format::Format;
@@ -71,6 +71,14 @@ impl ReadError {
         Self::Byte { offset: offset as u64, problem: problem.into() }
     }
 
+    /// The same error, in a file that is one of several.
+    pub(crate) fn within(self, file: &str) -> Self {
+        match self {
+            Self::Line { line, problem } => Self::place(format!("{file}, line {line}"), problem),
+            error => error,
+        }
+    }
+
     /// An error at a part of a structured format.
     pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self::Place { place: place.into(), problem: problem.into() }
@@ -102,7 +110,7 @@ pub enum WriteError {
     },
     /// A coordinate beyond the range of 32-bit floats.
     #[error(
-        "vertex {vertex} (counted from 0) at ({}, {}) is beyond the range of glTF's 32-bit \
+        "vertex {vertex} (counted from 0) at ({}, {}) is beyond the range of 32-bit \
          floats; scale the domain down, or write OBJ", .point.x, .point.y
     )]
     OutOfRange {
@@ -113,7 +121,7 @@ pub enum WriteError {
     },
     /// Two vertices that are one point in 32-bit floats.
     #[error(
-        "vertices {} and {} (counted from 0) at ({}, {}) are too close together for glTF's \
+        "vertices {} and {} (counted from 0) at ({}, {}) are too close together for \
          32-bit floats to tell them apart; use fewer intervals there, or write OBJ, which keeps \
          every digit", .vertices[0], .vertices[1], .point.x, .point.y
     )]
@@ -160,4 +168,22 @@ pub enum WriteError {
     /// A format that is read and not written.
     #[error("{} is read and not written", .0.description())]
     NotWritten(Format),
+}
+
+impl WriteError {
+    /// Refuses more vertices than a 32-bit integer with a sign counts from 1.
+    pub(crate) fn unless_numbered(format: Format, positions: &dyn Positions) -> Result<(), Self> {
+        let (count, limit) = (positions.vertex_count().into(), i32::MAX.unsigned_abs().into());
+        if count <= limit {
+            return Ok(());
+        }
+        Err(Self::TooLarge { format, what: "vertices", count, limit })
+    }
+
+    /// Refuses positions that do not all have the same z.
+    pub(crate) fn unless_in_plane(format: Format, positions: &dyn Positions) -> Result<(), Self> {
+        let bounds = positions.bounds();
+        let z = [bounds.min.z, bounds.max.z];
+        if z[0] == z[1] { Ok(()) } else { Err(Self::NotInPlane { format, z }) }
+    }
 }

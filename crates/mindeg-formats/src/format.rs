@@ -55,7 +55,7 @@ struct Facts {
 
 impl Format {
     /// All formats that are written.
-    pub const WRITTEN: [Self; 16] = [
+    pub const WRITTEN: [Self; 17] = [
         Self::Obj,
         Self::Glb,
         Self::Gltf,
@@ -68,6 +68,7 @@ impl Format {
         Self::Inp,
         Self::Ply,
         Self::Stl,
+        Self::Off,
         Self::Node,
         Self::Fort14,
         Self::Sms2dm,

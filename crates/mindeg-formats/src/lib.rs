@@ -21,21 +21,35 @@
 //! Readers take an [`std::io::Read`] or [`std::io::BufRead`]. A malformed file is an error that says
 //! what is wrong and where, never a panic. Files, paths and their replacement are the caller's.
 
+mod boundary;
+mod bytes;
 mod corners;
 mod decimals;
 pub mod degree_color;
 mod detect;
 mod error;
+mod face_list;
 mod format;
+pub mod fort14;
 pub mod gltf;
 mod lines;
 mod lists;
 mod names;
+pub mod npz;
+mod numbered;
 pub mod obj;
+pub mod off;
 mod options;
+pub mod outlines;
+pub mod ply;
 mod read;
+mod records;
 mod sections;
+pub mod sms2dm;
+pub mod stl;
 pub mod svg;
+mod tables;
+pub mod triangle;
 mod words;
 mod write;
 

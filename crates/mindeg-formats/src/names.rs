@@ -2,6 +2,11 @@
 
 use std::collections::HashMap;
 
+/// A name for a line of text, without what would end the line.
+pub(crate) fn one_line(name: &str) -> String {
+    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
 /// The names that a file has so far.
 #[derive(Default)]
 pub(crate) struct Names {

@@ -6,7 +6,7 @@ use std::path::Path;
 use mindeg_mesh::TriMesh;
 
 use crate::detect::format_of;
-use crate::{Format, ReadError, gltf, obj};
+use crate::{Format, ReadError, fort14, gltf, npz, obj, off, ply, sms2dm, stl, triangle};
 
 /// How much of a file is looked at for its format.
 const HEAD: usize = 1 << 16;
@@ -62,23 +62,22 @@ pub fn read(
 pub fn read_as(
     format: Format,
     name: &Path,
-    mut input: impl BufRead,
+    input: impl BufRead,
     beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<TriMesh, ReadError> {
-    let _ = (&name, &mut input);
     match format {
         Format::Obj => obj::read(input),
         Format::Glb | Format::Gltf => gltf::read(input, beside),
+        Format::Ply => ply::read(input),
+        Format::Stl => stl::read(input),
+        Format::Off => off::read(input),
+        Format::Sms2dm => sms2dm::read(input),
+        Format::Fort14 => fort14::read(input),
+        Format::Node => read_triangle(name, input, beside),
+        Format::Npz => npz::read(input),
         Format::Msh
         | Format::Vtu
         | Format::Vtk
-        | Format::Ply
-        | Format::Stl
-        | Format::Off
-        | Format::Node
-        | Format::Fort14
-        | Format::Sms2dm
-        | Format::Npz
         | Format::Su2
         | Format::Inp
         | Format::Svg
@@ -87,4 +86,33 @@ pub fn read_as(
             Err(ReadError::Format { problem })
         }
     }
+}
+
+/// Reads one of Triangle's files and those beside it; the .poly may be missing.
+fn read_triangle(
+    name: &Path,
+    mut input: impl BufRead,
+    mut beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<TriMesh, ReadError> {
+    let mut own = Vec::new();
+    input.read_to_end(&mut own)?;
+    let files = Format::Node.files(Path::new(name.file_name().unwrap_or_default()));
+    let mut own = Some(own);
+    let mut file = |index: usize| {
+        let extension = |path: &Path| path.extension().map(|name| name.to_ascii_lowercase());
+        // A name without an extension is that of the vertices.
+        let is_own = extension(&files[index]) == extension(name)
+            || (index == 0 && Format::of_path(name) != Some(Format::Node));
+        if is_own && let Some(own) = own.take() {
+            return Ok(own);
+        }
+        let uri = files[index].to_string_lossy().into_owned();
+        beside(&uri).map_err(|source| ReadError::External { uri, source })
+    };
+    let (node, ele) = (file(0)?, file(1)?);
+    let poly = match file(2) {
+        Err(ReadError::External { source, .. }) if source.kind() == ErrorKind::NotFound => None,
+        poly => Some(poly?),
+    };
+    triangle::read(&node[..], &ele[..], poly.as_deref())
 }

@@ -6,7 +6,10 @@ use mindeg_mesh::{Mesh, Positions};
 
 use crate::gltf::Stored;
 use crate::sections::{self, Section, write_sections};
-use crate::{Format, WriteError, WriteOptions, glb, gltf, obj, svg};
+use crate::{
+    Format, WriteError, WriteOptions, fort14, glb, gltf, npz, obj, off, ply, sms2dm, stl, svg,
+    triangle,
+};
 
 /// Writes meshes on some positions in one format.
 ///
@@ -46,23 +49,41 @@ impl Writer {
         positions: &dyn Positions,
         triangle_count: u32,
     ) -> Result<Self, WriteError> {
-        let vertex_count = positions.vertex_count();
+        Self::check_size(format, &options, positions.vertex_count(), triangle_count)?;
         let mut stored = None;
         match format {
-            Format::Svg => svg::check_size(vertex_count)?,
             Format::Glb | Format::Gltf => {
-                if format == Format::Glb {
-                    glb::check_size(vertex_count, triangle_count, &options.surface)?;
-                }
                 stored = Some(Stored::new(positions, options.surface.plane)?);
             }
-            Format::Su2 | Format::Node | Format::Fort14 | Format::Sms2dm => {
-                check_plane(format, positions)?;
+            Format::Ply => ply::check(positions, &options)?,
+            Format::Stl => stl::check(positions, options.surface.plane)?,
+            Format::Fort14 => fort14::check(positions)?,
+            Format::Node => triangle::check(positions)?,
+            Format::Su2 => {
+                WriteError::unless_in_plane(format, positions)?;
             }
-            Format::Off => return Err(WriteError::NotWritten(format)),
             _ => {}
         }
         Ok(Self { format, options, stored })
+    }
+
+    /// Refuses what a format cannot hold for its size alone. O(1).
+    ///
+    /// # Errors
+    ///
+    /// A mesh that is too large, or a format that is not written.
+    pub fn check_size(
+        format: Format,
+        options: &WriteOptions,
+        vertex_count: u32,
+        triangle_count: u32,
+    ) -> Result<(), WriteError> {
+        match format {
+            Format::Svg => svg::check_size(vertex_count),
+            Format::Glb => glb::check_size(vertex_count, triangle_count, &options.surface),
+            Format::Off => Err(WriteError::NotWritten(format)),
+            _ => Ok(()),
+        }
     }
 
     /// The format.
@@ -103,6 +124,7 @@ impl Writer {
             (Format::Gltf, Some(stored), [(_, document), (name, binary)]) => {
                 Ok(gltf::write_stored(mesh, stored, surface, name, document, binary)?)
             }
+            (Format::Npz, _, [(_, out)]) => Ok(npz::write(mesh, self.options.fields, out)?),
             _ => Err(WriteError::NotWritten(self.format)),
         }
     }
@@ -120,6 +142,7 @@ impl Writer {
         Ok(match (self.format, &self.stored) {
             (Format::Glb, Some(stored)) => vec![glb::file_len(mesh, stored, surface)?],
             (Format::Gltf, Some(stored)) => gltf::file_lens(mesh, stored, surface).into(),
+            (Format::Npz, _) => vec![npz::file_len(mesh, self.options.fields)],
             // A picture is small.
             _ => vec![0; self.format.file_count()],
         })
@@ -129,14 +152,13 @@ impl Writer {
     fn contents<'a>(&'a self, mesh: &'a dyn Mesh) -> Option<Vec<Vec<Section<'a>>>> {
         Some(match self.format {
             Format::Obj => vec![obj::sections(mesh, &self.options.surface)],
+            Format::Ply => vec![ply::sections(mesh, &self.options)],
+            Format::Stl => vec![stl::sections(mesh, self.options.surface.plane)],
+            Format::Off => vec![off::sections(mesh, self.options.surface.plane)],
+            Format::Sms2dm => vec![sms2dm::sections(mesh)],
+            Format::Fort14 => vec![fort14::sections(mesh)],
+            Format::Node => triangle::sections(mesh).into(),
             _ => return None,
         })
     }
-}
-
-/// Refuses positions that do not all have the same z.
-fn check_plane(format: Format, positions: &dyn Positions) -> Result<(), WriteError> {
-    let bounds = positions.bounds();
-    let z = [bounds.min.z, bounds.max.z];
-    if z[0] == z[1] { Ok(()) } else { Err(WriteError::NotInPlane { format, z }) }
 }

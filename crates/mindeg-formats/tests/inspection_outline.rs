@@ -44,7 +44,7 @@ fn glb(mesh: &BoundaryMesh, options: &SurfaceOptions) -> TriMesh {
 /// An inspection of a least-degree mesh that has been written and read.
 fn check(mesh: &BoundaryMesh, read: &TriMesh) -> Result<(), TestCaseError> {
     let found = inspect(read);
-    let boundary = mesh.boundary();
+    let boundary = mesh.rings();
     let outline = found.outline.as_ref().unwrap();
     prop_assert!(boundary.sides().eq(outline.intervals.iter().copied()), "{:?}", outline);
     let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
@@ -179,7 +179,7 @@ fn what_32_bit_floats_blur_is_too_fine_to_tell() {
         // With corners of 20 degrees and more, such turns are none.
         let options = InspectionOptions { corner_angle: 20.0, ..InspectionOptions::default() };
         let outline = Inspection::of(&read, &options).outline.unwrap();
-        assert!(mesh.boundary().sides().eq(outline.intervals), "{:?}", outline.corners);
+        assert!(mesh.rings().sides().eq(outline.intervals), "{:?}", outline.corners);
     }
 }
 

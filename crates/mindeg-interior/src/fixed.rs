@@ -3,11 +3,12 @@
 use crate::edge_tree::{EdgeTree, Item};
 use crate::exact::{meet, orientation};
 use crate::near::Near;
-use crate::options::{Fixed, InteriorError, SizeAt};
+use crate::options::{Fixed, InteriorError};
 use crate::outline::{Outline, is_usable};
 use crate::packing::{Piece, is_inside_of};
 use crate::size::SizeField;
 use glam::DVec2;
+use mindeg_domain::SizeAt;
 
 /// Fixed points with those that divide segments, and the edges that segments are divided into.
 #[derive(Debug, Clone, Default)]

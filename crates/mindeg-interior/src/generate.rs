@@ -1,5 +1,4 @@
-//! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds
-//! where the first leaves something to be desired.
+//! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds where the first leaves something to be desired.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::edge_tree::{EdgeTree, Item};
@@ -8,16 +7,18 @@ use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Goal, Weights, goals};
 use crate::limits::limits;
 use crate::optimise::optimise;
-use crate::options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+use crate::options::{Fixed, InteriorError, Options};
 use crate::order::along_hilbert_curve;
 use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
 use crate::report::{Report, measure};
 use crate::size::SizeField;
+use crate::stage::Stage;
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
-use std::collections::VecDeque;
-use std::error::Error;
+use mindeg_domain::{Prefer, SizeAt};
+use mindeg_mesh::Progress;
+use std::ops::Range;
 
 /// A mesh and what it is like.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,31 +51,24 @@ const SEEDS: [Seed; 5] = [
 
 /// Fills an outline with interior points.
 ///
-/// `triangulate` gets points and the edges that must be in the triangulation, and gives a
-/// triangulation of the points with all these edges, counter-clockwise: Delaunay's, best. Triangles outside the outline may be among them.
-///
 /// The boundary stays as it is. Degrees and angles are aims: the search is heuristic, and the report says
-/// what was reached and which limits are proven. Equal input gives equal bytes, if `triangulate` does so.
+/// what was reached and which limits are proven. Equal input gives equal bytes.
 ///
 /// O(n log n) for n points, beside what is spent on places that need operations.
 ///
 /// # Errors
 ///
 /// If an option has no meaning, the target angle is above the proven limit, fixed
-/// points or segments are outside or cross, the mesh would be too large, `triangulate` fails, or `progress` breaks.
-pub fn generate<E, F>(
+/// points or segments are outside or cross, the mesh would be too large, points are too close to triangulate, or
+/// `progress` breaks.
+pub fn generate(
     outline: &Outline,
     fixed: &Fixed,
     options: &Options,
-    mut triangulate: F,
     progress: Progress<'_>,
-) -> Result<InteriorMesh, InteriorError>
-where
-    E: Into<Box<dyn Error + Send + Sync>>,
-    F: FnMut(&[DVec2], &[[u32; 2]]) -> Result<Vec<[u32; 3]>, E>,
-{
+) -> Result<InteriorMesh, InteriorError> {
     options.check()?;
-    let limits = limits(outline, options.boundary_degree);
+    let limits = limits(outline, |v| options.degree_limit(outline, v));
     check_target(&limits, options)?;
     let floor = floor(options);
     let mut best: Option<InteriorMesh> = None;
@@ -91,11 +85,11 @@ where
         let goals = goals(outline, &way);
         let (breaklines, field) = size_field(outline, fixed, &way)?;
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
-        let mut part = |done: f32| progress((index as f32 + done) / tries.len() as f32);
-        let mut mesh =
-            start.mesh(seed.spacing, floor, options.max_points, &mut triangulate, &mut part)?;
+        let mut stage = Stage::of_try(progress, "adding interior points", index, tries.len());
+        let mut mesh = start.mesh(seed.spacing, floor, options.max_points, progress, &mut stage)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
-        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut part)?;
+        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut stage)?;
+        stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
         let goal = |v: u32| goals.get(v as usize);
@@ -112,7 +106,6 @@ where
             break;
         }
     }
-    crate::options::report(progress, 1.0)?;
     best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
 }
 
@@ -154,19 +147,15 @@ struct Start<'a> {
 }
 
 impl Start<'_> {
-    /// Packs points, has them triangulated, and links the triangles inside.
-    fn mesh<E, F>(
+    /// Packs points, triangulates them, and links the triangles.
+    fn mesh(
         &self,
         spacing: f64,
         floor: f64,
         max_points: usize,
-        triangulate: &mut F,
         progress: Progress<'_>,
-    ) -> Result<ArrayMesh, InteriorError>
-    where
-        E: Into<Box<dyn Error + Send + Sync>>,
-        F: FnMut(&[DVec2], &[[u32; 2]]) -> Result<Vec<[u32; 3]>, E>,
-    {
+        stage: &mut Stage<'_>,
+    ) -> Result<ArrayMesh, InteriorError> {
         let pieces = self.breaklines.pieces(self.outline);
         let items = pieces.iter().enumerate().map(|(id, piece)| Item {
             id: id as u32,
@@ -185,7 +174,7 @@ impl Start<'_> {
             fan_angle: floor + 3.0,
             max_points,
         };
-        let (packed, sizes) = ground.pack(progress)?;
+        let (packed, sizes) = ground.pack(stage)?;
         let given = self.outline.points().len() + self.breaklines.points.len();
         let mut vertices = Vec::with_capacity(given + packed.len());
         let vertex =
@@ -204,14 +193,14 @@ impl Start<'_> {
             vertices.push(vertex(at, size, Kind::Free, NONE));
         }
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
-        let boundary: Vec<[u32; 2]> = self.outline.edges().collect();
-        let edges: Vec<[u32; 2]> = boundary.iter().chain(&self.breaklines.edges).copied().collect();
-        let all = triangulate(&points, &edges)
-            .map_err(|error| InteriorError::Triangulation(error.into()))?;
-        let mut triangles = inside(points.len(), &all, &boundary)?;
+        let rings: Vec<Range<u32>> = self.outline.rings().collect();
+        let corners: Vec<u32> = self.outline.corners().collect();
+        let edges = &self.breaklines.edges;
+        let mut triangles = mindeg_delaunay::of_rings(&points, &rings, &corners, edges, progress)?;
         // Near each other in the plane, near each other in memory.
         triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
-        let expected = 2 * points.len() - boundary.len() + 2 * self.outline.ring_count() - 4;
+        let boundary = self.outline.points().len();
+        let expected = 2 * points.len() - boundary + 2 * rings.len() - 4;
         if triangles.len() != expected {
             return Err(InteriorError::NotFilled(format!(
                 "found {} triangles inside, expected {expected}",
@@ -235,61 +224,6 @@ impl Start<'_> {
 /// The same point without coordinates that are nothing beside the domain: exact predicates have a least number.
 fn clean(point: DVec2, extent: f64) -> DVec2 {
     DVec2::select(point.abs().cmplt(DVec2::splat(1e-25 * extent)), DVec2::ZERO, point)
-}
-
-/// The triangles that can be reached from the left of boundary edges without crossing one.
-fn inside(
-    points: usize,
-    all: &[[u32; 3]],
-    boundary: &[[u32; 2]],
-) -> Result<Vec<[u32; 3]>, InteriorError> {
-    let mut next = vec![NONE; points];
-    boundary.iter().for_each(|[a, b]| next[*a as usize] = *b);
-    // Half-edges from each vertex, by counting.
-    let mut starts = vec![0_u32; points + 1];
-    for v in all.iter().flatten() {
-        let Some(count) = starts.get_mut(*v as usize + 1) else {
-            return Err(InteriorError::NotFilled(format!("it names vertex {v} of {points}")));
-        };
-        *count += 1;
-    }
-    for v in 0..points {
-        starts[v + 1] += starts[v];
-    }
-    let mut fill = starts.clone();
-    let mut halves = vec![0_u32; 3 * all.len()];
-    for (t, triangle) in all.iter().enumerate() {
-        for (i, v) in triangle.iter().enumerate() {
-            halves[fill[*v as usize] as usize] = (3 * t + i) as u32;
-            fill[*v as usize] += 1;
-        }
-    }
-    let find = |from: u32, to: u32| {
-        let range = starts[from as usize] as usize..starts[from as usize + 1] as usize;
-        let goes_to = |half: &u32| all[*half as usize / 3][(*half as usize % 3 + 1) % 3] == to;
-        halves[range].iter().copied().find(goes_to).map(|half| half / 3)
-    };
-    let mut is_inside = vec![false; all.len()];
-    let mut queue = VecDeque::new();
-    for [a, b] in boundary {
-        let Some(t) = find(*a, *b) else {
-            return Err(InteriorError::NotFilled(format!("boundary edge {a}-{b} is missing")));
-        };
-        queue.push_back(t);
-    }
-    while let Some(t) = queue.pop_front() {
-        if std::mem::replace(&mut is_inside[t as usize], true) {
-            continue;
-        }
-        let triangle = all[t as usize];
-        for i in 0..3 {
-            let (a, b) = (triangle[i], triangle[(i + 1) % 3]);
-            if next[a as usize] != b {
-                queue.extend(find(b, a).filter(|t| !is_inside[*t as usize]));
-            }
-        }
-    }
-    Ok(all.iter().zip(is_inside).filter(|(_, inside)| *inside).map(|(t, _)| *t).collect())
 }
 
 /// The living vertices and triangles, in order, with the index that each point had in the array mesh.

@@ -1,8 +1,9 @@
 //! What is wanted of each vertex and of the mesh as a whole.
 
-use crate::limits::{degree_limit, fan_limit_at};
-use crate::options::{Options, Prefer};
+use crate::limits::fan_limit_at;
+use crate::options::Options;
 use crate::outline::Outline;
+use mindeg_domain::Prefer;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -23,7 +24,7 @@ pub(crate) struct Goal {
 pub(crate) fn goals(outline: &Outline, options: &Options) -> Vec<Goal> {
     let goal = |vertex| {
         let angle = outline.angle(vertex);
-        let triangles = degree_limit(angle, options.boundary_degree) - 1;
+        let triangles = options.degree_limit(outline, vertex) - 1;
         let fan = (options.prefer == Prefer::Degree).then_some(triangles);
         let limit = fan_limit_at(outline, vertex, fan);
         Goal { triangles, ideal: angle / (PI / 3.0), fan, limit }

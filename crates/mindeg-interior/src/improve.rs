@@ -6,12 +6,14 @@ use crate::generate::compact;
 use crate::goal::{Weights, goals};
 use crate::limits::{Limits, limits};
 use crate::optimise::optimise;
-use crate::options::{InteriorError, Options, Progress, report};
+use crate::options::{InteriorError, Options};
 use crate::outline::{MAX_POINTS, Outline, is_usable};
 use crate::report::{Report, measure};
+use crate::stage::Stage;
 use crate::triangle::{SQRT_3, doubled_area};
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
+use mindeg_mesh::Progress;
 
 /// What stays as it is in a mesh, beside its boundary.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -60,12 +62,12 @@ pub fn improve(
     let before =
         start.measure(points, triangles, options, |v| start.mesh.vertices[v as usize].goal);
     let mut best: Option<Improved> = None;
-    for pairs in [false, true] {
+    for (index, pairs) in [false, true].into_iter().enumerate() {
         let mut mesh = start.mesh.clone();
         let weights = if pairs { Weights::pairs } else { Weights::single };
-        let offset = if pairs { 0.5 } else { 0.0 };
-        let mut part = |done: f32| progress(offset + done / 2.0);
-        optimise(&mut mesh, &weights(options, floor(options)), pairs, &mut part)?;
+        let mut stage = Stage::of_try(progress, "improving", index, 2);
+        optimise(&mut mesh, &weights(options, floor(options)), pairs, &mut stage)?;
+        stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::BadMesh)?;
         let (new_points, new_triangles, sources) = compact(&mesh);
         let goal = |v: u32| mesh.vertices[sources[v as usize] as usize].goal;
@@ -86,7 +88,6 @@ pub fn improve(
             break;
         }
     }
-    report(progress, 1.0)?;
     Ok(best.unwrap_or_else(|| Improved {
         points: points.to_vec(),
         sources: (0..points.len() as u32).map(Some).collect(),
@@ -142,7 +143,7 @@ impl Input {
             mesh.vertices[*v as usize].goal = goal;
         }
         mesh.goals = goals(&outline, options);
-        let mut limits = limits(&outline, options.boundary_degree);
+        let mut limits = limits(&outline, |v| options.degree_limit(&outline, v));
         let name = |v: &mut u32| *v = names[*v as usize];
         name(&mut limits.any_degree.vertex);
         name(&mut limits.with_degree_limit.vertex);

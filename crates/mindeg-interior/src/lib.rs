@@ -5,23 +5,10 @@
 //! bit for bit; [`generate`] adds points inside. [`improve`] applies the optimiser alone to any planar
 //! triangle mesh. [`limits::limits`] says beforehand which minimum angle no mesh of this boundary can exceed.
 //!
-//! The crate brings no Delaunay triangulation: [`generate`] takes one as a function.
-//!
 //! ```
 //! use glam::DVec2;
 //! use mindeg_interior::{Fixed, Options, Outline, generate};
-//! use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
-//! use std::ops::ControlFlow;
-//!
-//! let delaunay = |points: &[DVec2], edges: &[[u32; 2]]| {
-//!     let points = points.iter().map(|p| Point2::new(p.x, p.y)).collect();
-//!     let edges = edges.iter().map(|edge| edge.map(|v| v as usize)).collect();
-//!     let mesh = ConstrainedDelaunayTriangulation::<Point2<f64>>::bulk_load_cdt(points, edges)?;
-//!     let corners = |face: spade::handles::FaceHandle<'_, _, _, _, _, _>| {
-//!         face.vertices().map(|v| v.fix().index() as u32)
-//!     };
-//!     Ok::<_, spade::InsertionError>(mesh.inner_faces().map(corners).collect())
-//! };
+//! use mindeg_mesh::Progress;
 //!
 //! // A unit square with 8 intervals on each side.
 //! let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
@@ -29,8 +16,7 @@
 //! let ring: Vec<DVec2> = (0..4).flat_map(side).collect();
 //!
 //! let outline = Outline::new(&[&ring])?;
-//! let go = &mut |_| ControlFlow::Continue(());
-//! let mesh = generate(&outline, &Fixed::default(), &Options::default(), delaunay, go)?;
+//! let mesh = generate(&outline, &Fixed::default(), &Options::default(), Progress::NONE)?;
 //! assert_eq!(mesh.points[..32], ring[..]);
 //! assert!(mesh.report.min_angle > 35.0);
 //! assert!(mesh.report.violations.is_empty());
@@ -43,7 +29,7 @@
 //!    edge is seen, and nowhere more than length + growth * distance.
 //! 2. A packing grows from the boundary inwards. Each point makes an equilateral triangle with
 //!    what is there, and corners between edges of unequal length get the fan of their limit.
-//! 3. The caller's Delaunay triangulation connects the points.
+//! 3. A constrained Delaunay triangulation connects the points.
 //! 4. The optimiser smooths, and where a degree or an angle is wrong it tries flips, collapses and
 //!    vertex splits. Each is undone unless the energy falls and no small angle gets smaller.
 //! 5. If something is left to be desired, pairs of operations and then other seeds are tried, and the best mesh
@@ -73,6 +59,7 @@ mod goal;
 mod improve;
 mod invariants;
 pub mod limits;
+mod lines;
 mod near;
 mod operations;
 mod optimise;
@@ -85,12 +72,14 @@ mod report;
 mod samples;
 mod size;
 mod smooth;
+mod stage;
 mod trial;
 mod triangle;
 mod verdict;
 
 pub use generate::{InteriorMesh, generate};
 pub use improve::{Improved, Keep, improve};
-pub use options::{Fixed, InteriorError, Options, Prefer, Progress, SizeAt};
+pub use mindeg_domain::{Prefer, SizeAt};
+pub use options::{Fixed, InteriorError, Options};
 pub use outline::{Outline, OutlineError};
 pub use report::{Report, Violation};

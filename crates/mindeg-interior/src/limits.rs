@@ -144,12 +144,12 @@ pub fn fan_limit_at(outline: &Outline, vertex: u32, max_triangles: Option<u32>) 
     fan_limit(outline.angle(vertex), lengths[0], lengths[1], max_triangles)
 }
 
-/// The limits of a whole outline, with at most `edges` edges at a boundary vertex
-/// ([`degree_limit`] at reflex corners).
+/// The limits of a whole outline, if each boundary vertex has at most the edges that `degree_limit`
+/// gives it.
 ///
 /// O(n log n) where edges are short beside the domain.
 #[must_use]
-pub fn limits(outline: &Outline, edges: u32) -> Limits {
+pub fn limits(outline: &Outline, degree_limit: impl Fn(u32) -> u32) -> Limits {
     let least = |max_triangles: &dyn Fn(u32) -> Option<u32>| {
         let mut least = FanLimit { angle: f64::INFINITY, vertex: 0 };
         for vertex in 0..outline.points().len() as u32 {
@@ -161,7 +161,7 @@ pub fn limits(outline: &Outline, edges: u32) -> Limits {
         least
     };
     let any_degree = least(&|_| None);
-    let with_degree_limit = least(&|v| Some(degree_limit(outline.angle(v), edges) - 1));
+    let with_degree_limit = least(&|v| Some(degree_limit(v).max(2) - 1));
     let tent = tent_limit(outline, any_degree.angle.max(with_degree_limit.angle));
     Limits { any_degree, with_degree_limit, tent }
 }
@@ -284,6 +284,11 @@ mod tests {
             let limit = fan_limit(angle, ratio, 1.0, Some(parts.len() as u32));
             prop_assert!(least <= limit + 1e-9, "{least} {limit}");
         }
+    }
+
+    /// The limits with so many edges at each boundary vertex.
+    fn limits(outline: &Outline, edges: u32) -> Limits {
+        super::limits(outline, |v| degree_limit(outline.angle(v), edges))
     }
 
     #[test]

@@ -3,18 +3,16 @@
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::goal::Weights;
 use crate::operations::{Operation, operations};
-use crate::options::{InteriorError, Progress, report};
 use crate::smooth::{Power, Sweeper, polish};
+use crate::stage::Stage;
 use crate::trial::Bench;
+use mindeg_mesh::Cancelled;
 use std::collections::VecDeque;
 
 /// Rounds of operations and smoothing.
 const ROUNDS: usize = 4;
 /// Angles this much above the floor are polished, too, in degrees.
 const MARGIN: f64 = 4.0;
-
-/// Called now and then; an error cancels.
-type Alive<'a> = &'a mut dyn FnMut() -> Result<(), InteriorError>;
 
 /// Which vertices need work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,29 +28,28 @@ pub(crate) fn optimise(
     mesh: &mut ArrayMesh,
     weights: &Weights,
     pairs: bool,
-    progress: Progress<'_>,
-) -> Result<(), InteriorError> {
+    stage: &mut Stage<'_>,
+) -> Result<(), Cancelled> {
     let mut sweeper = Sweeper::new();
-    sweeper.run(mesh, Power::Two, 10);
-    report(progress, 0.3)?;
-    sweeper.run(mesh, Power::Four, 5);
-    report(progress, 0.45)?;
+    stage.reach(0.3)?;
+    sweeper.run(mesh, Power::Two, 10, stage)?;
+    stage.reach(0.5)?;
+    sweeper.run(mesh, Power::Four, 5, stage)?;
     for round in 0..ROUNDS {
+        stage.reach(0.6 + 0.1 * round as f64)?;
         let mut changes = 0;
-        let mut alive = || report(progress, 0.5 + 0.1 * round as f32);
         for need in [Need::Any, Need::Degree] {
-            changes += singles(mesh, weights, need, &mut alive)?;
+            changes += singles(mesh, weights, need, stage)?;
         }
         if pairs {
-            changes += pairs_of_operations(mesh, weights, &mut alive)?;
+            changes += pairs_of_operations(mesh, weights, stage)?;
         }
         if changes == 0 && round > 0 {
             break;
         }
-        sweeper.run(mesh, Power::Four, 5);
+        sweeper.run(mesh, Power::Four, 5, stage)?;
     }
-    polish_all(mesh, weights, &mut sweeper);
-    report(progress, 1.0)
+    polish_all(mesh, weights, &mut sweeper, stage)
 }
 
 /// True if something is wrong at a vertex.
@@ -78,8 +75,8 @@ fn singles(
     mesh: &mut ArrayMesh,
     weights: &Weights,
     need: Need,
-    alive: Alive<'_>,
-) -> Result<usize, InteriorError> {
+    stage: &mut Stage<'_>,
+) -> Result<usize, Cancelled> {
     let mut star = Vec::new();
     let mut list = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
@@ -97,7 +94,7 @@ fn singles(
         }
         left -= 1;
         if left.is_multiple_of(256) {
-            alive()?;
+            stage.still()?;
         }
         if !is_needy(&mut bench, vertex, need, &mut star) {
             continue;
@@ -145,8 +142,8 @@ fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<
 fn pairs_of_operations(
     mesh: &mut ArrayMesh,
     weights: &Weights,
-    alive: Alive<'_>,
-) -> Result<usize, InteriorError> {
+    stage: &mut Stage<'_>,
+) -> Result<usize, Cancelled> {
     let mut star = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
     let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
@@ -159,7 +156,7 @@ fn pairs_of_operations(
             break;
         }
         left -= 1;
-        alive()?;
+        stage.still()?;
         if !is_needy(&mut bench, vertex, Need::Any, &mut star) {
             continue;
         }
@@ -237,9 +234,15 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
 }
 
 /// Moves the vertices of small angles until they rest.
-fn polish_all(mesh: &mut ArrayMesh, weights: &Weights, sweeper: &mut Sweeper) {
+fn polish_all(
+    mesh: &mut ArrayMesh,
+    weights: &Weights,
+    sweeper: &mut Sweeper,
+    stage: &mut Stage<'_>,
+) -> Result<(), Cancelled> {
     let mut active = vec![true; mesh.vertices.len()];
     for _ in 0..15 {
+        stage.still()?;
         let mut moved = false;
         for v in 0..mesh.vertices.len() as u32 {
             let vertex = &mesh.vertices[v as usize];
@@ -261,4 +264,5 @@ fn polish_all(mesh: &mut ArrayMesh, weights: &Weights, sweeper: &mut Sweeper) {
             break;
         }
     }
+    Ok(())
 }

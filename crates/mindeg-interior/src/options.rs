@@ -1,29 +1,14 @@
 //! What is wanted, and why it cannot be done.
 
-use crate::outline::{OutlineError, is_usable};
+use crate::limits::degree_limit;
+use crate::outline::{Outline, OutlineError, is_usable};
 use glam::DVec2;
-use std::ops::{ControlFlow, RangeInclusive};
+use mindeg_delaunay::DelaunayError;
+use mindeg_domain::{Prefer, SizeAt};
+use mindeg_mesh::Cancelled;
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use thiserror::Error;
-
-/// A wanted edge length at a place.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SizeAt {
-    /// The place.
-    pub at: DVec2,
-    /// The greatest edge length there; it grows from here with [`Options::growth`].
-    pub size: f64,
-}
-
-/// Which aim wins where one costs the other.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Prefer {
-    /// Degrees within their limits.
-    #[default]
-    Degree,
-    /// The minimum angle: the limit is then the one for any degree, and corners may get more triangles
-    /// than the boundary degree allows.
-    Angle,
-}
 
 /// What the mesh is to be like.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +24,8 @@ pub struct Options {
     /// The greatest degree wanted at the boundary, 5 by default;
     /// see [`degree_limit`](crate::limits::degree_limit) for reflex corners.
     pub boundary_degree: u32,
+    /// Boundary vertices with a degree limit of their own, in edges, which holds instead.
+    pub degree_limits: BTreeMap<u32, u32>,
     /// The minimum angle wanted in degrees; by default as much as the limits allow, up to about 35.
     pub target_angle: Option<f64>,
     /// Which aim wins.
@@ -55,6 +42,7 @@ impl Default for Options {
             sizes: Vec::new(),
             interior_degree: 5..=7,
             boundary_degree: 5,
+            degree_limits: BTreeMap::new(),
             target_angle: None,
             prefer: Prefer::default(),
             max_points: 20_000_000,
@@ -71,9 +59,6 @@ pub struct Fixed {
     /// may divide a segment, but keeps its line.
     pub segments: Vec<[u32; 2]>,
 }
-
-/// Progress callback: the share of the work that is done, 0 to 1. Break to cancel.
-pub type Progress<'a> = &'a mut dyn FnMut(f32) -> ControlFlow<()>;
 
 /// Why there is no mesh.
 #[derive(Debug, Error)]
@@ -106,6 +91,14 @@ pub enum InteriorError {
     /// A limit at the boundary that is too low to mesh with.
     #[error("a boundary degree of {0} is too low; use 4 or more (5 is usual)")]
     BoundaryDegree(u32),
+    /// A limit at a vertex that no mesh can keep.
+    #[error("vertex {vertex} has a degree limit of {limit}; its two boundary edges alone are 2")]
+    DegreeLimit {
+        /// The vertex.
+        vertex: u32,
+        /// Its limit.
+        limit: u32,
+    },
     /// A target that is no angle.
     #[error("target angle {0} is out of range; give degrees above 0 and below 60")]
     TargetAngle(f64),
@@ -128,6 +121,31 @@ pub enum InteriorError {
         what: String,
         /// Where it is.
         at: [f64; 2],
+    },
+    /// A line that ends on the boundary, but at none of its vertices.
+    #[error(
+        "fixed line {line} ends on the boundary at ({}, {}), between its points; the nearest is vertex {vertex} at ({}, {}): end the line there, or put a boundary point here",
+        at[0], at[1], nearest[0], nearest[1]
+    )]
+    EndOffVertex {
+        /// The line's index.
+        line: usize,
+        /// Where it ends.
+        at: [f64; 2],
+        /// The boundary vertex nearest to it.
+        vertex: u32,
+        /// Where that is.
+        nearest: [f64; 2],
+    },
+    /// A line that names a fixed point that is not there.
+    #[error("fixed line {line} names fixed point {index} (counted from 0); fixed points: {points}")]
+    NoSuchPoint {
+        /// The line's index.
+        line: usize,
+        /// The fixed point's index.
+        index: usize,
+        /// How many there are.
+        points: usize,
     },
     /// A fixed segment that names a vertex that is not there, or one vertex twice.
     #[error("fixed segment {segment} joins vertices {} and {}; give two different ones of the {vertices} boundary and fixed points", ends[0], ends[1])]
@@ -159,19 +177,37 @@ pub enum InteriorError {
     },
     /// The triangulation failed.
     #[error("the triangulation of boundary and interior points failed: {0}")]
-    Triangulation(#[source] Box<dyn std::error::Error + Send + Sync>),
-    /// The triangulation lacks boundary edges or has too many or too few triangles.
+    Triangulation(#[source] DelaunayError),
+    /// The triangulation has too many or too few triangles.
     #[error("the triangulation does not fill the outline: {0}")]
     NotFilled(String),
     /// A mesh that cannot be improved because it is not a planar triangle mesh.
     #[error("the mesh cannot be improved: {0}")]
     BadMesh(String),
-    /// The callback asked to stop.
-    #[error("cancelled")]
-    Cancelled,
+    /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl From<DelaunayError> for InteriorError {
+    fn from(error: DelaunayError) -> Self {
+        match error {
+            DelaunayError::Cancelled(cancelled) => Self::Cancelled(cancelled),
+            error => Self::Triangulation(error),
+        }
+    }
 }
 
 impl Options {
+    /// The greatest degree wanted of a boundary vertex, in edges.
+    #[must_use]
+    pub fn degree_limit(&self, outline: &Outline, vertex: u32) -> u32 {
+        match self.degree_limits.get(&vertex) {
+            Some(limit) => *limit,
+            None => degree_limit(outline.angle(vertex), self.boundary_degree),
+        }
+    }
+
     /// Checks all values that need no outline to check.
     pub(crate) fn check(&self) -> Result<(), InteriorError> {
         let positive = |x: f64| x.is_finite() && x > 0.0;
@@ -198,17 +234,12 @@ impl Options {
         if self.boundary_degree < 4 {
             return Err(InteriorError::BoundaryDegree(self.boundary_degree));
         }
+        if let Some((vertex, limit)) = self.degree_limits.iter().find(|(_, limit)| **limit < 2) {
+            return Err(InteriorError::DegreeLimit { vertex: *vertex, limit: *limit });
+        }
         match self.target_angle {
             Some(angle) if !(angle > 0.0 && angle < 60.0) => Err(InteriorError::TargetAngle(angle)),
             _ => Ok(()),
         }
-    }
-}
-
-/// Reports progress; an error if the callback wants to stop.
-pub(crate) fn report(progress: Progress<'_>, done: f32) -> Result<(), InteriorError> {
-    match progress(done) {
-        ControlFlow::Continue(()) => Ok(()),
-        ControlFlow::Break(()) => Err(InteriorError::Cancelled),
     }
 }

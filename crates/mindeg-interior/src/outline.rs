@@ -118,12 +118,7 @@ impl Outline {
     /// A search tree over the edges; an edge's id is its first vertex.
     pub(crate) fn edge_tree(&self) -> EdgeTree {
         EdgeTree::of_rings(self.rings().map(|ring| {
-            let is_corner = |v: u32| {
-                let [before, at, after] =
-                    [self.previous(v), v, self.next(v)].map(|v| self.point(v));
-                !is_straight(at - before, after - at)
-            };
-            let start = ring.clone().find(|v| is_corner(*v)).unwrap_or(ring.start);
+            let start = ring.clone().find(|v| self.is_corner(*v)).unwrap_or(ring.start);
             let ids = (start..ring.end).chain(ring.start..start);
             let item = |id| Item {
                 id,
@@ -133,6 +128,18 @@ impl Outline {
             };
             ids.map(item).collect()
         }))
+    }
+
+    /// True if the boundary turns here.
+    fn is_corner(&self, vertex: u32) -> bool {
+        let [before, at, after] =
+            [self.previous(vertex), vertex, self.next(vertex)].map(|v| self.point(v));
+        !is_straight(at - before, after - at)
+    }
+
+    /// The vertices where the boundary turns, in ascending order.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = u32> + '_ {
+        (0..self.points.len() as u32).filter(|vertex| self.is_corner(*vertex))
     }
 
     /// An outline from rings that are known to bound triangles, in any number and order.

@@ -9,9 +9,10 @@ use crate::exact::orientation;
 use crate::goal::Goal;
 use crate::limits::fan_limit;
 use crate::near::Near;
-use crate::options::{InteriorError, Progress, report};
+use crate::options::InteriorError;
 use crate::outline::Outline;
 use crate::size::SizeField;
+use crate::stage::Stage;
 use crate::triangle::SQRT_3;
 use glam::DVec2;
 use std::collections::VecDeque;
@@ -61,7 +62,7 @@ impl Ground<'_> {
     /// Interior points and their sizes, without the fixed ones.
     pub(crate) fn pack(
         &self,
-        progress: Progress<'_>,
+        stage: &mut Stage<'_>,
     ) -> Result<(Vec<DVec2>, Vec<f64>), InteriorError> {
         let points = self.outline.points();
         let low = points.iter().copied().reduce(DVec2::min).unwrap_or_default();
@@ -89,7 +90,7 @@ impl Ground<'_> {
                 return Err(InteriorError::TooManyPoints { max: self.max_points });
             }
             if sizes.len() % (1 << 14) == 0 {
-                report(progress, 0.0)?;
+                stage.still()?;
             }
             surround(place, size, candidate.direction, &mut queue);
         }

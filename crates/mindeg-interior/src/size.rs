@@ -1,9 +1,9 @@
 //! The size of the mesh at any place: edges' lengths, carried smoothly inside.
 
 use crate::edge_tree::{EdgeTree, Item, Node};
-use crate::options::SizeAt;
 use crate::outline::Outline;
 use glam::DVec2;
+use mindeg_domain::SizeAt;
 
 /// The wanted edge length at every place of a domain.
 ///

@@ -1,8 +1,10 @@
 //! Moving free vertices: Newton's method on distortion, and a search along a compass for angles.
 
 use crate::array_mesh::{ArrayMesh, Kind};
+use crate::stage::Stage;
 use crate::triangle::{SQRT_3, cross, distortion, min_angle};
 use glam::DVec2;
+use mindeg_mesh::Cancelled;
 
 /// The exponent of distortion in what smoothing minimises. More weighs bad triangles more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -182,10 +184,17 @@ impl Sweeper {
     }
 
     /// `sweeps` sweeps over all vertices.
-    pub(crate) fn run(&mut self, mesh: &mut ArrayMesh, power: Power, sweeps: usize) {
+    pub(crate) fn run(
+        &mut self,
+        mesh: &mut ArrayMesh,
+        power: Power,
+        sweeps: usize,
+        stage: &mut Stage<'_>,
+    ) -> Result<(), Cancelled> {
         self.is_active.clear();
         self.is_active.resize(mesh.vertices.len(), true);
         for _ in 0..sweeps {
+            stage.still()?;
             let mut moved = false;
             for v in 0..mesh.vertices.len() as u32 {
                 let vertex = &mesh.vertices[v as usize];
@@ -209,5 +218,6 @@ impl Sweeper {
                 break;
             }
         }
+        Ok(())
     }
 }

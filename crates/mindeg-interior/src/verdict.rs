@@ -1,8 +1,9 @@
 //! Which of several meshes is better, and when one is good enough.
 
 use crate::limits::Limits;
-use crate::options::{InteriorError, Options, Prefer};
+use crate::options::{InteriorError, Options};
 use crate::report::Report;
+use mindeg_domain::Prefer;
 
 /// The angle aimed at where neither the boundary nor the user says otherwise, in degrees.
 const FLOOR: f64 = 36.0;

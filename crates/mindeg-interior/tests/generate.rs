@@ -2,8 +2,6 @@
 #![allow(clippy::unwrap_used, clippy::cloned_ref_to_slice_refs)]
 
 mod checker;
-#[path = "../examples/corpus/delaunay.rs"]
-mod delaunay;
 #[path = "../examples/corpus/polygons.rs"]
 #[allow(dead_code)]
 mod polygons;
@@ -13,8 +11,10 @@ use glam::DVec2;
 use mindeg_interior::{
     Fixed, InteriorError, InteriorMesh, Options, Outline, Prefer, SizeAt, generate,
 };
+use mindeg_mesh::{Progress, Step};
 use polygons::{Random, domains, random_polygon, ring};
 use std::ops::ControlFlow;
+use std::sync::Mutex;
 
 fn points(list: &[[f64; 2]]) -> Vec<DVec2> {
     list.iter().copied().map(DVec2::from).collect()
@@ -26,8 +26,7 @@ fn try_mesh(
     options: &Options,
 ) -> Result<InteriorMesh, InteriorError> {
     let outline = Outline::new(rings)?;
-    let go = &mut |_| ControlFlow::Continue(());
-    generate(&outline, fixed, options, delaunay::triangulate, go)
+    generate(&outline, fixed, options, Progress::NONE)
 }
 
 /// Meshes, and checks everything that must hold whatever was reached.
@@ -191,6 +190,22 @@ fn other_limits_on_degrees_are_kept() {
 }
 
 #[test]
+fn a_vertex_may_have_a_limit_of_its_own() {
+    // On a side, three triangles meet where nothing limits them.
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8; 4]);
+    let degree = |degree_limits| {
+        let options = Options { degree_limits, ..Options::default() };
+        let found = mesh(&[square.clone()], &Fixed::default(), &options);
+        assert_eq!(found.report.violations, []);
+        degrees(found.points.len(), &found.triangles)[4]
+    };
+    assert_eq!((degree([].into()), degree([(4, 3)].into())), (4, 3));
+    let options = Options { degree_limits: [(3, 1)].into(), ..Options::default() };
+    let error = try_mesh(&[square.clone()], &Fixed::default(), &options).unwrap_err();
+    assert!(error.to_string().starts_with("vertex 3 has a degree limit of 1"), "{error}");
+}
+
+#[test]
 fn preferred_angles_exceed_the_limit_that_degrees_set() {
     // At the first corner an edge of 20 meets one of 0.25.
     let corners = points(&[[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]]);
@@ -274,39 +289,25 @@ fn a_reachable_target_is_aimed_at() {
 }
 
 #[test]
-fn progress_rises_to_one_and_can_cancel() {
+fn progress_rises_to_the_end_and_can_cancel() {
     let outline = Outline::new(&[plate()[0].clone()]).unwrap();
-    let mut seen = vec![0.0];
-    let mut run = |stop: f32| {
-        generate(
-            &outline,
-            &Fixed::default(),
-            &Options::default(),
-            delaunay::triangulate,
-            &mut |done| {
-                seen.push(done);
-                if done > stop { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            },
-        )
+    let seen = Mutex::new(Vec::new());
+    let run = |most: u64| {
+        let callback = |step: Step<'_>| {
+            seen.lock().unwrap().push((step.stage.to_owned(), step.done, step.total));
+            if step.done > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        };
+        let (fixed, options) = (Fixed::default(), Options::default());
+        let progress = Progress::new(&callback);
+        generate(&outline, &fixed, &options, progress)
     };
-    assert!(matches!(run(0.01), Err(InteriorError::Cancelled)));
-    run(2.0).unwrap();
-    assert_eq!(seen.last(), Some(&1.0));
-    assert!(seen[3..].windows(2).all(|pair| pair[0] <= pair[1]), "{seen:?}");
-}
-
-#[test]
-fn a_failing_triangulation_is_an_error() {
-    let outline = Outline::new(&plate()).unwrap();
-    let go = &mut |_| ControlFlow::Continue(());
-    let (fixed, options) = (Fixed::default(), Options::default());
-    let error = generate(&outline, &fixed, &options, |_, _| Err("no luck"), go).unwrap_err();
-    assert!(error.to_string().contains("no luck"), "{error}");
-    for broken in [vec![], vec![[0, 1, 2]], vec![[0, 1, 1_000_000]]] {
-        let give = |_: &[DVec2], _: &[[u32; 2]]| Ok::<_, String>(broken.clone());
-        let error = generate(&outline, &fixed, &options, give, go).unwrap_err();
-        assert!(matches!(error, InteriorError::NotFilled(_)), "{error}");
-    }
+    assert!(matches!(run(10), Err(InteriorError::Cancelled(_))));
+    seen.lock().unwrap().clear();
+    run(u64::MAX).unwrap();
+    let seen = seen.lock().unwrap();
+    assert!(seen.iter().all(|(stage, done, total)| !stage.is_empty() && done <= total));
+    assert_eq!(seen.last().map(|(_, done, total)| done == total), Some(true));
+    assert!(seen.windows(2).all(|p| p[0].0 != p[1].0 || p[0].1 <= p[1].1), "{seen:?}");
 }
 
 /// A polygon round the origin with a corner in each direction, at random distances.

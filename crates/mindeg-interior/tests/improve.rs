@@ -2,14 +2,13 @@
 #![allow(clippy::unwrap_used)]
 
 mod checker;
-#[path = "../examples/corpus/delaunay.rs"]
-mod delaunay;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
+use mindeg_delaunay::of_rings;
 use mindeg_interior::{Improved, InteriorError, Keep, Options, improve};
+use mindeg_mesh::Progress;
 use proptest::prelude::*;
-use std::ops::ControlFlow;
 
 type Mesh = (Vec<DVec2>, Vec<[u32; 3]>);
 
@@ -22,8 +21,8 @@ fn square(side: u32, inside: &[(f64, f64)]) -> Mesh {
         points.extend((0..side).map(along));
     }
     points.extend(inside.iter().map(|(x, y)| DVec2::new(0.02 + 0.96 * x, 0.02 + 0.96 * y)));
-    let edges: Vec<[u32; 2]> = (0..4 * side).map(|v| [v, (v + 1) % (4 * side)]).collect();
-    let triangles = delaunay::triangulate(&points, &edges).unwrap();
+    let ring = 0..4 * side;
+    let triangles = of_rings(&points, &[ring], &[], &[], Progress::NONE).unwrap();
     (points, triangles)
 }
 
@@ -35,8 +34,7 @@ fn boundary(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
 }
 
 fn run((points, triangles): &Mesh, keep: &Keep) -> Improved {
-    let go = &mut |_| ControlFlow::Continue(());
-    let found = improve(points, triangles, keep, &Options::default(), go).unwrap();
+    let found = improve(points, triangles, keep, &Options::default(), Progress::NONE).unwrap();
     let name = |v: u32| found.sources.iter().position(|s| *s == Some(v)).unwrap() as u32;
     let kept: Vec<[u32; 2]> = boundary(triangles).iter().map(|e| e.map(name)).collect();
     assert_valid(&found.points, &found.triangles, &kept);
@@ -98,7 +96,6 @@ fn unused_points_stay() {
 
 #[test]
 fn meshes_with_faults_are_refused() {
-    let go = || |_: f32| ControlFlow::Continue(());
     let points: Vec<DVec2> =
         [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 2.0], [f64::NAN, 0.0]]
             .map(DVec2::from)
@@ -110,21 +107,27 @@ fn meshes_with_faults_are_refused() {
         (vec![[0, 1, 2], [0, 1, 3]], Keep::default(), "edge 0-1 in one direction"),
         (vec![[0, 1, 2]], Keep { vertices: vec![], edges: vec![[0, 3]] }, "edge 0-3 is missing"),
     ] {
-        let error = improve(&points[..5], &triangles, &keep, &Options::default(), &mut go());
+        let error = improve(&points[..5], &triangles, &keep, &Options::default(), Progress::NONE);
         let error = error.unwrap_err();
         assert!(matches!(error, InteriorError::BadMesh(_)));
         assert!(error.to_string().contains(expected), "{error}");
     }
-    let error = improve(&points, &[[0, 1, 2]], &Keep::default(), &Options::default(), &mut go());
+    let error =
+        improve(&points, &[[0, 1, 2]], &Keep::default(), &Options::default(), Progress::NONE);
     assert!(error.unwrap_err().to_string().contains("vertex 5"));
     // Two triangles that touch at a vertex only.
     let bow: Vec<DVec2> =
         [[0.0, 0.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0]].map(DVec2::from).to_vec();
-    let error =
-        improve(&bow, &[[0, 1, 2], [0, 3, 4]], &Keep::default(), &Options::default(), &mut go());
+    let error = improve(
+        &bow,
+        &[[0, 1, 2], [0, 3, 4]],
+        &Keep::default(),
+        &Options::default(),
+        Progress::NONE,
+    );
     assert!(error.unwrap_err().to_string().contains("more than one fan"));
     let options = Options { target_angle: Some(50.0), ..Options::default() };
-    let error = improve(&bow, &[[0, 1, 2]], &Keep::default(), &options, &mut go());
+    let error = improve(&bow, &[[0, 1, 2]], &Keep::default(), &options, Progress::NONE);
     assert!(matches!(error, Err(InteriorError::TargetAboveLimit { .. })));
 }
 

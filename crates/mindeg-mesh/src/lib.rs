@@ -3,7 +3,8 @@
 //! [`Positions`] and [`Triangles`] are the two halves of a mesh, whether it is a formula or a list;
 //! a [`TriMesh`] is a list, such as a reader gives. [`quality`] measures
 //! triangles by Verdict's definitions, [`inspection`] counts and names what is in a mesh and what
-//! is wrong with it, [`ear_clipping`] cuts polygons into triangles.
+//! is wrong with it, [`ear_clipping`] cuts polygons into triangles, [`check`] tells whether triangles
+//! triangulate given rings.
 //!
 //! ```
 //! use glam::DVec3;
@@ -22,7 +23,9 @@
 //! `libm`, so the same input gives the same bits on every machine.
 
 mod bounds;
+pub mod check;
 mod connectivity;
+pub mod crossing;
 pub mod ear_clipping;
 pub mod inspection;
 mod mesh;
@@ -37,7 +40,7 @@ mod worst;
 
 pub use bounds::Bounds;
 pub use connectivity::boundary::BoundaryLoop;
-pub use mesh::{Group, Line, Mesh, Positions, Triangles, filled};
+pub use mesh::{Group, Line, LineKind, Mesh, Positions, Triangles, filled};
 pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};

@@ -27,6 +27,17 @@ pub trait Positions: Sync {
     /// The smallest box around all vertices.
     fn bounds(&self) -> Bounds<DVec3>;
 
+    /// Writes the depths of the water at the vertices from `first` on into `out`, as many as it
+    /// holds: 0 but for a mesh of a coastal model that has them.
+    ///
+    /// # Panics
+    ///
+    /// If fewer than `out.len()` vertices remain from `first` on.
+    fn fill_depths(&self, first: u32, out: &mut [f64]) {
+        let _ = first;
+        out.fill(0.0);
+    }
+
     /// Whether each vertex follows the one before round a boundary, and the first the last: then
     /// no two of them may become one point in a file.
     fn is_ring(&self) -> bool {
@@ -78,6 +89,12 @@ pub trait Triangles: Sync {
         Cow::Borrowed(&[])
     }
 
+    /// What the line with this index is in a coastal model, where that is known.
+    fn line_kind(&self, line: usize) -> Option<LineKind> {
+        let _ = line;
+        None
+    }
+
     /// Writes the segments from `first` on into `out`, as many as it holds. The segments of a line
     /// follow one another.
     ///
@@ -113,6 +130,17 @@ pub struct Line {
     /// Whether each segment is known to start where the one before ends, all on the straight line
     /// between the ends of the line but for rounding.
     pub is_straight: bool,
+}
+
+/// What a part of the boundary of a coastal model is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum LineKind {
+    /// Open water.
+    Open,
+    /// The shore of the mainland.
+    Land,
+    /// The shore of an island.
+    Island,
 }
 
 /// The values of a range, from a function that fills a slice.

@@ -1,5 +1,7 @@
 //! A triangle mesh as lists: what every reader gives.
 
+mod append;
+
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
@@ -10,7 +12,7 @@ use crate::bounds::Bounds;
 use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
 use crate::connectivity::faces::Faces;
 use crate::connectivity::stars::Stars;
-use crate::mesh::{Group, Line, Positions, Triangles};
+use crate::mesh::{Group, Line, LineKind, Positions, Triangles};
 use crate::polygons::{NonTriangles, Polygons};
 
 /// A triangle mesh in space: any number of groups, with or without boundary, sound or not.
@@ -39,6 +41,10 @@ pub struct TriMesh {
     groups: Vec<Group>,
     segments: Vec<[u32; 2]>,
     lines: Vec<Line>,
+    /// Empty where no line has a kind.
+    line_kinds: Vec<Option<LineKind>>,
+    /// Empty where all are 0.
+    depths: Vec<f64>,
     polygons: Option<Polygons>,
     non_triangles: NonTriangles,
     notes: Vec<String>,
@@ -120,6 +126,8 @@ impl TriMesh {
             groups: vec![Group { name: String::new(), triangles: 0..triangle_count }],
             segments: Vec::new(),
             lines: Vec::new(),
+            line_kinds: Vec::new(),
+            depths: Vec::new(),
             polygons: None,
             non_triangles: NonTriangles::default(),
             notes: Vec::new(),
@@ -174,6 +182,29 @@ impl TriMesh {
         }
         assert_eq!(end as usize, segments.len(), "lines hold every segment");
         Ok(Self { lines, segments, ..self })
+    }
+
+    /// The same mesh, with what each of its lines is in a coastal model.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many kinds as lines.
+    #[must_use]
+    pub fn with_line_kinds(self, line_kinds: Vec<Option<LineKind>>) -> Self {
+        assert_eq!(line_kinds.len(), self.lines.len(), "a kind for each line");
+        Self { line_kinds, ..self }
+    }
+
+    /// The same mesh with the depth of the water at each vertex.
+    ///
+    /// # Panics
+    ///
+    /// If there are not as many depths as vertices, or one is not finite.
+    #[must_use]
+    pub fn with_depths(self, depths: Vec<f64>) -> Self {
+        assert_eq!(depths.len(), self.positions.len(), "a depth for each vertex");
+        assert!(depths.iter().all(|depth| depth.is_finite()), "depths are finite");
+        Self { depths, ..self }
     }
 
     /// The same mesh with the polygons that its triangles were cut from.
@@ -295,8 +326,8 @@ impl TriMesh {
     }
 }
 
-/// Two meshes are equal if they have the same points, triangles, names, groups, lines, polygons
-/// and notes, and the same rounding.
+/// Two meshes are equal if they have the same points, triangles, names, groups, lines, polygons,
+/// depths and notes, and the same rounding.
 impl PartialEq for TriMesh {
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
@@ -305,6 +336,8 @@ impl PartialEq for TriMesh {
             && self.groups == other.groups
             && self.segments == other.segments
             && self.lines == other.lines
+            && self.line_kinds == other.line_kinds
+            && self.depths == other.depths
             && self.polygons == other.polygons
             && self.non_triangles == other.non_triangles
             && self.notes == other.notes
@@ -325,6 +358,13 @@ impl Positions for TriMesh {
     fn bounds(&self) -> Bounds<DVec3> {
         let none = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
         Bounds::of_space(self.positions.iter().copied()).unwrap_or(none)
+    }
+
+    fn fill_depths(&self, first: u32, out: &mut [f64]) {
+        match &self.depths[..] {
+            [] => out.fill(0.0),
+            depths => out.copy_from_slice(&depths[first as usize..][..out.len()]),
+        }
     }
 }
 
@@ -367,6 +407,10 @@ impl Triangles for TriMesh {
 
     fn lines(&self) -> Cow<'_, [Line]> {
         Cow::Borrowed(&self.lines)
+    }
+
+    fn line_kind(&self, line: usize) -> Option<LineKind> {
+        self.line_kinds.get(line).copied().flatten()
     }
 
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {

@@ -21,7 +21,7 @@ use mindeg_core::Boundary;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use mindeg_domain::{Domain, Placement};
+use mindeg_domain::{ConvexForm, Domain, Placement, Rings};
 use mindeg_mesh::Progress;
 use mindeg_mesh::parallel::fill_blocks;
 
@@ -62,6 +62,12 @@ const LEAST_SHARED: usize = 1 << 16;
 /// How many triangles a thread writes at a time.
 const FILLED_AT_A_TIME: usize = 1 << 15;
 
+/// The boundary of a convex domain, with the vertices of the domain.
+pub(crate) fn convex(domain: &Domain) -> Result<&Boundary, MeshError> {
+    let form = domain.convex().filter(|form| form.first() == 0);
+    form.map(ConvexForm::boundary).ok_or(MeshError::NotConvex)
+}
+
 impl BoundaryMesh {
     /// The mesh with the least possible maximum degree that is best on the domain's points.
     ///
@@ -90,7 +96,8 @@ impl BoundaryMesh {
         if domain.is_constrained() {
             return Err(MeshError::Constrained);
         }
-        let triangulation = choice::best_candidate(domain.placement(), progress)?;
+        let boundary = convex(domain)?;
+        let triangulation = choice::best_candidate(boundary, domain.placement(), progress)?;
         Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
     }
 
@@ -116,7 +123,7 @@ impl BoundaryMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_triangles(domain: &Domain, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
-        let list = TriangleList::new(domain.boundary(), triangles)?;
+        let list = TriangleList::new(convex(domain)?, triangles)?;
         let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list) };
         let without_area = mesh
             .triangles()
@@ -136,8 +143,8 @@ impl BoundaryMesh {
 
     /// The domain's boundary: sides, corners, counts.
     #[must_use]
-    pub fn boundary(&self) -> &Boundary {
-        self.domain.boundary()
+    pub fn rings(&self) -> &Rings {
+        self.domain.rings()
     }
 
     /// The positions of the vertices.
@@ -216,10 +223,9 @@ impl BoundaryMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn side_vertices(&self, side: usize) -> impl Iterator<Item = u32> + Clone + use<> {
-        let boundary = self.boundary();
-        let start = boundary.corner(side);
-        let end = boundary.corner(side + 1);
-        (start..start + boundary.intervals(side)).chain([end])
+        let rings = self.rings();
+        let start = rings.corner(side);
+        (start..start + rings.intervals(side)).chain([rings.side_end(side)])
     }
 
     /// The triangle with the given index, counter-clockwise. O(1).
@@ -442,7 +448,7 @@ mod tests {
         let error = BoundaryMesh::least_degree(&domain).unwrap_err();
         assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
 
-        let formula = mindeg_core::least_degree_triangulation(domain.boundary());
+        let formula = mindeg_core::least_degree_triangulation(convex(&domain).unwrap());
         let error =
             BoundaryMesh::with_triangles(&domain, formula.triangles().collect()).unwrap_err();
         assert!(matches!(error, MeshError::NoArea { .. }), "{error}");

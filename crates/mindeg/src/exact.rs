@@ -15,7 +15,7 @@ use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, Problem, ProblemError, Unsolved, best_angle};
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::{BoundaryMesh, MeshError};
+use crate::boundary_mesh::{BoundaryMesh, MeshError, convex};
 use crate::conflict;
 
 /// A mesh with the largest minimum angle under a degree limit.
@@ -117,7 +117,7 @@ pub enum ExactError {
 /// ```
 pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, ExactError> {
     if !domain.is_constrained() {
-        return Ok(mindeg_core::least_max_degree(domain.boundary()));
+        return Ok(mindeg_core::least_max_degree(convex(domain)?));
     }
     let problem = problem(domain)?;
     mindeg_exact::least_max_degree(&problem, progress)
@@ -204,11 +204,11 @@ pub fn trade_off_until(
 }
 
 /// The domain as the solver takes it.
-fn problem(domain: &Domain) -> Result<Problem, ProblemError> {
-    let boundary = domain.boundary();
+fn problem(domain: &Domain) -> Result<Problem, ExactError> {
+    let boundary = convex(domain)?;
     // The solver refuses a number of vertices too large for the memory of one point each.
     if boundary.vertex_count() > mindeg_exact::MAX_VERTICES {
-        return Err(ProblemError::TooManyVertices { vertices: boundary.vertex_count() });
+        return Err(ProblemError::TooManyVertices { vertices: boundary.vertex_count() }.into());
     }
     let points: Vec<DVec2> = domain.placement().points().collect();
     let mut problem = Problem::new(boundary, &points)?;
@@ -226,7 +226,7 @@ pub(crate) fn constrain(problem: &mut Problem, domain: &Domain) {
 
 fn set_external_degrees(problem: &mut Problem, domain: &Domain) {
     if domain.is_constrained() {
-        for vertex in 0..domain.boundary().vertex_count() {
+        for vertex in 0..domain.rings().vertex_count() {
             problem.set_external_degree(vertex, domain.external_degree(vertex));
         }
     }
@@ -237,7 +237,7 @@ fn degree_limits(domain: &Domain) -> Vec<(u32, u32)> {
     if !domain.is_constrained() {
         return Vec::new();
     }
-    let vertices = 0..domain.boundary().vertex_count();
+    let vertices = 0..domain.rings().vertex_count();
     vertices.filter_map(|vertex| Some((vertex, domain.degree_limit(vertex)?))).collect()
 }
 
@@ -255,7 +255,7 @@ fn unsolved(domain: &Domain, error: Unsolved, progress: Progress<'_>) -> ExactEr
 /// Vertices whose degree limits no mesh keeps together, where those of all conflict.
 fn vertices_in_conflict(domain: &Domain, progress: Progress<'_>) -> Result<Vec<u32>, ExactError> {
     let points: Vec<DVec2> = domain.placement().points().collect();
-    let mut plain = Problem::new(domain.boundary(), &points)?;
+    let mut plain = Problem::new(convex(domain)?, &points)?;
     set_external_degrees(&mut plain, domain);
     let conflict = |limits: &[(u32, u32)]| {
         let mut problem = plain.clone();
@@ -266,7 +266,7 @@ fn vertices_in_conflict(domain: &Domain, progress: Progress<'_>) -> Result<Vec<u
             Err(error) => Err(error),
         }
     };
-    let tries = most_tries(domain.boundary().vertex_count());
+    let tries = most_tries(domain.rings().vertex_count());
     let found = conflict::smallest(degree_limits(domain), tries, conflict)?;
     let mut vertices: Vec<u32> = found.into_iter().map(|(vertex, _)| vertex).collect();
     vertices.sort_unstable();

@@ -5,7 +5,7 @@ use mindeg_domain::Domain;
 use mindeg_exact::MAX_VERTICES;
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::BoundaryMesh;
+use crate::boundary_mesh::{BoundaryMesh, convex};
 use crate::exact::{self, ExactError};
 use crate::keep_angle::{Delaunay, keep_angle};
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
@@ -66,7 +66,7 @@ pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshe
 }
 
 fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    let boundary = domain.boundary();
+    let boundary = convex(domain)?;
     let is_cheap = boundary.vertex_count() <= MAX_VERTICES && work(boundary) <= LITTLE_WORK;
     if !domain.is_constrained() && !is_cheap {
         return formula(domain, progress);
@@ -91,7 +91,7 @@ fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, Exact
 fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     Ok(Meshed {
         mesh: BoundaryMesh::of_formula(domain, progress)?,
-        least_max_degree: mindeg_core::least_max_degree(domain.boundary()),
+        least_max_degree: mindeg_core::least_max_degree(convex(domain)?),
         found_by: FoundBy::Formula,
         delaunay_min_angle: None,
         higher_degree: None,
@@ -102,7 +102,7 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
     /// The shares of Delaunay's angle that windows try to keep, in this order.
     const SHARES: [f64; 4] = [0.95, 0.75, 0.4, 0.0];
     let least_max_degree = exact::least_max_degree(domain, progress)?;
-    if domain.boundary().vertex_count() <= MAX_VERTICES {
+    if domain.rings().vertex_count() <= MAX_VERTICES {
         return Ok(Meshed {
             mesh: exact::mesh(domain, limit, progress)?.mesh,
             least_max_degree,

@@ -10,7 +10,7 @@ use mindeg_exact::measure::min_angle_tangent;
 use mindeg_exact::{MAX_VERTICES, Problem, WindowGoal, windows};
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::BoundaryMesh;
+use crate::boundary_mesh::{BoundaryMesh, convex};
 use crate::exact::{self, ExactError};
 use crate::meshed::{FoundBy, Meshed};
 
@@ -21,7 +21,7 @@ pub(crate) fn keep_angle(
     share: f64,
     progress: Progress<'_>,
 ) -> Result<Meshed, ExactError> {
-    if domain.boundary().vertex_count() > MAX_VERTICES {
+    if domain.rings().vertex_count() > MAX_VERTICES {
         return Delaunay::new(domain, progress)?.windows(share, 0, progress);
     }
     // Angles are compared to 36 bits; the last of them decides nothing.
@@ -40,7 +40,7 @@ pub(crate) struct Delaunay<'a> {
 
 impl<'a> Delaunay<'a> {
     pub(crate) fn new(domain: &'a Domain, progress: Progress<'_>) -> Result<Self, ExactError> {
-        let boundary = domain.boundary();
+        let boundary = convex(domain)?;
         let mut points = vec![DVec2::ZERO; boundary.vertex_count() as usize];
         domain.placement().fill_points(0, &mut points);
         let corners: Vec<u32> =
@@ -66,7 +66,7 @@ impl<'a> Delaunay<'a> {
         max_degree: u32,
         progress: Progress<'_>,
     ) -> Result<Meshed, ExactError> {
-        let least_max_degree = mindeg_core::least_max_degree(self.domain.boundary());
+        let least_max_degree = mindeg_core::least_max_degree(convex(self.domain)?);
         let min_tangent = libm::tan((share * self.min_angle).to_radians());
         let goal = WindowGoal { max_degree: max_degree.max(least_max_degree), min_tangent };
         let windowed = windows(&self.problem, goal, progress)?;

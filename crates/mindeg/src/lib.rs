@@ -26,6 +26,7 @@
 //! | feature | what it adds |
 //! |---|---|
 //! | `exact` | `mesh` for any `Goal`, and `exact`: the solver |
+//! | `interior` | `interior`: meshes with interior points, and improving planar meshes |
 //! | `json` | `Domain::from_json` |
 //! | `parallel` | work shared among rayon's threads, with the same results |
 //!
@@ -41,10 +42,14 @@ mod conflict;
 pub mod exact;
 #[cfg(feature = "exact")]
 mod goal;
+#[cfg(feature = "interior")]
+pub mod interior;
 #[cfg(feature = "exact")]
 mod keep_angle;
 #[cfg(feature = "exact")]
 mod meshed;
+#[cfg(feature = "exact")]
+pub mod model;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;

@@ -14,7 +14,7 @@ fn meshed(domain: &Domain, goal: Goal) -> Meshed {
 /// The maximum degree and the minimum angle of every triangulation of the domain without a flat
 /// triangle.
 fn all_triangulations(domain: &Domain) -> Vec<(u32, f64)> {
-    let n = domain.boundary().vertex_count();
+    let n = domain.rings().vertex_count();
     let mut found = Vec::new();
     cut(domain, &mut vec![(0, n - 1)], &mut vec![2; n as usize], 60.0, &mut found);
     found
@@ -36,7 +36,7 @@ fn cut(
         cut(domain, open, degrees, min_angle, found);
     }
     for apex in first + 1..last {
-        if domain.boundary().is_flat([first, apex, last]) {
+        if domain.convex().unwrap().boundary().is_flat([first, apex, last]) {
             continue;
         }
         let [a, b, c] = [first, apex, last].map(|vertex| domain.placement().point(vertex));

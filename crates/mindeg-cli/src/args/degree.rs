@@ -14,6 +14,8 @@ Examples:
 /// Tell the least possible maximum degree from interval counts alone, and why it cannot be less
 ///
 /// The degree of a vertex is the number of edges at it, boundary edges included (its valence).
+/// For a domain, also the minimum angle that no mesh with interior points can exceed, and what decides
+/// it.
 #[derive(Debug, Args)]
 #[command(after_help = DEGREE, after_long_help = with_exit_codes(DEGREE))]
 pub(crate) struct DegreeArguments {
@@ -22,8 +24,13 @@ pub(crate) struct DegreeArguments {
     #[arg(value_name = "INTERVALS|DOMAIN.json")]
     pub(crate) counts: Counts,
 
+    /// The most edges of a boundary vertex, for the limit of the minimum angle with interior points
+    /// [default: 5]
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    pub(crate) boundary_degree: Option<u32>,
+
     /// Print JSON: intervals, vertices, triangles, interior_edges, least_max_degree, certificate
-    /// (sides counted from 1)
+    /// (sides counted from 1); for a domain angle_limit, which interior points cannot exceed
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -37,7 +44,8 @@ Examples:
 /// Suggest the least change of interval counts that brings the least maximum degree down
 ///
 /// Least means the fewest intervals added or taken away in all. Of changes of the same size, one
-/// that adds is preferred.
+/// that adds is preferred. For a domain, also changes that lift the limit of the minimum angle with
+/// interior points.
 #[derive(Debug, Args)]
 #[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
 pub(crate) struct SuggestArguments {
@@ -56,7 +64,8 @@ pub(crate) struct SuggestArguments {
     pub(crate) limit: u32,
 
     /// Print JSON: intervals, least_max_degree, suggestion_count, and suggestions, a list of
-    /// least_max_degree, cost, changes (side counted from 1, by) and intervals
+    /// least_max_degree, cost, changes (side counted from 1, by) and intervals; for a domain
+    /// angle_limit and angle_suggestions
     #[arg(long)]
     pub(crate) json: bool,
 }

@@ -24,8 +24,9 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct InspectArguments {
-    /// The mesh, by extension .obj, .glb or .gltf (with the files it names in its folder); - is
-    /// standard input, whose content tells the format
+    /// The mesh, by extension, else by content: .obj, .glb, .gltf (with the files it names in its
+    /// folder), .msh, .vtu, .vtk, .ply, .stl, .off, .node (with its .ele), .14, .2dm or .npz; - is
+    /// standard input
     #[arg(value_name = "MESH")]
     pub(crate) file: PathBuf,
 

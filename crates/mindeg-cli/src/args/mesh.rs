@@ -2,6 +2,7 @@
 
 use super::domain::DomainArguments;
 use super::goal::GoalArguments;
+use super::interior::InteriorArguments;
 use super::surface::SurfaceArguments;
 use super::with_exit_codes;
 use crate::gates::Gates;
@@ -42,6 +43,9 @@ pub(crate) struct MeshArguments {
     /// the least possible maximum degree, also where that is not the default for its cost
     #[arg(long, value_name = "WHAT", conflicts_with = "keep_angle")]
     pub(crate) optimize: Option<Optimize>,
+
+    #[command(flatten)]
+    pub(crate) interior: InteriorArguments,
 
     /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,
     /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files

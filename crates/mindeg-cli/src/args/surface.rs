@@ -2,13 +2,15 @@
 
 use super::values::format_parser;
 use clap::Args;
-use mindeg_formats::{Format, Plane, SurfaceOptions};
+use clap::ValueEnum;
+use mindeg_formats::{Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteOptions};
 use std::path::PathBuf;
 
 /// The files of a mesh.
 #[derive(Debug, Args)]
 pub(crate) struct SurfaceArguments {
-    /// Where to write, by extension .obj, .glb, .gltf (with its .bin) or .svg; - is standard
+    /// Where to write, by extension: .obj, .glb, .gltf (with its .bin), .msh, .vtu, .vtk, .su2, .inp,
+    /// .ply, .stl, .node (with its .ele and .poly), .14, .2dm, .npz, .svg or .png; - is standard
     /// output. May be given several times
     #[arg(short, long, value_name = "FILE", required = true)]
     pub(crate) output: Vec<PathBuf>,
@@ -17,7 +19,23 @@ pub(crate) struct SurfaceArguments {
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN))]
     pub(crate) format: Option<Format>,
 
-    /// Give each vertex a colour by its degree (OBJ, glTF)
+    /// Write text where the format has text and binary (MSH, VTU, VTK, PLY, STL)
+    #[arg(long)]
+    pub(crate) ascii: bool,
+
+    /// The version of MSH
+    #[arg(long, value_name = "VERSION", default_value = "4.1")]
+    pub(crate) msh_version: MshVersionName,
+
+    /// Write 64-bit coordinates (PLY); Gmsh cannot read such a .ply
+    #[arg(long)]
+    pub(crate) double: bool,
+
+    /// Leave out degrees, minimum angles and sides as data (MSH, VTU, VTK, NPZ)
+    #[arg(long)]
+    pub(crate) no_fields: bool,
+
+    /// Give each vertex a colour by its degree (OBJ, glTF, PLY)
     #[arg(long)]
     pub(crate) degree_colors: bool,
 
@@ -31,12 +49,32 @@ pub(crate) struct SurfaceArguments {
 }
 
 impl SurfaceArguments {
-    pub(crate) fn options(&self) -> SurfaceOptions {
-        SurfaceOptions {
-            degree_colors: self.degree_colors,
-            boundary_lines: self.boundary_lines,
-            plane: if self.floor { Plane::Floor } else { Plane::Xy },
-            ..SurfaceOptions::default()
+    pub(crate) fn options(&self) -> WriteOptions {
+        WriteOptions {
+            surface: SurfaceOptions {
+                degree_colors: self.degree_colors,
+                boundary_lines: self.boundary_lines,
+                plane: if self.floor { Plane::Floor } else { Plane::Xy },
+                ..SurfaceOptions::default()
+            },
+            encoding: if self.ascii { Encoding::Ascii } else { Encoding::Binary },
+            msh_version: match self.msh_version {
+                MshVersionName::V4 => MshVersion::V4,
+                MshVersionName::V2 => MshVersion::V2,
+            },
+            double: self.double,
+            fields: !self.no_fields,
         }
     }
+}
+
+/// A version of MSH by its number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MshVersionName {
+    /// What Gmsh writes today
+    #[value(name = "4.1")]
+    V4,
+    /// What more programs read
+    #[value(name = "2.2")]
+    V2,
 }

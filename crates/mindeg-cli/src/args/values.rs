@@ -97,10 +97,9 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
 pub(super) fn format_parser<const N: usize>(
     formats: [Format; N],
 ) -> impl TypedValueParser<Value = Format> {
-    let values =
-        formats.map(|format| PossibleValue::new(format.extension()).help(format.description()));
+    let values = formats.map(|format| PossibleValue::new(format.name()).help(format.description()));
     PossibleValuesParser::new(values).map(move |name| {
-        let is_named = |format: &Format| format.extension() == name;
+        let is_named = |format: &Format| format.name() == name;
         formats.into_iter().find(is_named).expect("one of the possible values")
     })
 }

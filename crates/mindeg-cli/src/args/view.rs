@@ -20,8 +20,9 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct ViewArguments {
-    /// A mesh, by extension .obj, .glb or .gltf (with the files it names in its folder), or a domain
-    /// in .json; - reads a domain from standard input
+    /// A mesh, by extension .obj, .glb, .gltf (with the files it names in its folder), .msh, .vtu,
+    /// .vtk, .ply, .stl, .off, .node (with its .ele), .14, .2dm or .npz, or a domain in .json; - reads
+    /// a domain from standard input
     #[arg(id = "domain", value_name = "MESH|DOMAIN.json")]
     pub(crate) file: Option<PathBuf>,
 

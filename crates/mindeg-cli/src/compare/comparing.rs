@@ -7,6 +7,7 @@ use crate::gates::{Gates, NamedTriangle};
 use crate::memory;
 use mindeg::Domain;
 use mindeg_compare::{Comparison, Options, compare};
+use mindeg_mesh::TriMesh;
 
 /// Checks mindeg's own mesh, the first method.
 pub(super) fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), Failure> {
@@ -26,7 +27,11 @@ pub(super) fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), 
             worst.map_or((0, [0, 1, 2]), |worst| (worst.triangle, worst.vertices));
         NamedTriangle { number, vertices }
     };
-    gates.check(max_degree, min_angle, highest_vertex, worst_triangle)
+    gates.check(max_degree, min_angle, highest_vertex, worst_triangle)?;
+    let Some(preset) = gates.preset else { return Ok(()) };
+    let points = comparison.points().iter().map(|point| point.extend(0.0)).collect();
+    let mesh = TriMesh::new(points, triangles.to_vec());
+    preset.check(&mesh.map_err(|error| Failure::Input(error.to_string()))?)
 }
 
 /// Compares a domain, if there is memory for that.
@@ -39,7 +44,7 @@ pub(super) fn compared(
     const PER_VERTEX: u64 = 1000;
     /// Bytes for each pair of vertices in exact work: as measured, 36.
     const PER_PAIR: u64 = 100;
-    let vertices = domain.boundary().vertex_count();
+    let vertices = domain.rings().vertex_count();
     let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
     let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
     let stage = format!(

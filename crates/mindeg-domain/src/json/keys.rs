@@ -6,9 +6,11 @@
 use glam::DVec2;
 
 use super::error::DomainJsonError;
+use super::interior::interior;
 use super::value::{Object, Value};
 use crate::constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstraint};
-use crate::outline::Outline;
+use crate::interior::Interior;
+use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
@@ -18,17 +20,22 @@ pub(super) struct Description {
     pub(super) name: Option<String>,
     pub(super) outline: Outline,
     pub(super) sides: Vec<Side>,
+    pub(super) holes: Vec<Ring>,
     pub(super) constraints: Constraints,
+    pub(super) interior: Option<Interior>,
 }
 
 const DOMAIN: &str = "an object with \"rectangle\" or \"polygon\", and \"sides\" or \"size\"; \
-                      optional: \"name\", \"vertices\"";
+                      optional: \"name\", \"holes\", \"vertices\"";
 const RECTANGLE: &str =
     "{\"width\": w, \"height\": h}; optional: \"origin\": [x, y], \"rotation\": degrees";
 const POLYGON: &str = "{\"corners\": [[x, y], …]}";
-const CORNERS: &str = "a list of [x, y] pairs of numbers";
+const HOLES: &str = "a list of {\"corners\": [[x, y], …], \"sides\": […]}";
+const HOLE: &str = "an object such as {\"corners\": [[x, y], …], \"sides\": [{\"intervals\": 3}, …]}; \
+                    optional: \"size\"";
+pub(super) const CORNERS: &str = "a list of [x, y] pairs of numbers";
 const PAIR: &str = "a pair [x, y] of numbers";
-const ABOVE_0: &str = "a number above 0";
+pub(super) const ABOVE_0: &str = "a number above 0";
 const SIDES: &str = "a list with one object for each side, such as {\"intervals\": 3}";
 const SIDE: &str = "an object such as {\"intervals\": 3} or {\"size\": 0.5}; optional: \"spacing\", \
                     \"name\", \"outside_degree\", \"max_degree\"";
@@ -52,7 +59,8 @@ pub(super) fn description(text: &Value<'_>) -> Result<Description, DomainJsonErr
              {POLYGON}"
         )));
     }
-    let allowed = ["name", "rectangle", "polygon", "size", "sides", "vertices"];
+    let allowed =
+        ["name", "rectangle", "polygon", "holes", "size", "sides", "vertices", "interior"];
     let keys = text.object(&allowed, DOMAIN)?;
     let name = name(&keys)?;
     let outline = outline(text, &keys)?;
@@ -61,28 +69,66 @@ pub(super) fn description(text: &Value<'_>) -> Result<Description, DomainJsonErr
         Outline::Polygon(corners) => corners.len(),
     };
     let size = keys.get("size").map(|size| size.number(ABOVE_0)).transpose()?;
-    let (sides, of_sides) = match (keys.get("sides"), size) {
-        (Some(given), _) => {
-            let given = given.items(SIDES)?;
-            given.iter().map(|given| side(given, size)).collect::<Result<Vec<_>, _>>()?
-        }
-        (None, Some(size)) => {
-            vec![(Side::size(size), SideConstraint::default()); side_count]
-        }
-        (None, None) => {
-            return Err(text.error(
-                "the sides are missing; give \"sides\": [{\"intervals\": n}, …], or a target \
-                 interval length \"size\" for all",
-            ));
+    let missing = || {
+        text.error(
+            "the sides are missing; give \"sides\": [{\"intervals\": n}, …], or a target interval \
+             length \"size\" for all",
+        )
+    };
+    let (sides, mut of_sides) = sides(&keys, side_count, size)?.ok_or_else(missing)?;
+    let mut holes = Vec::new();
+    if let Some(given) = keys.get("holes") {
+        for given in given.items(HOLES)? {
+            let (hole, of_hole) = hole(&given, size)?;
+            holes.push(hole);
+            of_sides.extend(of_hole);
         }
     }
-    .into_iter()
-    .unzip();
     let vertices = match keys.get("vertices") {
         Some(given) => given.items(VERTICES)?.iter().map(vertex).collect::<Result<_, _>>()?,
         None => Vec::new(),
     };
-    Ok(Description { name, outline, sides, constraints: Constraints { sides: of_sides, vertices } })
+    let interior = keys.get("interior").map(interior).transpose()?;
+    let constraints = Constraints { sides: of_sides, vertices };
+    Ok(Description { name, outline, sides, holes, constraints, interior })
+}
+
+/// The sides of a ring, if they are given or a size says it all.
+fn sides(
+    keys: &Object<'_>,
+    count: usize,
+    size: Option<f64>,
+) -> Result<Option<(Vec<Side>, Vec<SideConstraint>)>, DomainJsonError> {
+    let sides = match (keys.get("sides"), size) {
+        (Some(given), _) => {
+            let given = given.items(SIDES)?;
+            given.iter().map(|given| side(given, size)).collect::<Result<Vec<_>, _>>()?
+        }
+        (None, Some(size)) => vec![(Side::size(size), SideConstraint::default()); count],
+        (None, None) => return Ok(None),
+    };
+    Ok(Some(sides.into_iter().unzip()))
+}
+
+fn hole(
+    given: &Value<'_>,
+    default_size: Option<f64>,
+) -> Result<(Ring, Vec<SideConstraint>), DomainJsonError> {
+    let keys = given.object(&["corners", "sides", "size"], HOLE)?;
+    let corners = corners(keys.need("corners")?)?;
+    let size = keys.get("size").map(|size| size.number(ABOVE_0)).transpose()?.or(default_size);
+    let missing = || {
+        given.error(
+            "the sides are missing; give \"sides\": [{\"intervals\": n}, …], or a target interval \
+             length \"size\" for all",
+        )
+    };
+    let (sides, of_sides) = sides(&keys, corners.len(), size)?.ok_or_else(missing)?;
+    Ok((Ring { corners, sides }, of_sides))
+}
+
+fn corners(given: &Value<'_>) -> Result<Vec<DVec2>, DomainJsonError> {
+    given.items(CORNERS)?.iter().map(pair).collect()
 }
 
 fn name(keys: &Object<'_>) -> Result<Option<String>, DomainJsonError> {
@@ -93,8 +139,7 @@ fn outline(text: &Value<'_>, keys: &Object<'_>) -> Result<Outline, DomainJsonErr
     match (keys.get("rectangle"), keys.get("polygon")) {
         (Some(given), None) => Ok(Outline::Rectangle(rectangle(given)?)),
         (None, Some(given)) => {
-            let corners = given.object(&["corners"], POLYGON)?.need("corners")?.items(CORNERS)?;
-            Ok(Outline::Polygon(corners.iter().map(pair).collect::<Result<_, _>>()?))
+            Ok(Outline::Polygon(corners(given.object(&["corners"], POLYGON)?.need("corners")?)?))
         }
         (None, None) => Err(text.error(
             "the outline is missing; give \"rectangle\": {\"width\": w, \"height\": h} or \
@@ -116,7 +161,7 @@ fn rectangle(given: &Value<'_>) -> Result<Rectangle, DomainJsonError> {
     })
 }
 
-fn pair(given: &Value<'_>) -> Result<DVec2, DomainJsonError> {
+pub(super) fn pair(given: &Value<'_>) -> Result<DVec2, DomainJsonError> {
     match &given.items(PAIR)?[..] {
         [x, y] => Ok(DVec2::new(x.number("a number")?, y.number("a number")?)),
         items => {
@@ -173,7 +218,7 @@ fn degree_limit(keys: &Object<'_>) -> Result<Option<u32>, DomainJsonError> {
     keys.get("max_degree").map(|limit| limit.whole(DEGREE_LIMIT)).transpose()
 }
 
-fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
+pub(super) fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
     if !given.is_object() {
         return match given.text(SPACING)?.as_str() {
             "uniform" => Ok(Spacing::Uniform),

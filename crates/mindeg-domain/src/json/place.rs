@@ -1,15 +1,15 @@
 //! The place in a JSON text that an error of the domain is about.
 
-use mindeg_core::BoundaryError;
-
 use super::error::DomainJsonError;
 use super::value::{Step, Value};
 use crate::constraints::{ConstraintError, ConstraintPlace};
 use crate::domain_error::DomainError;
+use crate::intersection::{IntersectionError, PointPlace};
 use crate::name::NameError;
 use crate::outline::OutlineError;
 use crate::placement::PlacementError;
 use crate::rectangle::RectangleError;
+use crate::rings::{InRing, RingsError};
 use crate::side::SideError;
 use crate::spacing::SpacingError;
 
@@ -27,40 +27,69 @@ pub(super) fn located(text: &Value<'_>, error: &DomainError) -> DomainJsonError 
 
 /// The paths of the values that an error may be about, the likeliest first. At least one.
 fn paths(error: &DomainError) -> Vec<Vec<Step>> {
-    use Step::{Index, Key};
-    let side = |side, key| vec![Key("sides"), Index(side), Key(key)];
+    use Step::Key;
     match error {
         DomainError::Outline(error) => outline_paths(error),
-        DomainError::SideCount { .. } => vec![vec![Key("sides")]],
+        DomainError::SideCount { ring, .. } => vec![in_ring(*ring, vec![Key("sides")])],
         DomainError::Name(error) => vec![match *error {
             NameError::Blank { side: None } | NameError::Character { side: None, .. } => {
                 vec![Key("name")]
             }
-            NameError::Blank { side: Some(number) }
-            | NameError::Character { side: Some(number), .. }
-            | NameError::Repeated { second: number, .. } => side(number, "name"),
+            NameError::Blank { side: Some(side) }
+            | NameError::Character { side: Some(side), .. }
+            | NameError::Repeated { second: side, .. } => side_path(side, "name"),
         }],
-        DomainError::Side { side: number, source } => match *source {
-            SideError::Size { .. } | SideError::SizeTooSmall { .. } => {
-                vec![side(*number, "size"), vec![Key("size")]]
-            }
+        DomainError::Side { side, source } => match *source {
+            SideError::Size { .. } | SideError::SizeTooSmall { .. } => size_paths(*side),
             SideError::Spacing(
                 SpacingError::ParameterRange { index, .. }
                 | SpacingError::ParameterOrder { index, .. },
-            ) => vec![[side(*number, "spacing"), vec![Key("parameters"), Index(index)]].concat()],
-            SideError::Spacing(_) => vec![side(*number, "spacing")],
+            ) => {
+                let parameter = vec![Key("parameters"), Step::Index(index)];
+                vec![[side_path(*side, "spacing"), parameter].concat()]
+            }
+            SideError::Spacing(_) => vec![side_path(*side, "spacing")],
         },
-        DomainError::Boundary(
-            BoundaryError::NoIntervals { side: number }
-            | BoundaryError::TooManyVertices { side: number, .. },
-        ) => vec![side(*number, "intervals"), side(*number, "size"), vec![Key("size")]],
-        DomainError::Boundary(_) => vec![vec![Key("sides")]],
-        DomainError::Placement(PlacementError::Interval { side: number, .. }) => {
-            vec![side(*number, "spacing"), vec![Key("sides"), Index(*number)]]
+        DomainError::Rings(
+            RingsError::NoIntervals { side } | RingsError::TooManyVertices { side, .. },
+        ) => [vec![side_path(*side, "intervals")], size_paths(*side)].concat(),
+        DomainError::Rings(RingsError::TooFewVertices { ring, .. }) => {
+            vec![in_ring(*ring, vec![Key("sides")])]
+        }
+        DomainError::Rings(_)
+        | DomainError::TooManyStored { .. }
+        | DomainError::NoMemory { .. } => {
+            vec![vec![]]
+        }
+        DomainError::Intersection(error) => intersection_paths(error),
+        DomainError::Placement(PlacementError::Interval { side, .. }) => {
+            vec![side_path(*side, "spacing"), sides_path(*side)]
         }
         DomainError::Placement(PlacementError::Corner { corner, .. }) => corner_paths(*corner),
         DomainError::Constraint(error) => vec![constraint_path(error)],
     }
+}
+
+/// A path within the object that has a ring's sides.
+fn in_ring(ring: usize, path: Vec<Step>) -> Vec<Step> {
+    match ring.checked_sub(1) {
+        None => path,
+        Some(hole) => [vec![Step::Key("holes"), Step::Index(hole)], path].concat(),
+    }
+}
+
+fn sides_path(side: InRing) -> Vec<Step> {
+    in_ring(side.ring, vec![Step::Key("sides"), Step::Index(side.index)])
+}
+
+fn side_path(side: InRing, key: &'static str) -> Vec<Step> {
+    [sides_path(side), vec![Step::Key(key)]].concat()
+}
+
+/// A side's own size, or the one for all.
+fn size_paths(side: InRing) -> Vec<Vec<Step>> {
+    let size = || vec![Step::Key("size")];
+    vec![side_path(side, "size"), in_ring(side.ring, size()), size()]
 }
 
 fn outline_paths(error: &OutlineError) -> Vec<Vec<Step>> {
@@ -72,32 +101,52 @@ fn outline_paths(error: &OutlineError) -> Vec<Vec<Step>> {
             | RectangleError::Thin { key, .. },
         ) => vec![vec![Key("rectangle"), Key(key)]],
         OutlineError::Rectangle(RectangleError::Coordinate { .. }) => vec![vec![Key("rectangle")]],
-        OutlineError::TooFewCorners { .. } | OutlineError::NotSimple { .. } => {
-            vec![vec![Key("polygon"), Key("corners")]]
-        }
+        OutlineError::TooFewCorners { ring: 0, .. } => vec![vec![Key("polygon"), Key("corners")]],
+        OutlineError::TooFewCorners { ring, .. } => vec![in_ring(ring, vec![Key("corners")])],
         OutlineError::Coordinate { corner, .. }
         | OutlineError::RepeatedCorner { second: corner, .. }
-        | OutlineError::CoincidentCorners { second: corner, .. }
-        | OutlineError::NotConvex { corner, .. } => corner_paths(corner),
+        | OutlineError::CoincidentCorners { second: corner, .. } => corner_paths(corner),
     }
 }
 
-fn corner_paths(corner: usize) -> Vec<Vec<Step>> {
+fn corner_paths(corner: InRing) -> Vec<Vec<Step>> {
     use Step::{Index, Key};
-    vec![vec![Key("polygon"), Key("corners"), Index(corner)], vec![Key("rectangle")]]
+    let path = vec![Key("corners"), Index(corner.index)];
+    match corner.ring {
+        0 => vec![[vec![Key("polygon")], path].concat(), vec![Key("rectangle")]],
+        ring => vec![in_ring(ring, path)],
+    }
+}
+
+fn intersection_paths(error: &IntersectionError) -> Vec<Vec<Step>> {
+    let point = |point: &PointPlace| match point.index {
+        0 => corner_paths(point.side),
+        _ => vec![sides_path(point.side)],
+    };
+    let hole = |hole: usize| vec![in_ring(hole, Vec::new())];
+    let mut paths = match error {
+        IntersectionError::RepeatedPoint { second: at, .. }
+        | IntersectionError::Touch { point: at, .. }
+        | IntersectionError::FoldsBack { point: at } => point(at),
+        IntersectionError::Crossing { second, .. } => vec![sides_path(second.side)],
+        IntersectionError::HoleOutside { hole: at, .. }
+        | IntersectionError::HoleInHole { hole: at, .. }
+        | IntersectionError::HoleAround { hole: at } => hole(*at),
+    };
+    // What no value of its own describes, one value for all sides does.
+    paths.push(vec![Step::Key("polygon")]);
+    paths
 }
 
 fn constraint_path(error: &ConstraintError) -> Vec<Step> {
     use Step::{Index, Key};
     let at = |place, key| match place {
-        ConstraintPlace::Side(side) => vec![Key("sides"), Index(side), Key(key)],
+        ConstraintPlace::Side(side) => side_path(side, key),
         ConstraintPlace::Entry(entry) => vec![Key("vertices"), Index(entry), Key(key)],
     };
     match *error {
         ConstraintError::SideCount { .. } => vec![Key("sides")],
-        ConstraintError::ExternalDegreeCount { side, .. } => {
-            at(ConstraintPlace::Side(side), "outside_degree")
-        }
+        ConstraintError::ExternalDegreeCount { side, .. } => side_path(side, "outside_degree"),
         ConstraintError::ExternalDegree { place, .. } => at(place, "outside_degree"),
         ConstraintError::NoSuchVertex { entry, .. }
         | ConstraintError::RepeatedVertex { second: entry, .. } => {

@@ -47,6 +47,22 @@ impl Stored {
         Err(refusal.expect("the survey met something to refuse"))
     }
 
+    /// Looks at every position where it is, for a format that has no translation. O(n) time, shared
+    /// by all threads; next to no memory.
+    ///
+    /// # Errors
+    ///
+    /// As [`new`](Self::new).
+    pub(crate) fn in_place(positions: &dyn Positions, plane: Plane) -> Result<Self, WriteError> {
+        let range = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
+        let stored = Self { offset: DVec3::ZERO, plane, range };
+        let count = positions.vertex_count();
+        match first_of_blocks(count, |range| stored.survey(positions, range).err()) {
+            Some(refusal) => Err(refusal),
+            None => Ok(stored),
+        }
+    }
+
     /// The stored position of a point, relative to the [`translation`](Self::translation).
     pub(super) fn of(&self, point: DVec3) -> Vec3 {
         // Rounding can make a zero negative; adding zero undoes it.

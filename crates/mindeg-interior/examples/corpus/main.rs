@@ -3,13 +3,12 @@
 //!
 //! `cargo run --release --example corpus [-- --prefer-angle] [-- PART…]`: names or numbers of boundaries, all by default.
 
-mod delaunay;
 mod polygons;
 
 use glam::DVec2;
 use mindeg_interior::{Fixed, Options, Outline, Prefer, generate};
+use mindeg_mesh::Progress;
 use polygons::{Random, domains, random_polygon, random_star};
-use std::ops::ControlFlow;
 use std::time::Instant;
 
 fn main() {
@@ -34,11 +33,9 @@ fn main() {
     );
     for (name, rings) in &all {
         let begin = Instant::now();
-        let result = Outline::new(rings).map_err(Into::into).and_then(|outline| {
-            generate(&outline, &Fixed::default(), &options, delaunay::triangulate, &mut |_| {
-                ControlFlow::Continue(())
-            })
-        });
+        let result = Outline::new(rings)
+            .map_err(Into::into)
+            .and_then(|outline| generate(&outline, &Fixed::default(), &options, Progress::NONE));
         let mesh = match result {
             Ok(mesh) => mesh,
             Err(error) => {

@@ -2,13 +2,12 @@
 //!
 //! `cargo run --release --example scale [-- equal|graded [TRIANGLES]]`
 
-#[path = "../corpus/delaunay.rs"]
-mod delaunay;
-
 use glam::DVec2;
 use mindeg_interior::{Fixed, Options, Outline, generate};
+use mindeg_mesh::{Progress, Step};
 use std::ops::ControlFlow;
-use std::time::{Duration, Instant};
+use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
 /// The boundary of the unit square; each side's intervals are `counts`, the first side's towards a corner.
 fn square(counts: [u32; 4]) -> Vec<DVec2> {
@@ -35,25 +34,21 @@ fn main() {
             let unit = f64::sqrt(aim / triangles_of);
             let ring = square(shape.map(|s| (s * unit).round() as u32));
             let start = Instant::now();
-            let mut delaunay = Duration::ZERO;
             let outline = match Outline::new(&[&ring]) {
                 Ok(outline) => outline,
                 Err(error) => return println!("{error}"),
             };
-            let mut marks = Vec::new();
-            let mesh = generate(
-                &outline,
-                &Fixed::default(),
-                &Options::default(),
-                |points, edges| {
-                    let begin = Instant::now();
-                    marks.push(start.elapsed().as_secs_f64());
-                    let triangles = delaunay::triangulate(points, edges);
-                    delaunay += begin.elapsed();
-                    triangles
-                },
-                &mut |_| ControlFlow::Continue(()),
-            );
+            // When each stage begins.
+            let marks = Mutex::new(Vec::<(String, f64)>::new());
+            let callback = |step: Step<'_>| {
+                let mut marks = marks.lock().unwrap_or_else(PoisonError::into_inner);
+                if marks.last().is_none_or(|(stage, _)| stage != step.stage) {
+                    marks.push((step.stage.to_owned(), start.elapsed().as_secs_f64()));
+                }
+                ControlFlow::Continue(())
+            };
+            let (fixed, options) = (Fixed::default(), Options::default());
+            let mesh = generate(&outline, &fixed, &options, Progress::new(&callback));
             let seconds = start.elapsed().as_secs_f64();
             match mesh {
                 Err(error) => println!("{name} {aim}: {error}"),
@@ -63,13 +58,13 @@ fn main() {
                     let exponent =
                         last.map_or(f64::NAN, |(n, s)| (seconds / s).ln() / (count / n).ln());
                     println!(
-                        "{name:<7} {:>8} triangles {seconds:>7.3} s (packed at {marks:.3?}, delaunay {:.3}), exponent {exponent:.3}, angle {:.3} of {:.3}, {} violations",
+                        "{name:<7} {:>8} triangles {seconds:>7.3} s, exponent {exponent:.3}, angle {:.3} of {:.3}, {} violations",
                         r.triangles,
-                        delaunay.as_secs_f64(),
                         r.min_angle,
                         r.limits.angle(),
                         r.violations.len(),
                     );
+                    println!("{:.3?}", marks.lock().unwrap_or_else(PoisonError::into_inner));
                     last = Some((count, seconds));
                 }
             }

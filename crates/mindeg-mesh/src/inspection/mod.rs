@@ -39,6 +39,7 @@ mod welding;
 
 pub use convex_outline::{ConvexOutline, NoConvexOutline};
 pub use topology::VertexDegree;
+pub use welding::{first_at_same_position, weld};
 
 use crate::connectivity::faces::Faces;
 use crate::quality::{DegreeHistogram, QualitySummary, WorstTriangles};

@@ -10,8 +10,18 @@ use glam::DVec3;
 /// joins them; at a tolerance of 0, if their coordinates are equal as numbers. O(n log n), shared
 /// by all threads, as long as `tolerance` is 0 or more than 1e-11 of the largest coordinate; below,
 /// O(m²) besides for m different positions within 1e-12 of it.
-pub(super) fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
-    let mut first = equal(positions);
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec3;
+/// use mindeg_mesh::inspection::weld;
+///
+/// assert_eq!(weld(&[DVec3::X, DVec3::Y, DVec3::X], 0.0), [0, 1, 0]);
+/// ```
+#[must_use]
+pub fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
+    let mut first = first_at_same_position(positions);
     if tolerance > 0.0 {
         let mut sets = DisjointSets::new(positions.len());
         let different = (0..).zip(&first).filter(|&(vertex, &first)| vertex == first);
@@ -22,8 +32,9 @@ pub(super) fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
     first
 }
 
-/// For every vertex the first with equal coordinates.
-fn equal(positions: &[DVec3]) -> Vec<u32> {
+/// For every vertex the first with equal coordinates; -0 equals 0. O(n log n), shared by all
+/// threads.
+pub fn first_at_same_position(positions: &[DVec3]) -> Vec<u32> {
     // Adding zero turns -0 into 0, so that equal numbers have equal bits.
     let bits = |position: DVec3| (position + DVec3::ZERO).to_array().map(f64::to_bits);
     let mut vertices: Vec<_> = (0_u32..).zip(positions).map(|(v, &p)| (bits(p), v)).collect();

@@ -30,10 +30,10 @@ const MARGIN: f64 = 1e-9;
 
 /// The candidate with the largest minimum angle.
 pub(super) fn best_candidate(
+    boundary: &Boundary,
     placement: &Placement,
     progress: Progress<'_>,
 ) -> Result<Triangulation, MeshError> {
-    let boundary = placement.boundary();
     let candidates = Candidates::new(boundary);
     let limit = candidates_to_try(boundary);
     let triangles = u64::from(boundary.vertex_count()) - 2;

@@ -24,6 +24,11 @@ pub enum MeshError {
          outside_degree and max_degree for a mesh of least degree"
     )]
     Constrained,
+    /// The domain is not convex, or has holes, or its first corner is straight.
+    #[error(
+        "the domain is not convex; only convex domains whose first corner turns are meshed so far"
+    )]
+    NotConvex,
     /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

@@ -77,7 +77,7 @@ impl BoundaryMesh {
     /// How many corners and how many other vertices have each degree. O(n).
     #[must_use]
     pub fn degree_histograms(&self) -> DegreeHistograms {
-        let boundary = self.boundary();
+        let boundary = self.rings();
         let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
         let corners: DegreeHistogram = corners.map(|corner| self.degree(corner)).collect();
         let in_blocks = blocks(self.vertex_count(), |range| {

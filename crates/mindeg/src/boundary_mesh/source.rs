@@ -52,7 +52,7 @@ impl Triangles for BoundaryMesh {
     }
 
     fn lines(&self) -> Cow<'_, [Line]> {
-        let boundary = self.boundary();
+        let boundary = self.rings();
         let line = |side| {
             let start = boundary.corner(side);
             Line {

@@ -102,7 +102,7 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
     let marks =
         Marks { advised: advised(trade_off).map(|exact| exact.max_degree), ..Marks::default() };
     let [headline, sentences @ ..] = &verdict(trade_off)[..] else { return Ok(()) };
-    let intervals: Vec<u32> = domain.boundary().sides().collect();
+    let intervals: Vec<u32> = domain.rings().sides().collect();
     let inset = Inset::new(bounds, space);
     let page = Page {
         title: domain.name().unwrap_or("Domain"),

@@ -100,7 +100,7 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
 
     let mut summary = format!(
         "{} boundary vertices · the largest minimum angle for each maximum degree",
-        count(trade_off.domain().boundary().vertex_count())
+        count(trade_off.domain().rings().vertex_count())
     );
     if let Some(stretch) = at_origin.stretch() {
         summary += &format!(" · {stretch}");

@@ -1,0 +1,143 @@
+//! `mindeg improve`: degrees and the minimum angle of any planar mesh.
+
+use crate::args::ImproveArguments;
+use crate::bar::Bar;
+use crate::demands::Demands;
+use crate::failure::Failure;
+use crate::gates::NamedTriangle;
+use crate::input;
+use crate::interior_report::{Reached, angles_and_degrees, grading, violations};
+use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
+use crate::mesh_file;
+use crate::output::Outputs;
+use crate::standard_output::print_json;
+use crate::targets::Targets;
+use crate::terminal::say;
+use mindeg::interior::{self, ImprovedMesh};
+use mindeg::{Interior, Progress, Triangles};
+use mindeg_compare::number_format::steady_angle;
+use mindeg_mesh::TriMesh;
+use serde::Serialize;
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Summary {
+    file: String,
+    vertices: usize,
+    triangles: usize,
+    /// Vertices that were at the place of an earlier one.
+    merged_vertices: usize,
+    /// Edges inside that stayed, since groups meet there or lines run along them.
+    kept_edges: usize,
+    before: Reached,
+    after: Reached,
+    files: Vec<String>,
+}
+
+pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
+    let surface = &arguments.surface;
+    let mut targets =
+        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
+    let bar = Bar::new(arguments.quiet);
+    clean_up_on_interrupt()?;
+    input::note(&arguments.file, "mesh");
+    memory::require_to_read(&arguments.file)?;
+    let mesh = mesh_file::read(&arguments.file, &bar)?;
+    let file = arguments.file.display().to_string();
+    memory::require_to_improve(&file, mesh.positions().len(), mesh.triangles().len())?;
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+
+    let wanted = arguments.aims.over(Interior::default());
+    let callback = bar.callback();
+    let improved = interior::improve(&mesh, &wanted, Progress::new(&callback))
+        .map_err(|error| Failure::Input(format!("{file}: {error}")))?;
+    let unmet = Demands::of(&wanted, false).check(&improved.after);
+    if !arguments.aims.write_anyway
+        && let Err(Failure::Gate(unmet)) = unmet
+    {
+        return Err(Failure::Gate(format!("{unmet}; --write-anyway writes the mesh all the same")));
+    }
+    check_gates(arguments, &improved)?;
+
+    targets.check(&improved.mesh, improved.mesh.triangle_count())?;
+    let all_taken = targets.write(&improved.mesh, &bar)?;
+    outputs.finish()?;
+    drop(callback);
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    if !arguments.quiet {
+        say(&text(&file, &mesh, &improved, &files));
+    }
+    if arguments.json {
+        print_json(&Summary {
+            file,
+            vertices: improved.mesh.positions().len(),
+            triangles: improved.mesh.triangles().len(),
+            merged_vertices: improved.merged,
+            kept_edges: improved.kept_edges,
+            before: Reached::from(&improved.before),
+            after: Reached::from(&improved.after),
+            files,
+        })?;
+    }
+    unmet
+}
+
+fn check_gates(arguments: &ImproveArguments, improved: &ImprovedMesh) -> Result<(), Failure> {
+    let mesh = &improved.mesh;
+    let max_degree = mesh.max_degree();
+    let highest_vertex = || {
+        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == max_degree);
+        highest.map_or(0, |(vertex, _)| vertex)
+    };
+    let worst_triangle = || NamedTriangle::worst_of(mesh);
+    let min_angle = improved.after.min_angle;
+    arguments.gates.check(max_degree, min_angle, highest_vertex, worst_triangle)?;
+    arguments.gates.preset.map_or(Ok(()), |preset| preset.check(mesh))
+}
+
+fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -> String {
+    let ImprovedMesh { before, after, merged, kept_edges, .. } = improved;
+    let wrong = |report: &interior::Report| match report.violations.len() {
+        0 => "no degree out of range".to_owned(),
+        1 => "1 degree out of range".to_owned(),
+        count => format!("{count} degrees out of range"),
+    };
+    let line = |when: &str, report: &interior::Report| {
+        format!(
+            "  {when:<7} {} triangles, {}, {}",
+            report.triangles,
+            angles_and_degrees(report),
+            wrong(report)
+        )
+    };
+    let mut lines = vec![
+        format!(
+            "{file}: the boundary allows a minimum angle of at most {}",
+            steady_angle(after.limits.angle())
+        ),
+        line("before:", before),
+        line("after:", after),
+        grading(after),
+    ];
+    let mut note = |count: usize, text: &str| {
+        if count > 0 {
+            lines.push(format!("{count} {text}"));
+        }
+    };
+    note(*merged, "vertices at the place of an earlier one were merged with it.");
+    note(*kept_edges, "edges inside were kept, since groups meet there or lines run along them.");
+    let others = mesh.non_triangles();
+    note((others.quads + others.polygons) as usize, "larger faces were cut into triangles.");
+    lines.extend(violations(after).map(|violations| format!("Warning: {violations}")));
+    let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
+    if !files.is_empty() {
+        lines.push(format!("wrote {}", files.join(", ")));
+    }
+    lines.join("\n")
+}

@@ -1,0 +1,191 @@
+//! `mindeg mesh --interior`: a domain with points inside.
+
+use crate::args::MeshArguments;
+use crate::bar::Bar;
+use crate::demands::Demands;
+use crate::domain::{name, name_in_text};
+use crate::failure::Failure;
+use crate::gates::NamedTriangle;
+use crate::interior_report::{
+    Limit, Reached, angles_and_degrees, grading, limit_in_words, violations,
+};
+use crate::memory;
+use crate::output::Outputs;
+use crate::standard_output::print_json;
+use crate::targets::Targets;
+use crate::terminal::say;
+use mindeg::interior::{self, AngleLimit, InteriorError, InteriorMesh, Lift};
+use mindeg::{Domain, Interior, Progress, Triangles};
+use mindeg_mesh::TriMesh;
+use serde::Serialize;
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Summary<'a> {
+    name: Option<&'a str>,
+    intervals: Vec<u32>,
+    boundary_vertices: u32,
+    vertices: usize,
+    #[serde(flatten)]
+    reached: Reached,
+    limit: Limit,
+    /// "interior": how the mesh was found.
+    found_by: &'static str,
+    /// Whether corners ran clockwise.
+    reversed: bool,
+    files: Vec<String>,
+}
+
+/// What is wanted inside, if interior points are; refuses options that do not go together.
+pub(super) fn wanted(
+    arguments: &MeshArguments,
+    domain: &Domain,
+) -> Result<Option<Interior>, Failure> {
+    let options = &arguments.interior;
+    let is_wanted = options.interior || domain.interior().is_some() && !options.no_interior;
+    if !is_wanted {
+        return match options.first_given() {
+            Some(option) => Err(Failure::Input(format!(
+                "{option} is for meshes with interior points; add --interior"
+            ))),
+            None => Ok(None),
+        };
+    }
+    let instead = [
+        (
+            arguments.goal.keep_angle.is_some(),
+            "--keep-angle",
+            "--target-angle A asks for a minimum angle",
+        ),
+        (arguments.optimize.is_some(), "--optimize", "--prefer angle puts the minimum angle first"),
+        (
+            arguments.goal.max_degree.is_some(),
+            "--max-degree",
+            "--interior-degree A..B and --boundary-degree D limit degrees",
+        ),
+    ];
+    if let Some((_, option, way)) = instead.into_iter().find(|(is_given, ..)| *is_given) {
+        let from =
+            if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
+        return Err(Failure::Input(format!(
+            "{option} is for meshes of boundary points alone; with {from}, {way}"
+        )));
+    }
+    Ok(Some(options.over(domain.interior())))
+}
+
+/// Meshes a domain with interior points.
+pub(super) fn run(
+    arguments: &MeshArguments,
+    domain: &Domain,
+    wanted: &Interior,
+    mut targets: Targets<'_>,
+    bar: Bar,
+) -> Result<(), Failure> {
+    let wanted =
+        Interior { max_points: Some(memory::most_points(name_in_text(domain))?), ..wanted.clone() };
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+
+    let callback = bar.callback();
+    let meshed = interior::mesh(domain, &wanted, Progress::new(&callback));
+    let InteriorMesh { mesh, report } = match meshed {
+        Ok(meshed) => meshed,
+        Err(error) => return Err(refused(domain, &wanted, &error)),
+    };
+    let limit = interior::angle_limit(domain, &wanted).map_err(|error| input(&error))?;
+    let lift = interior::lift(domain, &wanted, &limit);
+    let unmet = Demands::of(&wanted, domain.is_constrained()).check(&report);
+    if !arguments.interior.aims.write_anyway
+        && let Err(Failure::Gate(unmet)) = unmet
+    {
+        return Err(Failure::Gate(format!("{unmet}; --write-anyway writes the mesh all the same")));
+    }
+    check_gates(arguments, &mesh, report.min_angle)?;
+
+    targets.check(&mesh, mesh.triangle_count())?;
+    let all_taken = targets.write(&mesh, &bar)?;
+    outputs.finish()?;
+    drop(callback);
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    let summary = Summary {
+        name: domain.name(),
+        intervals: domain.rings().sides().collect(),
+        boundary_vertices: domain.rings().vertex_count(),
+        vertices: mesh.positions().len(),
+        reached: Reached::from(&report),
+        limit: Limit::new(&limit, lift.as_ref()),
+        found_by: "interior",
+        reversed: domain.was_reversed(),
+        files,
+    };
+    if !arguments.quiet {
+        say(&text(domain, &report, &limit, lift.as_ref(), &summary));
+    }
+    if arguments.json {
+        print_json(&summary)?;
+    }
+    unmet
+}
+
+/// The gates on the whole mesh.
+fn check_gates(arguments: &MeshArguments, mesh: &TriMesh, min_angle: f64) -> Result<(), Failure> {
+    let max_degree = mesh.max_degree();
+    let highest_vertex = || {
+        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == max_degree);
+        highest.map_or(0, |(vertex, _)| vertex)
+    };
+    let worst_triangle = || NamedTriangle::worst_of(mesh);
+    arguments.gates.check(max_degree, min_angle, highest_vertex, worst_triangle)?;
+    arguments.gates.preset.map_or(Ok(()), |preset| preset.check(mesh))
+}
+
+/// Why there is no mesh, in the words of the domain.
+fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure {
+    if let InteriorError::TargetAboveLimit { target, .. } = error
+        && let Ok(limit) = interior::angle_limit(domain, wanted)
+    {
+        let lift = interior::lift(domain, wanted, &limit);
+        let words = limit_in_words(&limit, lift.as_ref());
+        return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
+    }
+    input(error)
+}
+
+fn input(error: &InteriorError) -> Failure {
+    Failure::Input(error.to_string())
+}
+
+fn text(
+    domain: &Domain,
+    report: &interior::Report,
+    limit: &AngleLimit,
+    lift: Option<&Lift>,
+    summary: &Summary<'_>,
+) -> String {
+    let mut lines = vec![
+        format!(
+            "{}: {} boundary and {} interior vertices, {} triangles, {}",
+            name(domain),
+            summary.boundary_vertices,
+            report.interior_points,
+            report.triangles,
+            angles_and_degrees(report),
+        ),
+        limit_in_words(limit, lift),
+        grading(report),
+    ];
+    lines.extend(violations(report).map(|violations| format!("Warning: {violations}")));
+    if summary.reversed {
+        lines.push("Corners ran clockwise and were reversed; each side kept its edge.".to_owned());
+    }
+    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
+    if !files.is_empty() {
+        lines.push(format!("wrote {}", files.join(", ")));
+    }
+    lines.join("\n")
+}

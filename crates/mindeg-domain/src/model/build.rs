@@ -1,0 +1,294 @@
+//! From corners, faces and divisions to a checked model.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DVec3;
+
+use super::crossing;
+use super::faults;
+use super::{
+    Edge, Face, FaceGroup, Model, ModelEdge, ModelError, ModelFace, ModelParts, PLANAR_SHARE, Pass,
+    Plane,
+};
+use crate::limits::LEAST_ROUNDINGS;
+use crate::name::{self, NameError};
+use crate::side::{Intervals, Side, SideError};
+use crate::spacing::Spacing;
+use crate::spacing_law::SpacingLaw;
+
+impl Model {
+    /// A model of these parts. O(n log n) for n corners of faces, unless a face has very many edges
+    /// above each other.
+    ///
+    /// # Errors
+    ///
+    /// [`ModelError`]: each kind names the face, edge or corner.
+    pub fn new(parts: ModelParts) -> Result<Self, ModelError> {
+        let ModelParts { corners, faces, edges, other_edges, planar_tolerance } = parts;
+        check_corners(&corners, &faces, &edges)?;
+        let extent = faces.iter().flat_map(|face| face.loops.iter().flatten());
+        let extent = largest_extent(extent.map(|&corner| corners[corner as usize]));
+        let planar_tolerance = planar_tolerance.unwrap_or(PLANAR_SHARE * extent);
+
+        let mut planes = Vec::with_capacity(faces.len());
+        let mut loops = Vec::with_capacity(faces.len());
+        for (index, face) in faces.iter().enumerate() {
+            let plane = plane(&corners, index, face, planar_tolerance)?;
+            loops.push(crossing::oriented(&corners, index, face, &plane)?);
+            planes.push(plane);
+        }
+        faults::check_face_twice(&loops)?;
+
+        let ends = ends_of_edges(&loops);
+        let laws = laws(&corners, &ends, &edges, other_edges.as_ref())?;
+        let used: BTreeSet<u32> = ends.iter().flatten().copied().collect();
+        let used: Vec<u32> = used.into_iter().collect();
+        let mut next = used.len() as u64;
+        let mut model_edges = Vec::with_capacity(ends.len());
+        for (ends, (law, name)) in ends.iter().zip(laws) {
+            let first = next;
+            next += u64::from(law.intervals()) - 1;
+            if next > u64::from(u32::MAX) {
+                return Err(ModelError::TooManyVertices { vertices: next });
+            }
+            model_edges.push(Edge {
+                corners: *ends,
+                first: first as u32,
+                law,
+                name,
+                passes: [0; 2],
+            });
+        }
+        let mut groups = Groups::default();
+        let mut model_faces = Vec::with_capacity(faces.len());
+        for ((face, loops), plane) in faces.into_iter().zip(&loops).zip(planes) {
+            let ModelFace { name, group, material, .. } = face;
+            let index = model_faces.len();
+            for (kind, name) in
+                [("", &name), ("the group of ", &group), ("the material of ", &material)]
+            {
+                check_name(name.as_deref(), || format!("{kind}face {index}"))?;
+            }
+            let passes = |corners: &Vec<u32>| passes(corners, &ends, &mut model_edges);
+            let loops = loops.iter().map(passes).collect();
+            // A face with a name and no group is a group of its own.
+            let group = group.or_else(|| name.clone());
+            model_faces.push(Face { loops, plane, name, group: groups.index(group, material) });
+        }
+        let mut model = Self {
+            name: None,
+            corners,
+            used,
+            edges: model_edges,
+            faces: model_faces,
+            groups: groups.groups,
+            planar_tolerance,
+            notes: Vec::new(),
+        };
+        model.notes = faults::notes(&model);
+        Ok(model)
+    }
+}
+
+impl Model {
+    /// The same model with all its edges divided in another way; they keep their names.
+    ///
+    /// # Errors
+    ///
+    /// A division that does not fit an edge.
+    pub fn divided(mut self, side: &Side) -> Result<Self, ModelError> {
+        let mut next = self.used.len() as u64;
+        for edge in &mut self.edges {
+            edge.law = law(&self.corners, edge.corners, side)?;
+            edge.first = next as u32;
+            next += u64::from(edge.law.intervals()) - 1;
+            if next > u64::from(u32::MAX) {
+                return Err(ModelError::TooManyVertices { vertices: next });
+            }
+        }
+        Ok(self)
+    }
+}
+
+/// Checks a name if there is one.
+pub(crate) fn check_name(name: Option<&str>, what: impl Fn() -> String) -> Result<(), ModelError> {
+    let Some(name) = name else { return Ok(()) };
+    name::check(name, None).map_err(|error| match error {
+        NameError::Character { character, .. } => {
+            ModelError::NameCharacter { what: what(), character }
+        }
+        _ => ModelError::BlankName { what: what() },
+    })
+}
+
+fn check_corners(
+    corners: &[DVec3],
+    faces: &[ModelFace],
+    edges: &[ModelEdge],
+) -> Result<(), ModelError> {
+    if faces.is_empty() {
+        return Err(ModelError::NoFaces);
+    }
+    if let Some(corner) = corners.iter().position(|corner| !corner.is_finite()) {
+        return Err(ModelError::NotFinite { corner: corner as u32 });
+    }
+    let check = |what, index, corner: u32| {
+        let corners = corners.len();
+        let error = ModelError::NoSuchCorner { what, index, corner, corners };
+        if (corner as usize) < corners { Ok(()) } else { Err(error) }
+    };
+    for (index, face) in faces.iter().enumerate() {
+        if face.loops.is_empty() {
+            return Err(ModelError::TooFewCorners { face: index, corners: 0 });
+        }
+        for corners in &face.loops {
+            if corners.len() < 3 {
+                return Err(ModelError::TooFewCorners { face: index, corners: corners.len() });
+            }
+            corners.iter().try_for_each(|&corner| check("face", index, corner))?;
+        }
+    }
+    for (index, edge) in edges.iter().enumerate() {
+        edge.corners.iter().try_for_each(|&corner| check("edge", index, corner))?;
+    }
+    Ok(())
+}
+
+/// The largest extent of some points along an axis.
+pub(super) fn largest_extent(points: impl Iterator<Item = DVec3>) -> f64 {
+    let box_of = |[low, high]: [DVec3; 2], point: DVec3| [low.min(point), high.max(point)];
+    let [low, high] =
+        points.fold([DVec3::splat(f64::INFINITY), DVec3::splat(f64::NEG_INFINITY)], box_of);
+    (high - low).max_element().max(0.0)
+}
+
+fn plane(
+    corners: &[DVec3],
+    index: usize,
+    face: &ModelFace,
+    tolerance: f64,
+) -> Result<Plane, ModelError> {
+    let at = |&corner: &u32| corners[corner as usize];
+    let outer: Vec<DVec3> = face.loops[0].iter().map(at).collect();
+    let plane = Plane::of_loop(&outer).ok_or(ModelError::NoArea { face: index })?;
+    let mut farthest = (0.0, 0);
+    for corner in face.loops.iter().flatten() {
+        let distance = plane.distance(at(corner));
+        if distance > farthest.0 {
+            farthest = (distance, *corner);
+        }
+    }
+    let (distance, corner) = farthest;
+    if distance > tolerance {
+        return Err(ModelError::NotPlanar { face: index, corner, distance, tolerance });
+    }
+    Ok(plane)
+}
+
+/// The lower and higher corners of all edges, ascending.
+fn ends_of_edges(faces: &[Vec<Vec<u32>>]) -> Vec<[u32; 2]> {
+    let mut ends = Vec::new();
+    for corners in faces.iter().flatten() {
+        for (i, &from) in corners.iter().enumerate() {
+            let to = corners[(i + 1) % corners.len()];
+            ends.push([from.min(to), from.max(to)]);
+        }
+    }
+    ends.sort_unstable();
+    ends.dedup();
+    ends
+}
+
+/// A loop as edges, which count the pass.
+fn passes(corners: &[u32], ends: &[[u32; 2]], edges: &mut [Edge]) -> Vec<Pass> {
+    let pass = |(i, &from): (usize, &u32)| {
+        let to = corners[(i + 1) % corners.len()];
+        // The list has every edge of every face.
+        let edge = ends.partition_point(|&ends| ends < [from.min(to), from.max(to)]);
+        edges[edge].passes[usize::from(from > to)] += 1;
+        Pass { edge: edge as u32, is_upward: from < to }
+    };
+    corners.iter().enumerate().map(pass).collect()
+}
+
+type Division = (SpacingLaw, Option<String>);
+
+/// The spacing law and name of every edge, from its lower corner on.
+fn laws(
+    corners: &[DVec3],
+    ends: &[[u32; 2]],
+    given: &[ModelEdge],
+    other: Option<&Side>,
+) -> Result<Vec<Division>, ModelError> {
+    let mut divisions: BTreeMap<usize, (&ModelEdge, Side)> = BTreeMap::new();
+    for (index, edge) in given.iter().enumerate() {
+        let [a, b] = edge.corners;
+        let Ok(at) = ends.binary_search(&[a.min(b), a.max(b)]) else {
+            return Err(ModelError::NoSuchEdge { index, corners: edge.corners });
+        };
+        let side = edge.side.clone();
+        let side = if a < b { side } else { side.reversed() };
+        if let Some((first, _)) = divisions.insert(at, (edge, side)) {
+            return Err(match (first.side.intervals, edge.side.intervals) {
+                (Intervals::Count(first), Intervals::Count(second)) if first != second => {
+                    ModelError::TwoCounts { corners: ends[at], first, second }
+                }
+                _ => ModelError::EdgeTwice { corners: ends[at] },
+            });
+        }
+    }
+    for (index, edge) in given.iter().enumerate() {
+        check_name(edge.side.name.as_deref(), || format!("edge {index}"))?;
+    }
+    let law = |(at, &corners_of): (usize, &[u32; 2])| {
+        let side = divisions.get(&at).map(|(_, side)| side).or(other);
+        let side = side.ok_or(ModelError::NoDivision { corners: corners_of })?;
+        let law = law(corners, corners_of, side)?;
+        Ok((law, side.name.clone().filter(|_| divisions.contains_key(&at))))
+    };
+    ends.iter().enumerate().map(law).collect()
+}
+
+fn law(corners: &[DVec3], ends: [u32; 2], side: &Side) -> Result<SpacingLaw, ModelError> {
+    let [from, to] = ends.map(|corner| corners[corner as usize]);
+    let length = (to - from).length();
+    let failed = |source: SideError| ModelError::Edge { corners: ends, source };
+    if from == to {
+        return Err(ModelError::CoincidentCorners { corners: ends });
+    }
+    let intervals = match (&side.spacing, side.intervals) {
+        (Spacing::Parameters(given), Intervals::Size(_)) => given.len() as u64 + 1,
+        (_, intervals) => intervals.on(length).map_err(failed)?,
+    };
+    let Ok(intervals) = u32::try_from(intervals) else {
+        return Err(ModelError::TooManyVertices { vertices: intervals });
+    };
+    if intervals == 0 {
+        return Err(ModelError::NoIntervals { corners: ends });
+    }
+    let law = SpacingLaw::solve(&side.spacing, intervals, length);
+    let law = law.map_err(|error| failed(error.into()))?;
+    let (_, share) = law.shortest();
+    let rounding = from.abs().max(to.abs()).max_element() * f64::EPSILON;
+    if share * (to - from).abs().max_element() < LEAST_ROUNDINGS * rounding {
+        return Err(ModelError::IntervalTooShort { corners: ends, length: share * length });
+    }
+    Ok(law)
+}
+
+/// The distinct groups of faces, in the order of their first faces.
+#[derive(Default)]
+struct Groups {
+    groups: Vec<FaceGroup>,
+    indices: BTreeMap<[Option<String>; 2], u32>,
+}
+
+impl Groups {
+    fn index(&mut self, name: Option<String>, material: Option<String>) -> u32 {
+        let next = self.groups.len() as u32;
+        *self.indices.entry([name.clone(), material.clone()]).or_insert_with(|| {
+            self.groups.push(FaceGroup { name, material });
+            next
+        })
+    }
+}

@@ -1,0 +1,276 @@
+//! Where the boundary turns and where it is straight: the straight runs that exact work forbids chords
+//! in, and the convex form that the formulas take.
+//!
+//! The boundary is a sequence of *pieces*: a straight side is one, and so is each edge of a side that
+//! is not straight. Two pieces that follow each other are one straight *run* if the turn between
+//! them is less than [`LEAST_TURN`], or less than the rounding of the coordinates can make out of
+//! nothing.
+//!
+//! Limits: each turn is judged alone, so a run of many pieces may bend by a little in all.
+
+use std::f64::consts::{PI, TAU};
+
+use glam::DVec2;
+use mindeg_core::Boundary;
+
+use crate::limits::LEAST_TURN;
+use crate::placement::Placement;
+use crate::rings::Rings;
+
+/// A convex domain as the formulas of `mindeg-core` take it: no holes, and a side for each straight
+/// run of the boundary.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_domain::{Domain, Side};
+///
+/// // The bottom is two sides on one line, and the domain's first corner is in its middle.
+/// let corners = [[2.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0], [0.0, 0.0]];
+/// let domain = Domain::polygon(corners, [2, 3, 4, 3, 1].map(Side::count).into())?;
+/// let form = domain.convex().expect("a rectangle is convex");
+/// assert!(form.boundary().sides().eq([3, 4, 3, 3]));
+/// assert_eq!(form.first(), 2); // vertex 0 of the core's boundary is vertex 2 of the domain
+/// # Ok::<(), mindeg_domain::DomainError>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConvexForm {
+    boundary: Boundary,
+    first: u32,
+}
+
+impl ConvexForm {
+    /// The intervals of the straight runs, counter-clockwise.
+    #[must_use]
+    pub fn boundary(&self) -> &Boundary {
+        &self.boundary
+    }
+
+    /// The vertex of the domain where the first run starts: vertex v of the
+    /// [`boundary`](Self::boundary) is vertex (v + first) mod n of the domain.
+    #[must_use]
+    pub fn first(&self) -> u32 {
+        self.first
+    }
+}
+
+/// How the boundary turns at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Turn {
+    /// By nothing that counts.
+    Straight,
+    /// By this angle in radians, above 0 to the left, strictly between -π and π.
+    By(f64),
+    /// All the way back.
+    Back,
+}
+
+/// A piece of the boundary.
+#[derive(Clone, Copy)]
+struct Piece {
+    /// The vertex where it starts.
+    first: u32,
+    start: DVec2,
+    end: DVec2,
+}
+
+/// The turn from one piece to the next.
+fn turn(incoming: Piece, outgoing: Piece) -> Turn {
+    let [before, after] = [incoming, outgoing].map(|piece| piece.end - piece.start);
+    let angle = libm::atan2(before.perp_dot(after), before.dot(after));
+    // Each end of a piece may be off by half a unit in the last place in either coordinate.
+    let coordinate = [incoming.start, outgoing.start, outgoing.end]
+        .map(|point| point.abs().max_element())
+        .into_iter()
+        .fold(0.0, f64::max);
+    let rounding = f64::EPSILON * coordinate * (1.0 / before.length() + 1.0 / after.length());
+    if angle.abs() < LEAST_TURN.max(rounding) {
+        Turn::Straight
+    } else if angle.abs() > PI - LEAST_TURN {
+        Turn::Back
+    } else {
+        Turn::By(angle)
+    }
+}
+
+/// The boundary of a placement, some of whose sides are straight.
+#[derive(Clone, Copy)]
+pub(crate) struct Turning<'a> {
+    pub(crate) placement: &'a Placement,
+    /// Whether each side is straight.
+    pub(crate) straight: &'a [bool],
+}
+
+impl Turning<'_> {
+    fn rings(&self) -> &Rings {
+        self.placement.rings()
+    }
+
+    /// The piece that the edge at a vertex belongs to.
+    fn piece(&self, vertex: u32) -> Piece {
+        let rings = self.rings();
+        let side = rings.side_of(vertex);
+        let (first, end) = if self.straight[side] {
+            (rings.corner(side), rings.side_end(side))
+        } else {
+            (vertex, rings.next(vertex))
+        };
+        Piece { first, start: self.placement.point(first), end: self.placement.point(end) }
+    }
+
+    /// The turn at a vertex. O(log k).
+    pub(crate) fn at(&self, vertex: u32) -> Turn {
+        let (before, after) = (self.piece(self.rings().previous(vertex)), self.piece(vertex));
+        if before.first == after.first { Turn::Straight } else { turn(before, after) }
+    }
+
+    /// The first vertices of the pieces of a ring, and the turn at each. O(1) for each piece.
+    fn pieces(&self, ring: usize) -> Vec<(u32, Turn)> {
+        let rings = self.rings();
+        let mut pieces = Vec::new();
+        for side in rings.ring_sides(ring) {
+            let first = rings.corner(side);
+            if self.straight[side] {
+                let [start, end] =
+                    [first, rings.side_end(side)].map(|corner| self.placement.point(corner));
+                pieces.push(Piece { first, start, end });
+                continue;
+            }
+            let mut start = self.placement.point(first);
+            for vertex in first..first + rings.intervals(side) {
+                let end = self.placement.point(rings.next(vertex));
+                pieces.push(Piece { first: vertex, start, end });
+                start = end;
+            }
+        }
+        let mut before = pieces[pieces.len() - 1];
+        let turns = pieces.into_iter().map(|piece| {
+            let at = (piece.first, turn(before, piece));
+            before = piece;
+            at
+        });
+        turns.collect()
+    }
+
+    /// For each vertex, the run that the edge beginning there belongs to. O(n).
+    pub(crate) fn runs(&self) -> Vec<u32> {
+        let rings = self.rings();
+        let mut runs = vec![0; rings.vertex_count() as usize];
+        let mut run = 0;
+        for (ring, vertices) in rings.rings().enumerate() {
+            let pieces = self.pieces(ring);
+            let first_run = run;
+            let ends = pieces[1..].iter().map(|&(first, _)| first).chain([vertices.end]);
+            for (&(first, turn), end) in pieces.iter().zip(ends) {
+                if turn != Turn::Straight && first != vertices.start {
+                    run += 1;
+                }
+                runs[first as usize..end as usize].fill(run);
+            }
+            if pieces[0].1 == Turn::Straight {
+                // What is left of the last run is the start of the first one.
+                let same = vertices.start as usize..vertices.end as usize;
+                runs[same].iter_mut().filter(|of| **of == run).for_each(|of| *of = first_run);
+            }
+            run += 1;
+        }
+        runs
+    }
+
+    /// Which way round a ring runs if it always turns the same way, and once around in all: then it
+    /// is simple and convex. O(1) for each piece.
+    pub(crate) fn convex_orientation(&self, ring: usize) -> Option<Orientation> {
+        let mut total = 0.0;
+        let (mut left, mut right) = (false, false);
+        for (_, turn) in self.pieces(ring) {
+            match turn {
+                Turn::Straight => {}
+                Turn::Back => return None,
+                Turn::By(angle) => {
+                    total += angle;
+                    left |= angle > 0.0;
+                    right |= angle < 0.0;
+                }
+            }
+        }
+        let is_once = (total.abs() / TAU).round() == 1.0;
+        match (left, right) {
+            (true, false) if is_once => Some(Orientation::CounterClockwise),
+            (false, true) if is_once => Some(Orientation::Clockwise),
+            _ => None,
+        }
+    }
+
+    /// The convex form, if there are no holes and the one ring is convex and counter-clockwise.
+    pub(crate) fn convex_form(&self) -> Option<ConvexForm> {
+        let rings = self.rings();
+        if rings.ring_count() > 1
+            || self.convex_orientation(0) != Some(Orientation::CounterClockwise)
+        {
+            return None;
+        }
+        let starts = self.pieces(0).into_iter().filter(|&(_, turn)| turn != Turn::Straight);
+        let starts: Vec<u32> = starts.map(|(first, _)| first).collect();
+        let first = *starts.first()?;
+        let ends = starts[1..].iter().copied().chain([first + rings.vertex_count()]);
+        let intervals: Vec<u64> =
+            starts.iter().zip(ends).map(|(&start, end)| u64::from(end - start)).collect();
+        let boundary = Boundary::new(&intervals).ok()?;
+        Some(ConvexForm { boundary, first })
+    }
+}
+
+/// The way round in which a ring runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Orientation {
+    CounterClockwise,
+    Clockwise,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Domain, Side};
+
+    fn polygon(corners: &[[f64; 2]], intervals: &[u64]) -> Domain {
+        let sides = intervals.iter().map(|&count| Side::count(count)).collect();
+        Domain::polygon(corners.iter().copied(), sides).unwrap()
+    }
+
+    #[test]
+    fn collinear_sides_are_one_run() {
+        let corners = [[1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 2.0], [0.0, 2.0], [0.0, 0.0]];
+        let domain = polygon(&corners, &[1, 2, 1, 1, 2, 1]);
+        assert_eq!(domain.straight_runs(), [0, 1, 1, 2, 2, 3, 3, 0]);
+        let form = domain.convex().unwrap();
+        assert!(form.boundary().sides().eq([2, 2, 2, 2]));
+        assert_eq!(form.first(), 1);
+    }
+
+    #[test]
+    fn a_reflex_corner_ends_a_run_and_the_convex_form() {
+        let domain = polygon(&[[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [0.0, 2.0]], &[2, 1, 1, 1]);
+        assert!(domain.convex().is_some());
+        let domain = polygon(&[[0.0, 0.0], [2.0, 0.0], [0.9, 0.9], [0.0, 2.0]], &[2, 1, 2, 1]);
+        assert_eq!(domain.convex(), None);
+        assert_eq!(domain.straight_runs(), [0, 0, 1, 2, 2, 3]);
+    }
+
+    #[test]
+    fn a_billionth_of_a_radian_is_straight() {
+        for (rise, runs) in [(4e-10, 3), (6e-10, 4), (-4e-10, 3), (-6e-10, 4)] {
+            let domain = polygon(&[[0.0, 0.0], [1.0, -rise], [2.0, 0.0], [1.0, 1.0]], &[1; 4]);
+            assert_eq!(domain.straight_runs().iter().max(), Some(&(runs - 1)), "{rise}");
+            let is_convex = rise > -LEAST_TURN / 2.0;
+            assert_eq!(domain.convex().is_some(), is_convex, "{rise}");
+        }
+        // On a slanted line in survey coordinates, up to rounding.
+        let corners = [
+            [500_000.1, 4_650_000.1],
+            [500_001.1, 4_650_000.4],
+            [500_002.1, 4_650_000.7],
+            [5e5, 4_650_009.0],
+        ];
+        assert_eq!(polygon(&corners, &[1; 4]).straight_runs(), [0, 0, 1, 2]);
+    }
+}

@@ -1,0 +1,267 @@
+//! The triangulation of least area of a closed loop in space, under a limit on degrees.
+//!
+//! Without holes in sight or a plane, every pair of vertices may be joined, and a zig-zag gives
+//! degree 4 to any loop of five vertices or more: the degree alone says nothing. The area does. An
+//! interval dynamic program finds the triangulation of least area whose vertices keep a limit on
+//! their total degrees, the edges outside the loop included.
+//!
+//! A chord splits the loop into two pieces, which depend on each other only through the numbers of
+//! chords at its ends. So the program keeps, for each piece, the triangulations that no other one
+//! beats in both numbers and area. For n vertices and fronts of f of them it takes O(n³ f²) time
+//! and O(n² f) memory.
+//!
+//! # Definitions
+//!
+//! - *Limit.* The limit D holds at each vertex that has no more than D edges outside the filling.
+//!   A vertex that has more gets no chord.
+//! - *Least area.* Areas are rounded to 2^-50 of a power of two above the loop's extent; triangulations
+//!   whose areas differ by less than 2^-36 of it a triangle count as equal, and then the better
+//!   shaped triangles win.
+//! - *Flat triangles* (height below 1e-9 of the longest edge) are used only where each
+//!   triangulation has as many.
+//!
+//! Limits: nothing keeps triangles from crossing each other where a loop is folded. At most
+//! [`MAX_LOOP`] vertices and [`MAX_STATES`] kept triangulations of pieces.
+
+mod any_degree;
+mod limited;
+
+use crate::space::{self, Cost};
+use any_degree::AnyDegree;
+use glam::DVec3;
+use limited::Limited;
+use mindeg_mesh::{Cancelled, Progress};
+use thiserror::Error;
+
+/// The most vertices of a loop: n³/6 triangles are weighed, at this number 1.3 thousand million.
+pub const MAX_LOOP: usize = 2000;
+
+/// The most triangulations of pieces that are kept at a time, of 16 bytes each.
+pub const MAX_STATES: usize = 1 << 24;
+
+/// A closed loop in space, and what is around it.
+#[derive(Clone, Debug)]
+pub struct LoopProblem {
+    points: Vec<DVec3>,
+    external: Vec<u32>,
+    /// For each pair of vertices, whether no edge of the filling may join them.
+    excluded: Vec<bool>,
+}
+
+/// How many edges a vertex may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LoopLimit {
+    /// Any number.
+    None,
+    /// At most so many.
+    AtMost(u32),
+    /// The least possible limit from this one up, without more flat triangles than without a limit.
+    LeastFrom(u32),
+}
+
+/// The triangulation of a loop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoopTriangulation {
+    /// n - 2 triangles, by indices of the loop's vertices. Each runs round as the loop does.
+    pub triangles: Vec<[u32; 3]>,
+    /// The limit that it keeps; none if none was asked for.
+    pub limit: Option<u32>,
+    /// The largest total degree of the loop's vertices.
+    pub max_degree: u32,
+    /// The sum of areas, in square units of length.
+    pub area: f64,
+    /// The least area without a limit, and the largest total degree that goes with it.
+    pub without_limit: (f64, u32),
+}
+
+/// Why a loop has no triangulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum LoopUnsolved {
+    /// More vertices than [`MAX_LOOP`].
+    #[error("the loop has {vertices} vertices; the maximum is {MAX_LOOP}")]
+    TooLarge {
+        /// How many vertices it has.
+        vertices: usize,
+    },
+    /// More than [`MAX_STATES`] triangulations of pieces would be kept.
+    #[error(
+        "under degree limit {limit} the search needs more memory than it may take ({} MB); give \
+         another limit",
+        MAX_STATES / 62500
+    )]
+    TooManyStates {
+        /// The limit.
+        limit: u32,
+    },
+    /// Every triangulation has an edge that is excluded.
+    #[error("every triangulation of the loop needs an edge that is there already")]
+    Excluded,
+    /// No triangulation keeps the limit.
+    #[error(
+        "no triangulation of the loop keeps degree limit {limit}; the least possible is {least}"
+    )]
+    Infeasible {
+        /// The limit.
+        limit: u32,
+        /// The least limit that some triangulation keeps.
+        least: u32,
+    },
+    /// The progress callback cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl LoopProblem {
+    /// A loop of three vertices or more. `external` are the edges at each vertex without those of
+    /// the filling: its two loop edges, and what else is there. `excluded` are pairs of vertices
+    /// that may not be joined; neighbours among them do not matter. O(n²) memory.
+    ///
+    /// # Errors
+    ///
+    /// [`LoopUnsolved::TooLarge`].
+    ///
+    /// # Panics
+    ///
+    /// If there are fewer than three points, one is not finite, there are not as many external
+    /// degrees as points, or a pair names a vertex that is not there.
+    pub fn new(
+        points: &[DVec3],
+        external: &[u32],
+        excluded: impl IntoIterator<Item = [u32; 2]>,
+    ) -> Result<Self, LoopUnsolved> {
+        let n = points.len();
+        assert!(n >= 3 && external.len() == n, "three points and as many degrees");
+        assert!(points.iter().all(|point| point.is_finite()), "points are finite");
+        if n > MAX_LOOP {
+            return Err(LoopUnsolved::TooLarge { vertices: n });
+        }
+        let mut pairs = vec![false; n * n];
+        for [a, b] in excluded {
+            let [a, b] = [a as usize, b as usize];
+            let are_neighbours = a.abs_diff(b) == 1 || a.abs_diff(b) == n - 1;
+            pairs[a * n + b] = !are_neighbours;
+            pairs[b * n + a] = !are_neighbours;
+        }
+        Ok(Self { points: points.to_vec(), external: external.to_vec(), excluded: pairs })
+    }
+
+    /// The number of vertices.
+    #[must_use]
+    pub fn vertex_count(&self) -> usize {
+        self.points.len()
+    }
+
+    fn is_excluded(&self, i: usize, j: usize) -> bool {
+        self.excluded[i * self.points.len() + j]
+    }
+
+    /// The most chords at each vertex under a limit.
+    fn capacities(&self, limit: u32) -> Vec<u16> {
+        // A vertex has fewer chords than the loop has vertices.
+        let most = self.points.len() as u32;
+        self.external.iter().map(|&own| limit.saturating_sub(own).min(most) as u16).collect()
+    }
+}
+
+/// The triangulation of least area of a loop, under a limit on the total degrees of its vertices.
+///
+/// O(n³) time for n vertices without a limit, and O(n³ f²) with one, for fronts of f states.
+///
+/// # Errors
+///
+/// [`LoopUnsolved`].
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec3;
+/// use mindeg_exact::{LoopLimit, LoopProblem, Progress, fill_loop};
+///
+/// // A square whose corners go up and down in turn: either diagonal folds it.
+/// let loop_ = [(0., 0., 0.), (1., 0., 1.), (1., 1., 0.), (0., 1., 1.)].map(DVec3::from);
+/// let problem = LoopProblem::new(&loop_, &[2; 4], [[0, 2]])?;
+/// let filled = fill_loop(&problem, LoopLimit::LeastFrom(6), Progress::NONE)?;
+/// assert_eq!(filled.triangles, [[0, 1, 3], [1, 2, 3]]);
+/// assert_eq!((filled.limit, filled.max_degree), (Some(6), 3));
+/// # Ok::<(), mindeg_exact::LoopUnsolved>(())
+/// ```
+pub fn fill_loop(
+    problem: &LoopProblem,
+    limit: LoopLimit,
+    progress: Progress<'_>,
+) -> Result<LoopTriangulation, LoopUnsolved> {
+    let points = space::scaled(problem.points.iter());
+    let any = AnyDegree::solve(problem, &points, progress)?.ok_or(LoopUnsolved::Excluded)?;
+    let free = any.triangles(&points);
+    let least = any.cost();
+    let without_limit = (area(problem, &free), max_degree(problem, &free));
+    let result = |triangles: Vec<[u32; 3]>, limit: Option<u32>| {
+        let (area, max_degree) = (area(problem, &triangles), max_degree(problem, &triangles));
+        LoopTriangulation { triangles, limit, max_degree, area, without_limit }
+    };
+    let solve = |limit: u32| -> Result<Option<(Vec<[u32; 3]>, Cost)>, LoopUnsolved> {
+        if keeps(problem, &free, limit) {
+            return Ok(Some((free.clone(), least)));
+        }
+        let capacities = problem.capacities(limit);
+        let ends: u64 = capacities.iter().map(|&capacity| u64::from(capacity)).sum();
+        // Each of the n - 3 chords has two ends.
+        if ends < 2 * (points.len() as u64 - 3) {
+            return Ok(None);
+        }
+        let limited = Limited::solve(problem, &points, &capacities, limit, progress)?;
+        Ok(limited.best().map(|cost| (limited.triangles(&points), cost)))
+    };
+    // Without a limit `free` is an answer, so some limit has one.
+    let least_from = |from: u32, same_flat: bool| -> Result<_, LoopUnsolved> {
+        for limit in from..without_limit.1 {
+            match solve(limit)? {
+                Some((triangles, cost)) if !same_flat || cost.flat == least.flat => {
+                    return Ok((triangles, limit));
+                }
+                _ => {}
+            }
+        }
+        Ok((free.clone(), from.max(without_limit.1)))
+    };
+    match limit {
+        LoopLimit::None => Ok(result(free.clone(), None)),
+        LoopLimit::LeastFrom(from) => {
+            let (triangles, limit) = least_from(from, true)?;
+            Ok(result(triangles, Some(limit)))
+        }
+        LoopLimit::AtMost(limit) => match solve(limit)? {
+            Some((triangles, _)) => Ok(result(triangles, Some(limit))),
+            None => {
+                let (_, least) = least_from(limit + 1, false)?;
+                Err(LoopUnsolved::Infeasible { limit, least })
+            }
+        },
+    }
+}
+
+/// The total degrees: edges outside, and chords.
+fn degrees(problem: &LoopProblem, triangles: &[[u32; 3]]) -> Vec<u32> {
+    let mut degrees = problem.external.clone();
+    // The triangles of a piece at a vertex number one more than the chords within it.
+    for &vertex in triangles.iter().flatten() {
+        degrees[vertex as usize] += 1;
+    }
+    degrees.into_iter().map(|degree| degree - 1).collect()
+}
+
+fn max_degree(problem: &LoopProblem, triangles: &[[u32; 3]]) -> u32 {
+    degrees(problem, triangles).into_iter().max().unwrap_or(0)
+}
+
+/// Whether each vertex keeps a limit, or has no chord.
+fn keeps(problem: &LoopProblem, triangles: &[[u32; 3]], limit: u32) -> bool {
+    let degrees = degrees(problem, triangles);
+    degrees.iter().zip(&problem.external).all(|(&degree, &own)| degree <= limit.max(own))
+}
+
+fn area(problem: &LoopProblem, triangles: &[[u32; 3]]) -> f64 {
+    let at = |vertex: u32| problem.points[vertex as usize];
+    triangles.iter().map(|&[a, b, c]| space::area(at(a), at(b), at(c))).sum()
+}

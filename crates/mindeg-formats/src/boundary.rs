@@ -1,0 +1,165 @@
+//! The lines of a mesh as solvers' files have them: as chains of vertices, rings and markers.
+
+use glam::{DVec2, DVec3};
+use mindeg_mesh::ear_clipping::cut_polygon;
+use mindeg_mesh::{Mesh, filled};
+use std::ops::Range;
+
+use crate::corners::segments;
+
+/// Segments looked at at a time.
+const BLOCK: u32 = 1 << 12;
+
+/// Segments of one line of which each begins where the one before ends.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Chain {
+    /// The index of the line.
+    pub(crate) line: usize,
+    pub(crate) segments: Range<u32>,
+    pub(crate) start: u32,
+    pub(crate) end: u32,
+}
+
+/// All lines of a mesh.
+pub(crate) struct Boundary<'a> {
+    mesh: &'a dyn Mesh,
+    pub(crate) chains: Vec<Chain>,
+    /// The line of each vertex, from 1; 0 for none.
+    markers: Markers,
+}
+
+/// The line of each vertex.
+enum Markers {
+    /// Segment i begins at vertex i: where the segments of each line end.
+    InOrder(Vec<u32>),
+    Listed(Vec<u32>),
+}
+
+impl<'a> Boundary<'a> {
+    /// Looks at every segment. O(n) time; next to no memory where segments come in the order of
+    /// vertices, as round a domain, else O(n).
+    pub(crate) fn of(mesh: &'a dyn Mesh) -> Self {
+        let lines = mesh.lines();
+        let mut chains: Vec<Chain> = Vec::new();
+        let mut is_in_order = true;
+        for (line, range) in lines.iter().map(|line| line.segments.clone()).enumerate() {
+            for start in range.clone().step_by(BLOCK as usize) {
+                let block = start..start.saturating_add(BLOCK).min(range.end);
+                for (index, [a, b]) in block.clone().zip(segments(mesh, block)) {
+                    is_in_order &= a == index;
+                    match chains.last_mut() {
+                        Some(chain) if chain.line == line && chain.end == a => {
+                            chain.segments.end = index + 1;
+                            chain.end = b;
+                        }
+                        _ => {
+                            let segments = index..index + 1;
+                            chains.push(Chain { line, segments, start: a, end: b });
+                        }
+                    }
+                }
+            }
+        }
+        let markers = if is_in_order {
+            Markers::InOrder(lines.iter().map(|line| line.segments.end).collect())
+        } else {
+            Markers::Listed(listed_markers(mesh, &chains))
+        };
+        Self { mesh, chains, markers }
+    }
+
+    /// The line that begins or goes on at a vertex, from 1; 0 for a vertex on none.
+    pub(crate) fn marker(&self, vertex: u32) -> u32 {
+        match &self.markers {
+            Markers::Listed(markers) => markers[vertex as usize],
+            Markers::InOrder(ends) => {
+                let line = ends.partition_point(|&end| end <= vertex);
+                if line < ends.len() { line as u32 + 1 } else { 0 }
+            }
+        }
+    }
+
+    /// The rings: chains that follow one another and close.
+    pub(crate) fn rings(&self) -> Vec<Range<usize>> {
+        let mut rings = Vec::new();
+        let mut first = 0;
+        for (index, chain) in self.chains.iter().enumerate() {
+            if first < index && self.chains[index - 1].end != chain.start {
+                first = index;
+            }
+            if chain.end == self.chains[first].start {
+                rings.push(first..index + 1);
+                first = index + 1;
+            }
+        }
+        rings
+    }
+
+    /// The vertices of a ring in order, without the first once more.
+    fn vertices<'b>(&'b self, ring: &'b [Chain]) -> impl Iterator<Item = u32> + 'b {
+        let blocks = ring.iter().flat_map(|chain| {
+            let end = chain.segments.end;
+            let starts = chain.segments.clone().step_by(BLOCK as usize);
+            starts.map(move |start| start..start.saturating_add(BLOCK).min(end))
+        });
+        blocks.flat_map(|block| segments(self.mesh, block)).map(|[a, _]| a)
+    }
+
+    /// Whether a ring runs clockwise, seen along the z axis: the mesh lies around it.
+    pub(crate) fn is_hole(&self, ring: &[Chain]) -> bool {
+        let mut corners = crate::corners::Corners::new(self.mesh);
+        let mut points = self.vertices(ring).map(|vertex| corners.position(vertex).truncate());
+        let Some(origin) = points.next() else { return false };
+        let mut before = DVec2::ZERO;
+        let mut doubled_area = 0.0;
+        for point in points {
+            doubled_area += before.perp_dot(point - origin);
+            before = point - origin;
+        }
+        doubled_area < 0.0
+    }
+
+    /// A point inside a ring: the middle of the largest triangle that it can be cut into.
+    pub(crate) fn point_inside(&self, ring: &[Chain]) -> DVec2 {
+        let mut corners = crate::corners::Corners::new(self.mesh);
+        let points: Vec<DVec3> =
+            self.vertices(ring).map(|vertex| corners.position(vertex)).collect();
+        let mut triangles = Vec::new();
+        cut_polygon(&Vec::from_iter(0..points.len() as u32), &points, &mut triangles);
+        let placed = triangles.iter().map(|triangle| triangle.map(|i| points[i as usize]));
+        let area = |[a, b, c]: &[DVec3; 3]| (b - a).cross(c - a).length_squared();
+        let largest = placed.max_by(|a, b| area(a).total_cmp(&area(b)));
+        largest.map_or(DVec2::ZERO, |[a, b, c]| (a / 3.0 + b / 3.0 + c / 3.0).truncate())
+    }
+}
+
+/// The line of each vertex, from 1: the one of the last segment that begins there, or else ends.
+fn listed_markers(mesh: &dyn Mesh, chains: &[Chain]) -> Vec<u32> {
+    let mut markers = vec![0; mesh.vertex_count() as usize];
+    let ends = chains.iter().map(|chain| (chain.end, chain));
+    for (end, chain) in ends {
+        markers[end as usize] = chain.line as u32 + 1;
+    }
+    for chain in chains {
+        for [start, _] in segments(mesh, chain.segments.clone()) {
+            markers[start as usize] = chain.line as u32 + 1;
+        }
+    }
+    markers
+}
+
+/// The vertices of a chain from one index to another; the last one has the index of the number of
+/// segments.
+pub(crate) fn chain_vertices(mesh: &dyn Mesh, chain: &Chain, range: Range<u32>) -> Vec<u32> {
+    let first = chain.segments.start;
+    filled(range, 0, |start, out| {
+        let mut out = out.iter_mut();
+        let mut from = start;
+        if from == 0 {
+            out.next().into_iter().for_each(|vertex| *vertex = chain.start);
+            from = 1;
+        }
+        let ends = first + from - 1..first + from - 1 + out.len() as u32;
+        segments(mesh, ends).into_iter().zip(out).for_each(|([_, end], vertex)| *vertex = end);
+    })
+}

@@ -1,0 +1,37 @@
+//! The bytes of a binary file, with errors that name the offset.
+
+use crate::ReadError;
+use std::io::{BufRead, ErrorKind};
+
+/// The bytes of a file from front to back.
+pub(crate) struct Bytes<R> {
+    input: R,
+    offset: u64,
+}
+
+impl<R: BufRead> Bytes<R> {
+    /// The bytes that follow the first `offset` bytes of a file.
+    pub(crate) fn new(input: R, offset: u64) -> Self {
+        Self { input, offset }
+    }
+
+    /// What is wrong with the bytes before this place.
+    pub(crate) fn problem(&self, problem: impl Into<String>) -> ReadError {
+        ReadError::Byte { offset: self.offset, problem: problem.into() }
+    }
+
+    /// Reads as many bytes as `out` holds, which are to be `what`.
+    pub(crate) fn fill(&mut self, out: &mut [u8], what: &str) -> Result<(), ReadError> {
+        self.input.read_exact(out).map_err(|error| match error.kind() {
+            ErrorKind::UnexpectedEof => self.problem(format!("the file ends within {what}")),
+            _ => error.into(),
+        })?;
+        self.offset += out.len() as u64;
+        Ok(())
+    }
+
+    /// Whether the file ends here.
+    pub(crate) fn is_at_end(&mut self) -> Result<bool, ReadError> {
+        Ok(self.input.fill_buf()?.is_empty())
+    }
+}

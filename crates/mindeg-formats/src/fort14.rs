@@ -1,0 +1,15 @@
+//! `fort.14`, the grid of ADCIRC, which SWAN and other coastal models read too.
+//!
+//! Vertices and triangles count from 1 without gaps, as SWAN asks. The lines of the mesh are boundary
+//! segments: open, land or island by their kind. Where that is not known, a hole is an island, and
+//! all else is land. An island is a whole ring; its lines become one segment.
+//!
+//! Limits: for meshes in the plane. Barriers with heights (boundary types 3, 4, 5 and those 10 and 20
+//! above) are read as land, without their heights.
+
+mod read;
+mod write;
+
+pub use read::read;
+pub(crate) use write::sections;
+pub use write::{check, write};

@@ -1,0 +1,164 @@
+//! Writing fort.14.
+
+use crate::boundary::{Boundary, Chain, chain_vertices};
+use crate::decimals::{Decimals, push_integer};
+use crate::names::one_line;
+use crate::sections::{Section, write_sections};
+use crate::tables::triangle_lines;
+use crate::{Format, GENERATOR, WriteError, mesh_name};
+use glam::DVec3;
+use mindeg_mesh::{LineKind, Mesh, Positions, filled};
+use std::io::Write;
+
+/// Writes a mesh as fort.14, with the depths that it has, or 0. Decimals are the shortest that read
+/// back as the same f64.
+///
+/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
+/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
+///
+/// # Errors
+///
+/// Before the first byte: those of [`check`]. After it: those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{fort14, obj};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no pier\nl 1 2 3\n".as_bytes())?;
+/// let mut file = Vec::new();
+/// fort14::write(&mesh, &mut file)?;
+/// let file = String::from_utf8(file)?;
+/// assert!(file.contains("\n 1 3\n 1 0 0 0\n 2 2 0 0\n 3 2 1 0\n 1 3 1 2 3\n"));
+/// assert!(file.ends_with(" 3 0 = nodes of land boundary 1 (pier)\n 1\n 2\n 3\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
+    check(mesh)?;
+    write_sections(&mut out, &sections(mesh))?;
+    Ok(out.flush()?)
+}
+
+/// Refuses positions that the format cannot hold. O(n).
+///
+/// # Errors
+///
+/// [`NotInPlane`](WriteError::NotInPlane), and more vertices than Fortran's integers count.
+pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
+    WriteError::unless_numbered(Format::Fort14, positions)?;
+    WriteError::unless_in_plane(Format::Fort14, positions)
+}
+
+/// The file from front to back.
+pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+    let name = one_line(mesh_name(mesh));
+    let head =
+        format!("{name} ({GENERATOR})\n {} {}\n", mesh.triangle_count(), mesh.vertex_count());
+    let mut sections =
+        vec![Section::bytes(head), vertices(mesh), triangle_lines(mesh, b"", b" 3", |_, _| {})];
+    let [open, closed] = segments(mesh);
+    for (kind, boundaries) in [("open", open), ("land", closed)] {
+        let nodes: u64 = boundaries.iter().map(|segment| segment.node_count()).sum();
+        sections.push(Section::bytes(format!(
+            " {} = number of {kind} boundaries\n {nodes} = number of all nodes of {kind} \
+             boundaries\n",
+            boundaries.len()
+        )));
+        for (segment, number) in boundaries.into_iter().zip(1..) {
+            segment.push_sections(mesh, number, &mut sections);
+        }
+    }
+    sections
+}
+
+/// Number, x, y and depth.
+fn vertices(mesh: &dyn Mesh) -> Section<'_> {
+    Section::new(mesh.vertex_count(), 48, |range, buffer| {
+        let mut decimals = [0; 3].map(|_| Decimals::new());
+        let points =
+            filled(range.clone(), DVec3::ZERO, |first, out| mesh.fill_positions(first, out));
+        let depths = filled(range.clone(), 0.0, |first, out| mesh.fill_depths(first, out));
+        for ((vertex, point), depth) in range.zip(points).zip(depths) {
+            push_integer(u64::from(vertex) + 1, buffer);
+            for (decimals, value) in decimals.iter_mut().zip([point.x, point.y, depth]) {
+                // Adding zero turns -0 into 0.
+                decimals.push(value + 0.0, buffer);
+            }
+            buffer.push(b'\n');
+        }
+    })
+}
+
+/// A boundary segment of the file.
+struct Segment {
+    kind: LineKind,
+    /// Several for an island.
+    chains: Vec<Chain>,
+}
+
+/// The open ones, then the others.
+fn segments(mesh: &dyn Mesh) -> [Vec<Segment>; 2] {
+    let boundary = Boundary::of(mesh);
+    let mut segments = Vec::new();
+    let mut taken = 0;
+    let mut push = |ring: &[Chain], is_ring: bool| {
+        let others =
+            if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
+        let kind = |chain: &Chain| mesh.line_kind(chain.line).unwrap_or(others);
+        if is_ring && ring.iter().all(|chain| kind(chain) == LineKind::Island) {
+            segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });
+            return;
+        }
+        for chain in ring {
+            // A part of a ring cannot be an island.
+            let is_open = kind(chain) == LineKind::Open;
+            let kind = if is_open { LineKind::Open } else { LineKind::Land };
+            segments.push(Segment { kind, chains: vec![chain.clone()] });
+        }
+    };
+    for ring in boundary.rings() {
+        push(&boundary.chains[taken..ring.start], false);
+        push(&boundary.chains[ring.clone()], true);
+        taken = ring.end;
+    }
+    push(&boundary.chains[taken..], false);
+    let (open, closed) = segments.into_iter().partition(|segment| segment.kind == LineKind::Open);
+    [open, closed]
+}
+
+impl Segment {
+    /// ADCIRC closes islands, so that their first vertex does not come again.
+    fn node_counts(&self) -> impl Iterator<Item = u32> {
+        let last = u32::from(self.kind != LineKind::Island);
+        self.chains.iter().map(move |chain| chain.segments.len() as u32 + last)
+    }
+
+    fn node_count(&self) -> u64 {
+        self.node_counts().map(u64::from).sum()
+    }
+
+    fn push_sections<'a>(self, mesh: &'a dyn Mesh, number: u32, sections: &mut Vec<Section<'a>>) {
+        let (code, kind) = match self.kind {
+            LineKind::Open => ("", "open"),
+            LineKind::Land => ("0 ", "land"),
+            LineKind::Island => ("1 ", "island"),
+        };
+        let lines = mesh.lines();
+        let names: Vec<_> =
+            self.chains.iter().map(|chain| one_line(&lines[chain.line].name)).collect();
+        sections.push(Section::bytes(format!(
+            " {} {code}= nodes of {kind} boundary {number} ({})\n",
+            self.node_count(),
+            names.join(", ")
+        )));
+        let counts: Vec<_> = self.node_counts().collect();
+        for (chain, count) in self.chains.into_iter().zip(counts) {
+            sections.push(Section::new(count, 9, move |range, buffer| {
+                for vertex in chain_vertices(mesh, &chain, range) {
+                    push_integer(u64::from(vertex) + 1, buffer);
+                    buffer.push(b'\n');
+                }
+            }));
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! An array of numpy: a head that tells type and shape, then the numbers.
+
+use crate::ReadError;
+
+/// The head of an array with rows of three numbers, or of one if `columns` is none.
+pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
+    let columns = columns.map_or(String::new(), |columns| columns.to_string());
+    let mut text =
+        format!("{{'descr': '{kind}', 'fortran_order': False, 'shape': ({rows}, {columns}), }}");
+    // The numbers begin at a multiple of 64.
+    let len = (10 + text.len() + 1).next_multiple_of(64) - 10;
+    text.extend(std::iter::repeat_n(' ', len - 1 - text.len()));
+    text.push('\n');
+    let mut head = b"\x93NUMPY\x01\0".to_vec();
+    head.extend_from_slice(&(len as u16).to_le_bytes());
+    head.extend_from_slice(text.as_bytes());
+    head
+}
+
+/// Types of numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Signed,
+    Unsigned,
+    Float,
+}
+
+/// An array that is read.
+#[derive(Debug)]
+pub(super) struct Array<'a> {
+    kind: Kind,
+    /// Bytes of a number.
+    size: usize,
+    is_big_endian: bool,
+    is_transposed: bool,
+    shape: [usize; 2],
+    numbers: &'a [u8],
+}
+
+impl<'a> Array<'a> {
+    /// An array of two dimensions that starts at an offset of the file.
+    pub(super) fn new(offset: usize, bytes: &'a [u8]) -> Result<Self, ReadError> {
+        let problem = |problem: &str| ReadError::byte(offset, problem.to_owned());
+        let broken = || problem("this is not the head of an array of numpy");
+        let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(broken)?;
+        let (len, rest) = match rest {
+            [1, _, a, b, rest @ ..] => (u16::from_le_bytes([*a, *b]).into(), rest),
+            [2 | 3, _, a, b, c, d, rest @ ..] => (u32::from_le_bytes([*a, *b, *c, *d]), rest),
+            _ => return Err(broken()),
+        };
+        let (head, numbers) = rest.split_at_checked(len as usize).ok_or_else(broken)?;
+        let head = std::str::from_utf8(head).map_err(|_| broken())?;
+        let value = |key: &str| {
+            let (_, value) = head.split_once(&format!("'{key}':"))?;
+            Some(value.trim_start())
+        };
+        let kind = value("descr").ok_or_else(broken)?;
+        let kind = kind.strip_prefix('\'').and_then(|kind| kind.split_once('\''));
+        let (kind, _) = kind.ok_or_else(|| problem("the array has records, not numbers"))?;
+        let is_big_endian = kind.starts_with('>');
+        let (kind, size) = match kind.trim_start_matches(['<', '>', '|', '=']) {
+            "f4" => (Kind::Float, 4),
+            "f8" => (Kind::Float, 8),
+            "i1" => (Kind::Signed, 1),
+            "i2" => (Kind::Signed, 2),
+            "i4" => (Kind::Signed, 4),
+            "i8" => (Kind::Signed, 8),
+            "u1" => (Kind::Unsigned, 1),
+            "u2" => (Kind::Unsigned, 2),
+            "u4" => (Kind::Unsigned, 4),
+            "u8" => (Kind::Unsigned, 8),
+            "O" => return Err(problem("the array is pickled, which is not read")),
+            kind => {
+                return Err(problem(&format!(
+                    "the array has the type {kind:?}; integers, float32 and float64 are read"
+                )));
+            }
+        };
+        let is_transposed = value("fortran_order").ok_or_else(broken)?.starts_with("True");
+        let shape = value("shape").and_then(|shape| shape.strip_prefix('(')?.split_once(')'));
+        let (shape, _) = shape.ok_or_else(broken)?;
+        let lengths = shape.split(',').map(str::trim).filter(|length| !length.is_empty());
+        let lengths: Vec<usize> =
+            lengths.map(str::parse).collect::<Result<_, _>>().map_err(|_| broken())?;
+        let &[rows, columns] = &lengths[..] else {
+            return Err(problem(&format!("the array has {} dimensions, not 2", lengths.len())));
+        };
+        let len = rows.checked_mul(columns).and_then(|count| count.checked_mul(size));
+        if len != Some(numbers.len()) {
+            return Err(problem(&format!(
+                "the array has {} bytes, which is not what its shape ({shape}) takes",
+                numbers.len()
+            )));
+        }
+        let shape = [rows, columns];
+        Ok(Self { kind, size, is_big_endian, is_transposed, shape, numbers })
+    }
+
+    pub(super) fn shape(&self) -> [usize; 2] {
+        self.shape
+    }
+
+    pub(super) fn is_float(&self) -> bool {
+        self.kind == Kind::Float
+    }
+
+    /// Whether its numbers are floats of 32 bits.
+    pub(super) fn is_single(&self) -> bool {
+        self.is_float() && self.size == 4
+    }
+
+    /// The bytes of a number, the least significant first, with its sign continued.
+    fn bytes(&self, row: usize, column: usize) -> [u8; 8] {
+        let [rows, columns] = self.shape;
+        let index = if self.is_transposed { column * rows + row } else { row * columns + column };
+        let stored = &self.numbers[index * self.size..][..self.size];
+        let mut bytes = [0; 8];
+        bytes[..self.size].copy_from_slice(stored);
+        if self.is_big_endian {
+            bytes[..self.size].reverse();
+        }
+        if self.kind == Kind::Signed && bytes[self.size - 1] >= 0x80 {
+            bytes[self.size..].fill(0xff);
+        }
+        bytes
+    }
+
+    /// A number, as a float.
+    pub(super) fn float(&self, row: usize, column: usize) -> f64 {
+        let bytes = self.bytes(row, column);
+        match self.kind {
+            Kind::Float if self.size == 8 => f64::from_le_bytes(bytes),
+            Kind::Float => {
+                let [a, b, c, d, ..] = bytes;
+                f32::from_le_bytes([a, b, c, d]).into()
+            }
+            Kind::Signed => i64::from_le_bytes(bytes) as f64,
+            Kind::Unsigned => u64::from_le_bytes(bytes) as f64,
+        }
+    }
+
+    /// A number of an array of integers, if it is one of 0 to 2^32 - 1; or else in words.
+    pub(super) fn index(&self, row: usize, column: usize) -> Result<u32, String> {
+        let bytes = self.bytes(row, column);
+        let (signed, unsigned) = (i64::from_le_bytes(bytes), u64::from_le_bytes(bytes));
+        if self.kind == Kind::Signed {
+            return u32::try_from(signed).map_err(|_| signed.to_string());
+        }
+        u32::try_from(unsigned).map_err(|_| unsigned.to_string())
+    }
+}

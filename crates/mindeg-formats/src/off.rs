@@ -1,0 +1,132 @@
+//! OFF, the Object File Format of Geomview, as text.
+//!
+//! Limits: names, groups, lines and colors are not kept. Binary OFF and `4OFF` are not read.
+
+use crate::ReadError;
+use crate::corners::{positions, triangles};
+use crate::decimals::{Decimals, push_integer};
+use crate::face_list::FaceList;
+use crate::lists::push;
+use crate::records::Records;
+use crate::sections::{Section, write_sections};
+use crate::{GENERATOR, Plane};
+use mindeg_mesh::{Mesh, NonTriangles, TriMesh};
+use std::io::{self, BufRead, Write};
+
+/// Writes a mesh as OFF. Decimals are the shortest that read back as the same f64.
+///
+/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
+/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
+///
+/// # Errors
+///
+/// Those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{Plane, obj, off};
+///
+/// let square = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n".as_bytes())?;
+/// let mut file = Vec::new();
+/// off::write(&square, Plane::Xy, &mut file)?;
+/// assert!(String::from_utf8(file)?.ends_with("4 2 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(mesh: &dyn Mesh, plane: Plane, mut out: impl Write) -> io::Result<()> {
+    write_sections(&mut out, &sections(mesh, plane))?;
+    out.flush()
+}
+
+/// The file from front to back.
+pub(crate) fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {
+    let (vertices, faces) = (mesh.vertex_count(), mesh.triangle_count());
+    let points = Section::new(vertices, 36, move |range, buffer| {
+        let mut decimals = [0; 3].map(|_| Decimals::new());
+        for point in positions(mesh, range) {
+            let start = buffer.len();
+            let point = plane.place(point).to_array();
+            decimals.iter_mut().zip(point).for_each(|(decimals, x)| decimals.push(x, buffer));
+            buffer.remove(start);
+            buffer.push(b'\n');
+        }
+    });
+    let faces = Section::new(faces, 28, move |range, buffer| {
+        for triangle in triangles(mesh, range) {
+            buffer.push(b'3');
+            triangle.into_iter().for_each(|vertex| push_integer(vertex, buffer));
+            buffer.push(b'\n');
+        }
+    });
+    let (m, n) = (vertices, mesh.triangle_count());
+    vec![Section::bytes(format!("OFF\n# {GENERATOR}\n{m} {n} 0\n")), points, faces]
+}
+
+/// Reads a mesh from a text OFF, with or without the keyword `OFF` and what may come before it (`C`,
+/// `N`, `ST`): colors, normals and texture coordinates are passed over.
+///
+/// Faces of more than three corners are kept as the mesh's polygons; of fewer, they are left out,
+/// with a note. O(n) time and memory for n bytes, whatever the file says, but for the cutting of
+/// polygons.
+///
+/// # Errors
+///
+/// Those of the input; lines that are not as the format has them; corners that the file has no
+/// vertex for; a file without faces.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::off;
+///
+/// let mesh = off::read("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n".as_bytes())?;
+/// assert_eq!(mesh.triangles(), [[0, 1, 2]]);
+///
+/// let error = off::read("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n".as_bytes()).unwrap_err();
+/// assert_eq!(error.to_string(), "line 6: vertex 3 does not exist; the file has 3, from 0");
+/// # Ok::<(), mindeg_formats::ReadError>(())
+/// ```
+pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
+    let mut records = Records::new(input, Some(b'#'));
+    let mut words = records.expect("its head")?;
+    let line = words;
+    let keyword = words.word().unwrap_or_default();
+    if !keyword.ends_with(b"OFF") {
+        words = line;
+    } else if keyword.contains(&b'4') || keyword.contains(&b'n') || words.rest.ends_with(b"BINARY")
+    {
+        return Err(line.problem("only text OFF files in three dimensions are read"));
+    }
+    if words.rest.trim_ascii().is_empty() {
+        words = records.expect("the number of vertices")?;
+    }
+    let vertices = words.count("the number of vertices")?;
+    let count = words.count("the number of faces")?;
+    let mut points = Vec::new();
+    for _ in 0..vertices {
+        let mut words = records.expect("its last vertex")?;
+        push(&mut points, words.point("z")?)?;
+    }
+    let mut faces = FaceList::default();
+    let mut corners = Vec::new();
+    let mut short = 0_u64;
+    for _ in 0..count {
+        let mut words = records.expect("its last face")?;
+        corners.clear();
+        for _ in 0..words.count("the number of corners")? {
+            let corner = words.count("the number of a vertex")?;
+            if corner >= vertices {
+                let problem =
+                    format!("vertex {corner} does not exist; the file has {vertices}, from 0");
+                return Err(words.problem(problem));
+            }
+            // More vertices than 32 bits count are refused at the end.
+            push(&mut corners, corner as u32)?;
+        }
+        short += u64::from(corners.len() < 3);
+        faces.push(&corners)?;
+    }
+    let mesh = faces.into_mesh(points, NonTriangles::default())?;
+    let note = format!("faces with fewer than three corners, left out: {short}");
+    Ok(if short > 0 { mesh.with_notes(vec![note]) } else { mesh })
+}

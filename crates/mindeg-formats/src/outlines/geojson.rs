@@ -1,0 +1,368 @@
+//! GeoJSON (RFC 7946): `Polygon`, `MultiPolygon`, and what holds them.
+//!
+//! Other geometries are left out and counted. Names are `properties.name`, else `id`. Longitude
+//! and latitude are taken as planar coordinates; heights are left out.
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+use serde::Deserialize;
+use serde_json::{Map, Value};
+
+use super::outline::{Feature, Outlines, Ring};
+use super::text::{at_line, counted, quoted, text_of};
+use crate::error::ReadError;
+
+/// Reads a GeoJSON text.
+///
+/// # Errors
+///
+/// Text that is no JSON (with its line), and objects that are not as GeoJSON has them (with their
+/// path).
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+    let document: Value = serde_json::from_str(text_of(bytes)?).map_err(|error| {
+        let problem = error.to_string();
+        let problem = problem.split(" at line ").next().unwrap_or_default();
+        at_line(error.line() as u64, format!("column {}: {problem}", error.column()))
+    })?;
+    let mut reader = Reader::default();
+    reader.object(&document, &Path::Start, None)?;
+    reader.end()
+}
+
+/// Whether a text is JSON with the type of a GeoJSON or TopoJSON object.
+pub(super) fn is_one(bytes: &[u8]) -> bool {
+    #[derive(Deserialize)]
+    struct Head<'a> {
+        #[serde(rename = "type", borrow)]
+        kind: Option<Cow<'a, str>>,
+    }
+    let head = text_of(bytes).ok().and_then(|text| serde_json::from_str::<Head<'_>>(text).ok());
+    let kind = head.and_then(|head| head.kind);
+    kind.is_some_and(|kind| TYPES.contains(&&*kind))
+}
+
+/// The types of objects, and that of TopoJSON.
+const TYPES: [&str; 10] = [
+    "Feature",
+    "FeatureCollection",
+    "GeometryCollection",
+    "LineString",
+    "MultiLineString",
+    "MultiPoint",
+    "MultiPolygon",
+    "Point",
+    "Polygon",
+    "Topology",
+];
+
+#[derive(Default)]
+struct Reader {
+    features: Vec<Feature>,
+    skipped: BTreeMap<String, usize>,
+    heights: bool,
+}
+
+/// Where a value is in the document.
+enum Path<'a> {
+    Start,
+    Key(&'a Path<'a>, &'static str),
+    Item(&'a Path<'a>, usize),
+}
+
+impl Path<'_> {
+    fn text(&self) -> String {
+        match self {
+            Self::Start => String::new(),
+            Self::Key(Self::Start, key) => (*key).to_owned(),
+            Self::Key(outer, key) => format!("{}.{key}", outer.text()),
+            Self::Item(outer, index) => format!("{}[{index}]", outer.text()),
+        }
+    }
+
+    fn error(&self, problem: impl Into<String>) -> ReadError {
+        let place = match self {
+            Self::Start => "the top of the document".to_owned(),
+            _ => self.text(),
+        };
+        ReadError::place(place, problem)
+    }
+}
+
+impl Reader {
+    /// Reads an object by its type; features inside carry the name of the one around them.
+    fn object(
+        &mut self,
+        value: &Value,
+        path: &Path<'_>,
+        name: Option<&str>,
+    ) -> Result<(), ReadError> {
+        let Some(object) = value.as_object() else {
+            return Err(path.error(format!("found {}, expected a GeoJSON object", kind(value))));
+        };
+        let Some(kind) = object.get("type").and_then(Value::as_str) else {
+            return Err(path.error("\"type\" is missing, such as \"type\": \"Polygon\""));
+        };
+        match kind {
+            "FeatureCollection" => self.each(object, "features", path, None),
+            "GeometryCollection" => self.each(object, "geometries", path, name),
+            "Feature" => {
+                let own = own_name(object);
+                match object.get("geometry") {
+                    None | Some(Value::Null) => {
+                        self.skip("feature without geometry");
+                        Ok(())
+                    }
+                    Some(geometry) => {
+                        self.object(geometry, &Path::Key(path, "geometry"), own.as_deref())
+                    }
+                }
+            }
+            "Polygon" => {
+                let rings = list(object, "coordinates", path)?;
+                self.polygon(rings, &Path::Key(path, "coordinates"), name)
+            }
+            "MultiPolygon" => {
+                let path = &Path::Key(path, "coordinates");
+                for (index, rings) in list(object, "coordinates", path)?.iter().enumerate() {
+                    let path = &Path::Item(path, index);
+                    self.polygon(items(rings, "rings", path)?, path, name)?;
+                }
+                Ok(())
+            }
+            "Point" | "MultiPoint" | "LineString" | "MultiLineString" => {
+                self.skip(kind);
+                Ok(())
+            }
+            "Topology" => Err(path.error(
+                "this is TopoJSON; convert it to GeoJSON first, such as with topojson-client's \
+                 topo2geo",
+            )),
+            other => Err(path.error(format!(
+                "the type {} is none of GeoJSON; expected \"FeatureCollection\", \"Feature\", \
+                 \"Polygon\" or \"MultiPolygon\"",
+                quoted(other)
+            ))),
+        }
+    }
+
+    fn each(
+        &mut self,
+        object: &Map<String, Value>,
+        key: &'static str,
+        path: &Path<'_>,
+        name: Option<&str>,
+    ) -> Result<(), ReadError> {
+        let values = list(object, key, path)?;
+        let path = &Path::Key(path, key);
+        let mut values = values.iter().enumerate();
+        values.try_for_each(|(index, value)| self.object(value, &Path::Item(path, index), name))
+    }
+
+    fn skip(&mut self, what: &str) {
+        *self.skipped.entry(what.to_owned()).or_default() += 1;
+    }
+
+    fn polygon(
+        &mut self,
+        rings: &[Value],
+        path: &Path<'_>,
+        name: Option<&str>,
+    ) -> Result<(), ReadError> {
+        if rings.is_empty() {
+            self.skip("polygon without rings");
+            return Ok(());
+        }
+        let rings = rings.iter().enumerate().map(|(index, ring)| {
+            let path = &Path::Item(path, index);
+            let points = items(ring, "positions", path)?.iter().enumerate();
+            let points = points
+                .map(|(index, position)| self.position(position, &Path::Item(path, index)))
+                .collect::<Result<Vec<_>, _>>()?;
+            if points.is_empty() {
+                return Err(path.error("the ring has no positions; drop it"));
+            }
+            Ok(Ring::of_points(points))
+        });
+        let rings = rings.collect::<Result<_, _>>()?;
+        self.features.push(Feature { name: name.map(str::to_owned), rings });
+        Ok(())
+    }
+
+    fn position(&mut self, value: &Value, path: &Path<'_>) -> Result<DVec2, ReadError> {
+        let numbers = items(value, "two numbers", path)?;
+        let [x, y, rest @ ..] = numbers else {
+            return Err(path.error("a position needs two numbers, such as [4.5, 52.1]"));
+        };
+        self.heights |= !rest.is_empty();
+        let number = |value: &Value| {
+            value.as_f64().filter(|number| number.is_finite()).ok_or_else(|| {
+                path.error(format!("found {} in a position, expected a number", kind(value)))
+            })
+        };
+        Ok(DVec2::new(number(x)?, number(y)?))
+    }
+
+    fn end(self) -> Result<Outlines, ReadError> {
+        let mut notes = Vec::new();
+        if !self.skipped.is_empty() {
+            let skipped: Vec<String> =
+                self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
+            if self.features.is_empty() {
+                return Err(Path::Start
+                    .error(format!("no Polygon or MultiPolygon, only {}", skipped.join(", "))));
+            }
+            notes.push(format!("left out {}", skipped.join(", ")));
+        }
+        if self.heights {
+            notes.push("left out the heights of positions".to_owned());
+        }
+        if self.features.is_empty() {
+            return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));
+        }
+        Ok(Outlines { features: self.features, notes })
+    }
+}
+
+/// `properties.name`, in any case, else `id`.
+fn own_name(feature: &Map<String, Value>) -> Option<String> {
+    let properties = feature.get("properties").and_then(Value::as_object);
+    let by_key = |wanted: &str| properties.and_then(|properties| properties.get(wanted));
+    let named = ["name", "NAME", "Name"].into_iter().find_map(|key| as_name(by_key(key)?));
+    named.or_else(|| as_name(feature.get("id")?))
+}
+
+fn as_name(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) if !text.trim().is_empty() => Some(text.clone()),
+        Value::Number(number) => Some(number.to_string()),
+        _ => None,
+    }
+}
+
+fn list<'a>(
+    object: &'a Map<String, Value>,
+    key: &'static str,
+    path: &Path<'_>,
+) -> Result<&'a [Value], ReadError> {
+    let Some(value) = object.get(key) else {
+        return Err(path.error(format!("{key:?} is missing")));
+    };
+    items(value, key, &Path::Key(path, key))
+}
+
+fn items<'a>(value: &'a Value, what: &str, path: &Path<'_>) -> Result<&'a [Value], ReadError> {
+    let items = value.as_array().map(Vec::as_slice);
+    items.ok_or_else(|| path.error(format!("found {}, expected a list of {what}", kind(value))))
+}
+
+/// What a value is, for messages.
+fn kind(value: &Value) -> String {
+    match value {
+        Value::Null => "null".to_owned(),
+        Value::Bool(it) => it.to_string(),
+        Value::Number(number) => format!("the number {number}"),
+        Value::String(text) => format!("the text {}", quoted(text)),
+        Value::Array(_) => "a list".to_owned(),
+        Value::Object(_) => "an object".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const RING: &str = "[[0, 0], [4, 0], [0.1, 3], [0, 0]]";
+
+    fn read(text: &str) -> Result<Outlines, String> {
+        super::read(text.replace('@', RING).as_bytes()).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn polygons_are_found_in_everything_that_holds_them() {
+        let points = [[0.0, 0.0], [4.0, 0.0], [0.1, 3.0]].map(DVec2::from);
+        for (text, names) in [
+            (r#"{"type": "Polygon", "coordinates": [@]}"#, &[None][..]),
+            (r#"{"type": "MultiPolygon", "coordinates": [[@], [@]]}"#, &[None, None]),
+            (
+                r#"{"type": "Feature", "id": 7, "geometry": {"type": "Polygon", "coordinates": [@]}}"#,
+                &[Some("7")],
+            ),
+            (
+                r#"{"type": "FeatureCollection", "features": [
+                    {"type": "Feature", "id": "x", "properties": {"name": "Aland"},
+                     "geometry": {"type": "MultiPolygon", "coordinates": [[@], [@]]}},
+                    {"type": "Feature", "properties": null, "geometry":
+                     {"type": "GeometryCollection", "geometries": [{"type": "Polygon", "coordinates": [@]}]}}
+                ]}"#,
+                &[Some("Aland"), Some("Aland"), None],
+            ),
+            ("\u{feff}{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[4,0],[0.1,3]]]}", &[None]),
+        ] {
+            let outlines = read(text).unwrap();
+            let found: Vec<_> = outlines.features.iter().map(|it| it.name.as_deref()).collect();
+            assert_eq!(found, names);
+            for feature in outlines.features {
+                assert_eq!(feature.rings, [Ring::of_points(points)]);
+            }
+            assert!(outlines.notes.is_empty());
+        }
+    }
+
+    #[test]
+    fn what_is_left_out_is_said() {
+        let outlines = read(
+            r#"{"type": "GeometryCollection", "geometries": [
+                {"type": "Point", "coordinates": [0, 0]}, {"type": "Polygon", "coordinates": []},
+                {"type": "Polygon", "coordinates": [[[0, 0, 1], [1, 0, 1], [0, 1, 1]], @]},
+                {"type": "Point", "coordinates": [0, 0]}]}"#,
+        );
+        let outlines = outlines.unwrap();
+        assert_eq!(
+            outlines.notes,
+            ["left out 2 Points, 1 polygon without rings", "left out the heights of positions"]
+        );
+        assert_eq!(outlines.features[0].rings.len(), 2);
+    }
+
+    #[test]
+    fn errors_say_where_and_what() {
+        for (text, message) in [
+            ("", "line 1: column 0: EOF while parsing a value"),
+            ("{\n\"type\":}", "line 2: column 8: expected value"),
+            ("3", "the top of the document: found the number 3, expected a GeoJSON object"),
+            (r#"{"type": "Polygon"}"#, "the top of the document: \"coordinates\" is missing"),
+            (
+                r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, "a"]]]}"#,
+                "coordinates[0][1]: found the text \"a\" in a position, expected a number",
+            ),
+            (
+                r#"{"type": "Polygon", "coordinates": [[[0, 0], [1]]]}"#,
+                "coordinates[0][1]: a position needs two numbers, such as [4.5, 52.1]",
+            ),
+            (
+                r#"{"type": "Polygon", "coordinates": [[]]}"#,
+                "coordinates[0]: the ring has no positions; drop it",
+            ),
+            (
+                r#"{"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": {"type": "Ring"}}]}"#,
+                "features[0].geometry: the type \"Ring\" is none of GeoJSON; expected \"FeatureCollection\", \"Feature\", \"Polygon\" or \"MultiPolygon\"",
+            ),
+            (
+                r#"{"type": "Topology", "arcs": []}"#,
+                "the top of the document: this is TopoJSON; convert it to GeoJSON first, such as with topojson-client's topo2geo",
+            ),
+            (
+                r#"{"type": "LineString", "coordinates": []}"#,
+                "the top of the document: no Polygon or MultiPolygon, only 1 LineString",
+            ),
+            (
+                r#"{"type": "FeatureCollection", "features": []}"#,
+                "the top of the document: no Polygon or MultiPolygon; the collection is empty",
+            ),
+        ] {
+            assert_eq!(read(text).unwrap_err(), message, "{text}");
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! From closed rings in any order to polygons with holes.
+//!
+//! A file that only draws closed curves does not say which of them are holes. The fill rule does,
+//! as in SVG: a point is inside if the rings wind around it an odd number of times, or not zero
+//! times. Rings that separate inside from inside or outside from outside bound nothing.
+//!
+//! Limits: rings must not cross; crossings are found later, when the domain is made. Curves are
+//! compared by their points every 15 degrees.
+
+use glam::DVec2;
+use robust::{Coord, orient2d};
+
+use super::outline::{Feature, Ring, doubled_area};
+use crate::error::ReadError;
+
+/// Which points are inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum FillRule {
+    /// Those that the rings wind around an odd number of times.
+    EvenOdd,
+    /// Those that the rings do not wind around zero times in all.
+    NonZero,
+}
+
+/// The most comparisons of a point with an edge, which take some seconds: 90,000 squares beside each
+/// other, or 40,000 inside each other.
+const MOST_COMPARISONS: u64 = 4_000_000_000;
+
+/// A ring as points, in the order of decreasing area.
+struct Loop {
+    /// Its index among the rings as given.
+    index: usize,
+    points: Vec<DVec2>,
+    doubled_area: f64,
+    min: DVec2,
+    max: DVec2,
+    /// The position of the smallest loop around it.
+    parent: Option<usize>,
+    /// How many times the rings wind around the points just inside.
+    winding: i64,
+    /// How many rings are around it.
+    depth: usize,
+}
+
+/// The polygons that the rings bound, in the order of their outer rings, and how many rings bound
+/// nothing.
+pub(super) fn polygons(
+    rings: Vec<Ring>,
+    rule: FillRule,
+    name: Option<&str>,
+) -> Result<(Vec<Feature>, usize), ReadError> {
+    let loops = nested(&rings)?;
+    let is_inside = |at: Option<usize>| match (at, rule) {
+        (None, _) => false,
+        (Some(at), FillRule::EvenOdd) => loops[at].depth % 2 == 0,
+        (Some(at), FillRule::NonZero) => loops[at].winding != 0,
+    };
+    // The loop, outward from `at`, that bounds the inside there.
+    let boundary_around = |mut at: usize| {
+        while let Some(parent) = loops[at].parent.filter(|&parent| is_inside(Some(parent))) {
+            at = parent;
+        }
+        at
+    };
+    let mut holes: Vec<Vec<usize>> = vec![Vec::new(); rings.len()];
+    let mut outers = Vec::new();
+    let mut without_effect = 0;
+    for (at, one) in loops.iter().enumerate() {
+        match (is_inside(one.parent), is_inside(Some(at))) {
+            (false, true) => outers.push(one.index),
+            (true, false) => {
+                let parent = one.parent.map_or(at, boundary_around);
+                holes[loops[parent].index].push(one.index);
+            }
+            _ => without_effect += 1,
+        }
+    }
+    drop(loops);
+    outers.sort_unstable();
+    let mut rings: Vec<Option<Ring>> = rings.into_iter().map(Some).collect();
+    let features = outers.into_iter().map(|outer| {
+        let mut indices = std::mem::take(&mut holes[outer]);
+        indices.sort_unstable();
+        indices.insert(0, outer);
+        let rings = indices.into_iter().filter_map(|index| rings[index].take()).collect();
+        Feature { name: name.map(str::to_owned), rings }
+    });
+    Ok((features.collect(), without_effect))
+}
+
+/// The loops of the rings, larger ones first, each with its parent.
+fn nested(rings: &[Ring]) -> Result<Vec<Loop>, ReadError> {
+    let mut loops: Vec<Loop> = rings
+        .iter()
+        .enumerate()
+        .map(|(index, ring)| {
+            let points = ring.flattened();
+            let start = points.first().copied().unwrap_or_default();
+            let (min, max) =
+                points.iter().fold((start, start), |(min, max), &p| (min.min(p), max.max(p)));
+            let doubled_area = doubled_area(&points);
+            Loop { index, points, doubled_area, min, max, parent: None, winding: 0, depth: 0 }
+        })
+        .collect();
+    let size = |one: &Loop| one.doubled_area.abs();
+    loops.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.index.cmp(&b.index)));
+    let mut budget = MOST_COMPARISONS;
+    for at in 0..loops.len() {
+        let (larger, rest) = loops.split_at(at);
+        let one = &rest[0];
+        let mut parent = None;
+        // From the smallest up: the first that contains it is its parent.
+        for (other_at, other) in larger.iter().enumerate().rev() {
+            let is_around = other.min.cmple(one.min).all() && other.max.cmpge(one.max).all();
+            let cost = if is_around { 1 + other.points.len() as u64 } else { 1 };
+            budget = budget.checked_sub(cost).ok_or_else(|| too_many(rings.len()))?;
+            if is_around && contains(&other.points, &one.points) {
+                parent = Some(other_at);
+                break;
+            }
+        }
+        let (winding, depth) = parent.map_or((0, 0), |at| (loops[at].winding, loops[at].depth + 1));
+        let turn = if loops[at].doubled_area > 0.0 { 1 } else { -1 };
+        loops[at].parent = parent;
+        loops[at].depth = depth;
+        loops[at].winding = winding + turn;
+    }
+    Ok(loops)
+}
+
+fn too_many(rings: usize) -> ReadError {
+    let problem = format!(
+        "{rings} closed curves lie too deep in each other to be sorted; split them into several \
+         files"
+    );
+    ReadError::place("the whole file", problem)
+}
+
+/// Whether a ring of points contains another one that does not cross it.
+pub(super) fn contains(ring: &[DVec2], other: &[DVec2]) -> bool {
+    // A few points may lie on the ring: the rings may touch.
+    other.iter().take(64).find_map(|&point| side(ring, point)).unwrap_or(false)
+}
+
+/// Whether a point is inside a ring; none if it lies on it. O(n), exact.
+fn side(ring: &[DVec2], point: DVec2) -> Option<bool> {
+    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
+    let mut inside = false;
+    let next = ring.iter().cycle().skip(1);
+    for (&a, &b) in ring.iter().zip(next) {
+        if (a.y > point.y) == (b.y > point.y) {
+            let on_level = a.y == point.y && b.y == point.y;
+            if point == a || on_level && (a.x <= point.x) != (b.x <= point.x) {
+                return None;
+            }
+            continue;
+        }
+        let turn = orient2d(coord(a), coord(b), coord(point));
+        if turn == 0.0 {
+            return None;
+        }
+        // The ray to the right crosses the edge if the point is left of it, looking up.
+        if (turn > 0.0) == (b.y > a.y) {
+            inside = !inside;
+        }
+    }
+    Some(inside)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A square about the origin of this half size; clockwise if it is negative.
+    fn square(half: f64) -> Ring {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        Ring::of_points(corners.map(|[x, y]| DVec2::new(x * half, y * half.abs())))
+    }
+
+    /// For each polygon the half sizes of its rings.
+    fn sizes(halves: &[f64], rule: FillRule) -> Vec<Vec<f64>> {
+        let rings = halves.iter().map(|&half| square(half)).collect();
+        let (features, _) = polygons(rings, rule, None).unwrap();
+        let half = |ring: &Ring| -ring.pieces[0].start.x;
+        features.iter().map(|feature| feature.rings.iter().map(half).collect()).collect()
+    }
+
+    #[test]
+    fn the_fill_rule_tells_holes() {
+        use FillRule::{EvenOdd, NonZero};
+        assert_eq!(sizes(&[2.0, 4.0, 1.0, 3.0], EvenOdd), [vec![2.0, 1.0], vec![4.0, 3.0]]);
+        assert_eq!(sizes(&[2.0, 4.0, 1.0, 3.0], NonZero), [[4.0]]);
+        assert_eq!(sizes(&[4.0, -3.0, 2.0], NonZero), [vec![4.0, -3.0], vec![2.0]]);
+        // Wound twice, then once, then not at all.
+        assert_eq!(sizes(&[4.0, 3.0, -2.0, -1.0], NonZero), [[4.0, -1.0]]);
+        assert_eq!(sizes(&[-4.0, 3.0], NonZero), [[-4.0, 3.0]]);
+        assert_eq!(sizes(&[1.0], EvenOdd), [[1.0]]);
+        assert_eq!(sizes(&[], EvenOdd), [[0.0; 0]; 0]);
+    }
+
+    #[test]
+    fn rings_may_touch_at_a_point_and_lie_beside_each_other() {
+        let outer = square(4.0);
+        let hole = Ring::of_points([[-4.0, 0.0], [0.0, -1.0], [0.0, 1.0]].map(DVec2::from));
+        let beside = Ring::of_points([[4.0, 0.0], [6.0, -1.0], [6.0, 1.0]].map(DVec2::from));
+        let rings = vec![hole.clone(), beside.clone(), outer.clone()];
+        let (features, _) = polygons(rings, FillRule::EvenOdd, Some("x")).unwrap();
+        let found: Vec<&[Ring]> = features.iter().map(|feature| &*feature.rings).collect();
+        assert_eq!(found, [&[beside][..], &[outer, hole]]);
+    }
+
+    #[test]
+    fn points_on_the_ring_are_neither_inside_nor_outside() {
+        let ring = square(1.0).flattened();
+        for (point, expected) in [
+            ([0.0, 0.0], Some(true)),
+            ([2.0, 0.0], Some(false)),
+            ([-2.0, 1.0], Some(false)),
+            ([-2.0, -1.0], Some(false)),
+            ([1.0, 0.5], None),
+            ([1.0, 1.0], None),
+            ([0.5, 1.0], None),
+            ([0.5, -1.0], None),
+            ([-1.0, -1.0], None),
+        ] {
+            assert_eq!(side(&ring, point.into()), expected, "{point:?}");
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! What a file of outlines holds: polygons with holes, whose boundary may be curved.
+
+use std::sync::Arc as Shared;
+
+use glam::DVec2;
+
+use super::curve::{Curve, Segment};
+
+/// What was read from a file of outlines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Outlines {
+    /// The polygons, in the order of the file.
+    pub features: Vec<Feature>,
+    /// What the reader left out or changed, as sentences for the user.
+    pub notes: Vec<String>,
+}
+
+/// One polygon: an outer ring and its holes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Feature {
+    /// The name that the file gives. The parts of a multi-polygon have the same name.
+    pub name: Option<String>,
+    /// The outer ring first, then the holes. They may run either way round.
+    pub rings: Vec<Ring>,
+}
+
+/// A closed curve: piece after piece, the last one back to the start of the first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Ring {
+    /// The pieces; each ends where the next one starts.
+    pub pieces: Vec<Piece>,
+}
+
+/// A piece of a ring: a straight line or a curve without a break.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Piece {
+    /// Where it starts.
+    pub start: DVec2,
+    /// How it runs on to the start of the next piece.
+    pub curve: Curve,
+    /// The name of the side that it belongs to.
+    pub side: Option<Shared<str>>,
+    /// Whether the file begins a side here, whatever the angle.
+    pub begins_side: bool,
+}
+
+impl Feature {
+    /// If all pieces belong to sides of one name, makes it the name of the polygon and of no side.
+    pub(super) fn name_by_side(&mut self) {
+        let mut pieces = self.rings.iter().flat_map(|ring| &ring.pieces);
+        let Some(first) = pieces.next().and_then(|piece| piece.side.clone()) else { return };
+        if pieces.any(|piece| piece.side.as_deref() != Some(&*first)) {
+            return;
+        }
+        let pieces = self.rings.iter_mut().flat_map(|ring| &mut ring.pieces);
+        pieces.for_each(|piece| piece.side = None);
+        self.name = Some(first.to_string());
+    }
+}
+
+impl Piece {
+    /// A straight piece without a name.
+    #[must_use]
+    pub fn line(start: DVec2) -> Self {
+        Self { start, curve: Curve::Line, side: None, begins_side: false }
+    }
+}
+
+impl Ring {
+    /// A ring of straight pieces. A last point that repeats the first is left out.
+    pub fn of_points(points: impl IntoIterator<Item = DVec2>) -> Self {
+        let mut pieces: Vec<Piece> = points.into_iter().map(Piece::line).collect();
+        if pieces.len() > 1 && pieces[0].start == pieces[pieces.len() - 1].start {
+            pieces.pop();
+        }
+        Self { pieces }
+    }
+
+    /// The pieces with their ends, from the first on.
+    pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment> + '_ {
+        (0..self.pieces.len()).map(|index| self.segment(index))
+    }
+
+    /// One piece with its ends.
+    ///
+    /// # Panics
+    ///
+    /// If the ring has no such piece.
+    #[must_use]
+    pub fn segment(&self, index: usize) -> Segment {
+        let Piece { start, curve, .. } = self.pieces[index];
+        Segment { start, end: self.pieces[(index + 1) % self.pieces.len()].start, curve }
+    }
+
+    /// Whether a piece is curved.
+    #[must_use]
+    pub fn is_curved(&self) -> bool {
+        self.pieces.iter().any(|piece| piece.curve != Curve::Line)
+    }
+
+    /// The ring as points: the start of each piece, and points along the curves.
+    #[must_use]
+    pub fn flattened(&self) -> Vec<DVec2> {
+        let mut points = Vec::with_capacity(self.pieces.len());
+        for segment in self.segments() {
+            points.push(segment.start);
+            let count = segment.intervals_by_turning();
+            let inner = (1..count).map(|i| segment.point(f64::from(i) / f64::from(count)));
+            points.extend(inner);
+        }
+        points
+    }
+
+    /// Twice the area, positive if the ring runs counter-clockwise.
+    #[must_use]
+    pub fn doubled_area(&self) -> f64 {
+        doubled_area(&self.flattened())
+    }
+}
+
+/// Twice the area of a closed ring of points, positive if it runs counter-clockwise.
+pub(super) fn doubled_area(points: &[DVec2]) -> f64 {
+    let Some(&origin) = points.first() else { return 0.0 };
+    let next = points.iter().cycle().skip(1);
+    points.iter().zip(next).map(|(&a, &b)| (a - origin).perp_dot(b - origin)).sum()
+}

@@ -1,0 +1,105 @@
+//! The basic shapes as subpaths.
+
+use std::f64::consts::{FRAC_PI_2, TAU};
+
+use glam::DVec2;
+use roxmltree::Node;
+use svgtypes::{Length, LengthUnit, PointsParser};
+
+use super::super::curve::{Arc, Curve};
+use super::path::{Subpath, subpaths as of_path};
+
+/// The subpaths of a shape; none for an element that holds others.
+pub(super) fn subpaths(node: Node<'_, '_>) -> Result<Option<Vec<Subpath>>, String> {
+    let length = |name| length(node, name);
+    let subpath = match node.tag_name().name() {
+        "path" => return of_path(node.attribute("d").unwrap_or_default()).map(Some),
+        "polygon" | "polyline" => {
+            let parser = PointsParser::from(node.attribute("points").unwrap_or_default());
+            let points: Vec<DVec2> = parser.map(|(x, y)| DVec2::new(x, y)).collect();
+            let is_closed = node.tag_name().name() == "polygon" || points.first() == points.last();
+            Subpath::polygon(&points).map(|polygon| Subpath { is_closed, ..polygon })
+        }
+        "circle" => {
+            let radius = length("r")?.unwrap_or(0.0);
+            ellipse(center(node)?, DVec2::splat(radius))
+        }
+        "ellipse" => {
+            let (rx, ry) = (length("rx")?, length("ry")?);
+            let radii = DVec2::new(rx.or(ry).unwrap_or(0.0), ry.or(rx).unwrap_or(0.0));
+            ellipse(center(node)?, radii)
+        }
+        "rect" => {
+            let corner = DVec2::new(length("x")?.unwrap_or(0.0), length("y")?.unwrap_or(0.0));
+            let size =
+                DVec2::new(length("width")?.unwrap_or(0.0), length("height")?.unwrap_or(0.0));
+            let (rx, ry) = (length("rx")?, length("ry")?);
+            let radii = DVec2::new(rx.or(ry).unwrap_or(0.0), ry.or(rx).unwrap_or(0.0));
+            rectangle(corner, size, radii)
+        }
+        _ => return Ok(None),
+    };
+    Ok(Some(subpath.into_iter().collect()))
+}
+
+fn center(node: Node<'_, '_>) -> Result<DVec2, String> {
+    Ok(DVec2::new(length(node, "cx")?.unwrap_or(0.0), length(node, "cy")?.unwrap_or(0.0)))
+}
+
+/// An attribute that is a length, in user units.
+fn length(node: Node<'_, '_>, name: &str) -> Result<Option<f64>, String> {
+    let Some(text) = node.attribute(name).filter(|text| text.trim() != "auto") else {
+        return Ok(None);
+    };
+    let length: Length = text.trim().parse().map_err(|error| format!("{name}: {error}"))?;
+    let unit = match length.unit {
+        LengthUnit::None | LengthUnit::Px => 1.0,
+        LengthUnit::In => 96.0,
+        LengthUnit::Cm => 96.0 / 2.54,
+        LengthUnit::Mm => 96.0 / 25.4,
+        LengthUnit::Pt => 96.0 / 72.0,
+        LengthUnit::Pc => 16.0,
+        LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => {
+            return Err(format!("{name}=\"{text}\" depends on something else; give a number"));
+        }
+    };
+    Ok(Some(length.number * unit))
+}
+
+/// An ellipse from its point on the right.
+fn ellipse(center: DVec2, radii: DVec2) -> Option<Subpath> {
+    let axes = [DVec2::X * radii.x, DVec2::Y * radii.y];
+    let start = center + axes[0];
+    let arc = Arc { center, axes, start: 0.0, sweep: TAU };
+    let is_shape = radii.min_element() > 0.0;
+    let curves = vec![(Curve::Arc(arc), start)];
+    is_shape.then_some(Subpath { start, curves, is_closed: true })
+}
+
+/// A rectangle with round corners, if they have a radius.
+fn rectangle(corner: DVec2, size: DVec2, radii: DVec2) -> Option<Subpath> {
+    if size.min_element() <= 0.0 {
+        return None;
+    }
+    let far = corner + size;
+    let radii = radii.max(DVec2::ZERO).min(size / 2.0);
+    let corners = [corner, DVec2::new(far.x, corner.y), far, DVec2::new(corner.x, far.y)];
+    if radii.min_element() == 0.0 {
+        return Subpath::polygon(&corners);
+    }
+    let axes = [DVec2::X * radii.x, DVec2::Y * radii.y];
+    // From the end of the first corner's arc on; each arc begins and ends on a side.
+    let inward = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]].map(DVec2::from);
+    let mut subpath = Subpath::at(corner + axes[0]);
+    for index in [1, 2, 3, 0] {
+        let center = corners[index] + inward[index] * radii;
+        let (on_x, on_y) = (axes[0] * -inward[index].x, axes[1] * -inward[index].y);
+        let ends = if index % 2 == 1 { [on_y, on_x] } else { [on_x, on_y] };
+        let start = FRAC_PI_2 * [2.0, 3.0, 0.0, 1.0][index];
+        let arc = Arc { center, axes, start, sweep: FRAC_PI_2 };
+        subpath.curves.push((Curve::Line, center + ends[0]));
+        subpath.curves.push((Curve::Arc(arc), center + ends[1]));
+    }
+    subpath.is_closed = true;
+    Some(subpath)
+}

@@ -1,0 +1,131 @@
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use super::super::curve::Curve;
+use super::super::outline::{Outlines, Ring};
+
+fn read(body: &str) -> Result<Outlines, String> {
+    let text = format!("<svg xmlns='http://www.w3.org/2000/svg'>\n{body}\n</svg>");
+    super::read(text.as_bytes()).map_err(|error| error.to_string())
+}
+
+/// The only ring of a drawing.
+#[track_caller]
+fn ring(body: &str) -> Ring {
+    let outlines = read(body).unwrap();
+    assert_eq!((outlines.features.len(), &outlines.notes[..]), (1, &[][..]), "{body}");
+    assert_eq!(outlines.features[0].rings.len(), 1, "{body}");
+    outlines.features[0].rings[0].clone()
+}
+
+#[test]
+fn straight_shapes_are_their_points_with_y_turned_up() {
+    for body in [
+        "<path d='M1 2H4V4h-3z'/>",
+        "<path d='m1,2 3,0 0,2 -3,0 0,-2'/>",
+        "<path d='M1 2L4 2 4 4 1 4'/>",
+        "<polygon points='1,2 4,2 4,4 1,4'/>",
+        "<polyline points='1 2 4 2 4 4 1 4 1 2' fill='none' stroke='red'/>",
+        "<rect x='1' y='2' width='3' height='2'/>",
+        "<g transform='translate(1 2)'><g><rect width='3' height='2' rx='0'/></g></g>",
+        "<rect transform='matrix(1 0 0 1 1 2)' width='3px' height='2'/>",
+        "<rect transform='translate(1,2) rotate(-90) rotate(90 0 0) scale(3, 2)' width='1' height='1'/>",
+    ] {
+        let points = [[1.0, -2.0], [4.0, -2.0], [4.0, -4.0], [1.0, -4.0]].map(DVec2::from);
+        assert_eq!(ring(body), Ring::of_points(points), "{body}");
+    }
+}
+
+#[test]
+fn curves_stay_curves() {
+    let length = |ring: &Ring| ring.segments().map(|segment| segment.length()).sum::<f64>();
+    for (body, expected) in [
+        ("<circle cx='5' cy='5' r='2'/>", 4.0 * PI),
+        ("<ellipse rx='2' ry='2'/>", 4.0 * PI),
+        ("<circle r='1' transform='scale(2)'/>", 4.0 * PI),
+        ("<path d='M2 0a2 2 0 0 1-4 0a2,2 0 012,-2 2 2 0 01 2 2z'/>", 4.0 * PI),
+        ("<rect width='6' height='4' rx='1'/>", 4.0 + 8.0 + 2.0 * PI),
+        ("<rect width='6' height='4' rx='9' ry='1'/>", 2.0 * 2.0 + 13.364_893_220_555_3),
+        // Two parabolas, one smooth after the other.
+        ("<path d='M0 0Q1 1 2 0T4 0z'/>", 4.0 + 2.0 * 2.295_587_149_392_638),
+    ] {
+        let ring = ring(body);
+        assert!((length(&ring) - expected).abs() < 1e-9, "{body}: {}", length(&ring));
+    }
+    // y is turned, so that what sweeps clockwise on the page runs counter-clockwise no more.
+    assert!((ring("<circle r='1'/>").doubled_area() + 24.0 * (PI / 12.0).sin()).abs() < 1e-12);
+    let smooth = ring("<path d='M0 0C0 1 1 1 1 0S2-1 2 0z'/>");
+    let Curve::Cubic([control, _]) = smooth.pieces[1].curve else { panic!("{smooth:?}") };
+    assert_eq!(control, DVec2::new(1.0, 1.0));
+}
+
+#[test]
+fn the_fill_rule_and_the_order_of_subpaths_make_holes() {
+    let rings = |body: &str| {
+        let outlines = read(body).unwrap();
+        outlines.features.iter().map(|feature| feature.rings.len()).collect::<Vec<_>>()
+    };
+    let same = "M0 0h9v9h-9zM2 2h5v5h-5z";
+    assert_eq!(rings(&format!("<path d='{same}' fill-rule='evenodd'/>")), [2]);
+    assert_eq!(rings(&format!("<g style='fill-rule: evenodd'><path d='{same}'/></g>")), [2]);
+    assert_eq!(rings(&format!("<path d='{same}'/>")), [1]);
+    assert_eq!(rings("<path d='M0 0h9v9h-9zM2 2v5h5v-5zm1 1h1v1h-1zM20 0h1v1z'/>"), [2, 1, 1]);
+}
+
+#[test]
+fn names_and_what_is_left_out_are_said() {
+    let outlines = read(
+        "<defs><rect width='1' height='1'/></defs><title>t</title>\
+         <path id='a' d='M0 0h1v1z'/><path fill='none' d='M0 0h24v24z'/>\
+         <path fill='none' stroke='#000' d='M0 0h1v1'/><path d='M0 0h1'/><use href='#a'/>\
+         <g display='none'><path d='M0 0h1v1z'/></g><circle r='0'/><text>x</text>",
+    )
+    .unwrap();
+    assert_eq!(outlines.features.len(), 1);
+    assert_eq!(outlines.features[0].name.as_deref(), Some("a"));
+    assert_eq!(
+        outlines.notes,
+        [
+            "left out 1 <text>, 1 <use>, 1 hidden element, 1 line without area, 1 open line, 1 shape with neither fill nor stroke"
+        ]
+    );
+}
+
+#[test]
+fn small_gaps_are_closed() {
+    // 0.1 + 0.2 - 0.3 is not 0.
+    assert_eq!(ring("<path d='M0 0h.1h.2v1h-.3v-1z'/>").pieces.len(), 5);
+    assert_eq!(ring("<path d='M0 0h.1h.2v1h-.29v-1z'/>").pieces.len(), 6);
+}
+
+#[test]
+fn errors_say_where_and_what() {
+    for (body, message) in [
+        ("<path", "line 3: column 1: invalid name token"),
+        ("<path d='M0 0 L x'/>", "line 2: <path>: path data: "),
+        (
+            "<g>\n<rect width='5%' height='1'/></g>",
+            "line 3: <rect>: width=\"5%\" depends on something else; give a number",
+        ),
+        ("<rect width='a' height='1'/>", "line 2: <rect>: width: "),
+        ("<g transform='turn(1)'/>", "line 2: <g>: transform: "),
+        (
+            "<path d='M0 0H1e308V1e308z' transform='scale(10)'/>",
+            "line 2: <path>: a coordinate is too large for a 64-bit float",
+        ),
+        ("", "the whole drawing: no closed shape; convert text"),
+        ("<text>x</text>", "the whole drawing: no closed shape, only 1 <text>; convert text"),
+    ] {
+        let error = read(body).unwrap_err();
+        assert!(error.starts_with(message), "{body}: {error}");
+    }
+    let error = super::read(b"<html/>").unwrap_err().to_string();
+    assert_eq!(error, "line 1: the root element is <html>, expected <svg>");
+    let bomb = b"<!DOCTYPE svg [<!ENTITY a 'aaa'>]><svg/>";
+    let error = super::read(bomb).unwrap_err().to_string();
+    assert_eq!(
+        error,
+        "the document type: the file defines entities, which are not read; save it as plain SVG"
+    );
+}

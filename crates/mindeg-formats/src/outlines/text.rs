@@ -1,0 +1,69 @@
+//! Text formats: lines, words and numbers, with the line in every error.
+
+use glam::DVec2;
+
+use crate::error::ReadError;
+
+/// The text of a file, without the mark that some programs put before UTF-8.
+pub(super) fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
+        Err(error) => Err(ReadError::place(
+            format!("byte {}", error.valid_up_to()),
+            "this is not UTF-8 text; save the file as UTF-8 text",
+        )),
+    }
+}
+
+/// The lines and their numbers from 1.
+pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> {
+    (1..).zip(text.lines())
+}
+
+pub(super) fn at_line(line: u64, problem: impl Into<String>) -> ReadError {
+    ReadError::Line { line, problem: problem.into() }
+}
+
+/// A finite number.
+pub(super) fn number(word: &str) -> Option<f64> {
+    word.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+/// The number that a word of a line must be.
+pub(super) fn number_at(line: u64, word: Option<&str>, what: &str) -> Result<f64, ReadError> {
+    let Some(word) = word else {
+        return Err(at_line(line, format!("the {what} is missing")));
+    };
+    number(word).ok_or_else(|| {
+        at_line(line, format!("found {}, expected the {what}, a finite number", quoted(word)))
+    })
+}
+
+/// The whole number that a word of a line must be.
+pub(super) fn whole_at(line: u64, word: Option<&str>, what: &str) -> Result<i64, ReadError> {
+    let Some(word) = word else {
+        return Err(at_line(line, format!("the {what} is missing")));
+    };
+    word.parse().map_err(|_| {
+        at_line(line, format!("found {}, expected the {what}, a whole number", quoted(word)))
+    })
+}
+
+/// A word as a message shows it: in quotes, not longer than a line.
+pub(super) fn quoted(word: &str) -> String {
+    const LONGEST: usize = 40;
+    match word.char_indices().nth(LONGEST) {
+        None => format!("{word:?}"),
+        Some((end, _)) => format!("{:?}…", &word[..end]),
+    }
+}
+
+/// A point as a message shows it.
+pub(super) fn shown(point: DVec2) -> String {
+    format!("({:?}, {:?})", point.x, point.y)
+}
+
+/// Such as "1 line" or "3 lines".
+pub(super) fn counted(count: usize, one: &str) -> String {
+    if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
+}

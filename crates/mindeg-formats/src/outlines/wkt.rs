@@ -1,0 +1,361 @@
+//! Well-known text: `POLYGON`, `MULTIPOLYGON` and `GEOMETRYCOLLECTION`, one or more in a file.
+//!
+//! A reference system before a geometry (`SRID=4326;`) is passed over. Z and M values are left
+//! out; points and lines are left out and counted.
+
+use std::collections::BTreeMap;
+
+use glam::DVec2;
+
+use super::outline::{Feature, Outlines, Ring};
+use super::text::{counted, number, quoted, text_of};
+use crate::error::ReadError;
+
+/// How deep collections may be in each other.
+const DEEPEST: u32 = 64;
+
+/// Reads a text of one or more geometries.
+///
+/// # Errors
+///
+/// What is not well-known text, with the line and the column.
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+    let text = text_of(bytes)?;
+    let mut reader =
+        Reader { text, at: 0, skipped: BTreeMap::new(), heights: false, features: vec![] };
+    reader.skip_separators();
+    while reader.at < text.len() {
+        reader.geometry(0)?;
+        reader.skip_separators();
+    }
+    reader.end()
+}
+
+struct Reader<'a> {
+    text: &'a str,
+    /// The offset of the next byte.
+    at: usize,
+    skipped: BTreeMap<&'static str, usize>,
+    heights: bool,
+    features: Vec<Feature>,
+}
+
+impl<'a> Reader<'a> {
+    fn rest(&self) -> &'a str {
+        &self.text[self.at..]
+    }
+
+    fn skip_blanks(&mut self) {
+        self.at = self.text.len() - self.rest().trim_start().len();
+    }
+
+    /// Between geometries: also what separates rows of a table.
+    fn skip_separators(&mut self) {
+        let is_separator = |c: char| c.is_whitespace() || matches!(c, ';' | ',' | '"');
+        self.at = self.text.len() - self.rest().trim_start_matches(is_separator).len();
+    }
+
+    fn error_at(&self, at: usize, problem: impl Into<String>) -> ReadError {
+        let before = &self.text[..at];
+        let line = 1 + before.matches('\n').count();
+        let start = before.rfind('\n').map_or(0, |end| end + 1);
+        let column = 1 + before[start..].chars().count();
+        ReadError::place(format!("line {line}, column {column}"), problem)
+    }
+
+    fn unexpected(&self, expected: &str) -> ReadError {
+        let rest = self.rest();
+        let found = match rest.split([' ', '\t', '\n', '\r']).next().unwrap_or_default() {
+            "" => "the end of the text".to_owned(),
+            word => quoted(word),
+        };
+        self.error_at(self.at, format!("found {found}, expected {expected}"))
+    }
+
+    /// Whether the next character is this one, which is then passed over.
+    fn takes(&mut self, wanted: char) -> bool {
+        self.skip_blanks();
+        let found = self.rest().starts_with(wanted);
+        if found {
+            self.at += wanted.len_utf8();
+        }
+        found
+    }
+
+    /// Letters and digits.
+    fn word(&mut self) -> &'a str {
+        self.skip_blanks();
+        let rest = self.rest();
+        let end = rest.find(|c: char| !c.is_ascii_alphanumeric() && c != '_').unwrap_or(rest.len());
+        self.at += end;
+        &rest[..end]
+    }
+
+    fn geometry(&mut self, depth: u32) -> Result<(), ReadError> {
+        let start = self.at;
+        let mut keyword = self.word().to_ascii_uppercase();
+        if keyword == "SRID" {
+            let end = self.rest().find(';').ok_or_else(|| self.unexpected("\";\" after SRID=…"))?;
+            self.at += end + 1;
+            keyword = self.word().to_ascii_uppercase();
+        }
+        // The mark of the dimensions may stand apart, or be written together with the keyword.
+        let known = |keyword: &str| KEYWORDS.into_iter().find(|known| *known == keyword);
+        let bare = keyword.trim_end_matches(['Z', 'M']);
+        let Some(keyword) = known(&keyword).or_else(|| known(bare)) else {
+            self.at = start;
+            return Err(self.unexpected("POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION"));
+        };
+        let before = self.at;
+        let word = self.word().to_ascii_uppercase();
+        let is_empty = match word.as_str() {
+            "Z" | "M" | "ZM" => {
+                let before = self.at;
+                let is_empty = self.word().eq_ignore_ascii_case("EMPTY");
+                if !is_empty {
+                    self.at = before;
+                }
+                is_empty
+            }
+            "EMPTY" => true,
+            _ => {
+                self.at = before;
+                false
+            }
+        };
+        if is_empty {
+            *self.skipped.entry("empty geometry").or_default() += 1;
+            return Ok(());
+        }
+        match keyword {
+            "POLYGON" => self.polygon(),
+            "MULTIPOLYGON" => self.listed(Self::polygon),
+            "GEOMETRYCOLLECTION" if depth == DEEPEST => Err(self.error_at(
+                start,
+                format!("collections lie more than {DEEPEST} deep in each other"),
+            )),
+            "GEOMETRYCOLLECTION" => self.listed(|reader| {
+                reader.skip_blanks();
+                reader.geometry(depth + 1)
+            }),
+            other => {
+                *self.skipped.entry(other).or_default() += 1;
+                self.skip_parentheses()
+            }
+        }
+    }
+
+    /// A list in parentheses, with commas between.
+    fn listed(
+        &mut self,
+        mut item: impl FnMut(&mut Self) -> Result<(), ReadError>,
+    ) -> Result<(), ReadError> {
+        if !self.takes('(') {
+            return Err(self.unexpected("\"(\""));
+        }
+        loop {
+            item(self)?;
+            if self.takes(')') {
+                return Ok(());
+            }
+            if !self.takes(',') {
+                return Err(self.unexpected("\",\" or \")\""));
+            }
+        }
+    }
+
+    fn polygon(&mut self) -> Result<(), ReadError> {
+        let mut rings = Vec::new();
+        self.listed(|reader| {
+            let mut points = Vec::new();
+            reader.listed(|reader| {
+                points.push(reader.point()?);
+                Ok(())
+            })?;
+            rings.push(Ring::of_points(points));
+            Ok(())
+        })?;
+        self.features.push(Feature { name: None, rings });
+        Ok(())
+    }
+
+    fn point(&mut self) -> Result<DVec2, ReadError> {
+        let point = DVec2::new(self.number()?, self.number()?);
+        for _ in 0..2 {
+            self.skip_blanks();
+            if !self.rest().starts_with([',', ')']) {
+                self.number()?;
+                self.heights = true;
+            }
+        }
+        Ok(point)
+    }
+
+    fn number(&mut self) -> Result<f64, ReadError> {
+        self.skip_blanks();
+        let rest = self.rest();
+        let end = rest.find(|c: char| c.is_whitespace() || matches!(c, ',' | '(' | ')'));
+        let word = &rest[..end.unwrap_or(rest.len())];
+        let number = number(word).ok_or_else(|| self.unexpected("a finite number"))?;
+        self.at += word.len();
+        Ok(number)
+    }
+
+    fn skip_parentheses(&mut self) -> Result<(), ReadError> {
+        if !self.takes('(') {
+            return Err(self.unexpected("\"(\""));
+        }
+        let mut depth = 1_u64;
+        let end = self.rest().char_indices().find(|&(_, c)| {
+            depth = match c {
+                '(' => depth + 1,
+                ')' => depth - 1,
+                _ => depth,
+            };
+            depth == 0
+        });
+        let Some((end, _)) = end else {
+            self.at = self.text.len();
+            return Err(self.unexpected("\")\""));
+        };
+        self.at += end + 1;
+        Ok(())
+    }
+
+    fn end(self) -> Result<Outlines, ReadError> {
+        let skipped: Vec<String> =
+            self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
+        if self.features.is_empty() {
+            let only = match &skipped[..] {
+                [] => "the text is empty".to_owned(),
+                skipped => format!("only {}", skipped.join(", ")),
+            };
+            return Err(ReadError::place(
+                "the whole text",
+                format!("no POLYGON or MULTIPOLYGON: {only}"),
+            ));
+        }
+        let mut notes = Vec::new();
+        if !skipped.is_empty() {
+            notes.push(format!("left out {}", skipped.join(", ")));
+        }
+        if self.heights {
+            notes.push("left out the Z and M values of points".to_owned());
+        }
+        Ok(Outlines { features: self.features, notes })
+    }
+}
+
+const KEYWORDS: [&str; 7] = [
+    "POLYGON",
+    "MULTIPOLYGON",
+    "GEOMETRYCOLLECTION",
+    "POINT",
+    "MULTIPOINT",
+    "LINESTRING",
+    "MULTILINESTRING",
+];
+
+/// Whether a text begins as well-known text does.
+pub(super) fn begins(text: &str) -> bool {
+    let start: String = text.chars().take(24).collect::<String>().to_ascii_uppercase();
+    KEYWORDS.into_iter().chain(["SRID="]).any(|keyword| start.starts_with(keyword))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<Outlines, String> {
+        super::read(text.as_bytes()).map_err(|error| error.to_string())
+    }
+
+    fn ring(points: &[[f64; 2]]) -> Ring {
+        Ring::of_points(points.iter().copied().map(DVec2::from))
+    }
+
+    #[test]
+    fn reads_polygons_in_all_their_spellings() {
+        let a = ring(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]]);
+        let b = ring(&[[1.0, 1.0], [1.5, 1.0], [1.0, 1.25e-3]]);
+        for (text, expected) in [
+            ("POLYGON ((0 0, 4 0, 0 3, 0 0))", &[&[&a][..]][..]),
+            ("polygon((0 0,4 0,0 3))", &[&[&a]]),
+            ("SRID=4326;POLYGON((0 0,4 0,0 3),(1 1,1.5 1,1 1.25e-3))", &[&[&a, &b]]),
+            ("MULTIPOLYGON(((0 0,4 0,0 3)),((1 1,1.5 1,1 1.25e-3)))", &[&[&a], &[&b]]),
+            ("POLYGON((0 0,4 0,0 3))\nPOLYGON((1 1,1.5 1,1 1.25e-3))\n", &[&[&a], &[&b]]),
+            (
+                "GEOMETRYCOLLECTION ( GEOMETRYCOLLECTION(POLYGON((0 0,4 0,0 3))), POLYGON((1 1,1.5 1,1 1.25e-3)))",
+                &[&[&a], &[&b]],
+            ),
+        ] {
+            let outlines = read(text).unwrap();
+            let found: Vec<Vec<&Ring>> =
+                outlines.features.iter().map(|feature| feature.rings.iter().collect()).collect();
+            assert_eq!(found, expected, "{text}");
+            assert!(outlines.notes.is_empty());
+        }
+    }
+
+    #[test]
+    fn what_is_left_out_is_said() {
+        for (text, notes) in [
+            ("POLYGON Z ((0 0 1, 4 0 1, 0 3 1))", &["left out the Z and M values of points"][..]),
+            ("POLYGONZM((0 0 1 2, 4 0 1 2, 0 3 1 2))", &["left out the Z and M values of points"]),
+            (
+                "GEOMETRYCOLLECTION(POINT(1 2), MULTIPOINT((1 2), (3 4)), POLYGON EMPTY, POLYGON((0 0,4 0,0 3)))",
+                &["left out 1 MULTIPOINT, 1 POINT, 1 empty geometry"],
+            ),
+        ] {
+            let outlines = read(text).unwrap();
+            assert_eq!(
+                (outlines.features.len(), &outlines.notes[..]),
+                (1, notes.map_strings().as_slice()),
+                "{text}"
+            );
+        }
+    }
+
+    trait Strings {
+        fn map_strings(&self) -> Vec<String>;
+    }
+
+    impl Strings for [&str] {
+        fn map_strings(&self) -> Vec<String> {
+            self.iter().map(|&text| text.to_owned()).collect()
+        }
+    }
+
+    #[test]
+    fn errors_say_where_and_what() {
+        for (text, message) in [
+            ("", "the whole text: no POLYGON or MULTIPOLYGON: the text is empty"),
+            ("POINT(1 2)", "the whole text: no POLYGON or MULTIPOLYGON: only 1 POINT"),
+            ("POLYGON((0 0, 1 é))", "line 1, column 17: found \"é))\", expected a finite number"),
+            (
+                "POLYGON((0 0, 1 nan))",
+                "line 1, column 17: found \"nan))\", expected a finite number",
+            ),
+            ("POLYGON((0 0\n, 1))", "line 2, column 4: found \"))\", expected a finite number"),
+            (
+                "POLYGON((0 0, 1 1",
+                "line 1, column 18: found the end of the text, expected a finite number",
+            ),
+            ("POLYGON((0 0 1 2 3))", "line 1, column 18: found \"3))\", expected \",\" or \")\""),
+            ("POLYGON (0 0, 1 1)", "line 1, column 10: found \"0\", expected \"(\""),
+            (
+                "POLY((0 0))",
+                "line 1, column 1: found \"POLY((0\", expected POLYGON, MULTIPOLYGON or GEOMETRYCOLLECTION",
+            ),
+            (
+                "LINESTRING(0 0, (1 1)",
+                "line 1, column 22: found the end of the text, expected \")\"",
+            ),
+            ("SRID=4326", "line 1, column 5: found \"=4326\", expected \";\" after SRID=…"),
+        ] {
+            assert_eq!(read(text).unwrap_err(), message, "{text}");
+        }
+        let deep = "GEOMETRYCOLLECTION(".repeat(100_000);
+        assert!(read(&deep).unwrap_err().ends_with("more than 64 deep in each other"));
+    }
+}

@@ -1,0 +1,177 @@
+//! 2DM, the mesh files of the Surface-water Modeling System and of programs around it.
+//!
+//! Vertices and triangles count from 1 without gaps; groups are materials; each line of the mesh is
+//! a node string.
+//!
+//! Limits: names of groups and lines are not kept, since the format has numbers for them.
+
+use crate::boundary::{Boundary, Chain, chain_vertices};
+use crate::decimals::push_integer;
+use crate::names::one_line;
+use crate::numbered::Numbered;
+use crate::records::{Records, Words};
+use crate::sections::{Section, write_sections};
+use crate::tables::{triangle_lines, vertex_lines};
+use crate::{GENERATOR, ReadError, mesh_name};
+use mindeg_mesh::{Mesh, TriMesh};
+use std::io::{self, BufRead, Write};
+
+/// Vertices of a node string to a line of the file.
+const STRING_WIDTH: u32 = 10;
+
+/// Writes a mesh as 2DM. Decimals are the shortest that read back as the same f64; the third
+/// coordinate is z.
+///
+/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
+/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
+///
+/// # Errors
+///
+/// Those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{obj, sms2dm};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no inlet\nl 1 2 3\n".as_bytes())?;
+/// let mut file = Vec::new();
+/// sms2dm::write(&mesh, &mut file)?;
+/// let file = String::from_utf8(file)?;
+/// assert!(file.contains("\nE3T 1 1 2 3 1\nND 1 0 0 0\nND 2 2 0 0\n") && file.ends_with("NS 1 2 -3 1\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> io::Result<()> {
+    write_sections(&mut out, &sections(mesh))?;
+    out.flush()
+}
+
+/// The file from front to back.
+pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+    let name = one_line(mesh_name(mesh)).replace('"', "'");
+    let ends: Vec<u32> = mesh.groups().iter().map(|group| group.triangles.end).collect();
+    let material = move |triangle: u32, buffer: &mut Vec<u8>| {
+        push_integer(ends.partition_point(|&end| end <= triangle) + 1, buffer);
+    };
+    let head = format!("MESH2D\n# {GENERATOR}\nMESHNAME \"{name}\"\n");
+    let mut sections = vec![
+        Section::bytes(head),
+        triangle_lines(mesh, b"E3T", b"", material),
+        vertex_lines(mesh, b"ND", 3, |_, _| {}),
+    ];
+    let chains = Boundary::of(mesh).chains;
+    sections.extend(chains.into_iter().zip(1..).map(|(chain, id)| node_string(mesh, chain, id)));
+    sections
+}
+
+/// The vertices of a chain, the last with a minus sign before it.
+fn node_string(mesh: &dyn Mesh, chain: Chain, id: u32) -> Section<'_> {
+    let last = chain.segments.len() as u32;
+    Section::new(last.saturating_add(1), 11, move |range, buffer| {
+        for (index, vertex) in range.clone().zip(chain_vertices(mesh, &chain, range)) {
+            if index % STRING_WIDTH == 0 {
+                buffer.extend_from_slice(b"NS");
+            }
+            let number = i64::from(vertex) + 1;
+            if index == last {
+                push_integer(-number, buffer);
+                push_integer(id, buffer);
+            } else {
+                push_integer(number, buffer);
+            }
+            if index == last || index % STRING_WIDTH == STRING_WIDTH - 1 {
+                buffer.push(b'\n');
+            }
+        }
+    })
+}
+
+/// Reads a mesh from a 2DM.
+///
+/// Triangles (`E3T`) and quadrilaterals (`E4Q`) of different materials become groups, if those of a
+/// material follow one another; node strings (`NS`) become lines, `E2L` and `E3L` are counted. Of
+/// elements with vertices on their sides (`E6T`, `E8Q`, `E9Q`) the corners are taken. Vertices may
+/// have any numbers. Other lines are passed over.
+///
+/// O(n log n) time and O(n) memory for n bytes.
+///
+/// # Errors
+///
+/// Those of the input; lines that are not as the format has them; elements and node strings that
+/// name vertices that the file does not have; a file without elements.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::sms2dm;
+///
+/// let file = "MESH2D\nE3T 1 7 8 9 1\nND 7 0 0 0\nND 8 1 0 0\nND 9 0 1 0\nNS 7 -8 1\n";
+/// let mesh = sms2dm::read(file.as_bytes())?;
+/// assert_eq!((mesh.triangles(), mesh.segments()), (&[[0, 1, 2]][..], &[[0, 1]][..]));
+///
+/// let error = sms2dm::read(file.replace("8 9 1", "8 6 1").as_bytes()).unwrap_err();
+/// assert_eq!(error.to_string(), "line 2: vertex 6 does not exist; the file has 7 to 9");
+/// # Ok::<(), mindeg_formats::ReadError>(())
+/// ```
+pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
+    let mut records = Records::new(input, Some(b'#'));
+    let mut contents = Numbered::default();
+    let mut name = None;
+    // The vertices of the node string so far, each with its line, and how many were before.
+    let mut string = Vec::new();
+    let mut strings = 0_u32;
+    while let Some(mut words) = records.next()? {
+        match words.word().unwrap_or_default() {
+            b"MESHNAME" => name = Some(words.text().trim_matches('"').to_owned()),
+            b"ND" => {
+                let id = words.id()?;
+                contents.vertex(id, words.point("z")?)?;
+            }
+            b"E3T" => element(&mut contents, words, [0, 1, 2], 3)?,
+            b"E4Q" => element(&mut contents, words, [0, 1, 2, 3], 4)?,
+            b"E6T" => element(&mut contents, words, [0, 2, 4], 6)?,
+            b"E8Q" => element(&mut contents, words, [0, 2, 4, 6], 8)?,
+            b"E9Q" => element(&mut contents, words, [0, 2, 4, 6], 9)?,
+            b"NS" => {
+                while !words.rest.trim_ascii().is_empty() {
+                    let id = words.integer("the number of a vertex")?;
+                    let number = u32::try_from(id.unsigned_abs())
+                        .map_err(|_| words.problem(format!("the vertex {id} is beyond 32 bits")))?;
+                    crate::lists::push(&mut string, (number, words.line))?;
+                    if id < 0 {
+                        strings += 1;
+                        let name = match words.text() {
+                            text if text.is_empty() => strings.to_string(),
+                            text => text,
+                        };
+                        contents.string(&format!("node string {name}"), None, string.drain(..))?;
+                        break;
+                    }
+                }
+            }
+            _ => {}
+        }
+    }
+    let mesh = contents.into_mesh("material")?;
+    Ok(match name {
+        Some(name) if !name.is_empty() => mesh.named(name),
+        _ => mesh,
+    })
+}
+
+/// An element: its number, `count` vertices of which some are corners, and its material.
+fn element<const N: usize>(
+    contents: &mut Numbered,
+    mut words: Words<'_>,
+    corners: [usize; N],
+    count: usize,
+) -> Result<(), ReadError> {
+    words.id()?;
+    let mut vertices = [0; 9];
+    for vertex in &mut vertices[..count] {
+        *vertex = words.id()?;
+    }
+    let has_material = !words.rest.trim_ascii().is_empty();
+    let material = if has_material { words.number("the material")? as i64 } else { 1 };
+    Ok(contents.element(words.line, &corners.map(|corner| vertices[corner]), material)?)
+}

@@ -1,0 +1,129 @@
+//! Writing .node, .ele and .poly.
+
+use crate::boundary::{Boundary, Chain};
+use crate::corners::segments;
+use crate::decimals::{Decimals, push_integer};
+use crate::names::one_line;
+use crate::sections::{Section, write_sections};
+use crate::tables::{triangle_lines, vertex_lines};
+use crate::{Format, GENERATOR, WriteError};
+use mindeg_mesh::{Mesh, Positions};
+use std::fmt::Write as _;
+use std::io::Write;
+use std::sync::Arc;
+
+/// Where the three files go.
+#[derive(Debug)]
+pub struct Files<W> {
+    /// The vertices.
+    pub node: W,
+    /// The triangles.
+    pub ele: W,
+    /// The boundary segments.
+    pub poly: W,
+}
+
+/// Writes a mesh as .node, .ele and .poly. Decimals are the shortest that read back as the same f64.
+///
+/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
+/// half a MiB for each of them, and one more; besides, that of the vertices of one hole. Writes are
+/// large: the files need no buffers around them.
+///
+/// # Errors
+///
+/// Before the first byte: those of [`check`]. After it: those of the files.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{obj, triangle};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no pier\nl 1 2 3\n".as_bytes())?;
+/// let [mut node, mut ele, mut poly] = [(); 3].map(|()| Vec::new());
+/// let files = triangle::Files { node: &mut node, ele: &mut ele, poly: &mut poly };
+/// triangle::write(&mesh, files)?;
+/// assert!(String::from_utf8(node)?.ends_with("\n3 2 0 1\n 1 0 0 1\n 2 2 0 1\n 3 2 1 1\n"));
+/// assert!(String::from_utf8(ele)?.ends_with("\n1 3 0\n 1 1 2 3\n"));
+/// assert!(String::from_utf8(poly)?.ends_with("\n0 2 0 1\n2 1\n 1 1 2 1\n 2 2 3 1\n0\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write<W: Write>(mesh: &dyn Mesh, files: Files<W>) -> Result<(), WriteError> {
+    check(mesh)?;
+    let Files { node, ele, poly } = files;
+    for (mut out, sections) in [node, ele, poly].into_iter().zip(sections(mesh)) {
+        write_sections(&mut out, &sections)?;
+        out.flush()?;
+    }
+    Ok(())
+}
+
+/// Refuses positions that the format cannot hold. O(n).
+///
+/// # Errors
+///
+/// [`NotInPlane`](WriteError::NotInPlane), and more vertices than C's `int` counts.
+pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
+    WriteError::unless_numbered(Format::Node, positions)?;
+    WriteError::unless_in_plane(Format::Node, positions)
+}
+
+/// Each file from front to back.
+pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {
+    let boundary = Arc::new(Boundary::of(mesh));
+    [node(mesh, Arc::clone(&boundary)), ele(mesh), poly(mesh, &boundary)]
+}
+
+fn node<'a>(mesh: &'a dyn Mesh, boundary: Arc<Boundary<'a>>) -> Vec<Section<'a>> {
+    let head = format!("# {GENERATOR}\n{} 2 0 1\n", mesh.vertex_count());
+    let marker = move |vertex, buffer: &mut Vec<u8>| push_integer(boundary.marker(vertex), buffer);
+    vec![Section::bytes(head), vertex_lines(mesh, b"", 2, marker)]
+}
+
+fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+    let ends: Vec<u32> = mesh.groups().iter().map(|group| group.triangles.end).collect();
+    let attributes = u32::from(ends.len() > 1);
+    let head = format!("# {GENERATOR}\n{} 3 {attributes}\n", mesh.triangle_count());
+    let attribute = move |triangle: u32, buffer: &mut Vec<u8>| {
+        if attributes > 0 {
+            push_integer(ends.partition_point(|&end| end <= triangle) + 1, buffer);
+        }
+    };
+    vec![Section::bytes(head), triangle_lines(mesh, b"", b"", attribute)]
+}
+
+fn poly<'a>(mesh: &'a dyn Mesh, boundary: &Boundary<'_>) -> Vec<Section<'a>> {
+    let mut head = format!("# {GENERATOR}\n");
+    for (line, marker) in mesh.lines().iter().zip(1..) {
+        let _ = writeln!(head, "# marker {marker}: {}", one_line(&line.name));
+    }
+    let count: u64 = boundary.chains.iter().map(|chain| chain.segments.len() as u64).sum();
+    let _ = writeln!(head, "0 2 0 1\n{count} 1");
+    let mut sections = vec![Section::bytes(head)];
+    sections.extend(boundary.chains.iter().map(|chain| chain_lines(mesh, chain.clone())));
+    let rings = boundary.rings().into_iter().map(|ring| &boundary.chains[ring]);
+    let holes: Vec<_> = rings.filter(|ring| boundary.is_hole(ring)).collect();
+    let mut tail = format!("{}\n", holes.len()).into_bytes();
+    for (ring, number) in holes.into_iter().zip(1_u32..) {
+        push_integer(number, &mut tail);
+        // Adding zero turns -0 into 0.
+        let point = boundary.point_inside(ring).to_array().map(|x| x + 0.0);
+        point.into_iter().for_each(|x| Decimals::new().push(x, &mut tail));
+        tail.push(b'\n');
+    }
+    sections.push(Section::bytes(tail));
+    sections
+}
+
+/// Number, ends and marker of each segment.
+fn chain_lines(mesh: &dyn Mesh, chain: Chain) -> Section<'_> {
+    let first = chain.segments.start;
+    Section::new(chain.segments.len() as u32, 32, move |range, buffer| {
+        let range = first + range.start..first + range.end;
+        for (index, ends) in range.clone().zip(segments(mesh, range)) {
+            push_integer(u64::from(index) + 1, buffer);
+            ends.into_iter().for_each(|vertex| push_integer(u64::from(vertex) + 1, buffer));
+            push_integer(chain.line as u64 + 1, buffer);
+            buffer.push(b'\n');
+        }
+    })
+}

@@ -1,0 +1,219 @@
+//! A checker for triangulations of rings, with or without holes and interior points. It shares nothing
+//! with what makes them but the exact predicate [`robust::orient2d`].
+//!
+//! Triangles that are all counter-clockwise, that have every ring edge once in the ring's direction
+//! and every other edge once in each direction, cover every point as often as the rings wind around
+//! it: where the rings bound a domain, they are a triangulation of it.
+//!
+//! Limits: that the rings do not cross is taken for granted. Interior points without a triangle are
+//! not missed.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use robust::{Coord, orient2d};
+use thiserror::Error;
+
+use crate::parallel::{first_of_blocks, sort_all};
+
+/// The degrees of a correct triangulation.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Checked {
+    /// The number of edges at each vertex, boundary edges included.
+    pub degrees: Vec<u32>,
+    /// The largest of them.
+    pub max_degree: u32,
+}
+
+/// Why triangles are not a triangulation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum CheckError {
+    /// Another number of triangles than the rings need, where they have all points.
+    #[error("found {found} triangles, expected {expected}")]
+    TriangleCount {
+        /// Their number.
+        found: usize,
+        /// The number that the rings need.
+        expected: usize,
+    },
+    /// A triangle has a vertex without a point.
+    #[error("triangle {triangle} has vertex {vertex}, which does not exist")]
+    NoSuchVertex {
+        /// The index of the triangle.
+        triangle: usize,
+        /// The vertex.
+        vertex: u32,
+    },
+    /// A triangle that is clockwise or has no area, exactly.
+    #[error("triangle {triangle} is clockwise or has no area")]
+    NotCounterClockwise {
+        /// Its index.
+        triangle: usize,
+    },
+    /// Two triangles on the same side of an edge, or a triangle outside a boundary edge.
+    #[error("the edge from {from} to {to} has a triangle too many on its left")]
+    Overlap {
+        /// Where it begins.
+        from: u32,
+        /// Where it ends.
+        to: u32,
+    },
+    /// A boundary edge without a triangle, or another edge with a triangle on one side only.
+    #[error("the edge from {from} to {to} has no triangle on its left")]
+    Gap {
+        /// Where it begins.
+        from: u32,
+        /// Where it ends.
+        to: u32,
+    },
+}
+
+/// Checks that `triangles` triangulate the domain on the left of `rings`. O(n log n).
+///
+/// Each ring is a range of vertices, in the order of the ring; the outer ring is counter-clockwise,
+/// holes are clockwise. Points after the last ring are interior points.
+///
+/// # Errors
+///
+/// The first fault, in the order of [`CheckError`].
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_mesh::check;
+///
+/// let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
+/// let ring = [0..4];
+/// let checked = check::triangulation(&points, &ring, &[[0, 1, 2], [0, 2, 3]])?;
+/// assert_eq!(checked.degrees, [3, 2, 3, 2]);
+/// let error = check::triangulation(&points, &ring, &[[0, 1, 2], [0, 3, 2]]).unwrap_err();
+/// assert_eq!(error.to_string(), "triangle 1 is clockwise or has no area");
+/// # Ok::<(), check::CheckError>(())
+/// ```
+pub fn triangulation(
+    points: &[DVec2],
+    rings: &[Range<u32>],
+    triangles: &[[u32; 3]],
+) -> Result<Checked, CheckError> {
+    let on_rings: usize = rings.iter().map(|ring| ring.len()).sum();
+    if on_rings == points.len() && !rings.is_empty() {
+        // By Euler's formula; the outer ring is no hole.
+        let (found, expected) = (triangles.len(), (on_rings + 2 * rings.len()).saturating_sub(4));
+        if found != expected {
+            return Err(CheckError::TriangleCount { found, expected });
+        }
+    }
+    let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
+    let fault = first_of_blocks(count, |range| {
+        range.map(|triangle| triangle as usize).find_map(|triangle| {
+            let corners = triangles[triangle];
+            if let Some(&vertex) = corners.iter().find(|&&corner| corner as usize >= points.len()) {
+                return Some(CheckError::NoSuchVertex { triangle, vertex });
+            }
+            let [a, b, c] = corners.map(|corner| points[corner as usize]);
+            let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
+            // A point that is not finite makes this fail, too.
+            let is_counter_clockwise = orient2d(a, b, c) > 0.0;
+            (!is_counter_clockwise).then_some(CheckError::NotCounterClockwise { triangle })
+        })
+    });
+    if let Some(fault) = fault {
+        return Err(fault);
+    }
+    let edges = paired(rings, triangles)?;
+    let mut degrees = vec![0; points.len()];
+    for vertex in edges.into_iter().flat_map(|edge| [edge >> 32, edge & u64::from(u32::MAX)]) {
+        degrees[vertex as usize] += 1;
+    }
+    let max_degree = degrees.iter().copied().max().unwrap_or(0);
+    Ok(Checked { degrees, max_degree })
+}
+
+/// All edges, smaller end first, if each has exactly one half-edge in either direction: those of the
+/// triangles, and the outer ones of the rings.
+fn paired(rings: &[Range<u32>], triangles: &[[u32; 3]]) -> Result<Vec<u64>, CheckError> {
+    let outer = rings.iter().flat_map(|ring| {
+        let next = move |from| if from + 1 == ring.end { ring.start } else { from + 1 };
+        ring.clone().map(move |from| [next(from), from])
+    });
+    let inner = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+    // Half-edges to the larger end, and to the smaller one.
+    let mut halves =
+        [Vec::with_capacity(2 * triangles.len()), Vec::with_capacity(2 * triangles.len())];
+    for [from, to] in inner.chain(outer) {
+        let key = (u64::from(from.min(to)) << 32) | u64::from(from.max(to));
+        halves[usize::from(from > to)].push(key);
+    }
+    halves.iter_mut().for_each(|halves| sort_all(halves));
+    let ends = |key: u64, is_to_larger: bool| {
+        let [low, high] = [(key >> 32) as u32, key as u32];
+        if is_to_larger { [low, high] } else { [high, low] }
+    };
+    for (halves, is_to_larger) in halves.iter().zip([true, false]) {
+        if let Some(twice) = halves.windows(2).find(|pair| pair[0] == pair[1]) {
+            let [from, to] = ends(twice[0], is_to_larger);
+            return Err(CheckError::Overlap { from, to });
+        }
+    }
+    let [up, down] = halves;
+    if let Some(at) = (0..up.len().max(down.len())).find(|&at| up.get(at) != down.get(at)) {
+        let [first_up, first_down] =
+            [&up, &down].map(|halves| halves.get(at).copied().unwrap_or(u64::MAX));
+        // The smaller one has no partner.
+        let [from, to] = ends(first_up.min(first_down), first_up > first_down);
+        return Err(CheckError::Gap { from, to });
+    }
+    Ok(up)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kind_of_error_is_found() {
+        let points =
+            [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (1.0, 1.0), (1.0, 2.0), (2.0, 2.0)];
+        let points = points.map(DVec2::from);
+        let square = [[0, 1, 2], [0, 2, 3]];
+        let of_square = |triangles: &[[u32; 3]]| {
+            triangulation(&points[..4], std::slice::from_ref(&(0..4)), triangles)
+                .map(|checked| checked.degrees)
+                .map_err(|error| error.to_string())
+        };
+        let fails = |triangles: &[[u32; 3]], message: &str| {
+            assert_eq!(of_square(triangles), Err(message.to_owned()));
+        };
+        assert_eq!(of_square(&square), Ok(vec![3, 2, 3, 2]));
+        fails(&[[0, 1, 2]], "found 1 triangles, expected 2");
+        fails(&[[0, 1, 2], [0, 2, 9]], "triangle 1 has vertex 9, which does not exist");
+        fails(&[[0, 1, 2], [0, 3, 2]], "triangle 1 is clockwise or has no area");
+        fails(&[[0, 1, 2], [0, 0, 3]], "triangle 1 is clockwise or has no area");
+        fails(&[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has a triangle too many on its left");
+        fails(&[[0, 1, 2], [1, 3, 0]], "the edge from 0 to 1 has a triangle too many on its left");
+
+        // A hole: clockwise, and nothing in it.
+        let rings = [0..4, 4..7];
+        let around = [[0, 1, 4], [1, 6, 4], [1, 2, 6], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
+        let check = |triangles: &[[u32; 3]]| triangulation(&points, &rings, triangles);
+        assert_eq!(check(&around).map(|checked| checked.degrees), Ok(vec![4, 4, 3, 4, 4, 4, 5]));
+        let mut filled = around;
+        // Instead of a triangle beside the hole, the one in the hole.
+        filled[6] = [4, 6, 5];
+        assert_eq!(check(&filled), Err(CheckError::Overlap { from: 4, to: 6 }));
+        filled[6] = [0, 1, 4];
+        assert_eq!(check(&filled), Err(CheckError::Overlap { from: 0, to: 1 }));
+
+        // With an interior point the number of triangles is open, but not the edges.
+        let ring = 0..4;
+        let with_point = |triangles: &[[u32; 3]]| {
+            triangulation(&points[..5], std::slice::from_ref(&ring), triangles)
+        };
+        let star = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+        assert_eq!(with_point(&star).map(|checked| checked.max_degree), Ok(4));
+        assert_eq!(with_point(&star[..3]), Err(CheckError::Gap { from: 3, to: 0 }));
+        assert_eq!(with_point(&star[1..]), Err(CheckError::Gap { from: 0, to: 1 }));
+    }
+}

@@ -1,0 +1,87 @@
+//! Which triangles cross others.
+//!
+//! Two triangles cross if they have a point in common besides the corners and edges that they
+//! share: so triangles that only touch count, and so do those that cover each other in a plane.
+//! Corners are shared if they are the same vertex. Flat triangles cross nothing.
+//!
+//! Predicates are exact (Shewchuk's, from `robust`), as long as products of three coordinates
+//! neither overflow nor underflow.
+
+mod tree;
+mod triangles;
+
+use crate::parallel::blocks;
+use glam::DVec3;
+use std::ops::Range;
+use tree::Tree;
+pub use triangles::cross;
+
+/// For each triangle of a range that crosses another triangle of the mesh, the two of them: the
+/// triangle of the range and the first that it crosses. In order. O(n log n) for n triangles, and
+/// for each of the range the time to test those whose boxes meet its own; shared by all threads.
+///
+/// # Panics
+///
+/// If the range is not one of triangles, or a triangle names a vertex that is not there.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec3;
+/// use mindeg_mesh::crossing::crossings;
+///
+/// let points = [(0, 0, 0), (4, 0, 0), (0, 4, 0), (1, 1, -1), (1, 1, 1), (9, 9, 0)];
+/// let points = points.map(|(x, y, z)| DVec3::new(x.into(), y.into(), z.into()));
+/// assert_eq!(crossings(&points, &[[0, 1, 2], [3, 4, 5]], 1..2), [[1, 0]]);
+/// assert_eq!(crossings(&points, &[[0, 1, 2], [1, 5, 2]], 1..2), [[0; 2]; 0]);
+/// ```
+#[must_use]
+pub fn crossings(positions: &[DVec3], triangles: &[[u32; 3]], range: Range<u32>) -> Vec<[u32; 2]> {
+    let tree = Tree::new(positions, triangles);
+    let found = blocks(range.len() as u32, |block| {
+        let mut near = Vec::new();
+        let mut found = Vec::new();
+        for index in block {
+            let triangle = range.start + index;
+            near.clear();
+            tree.meet(triangle, &mut near);
+            near.sort_unstable();
+            let corners = triangles[triangle as usize];
+            let crossed = near.iter().find(|&&other| {
+                other != triangle && cross(positions, corners, triangles[other as usize])
+            });
+            found.extend(crossed.map(|&other| [triangle, other]));
+        }
+        found
+    });
+    found.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The tree finds what a comparison of all pairs finds.
+        #[test]
+        fn the_tree_misses_nothing(
+            points in prop::collection::vec(prop::array::uniform3(0_i8..6), 8),
+            triangles in prop::collection::vec(prop::array::uniform3(0_u32..8), 1..40),
+            start in 0_u32..40,
+        ) {
+            let points: Vec<DVec3> =
+                points.into_iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+            let count = triangles.len() as u32;
+            let start = start.min(count);
+            let all = |t: u32| (0..count).filter(move |&other| other != t);
+            let expected: Vec<[u32; 2]> = (start..count)
+                .filter_map(|t| {
+                    let own = triangles[t as usize];
+                    all(t).find(|&o| cross(&points, own, triangles[o as usize])).map(|o| [t, o])
+                })
+                .collect();
+            prop_assert_eq!(crossings(&points, &triangles, start..count), expected);
+        }
+    }
+}

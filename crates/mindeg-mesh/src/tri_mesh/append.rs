@@ -1,0 +1,169 @@
+//! A mesh with more triangles, or with another mesh beside it.
+
+use super::{TriMesh, TriMeshError, check_vertices};
+use crate::mesh::{Group, Line};
+use crate::polygons::{NonTriangles, Polygons};
+use std::sync::OnceLock;
+
+impl TriMesh {
+    /// The same mesh with more triangles between its vertices, after those it has, as a group of
+    /// their own. Everything else stays as it is. O(n) where the mesh has polygons, else O(k) for
+    /// k triangles.
+    ///
+    /// # Errors
+    ///
+    /// A triangle with a vertex that the mesh does not have, or more than `u32::MAX` triangles.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::DVec3;
+    /// use mindeg_mesh::TriMesh;
+    ///
+    /// let square = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+    /// let half = TriMesh::new(square, vec![[0, 1, 2]])?;
+    /// let whole = half.with_triangles_added("other half", &[[0, 2, 3]])?;
+    /// assert_eq!(whole.groups()[1].name, "other half");
+    /// assert_eq!(whole.groups()[1].triangles, 1..2);
+    /// # Ok::<(), mindeg_mesh::TriMeshError>(())
+    /// ```
+    pub fn with_triangles_added(
+        mut self,
+        group: &str,
+        triangles: &[[u32; 3]],
+    ) -> Result<Self, TriMeshError> {
+        check_vertices("triangle", triangles, self.positions.len())?;
+        let start = self.triangles.len() as u32;
+        let all = self.triangles.len() + triangles.len();
+        let end =
+            u32::try_from(all).map_err(|_| TriMeshError::TooManyTriangles { triangles: all })?;
+        if end > start {
+            self.groups.push(Group { name: group.to_owned(), triangles: start..end });
+        }
+        self.triangles.extend_from_slice(triangles);
+        if let Some(polygons) = &mut self.polygons {
+            polygons.triangle_starts.extend(start + 1..=end);
+            polygons.corners.extend(triangles.iter().flatten());
+        }
+        self.degrees = OnceLock::new();
+        Ok(self)
+    }
+
+    /// This mesh and another as one: first the vertices, triangles, groups and lines of this one,
+    /// then those of the other. The name is that of the first one that has a name. O(n).
+    ///
+    /// # Errors
+    ///
+    /// More than `u32::MAX` vertices or triangles in all.
+    pub fn with_mesh_added(mut self, other: &Self) -> Result<Self, TriMeshError> {
+        let (first, first_triangle) = (self.positions.len(), self.triangles.len());
+        let vertices = first + other.positions.len();
+        u32::try_from(vertices).map_err(|_| TriMeshError::TooManyVertices { vertices })?;
+        let triangles = first_triangle + other.triangles.len();
+        u32::try_from(triangles).map_err(|_| TriMeshError::TooManyTriangles { triangles })?;
+        // Both fit, so their parts do.
+        let (first, first_triangle) = (first as u32, first_triangle as u32);
+        let first_segment = self.segments.len() as u32;
+
+        let polygons = match (self.polygons.take(), &other.polygons) {
+            (None, None) => None,
+            (own, others) => {
+                let mut all = own.unwrap_or_else(|| as_polygons(&self.triangles));
+                let others = others.clone().unwrap_or_else(|| as_polygons(&other.triangles));
+                let starts = others.triangle_starts.iter().skip(1);
+                all.triangle_starts.extend(starts.map(|start| first_triangle + start));
+                all.corners.extend(others.corners.iter().map(|corner| first + corner));
+                Some(all)
+            }
+        };
+        self.polygons = polygons;
+        self.positions.extend_from_slice(&other.positions);
+        self.triangles.extend(other.triangles.iter().map(|t| t.map(|vertex| first + vertex)));
+        self.groups.extend(other.groups.iter().map(|Group { name, triangles }| Group {
+            name: name.clone(),
+            triangles: first_triangle + triangles.start..first_triangle + triangles.end,
+        }));
+        self.segments.extend(other.segments.iter().map(|s| s.map(|vertex| first + vertex)));
+        self.lines.extend(other.lines.iter().map(|line| Line {
+            segments: first_segment + line.segments.start..first_segment + line.segments.end,
+            ..line.clone()
+        }));
+        self.name = self.name.or_else(|| other.name.clone());
+        let [a, b] = [self.non_triangles, other.non_triangles];
+        self.non_triangles = NonTriangles {
+            quads: a.quads + b.quads,
+            polygons: a.polygons + b.polygons,
+            line_segments: a.line_segments + b.line_segments,
+            points: a.points + b.points,
+        };
+        self.notes.extend(other.notes.iter().cloned());
+        self.rounding = match (self.rounding, other.rounding) {
+            (Some(a), Some(b)) => Some(a.max(b)),
+            (a, b) => a.or(b),
+        };
+        self.degrees = OnceLock::new();
+        Ok(self)
+    }
+}
+
+/// Triangles as polygons of three corners.
+fn as_polygons(triangles: &[[u32; 3]]) -> Polygons {
+    Polygons {
+        triangle_starts: (0..=triangles.len() as u32).collect(),
+        corners: triangles.iter().flatten().copied().collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+
+    fn quad() -> TriMesh {
+        let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let polygons = Polygons { triangle_starts: vec![0, 2], corners: vec![0, 1, 2, 3] };
+        let mesh = TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+        let line = Line { name: "edge".into(), segments: 0..1, is_straight: true };
+        mesh.with_polygons(polygons).with_lines(vec![line], vec![[0, 1]]).unwrap()
+    }
+
+    fn triangle() -> TriMesh {
+        let mesh = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]]);
+        mesh.unwrap().named("triangle").with_rounding(0.5)
+    }
+
+    #[test]
+    fn added_triangles_are_polygons_and_a_group_of_their_own() {
+        let mesh = quad().with_triangles_added("fill", &[[3, 2, 1], [3, 1, 0]]).unwrap();
+        assert_eq!(mesh.triangles()[2..], [[3, 2, 1], [3, 1, 0]]);
+        assert_eq!(mesh.degrees(), [3; 4]);
+        let polygons = mesh.polygons().unwrap();
+        assert!(polygons.iter().eq([&[0, 1, 2, 3][..], &[3, 2, 1], &[3, 1, 0]]));
+        let names: Vec<_> = mesh.groups().iter().map(|group| &*group.name).collect();
+        assert_eq!(names, ["", "fill"]);
+        let error = quad().with_triangles_added("fill", &[[0, 1, 4]]).unwrap_err();
+        assert!(matches!(error, TriMeshError::NoSuchVertex { vertex: 4, .. }));
+        assert_eq!(quad().with_triangles_added("fill", &[]).unwrap(), quad());
+    }
+
+    #[test]
+    fn two_meshes_become_one() {
+        for (a, b) in [(quad(), triangle()), (triangle(), quad()), (quad(), quad())] {
+            let both = a.clone().with_mesh_added(&b).unwrap();
+            let (vertices, triangles) = (a.positions().len() as u32, a.triangles().len());
+            assert_eq!(both.positions()[..a.positions().len()], *a.positions());
+            assert_eq!(both.positions()[a.positions().len()..], *b.positions());
+            assert_eq!(both.triangles()[..triangles], *a.triangles());
+            let others = b.triangles().iter().map(|t| t.map(|vertex| vertices + vertex));
+            assert!(both.triangles()[triangles..].iter().copied().eq(others));
+            let count =
+                |mesh: &TriMesh| mesh.polygons().map_or(mesh.triangles().len(), Polygons::count);
+            assert_eq!(both.polygons().unwrap().count(), count(&a) + count(&b));
+            assert_eq!(both.polygons().unwrap().iter().last().unwrap()[0], vertices);
+            assert_eq!(both.segments().len(), a.segments().len() + b.segments().len());
+            assert_eq!(both.degrees(), [a.degrees(), b.degrees()].concat());
+        }
+        let both = quad().with_mesh_added(&triangle()).unwrap();
+        assert_eq!((both.rounding(), crate::Triangles::name(&both)), (0.5, Some("triangle")));
+    }
+}

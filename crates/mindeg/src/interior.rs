@@ -1,0 +1,153 @@
+//! Meshes with interior points: the boundary stays bit for bit, degrees get within their limits, and the
+//! minimum angle near its proven limit.
+//!
+//! [`mesh`] meshes a domain, [`angle_limit`] says beforehand which minimum angle no mesh of its boundary
+//! can exceed and what decides that, [`lift`] which counts to change for more, and [`improve`] applies
+//! the optimiser to a planar mesh of any program.
+//!
+//! ```
+//! use mindeg::{Domain, Interior, Progress, Side, Triangles, interior};
+//!
+//! let domain = Domain::rectangle(4.0, 3.0, [12, 9, 4, 4].map(Side::count).into())?;
+//! let limit = interior::angle_limit(&domain, &Interior::default())?;
+//! let found = interior::mesh(&domain, &Interior::default(), Progress::NONE)?;
+//! assert!(found.report.violations.is_empty());
+//! assert!(found.report.min_angle > 0.95 * limit.min_angle.min(35.0));
+//! assert_eq!(found.mesh.lines()[0].name, "side 1");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Limits are proven; degrees and angles are reached by a search without a guarantee, and the [`Report`]
+//! says what was reached. How it works: [`mindeg_interior`].
+
+mod improve;
+mod lift;
+mod limit;
+mod plane;
+mod regions;
+
+pub use improve::{ImproveError, ImprovedMesh, improve};
+pub use lift::{Lift, lift};
+pub use limit::{AngleLimit, Cause, angle_limit};
+pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
+pub use mindeg_interior::{InteriorError, Report, Violation};
+
+use std::ops::Range;
+
+use glam::DVec2;
+use mindeg_domain::{Domain, Interior};
+use mindeg_interior::{Fixed, Options, Outline, generate};
+use mindeg_mesh::{Line, Progress, TriMesh};
+
+/// A mesh with interior points, and what it is like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InteriorMesh {
+    /// The mesh: the boundary vertices in their order, the fixed points, then the others. Its lines are
+    /// the sides of the domain, then the fixed lines.
+    pub mesh: TriMesh,
+    /// What was reached.
+    pub report: Report,
+}
+
+/// Meshes a domain with interior points.
+///
+/// Where the domain gives a boundary vertex a degree limit, that holds instead of
+/// [`Interior::boundary_degree`], and external degrees count. Equal input gives equal bytes on every machine. O(n log n) for n
+/// points, besides what is spent where degrees or angles need mending.
+///
+/// # Errors
+///
+/// A wish without a meaning or that is proven impossible, fixed points or lines outside, more points than
+/// allowed, boundary points too close to triangulate, and a `progress` that cancels.
+pub fn mesh(
+    domain: &Domain,
+    wanted: &Interior,
+    progress: Progress<'_>,
+) -> Result<InteriorMesh, InteriorError> {
+    let outline = outline(domain)?;
+    let fixed = Fixed::of_lines(&outline, &wanted.fixed)?;
+    let found = generate(&outline, &fixed, &options(domain, wanted), progress)?;
+    let points = found.points.iter().map(|point| point.extend(0.0)).collect();
+    let (mut lines, mut segments) = sides(domain);
+    let mut pieces = found.fixed_edges.iter().copied();
+    let mut rest = fixed.segments.iter();
+    for (index, ends) in wanted.fixed.lines.iter().enumerate() {
+        let start = segments.len() as u32;
+        for [_, end] in rest.by_ref().take(ends.len().saturating_sub(1)) {
+            for piece in pieces.by_ref() {
+                segments.push(piece);
+                if piece[1] == *end {
+                    break;
+                }
+            }
+        }
+        if segments.len() as u32 > start {
+            let name = free_name(&lines, &format!("fixed line {}", index + 1));
+            lines.push(Line { name, segments: start..segments.len() as u32, is_straight: false });
+        }
+    }
+    let mesh = TriMesh::new(points, found.triangles)
+        .and_then(|mesh| mesh.with_lines(lines, segments))
+        .map_err(|error| InteriorError::NotFilled(error.to_string()))?;
+    let mesh = match domain.name() {
+        Some(name) => mesh.named(name),
+        None => mesh,
+    };
+    Ok(InteriorMesh { mesh, report: found.report })
+}
+
+/// A name that no line has.
+fn free_name(lines: &[Line], wanted: &str) -> String {
+    let mut name = wanted.to_owned();
+    while lines.iter().any(|line| line.name == name) {
+        name.push('\'');
+    }
+    name
+}
+
+/// The sides of a domain as lines, with the boundary's edges.
+fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
+    let rings = domain.rings();
+    let runs = domain.straight_runs();
+    let line = |side| {
+        let start = rings.corner(side);
+        let edges = start..start + rings.intervals(side);
+        let is_straight = runs[start as usize] == runs[edges.end as usize - 1];
+        Line { name: domain.side_name(side), segments: edges, is_straight }
+    };
+    let edges = (0..rings.vertex_count()).map(|vertex| [vertex, rings.next(vertex)]).collect();
+    ((0..rings.side_count()).map(line).collect(), edges)
+}
+
+/// The boundary points of a domain.
+fn outline(domain: &Domain) -> Result<Outline, InteriorError> {
+    let mut points = vec![DVec2::ZERO; domain.rings().vertex_count() as usize];
+    domain.placement().fill_points(0, &mut points);
+    let ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
+    Ok(Outline::new(&domain.rings().rings().map(ring).collect::<Vec<_>>())?)
+}
+
+/// What is wanted, with defaults for what is left out.
+fn options(domain: &Domain, wanted: &Interior) -> Options {
+    let default = Options::default();
+    let mut options = Options {
+        growth: wanted.growth.unwrap_or(default.growth),
+        size_inside: wanted.size_inside,
+        sizes: wanted.sizes.clone(),
+        interior_degree: wanted.interior_degree.clone().unwrap_or(default.interior_degree),
+        boundary_degree: wanted.boundary_degree.unwrap_or(default.boundary_degree),
+        degree_limits: default.degree_limits,
+        target_angle: wanted.target_angle,
+        prefer: wanted.prefer.unwrap_or_default(),
+        max_points: wanted.max_points.unwrap_or(default.max_points),
+    };
+    if domain.is_constrained() {
+        for vertex in 0..domain.rings().vertex_count() {
+            if let Some(limit) = domain.degree_limit(vertex) {
+                let limit = limit.saturating_sub(domain.external_degree(vertex));
+                options.degree_limits.insert(vertex, limit.max(2));
+            }
+        }
+    }
+    options
+}

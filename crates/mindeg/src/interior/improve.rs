@@ -1,0 +1,270 @@
+//! The optimiser on a planar mesh of any program, in any plane of space.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::{DVec2, DVec3};
+use mindeg_domain::Interior;
+use mindeg_interior::{InteriorError, Keep, Options, Report};
+use mindeg_mesh::inspection::weld;
+use mindeg_mesh::{Group, Progress, TriMesh, TriMeshError, Triangles};
+use thiserror::Error;
+
+use super::plane::Plane;
+use super::regions::{edges, interfaces, spread};
+
+/// An improved mesh, with what it was like before and is like after.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImprovedMesh {
+    /// The mesh. Vertices that are left keep their order, and new ones follow; groups and lines are those
+    /// of the input.
+    pub mesh: TriMesh,
+    /// What the mesh was like; vertices are those of the input, after merging.
+    pub before: Report,
+    /// What it is like; vertices are those of the result.
+    pub after: Report,
+    /// How many vertices were merged with an earlier one at the same place.
+    pub merged: usize,
+    /// How many edges inside were kept, because groups meet there or lines run along them.
+    pub kept_edges: usize,
+}
+
+/// Why a mesh is not improved.
+#[derive(Debug, Error)]
+#[non_exhaustive]
+pub enum ImproveError {
+    /// Triangles that face both ways, or none with an area.
+    #[error(
+        "the triangles face opposite ways or have no area, so they lie on the front of no plane; \
+         turn them to one side first"
+    )]
+    NoFront,
+    /// A vertex off the plane of the others.
+    #[error(
+        "the mesh is not planar: vertex {vertex} (counted from 0) is {distance:.3e} off the plane \
+         of the others; the tolerance is {tolerance:.3e}"
+    )]
+    NotPlanar {
+        /// The vertex that is farthest off.
+        vertex: u32,
+        /// How far.
+        distance: f64,
+        /// How far it may be.
+        tolerance: f64,
+    },
+    /// What the optimiser refuses.
+    #[error(transparent)]
+    Interior(#[from] InteriorError),
+    /// A result that is no mesh.
+    #[error(transparent)]
+    Mesh(#[from] TriMeshError),
+}
+
+/// A vertex may be off the plane by this share of the mesh's size.
+const FLAT: f64 = 1e-9;
+
+/// Improves a planar triangle mesh: its boundary stays bit for bit, degrees and angles get nearer to
+/// what is wanted.
+///
+/// The plane may be any in space. Vertices with equal coordinates are merged first. Edges between groups and
+/// along lines stay, so that groups and lines do. Of what is wanted, degrees, target and preference
+/// count; sizes are as they are. The result is never worse than the input.
+///
+/// # Errors
+///
+/// A mesh that is not planar or not manifold, triangles that are flat or face the other way, a
+/// wish without a meaning or that is proven impossible, and a `progress` that cancels.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Interior, Progress, TriMesh, interior};
+/// use mindeg::glam::DVec3;
+///
+/// // A square cut in four at a point near a corner.
+/// let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [0.1, 0.1]];
+/// let points = points.map(|[x, y]| DVec3::new(x, 7.0, -y)).to_vec();
+/// let mesh = TriMesh::new(points, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])?;
+/// let found = interior::improve(&mesh, &Interior::default(), Progress::NONE)?;
+/// assert!(found.before.min_angle < 4.0 && found.after.min_angle > 44.9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn improve(
+    mesh: &TriMesh,
+    wanted: &Interior,
+    progress: Progress<'_>,
+) -> Result<ImprovedMesh, ImproveError> {
+    let Merged { names, positions } = Merged::new(mesh);
+    let rename = |v: u32| names[v as usize];
+    let triangles: Vec<[u32; 3]> = mesh.triangles().iter().map(|t| t.map(rename)).collect();
+    let segments: Vec<[u32; 2]> = mesh.segments().iter().map(|s| s.map(rename)).collect();
+    let plane = plane(mesh, &positions, &triangles)?;
+    let points: Vec<DVec2> = positions.iter().map(|point| plane.project(*point)).collect();
+
+    let groups = mesh.groups();
+    let group = |t: usize| groups.partition_point(|group| group.triangles.end as usize <= t);
+    let keep = keep(&triangles, &segments, group);
+    let found = mindeg_interior::improve(&points, &triangles, &keep, &options(wanted), progress)?;
+
+    let position = |(at, source): (&DVec2, &Option<u32>)| match source {
+        Some(source) if points[*source as usize] == *at => positions[*source as usize],
+        _ => plane.lift(*at),
+    };
+    let new_positions = found.points.iter().zip(&found.sources).map(position).collect();
+    let mut new_name = vec![u32::MAX; points.len()];
+    for (name, source) in (0..).zip(&found.sources) {
+        if let Some(source) = source {
+            new_name[*source as usize] = name;
+        }
+    }
+    let renew = |edge: [u32; 2]| edge.map(|v| new_name[v as usize]);
+    let (new_triangles, new_groups) = if groups.len() > 1 {
+        // Boundary edges and those kept know the group on their left; all of them are still there.
+        let is_kept: BTreeSet<[u32; 2]> =
+            keep.edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]).collect();
+        let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(|t| edges(*t)).collect();
+        let mut known = BTreeMap::new();
+        for (index, triangle) in triangles.iter().enumerate() {
+            for [a, b] in edges(*triangle) {
+                if is_kept.contains(&[a, b]) || !all.contains(&[b, a]) {
+                    known.insert(renew([a, b]), group(index));
+                }
+            }
+        }
+        grouped(&found.triangles, &spread(&found.triangles, &known), groups)
+    } else {
+        let mut groups = groups.to_vec();
+        groups.iter_mut().for_each(|group| group.triangles = 0..found.triangles.len() as u32);
+        (found.triangles, groups)
+    };
+    let result = TriMesh::new(new_positions, new_triangles)?
+        .with_groups(new_groups)
+        .with_lines(mesh.lines().into_owned(), segments.into_iter().map(renew).collect())?;
+    let result = match mesh.name() {
+        Some(name) => result.named(name),
+        None => result,
+    };
+    Ok(ImprovedMesh {
+        mesh: result,
+        before: found.before,
+        after: found.after,
+        merged: mesh.positions().len() - positions.len(),
+        kept_edges: keep.edges.len(),
+    })
+}
+
+/// A mesh's vertices, those at one place as one.
+struct Merged {
+    /// The new index of each vertex.
+    names: Vec<u32>,
+    positions: Vec<DVec3>,
+}
+
+impl Merged {
+    fn new(mesh: &TriMesh) -> Self {
+        let mut names = weld(mesh.positions(), 0.0);
+        let mut positions = Vec::with_capacity(names.len());
+        for v in 0..names.len() {
+            // The first vertex at a place has been named before the others.
+            if names[v] as usize == v {
+                names[v] = positions.len() as u32;
+                positions.push(mesh.positions()[v]);
+            } else {
+                names[v] = names[names[v] as usize];
+            }
+        }
+        Self { names, positions }
+    }
+}
+
+/// The plane of a mesh.
+fn plane(
+    mesh: &TriMesh,
+    positions: &[DVec3],
+    triangles: &[[u32; 3]],
+) -> Result<Plane, ImproveError> {
+    let (mut normal, mut total) = (DVec3::ZERO, 0.0);
+    for t in triangles {
+        let [a, b, c] = t.map(|v| positions[v as usize]);
+        let doubled = (b - a).cross(c - a);
+        normal += doubled;
+        total += doubled.length();
+    }
+    let used = || triangles.iter().flatten().map(|v| (*v, positions[*v as usize]));
+    let low = used().map(|(_, at)| at).reduce(DVec3::min).unwrap_or_default();
+    let high = used().map(|(_, at)| at).reduce(DVec3::max).unwrap_or_default();
+    // A mesh across an axis has its normal exactly along it.
+    let flat = (high - low).to_array().map(|extent| extent == 0.0);
+    let normal = match flat {
+        [true, false, false] => DVec3::new(normal.x, 0.0, 0.0),
+        [false, true, false] => DVec3::new(0.0, normal.y, 0.0),
+        [false, false, true] => DVec3::new(0.0, 0.0, normal.z),
+        _ => normal,
+    };
+    if normal.length() < 0.5 * total || normal == DVec3::ZERO || !normal.is_finite() {
+        return Err(ImproveError::NoFront);
+    }
+    let plane = Plane::new(low.midpoint(high), normal);
+    // The middle of the box need not be on a tilted plane: a vertex is.
+    let plane = match flat.contains(&true) {
+        true => plane,
+        false => Plane::new(used().next().map_or(low, |(_, at)| at), normal),
+    };
+    let tolerance = (FLAT * (high - low).max_element()).max(4.0 * mesh.rounding());
+    let farthest = used()
+        .map(|(vertex, at)| (plane.distance(at), vertex))
+        .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+    match farthest {
+        Some((distance, vertex)) if distance > tolerance => {
+            Err(ImproveError::NotPlanar { vertex, distance, tolerance })
+        }
+        _ => Ok(plane),
+    }
+}
+
+/// What stays: the edges between groups and along lines, and what else lines go through.
+fn keep(triangles: &[[u32; 3]], segments: &[[u32; 2]], group: impl Fn(usize) -> usize) -> Keep {
+    let mut keep = Keep { vertices: Vec::new(), edges: interfaces(triangles, group) };
+    if !segments.is_empty() {
+        let all: BTreeSet<[u32; 2]> = triangles.iter().flat_map(|t| edges(*t)).collect();
+        for [a, b] in segments {
+            // On the boundary nothing moves anyway.
+            match (all.contains(&[*a, *b]), all.contains(&[*b, *a])) {
+                (true, true) => keep.edges.push([*a.min(b), *a.max(b)]),
+                (false, false) => keep.vertices.extend([*a, *b]),
+                _ => {}
+            }
+        }
+        keep.edges.sort_unstable();
+        keep.edges.dedup();
+    }
+    keep
+}
+
+/// The triangles in the order of their groups, and these.
+fn grouped(
+    triangles: &[[u32; 3]],
+    group_of: &[usize],
+    groups: &[Group],
+) -> (Vec<[u32; 3]>, Vec<Group>) {
+    let mut sorted = Vec::with_capacity(triangles.len());
+    let mut found = Vec::with_capacity(groups.len());
+    // Every region has a boundary, so every triangle has a group.
+    for (index, group) in groups.iter().enumerate() {
+        let start = sorted.len() as u32;
+        let own = triangles.iter().zip(group_of).filter(|(_, of)| **of == index);
+        sorted.extend(own.map(|(triangle, _)| *triangle));
+        found.push(Group { name: group.name.clone(), triangles: start..sorted.len() as u32 });
+    }
+    (sorted, found)
+}
+
+fn options(wanted: &Interior) -> Options {
+    let default = Options::default();
+    Options {
+        interior_degree: wanted.interior_degree.clone().unwrap_or(default.interior_degree),
+        boundary_degree: wanted.boundary_degree.unwrap_or(default.boundary_degree),
+        target_angle: wanted.target_angle,
+        prefer: wanted.prefer.unwrap_or_default(),
+        ..Options::default()
+    }
+}

@@ -1,0 +1,165 @@
+//! The change of counts that lifts the limit of the minimum angle.
+
+use mindeg_core::Change;
+use mindeg_domain::{Domain, Interior, Intervals, Side};
+
+use super::limit::{AngleLimit, Cause, angle_limit};
+
+/// A change of interval counts, and the limit after it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lift {
+    /// The sides to change.
+    pub changes: Vec<Change>,
+    /// The intervals of these sides after the change.
+    pub intervals: Vec<u64>,
+    /// The limit after the change, in degrees, at the domain's degree limits.
+    pub min_angle: f64,
+    /// What decides then.
+    pub cause: Cause,
+    /// The domain after the change.
+    pub domain: Domain,
+}
+
+/// Above this number of boundary vertices no change is looked for: each that is tried looks at all.
+const MOST_VERTICES: u32 = 20_000;
+/// So many counts are tried for a side at most.
+const MOST_TRIES: u32 = 24;
+/// A change that brings less than this factor is not worth it.
+const WORTH: f64 = 1.02;
+
+/// The smallest change of the counts of the side or sides that decide a domain's limit which
+/// brings nine tenths of what any such change can; none if it brings nothing, or for domains of more
+/// than 20,000 boundary vertices.
+///
+/// Constraints stay on their vertices' indices. Takes up to about 50 times as long as
+/// [`angle_limit`].
+#[must_use]
+pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Lift> {
+    if domain.rings().vertex_count() > MOST_VERTICES {
+        return None;
+    }
+    let tried: Vec<Lift> = candidates(domain, &limit.cause)
+        .into_iter()
+        .filter_map(|counts| changed(domain, wanted, &counts))
+        .collect();
+    let best = tried.iter().map(|lift| lift.min_angle).fold(0.0, f64::max);
+    if best < WORTH * limit.min_angle {
+        return None;
+    }
+    let enough = limit.min_angle + 0.9 * (best - limit.min_angle);
+    let cost =
+        |lift: &Lift| lift.changes.iter().map(|change| change.by.unsigned_abs()).sum::<u64>();
+    tried.into_iter().filter(|lift| lift.min_angle >= enough).min_by_key(cost)
+}
+
+/// Counts to try, each as a list of sides with their new counts.
+fn candidates(domain: &Domain, cause: &Cause) -> Vec<Vec<(usize, u64)>> {
+    let count = |side: usize| u64::from(domain.rings().intervals(side));
+    match cause {
+        Cause::Corner { corner, side_before, lengths: [before, after], .. } => {
+            let ratio = (before / after).max(after / before);
+            let (long, short) =
+                if before > after { (*side_before, *corner) } else { (*corner, *side_before) };
+            let finer = spread(count(long), (count(long) as f64 * ratio * 1.2).ceil() as u64 + 1);
+            let coarser = spread(count(short), (count(short) as f64 / ratio / 1.2).floor() as u64);
+            let finer = finer.into_iter().map(|count| vec![(long, count)]);
+            finer.chain(coarser.into_iter().map(|count| vec![(short, count)])).collect()
+        }
+        Cause::Vertex { side, .. } => {
+            let finer = spread(count(*side), count(*side).saturating_mul(8));
+            finer.into_iter().map(|count| vec![(*side, count)]).collect()
+        }
+        Cause::Facing { sides: [first, second], .. } => {
+            let factor = |step: u32| 1.0 + f64::from(step) / 4.0;
+            let times =
+                |side: usize, factor: f64| (side, (count(side) as f64 * factor).ceil() as u64);
+            let both = |step| {
+                let mut counts = vec![times(*first, factor(step))];
+                if second != first {
+                    counts.push(times(*second, factor(step)));
+                }
+                counts
+            };
+            (1..=MOST_TRIES).map(both).collect()
+        }
+    }
+}
+
+/// Counts from one next to `from` to `to`, at most so many as are tried, densest at `from`.
+fn spread(from: u64, to: u64) -> Vec<u64> {
+    let to = to.max(1);
+    let all = from.abs_diff(to);
+    let mut steps: Vec<u64> = if all <= u64::from(MOST_TRIES) {
+        (1..=all).collect()
+    } else {
+        let share = |i: u32| f64::from(i) / f64::from(MOST_TRIES);
+        let step = |i| libm::round(libm::pow(all as f64, share(i))) as u64;
+        (1..=MOST_TRIES).map(step).collect()
+    };
+    steps.dedup();
+    steps.into_iter().map(|step| if to > from { from + step } else { from - step }).collect()
+}
+
+/// The domain with other counts, if it is one, and its limit.
+fn changed(domain: &Domain, wanted: &Interior, counts: &[(usize, u64)]) -> Option<Lift> {
+    let mut sides: Vec<Side> = domain.sides().to_vec();
+    for (side, count) in counts {
+        sides[*side].intervals = Intervals::Count(*count);
+    }
+    let changed = domain.with_sides(sides).ok()?;
+    let limit = angle_limit(&changed, wanted).ok()?;
+    let by = |(side, count): &(usize, u64)| Change {
+        side: *side,
+        by: *count as i64 - i64::from(domain.rings().intervals(*side)),
+    };
+    Some(Lift {
+        changes: counts.iter().map(by).collect(),
+        intervals: counts.iter().map(|(_, count)| *count).collect(),
+        min_angle: limit.min_angle,
+        cause: limit.cause,
+        domain: changed,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lifted(width: f64, height: f64, counts: [u64; 4]) -> Option<(AngleLimit, Lift)> {
+        let domain = Domain::rectangle(width, height, counts.map(Side::count).into()).unwrap();
+        let limit = angle_limit(&domain, &Interior::default()).unwrap();
+        let lift = lift(&domain, &Interior::default(), &limit)?;
+        let again = angle_limit(&lift.domain, &Interior::default()).unwrap();
+        assert_eq!(again.min_angle, lift.min_angle);
+        assert!(lift.min_angle > limit.min_angle);
+        Some((limit, lift))
+    }
+
+    #[test]
+    fn counts_that_press_are_changed() {
+        // Side 4 is coarse between two fine ones.
+        let (limit, lift) = lifted(4.0, 4.0, [16, 16, 16, 2]).unwrap();
+        assert_eq!(lift.changes.len(), 1);
+        assert_eq!(lift.changes[0].side, 3);
+        assert!(lift.changes[0].by > 0 && lift.min_angle > 1.5 * limit.min_angle, "{lift:?}");
+        // One interval too many between coarse sides is taken away, or the others get more.
+        let (_, lift) = lifted(4.0, 4.0, [2, 16, 2, 2]).unwrap();
+        assert_eq!(lift.changes[0].side, 1);
+        assert!(lift.changes[0].by < 0, "{lift:?}");
+        // A narrow strip needs shorter intervals on both long sides.
+        let (_, lift) = lifted(40.0, 0.2, [100, 1, 100, 1]).unwrap();
+        assert_eq!(lift.changes.iter().map(|change| change.side).collect::<Vec<_>>(), [0, 2]);
+        // Nothing to gain.
+        assert!(lifted(4.0, 4.0, [4; 4]).is_none());
+    }
+
+    #[test]
+    fn counts_to_try_start_beside_what_there_is() {
+        assert_eq!(spread(5, 8), [6, 7, 8]);
+        assert_eq!(spread(5, 0), [4, 3, 2, 1]);
+        assert_eq!(spread(3, 3), [] as [u64; 0]);
+        let many = spread(10, 10_000);
+        assert!(many.len() <= 24 && many.starts_with(&[11]) && many.ends_with(&[10_000]));
+        assert!(many.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+}

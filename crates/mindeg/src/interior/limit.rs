@@ -1,0 +1,243 @@
+//! The proven limit of the minimum angle on a domain, and the place that decides it.
+
+use std::fmt;
+
+use mindeg_domain::{Domain, InRing, Interior};
+use mindeg_interior::limits::{Limits, TentLimit, limits};
+use mindeg_interior::{InteriorError, Outline};
+
+use super::{options, outline};
+
+/// The greatest minimum angle that any mesh of a domain's boundary can have, however many interior
+/// points it has, and what decides. Angles are in degrees.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AngleLimit {
+    /// The limit for meshes whose boundary vertices keep their degree limits.
+    pub min_angle: f64,
+    /// What decides it.
+    pub cause: Cause,
+    /// The limit with any degree.
+    pub min_angle_at_any_degree: f64,
+    /// What decides that.
+    pub cause_at_any_degree: Cause,
+}
+
+/// The place that decides a limit. Sides and corners are counted from 0 here and from 1 in text.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Cause {
+    /// A corner between intervals of different lengths, or a sharp one.
+    Corner {
+        /// The side that begins there, which is the corner's index too.
+        corner: usize,
+        /// What it is called, such as "corner 3".
+        name: String,
+        /// The side that ends there.
+        side_before: usize,
+        /// The vertex.
+        vertex: u32,
+        /// The interior angle in degrees.
+        angle: f64,
+        /// The lengths of the interval before and of the one after.
+        lengths: [f64; 2],
+    },
+    /// A vertex within a side, between intervals of different lengths.
+    Vertex {
+        /// The side.
+        side: usize,
+        /// Its name.
+        name: String,
+        /// The vertex.
+        vertex: u32,
+        /// The lengths of the interval before and of the one after.
+        lengths: [f64; 2],
+    },
+    /// Two intervals that face each other nearer than they are long.
+    Facing {
+        /// Their sides.
+        sides: [usize; 2],
+        /// The names of these.
+        names: [String; 2],
+        /// The first vertex of each.
+        vertices: [u32; 2],
+    },
+}
+
+/// The proven limit of a domain. O(n log n) time and O(n) memory for n boundary vertices.
+///
+/// # Errors
+///
+/// Boundary points that coincide or cross once rounded, or that are too large or small to work with.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Domain, Interior, Side, interior};
+///
+/// let domain = Domain::rectangle(4.0, 3.0, [12, 9, 2, 9].map(Side::count).into())?;
+/// let limit = interior::angle_limit(&domain, &Interior::default())?;
+/// let cause = limit.cause.to_string();
+/// assert_eq!(cause, "corner 3 (vertex 21), where intervals of 0.3333 and 2 meet at 90°");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn angle_limit(domain: &Domain, wanted: &Interior) -> Result<AngleLimit, InteriorError> {
+    let outline = outline(domain)?;
+    let options = options(domain, wanted);
+    let found = limits(&outline, |vertex| options.degree_limit(&outline, vertex));
+    Ok(AngleLimit::new(domain, &outline, &found))
+}
+
+impl AngleLimit {
+    fn new(domain: &Domain, outline: &Outline, limits: &Limits) -> Self {
+        let cause = |angle: f64, vertex: u32| match limits.tent {
+            Some(tent) if tent.angle <= angle => Cause::of_tent(domain, &tent),
+            _ => Cause::of_fan(domain, outline, vertex),
+        };
+        Self {
+            min_angle: limits.angle(),
+            cause: cause(limits.angle(), limits.with_degree_limit.vertex),
+            min_angle_at_any_degree: limits.angle_at_any_degree(),
+            cause_at_any_degree: cause(limits.angle_at_any_degree(), limits.any_degree.vertex),
+        }
+    }
+}
+
+impl Cause {
+    fn of_tent(domain: &Domain, tent: &TentLimit) -> Self {
+        let sides = tent.edges.map(|vertex| domain.rings().side_of(vertex));
+        let names = sides.map(|side| domain.side_name(side));
+        Self::Facing { sides, names, vertices: tent.edges }
+    }
+
+    fn of_fan(domain: &Domain, outline: &Outline, vertex: u32) -> Self {
+        let rings = domain.rings();
+        let at = |vertex: u32| outline.points()[vertex as usize];
+        let (before, after) = (outline.previous(vertex), outline.next(vertex));
+        let lengths = [before, after].map(|other| at(other).distance(at(vertex)));
+        let side = rings.side_of(vertex);
+        if rings.is_corner(vertex) {
+            let InRing { ring, index } = rings.in_ring(side);
+            let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
+            let name = format!("corner {}{hole}", index + 1);
+            let side_before = rings.previous_side(side);
+            let angle = outline.angle(vertex).to_degrees();
+            Self::Corner { corner: side, name, side_before, vertex, angle, lengths }
+        } else {
+            Self::Vertex { side, name: domain.side_name(side), vertex, lengths }
+        }
+    }
+}
+
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Corner { name, vertex, angle, lengths: [before, after], .. } => write!(
+                f,
+                "{name} (vertex {vertex}), where intervals of {} and {} meet at {}°",
+                short(*before),
+                short(*after),
+                short(*angle)
+            ),
+            Self::Vertex { name, vertex, lengths: [before, after], .. } => write!(
+                f,
+                "vertex {vertex} on {name}, where intervals of {} and {} meet",
+                short(*before),
+                short(*after)
+            ),
+            Self::Facing { names: [first, second], vertices: [v, w], .. } => write!(
+                f,
+                "the gap between {first} at vertex {v} and {second} at vertex {w}, which is narrow \
+                 for the intervals there"
+            ),
+        }
+    }
+}
+
+/// A length with four digits.
+fn short(value: f64) -> String {
+    let digits = if value > 0.0 { libm::floor(libm::log10(value)) as i32 } else { 0 };
+    if (-4..6).contains(&digits) {
+        let places = (3 - digits).max(0) as usize;
+        let text = format!("{value:.places$}");
+        if text.contains('.') {
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        } else {
+            text
+        }
+    } else {
+        format!("{value:.3e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_domain::Side;
+
+    fn limit(width: f64, height: f64, sides: [Side; 4]) -> AngleLimit {
+        let domain = Domain::rectangle(width, height, sides.into()).unwrap();
+        angle_limit(&domain, &Interior::default()).unwrap()
+    }
+
+    #[test]
+    fn the_place_that_decides_is_named() {
+        for (found, angle, cause) in [
+            (
+                limit(100.0, 40.0, [1000, 3, 5, 2].map(Side::count)),
+                7.68,
+                "corner 1 (vertex 0), where intervals of 20 and 0.1 meet at 90°",
+            ),
+            (
+                limit(40.0, 0.2, [100, 1, 100, 1].map(Side::count)),
+                26.57,
+                "the gap between side 1 at vertex 97 and side 3 at vertex 103, which is narrow for \
+                 the intervals there",
+            ),
+            (
+                limit(
+                    4.0,
+                    4.0,
+                    [
+                        Side::parameters(vec![0.24, 0.25, 0.5, 0.75]),
+                        Side::count(4),
+                        Side::count(4),
+                        Side::count(4),
+                    ],
+                ),
+                5.0,
+                "vertex 2 on side 1, where intervals of 0.04 and 1 meet",
+            ),
+        ] {
+            assert_eq!(found.cause.to_string(), cause);
+            assert!((found.min_angle - angle).abs() < 0.4, "{found:?}");
+            assert!(found.min_angle <= found.min_angle_at_any_degree);
+        }
+    }
+
+    #[test]
+    fn lengths_are_short() {
+        for (value, text) in [
+            (0.25, "0.25"),
+            (1.0 / 3.0, "0.3333"),
+            (123.456, "123.5"),
+            (20000.0, "20000"),
+            (1e-7, "1.000e-7"),
+            (2e9, "2.000e9"),
+        ] {
+            assert_eq!(short(value), text);
+        }
+    }
+
+    #[test]
+    fn degree_limits_of_the_domain_count() {
+        use mindeg_domain::{Constraints, Outline, Rectangle, VertexConstraint};
+        let sides = [8, 2, 8, 2].map(Side::count).to_vec();
+        let outline = Outline::Rectangle(Rectangle::new(4.0, 4.0));
+        let plain = Domain::new(outline.clone(), sides.clone()).unwrap();
+        let limited =
+            |limit| VertexConstraint { vertex: 0, external_degree: 0, degree_limit: Some(limit) };
+        let constraints = Constraints { vertices: vec![limited(2)], ..Constraints::default() };
+        let tight = Domain::constrained(outline, sides, constraints).unwrap();
+        let angle = |domain| angle_limit(domain, &Interior::default()).unwrap().min_angle;
+        assert!(angle(&tight) < 0.9 * angle(&plain));
+    }
+}

@@ -1,0 +1,200 @@
+//! Block descent: one face after another gets the triangulation that is best beside the others.
+//!
+//! A vertex with more edges than the degree D that is aimed at costs its weight times the square of
+//! the excess; each chord costs a little noise, which moves faces along plateaus. Where the excess
+//! stays, the weight grows with every round, until the descent breaks out of the hole (breakout
+//! weights, after Morris 1993).
+
+use mindeg_exact::measure::min_angle_tangent;
+use mindeg_exact::{Block, Cost, Patch};
+use mindeg_mesh::{Cancelled, Progress};
+
+use super::colors::{classes, map_faces};
+use super::face::PlaneFace;
+use super::joint::Joint;
+use super::random::hash;
+
+/// Steps of the dynamic program that one degree may take, by default: some seconds on one core.
+pub(super) const LEVEL_STEPS: u64 = 1 << 28;
+
+/// What it takes to set up a face, in steps a vertex.
+const SETUP_STEPS: u64 = 200;
+
+/// A face of at most this many triangles without holes is one block.
+const WHOLE: usize = 64;
+
+/// With at most this many vertices, every face is a block in every round; else only those with a
+/// crowded vertex, as windows.
+const SMALL: usize = 2000;
+
+/// The triangles of windows, round by round.
+const WINDOWS: [usize; 6] = [12, 24, 12, 48, 24, 96];
+
+const LEAST_WEIGHT: u32 = 1000;
+const MOST_WEIGHT: u32 = 20_000;
+const STEP_OF_WEIGHT: u32 = 200;
+
+/// No vertex costs more: the sum over a face stays below 2^30.
+const MOST_COST: u32 = 1 << 24;
+
+/// One more than the largest noise of a chord.
+const NOISE: u64 = 13;
+
+pub(super) struct Descent<'j, 'm> {
+    joint: &'j mut Joint<'m>,
+    classes: Vec<Vec<usize>>,
+    progress: Progress<'j>,
+}
+
+/// The costs of one face in one round.
+struct FaceCost<'a> {
+    face: &'a PlaneFace,
+    /// For each place the edges of its vertex outside the face's chords.
+    others: Vec<u32>,
+    weights: &'a [u32],
+    noise: Vec<u32>,
+    degree: u32,
+    threshold: f64,
+}
+
+impl Cost for FaceCost<'_> {
+    fn vertex(&self, place: u32, chords: u32) -> u32 {
+        let place = place as usize;
+        let excess = (self.others[place] + chords).saturating_sub(self.degree);
+        let weight = self.weights[self.face.vertices[place] as usize];
+        let square = excess.saturating_mul(excess).saturating_mul(weight).min(MOST_COST);
+        square + self.noise[place] * chords
+    }
+
+    fn triangle(&self, corners: [glam::DVec2; 3]) -> Option<u32> {
+        let is_allowed = self.threshold <= 0.0 || min_angle_tangent(corners) >= self.threshold;
+        is_allowed.then_some(0)
+    }
+}
+
+impl<'j, 'm> Descent<'j, 'm> {
+    pub(super) fn new(joint: &'j mut Joint<'m>, progress: Progress<'j>) -> Self {
+        let classes = classes(joint.model);
+        Self { joint, classes, progress }
+    }
+
+    pub(super) fn joint(&self) -> &Joint<'m> {
+        self.joint
+    }
+
+    /// Aims at a degree: whether no vertex has more edges at the end. If that fails, the result is
+    /// the best there was.
+    pub(super) fn reach(&mut self, degree: u32, most_steps: u64) -> Result<bool, Cancelled> {
+        let before = self.joint.max_degree();
+        if before <= degree {
+            return Ok(true);
+        }
+        let mut best = (before, self.joint.triangles.clone(), self.joint.totals.clone());
+        let mut weights = vec![LEAST_WEIGHT; self.joint.totals.len()];
+        let mut steps = 0;
+        let mut round = 0;
+        let stage = format!("looking for degree {degree}");
+        while steps < most_steps {
+            self.progress.report(&stage, steps, most_steps)?;
+            let is_crowded: Vec<bool> =
+                self.joint.totals.iter().map(|&total| total > degree).collect();
+            if !is_crowded.contains(&true) {
+                return Ok(true);
+            }
+            steps += 1 + self.round(degree, round, &weights, &is_crowded);
+            for (weight, &total) in weights.iter_mut().zip(&self.joint.totals) {
+                *weight = if total > degree {
+                    (*weight + STEP_OF_WEIGHT).min(MOST_WEIGHT)
+                } else {
+                    (*weight - *weight / 100).max(LEAST_WEIGHT)
+                };
+            }
+            let reached = self.joint.max_degree();
+            if reached < best.0 {
+                best = (reached, self.joint.triangles.clone(), self.joint.totals.clone());
+            }
+            round += 1;
+        }
+        (_, self.joint.triangles, self.joint.totals) = best;
+        Ok(self.joint.max_degree() <= degree)
+    }
+
+    /// One round over the faces, class by class. Returns the steps of work.
+    fn round(&mut self, degree: u32, round: u64, weights: &[u32], is_crowded: &[bool]) -> u64 {
+        let is_small = is_crowded.len() <= SMALL;
+        let mut order: Vec<usize> = (0..self.classes.len()).collect();
+        order.sort_by_key(|&class| hash(&[degree.into(), round, class as u64]));
+        let mut steps = 0;
+        for class in order {
+            let joint = &*self.joint;
+            let solve = |face: usize| {
+                let is_active = is_small
+                    || joint.model.rings(face).vertices.iter().any(|&v| is_crowded[v as usize]);
+                if is_active {
+                    improved(joint, face, degree, round, weights, is_small)
+                } else {
+                    None
+                }
+            };
+            let found = map_faces(&self.classes[class], solve);
+            let faces = self.classes[class].clone();
+            for (face, found) in faces.into_iter().zip(found) {
+                if let Some((triangles, own_steps)) = found {
+                    steps += own_steps;
+                    if let Some(triangles) = triangles {
+                        self.joint.replace(face, triangles);
+                    }
+                }
+            }
+        }
+        steps
+    }
+}
+
+/// The triangles of a face after a round, if they changed, and the steps of work.
+fn improved(
+    joint: &Joint<'_>,
+    face: usize,
+    degree: u32,
+    round: u64,
+    weights: &[u32],
+    is_small: bool,
+) -> Option<(Option<Vec<[u32; 3]>>, u64)> {
+    let plane_face = joint.face(face);
+    let places = plane_face.vertices.len();
+    let problem = plane_face.problem(&joint.triangles[face]).ok()?;
+    let mut patch = Patch::new(&problem);
+    let total = |place: usize| joint.totals[plane_face.vertices[place] as usize];
+    let others = (0..places).map(|place| total(place) - patch.chords(place as u32)).collect();
+    let noise = |place| {
+        let random = hash(&[degree.into(), round, face as u64, place as u64]);
+        if is_small { (random % NOISE) as u32 } else { 0 }
+    };
+    let cost = FaceCost {
+        face: &plane_face,
+        others,
+        weights,
+        noise: (0..places).map(noise).collect(),
+        degree,
+        threshold: joint.thresholds[face],
+    };
+    let is_crowded =
+        |patch: &Patch<'_>, place: usize| cost.others[place] + patch.chords(place as u32) > degree;
+    let mut changed = false;
+    let is_whole = is_small && plane_face.rings.len() == 1 && joint.triangles[face].len() <= WHOLE;
+    if is_whole {
+        changed = patch.improve(Block { vertex: 0, skip: 0, size: WHOLE }, &cost);
+    } else {
+        for place in 0..places {
+            let random = hash(&[round, face as u64, place as u64, 1]);
+            let is_tried = is_crowded(&patch, place) || (is_small && random % 8 == 0);
+            if is_tried {
+                let size = WINDOWS[(round % WINDOWS.len() as u64) as usize];
+                let block = Block { vertex: place as u32, skip: (random >> 32) as u32, size };
+                changed |= patch.improve(block, &cost);
+            }
+        }
+    }
+    let steps = SETUP_STEPS * places as u64 + patch.steps();
+    Some((changed.then(|| patch.triangles().to_vec()), steps))
+}

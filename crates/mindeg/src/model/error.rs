@@ -1,0 +1,33 @@
+//! Why a model has no mesh.
+
+use mindeg_delaunay::DelaunayError;
+use mindeg_exact::ProblemError;
+use mindeg_mesh::{Cancelled, TriMeshError};
+
+/// Why a model has no mesh. Faces count from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ModelMeshError {
+    /// A face has no Delaunay triangulation.
+    #[error("face {face}: {source}")]
+    Delaunay {
+        /// The face.
+        face: usize,
+        /// Why; its vertices are those of the face.
+        source: DelaunayError,
+    },
+    /// A triangulation of a face does not hold exactly.
+    #[error("face {face}: {source}")]
+    Face {
+        /// The face.
+        face: usize,
+        /// Why; its vertices are those of the face.
+        source: ProblemError,
+    },
+    /// The mesh is too large.
+    #[error(transparent)]
+    Mesh(#[from] TriMeshError),
+    /// The progress callback has cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}

@@ -1,0 +1,216 @@
+//! A watertight mesh of a whole model, with one limit on the degrees of all its vertices.
+//!
+//! Every face is triangulated from its boundary points alone. The degree of a vertex counts its
+//! edges over all faces, so the faces are one problem: it is solved by block descent, which gives
+//! one face after another the triangulation that is best beside its neighbours' (`descent.rs`).
+//! `bound.rs` proves how small the maximum degree can be.
+//!
+//! Same bytes on any number of threads: faces that share a corner are never solved together
+//! (`colors.rs`), and random numbers depend on the round and the face alone.
+
+mod bound;
+mod colors;
+mod descent;
+mod error;
+mod face;
+mod joint;
+mod polish;
+mod random;
+
+pub use bound::JointBound;
+pub use error::ModelMeshError;
+
+use glam::DVec3;
+use mindeg_domain::Model;
+use mindeg_mesh::quality::TriangleQuality;
+use mindeg_mesh::{Group, Line, Progress, TriMesh};
+
+use descent::{Descent, LEVEL_STEPS};
+use joint::Joint;
+
+/// What the mesh of a model is chosen for.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModelGoal {
+    /// Every face keeps this share, 0 to 1, of the minimum angle of its own Delaunay triangulation.
+    pub keep_angle: Option<f64>,
+    /// The work on the degree ends once no vertex has more edges.
+    pub max_degree: Option<u32>,
+    /// How long to look for each degree, as a multiple of the default work of a few seconds.
+    pub effort: f64,
+}
+
+impl Default for ModelGoal {
+    fn default() -> Self {
+        Self { keep_angle: None, max_degree: None, effort: 1.0 }
+    }
+}
+
+/// A mesh of a model, and what is known of its degrees. Degrees count all edges at a vertex.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModelMesh {
+    /// The mesh: vertices as the model has them, triangles face by face, a group for each group of
+    /// faces, and a line for each named edge.
+    pub mesh: TriMesh,
+    /// Where the triangles of each face of the model begin, by face.
+    pub face_starts: Vec<u32>,
+    /// The maximum degree.
+    pub max_degree: u32,
+    /// No mesh of the model from these points has a smaller maximum degree.
+    pub lower_bound: u32,
+    /// The proof of that.
+    pub bounded_by: JointBound,
+    /// The vertices of maximum degree, ascending.
+    pub worst_vertices: Vec<u32>,
+    /// The minimum angle of all triangles, in degrees.
+    pub min_angle: f64,
+    /// The smallest share that a face has of its Delaunay triangulation's minimum angle; none
+    /// unless the goal asks for one.
+    pub angle_share: Option<f64>,
+}
+
+impl ModelMesh {
+    /// Whether the maximum degree is proven to be the least.
+    #[must_use]
+    pub fn is_proven(&self) -> bool {
+        self.max_degree == self.lower_bound
+    }
+}
+
+/// Meshes a model.
+///
+/// The maximum degree is what block descent reaches, with a lower bound beside it. A face without
+/// holes changes as a whole while it is small, else window by window. With a lower bound of B, the
+/// descent first aims at B+1, which is nearly always possible, and then at B. Near-linear time for
+/// many faces of like size; memory in proportion to the vertices.
+///
+/// # Errors
+///
+/// A face that cannot be triangulated once its points are rounded to f64, or a cancelled
+/// `progress`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::model::{ModelGoal, mesh_model};
+/// use mindeg::{Model, Progress};
+///
+/// let cube = Model::from_json(
+///     r#"{"corners": [[0,0,0], [1,0,0], [1,1,0], [0,1,0], [0,0,1], [1,0,1], [1,1,1], [0,1,1]],
+///         "faces": [[0,3,2,1], [4,5,6,7], [0,1,5,4], [1,2,6,5], [2,3,7,6], [3,0,4,7]],
+///         "size": 0.25}"#,
+/// )?;
+/// let meshed = mesh_model(&cube, ModelGoal::default(), Progress::NONE)?;
+/// // The degrees of V vertices of a closed surface add up to 6V - 12.
+/// assert_eq!((meshed.max_degree, meshed.lower_bound), (6, 6));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn mesh_model(
+    model: &Model,
+    goal: ModelGoal,
+    progress: Progress<'_>,
+) -> Result<ModelMesh, ModelMeshError> {
+    let mut joint = Joint::new(model, goal.keep_angle, progress)?;
+    let mut bound = bound::cheap(&joint);
+    let target = bound.max_degree().max(goal.max_degree.unwrap_or(0));
+    let steps = (LEVEL_STEPS as f64 * goal.effort.max(0.0)) as u64;
+    let mut descent = Descent::new(&mut joint, progress);
+    if descent.reach(target + 1, steps)? {
+        // A short try, then the dearer bound, and only then a long try.
+        if !descent.reach(target, steps / 16)? {
+            bound = bound::with_weights(descent.joint(), bound, progress)?;
+            if bound.max_degree() <= target {
+                descent.reach(target, steps)?;
+            }
+        }
+    } else {
+        let mut degree = descent.joint().max_degree();
+        while degree > target + 2 && descent.reach(degree - 1, steps / 4)? {
+            degree = descent.joint().max_degree();
+        }
+        bound = bound::with_weights(descent.joint(), bound, progress)?;
+    }
+    drop(descent);
+    polish::polish(&mut joint, progress)?;
+    finished(model, joint, bound)
+}
+
+fn finished(
+    model: &Model,
+    joint: Joint<'_>,
+    bound: JointBound,
+) -> Result<ModelMesh, ModelMeshError> {
+    let max_degree = joint.max_degree();
+    let is_worst = |&(_, &degree): &(usize, &u32)| degree == max_degree;
+    let worst_vertices =
+        joint.totals.iter().enumerate().filter(is_worst).map(|(v, _)| v as u32).collect();
+    let angle_share = joint.angle_share();
+
+    // Faces of one group follow each other.
+    let mut order: Vec<usize> = (0..model.face_count()).collect();
+    order.sort_by_key(|&face| model.group_of(face));
+    let mut face_starts = vec![0; model.face_count()];
+    let mut triangles = Vec::new();
+    let mut groups: Vec<Group> = Vec::new();
+    for same in order.chunk_by(|&a, &b| model.group_of(a) == model.group_of(b)) {
+        let start = triangles.len() as u32;
+        for &face in same {
+            face_starts[face] = triangles.len() as u32;
+            let vertices = model.rings(face).vertices;
+            let global = |triangle: &[u32; 3]| triangle.map(|place| vertices[place as usize]);
+            triangles.extend(joint.triangles[face].iter().map(global));
+        }
+        let name = group_name(model, model.group_of(same[0]));
+        groups.push(Group { name, triangles: start..triangles.len() as u32 });
+    }
+    let min_angle = min_angle(&joint.positions, &triangles);
+    let mesh = TriMesh::new(joint.positions, triangles)?.with_groups(groups);
+    let (lines, segments) = lines(model);
+    let mesh = mesh.with_lines(lines, segments)?;
+    let mesh = match model.name() {
+        Some(name) => mesh.named(name),
+        None => mesh,
+    };
+    Ok(ModelMesh {
+        mesh,
+        face_starts,
+        max_degree,
+        lower_bound: bound.max_degree().min(max_degree),
+        bounded_by: bound,
+        worst_vertices,
+        min_angle,
+        angle_share,
+    })
+}
+
+/// The name of a group: its own, and that of its material where it has one.
+fn group_name(model: &Model, group: usize) -> String {
+    let group = &model.groups()[group];
+    match (&group.name, &group.material) {
+        (Some(name), Some(material)) => format!("{name} {material}"),
+        (Some(name), None) | (None, Some(name)) => name.clone(),
+        (None, None) => String::new(),
+    }
+}
+
+fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
+    let angle = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
+        TriangleQuality::in_space(a, b, c).min_angle
+    };
+    triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
+}
+
+/// The named edges as lines.
+fn lines(model: &Model) -> (Vec<Line>, Vec<[u32; 2]>) {
+    let mut lines = Vec::new();
+    let mut segments = Vec::new();
+    for edge in 0..model.edge_count() {
+        let Some(name) = model.edge_name(edge) else { continue };
+        let start = segments.len() as u32;
+        let vertices: Vec<u32> = model.edge_vertices(edge).collect();
+        segments.extend(vertices.windows(2).map(|pair| [pair[0], pair[1]]));
+        let segments = start..segments.len() as u32;
+        lines.push(Line { name: name.to_owned(), segments, is_straight: true });
+    }
+    (lines, segments)
+}

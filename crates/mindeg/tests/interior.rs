@@ -1,0 +1,209 @@
+//! Meshes with interior points through the library.
+#![cfg(feature = "interior")]
+#![allow(clippy::unwrap_used)]
+
+use glam::DVec3;
+use mindeg::glam;
+use mindeg::interior::{ImproveError, improve, mesh};
+use mindeg::{
+    Domain, FixedLines, Group, Interior, LineEnd, Positions, Progress, Side, TriMesh, Triangles,
+};
+use proptest::prelude::*;
+
+fn rectangle(counts: [u64; 4]) -> Domain {
+    Domain::rectangle(4.0, 3.0, counts.map(Side::count).into()).unwrap()
+}
+
+/// A grid of cells of 1 by 1, each cut in two, with its inner vertices moved.
+fn grid(cells: u32, moved: f64, place: impl Fn(f64, f64) -> DVec3) -> TriMesh {
+    let across = cells + 1;
+    let point = |v: u32| {
+        let (i, j) = (v % across, v / across);
+        let is_inner = i % cells != 0 && j % cells != 0;
+        let shift = if is_inner { moved * f64::from(v * 7919 % 13) / 13.0 } else { 0.0 };
+        place(f64::from(i) + shift, f64::from(j) + shift * 0.7)
+    };
+    let points = (0..across * across).map(point).collect();
+    let triangles = (0..cells * cells)
+        .map(|cell| cell / cells * across + cell % cells)
+        .flat_map(|v| [[v, v + 1, v + across], [v + 1, v + across + 1, v + across]])
+        .collect();
+    TriMesh::new(points, triangles).unwrap()
+}
+
+#[test]
+fn the_boundary_comes_first_bit_for_bit_with_its_sides() {
+    let domain = rectangle([12, 9, 4, 4]);
+    let found = mesh(&domain, &Interior::default(), Progress::NONE).unwrap();
+    let boundary: Vec<DVec3> = domain.placement().points().map(|p| p.extend(0.0)).collect();
+    assert_eq!(found.mesh.positions()[..29], boundary[..]);
+    assert_eq!(found.mesh.boundary_loops()[0].vertices, (0..29).collect::<Vec<_>>());
+    let names: Vec<_> = found.mesh.lines().iter().map(|line| line.name.clone()).collect();
+    assert_eq!(names, ["side 1", "side 2", "side 3", "side 4"]);
+    assert_eq!(found.report.violations, []);
+}
+
+#[test]
+fn fixed_lines_are_lines_of_the_mesh() {
+    let at = |x: f64, y: f64| LineEnd::At([x, y].into());
+    let lines =
+        vec![vec![at(0.0, 1.5), at(2.0, 1.0), at(4.0, 1.5)], vec![at(2.0, 1.0), at(2.0, 2.2)]];
+    let wanted = Interior {
+        fixed: FixedLines { points: vec![[3.0, 2.5].into()], lines },
+        ..Interior::default()
+    };
+    let domain = rectangle([16, 12, 16, 12]);
+    let found = mesh(&domain, &wanted, Progress::NONE).unwrap();
+    let lines = found.mesh.lines();
+    assert_eq!(lines[4].name, "fixed line 1");
+    assert_eq!(lines[5].name, "fixed line 2");
+    let point = |v: u32| found.mesh.positions()[v as usize].truncate();
+    for (line, ends, length) in [
+        (&lines[4], [[0.0, 1.5], [4.0, 1.5]], 2.0 * 2_f64.hypot(0.5)),
+        (&lines[5], [[2.0, 1.0], [2.0, 2.2]], 1.2),
+    ] {
+        let pieces =
+            &found.mesh.segments()[line.segments.start as usize..line.segments.end as usize];
+        assert!(pieces.len() > 2 && pieces.windows(2).all(|pair| pair[0][1] == pair[1][0]));
+        assert_eq!([point(pieces[0][0]), point(pieces[pieces.len() - 1][1])], ends.map(Into::into));
+        let sum: f64 = pieces.iter().map(|[a, b]| point(*a).distance(point(*b))).sum();
+        assert!((sum - length).abs() < 1e-12);
+    }
+    assert!(found.mesh.positions().contains(&DVec3::new(3.0, 2.5, 0.0)));
+}
+
+#[test]
+fn degree_limits_of_vertices_are_kept_with_their_external_degrees() {
+    use mindeg::{Constraints, Outline, Rectangle, VertexConstraint};
+    let outline = Outline::Rectangle(Rectangle::new(4.0, 4.0));
+    let sides = [8; 4].map(Side::count).to_vec();
+    let tight = VertexConstraint { vertex: 4, external_degree: 2, degree_limit: Some(5) };
+    let constraints = Constraints { vertices: vec![tight], ..Constraints::default() };
+    let domain = Domain::constrained(outline, sides, constraints).unwrap();
+    let found = mesh(&domain, &Interior::default(), Progress::NONE).unwrap();
+    // Five edges in all, two of them outside; four would be usual.
+    assert_eq!(found.mesh.degrees()[4], 3, "{:?}", found.report);
+    assert_eq!(found.report.violations, []);
+}
+
+#[test]
+fn improving_works_in_any_plane_and_keeps_the_boundary() {
+    let tilt = glam::DQuat::from_euler(glam::EulerRot::XYZ, 0.3, -1.1, 2.0);
+    for place in [
+        (&|x, y| DVec3::new(x, y, 0.0)) as &dyn Fn(f64, f64) -> DVec3,
+        &|x, y| DVec3::new(y, x, 5.0),
+        &|x, y| DVec3::new(x, 0.1, -y),
+        &|x, y| DVec3::new(-1e3, -y, x),
+        &|x, y| tilt * DVec3::new(x, y, 0.0) + DVec3::new(1.0, 20.0, 3.0),
+    ] {
+        let mesh = grid(8, 0.45, place);
+        let found = improve(&mesh, &Interior::default(), Progress::NONE).unwrap();
+        assert!(found.before.min_angle < 28.0);
+        assert!(found.after.min_angle > 30.0, "{:?}", found.after);
+        assert_eq!(found.after.violations, []);
+        // Every boundary vertex is where it was, bit for bit.
+        let boundary = |mesh: &TriMesh| -> Vec<DVec3> {
+            let vertices = &mesh.boundary_loops()[0].vertices;
+            vertices.iter().map(|v| mesh.positions()[*v as usize]).collect()
+        };
+        assert_eq!(boundary(&found.mesh), boundary(&mesh));
+        // The area is what it was, and all faces the same way.
+        let doubled = |mesh: &TriMesh| -> DVec3 {
+            let corner = |v: u32| mesh.positions()[v as usize];
+            let normal =
+                |t: &[u32; 3]| (corner(t[1]) - corner(t[0])).cross(corner(t[2]) - corner(t[0]));
+            mesh.triangles().iter().map(normal).sum()
+        };
+        assert!((doubled(&mesh) - doubled(&found.mesh)).length() < 1e-9 * 128.0);
+    }
+}
+
+#[test]
+fn improving_keeps_groups_and_lines() {
+    let mesh = grid(6, 0.45, |x, y| DVec3::new(x, y, 0.0));
+    let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+    let groups = vec![group("south", 0..24), group("north", 24..72)];
+    let line = mindeg::Line { name: "wall".to_owned(), segments: 0..2, is_straight: false };
+    // Along two inner edges of the group in the north.
+    let mesh = mesh.with_groups(groups).with_lines(vec![line], vec![[30, 31], [31, 32]]).unwrap();
+    let found = improve(&mesh, &Interior::default(), Progress::NONE).unwrap();
+    assert_eq!(found.kept_edges, 6 + 2);
+    assert!(found.after.min_angle >= found.before.min_angle);
+    let area = |mesh: &TriMesh, group: usize| -> f64 {
+        let range = &mesh.groups()[group].triangles;
+        let corner = |v: u32| mesh.positions()[v as usize].truncate();
+        mesh.triangles()[range.start as usize..range.end as usize]
+            .iter()
+            .map(|t| (corner(t[1]) - corner(t[0])).perp_dot(corner(t[2]) - corner(t[0])))
+            .sum()
+    };
+    for group in [0, 1] {
+        assert_eq!(found.mesh.groups()[group].name, mesh.groups()[group].name);
+        assert!((area(&found.mesh, group) - area(&mesh, group)).abs() < 1e-9);
+    }
+    let ends = |mesh: &TriMesh| -> Vec<DVec3> {
+        mesh.segments().as_flattened().iter().map(|v| mesh.positions()[*v as usize]).collect()
+    };
+    assert_eq!(ends(&found.mesh), ends(&mesh));
+    let edges: Vec<[u32; 2]> = found
+        .mesh
+        .triangles()
+        .iter()
+        .flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]])
+        .collect();
+    assert!(found.mesh.segments().iter().all(|segment| edges.contains(segment)));
+}
+
+#[test]
+fn repeated_vertices_are_merged() {
+    // Each triangle with vertices of its own, as an STL has them.
+    let mesh = grid(5, 0.45, |x, y| DVec3::new(x, y, 0.0));
+    let points: Vec<DVec3> =
+        mesh.triangles().as_flattened().iter().map(|v| mesh.positions()[*v as usize]).collect();
+    let soup = (0..50).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]).collect();
+    let found = improve(&TriMesh::new(points, soup).unwrap(), &Interior::default(), Progress::NONE);
+    let found = found.unwrap();
+    assert_eq!(found.merged, 150 - 36);
+    assert_eq!(found.mesh.boundary_loops()[0].vertices.len(), 20);
+    assert!(found.after.min_angle > 30.0);
+}
+
+#[test]
+fn meshes_that_are_not_planar_are_refused() {
+    let refusal = |mesh: &TriMesh| improve(mesh, &Interior::default(), Progress::NONE).unwrap_err();
+    let bent = grid(4, 0.0, |x, y| DVec3::new(x, y, if x > 3.5 { 1e-3 } else { 0.0 }));
+    let error = refusal(&bent);
+    assert!(matches!(error, ImproveError::NotPlanar { .. }), "{error}");
+    assert!(error.to_string().contains("the mesh is not planar: vertex "), "{error}");
+    let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+    let both = TriMesh::new(points.clone(), vec![[0, 1, 2], [0, 2, 1]]).unwrap();
+    assert!(matches!(refusal(&both), ImproveError::NoFront));
+    let line = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::X * 2.0], vec![[0, 1, 2]]).unwrap();
+    assert!(matches!(refusal(&line), ImproveError::NoFront));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    /// On any number of threads the same bytes, with the boundary as it was.
+    #[test]
+    fn thread_counts_change_nothing(counts in prop::array::uniform4(1..14_u64), ratio in 0.7..1.4_f64) {
+        let sides = counts.map(|count| {
+            Side::count(count).spaced(mindeg::Spacing::Geometric { ratio })
+        });
+        let domain = Domain::polygon([[0.0, 0.0], [5.0, 0.5], [4.0, 4.0], [-1.0, 3.0]], sides.into());
+        let domain = domain.unwrap();
+        let run = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| mesh(&domain, &Interior::default(), Progress::NONE).unwrap())
+        };
+        let (one, three) = (run(1), run(3));
+        prop_assert_eq!(&one.mesh, &three.mesh);
+        let count = domain.placement().vertex_count();
+        for (vertex, point) in (0..count).zip(domain.placement().points()) {
+            let bits = |p: DVec3| p.to_array().map(f64::to_bits);
+            prop_assert_eq!(bits(one.mesh.positions()[vertex as usize]), bits(point.extend(0.0)));
+        }
+        prop_assert!(one.mesh.vertex_count() >= count);
+    }
+}
