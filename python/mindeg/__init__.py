@@ -11,7 +11,7 @@ what you give are ``ValueError`` with what to do.
 """
 
 from ._domain import Domain, polygon, rectangle
-from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, inspect, read
+from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, improve, inspect, read
 
 __all__ = [
     "Degree",
@@ -19,6 +19,7 @@ __all__ = [
     "Mesh",
     "Suggestion",
     "TradeOffPoint",
+    "improve",
     "inspect",
     "polygon",
     "read",

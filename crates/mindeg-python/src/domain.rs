@@ -1,14 +1,16 @@
 //! A domain: what to mesh.
 
-use mindeg::{Domain as Inner, FoundBy, Goal, Positions, exact};
 use mindeg::glam::DVec3;
+use mindeg::{Domain as Inner, FoundBy, Goal, Positions, exact};
 use mindeg_mesh::filled;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 
 use crate::answers::{Degree, Suggestion, TradeOffPoint};
 use crate::arrays;
+use crate::interior;
 use crate::mesh::{Facts, Mesh};
 use crate::work::{done, value_error};
 
@@ -82,9 +84,26 @@ impl Domain {
             FoundBy::Search => "search".to_owned(),
             FoundBy::Windows { share } => format!("windows that keep {share} of the angle"),
         };
-        let facts =
-            Facts { least_max_degree: Some(meshed.least_max_degree), found_by: Some(found_by) };
+        let facts = Facts {
+            least_max_degree: Some(meshed.least_max_degree),
+            found_by: Some(found_by),
+            report: None,
+        };
         Ok(Mesh::new(meshed.mesh, facts))
+    }
+
+    /// A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum
+    /// angle gets near its proven limit. Options: growth, size_inside, interior_degree=(5, 7),
+    /// boundary_degree, target_angle, prefer="degree" or "angle", sizes=[(x, y, size)],
+    /// fixed_points=[(x, y)], max_points. `mesh.report` has what was reached.
+    #[pyo3(signature = (**options))]
+    fn interior(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Mesh> {
+        let base = self.inner.interior().cloned().unwrap_or_default();
+        let wanted = interior::wanted(options, base)?;
+        let found = done(py, |progress| mindeg::interior::mesh(&self.inner, &wanted, progress))?;
+        let report = interior::reached(py, &found.report)?.unbind();
+        let facts = Facts { report: Some(report), ..Facts::default() };
+        Ok(Mesh::new(found.mesh, facts))
     }
 
     /// The best mesh for every maximum degree, from the least one on.
@@ -92,8 +111,11 @@ impl Domain {
         let trade_off = done(py, |progress| exact::trade_off(&self.inner, progress))?;
         let least = trade_off.meshes().first().map(|least| least.max_degree);
         let point = |exact: &exact::ExactMesh| {
-            let facts =
-                Facts { least_max_degree: least, found_by: Some("search".to_owned()) };
+            let facts = Facts {
+                least_max_degree: least,
+                found_by: Some("search".to_owned()),
+                report: None,
+            };
             Ok(TradeOffPoint {
                 max_degree: exact.max_degree,
                 min_angle: exact.min_angle,
@@ -105,14 +127,22 @@ impl Domain {
     }
 
     /// The smallest changes of interval counts, one for each lower least maximum degree.
-    fn suggest(&self) -> Vec<Suggestion> {
-        let boundary = self.inner.boundary();
+    fn suggest(&self) -> PyResult<Vec<Suggestion>> {
+        let boundary = match self.inner.convex() {
+            Some(form) if form.boundary().side_count() == self.inner.sides().len() => {
+                form.boundary()
+            }
+            _ => {
+                let problem = "suggestions are for convex domains without straight corners";
+                return Err(PyValueError::new_err(problem));
+            }
+        };
         let suggestion = |one: mindeg_core::Suggestion| Suggestion {
             max_degree: one.max_degree,
             intervals: one.intervals(boundary),
             changes: one.changes.iter().map(|change| (change.side, change.by)).collect(),
         };
-        mindeg_core::suggestions(boundary).map(suggestion).collect()
+        Ok(mindeg_core::suggestions(boundary).map(suggestion).collect())
     }
 
     /// The comparison with other methods as JSON text.

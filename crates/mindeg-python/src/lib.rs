@@ -6,6 +6,7 @@
 mod answers;
 mod arrays;
 mod domain;
+mod interior;
 mod mesh;
 mod save;
 mod work;
@@ -19,5 +20,5 @@ mod _mindeg {
     #[pymodule_export]
     use super::domain::Domain;
     #[pymodule_export]
-    use super::mesh::{Mesh, inspect, read};
+    use super::mesh::{Mesh, improve, inspect, read};
 }

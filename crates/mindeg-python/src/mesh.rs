@@ -16,6 +16,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays;
+use crate::interior;
 use crate::save::{self, Wanted};
 use crate::work::{done, value_error};
 
@@ -30,12 +31,14 @@ pub(crate) struct Mesh {
 }
 
 /// What is known of a mesh beyond its triangles.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Facts {
     /// The least maximum degree that any mesh of the domain has, where that is proven.
     pub(crate) least_max_degree: Option<u32>,
     /// How it was found, in words.
     pub(crate) found_by: Option<String>,
+    /// What a mesh with interior points reached.
+    pub(crate) report: Option<Py<PyDict>>,
 }
 
 impl Mesh {
@@ -114,17 +117,13 @@ impl Mesh {
     #[getter]
     fn degrees<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
         let mesh = &self.mesh;
-        let degrees =
-            filled(0..mesh.vertex_count(), 0, |first, out| mesh.fill_degrees(first, out));
+        let degrees = filled(0..mesh.vertex_count(), 0, |first, out| mesh.fill_degrees(first, out));
         PyArray1::from_vec(py, degrees)
     }
 
     /// The sides or other lines of the mesh: a name and an (s, 2) uint32 array of segments each.
     #[getter]
-    fn lines<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<Vec<(String, Bound<'py, PyArray2<u32>>)>> {
+    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, Bound<'py, PyArray2<u32>>)>> {
         let mesh = &self.mesh;
         let line = |line: &mindeg::Line| {
             let segments = filled(line.segments.clone(), [0; 2], |first, out| {
@@ -173,6 +172,12 @@ impl Mesh {
         self.facts.found_by.as_deref()
     }
 
+    /// What a mesh with interior points reached, a dict; `None` for other meshes.
+    #[getter]
+    fn report<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyDict>> {
+        self.facts.report.as_ref().map(|report| report.bind(py).clone())
+    }
+
     /// Write the mesh: whole, or not at all. The extension tells the format, or `format` does.
     #[pyo3(signature = (path, *, format=None, ascii=false, msh_version=None, double=false, fields=true, degree_colors=false))]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of Python")]
@@ -212,7 +217,7 @@ impl Mesh {
     /// Pickles the arrays, the lines and the facts.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let module = py.import("mindeg")?;
-        let facts = (self.facts.least_max_degree, self.facts.found_by.clone());
+        let facts = (self.facts.least_max_degree, self.facts.found_by.clone(), self.report(py));
         let state =
             (self.points(py)?, self.triangles(py)?, self.mesh.name(), self.lines(py)?, facts);
         (module.getattr("_restored")?, state).into_pyobject(py).map(|pair| pair.into_any())
@@ -225,7 +230,7 @@ impl Mesh {
         triangles: &Bound<'_, PyAny>,
         name: Option<String>,
         lines: Vec<(String, Vec<[u32; 2]>)>,
-        facts: (Option<u32>, Option<String>),
+        facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
         let mut mesh = tri_mesh(&points, triangles)?;
         if let Some(name) = name {
@@ -235,10 +240,15 @@ impl Mesh {
         for (name, line) in lines {
             let start = segments.len() as u32;
             segments.extend(line);
-            all.push(mindeg::Line { name, segments: start..segments.len() as u32, is_straight: false });
+            all.push(mindeg::Line {
+                name,
+                segments: start..segments.len() as u32,
+                is_straight: false,
+            });
         }
         let mesh = mesh.with_lines(all, segments).map_err(value_error)?;
-        Ok(Self::new(mesh, Facts { least_max_degree: facts.0, found_by: facts.1 }))
+        let (least_max_degree, found_by, report) = facts;
+        Ok(Self::new(mesh, Facts { least_max_degree, found_by, report }))
     }
 }
 
@@ -292,11 +302,25 @@ pub(crate) fn inspect<'py>(
     Ok(dict)
 }
 
-/// Numpy's arrays, or what numpy makes one of, as a mesh.
-fn tri_mesh(
-    points: &PyReadonlyArray2<'_, f64>,
+/// The optimiser alone on a planar mesh: the boundary stays. Options as for `Domain.interior`.
+#[pyfunction]
+#[pyo3(signature = (points, triangles, **options))]
+pub(crate) fn improve(
+    py: Python<'_>,
+    points: PyReadonlyArray2<'_, f64>,
     triangles: &Bound<'_, PyAny>,
-) -> PyResult<TriMesh> {
+    options: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Mesh> {
+    let mesh = tri_mesh(&points, triangles)?;
+    let wanted = interior::wanted(options, mindeg::Interior::default())?;
+    let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
+    let report = interior::reached(py, &found.after)?;
+    report.set_item("before", interior::reached(py, &found.before)?)?;
+    Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+}
+
+/// Numpy's arrays, or what numpy makes one of, as a mesh.
+fn tri_mesh(points: &PyReadonlyArray2<'_, f64>, triangles: &Bound<'_, PyAny>) -> PyResult<TriMesh> {
     let points = points.as_array();
     let columns = points.ncols();
     if !(2..=3).contains(&columns) {

@@ -4,7 +4,9 @@ use std::io;
 use std::path::Path;
 
 use mindeg::Mesh;
-use mindeg_formats::{Encoding, Format, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer};
+use mindeg_formats::{
+    Encoding, Format, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
+};
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use tempfile::NamedTempFile;
@@ -48,7 +50,10 @@ impl Wanted<'_> {
             }
         };
         Ok(WriteOptions {
-            surface: SurfaceOptions { degree_colors: self.degree_colors, ..SurfaceOptions::default() },
+            surface: SurfaceOptions {
+                degree_colors: self.degree_colors,
+                ..SurfaceOptions::default()
+            },
             encoding: if self.ascii { Encoding::Ascii } else { Encoding::Binary },
             msh_version,
             double: self.double,

@@ -45,7 +45,8 @@ pub(crate) fn done<T: Send, E: Display + Send>(
                     Err(RecvTimeoutError::Timeout) => {}
                 }
             }
-            Err(raised.unwrap_or_else(|| PyRuntimeError::new_err("the work ended without a result")))
+            Err(raised
+                .unwrap_or_else(|| PyRuntimeError::new_err("the work ended without a result")))
         })
     })
 }
