@@ -70,9 +70,11 @@ def _with_sides(outline, count, intervals, size, names, name):
     sides = [{} for _ in range(count)]
     if size is not None:
         outline["size"] = _number(size)
-    elif np.ndim(intervals) == 0:
-        outline["intervals"] = int(intervals)
     else:
+        if np.ndim(intervals) == 0:
+            for hole in outline.get("holes", []):
+                hole["sides"] = [{"intervals": int(intervals)} for _ in hole["corners"]]
+            intervals = [intervals] * count
         if len(intervals) != count:
             raise ValueError(f"found {len(intervals)} intervals for {count} sides; give one for each")
         for side, of_side in zip(sides, intervals):

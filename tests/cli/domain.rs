@@ -23,7 +23,7 @@ fn a_domain_is_refused_in_words_of_its_own() {
         ("{@, \"size\": 1, \"name\": \"\u{2028}line\"}", "line 1, column 61, name: the domain's name contains the line break U+2028; remove this character"),
         ("{\"rectangle\": {\"width\": 1e-17, \"height\": 1}, \"size\": 1}", "line 1, column 25, rectangle.width: the rectangle's width is 1e-17, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1, column 1: this looks like an OBJ mesh (mindeg inspect reads meshes); give a domain in JSON, such as {\"rectangle\": {\"width\": 4, \"height\": 3}, \"size\": 1}"),
-        ("{\"type\": \"FeatureCollection\", \"features\": []}", "line 1, column 1: this looks like GeoJSON; a domain is an object with \"rectangle\" or \"polygon\", and \"sides\" or \"size\"; optional: \"name\", \"vertices\""),
+        ("{\"type\": \"FeatureCollection\", \"features\": []}", "line 1, column 1: this looks like GeoJSON; a domain is an object with \"rectangle\", \"polygon\" or \"ring\", and \"sides\" or \"size\"; optional: \"name\", \"holes\", \"vertices\""),
     ];
     for (domain, message) in table {
         assert_eq!(refused(&domain.replace('@', square)), message);

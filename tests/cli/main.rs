@@ -1,9 +1,14 @@
 //! What a user does, through the real binary.
 
+mod bridge;
 mod compare;
+mod convert;
 mod degree;
 mod domain;
+mod fill;
+mod improve;
 mod inspect;
+mod interior;
 #[cfg(unix)]
 mod interrupts;
 #[cfg(unix)]
@@ -13,6 +18,8 @@ mod memory;
 mod mesh;
 #[cfg(unix)]
 mod mesh_files;
+mod models;
+mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
 #[cfg(target_os = "linux")]

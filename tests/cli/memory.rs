@@ -5,13 +5,14 @@ use std::fs;
 use std::io::{self, Read};
 use std::process::{Command, Stdio};
 
-/// The peak resident set, in bytes, of a run that has written all of a .glb but the last bytes.
-fn peak(intervals: u64) -> u64 {
-    // Four sides, 44 bytes a vertex. No pipe takes the rest, so the run cannot end meanwhile.
-    let nearly_all = 4 * intervals * 44 - 3_000_000;
+/// The peak resident set, in bytes, of a run that has written all of a file but the last bytes, in a
+/// format that takes so many bytes a vertex.
+fn peak(intervals: u64, format: &str, per_vertex: u64) -> u64 {
+    // Four sides. No pipe takes the rest, so the run cannot end meanwhile.
+    let nearly_all = 4 * intervals * per_vertex - 3_000_000;
     let mut command = Command::new(env!("CARGO_BIN_EXE_mindeg"));
     command
-        .args(["mesh", "--rectangle", "4x3", "-q", "--format", "glb", "-o", "-", "--intervals"])
+        .args(["mesh", "--rectangle", "4x3", "-q", "--format", format, "-o", "-", "--intervals"])
         .arg([intervals; 4].map(|count| count.to_string()).join(","))
         .stdout(Stdio::piped());
     let mut child = Running::start(&mut command);
@@ -32,8 +33,12 @@ fn peak_memory_is_small_at_any_size() {
     let limit = 64_000_000 + threads * (1 << 20);
     // The most points that are kept while plans are compared, and beyond.
     for intervals in [1 << 18, 1 << 20] {
-        let peak = peak(intervals);
+        let peak = peak(intervals, "glb", 44);
         assert!(peak < limit, "{intervals} intervals a side: {peak} bytes");
+    }
+    for (format, per_vertex) in [("msh", 124), ("vtu", 110), ("vtk", 88)] {
+        let peak = peak(1 << 20, format, per_vertex);
+        assert!(peak < limit, "{format}: {peak} bytes");
     }
 }
 

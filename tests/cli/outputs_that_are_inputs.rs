@@ -58,6 +58,8 @@ fn every_alias_of_an_input_is_refused() {
             "link.html is the domain itself",
         ),
         ("\"$MINDEG\" convert a.obj -o a.obj", "a.obj is the mesh itself"),
+        ("\"$MINDEG\" fill a.obj -o a.obj", "a.obj is the mesh itself"),
+        ("\"$MINDEG\" bridge a.obj a.gltf -o a.obj", "a.obj is the mesh itself"),
         ("\"$MINDEG\" convert a.gltf -o new.obj -o ./a.gltf", "a.bin is the mesh's data itself"),
         ("\"$MINDEG\" convert a.gltf -o a.gltf", "the mesh's data itself"),
         (

@@ -132,6 +132,8 @@ const SLIPS: &[(&str, &str)] = &[
          vertex has more edges",
     ),
     ("convert a.obj b.glb", "give every output with -o: -o b.glb"),
+    ("fill a.obj", "where to? name a file, such as -o mesh.obj"),
+    ("bridge a.obj b.obj", "where to? name a file, such as -o mesh.obj"),
     ("inspect a.obj b.obj", "one mesh at a time: b.obj is a second one"),
     (
         "plate.json",

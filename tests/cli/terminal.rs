@@ -55,9 +55,10 @@ fn a_terminal_has_colors_unless_they_are_not_wanted() {
 
 #[test]
 fn help_goes_to_standard_output_with_examples() {
-    for command in
-        ["degree", "suggest", "mesh", "tradeoff", "compare", "view", "inspect", "convert"]
-    {
+    for command in [
+        "degree", "suggest", "mesh", "tradeoff", "compare", "view", "inspect", "convert", "fill",
+        "bridge",
+    ] {
         let run = mindeg([command, "--help"]);
         assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
         assert!(run.text().contains(&format!("Examples:\n  mindeg {command} ")), "{}", run.text());
@@ -81,7 +82,14 @@ fn examples_of_the_help_work() {
     )
     .expect("a link");
     let mut count = 0;
-    // Those of view, inspect and convert name meshes that the reader has.
+    // Those of view, inspect, convert, fill and bridge name meshes that the reader has.
+    for (name, content) in [
+        ("lower.obj", crate::fill::cone(12, 1.0, 0.0)),
+        ("upper.obj", crate::fill::cone(7, 2.0, 3.0)),
+        ("both.obj", crate::fill::cones()),
+    ] {
+        std::fs::write(folder.path().join(name), content).expect("a file");
+    }
     let part = "\"$MINDEG\" mesh --rectangle 4x3 --size 1 -q -o part.obj -o part.glb -o part.gltf";
     assert_eq!(crate::run::shell(folder.path(), part).code, Some(0));
     std::fs::copy(
@@ -89,9 +97,10 @@ fn examples_of_the_help_work() {
         folder.path().join("domain.json"),
     )
     .expect("a copy");
-    for command in
-        ["degree", "suggest", "mesh", "tradeoff", "compare", "view", "inspect", "convert"]
-    {
+    for command in [
+        "degree", "suggest", "mesh", "tradeoff", "compare", "view", "inspect", "convert", "fill",
+        "bridge",
+    ] {
         let help = mindeg([command, "--help"]);
         let (_, examples) = help.text().split_once("Examples:\n").expect("examples");
         for example in examples.lines().take_while(|line| !line.is_empty()) {

@@ -23,6 +23,9 @@ def open_mesh(path):
         bpy.ops.wm.obj_import(
             filepath=path, forward_axis="Y", up_axis="Z", validate_meshes=False
         )
+    elif path.endswith((".ply", ".stl")):
+        importers = {".ply": bpy.ops.wm.ply_import, ".stl": bpy.ops.wm.stl_import}
+        importers[path[-4:]](filepath=path)
     else:
         # Merging would hide a vertex written twice.
         bpy.ops.import_scene.gltf(filepath=path, merge_vertices=False)
@@ -37,10 +40,10 @@ def read(path):
         return {"error": "no mesh in the file"}
     # Where the domain's x and y are, with what sign, and where its normal points. On the floor,
     # the file has (x, 0, -y).
-    is_obj, is_floor = path.endswith(".obj"), "-floor." in path
-    if is_obj and is_floor:
+    is_turned, is_floor = path.endswith((".glb", ".gltf")), "-floor." in path
+    if is_floor and not is_turned:
         across, front = ((0, 1), (2, -1)), (0, 1, 0)
-    elif is_obj or is_floor:
+    elif is_floor or not is_turned:
         across, front = ((0, 1), (1, 1)), (0, 0, 1)
     else:
         # The glTF importer turns y up into z up: the file's (x, y, z) arrives as (x, -z, y).

@@ -62,14 +62,14 @@ impl Lifting {
     /// The changes one by one, for `suggest`.
     pub(crate) fn steps_in_words(&self) -> String {
         let mut text = format!(
-            "With interior points the minimum angle is at most {}: {} decides.\n",
+            "With interior points the minimum angle is at most {}, decided by {}.\n",
             steady_angle(self.limit.min_angle),
             self.limit.cause
         );
         for (index, step) in self.steps.iter().enumerate() {
             let then = if index == 0 { "" } else { "then " };
             text.push_str(&format!(
-                "For {}: {then}{}.\n",
+                "For {}: {then}give {}.\n",
                 steady_angle(step.min_angle),
                 lift_in_words(step)
             ));

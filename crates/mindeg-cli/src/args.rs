@@ -1,26 +1,34 @@
 //! The arguments as they are typed: one file of them a command.
 
+mod bridge;
 mod compare;
 mod convert;
 mod degree;
+mod describe;
 mod domain;
+mod fill;
 mod goal;
 mod improve;
 mod inspect;
 mod interior;
+mod loop_choice;
 mod mesh;
 mod surface;
 mod tradeoff;
 mod values;
 mod view;
 
+pub(crate) use bridge::BridgeArguments;
 pub(crate) use compare::{CompareArguments, ReportFormat};
 pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
-pub(crate) use domain::{DomainArguments, DomainOptions};
+pub(crate) use describe::DescribeArguments;
+pub(crate) use domain::{DomainArguments, DomainOptions, FileOptions, OutlineOptions};
+pub(crate) use fill::FillArguments;
 pub(crate) use goal::GoalArguments;
 pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
+pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, Optimize};
 pub(crate) use tradeoff::TradeoffArguments;
 pub(crate) use values::point;
@@ -69,12 +77,15 @@ pub(crate) enum Command {
     Degree(DegreeArguments),
     Suggest(SuggestArguments),
     Mesh(MeshArguments),
+    Domain(DescribeArguments),
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
     Improve(ImproveArguments),
     View(ViewArguments),
     Convert(ConvertArguments),
+    Fill(FillArguments),
+    Bridge(BridgeArguments),
     Completions(CompletionsArguments),
 }
 

@@ -17,7 +17,11 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
-    let options = Options { time_limit: arguments.time_limit, ..Options::default() };
+    let options = Options {
+        time_limit: arguments.time_limit,
+        interior: arguments.interior,
+        ..Options::default()
+    };
     clean_up_on_interrupt()?;
     match arguments.output.iter().find(|path| is_folder(path)) {
         Some(folder) if arguments.output.len() == 1 && !arguments.json => {

@@ -10,6 +10,7 @@ use crate::mesh_file;
 use crate::output::Outputs;
 use crate::targets::Targets;
 use crate::terminal::say;
+use mindeg_formats::with_boundary_lines;
 use mindeg_mesh::Triangles;
 
 pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
@@ -24,7 +25,15 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();
-    let all_taken = targets.write(&mesh, &bar)?;
+    // Where the file does not tell the boundary, solvers still need it.
+    let bounded = targets.need_boundary().then(|| with_boundary_lines(mesh.clone()));
+    let all_taken = targets.write_each(
+        |format| match &bounded {
+            Some(bounded) if format.has_boundary() => bounded,
+            _ => &mesh,
+        },
+        &bar,
+    )?;
     outputs.finish()?;
     drop(bar);
     if !all_taken {

@@ -2,11 +2,14 @@
 
 use crate::angle_limit::Lifting;
 use crate::args::{Counts, DegreeArguments};
-use crate::domain::counts;
+use crate::bar::Bar;
+use crate::domain::{counts_of, file_with_size};
 use crate::failure::Failure;
 use crate::interior_report::Limit;
+use crate::polygon_degree::{Answer, failed};
 use crate::standard_output::{print, print_json};
 use crate::suggest::in_words;
+use mindeg::exact::degree;
 use mindeg::{Domain, Goal, Progress};
 use mindeg_compare::number_format::steady_angle;
 use mindeg_compare::shell_word;
@@ -16,7 +19,7 @@ use std::fmt::Write;
 
 /// What `--json` prints.
 #[derive(Serialize)]
-struct Answer<'a> {
+struct ConvexAnswer<'a> {
     intervals: &'a [u64],
     vertices: u32,
     triangles: u32,
@@ -39,14 +42,24 @@ enum Proof {
 }
 
 pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
-    let (intervals, domain) = &counts(&arguments.counts)?;
+    let (intervals, domain) = &match &arguments.counts {
+        Counts::Given(counts) => (counts.clone(), None),
+        Counts::Domain(path) => {
+            let domain = file_with_size(path, &arguments.file)?;
+            if domain.convex().is_none() || domain.is_constrained() {
+                return of_any(&domain, arguments);
+            }
+            let (counts, domain) = counts_of(domain)?;
+            (counts, Some(domain))
+        }
+    };
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let certificate = certificate(&boundary);
     let vertices = boundary.vertex_count();
     let lifting =
         domain.as_ref().and_then(|domain| Lifting::of(domain, arguments.boundary_degree, 1));
     if arguments.json {
-        return print_json(&Answer {
+        return print_json(&ConvexAnswer {
             intervals,
             vertices,
             triangles: mindeg_core::bound::triangle_count(&boundary),
@@ -57,7 +70,37 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
         });
     }
     let mut text = text(&boundary, &certificate);
+    if let Some(form) = domain.as_ref().and_then(Domain::convex)
+        && (form.first() > 0 || boundary.side_count() != domain_sides(domain.as_ref()))
+    {
+        let _ = writeln!(
+            text,
+            "Sides on one line count as one here, and each edge of a curve as a side; side 1 begins at \
+             vertex {}.",
+            form.first()
+        );
+    }
     if let (Some(domain), Counts::Domain(path)) = (domain, &arguments.counts) {
+        text.extend(higher_degree(domain, &path.display().to_string()));
+    }
+    text.extend(lifting.as_ref().map(Lifting::text));
+    print(&text)
+}
+
+/// The answer for a domain that no formula takes.
+fn of_any(domain: &Domain, arguments: &DegreeArguments) -> Result<(), Failure> {
+    let bar = Bar::new(arguments.json);
+    let callback = bar.callback();
+    let found = degree(domain, Progress::new(&callback)).map_err(|error| failed(&error))?;
+    drop(callback);
+    drop(bar);
+    let lifting = Lifting::of(domain, arguments.boundary_degree, 1);
+    let answer = Answer::new(domain, &found, lifting.as_ref().map(Lifting::json));
+    if arguments.json {
+        return print_json(&answer);
+    }
+    let mut text = answer.text(domain, &found);
+    if let Counts::Domain(path) = &arguments.counts {
         text.extend(higher_degree(domain, &path.display().to_string()));
     }
     text.extend(lifting.as_ref().map(Lifting::text));
@@ -79,6 +122,10 @@ fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
         shell_word(file),
         higher.max_degree,
     ))
+}
+
+fn domain_sides(domain: Option<&Domain>) -> usize {
+    domain.map_or(0, |domain| domain.rings().side_count())
 }
 
 fn proof(certificate: &Certificate) -> Proof {

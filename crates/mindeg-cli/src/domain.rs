@@ -1,18 +1,17 @@
 //! From arguments to a validated domain.
 
-use crate::args::{Counts, DomainArguments, DomainOptions};
-use crate::failure::{Failure, plainly};
-use crate::input;
+pub(crate) mod describe;
+mod file;
+
+pub(crate) use file::{Content, Polygon, Polygons};
+
+use crate::args::{Counts, DomainArguments, DomainOptions, FileOptions};
+use crate::failure::Failure;
 use mindeg::{Domain, Intervals, Outline, Rectangle, Side};
-use std::fs;
-use std::io::{self, Read};
 use std::path::Path;
 
 /// What a domain without a name is called.
 pub(crate) const UNNAMED: &str = "domain";
-
-/// Extensions of meshes, which are no domains.
-const MESHES: [&str; 10] = ["obj", "glb", "gltf", "stl", "ply", "off", "msh", "vtk", "vtu", "fbx"];
 
 /// The one domain that the arguments describe.
 pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
@@ -33,36 +32,82 @@ pub(crate) fn name_in_text(domain: &Domain) -> &str {
 }
 
 /// The intervals of each side, as typed or as a domain's file has them; and that domain.
-pub(crate) fn counts(counts: &Counts) -> Result<(Vec<u64>, Option<Domain>), Failure> {
+pub(crate) fn counts(
+    counts: &Counts,
+    options: &FileOptions,
+) -> Result<(Vec<u64>, Option<Domain>), Failure> {
     match counts {
         Counts::Given(counts) => Ok((counts.clone(), None)),
         Counts::Domain(path) => {
-            let domain = read(path)?;
-            if domain.is_constrained() {
-                let message = "the domain gives outside_degree or max_degree, which interval \
-                               counts alone do not tell; mindeg mesh and mindeg tradeoff keep to \
-                               them";
-                return Err(Failure::Input(message.to_owned()));
-            }
-            let Some(convex) = domain.convex() else {
-                let message = "the domain is not convex, and interval counts alone describe convex \
-                               domains";
-                return Err(Failure::Input(message.to_owned()));
-            };
-            Ok((convex.boundary().sides().map(u64::from).collect(), Some(domain)))
+            let domain = file_with_size(path, options)?;
+            counts_of(domain).map(|(counts, domain)| (counts, Some(domain)))
         }
     }
 }
 
+/// The intervals of each side of a convex domain without limits, sides on one line counted as one.
+pub(crate) fn counts_of(domain: Domain) -> Result<(Vec<u64>, Domain), Failure> {
+    if domain.is_constrained() {
+        let message = "the domain gives outside_degree or max_degree, which interval counts alone do \
+                       not tell; mindeg degree, mesh and tradeoff keep to them";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let Some(convex) = domain.convex() else {
+        let message = "the domain is not convex, and only a convex one is described by its interval \
+                       counts; mindeg degree tells its least maximum degree";
+        return Err(Failure::Input(message.to_owned()));
+    };
+    Ok((convex.boundary().sides().map(u64::from).collect(), domain))
+}
+
 /// The domain in a file, with the options in place of what the file gives for its sides.
 pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, Failure> {
-    let domain = read(path)?;
-    let DomainOptions { intervals, size, spacing, .. } = options;
-    if intervals.is_none() && size.is_none() && spacing.is_none() {
-        return Ok(domain);
+    match content(path, options)? {
+        Content::Domain(domain) => Ok(*domain),
+        Content::Polygons(polygons) => polygons.only(),
     }
-    let sides = overridden(domain.sides().to_vec(), options)?;
-    domain.with_sides(sides).map_err(bad)
+}
+
+/// The domain in a file, where interval counts might stand instead.
+pub(crate) fn file_with_size(path: &Path, options: &FileOptions) -> Result<Domain, Failure> {
+    match (file::read(path, &options.outline, options.size)?, options.size) {
+        (Content::Domain(domain), None) => Ok(*domain),
+        (Content::Domain(domain), Some(size)) => {
+            let mut sides = domain.sides().to_vec();
+            sides.iter_mut().for_each(|side| side.intervals = Intervals::Size(size));
+            domain.with_sides(sides).map_err(bad)
+        }
+        (Content::Polygons(polygons), _) => polygons.only(),
+    }
+}
+
+/// What the arguments describe: one domain, or the polygons of a file.
+pub(crate) fn subject(arguments: &DomainArguments) -> Result<Content, Failure> {
+    match &arguments.file {
+        None => from_options(&arguments.options).map(|domain| Content::Domain(Box::new(domain))),
+        Some(path) => content(path, &arguments.options),
+    }
+}
+
+/// What a file holds, with the options in place of what it gives for the sides.
+fn content(path: &Path, options: &DomainOptions) -> Result<Content, Failure> {
+    let DomainOptions { intervals, size, spacing, outline, .. } = options;
+    match file::read(path, outline, *size)? {
+        Content::Domain(domain) if intervals.is_none() && size.is_none() && spacing.is_none() => {
+            Ok(Content::Domain(domain))
+        }
+        Content::Domain(domain) => {
+            let sides = overridden(domain.sides().to_vec(), options)?;
+            let domain = domain.with_sides(sides).map_err(bad)?;
+            Ok(Content::Domain(Box::new(domain)))
+        }
+        Content::Polygons(_) if intervals.is_some() || spacing.is_some() => {
+            let message = "--intervals and --spacing divide the sides of a domain in JSON; give \
+                           --size here, or write the domain with mindeg domain and edit it";
+            Err(Failure::Input(message.to_owned()))
+        }
+        Content::Polygons(polygons) => Ok(Content::Polygons(polygons)),
+    }
 }
 
 /// The domain that options describe without a file.
@@ -116,37 +161,4 @@ fn overridden(mut sides: Vec<Side>, options: &DomainOptions) -> Result<Vec<Side>
         }
     }
     Ok(sides)
-}
-
-/// Reads a domain from a JSON file, or from standard input where the path is `-`.
-fn read(path: &Path) -> Result<Domain, Failure> {
-    let (name, text) = if path == Path::new("-") {
-        input::note_standard_input("domain");
-        let mut text = Vec::new();
-        let read = io::stdin().lock().read_to_end(&mut text).map(|_| text);
-        ("standard input".to_owned(), read)
-    } else {
-        refuse_mesh(path)?;
-        input::note(path, "domain");
-        (path.display().to_string(), fs::read(path))
-    };
-    let bytes =
-        text.map_err(|error| Failure::Io(format!("cannot read {name}: {}", plainly(&error))))?;
-    let text = String::from_utf8(bytes)
-        .map_err(|error| Failure::Input(format!("{name} is not UTF-8 text: {error}")))?;
-    if text.trim().is_empty() {
-        return Err(Failure::Input(format!("{name} is empty; a domain in JSON is expected")));
-    }
-    Domain::from_json(&text).map_err(|error| Failure::Input(format!("{name}: {error}")))
-}
-
-fn refuse_mesh(path: &Path) -> Result<(), Failure> {
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    if extension.is_some_and(|extension| MESHES.contains(&extension.as_str())) {
-        return Err(Failure::Input(format!(
-            "{} is a mesh, not a domain; mindeg view, inspect and convert take meshes",
-            path.display()
-        )));
-    }
-    Ok(())
 }

@@ -4,8 +4,8 @@ use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::preset::Preset;
 use clap::Args;
+use mindeg::BoundaryMesh;
 use mindeg::quality::TriangleQuality;
-use mindeg::{BoundaryMesh, Triangles};
 use mindeg_compare::number_format::steady_angle;
 use mindeg_mesh::TriMesh;
 

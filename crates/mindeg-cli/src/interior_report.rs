@@ -122,23 +122,23 @@ pub(crate) fn limit_in_words(limit: &AngleLimit, lift: Option<&Lift>) -> String 
         String::new()
     };
     let lifted = lift.map_or_else(String::new, |lift| {
-        format!("; {}, it would be {}", lift_in_words(lift), steady_angle(lift.min_angle))
+        format!(" With {} it would be {}.", lift_in_words(lift), steady_angle(lift.min_angle))
     });
     format!(
-        "The boundary allows a minimum angle of at most {}{at_any}: {} decides{lifted}.",
+        "The boundary allows a minimum angle of at most {}{at_any}, decided by {}.{lifted}",
         steady_angle(*min_angle),
         limit.cause
     )
 }
 
-/// Such as "with 9 intervals on side 2".
+/// Such as "9 intervals on side 2".
 pub(crate) fn lift_in_words(lift: &Lift) -> String {
     let change = |(change, count): (&mindeg_core::Change, &u64)| {
         let intervals = if *count == 1 { "interval" } else { "intervals" };
         format!("{count} {intervals} on {}", lift.domain.side_name(change.side))
     };
     let changes: Vec<_> = lift.changes.iter().zip(&lift.intervals).map(change).collect();
-    format!("with {}", changes.join(" and "))
+    changes.join(" and ")
 }
 
 /// Angles and degrees in a line.

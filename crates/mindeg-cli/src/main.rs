@@ -6,6 +6,8 @@
 mod angle_limit;
 mod args;
 mod bar;
+mod boundary_loops;
+mod bridge;
 mod compare;
 mod completions;
 mod convert;
@@ -13,6 +15,7 @@ mod degree;
 mod demands;
 mod domain;
 mod failure;
+mod fill;
 mod gates;
 mod improve;
 mod input;
@@ -22,7 +25,9 @@ mod interrupt;
 mod memory;
 mod mesh;
 mod mesh_file;
+mod named_files;
 mod output;
+mod polygon_degree;
 mod preset;
 mod provenance;
 mod slips;
@@ -65,7 +70,10 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
+        Command::Domain(arguments) => domain::describe::run(arguments),
         Command::Improve(arguments) => shared(|| improve::run(arguments)),
+        Command::Fill(arguments) => shared(|| fill::run(arguments)),
+        Command::Bridge(arguments) => shared(|| bridge::run(arguments)),
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),

@@ -130,6 +130,14 @@ pub(crate) fn require_to_inspect(
     require(bytes, &format!("inspecting {}", path.display()))
 }
 
+/// Asks for the memory of filling a loop of so many vertices.
+pub(crate) fn require_to_fill(path: &Path, vertices: usize) -> Result<(), Failure> {
+    // One cost and one flag for each pair, and some states of 16 bytes for each piece.
+    const PER_PAIR: u64 = 80;
+    let pairs = (vertices as u64).saturating_mul(vertices as u64);
+    require(pairs.saturating_mul(PER_PAIR), &format!("filling {}", path.display()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

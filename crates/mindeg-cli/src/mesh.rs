@@ -1,23 +1,27 @@
 //! `mindeg mesh`: from a domain to files.
 
+mod features;
 mod interior;
+mod model;
 
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
-use crate::domain::{domain, name, name_in_text};
+use crate::domain::{Content, name, name_in_text, subject};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::output::Outputs;
+use crate::polygon_degree::triangle_count;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
-use mindeg::{Domain, FoundBy, Goal, HigherDegree, MeshError, Meshed, Progress};
+use mindeg::{Domain, FoundBy, Goal, HigherDegree, Meshed, Progress};
 use mindeg_compare::number_format::steady_angle;
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
+use std::path::PathBuf;
 
 /// What `--json` prints; angles in degrees. Degrees are total: edges outside the domain count.
 #[derive(Serialize)]
@@ -27,10 +31,13 @@ struct Summary<'a> {
     vertices: u32,
     triangles: u32,
     max_degree: u32,
-    least_max_degree: u32,
+    /// Null where it is not known; no mesh has less than `at_least`.
+    least_max_degree: Option<u32>,
+    at_least: u32,
     min_angle: f64,
     max_angle: f64,
-    /// "formula", "search" (exact) or "windows" (the degree is an upper bound).
+    /// "formula", "search" (exact), "windows" (the degree is an upper bound), "exhaustive" or "zig_zag"
+    /// (the degree is the least, the angle may not be the largest with it).
     found_by: &'static str,
     /// Null where it was not worked out.
     delaunay_min_angle: Option<f64>,
@@ -40,28 +47,44 @@ struct Summary<'a> {
 }
 
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
+    if let Some(path) = arguments.domain.file.as_deref().filter(|path| model::is_model(path)) {
+        return model::run(path, arguments);
+    }
+    let output = &arguments.surface.output;
+    match subject(&arguments.domain)? {
+        Content::Domain(domain) => mesh_of(&domain, arguments, output),
+        Content::Polygons(polygons) if polygons.polygons.len() > 1 => {
+            features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
+        }
+        Content::Polygons(polygons) => {
+            let output = features::outputs_of_one(arguments, &polygons)?;
+            mesh_of(&polygons.only()?, arguments, &output)
+        }
+    }
+}
+
+/// Meshes one domain into files.
+fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut targets =
-        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
-    let domain = domain(&arguments.domain)?;
+    let mut targets = Targets::new(output, surface.format, surface.options(), arguments.json)?;
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
 
-    if let Some(wanted) = interior::wanted(arguments, &domain)? {
-        return interior::run(arguments, &domain, &wanted, targets, bar);
+    if let Some(wanted) = interior::wanted(arguments, domain)? {
+        return interior::run(arguments, domain, &wanted, targets, bar);
     }
     // What can be refused is refused before the mesh is looked for, which can take minutes.
-    targets.check(domain.placement(), domain.rings().vertex_count() - 2)?;
-    memory::require_to_stream(domain.rings().vertex_count(), name_in_text(&domain))?;
-    let goal = goal(&arguments.goal, arguments.optimize, &domain)?;
+    targets.check(domain.placement(), triangle_count(domain.rings()))?;
+    memory::require_to_stream(domain.rings().vertex_count(), name_in_text(domain))?;
+    let goal = goal(&arguments.goal, arguments.optimize, domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();
 
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let meshed = meshed(&domain, goal, progress)?;
+    let meshed = meshed(domain, goal, progress)?;
     let Meshed { mesh, least_max_degree, .. } = &meshed;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
@@ -81,13 +104,16 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
         vertices: mesh.vertex_count(),
         triangles: mesh.triangle_count(),
         max_degree: mesh.max_total_degree(),
-        least_max_degree: *least_max_degree,
+        least_max_degree: meshed.is_least_proven.then_some(*least_max_degree),
+        at_least: *least_max_degree,
         min_angle: angles.min,
         max_angle: angles.max,
         found_by: match meshed.found_by {
             FoundBy::Formula => "formula",
             FoundBy::Search => "search",
             FoundBy::Windows { .. } => "windows",
+            FoundBy::Exhaustive => "exhaustive",
+            FoundBy::ZigZag => "zig_zag",
         },
         delaunay_min_angle: meshed.delaunay_min_angle,
         reversed: domain.was_reversed(),
@@ -106,23 +132,24 @@ pub(crate) fn goal(
     optimize: Option<Optimize>,
     domain: &Domain,
 ) -> Result<Goal, Failure> {
-    let convex = domain.convex().ok_or_else(|| Failure::Input(MeshError::NotConvex.to_string()))?;
-    let least = mindeg_core::least_max_degree(convex.boundary());
+    let form = domain.convex().filter(|_| !domain.is_constrained());
+    let least = form.map(|form| mindeg_core::least_max_degree(form.boundary()));
     let goal = match (arguments.keep_angle, arguments.max_degree, optimize) {
         (Some(share), _, _) => Goal::KeepAngle(share),
         (None, Some(limit), _) => Goal::MaxDegree(limit),
-        // The least degree of a domain with limits of its own takes the solver anyway.
-        (None, None, Some(Optimize::Angle)) if !domain.is_constrained() => Goal::MaxDegree(least),
-        (None, None, _) => Goal::LeastDegree,
+        (None, None, Some(Optimize::Angle)) => match least {
+            Some(least) => Goal::MaxDegree(least),
+            // The solver works on any other domain anyway.
+            None => Goal::LeastDegree,
+        },
+        (None, None, None) => Goal::LeastDegree,
     };
-    match goal {
-        Goal::MaxDegree(limit) if limit < least && !domain.is_constrained() => {
-            Err(Failure::Input(format!(
-                "no mesh of {} has maximum degree {limit}; the least is {least}",
-                name_in_text(domain)
-            )))
-        }
-        Goal::LeastDegree if !domain.is_constrained() => Ok(goal),
+    match (goal, least) {
+        (Goal::MaxDegree(limit), Some(least)) if limit < least => Err(Failure::Input(format!(
+            "no mesh of {} has maximum degree {limit}; the least is {least}",
+            name_in_text(domain)
+        ))),
+        (Goal::LeastDegree, Some(_)) => Ok(goal),
         _ => {
             require_for_exact_work(domain)?;
             Ok(goal)
@@ -145,7 +172,7 @@ pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
     /// Bytes for each pair of vertices, as measured, 28 to 36, and a third more.
     const PER_PAIR: u64 = 48;
     let vertices = domain.rings().vertex_count();
-    if vertices > MAX_VERTICES {
+    if vertices > MAX_VERTICES || domain.convex().is_none() {
         return Ok(());
     }
     let bytes = u64::from(vertices).pow(2) * PER_PAIR;
@@ -167,13 +194,13 @@ fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
     let domain = meshed.mesh.domain();
     let total = if domain.is_constrained() { "total " } else { "" };
     let mut lines = vec![format!(
-        "{}: {} vertices, {} triangles, maximum {total}degree {} (least possible {}), angles {} \
-         to {}",
+        "{}: {} vertices, {} triangles, maximum {total}degree {} ({} {}), angles {} to {}",
         name(domain),
         summary.vertices,
         summary.triangles,
         summary.max_degree,
-        summary.least_max_degree,
+        if meshed.is_least_proven { "least possible" } else { "no mesh has less than" },
+        summary.at_least,
         steady_angle(summary.min_angle),
         steady_angle(summary.max_angle),
     )];
@@ -181,10 +208,7 @@ fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
     if let Some(higher) = &meshed.higher_degree {
         lines.push(hint(summary.min_angle, higher));
     }
-    if summary.reversed {
-        let turned = "The corners ran clockwise and were reversed; each side kept its edge.";
-        lines.push(turned.to_owned());
-    }
+    lines.extend(domain.notes());
     let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
     if !files.is_empty() {
         lines.push(format!("wrote {}", files.join(", ")));
@@ -194,7 +218,7 @@ fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
 
 /// What is proven of a mesh, where the first line does not say it.
 fn standing(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> Option<String> {
-    let Summary { min_angle, max_degree, least_max_degree: least, .. } = summary;
+    let Summary { min_angle, max_degree, at_least: least, .. } = summary;
     let kept = meshed.delaunay_min_angle.map(|most| {
         let share = 100.0 * min_angle / most;
         format!("{share:.0}% of Delaunay's minimum angle, {}", steady_angle(most))
@@ -217,6 +241,10 @@ fn standing(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> Option<String
             let percent = 100.0 * share;
             let gap = if max_degree == least {
                 "no degree is smaller".to_owned()
+            } else if meshed.is_least_proven && goal == Goal::LeastDegree {
+                "no mesh has less".to_owned()
+            } else if share == 0.0 {
+                format!("whether a degree from {least} on is possible is not known")
             } else {
                 format!(
                     "whether a degree from {least} on is possible with {percent:.0}% is not known"
@@ -224,7 +252,10 @@ fn standing(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> Option<String
             };
             Some(format!("It has {kept}. Degree {max_degree} was reached; {gap}."))
         }
-        (FoundBy::Search | FoundBy::Windows { .. }, _, _) => None,
+        (FoundBy::Exhaustive | FoundBy::ZigZag, _, Some(kept)) => {
+            Some(format!("It has {kept}; more may be possible with this degree."))
+        }
+        (_, _, _) => None,
     }
 }
 

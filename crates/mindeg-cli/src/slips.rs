@@ -2,6 +2,7 @@
 
 use crate::args::point;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
+use mindeg_formats::Format;
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -31,7 +32,7 @@ fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
         return None;
     };
     let example = match command {
-        "mesh" | "convert" => "-o mesh.obj",
+        "mesh" | "convert" | "fill" | "bridge" => "-o mesh.obj",
         "compare" => "-o report.html, or give --json",
         "view" => "-o view.html",
         _ => return None,
@@ -95,11 +96,16 @@ fn file_for_command(error: &clap::Error) -> Option<String> {
         Some("json") => Some(format!(
             "{word} is no command; name one before the file, such as mindeg mesh {word} -o mesh.obj"
         )),
-        Some("obj" | "glb" | "gltf") => Some(format!(
+        Some(_) if is_mesh(&word) => Some(format!(
             "{word} is no command; name one before the file, such as mindeg inspect {word}"
         )),
         _ => None,
     }
+}
+
+/// Whether the extension of a name is that of a format that is read.
+fn is_mesh(word: &str) -> bool {
+    Format::of_path(word.as_ref()).is_some_and(|format| Format::READ.contains(&format))
 }
 
 /// Options of an earlier version.
@@ -125,9 +131,10 @@ fn one_too_many(command: &str, word: &str) -> Option<String> {
         ("mesh" | "tradeoff", Some("json")) => Some(format!(
             "one domain at a time: {word} is a second one; mindeg compare takes several"
         )),
-        ("mesh", Some("obj" | "glb" | "gltf" | "svg"))
-        | ("convert", Some(_))
-        | ("tradeoff" | "view", Some("html" | "svg")) => {
+        ("mesh", Some(_)) if Format::of_path(word.as_ref()).is_some() => {
+            Some(format!("give every output with -o: -o {word}"))
+        }
+        ("convert", Some(_)) | ("tradeoff" | "view", Some("html" | "svg")) => {
             Some(format!("give every output with -o: -o {word}"))
         }
         ("inspect" | "view", Some(_)) => {

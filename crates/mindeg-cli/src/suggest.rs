@@ -42,7 +42,7 @@ struct SideChange {
 }
 
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
-    let (intervals, domain) = &counts(&arguments.counts)?;
+    let (intervals, domain) = &counts(&arguments.counts, &arguments.file)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let today = least_max_degree(&boundary);
     let rows: Vec<Suggestion> = match arguments.target {

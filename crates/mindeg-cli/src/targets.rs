@@ -9,9 +9,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 
 /// Extensions that tell a format, though none that is written: `--format` does not override them.
-const OTHERS: [&str; 18] = [
-    "off", "vtp", "mesh", "cgns", "bdf", "med", "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf",
-    "pdf", "html", "json", "xdmf", "e",
+const OTHERS: [&str; 17] = [
+    "vtp", "mesh", "cgns", "bdf", "med", "dae", "fbx", "3mf", "usd", "usdz", "x3d", "dxf", "pdf",
+    "html", "json", "xdmf", "e",
 ];
 
 /// All `-o` of a command that writes one mesh.
@@ -80,6 +80,11 @@ impl<'a> Targets<'a> {
         Ok(())
     }
 
+    /// Whether one of them is to know the boundary.
+    pub(crate) fn need_boundary(&self) -> bool {
+        self.targets.iter().any(|target| target.format.has_boundary())
+    }
+
     /// The names of all files, as the user gave them; `-` for standard output.
     pub(crate) fn files(&self) -> Vec<String> {
         let files = self.targets.iter().flat_map(|target| &target.files);
@@ -93,16 +98,26 @@ impl<'a> Targets<'a> {
 
     /// Writes a mesh of the positions that were [checked](Self::check) to all of them, and lets the
     /// bar count the bytes. Whether all readers took all of it.
-    pub(crate) fn write(mut self, mesh: &dyn Mesh, bar: &Bar) -> Result<bool, Failure> {
+    pub(crate) fn write(self, mesh: &dyn Mesh, bar: &Bar) -> Result<bool, Failure> {
+        self.write_each(|_| mesh, bar)
+    }
+
+    /// [`write`](Self::write), with a mesh for each format.
+    pub(crate) fn write_each<'m>(
+        mut self,
+        mesh_for: impl Fn(Format) -> &'m dyn Mesh,
+        bar: &Bar,
+    ) -> Result<bool, Failure> {
         let mut writers = Vec::new();
         for target in &mut self.targets {
+            let mesh = mesh_for(target.format);
             let expected = target.expected_lens(mesh)?;
-            writers.push((target, expected));
+            writers.push((target, mesh, expected));
         }
-        let total = writers.iter().flat_map(|(_, expected)| expected).sum();
+        let total = writers.iter().flat_map(|(_, _, expected)| expected).sum();
         bar.stage("writing", total, Unit::Bytes);
         let mut all_taken = true;
-        for (target, expected) in writers {
+        for (target, mesh, expected) in writers {
             match target.write(mesh, &expected, bar) {
                 // Nobody reads on, and the other outputs are not for that reader.
                 Err(Failure::ClosedPipe) => all_taken = false,

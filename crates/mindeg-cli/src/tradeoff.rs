@@ -82,6 +82,12 @@ fn table(trade_off: &TradeOff, limit: u32) -> String {
         );
     }
     text.push_str(&left_out(rows.len(), meshes.len()));
+    if !trade_off.is_exact() {
+        text.push_str(
+            "Windows reached these; smaller degrees and larger angles may be possible. All meshes are \
+             searched only\nwithout holes, and where few vertices see each other.\n",
+        );
+    }
     text
 }
 

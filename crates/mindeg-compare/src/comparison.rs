@@ -1,6 +1,7 @@
 //! One domain, triangulated by every method.
 
 use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
+use crate::interior;
 use crate::reference::Reference;
 use crate::report::{Provenance, Report, TradeOffFigures};
 use crate::{Advice, KEPT, Method, NoTriangulation, measure, tie_count, verdict};
@@ -27,11 +28,13 @@ pub struct Options {
     /// The largest number of boundary vertices for which the exact trade-off is worked out, 400
     /// unless told otherwise: about a second's work.
     pub exact_vertices: u32,
+    /// Whether meshes with interior points are made and compared, too; not unless told otherwise.
+    pub interior: bool,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { time_limit: Duration::from_secs(60), exact_vertices: 400 }
+        Self { time_limit: Duration::from_secs(60), exact_vertices: 400, interior: false }
     }
 }
 
@@ -112,6 +115,9 @@ impl Comparison {
         for method in &mut self.report.methods {
             method.seconds = None;
         }
+        for figures in &mut self.report.interior {
+            figures.seconds = None;
+        }
         self
     }
 
@@ -177,6 +183,10 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         triangles.push(list);
     }
     mark_same_meshes(&mut methods, &triangles);
+    let interior = match options.interior {
+        true => interior::meshes(domain, options.time_limit),
+        false => Vec::new(),
+    };
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: domain.rings().sides().collect(),
@@ -193,6 +203,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         advice: Advice::of(&methods, trade_off.is_some()),
         methods,
         trade_off: trade_off.as_ref().map(TradeOffFigures::of),
+        interior,
         verdict: String::new(),
     };
     report.verdict = verdict::verdict(&report).text();

@@ -26,12 +26,12 @@
 //! # Limits
 //!
 //! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
-//! methods use the boundary points alone: how much better a mesh with points inside would be is
-//! not compared.
+//! methods use the boundary points alone; [`Options::interior`] adds meshes with points inside.
 
 mod advice;
 mod comparison;
 mod figures;
+mod interior;
 mod measure;
 mod method;
 pub mod number_format;
@@ -45,6 +45,7 @@ pub use figures::{
     DefectKind, Distribution, DomainFigures, MethodDefect, MethodFigures, MetricFigures,
     WorstTriangle,
 };
+pub use interior::InteriorFigures;
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{

@@ -24,8 +24,8 @@ pub use trade_off::{
 };
 pub use view::write_view;
 
-use crate::Advice;
 use crate::figures::{DomainFigures, MethodFigures};
+use crate::{Advice, InteriorFigures};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -66,6 +66,8 @@ pub struct Report {
     /// What every degree buys, exactly; null where the domain is too large for that or the time
     /// limit too short. The methods named exact are meshes of its points.
     pub trade_off: Option<TradeOffFigures>,
+    /// Meshes with interior points on the same boundary; empty unless asked for.
+    pub interior: Vec<InteriorFigures>,
     /// What the figures say, in words.
     pub verdict: String,
 }

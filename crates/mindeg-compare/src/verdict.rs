@@ -286,6 +286,7 @@ mod tests {
             advice: Advice::of(&methods, has_exact),
             methods,
             trade_off: has_exact.then_some(trade_off),
+            interior: Vec::new(),
             verdict: String::new(),
         };
         assert_eq!(verdict(&report).sentences().collect::<Vec<_>>(), expected);

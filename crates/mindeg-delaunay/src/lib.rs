@@ -18,6 +18,10 @@
 //! On intervals below a hundred-millionth of the domain's size, three rounded points of one
 //! side can bulge so much that the flat triangle on them is Delaunay's; it is left in.
 
+mod refine;
+
+pub use refine::{Refined, refined};
+
 use std::ops::Range;
 
 use glam::DVec2;

@@ -1,29 +1,166 @@
 //! From a description to a checked domain.
-//!
-//! All sides are checked and divided as they were given, so that errors name what was given. A
-//! convex outline with straight sides stays a formula. Of any other domain the points are computed
-//! and stored, and the sweep of `simple.rs` checks all of them. Then rings that run the wrong way are
-//! turned.
-//!
-//! Limits: a domain whose points are stored has at most
-//! [`MAX_STORED_VERTICES`](crate::MAX_STORED_VERTICES).
-
-use std::ops::Range;
 
 use glam::DVec2;
 
 use crate::constraints::Constraints;
+use crate::divided::{Divided, Placed};
 use crate::domain::Domain;
 use crate::domain_error::DomainError;
-use crate::intersection;
-use crate::limits::MAX_STORED_VERTICES;
-use crate::name;
-use crate::outline::{self, Outline, OutlineError, Ring};
-use crate::placement::{Placement, SidePoints};
-use crate::rings::{InRing, Rings};
-use crate::side::{Side, SideError};
-use crate::spacing_law::SpacingLaw;
-use crate::turning::{Orientation, Turn, Turning};
+use crate::outline::{Outline, OutlineError, Ring};
+use crate::rectangle::Rectangle;
+use crate::rings::InRing;
+use crate::side::Side;
+use crate::turning::Turning;
+
+impl Domain {
+    /// A domain from its outline and one [`Side`] for each of the outline's sides.
+    ///
+    /// Corners given clockwise are reversed, each side staying on its edge (with its spacing law
+    /// [reversed](crate::Spacing::reversed)): the first corner given stays the first, and the side
+    /// that ended there now starts there. [`notes`](Self::notes) tells.
+    ///
+    /// O(k log k) for k straight sides of a convex outline, and linear in explicit parameters; of any
+    /// other, O(n log n) for n points.
+    ///
+    /// # Errors
+    ///
+    /// The first fault, in this order: a measure of the rectangle; the corners, in number,
+    /// magnitude or distance; the number of sides; their names; their intervals; their
+    /// spacing laws; points so close that f64 cannot tell them apart; a boundary that crosses or
+    /// touches itself.
+    pub fn new(outline: Outline, sides: Vec<Side>) -> Result<Self, DomainError> {
+        Self::builder(outline, sides).build()
+    }
+
+    /// [`Domain::new`] with constraints on degrees.
+    ///
+    /// Where the corners run clockwise, the constraints of each side stay on their edge too. Single
+    /// vertices are always those of the mesh, counter-clockwise from the first corner.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`], and then constraints that do not fit the boundary or that no mesh keeps.
+    pub fn constrained(
+        outline: Outline,
+        sides: Vec<Side>,
+        constraints: Constraints,
+    ) -> Result<Self, DomainError> {
+        Self::builder(outline, sides).constraints(constraints).build()
+    }
+
+    /// Starts a domain with holes, constraints or a name.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Outline, Rectangle, Ring, Side};
+    ///
+    /// let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
+    /// let slot = Ring::new([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0]], vec![Side::size(0.5); 3]);
+    /// let domain = Domain::builder(outline, vec![Side::count(4); 4]).hole(slot).build()?;
+    /// assert_eq!(domain.rings().ring(1), 16..26);
+    /// assert_eq!(domain.placement().area(), 11.0);
+    /// // A hole runs clockwise in the mesh, from its first corner on.
+    /// assert_eq!(domain.placement().corners()[5].to_array(), [3.0, 2.0]);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn builder(outline: Outline, sides: Vec<Side>) -> DomainBuilder {
+        DomainBuilder::new(outline, sides)
+    }
+
+    /// The domain inside the first ring and outside the others.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`], and rings that cross, touch or do not nest.
+    pub fn of_rings(rings: Vec<Ring>) -> Result<Self, DomainError> {
+        let mut rings = rings.into_iter();
+        let Ring { corners, sides } = rings.next().unwrap_or_default();
+        rings.fold(Self::builder(Outline::Polygon(corners), sides), DomainBuilder::hole).build()
+    }
+
+    /// The domain inside the first ring of points and outside the others; its boundary points are
+    /// these, bit for bit. Each ring is one side.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::of_rings`].
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use mindeg_domain::Domain;
+    ///
+    /// let square = |x: f64, size: f64| {
+    ///     [[x, x], [x + size, x], [x + size, x + size], [x, x + size]].map(DVec2::from).to_vec()
+    /// };
+    /// let domain = Domain::from_rings(vec![square(0.0, 3.0), square(1.0, 1.0)])?;
+    /// assert_eq!(domain.rings().vertex_count(), 8);
+    /// assert_eq!(domain.placement().point(5).to_array(), [1.0, 2.0]); // a hole runs clockwise
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn from_rings(rings: impl IntoIterator<Item = Vec<DVec2>>) -> Result<Self, DomainError> {
+        Self::of_rings(rings.into_iter().map(Ring::of_points).collect())
+    }
+
+    /// [`Domain::new`] for an upright rectangle with its first corner at the origin. Its sides
+    /// are bottom, right, top and left.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    pub fn rectangle(width: f64, height: f64, sides: Vec<Side>) -> Result<Self, DomainError> {
+        Self::new(Outline::Rectangle(Rectangle::new(width, height)), sides)
+    }
+
+    /// [`Domain::new`] for the polygon with the given corners.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let domain = Domain::polygon([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], vec![Side::count(2); 3])?;
+    /// assert_eq!(domain.placement().area(), 6.0);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    pub fn polygon(
+        corners: impl IntoIterator<Item = impl Into<DVec2>>,
+        sides: Vec<Side>,
+    ) -> Result<Self, DomainError> {
+        let corners = corners.into_iter().map(Into::into).collect();
+        Self::new(Outline::Polygon(corners), sides)
+    }
+
+    /// The same domain with other sides, one for each [side](Self::sides) in the same order.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::new`].
+    pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
+        let rings = self.rings();
+        if sides.len() != rings.side_count() {
+            let corners = rings.side_count();
+            return Err(DomainError::SideCount { ring: 0, corners, sides: sides.len() });
+        }
+        let mut sides = sides.into_iter();
+        let mut of_ring = |ring| sides.by_ref().take(rings.ring_sides(ring).len()).collect();
+        let mut builder = Self::builder(self.outline.clone(), of_ring(0));
+        for ring in 1..rings.ring_count() {
+            let corners = self.placement.corners()[rings.ring_sides(ring)].to_vec();
+            builder = builder.hole(Ring { corners, sides: of_ring(ring) });
+        }
+        let domain = builder.constraints(self.constraints.clone()).build()?;
+        let (name, interior) = (self.name.clone(), self.interior.clone());
+        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
+    }
+}
 
 /// A domain in the making; [`Domain::builder`] starts one.
 #[derive(Clone, Debug, PartialEq)]
@@ -97,182 +234,5 @@ impl DomainBuilder {
             interior: None,
             turned,
         })
-    }
-}
-
-/// Rings whose sides are checked and divided.
-struct Divided {
-    rings: Rings,
-    /// The law of each side.
-    laws: Vec<SpacingLaw>,
-}
-
-/// Rings in place, each the right way round.
-struct Placed {
-    placement: Placement,
-    /// Whether each side is straight.
-    straight: Vec<bool>,
-    /// The rings that were given the other way round.
-    turned: Vec<usize>,
-}
-
-impl Divided {
-    fn new(given: &[Ring]) -> Result<Self, DomainError> {
-        for (ring, Ring { corners, .. }) in given.iter().enumerate() {
-            outline::check_corners(ring, corners)?;
-        }
-        for (ring, Ring { corners, sides }) in given.iter().enumerate() {
-            if sides.len() != corners.len() {
-                let (corners, sides) = (corners.len(), sides.len());
-                return Err(DomainError::SideCount { ring, corners, sides });
-            }
-        }
-        name::check_all(given_sides(given).map(|side| (side.at, side.side.name.as_deref())))?;
-        let intervals = |ring, given| {
-            let on = |side: Given<'_>| side.intervals();
-            sides_of(ring, given).map(on).collect::<Result<Vec<u64>, DomainError>>()
-        };
-        let intervals = given.iter().enumerate().map(|(ring, given)| intervals(ring, given));
-        let rings = Rings::new(&intervals.collect::<Result<Vec<_>, _>>()?)?;
-        let laws =
-            given_sides(given).zip(rings.sides()).map(|(side, intervals)| side.law(intervals));
-        Ok(Self { laws: laws.collect::<Result<_, _>>()?, rings })
-    }
-
-    /// Turns the rings that run the wrong way, and places all.
-    fn placed(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
-        for (side, law) in given_sides(given).zip(&self.laws) {
-            Placement::check_intervals(side.start, side.end, law, side.at)?;
-        }
-        let straight = vec![true; self.laws.len()];
-        let formula = self.formula(given);
-        let turning = Turning { placement: &formula, straight: &straight };
-        let convex = if given.len() == 1 { turning.convex_orientation(0) } else { None };
-        let Some(orientation) = convex else { return self.stored(given, straight) };
-        formula.check_corners(|side| turning.at(formula.rings().corner(side)) == Turn::Straight)?;
-        if orientation == Orientation::CounterClockwise {
-            return Ok(Placed { placement: formula, straight, turned: Vec::new() });
-        }
-        turn(&mut given[0]);
-        let turned = Self::new(given).map_err(|error| match error {
-            DomainError::Side { side, source } => {
-                let index = straight.len() - 1 - side.index;
-                DomainError::Side { side: InRing { index, ..side }, source }
-            }
-            error => error,
-        })?;
-        Ok(Placed { placement: turned.formula(given), straight, turned: vec![0] })
-    }
-
-    fn formula(&self, given: &[Ring]) -> Placement {
-        let corners = given.iter().flat_map(|ring| ring.corners.iter().copied()).collect();
-        Placement::straight(self.rings.clone(), corners, self.laws.clone())
-    }
-
-    /// The points one by one, after all of them are checked.
-    fn stored(self, given: &mut [Ring], mut straight: Vec<bool>) -> Result<Placed, DomainError> {
-        let Self { rings, laws } = self;
-        let mut points = memory_for(rings.vertex_count())?;
-        for (side, law) in given_sides(given).zip(&laws) {
-            let on_side = SidePoints { first: 0, start: side.start, span: side.span(), law };
-            points.extend((0..law.intervals()).map(|i| on_side.point(i)));
-        }
-        let mut lengths: Vec<f64> = given_sides(given).map(|side| side.length()).collect();
-        let mut intervals: Vec<Vec<u64>> = Vec::with_capacity(given.len());
-        let mut turned = Vec::new();
-        let orientations = intersection::orientations(&points, &rings)?;
-        for (ring, orientation) in orientations.into_iter().enumerate() {
-            let sides = rings.ring_sides(ring);
-            let of_sides = sides.clone().map(|side| u64::from(rings.intervals(side)));
-            if (orientation == Orientation::CounterClockwise) == (ring == 0) {
-                intervals.push(of_sides.collect());
-                continue;
-            }
-            intervals.push(of_sides.rev().collect());
-            turn(&mut given[ring]);
-            lengths[sides.clone()].reverse();
-            straight[sides].reverse();
-            let Range { start, end } = rings.ring(ring);
-            points[start as usize + 1..end as usize].reverse();
-            turned.push(ring);
-        }
-        let placement = Placement::stored(Rings::new(&intervals)?, points, lengths);
-        Ok(Placed { placement, straight, turned })
-    }
-}
-
-/// Room for points that are stored.
-fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
-    /// What the checks take besides, for each point.
-    const BYTES: usize = 48;
-    let max = MAX_STORED_VERTICES;
-    if vertices > max {
-        return Err(DomainError::TooManyStored { vertices, max });
-    }
-    let mut points = Vec::new();
-    let count = vertices as usize;
-    let is_free = Vec::<[u8; BYTES]>::new()
-        .try_reserve_exact(count)
-        .and_then(|()| points.try_reserve_exact(count));
-    match is_free {
-        Ok(()) => Ok(points),
-        Err(_) => Err(DomainError::NoMemory { vertices }),
-    }
-}
-
-/// Gives the corners of a ring in the other order, from the same first corner.
-fn turn(ring: &mut Ring) {
-    ring.corners[1..].reverse();
-    ring.sides.reverse();
-    for side in &mut ring.sides {
-        *side = std::mem::replace(side, Side::count(1)).reversed();
-    }
-}
-
-/// A side between its corners.
-#[derive(Clone, Copy)]
-struct Given<'a> {
-    at: InRing,
-    start: DVec2,
-    end: DVec2,
-    side: &'a Side,
-}
-
-/// The sides of all rings.
-fn given_sides(given: &[Ring]) -> impl Iterator<Item = Given<'_>> {
-    given.iter().enumerate().flat_map(|(ring, given)| sides_of(ring, given))
-}
-
-/// The sides of a ring.
-fn sides_of(ring: usize, given: &Ring) -> impl Iterator<Item = Given<'_>> {
-    let Ring { corners, sides } = given;
-    sides.iter().enumerate().map(move |(index, side)| Given {
-        at: InRing { ring, index },
-        start: corners[index],
-        end: corners[(index + 1) % corners.len()],
-        side,
-    })
-}
-
-impl Given<'_> {
-    fn span(&self) -> DVec2 {
-        self.end - self.start
-    }
-
-    fn length(&self) -> f64 {
-        self.end.distance(self.start)
-    }
-
-    fn error(&self, source: impl Into<SideError>) -> DomainError {
-        DomainError::Side { side: self.at, source: source.into() }
-    }
-
-    fn intervals(&self) -> Result<u64, DomainError> {
-        self.side.intervals.on(self.length()).map_err(|source| self.error(source))
-    }
-
-    fn law(&self, intervals: u32) -> Result<SpacingLaw, DomainError> {
-        SpacingLaw::solve(&self.side.spacing, intervals, self.length())
-            .map_err(|source| self.error(source))
     }
 }

@@ -8,16 +8,12 @@
 //! no shorter than [`LEAST_SIDE`](crate::LEAST_SIDE), so that areas neither overflow nor vanish. The
 //! unit of length is the user's.
 
-use glam::DVec2;
-
-use crate::build::DomainBuilder;
 use crate::constraints::Constraints;
 use crate::domain_error::DomainError;
 use crate::interior::Interior;
 use crate::name;
-use crate::outline::{Outline, Ring};
+use crate::outline::Outline;
 use crate::placement::Placement;
-use crate::rectangle::Rectangle;
 use crate::rings::{InRing, Rings, ring_name};
 use crate::side::Side;
 use crate::turning::{ConvexForm, Turning};
@@ -55,106 +51,6 @@ pub struct Domain {
 }
 
 impl Domain {
-    /// A domain from its outline and one [`Side`] for each of the outline's sides.
-    ///
-    /// Corners given clockwise are reversed, each side staying on its edge (with its spacing law
-    /// [reversed](crate::Spacing::reversed)): the first corner given stays the first, and the side
-    /// that ended there now starts there. [`notes`](Self::notes) tells.
-    ///
-    /// O(k log k) for k straight sides of a convex outline, and linear in explicit parameters; of any
-    /// other, O(n log n) for n points.
-    ///
-    /// # Errors
-    ///
-    /// The first fault, in this order: a measure of the rectangle; the corners, in number,
-    /// magnitude or distance; the number of sides; their names; their intervals; their
-    /// spacing laws; points so close that f64 cannot tell them apart; a boundary that crosses or
-    /// touches itself.
-    pub fn new(outline: Outline, sides: Vec<Side>) -> Result<Self, DomainError> {
-        Self::builder(outline, sides).build()
-    }
-
-    /// [`Domain::new`] with constraints on degrees.
-    ///
-    /// Where the corners run clockwise, the constraints of each side stay on their edge too. Single
-    /// vertices are always those of the mesh, counter-clockwise from the first corner.
-    ///
-    /// # Errors
-    ///
-    /// As [`Domain::new`], and then constraints that do not fit the boundary or that no mesh keeps.
-    pub fn constrained(
-        outline: Outline,
-        sides: Vec<Side>,
-        constraints: Constraints,
-    ) -> Result<Self, DomainError> {
-        Self::builder(outline, sides).constraints(constraints).build()
-    }
-
-    /// Starts a domain with holes, constraints or a name.
-    ///
-    /// # Example
-    ///
-    /// ```
-    /// use mindeg_domain::{Domain, Outline, Rectangle, Ring, Side};
-    ///
-    /// let outline = Outline::Rectangle(Rectangle::new(4.0, 3.0));
-    /// let slot = Ring::new([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0]], vec![Side::size(0.5); 3]);
-    /// let domain = Domain::builder(outline, vec![Side::count(4); 4]).hole(slot).build()?;
-    /// assert_eq!(domain.rings().ring(1), 16..26);
-    /// assert_eq!(domain.placement().area(), 11.0);
-    /// // A hole runs clockwise in the mesh, from its first corner on.
-    /// assert_eq!(domain.placement().corners()[5].to_array(), [3.0, 2.0]);
-    /// # Ok::<(), mindeg_domain::DomainError>(())
-    /// ```
-    #[must_use]
-    pub fn builder(outline: Outline, sides: Vec<Side>) -> DomainBuilder {
-        DomainBuilder::new(outline, sides)
-    }
-
-    /// The domain inside the first ring and outside the others.
-    ///
-    /// # Errors
-    ///
-    /// As [`Domain::new`], and rings that cross, touch or do not nest.
-    pub fn of_rings(rings: Vec<Ring>) -> Result<Self, DomainError> {
-        let mut rings = rings.into_iter();
-        let Ring { corners, sides } = rings.next().unwrap_or_default();
-        rings.fold(Self::builder(Outline::Polygon(corners), sides), DomainBuilder::hole).build()
-    }
-
-    /// [`Domain::new`] for an upright rectangle with its first corner at the origin. Its sides
-    /// are bottom, right, top and left.
-    ///
-    /// # Errors
-    ///
-    /// As [`Domain::new`].
-    pub fn rectangle(width: f64, height: f64, sides: Vec<Side>) -> Result<Self, DomainError> {
-        Self::new(Outline::Rectangle(Rectangle::new(width, height)), sides)
-    }
-
-    /// [`Domain::new`] for the polygon with the given corners.
-    ///
-    /// # Errors
-    ///
-    /// As [`Domain::new`].
-    ///
-    /// # Example
-    ///
-    /// ```
-    /// use mindeg_domain::{Domain, Side};
-    ///
-    /// let domain = Domain::polygon([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], vec![Side::count(2); 3])?;
-    /// assert_eq!(domain.placement().area(), 6.0);
-    /// # Ok::<(), mindeg_domain::DomainError>(())
-    /// ```
-    pub fn polygon(
-        corners: impl IntoIterator<Item = impl Into<DVec2>>,
-        sides: Vec<Side>,
-    ) -> Result<Self, DomainError> {
-        let corners = corners.into_iter().map(Into::into).collect();
-        Self::new(Outline::Polygon(corners), sides)
-    }
-
     /// The same domain with a name.
     ///
     /// # Errors
@@ -177,29 +73,6 @@ impl Domain {
     #[must_use]
     pub fn interior(&self) -> Option<&Interior> {
         self.interior.as_ref()
-    }
-
-    /// The same domain with other sides, one for each [side](Self::sides) in the same order.
-    ///
-    /// # Errors
-    ///
-    /// As [`Domain::new`].
-    pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
-        let rings = self.rings();
-        if sides.len() != rings.side_count() {
-            let corners = rings.side_count();
-            return Err(DomainError::SideCount { ring: 0, corners, sides: sides.len() });
-        }
-        let mut sides = sides.into_iter();
-        let mut of_ring = |ring| sides.by_ref().take(rings.ring_sides(ring).len()).collect();
-        let mut builder = Self::builder(self.outline.clone(), of_ring(0));
-        for ring in 1..rings.ring_count() {
-            let corners = self.placement.corners()[rings.ring_sides(ring)].to_vec();
-            builder = builder.hole(Ring { corners, sides: of_ring(ring) });
-        }
-        let domain = builder.constraints(self.constraints.clone()).build()?;
-        let (name, interior) = (self.name.clone(), self.interior.clone());
-        Ok(Self { name, interior, turned: self.turned.clone(), ..domain })
     }
 
     /// The name, if there is one.
@@ -236,6 +109,16 @@ impl Domain {
             None if self.rings().ring_sides(ring).len() == 1 => ring_name(ring),
             None => format!("{} side {}", ring_name(ring), index + 1),
         }
+    }
+
+    /// Whether a side is straight: all its points are on the line between its ends.
+    ///
+    /// # Panics
+    ///
+    /// If the domain has no such side.
+    #[must_use]
+    pub fn is_straight(&self, side: usize) -> bool {
+        self.straight[side]
     }
 
     /// What limits the degrees of sides and vertices, numbered as [`rings`](Self::rings) does.

@@ -1,11 +1,11 @@
 //! Why an outline and its sides are not a domain: one variant for each concept, which has the
 //! reasons in full.
 
-use crate::constraints::ConstraintError;
+use crate::constraint_error::ConstraintError;
 use crate::intersection::IntersectionError;
 use crate::name::NameError;
 use crate::outline::OutlineError;
-use crate::placement::PlacementError;
+use crate::placement_error::PlacementError;
 use crate::rings::{InRing, RingsError, ring_name};
 use crate::side::SideError;
 

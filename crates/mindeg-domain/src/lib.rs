@@ -24,7 +24,10 @@
 //! The plane. Rings may not touch, themselves or each other.
 
 mod build;
+mod constraint_error;
 mod constraints;
+mod curve;
+mod divided;
 mod domain;
 mod domain_error;
 mod interior;
@@ -36,6 +39,7 @@ mod model;
 mod name;
 mod outline;
 mod placement;
+mod placement_error;
 mod rectangle;
 mod rings;
 mod side;
@@ -45,10 +49,9 @@ mod spacing_law;
 mod turning;
 
 pub use build::DomainBuilder;
-pub use constraints::{
-    Bend, ConstraintError, ConstraintPlace, Constraints, ExternalDegree, SideConstraint,
-    VertexConstraint,
-};
+pub use constraint_error::{Bend, ConstraintError, ConstraintPlace};
+pub use constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstraint};
+pub use curve::{Arc, Curve, CurveError};
 pub use domain::Domain;
 pub use domain_error::DomainError;
 pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
@@ -64,10 +67,11 @@ pub use model::{
 };
 pub use name::NameError;
 pub use outline::{Outline, OutlineError, Ring};
-pub use placement::{Placement, PlacementError, Walk};
+pub use placement::{Placement, Walk};
+pub use placement_error::PlacementError;
 pub use rectangle::{Rectangle, RectangleError};
 pub use rings::{InRing, Rings, RingsError};
-pub use side::{Intervals, Side, SideError};
+pub use side::{Intervals, Side, SideError, SideKind};
 pub use spacing::{Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;
 pub use turning::ConvexForm;

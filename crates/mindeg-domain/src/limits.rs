@@ -20,6 +20,10 @@ pub const GREATEST_EXTERNAL_DEGREE: u32 = 1_000_000_000;
 /// reflex corners, or with sides that are not straight. Checking them takes some 60 bytes each.
 pub const MAX_STORED_VERTICES: u32 = 1 << 26;
 
+/// A side is straight if all its points are within this share of its length from the line between its
+/// corners.
+pub(crate) const STRAIGHT: f64 = 1e-9;
+
 /// A corner that turns by less, in radians, is straight: 0.2 mm in 200 km.
 pub(crate) const LEAST_TURN: f64 = 1e-9;
 

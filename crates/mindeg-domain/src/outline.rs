@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 
+use crate::curve::Curve;
 use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
 use crate::rectangle::{Rectangle, RectangleError};
 use crate::rings::{InRing, ring_name};
@@ -19,7 +20,8 @@ pub enum Outline {
     Polygon(Vec<DVec2>),
 }
 
-/// A ring: corners, and one [`Side`] from each to the next.
+/// A ring: corners, and one [`Side`] from each to the next. A ring whose sides are curved may have
+/// one or two corners.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ring {
     /// The corners, in order; either way round.
@@ -37,7 +39,7 @@ pub enum OutlineError {
     Rectangle(#[from] RectangleError),
     /// Fewer than three corners.
     #[error(
-        "found {corners} {}{}; {} needs at least 3",
+        "found {corners} {}{}; {} of straight sides needs at least 3",
         if *corners == 1 { "corner" } else { "corners" },
         if *ring == 0 { String::new() } else { format!(" of {}", ring_name(*ring)) },
         if *ring == 0 { "an outline" } else { "a hole" }
@@ -109,6 +111,14 @@ impl Outline {
 }
 
 impl Ring {
+    /// A ring of points, which come back bit for bit: one side, that starts and ends at the first.
+    #[must_use]
+    pub fn of_points(points: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
+        let mut points = points.into_iter().map(Into::into);
+        let Some(first) = points.next() else { return Self::default() };
+        Self { corners: vec![first], sides: vec![Side::points(points.collect())] }
+    }
+
     /// A ring of corners and sides.
     #[must_use]
     pub fn new(corners: impl IntoIterator<Item = impl Into<DVec2>>, sides: Vec<Side>) -> Self {
@@ -117,9 +127,11 @@ impl Ring {
 }
 
 /// Checks the corners of a ring. O(k).
-pub(crate) fn check_corners(ring: usize, corners: &[DVec2]) -> Result<(), OutlineError> {
+pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), OutlineError> {
+    let Ring { corners, sides } = given;
     let count = corners.len();
-    if count < 3 {
+    let is_curved = sides.iter().any(|side| side.curve != Curve::Line);
+    if count == 0 || (count < 3 && !is_curved) {
         return Err(OutlineError::TooFewCorners { ring, corners: count });
     }
     for (index, &DVec2 { x, y }) in corners.iter().enumerate() {
@@ -127,6 +139,9 @@ pub(crate) fn check_corners(ring: usize, corners: &[DVec2]) -> Result<(), Outlin
         if !(x.abs() <= GREATEST_COORDINATE && y.abs() <= GREATEST_COORDINATE) {
             return Err(OutlineError::Coordinate { corner: InRing { ring, index }, x, y });
         }
+    }
+    if count == 1 {
+        return Ok(());
     }
     (0..count).try_for_each(|first| check_distance(ring, corners, first))
 }
@@ -160,8 +175,8 @@ mod tests {
     fn refuses_corners_that_are_not_apart() {
         #[rustfmt::skip]
         let table: &[(usize, &[[f64; 2]], &str)] = &[
-            (0, &[[0.0, 0.0], [1.0, 0.0]], "found 2 corners; an outline needs at least 3"),
-            (2, &[[0.0, 0.0]], "found 1 corner of hole 2; a hole needs at least 3"),
+            (0, &[[0.0, 0.0], [1.0, 0.0]], "found 2 corners; an outline of straight sides needs at least 3"),
+            (2, &[[0.0, 0.0]], "found 1 corner of hole 2; a hole of straight sides needs at least 3"),
             (0, &[[0.0, 0.0], [1.0, f64::NAN], [0.0, 1.0]], "corner 2 is at (1.0, NaN); coordinates must be finite and at most 1e100 in size"),
             (1, &[[0.0, 0.0], [1.0, 0.0], [0.0, 1e101]], "corner 3 of hole 1 is at (0.0, 1e101); coordinates must be finite and at most 1e100 in size"),
             (0, &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 0.0]], "corners 4 and 1 are the same point (0.0, 0.0); give each corner once (the outline closes by itself)"),
@@ -171,7 +186,8 @@ mod tests {
         ];
         for (ring, corners, message) in table {
             let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();
-            assert_eq!(check_corners(*ring, &corners).unwrap_err().to_string(), *message);
+            let given = Ring { corners, sides: Vec::new() };
+            assert_eq!(check_corners(*ring, &given).unwrap_err().to_string(), *message);
         }
     }
 }

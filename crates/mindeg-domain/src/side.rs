@@ -1,20 +1,37 @@
-//! How one side of a domain is divided.
+//! One side of a domain: how it runs, and how it is divided.
 //!
 //! Limits: the number of intervals that a size makes is a rounded quotient of 64-bit floats.
 
+use glam::DVec2;
 use mindeg_core::MAX_VERTICES;
 
+use crate::curve::{Curve, CurveError};
 use crate::spacing::{Spacing, SpacingError};
 
-/// How one side is divided.
+/// One side of a ring: how it runs from its corner to the next, and how it is divided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
+    /// How it runs.
+    pub curve: Curve,
     /// How many intervals.
     pub intervals: Intervals,
     /// How the points are spread, in the direction of the side.
     pub spacing: Spacing,
     /// A name, for the groups of mesh files.
     pub name: Option<String>,
+    /// What kind of boundary it is.
+    pub kind: Option<SideKind>,
+}
+
+/// The kinds of boundary that ocean models tell apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SideKind {
+    /// Open water beyond.
+    Open,
+    /// The mainland.
+    Land,
+    /// An island.
+    Island,
 }
 
 /// The number of intervals of a side.
@@ -25,6 +42,9 @@ pub enum Intervals {
     /// As many as make intervals of about this length: the side's length divided by it,
     /// rounded, at least 1.
     Size(f64),
+    /// From each point of a [`Curve::Polyline`] to the next: these points are the boundary's, bit
+    /// for bit.
+    Points,
 }
 
 /// Why a side cannot be divided.
@@ -48,6 +68,29 @@ pub enum SideError {
         /// The intervals that it makes.
         intervals: f64,
     },
+    /// A curve that is none.
+    #[error(transparent)]
+    Curve(#[from] CurveError),
+    /// A spacing law on a side that has its own points.
+    #[error("the side has its own points, so a spacing law has nothing to say; drop the law")]
+    SpacedPoints,
+    /// Points to be kept on a side that gives none.
+    #[error("the side is to keep its own points and gives none; give a polyline or a count")]
+    NoPoints,
+    /// A point of a straight side that is not farther along than the one before.
+    #[error(
+        "point {} at ({x:?}, {y:?}) is not farther along the straight side than the one before; list \
+         the points in the order in which they lie on it",
+        index + 1
+    )]
+    OutOfOrder {
+        /// The index of the point among the side's own, from 0.
+        index: usize,
+        /// The x coordinate.
+        x: f64,
+        /// The y coordinate.
+        y: f64,
+    },
     /// A spacing law that does not fit the side.
     #[error(transparent)]
     Spacing(#[from] SpacingError),
@@ -57,7 +100,13 @@ impl Side {
     /// A side of `intervals` even intervals.
     #[must_use]
     pub fn count(intervals: u64) -> Self {
-        Self { intervals: Intervals::Count(intervals), spacing: Spacing::Uniform, name: None }
+        Self {
+            curve: Curve::Line,
+            intervals: Intervals::Count(intervals),
+            spacing: Spacing::Uniform,
+            name: None,
+            kind: None,
+        }
     }
 
     /// A side of even intervals of about the length `size`.
@@ -70,6 +119,38 @@ impl Side {
     #[must_use]
     pub fn parameters(parameters: Vec<f64>) -> Self {
         Self::count(parameters.len() as u64 + 1).spaced(Spacing::Parameters(parameters))
+    }
+
+    /// A side whose boundary points are those given, bit for bit, between its two corners.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let own = [[3.0, 0.1], [1.0, 0.1]].map(DVec2::from);
+    /// let sides = vec![Side::points(own.to_vec()), Side::count(1), Side::count(1)];
+    /// let domain = Domain::polygon([[4.0, 0.0], [0.0, 0.0], [2.0, -1.0]], sides)?;
+    /// assert_eq!(domain.placement().points().skip(1).take(2).collect::<Vec<_>>(), own);
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn points(points: Vec<DVec2>) -> Self {
+        let curve = Curve::Polyline(points);
+        Self { curve, intervals: Intervals::Points, ..Self::count(1) }
+    }
+
+    /// The same side along another curve.
+    #[must_use]
+    pub fn along(self, curve: Curve) -> Self {
+        Self { curve, ..self }
+    }
+
+    /// The same side of a kind.
+    #[must_use]
+    pub fn of_kind(self, kind: SideKind) -> Self {
+        Self { kind: Some(kind), ..self }
     }
 
     /// The same side with another spacing law.
@@ -86,15 +167,17 @@ impl Side {
 
     /// The same side from its end to its start.
     pub(crate) fn reversed(self) -> Self {
-        Self { spacing: self.spacing.reversed(), ..self }
+        Self { curve: self.curve.reversed(), spacing: self.spacing.reversed(), ..self }
     }
 }
 
 impl Intervals {
-    /// How many intervals a side of some length gets.
-    pub(crate) fn on(self, length: f64) -> Result<u64, SideError> {
+    /// How many intervals a side of some length gets, that has `points` of its own.
+    pub(crate) fn on(self, length: f64, points: usize) -> Result<u64, SideError> {
         match self {
             Self::Count(count) => Ok(count),
+            Self::Points if points == 0 => Err(SideError::NoPoints),
+            Self::Points => Ok(points as u64 + 1),
             Self::Size(size) if size > 0.0 && size.is_finite() => {
                 let intervals = (length / size).round().max(1.0);
                 if intervals > f64::from(MAX_VERTICES) {
@@ -114,10 +197,10 @@ mod tests {
     #[test]
     fn a_size_gives_the_nearest_count() {
         for (size, count) in [(1.0, 4), (1.1, 4), (1.2, 3), (100.0, 1), (0.5, 8)] {
-            assert_eq!(Intervals::Size(size).on(4.0), Ok(count), "{size}");
+            assert_eq!(Intervals::Size(size).on(4.0, 0), Ok(count), "{size}");
         }
-        assert_eq!(Intervals::Size(1.0).on(4_294_967_294.0), Ok(u64::from(MAX_VERTICES)));
-        let message = |size: f64| Intervals::Size(size).on(4.0).unwrap_err().to_string();
+        assert_eq!(Intervals::Size(1.0).on(4_294_967_294.0, 0), Ok(u64::from(MAX_VERTICES)));
+        let message = |size: f64| Intervals::Size(size).on(4.0, 0).unwrap_err().to_string();
         assert_eq!(message(0.0), "the size is 0.0; it must be a finite number above 0");
         assert_eq!(
             message(1e-300),

@@ -338,7 +338,8 @@ mod tests {
         let tip =
             |y: f64| [[0.0, 0.0], [1.0, 0.1], [1.0, 1.0], [0.5, y], [0.0, 1.0]].map(DVec2::from);
         let below = DVec2::new(0.5, 0.05);
-        let check = |y: f64| nesting(&tip(y), &[0..5]);
+        let ring = Range { start: 0, end: 5 };
+        let check = |y: f64| nesting(&tip(y), std::slice::from_ref(&ring));
         assert_eq!(side_of_line(DVec2::ZERO, DVec2::new(1.0, 0.1), below), 0.0);
         assert!(check(below.y.next_up()).is_ok());
         assert_eq!(check(below.y), Err(Fault::Touch { vertex: 3, edge: 0 }));

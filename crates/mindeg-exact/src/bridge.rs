@@ -82,17 +82,12 @@ pub enum BridgeUnsolved {
     #[error(transparent)]
     Rings(#[from] RingStripError),
     /// The search could visit more than [`MAX_STEPS`] states, or keep too many.
-    #[error(
-        "loops of {p} and {q} vertices are too large for the search under degree limit {limit}; \
-         take shorter loops or a smaller limit"
-    )]
+    #[error("loops of {p} and {q} vertices are too large for the exact search")]
     TooLarge {
         /// Vertices of the x ring.
         p: usize,
         /// Vertices of the y ring.
         q: usize,
-        /// The limit.
-        limit: u32,
     },
     /// The rings are in one plane, and every strip folds or has an excluded edge.
     #[error(
@@ -141,7 +136,7 @@ impl BridgeProblem {
         let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
         RingStrip::new(count(p), count(q))?;
         if p as u64 * q as u64 > MAX_TABLE / 2 {
-            return Err(BridgeUnsolved::TooLarge { p, q, limit: u32::MAX });
+            return Err(BridgeUnsolved::TooLarge { p, q });
         }
         let mut pairs = vec![false; p * q];
         for [i, j] in excluded {
@@ -231,18 +226,7 @@ pub fn bridge_rings(
         return Err(no_strip);
     }
     let (angles, areas) = problem.steps(plane.as_ref());
-    let search =
-        |steps: &Steps, limit: Option<u32>, add: bool| -> Result<Option<Path>, BridgeUnsolved> {
-            let capacities = limit.map(|limit| problem.capacities(limit));
-            let order = problem.starts();
-            let search = Search { steps, capacities: capacities.as_ref(), starts: &order, add };
-            let too_large = BridgeUnsolved::TooLarge { p, q, limit: limit.unwrap_or(u32::MAX) };
-            if search.table_len() > MAX_TABLE || search.most_steps() > MAX_STEPS {
-                return Err(too_large);
-            }
-            Ok(search.best(progress)?)
-        };
-
+    let search = |steps: &Steps, limit, add| problem.search(steps, limit, add, progress);
     let free = search(&angles, None, false)?.ok_or(no_strip)?;
     let free_degree = problem.max_degree(&free);
     let lower_bound = problem.lower_bound();
@@ -290,6 +274,20 @@ pub fn bridge_rings(
     })
 }
 
+/// The largest minimum angle of a strip between two rings, whatever its degrees; in degrees.
+///
+/// # Errors
+///
+/// [`BridgeUnsolved`].
+pub fn largest_bridge_angle(
+    problem: &BridgeProblem,
+    progress: Progress<'_>,
+) -> Result<f64, BridgeUnsolved> {
+    let (angles, _) = problem.steps(None);
+    let best = problem.search(&angles, None, false, progress)?;
+    Ok(degrees(best.ok_or(BridgeUnsolved::Excluded)?.cost))
+}
+
 /// The angle of a cost, in degrees.
 fn degrees(cost: u64) -> f64 {
     // The lowest bit was shifted out; tangents have 36 bits, so it was 0.
@@ -297,6 +295,23 @@ fn degrees(cost: u64) -> f64 {
 }
 
 impl BridgeProblem {
+    fn search(
+        &self,
+        steps: &Steps,
+        limit: Option<u32>,
+        add: bool,
+        progress: Progress<'_>,
+    ) -> Result<Option<Path>, BridgeUnsolved> {
+        let capacities = limit.map(|limit| self.capacities(limit));
+        let starts = self.starts();
+        let search = Search { steps, capacities: capacities.as_ref(), starts: &starts, add };
+        if search.table_len() > MAX_TABLE || search.most_steps() > MAX_STEPS {
+            let [p, q] = [0, 1].map(|ring| self.points[ring].len());
+            return Err(BridgeUnsolved::TooLarge { p, q });
+        }
+        Ok(search.best(progress)?)
+    }
+
     /// The most edges of the strip at each vertex beyond its first.
     fn capacities(&self, limit: u32) -> Capacities {
         let [x, y] = [0, 1].map(|ring| {

@@ -159,31 +159,53 @@ fn counting_bound(problem: &Problem, triangles: usize) -> u32 {
     mean.max(largest).max(if has_ear { least } else { 0 }) as u32
 }
 
+/// A lower bound on the maximum degree of all triangulations, with its proof, in little time: from
+/// the sum of the degrees and external degrees, and, of a polygon without holes or limits, from the
+/// zig-zags.
+#[must_use]
+pub fn lower_bound(problem: &Problem) -> (u32, LowerBound) {
+    match &problem.domain {
+        Domain::Convex(boundary) if problem.is_plain() => {
+            (least_max_degree(boundary), LowerBound::ClosedForm)
+        }
+        Domain::Simple(mesh) if problem.is_plain() => match zigzags(problem, mesh) {
+            Some(Found::Blocked(chords)) => (5, LowerBound::BlockedZigZags(chords)),
+            _ => (counting_bound(problem, mesh.triangles.len()), LowerBound::Counting),
+        },
+        Domain::Convex(_) | Domain::Simple(_) | Domain::Rings(_) => {
+            let triangles = match &problem.domain {
+                Domain::Convex(boundary) => boundary.vertex_count() as usize - 2,
+                Domain::Simple(mesh) | Domain::Rings(mesh) => mesh.triangles.len(),
+            };
+            (counting_bound(problem, triangles), LowerBound::Counting)
+        }
+    }
+}
+
+/// The test of all zig-zags, from the number of vertices on for which it decides about degree 4.
+fn zigzags(problem: &Problem, mesh: &Triangulation) -> Option<Found> {
+    (problem.points().len() >= 7).then(|| zigzag::find(problem, mesh, ZIGZAG_STEPS))
+}
+
 fn polygon(
     problem: &Problem,
     mesh: &Triangulation,
     progress: Progress<'_>,
 ) -> Result<DegreeRange, Unsolved> {
     let vertices = problem.points().len();
-    let mut lower_bound = counting_bound(problem, mesh.triangles.len());
-    let mut bounded_by = LowerBound::Counting;
-    if vertices >= 7 {
-        match zigzag::find(problem, mesh, ZIGZAG_STEPS) {
-            Found::ZigZag(zigzag) => {
-                return Ok(DegreeRange {
-                    max_degree: 4,
-                    lower_bound,
-                    reached_by: Reached::ZigZag(zigzag),
-                    bounded_by,
-                    triangles: zigzag.triangles().collect(),
-                });
-            }
-            Found::Blocked(chords) => {
-                (lower_bound, bounded_by) = (5, LowerBound::BlockedZigZags(chords));
-            }
-            Found::Unknown => {}
+    let (lower_bound, bounded_by) = match zigzags(problem, mesh) {
+        Some(Found::ZigZag(zigzag)) => {
+            return Ok(DegreeRange {
+                max_degree: 4,
+                lower_bound: 4,
+                reached_by: Reached::ZigZag(zigzag),
+                bounded_by: LowerBound::Counting,
+                triangles: zigzag.triangles().collect(),
+            });
         }
-    }
+        Some(Found::Blocked(chords)) => (5, LowerBound::BlockedZigZags(chords)),
+        _ => (counting_bound(problem, mesh.triangles.len()), LowerBound::Counting),
+    };
     let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
     let reached_by = Reached::Windows;
     let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };

@@ -72,7 +72,13 @@ pub struct LoopTriangulation {
     pub area: f64,
     /// The least area without a limit, and the largest total degree that goes with it.
     pub without_limit: (f64, u32),
+    /// The least area under a limit one higher, where no limit was given and the area is more than
+    /// [`WORTH_MORE`] of the least.
+    pub next_area: Option<f64>,
 }
+
+/// From which share of the least area on a higher limit is worth a look.
+pub const WORTH_MORE: f64 = 1.02;
 
 /// Why a loop has no triangulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
@@ -198,7 +204,7 @@ pub fn fill_loop(
     let without_limit = (area(problem, &free), max_degree(problem, &free));
     let result = |triangles: Vec<[u32; 3]>, limit: Option<u32>| {
         let (area, max_degree) = (area(problem, &triangles), max_degree(problem, &triangles));
-        LoopTriangulation { triangles, limit, max_degree, area, without_limit }
+        LoopTriangulation { triangles, limit, max_degree, area, without_limit, next_area: None }
     };
     let solve = |limit: u32| -> Result<Option<(Vec<[u32; 3]>, Cost)>, LoopUnsolved> {
         if keeps(problem, &free, limit) {
@@ -229,7 +235,12 @@ pub fn fill_loop(
         LoopLimit::None => Ok(result(free.clone(), None)),
         LoopLimit::LeastFrom(from) => {
             let (triangles, limit) = least_from(from, true)?;
-            Ok(result(triangles, Some(limit)))
+            let mut found = result(triangles, Some(limit));
+            if found.area > WORTH_MORE * without_limit.0 {
+                let (triangles, _) = least_from(limit + 1, true)?;
+                found.next_area = Some(area(problem, &triangles));
+            }
+            Ok(found)
         }
         LoopLimit::AtMost(limit) => match solve(limit)? {
             Some((triangles, _)) => Ok(result(triangles, Some(limit))),

@@ -35,7 +35,7 @@
 //! - [`fill_loop`]: the triangulation of least area of a closed loop in space, under a degree limit.
 //! - [`bridge_rings`]: the strip between two loops with the least maximum degree, and of those the
 //!   largest minimum angle.
-//! - [`check`]: whether triangles are a triangulation, by other means.
+//! - [`check`]: whether the proof of a lower bound holds, by other means.
 //!
 //! # How it works
 //!
@@ -105,10 +105,13 @@ mod zigzag;
 
 pub use answer::{TradeOff, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
-pub use bridge::{Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings};
-pub use degree::{DegreeRange, LowerBound, Reached, degree_range};
+pub use bridge::{
+    Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings, largest_bridge_angle,
+};
+pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
 pub use fill::{
-    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
+    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, WORTH_MORE,
+    fill_loop,
 };
 pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};

@@ -279,6 +279,11 @@ impl Problem {
         self.degree_limits[vertex as usize] = Some(limit);
     }
 
+    /// Takes the degree limits of all vertices away.
+    pub fn clear_degree_limits(&mut self) {
+        self.degree_limits.fill(None);
+    }
+
     /// Whether no vertex has external edges or a degree limit of its own.
     pub(crate) fn is_plain(&self) -> bool {
         self.external_degrees.iter().all(|&edges| edges == 0)

@@ -170,6 +170,11 @@ proptest! {
         let expected = (6..).find(|&limit| least(limit, Some(fewest_flat)).is_some());
         prop_assert_eq!(default.limit, expected);
         prop_assert!(is_least(default.area, least(expected.unwrap(), None).unwrap()));
+        if let Some(next) = default.next_area {
+            let expected = (expected.unwrap() + 1..)
+                .find_map(|limit| least(limit, Some(fewest_flat)));
+            prop_assert!(is_least(next, expected.unwrap()) && next <= default.area);
+        }
     }
 }
 

@@ -2,10 +2,48 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::ear_clipping::cut_polygon;
-use mindeg_mesh::{Mesh, filled};
+use mindeg_mesh::{Line, Mesh, TriMesh, filled};
 use std::ops::Range;
 
 use crate::corners::segments;
+
+/// The mesh with a line for each loop of its boundary, named `boundary 1` and so on, if it has no lines
+/// and is not closed: what [formats with a boundary](crate::Format::has_boundary) ask for.
+///
+/// Each line runs with the mesh on its left, so those around holes run clockwise. O(n log n) time.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{obj, with_boundary_lines};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n".as_bytes())?;
+/// assert_eq!(with_boundary_lines(mesh).segments(), [[0, 1], [1, 2], [2, 0]]);
+/// # Ok::<(), mindeg_formats::ReadError>(())
+/// ```
+#[must_use]
+pub fn with_boundary_lines(mesh: TriMesh) -> TriMesh {
+    if !mesh.segments().is_empty() {
+        return mesh;
+    }
+    let mut lines = Vec::new();
+    let mut segments = Vec::new();
+    for (boundary, number) in mesh.boundary_loops().into_iter().zip(1..) {
+        let start = segments.len() as u32;
+        let vertices = &boundary.vertices;
+        segments.extend(vertices.windows(2).map(|ends| [ends[0], ends[1]]));
+        if let (true, [first, .., last]) = (boundary.closed, &vertices[..]) {
+            segments.push([*last, *first]);
+        }
+        // A boundary has fewer edges than the mesh has corners; what 32 bits do not count is left.
+        let Ok(end) = u32::try_from(segments.len()) else { return mesh };
+        if start < end {
+            let name = format!("boundary {number}");
+            lines.push(Line { name, segments: start..end, is_straight: false });
+        }
+    }
+    mesh.with_lines(lines, segments).expect("the boundary has vertices of the mesh")
+}
 
 /// Segments looked at at a time.
 const BLOCK: u32 = 1 << 12;

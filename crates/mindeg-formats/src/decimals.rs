@@ -45,6 +45,17 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
 
     /// Appends a finite number that is not -0: the shortest decimal that reads back the same.
     pub(crate) fn push(&mut self, value: F, buffer: &mut Vec<u8>) {
+        self.keep(value);
+        self.text.append_to(buffer);
+    }
+
+    /// [`push`](Self::push), for the first of a line: without the space.
+    pub(crate) fn push_first(&mut self, value: F, buffer: &mut Vec<u8>) {
+        self.keep(value);
+        buffer.extend_from_slice(&self.text.bytes[1..self.text.len]);
+    }
+
+    fn keep(&mut self, value: F) {
         if self.last != Some(value) {
             let number = self.digits.format_finite(value);
             let number = number.strip_suffix(".0").unwrap_or(number);
@@ -53,7 +64,6 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
             self.text.push(number.as_bytes());
             self.last = Some(value);
         }
-        self.text.append_to(buffer);
     }
 }
 
@@ -74,6 +84,7 @@ mod tests {
         for value in [0.0, 0.0, 1.5, 1.5, 0.1, 1e300, 1e300, -2.0, -5e-324] {
             decimals.push(value, &mut text);
         }
-        assert_eq!(String::from_utf8_lossy(&text), " 0 0 1.5 1.5 0.1 1e+300 1e+300 -2 -5e-324");
+        decimals.push_first(2.5, &mut text);
+        assert_eq!(String::from_utf8_lossy(&text), " 0 0 1.5 1.5 0.1 1e+300 1e+300 -2 -5e-3242.5");
     }
 }

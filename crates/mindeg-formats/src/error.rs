@@ -165,6 +165,14 @@ pub enum WriteError {
         /// The most that the format holds.
         limit: u64,
     },
+    /// A format that this build leaves out.
+    #[error("this build of mindeg does not write {}; write .svg, or build it with the feature {feature}", .format.description())]
+    NotBuilt {
+        /// The format.
+        format: Format,
+        /// The feature that brings it.
+        feature: &'static str,
+    },
     /// A format that is read and not written.
     #[error("{} is read and not written", .0.description())]
     NotWritten(Format),

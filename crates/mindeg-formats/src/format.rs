@@ -141,6 +141,12 @@ impl Format {
         self.facts().description
     }
 
+    /// Whether the format is for solvers, which need to know the boundary.
+    #[must_use]
+    pub fn has_boundary(self) -> bool {
+        matches!(self, Self::Msh | Self::Su2 | Self::Inp | Self::Node | Self::Fort14 | Self::Sms2dm)
+    }
+
     /// The format that the extension of a file name asks for, in upper or lower case.
     ///
     /// # Example

@@ -4,7 +4,9 @@
 //! 0 for each triangle (`uint32`); where asked for, `degrees` (`uint32`) and `min_angles` (degrees,
 //! `float64`) follow. Nothing is compressed or pickled: `numpy.load(file)` reads it as it is.
 //!
-//! Limits: names, groups and lines are not kept. Compressed arrays are not read.
+//! Compressed arrays (`numpy.savez_compressed`) are read, too.
+//!
+//! Limits: names, groups and lines are not kept.
 
 mod array;
 mod read;

@@ -44,10 +44,6 @@ impl Numbered {
         push(&mut self.positions, position)
     }
 
-    pub(crate) fn vertex_count(&self) -> usize {
-        self.positions.len()
-    }
-
     /// Adds an element of three or four corners, which a line of the file has.
     pub(crate) fn element(
         &mut self,

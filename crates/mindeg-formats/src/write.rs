@@ -7,8 +7,8 @@ use mindeg_mesh::{Mesh, Positions};
 use crate::gltf::Stored;
 use crate::sections::{self, Section, write_sections};
 use crate::{
-    Format, WriteError, WriteOptions, fort14, glb, gltf, npz, obj, off, ply, sms2dm, stl, svg,
-    triangle,
+    Format, WriteError, WriteOptions, fort14, glb, gltf, inp, msh, npz, obj, off, ply, sms2dm, stl,
+    su2, svg, triangle, vtk, vtu,
 };
 
 /// Writes meshes on some positions in one format.
@@ -79,9 +79,13 @@ impl Writer {
         triangle_count: u32,
     ) -> Result<(), WriteError> {
         match format {
-            Format::Svg => svg::check_size(vertex_count),
+            Format::Png if cfg!(not(feature = "png")) => {
+                Err(WriteError::NotBuilt { format, feature: "png" })
+            }
+            Format::Svg | Format::Png => svg::check_size(vertex_count),
+            Format::Vtk => vtk::check_size(vertex_count),
+            Format::Msh => msh::check_size(options, vertex_count, triangle_count),
             Format::Glb => glb::check_size(vertex_count, triangle_count, &options.surface),
-            Format::Off => Err(WriteError::NotWritten(format)),
             _ => Ok(()),
         }
     }
@@ -124,6 +128,8 @@ impl Writer {
             (Format::Gltf, Some(stored), [(_, document), (name, binary)]) => {
                 Ok(gltf::write_stored(mesh, stored, surface, name, document, binary)?)
             }
+            #[cfg(feature = "png")]
+            (Format::Png, _, [(_, out)]) => crate::png::write(mesh, out),
             (Format::Npz, _, [(_, out)]) => Ok(npz::write(mesh, self.options.fields, out)?),
             _ => Err(WriteError::NotWritten(self.format)),
         }
@@ -152,6 +158,11 @@ impl Writer {
     fn contents<'a>(&'a self, mesh: &'a dyn Mesh) -> Option<Vec<Vec<Section<'a>>>> {
         Some(match self.format {
             Format::Obj => vec![obj::sections(mesh, &self.options.surface)],
+            Format::Msh => vec![msh::sections(mesh, &self.options)],
+            Format::Vtu => vec![vtu::sections(mesh, &self.options)],
+            Format::Su2 => vec![su2::sections(mesh)],
+            Format::Inp => vec![inp::sections(mesh)],
+            Format::Vtk => vec![vtk::sections(mesh, &self.options)],
             Format::Ply => vec![ply::sections(mesh, &self.options)],
             Format::Stl => vec![stl::sections(mesh, self.options.surface.plane)],
             Format::Off => vec![off::sections(mesh, self.options.surface.plane)],

@@ -14,6 +14,7 @@ use crate::packing::{Ground, is_inside_of};
 use crate::report::{Report, measure};
 use crate::size::SizeField;
 use crate::stage::Stage;
+use crate::triangle::SQRT_3;
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
 use mindeg_domain::{Prefer, SizeAt};
@@ -84,6 +85,9 @@ pub fn generate(
         let way = Options { growth, prefer: *prefer, ..options.clone() };
         let goals = goals(outline, &way);
         let (breaklines, field) = size_field(outline, fixed, &way)?;
+        if about_points(outline, &field) > 2.0 * options.max_points as f64 {
+            return Err(InteriorError::TooManyPoints { max: options.max_points });
+        }
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
         let mut stage = Stage::of_try(progress, "adding interior points", index, tries.len());
         let mut mesh = start.mesh(seed.spacing, floor, options.max_points, progress, &mut stage)?;
@@ -107,6 +111,24 @@ pub fn generate(
         }
     }
     best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
+}
+
+/// About how many points the size field asks for, from its sizes at some places: so that far too many
+/// are refused at once.
+fn about_points(outline: &Outline, field: &SizeField) -> f64 {
+    const ACROSS: u32 = 16;
+    let points = || outline.points().iter().copied();
+    let low = points().reduce(DVec2::min).unwrap_or_default();
+    let cell = (points().reduce(DVec2::max).unwrap_or_default() - low) / f64::from(ACROSS);
+    let place = |i: u32| DVec2::new(f64::from(i % ACROSS) + 0.5, f64::from(i / ACROSS) + 0.5);
+    let of_cell = |x: DVec2| {
+        let (edge, _) = field.boundary().nearest(x, f64::INFINITY)?;
+        let size = field.at(x);
+        is_inside_of(outline, edge, x).then(|| cell.element_product() / (size * size))
+    };
+    // Each point of an equilateral packing takes sqrt(3) / 2 of its size squared.
+    let sum: f64 = (0..ACROSS * ACROSS).filter_map(|i| of_cell(low + cell * place(i))).sum();
+    sum * 2.0 / SQRT_3
 }
 
 /// The size field, with fixed points and segments taken in.

@@ -45,12 +45,6 @@ pub enum CheckError {
         /// The vertex.
         vertex: u32,
     },
-    /// A triangle that is clockwise or has no area, exactly.
-    #[error("triangle {triangle} is clockwise or has no area")]
-    NotCounterClockwise {
-        /// Its index.
-        triangle: usize,
-    },
     /// Two triangles on the same side of an edge, or a triangle outside a boundary edge.
     #[error("the edge from {from} to {to} has a triangle too many on its left")]
     Overlap {
@@ -66,6 +60,12 @@ pub enum CheckError {
         from: u32,
         /// Where it ends.
         to: u32,
+    },
+    /// A triangle that is clockwise or has no area, exactly.
+    #[error("triangle {triangle} is clockwise or has no area")]
+    NotCounterClockwise {
+        /// Its index.
+        triangle: usize,
     },
 }
 
@@ -89,7 +89,7 @@ pub enum CheckError {
 /// let checked = check::triangulation(&points, &ring, &[[0, 1, 2], [0, 2, 3]])?;
 /// assert_eq!(checked.degrees, [3, 2, 3, 2]);
 /// let error = check::triangulation(&points, &ring, &[[0, 1, 2], [0, 3, 2]]).unwrap_err();
-/// assert_eq!(error.to_string(), "triangle 1 is clockwise or has no area");
+/// assert_eq!(error.to_string(), "the edge from 0 to 3 has a triangle too many on its left");
 /// # Ok::<(), check::CheckError>(())
 /// ```
 pub fn triangulation(
@@ -106,23 +106,28 @@ pub fn triangulation(
         }
     }
     let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
-    let fault = first_of_blocks(count, |range| {
+    let missing = first_of_blocks(count, |range| {
         range.map(|triangle| triangle as usize).find_map(|triangle| {
-            let corners = triangles[triangle];
-            if let Some(&vertex) = corners.iter().find(|&&corner| corner as usize >= points.len()) {
-                return Some(CheckError::NoSuchVertex { triangle, vertex });
-            }
-            let [a, b, c] = corners.map(|corner| points[corner as usize]);
+            let vertex = triangles[triangle].into_iter().find(|&v| v as usize >= points.len())?;
+            Some(CheckError::NoSuchVertex { triangle, vertex })
+        })
+    });
+    if let Some(missing) = missing {
+        return Err(missing);
+    }
+    let edges = paired(rings, triangles)?;
+    let turned = first_of_blocks(count, |range| {
+        range.map(|triangle| triangle as usize).find(|&triangle| {
+            let [a, b, c] = triangles[triangle].map(|corner| points[corner as usize]);
             let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
             // A point that is not finite makes this fail, too.
             let is_counter_clockwise = orient2d(a, b, c) > 0.0;
-            (!is_counter_clockwise).then_some(CheckError::NotCounterClockwise { triangle })
+            !is_counter_clockwise
         })
     });
-    if let Some(fault) = fault {
-        return Err(fault);
+    if let Some(triangle) = turned {
+        return Err(CheckError::NotCounterClockwise { triangle });
     }
-    let edges = paired(rings, triangles)?;
     let mut degrees = vec![0; points.len()];
     for vertex in edges.into_iter().flat_map(|edge| [edge >> 32, edge & u64::from(u32::MAX)]) {
         degrees[vertex as usize] += 1;
@@ -189,8 +194,13 @@ mod tests {
         assert_eq!(of_square(&square), Ok(vec![3, 2, 3, 2]));
         fails(&[[0, 1, 2]], "found 1 triangles, expected 2");
         fails(&[[0, 1, 2], [0, 2, 9]], "triangle 1 has vertex 9, which does not exist");
-        fails(&[[0, 1, 2], [0, 3, 2]], "triangle 1 is clockwise or has no area");
-        fails(&[[0, 1, 2], [0, 0, 3]], "triangle 1 is clockwise or has no area");
+        fails(&[[0, 1, 2], [0, 3, 2]], "the edge from 0 to 3 has a triangle too many on its left");
+        fails(&[[0, 1, 2], [0, 0, 3]], "the edge from 0 to 3 has a triangle too many on its left");
+        // All edges have their partners, and yet a triangle is flat.
+        let flat = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0)].map(DVec2::from);
+        let ring = 0..4;
+        let of_flat = triangulation(&flat, std::slice::from_ref(&ring), &[[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(of_flat, Err(CheckError::NotCounterClockwise { triangle: 0 }));
         fails(&[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has a triangle too many on its left");
         fails(&[[0, 1, 2], [1, 3, 0]], "the edge from 0 to 1 has a triangle too many on its left");
 

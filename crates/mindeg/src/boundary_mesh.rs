@@ -17,13 +17,13 @@ mod source;
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_core::Boundary;
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 
-use mindeg_domain::{ConvexForm, Domain, Placement, Rings};
+use mindeg_domain::{Domain, Placement, Rings};
 use mindeg_mesh::Progress;
-use mindeg_mesh::parallel::fill_blocks;
+use mindeg_mesh::check::{self, CheckError, Checked};
+use mindeg_mesh::parallel::{fill_blocks, first_of_blocks};
 
 use self::angles::{cotangents, placed};
 pub use self::error::MeshError;
@@ -62,12 +62,6 @@ const LEAST_SHARED: usize = 1 << 16;
 /// How many triangles a thread writes at a time.
 const FILLED_AT_A_TIME: usize = 1 << 15;
 
-/// The boundary of a convex domain, with the vertices of the domain.
-pub(crate) fn convex(domain: &Domain) -> Result<&Boundary, MeshError> {
-    let form = domain.convex().filter(|form| form.first() == 0);
-    form.map(ConvexForm::boundary).ok_or(MeshError::NotConvex)
-}
-
 impl BoundaryMesh {
     /// The mesh with the least possible maximum degree that is best on the domain's points.
     ///
@@ -96,9 +90,9 @@ impl BoundaryMesh {
         if domain.is_constrained() {
             return Err(MeshError::Constrained);
         }
-        let boundary = convex(domain)?;
-        let triangulation = choice::best_candidate(boundary, domain.placement(), progress)?;
-        Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(triangulation) })
+        let form = domain.convex().ok_or(MeshError::NotConvex)?;
+        let formula = choice::best_candidate(form, domain.placement(), progress)?;
+        Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(formula) })
     }
 
     /// The mesh with the given triangles, in their order; vertices have the indices of the
@@ -108,8 +102,8 @@ impl BoundaryMesh {
     ///
     /// # Errors
     ///
-    /// Triangles that do not triangulate the domain's boundary
-    /// ([`verify`](mindeg_core::verify) says why), or one that has no area in f64.
+    /// Triangles that do not triangulate the domain ([`mindeg_mesh::check`] says why), or one that has
+    /// no area in f64 or all vertices on one straight side.
     ///
     /// # Example
     ///
@@ -123,16 +117,29 @@ impl BoundaryMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_triangles(domain: &Domain, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
-        let list = TriangleList::new(convex(domain)?, triangles)?;
-        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list) };
-        let without_area = mesh
-            .triangles()
-            .zip(mesh.placed_triangles())
-            .find(|&(_, points)| cotangents(points)[0] == f64::INFINITY);
-        if let Some((triangle, _)) = without_area {
-            return Err(MeshError::NoArea { triangle });
+        if let Some(triangle) = first_flat(domain, &triangles) {
+            return Err(MeshError::Flat { triangle });
         }
-        Ok(mesh)
+        let rings: Vec<Range<u32>> = domain.rings().rings().collect();
+        let checked = match check::triangulation(&points_of(domain), &rings, &triangles) {
+            // The triangles hang together: if they do not cover the domain, rounding is why.
+            Err(CheckError::NotCounterClockwise { triangle }) => {
+                return Err(MeshError::NoArea { triangle: triangles[triangle] });
+            }
+            checked => checked?,
+        };
+        let Checked { degrees, max_degree } = checked;
+        let list = TriangleList { triangles, degrees, max_degree };
+        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list) };
+        let without_area = first_of_blocks(mesh.triangle_count(), |range| {
+            let placed = mesh.triangles_of(range.clone()).zip(mesh.placed_triangles_of(range));
+            let mut flat = placed.filter(|&(_, points)| cotangents(points)[0] == f64::INFINITY);
+            flat.next().map(|(triangle, _)| triangle)
+        });
+        match without_area {
+            Some(triangle) => Err(MeshError::NoArea { triangle }),
+            None => Ok(mesh),
+        }
     }
 
     /// The domain.
@@ -159,7 +166,7 @@ impl BoundaryMesh {
         self.triangulation.vertex_count()
     }
 
-    /// The number of triangles, n - 2.
+    /// The number of triangles, n + 2h - 2 with h holes.
     #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.triangulation.triangle_count()
@@ -175,7 +182,7 @@ impl BoundaryMesh {
         self.placement().point(vertex)
     }
 
-    /// The positions of all vertices, counter-clockwise from the first corner.
+    /// The positions of all vertices, ring by ring.
     pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
         self.placement().points()
     }
@@ -317,7 +324,7 @@ impl BoundaryMesh {
         self.triangulation.max_degree()
     }
 
-    /// The neighbours of a vertex, counter-clockwise: from the next boundary vertex to the previous
+    /// The neighbours of a vertex, counter-clockwise: from the next vertex of its ring to the previous
     /// one. O(degree) for a mesh of least degree, O(n) for one with given triangles.
     ///
     /// # Panics
@@ -336,7 +343,8 @@ impl BoundaryMesh {
     /// ```
     #[must_use]
     pub fn neighbors(&self, vertex: u32) -> Vec<u32> {
-        self.triangulation.neighbors(vertex)
+        let next = self.rings().next(vertex);
+        self.triangulation.neighbors(vertex, next)
     }
 
     /// The total degree of a vertex: its degree in this mesh plus its external degree. O(log n).
@@ -357,6 +365,35 @@ impl BoundaryMesh {
         }
         (0..self.vertex_count()).map(|vertex| self.total_degree(vertex)).fold(0, u32::max)
     }
+}
+
+/// The points of a domain, by vertex.
+pub(crate) fn points_of(domain: &Domain) -> Vec<DVec2> {
+    let placement = domain.placement();
+    let mut points = vec![DVec2::ZERO; placement.vertex_count() as usize];
+    fill_blocks(&mut points, |first, points| placement.fill_points(first, points));
+    points
+}
+
+/// The first triangle whose vertices are all on one straight run of the domain's boundary.
+fn first_flat(domain: &Domain, triangles: &[[u32; 3]]) -> Option<[u32; 3]> {
+    let (rings, after) = (domain.rings(), domain.straight_runs());
+    // The runs that end and begin at each vertex.
+    let mut runs: Vec<[u32; 2]> = after.iter().map(|&run| [run; 2]).collect();
+    for ring in rings.rings() {
+        let last = ring.end - 1;
+        runs[ring.start as usize][0] = after[last as usize];
+        ring.skip(1).for_each(|vertex| runs[vertex as usize][0] = after[vertex as usize - 1]);
+    }
+    let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
+    first_of_blocks(count, |range| {
+        range.map(|triangle| triangles[triangle as usize]).find(|corners| {
+            // Triangles with vertices that do not exist are the checker's.
+            let of = |corner: usize| runs.get(corners[corner] as usize).copied();
+            let (Some(a), Some(b), Some(c)) = (of(0), of(1), of(2)) else { return false };
+            a.iter().any(|run| b.contains(run) && c.contains(run))
+        })
+    })
 }
 
 #[cfg(test)]
@@ -448,7 +485,7 @@ mod tests {
         let error = BoundaryMesh::least_degree(&domain).unwrap_err();
         assert!(error.to_string().starts_with("triangle [7, 8, 10] is so thin"), "{error}");
 
-        let formula = mindeg_core::least_degree_triangulation(convex(&domain).unwrap());
+        let formula = mindeg_core::least_degree_triangulation(domain.convex().unwrap().boundary());
         let error =
             BoundaryMesh::with_triangles(&domain, formula.triangles().collect()).unwrap_err();
         assert!(matches!(error, MeshError::NoArea { .. }), "{error}");

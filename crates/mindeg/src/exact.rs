@@ -4,19 +4,19 @@
 //!
 //! Degrees here are total: external degrees count.
 //!
-//! Limits: those of the solver, [`MAX_VERTICES`](mindeg_exact::MAX_VERTICES) boundary vertices
-//! above all.
+//! Limits: those of the solver, [`MAX_VERTICES`](mindeg_exact::MAX_VERTICES) boundary vertices of a
+//! convex domain above all. With holes, and where too many vertices see each other, windows reach what
+//! they can, and the answers say so.
 
-use std::cmp::Reverse;
-
-use glam::DVec2;
-use mindeg_delaunay::DelaunayError;
 use mindeg_domain::Domain;
-use mindeg_exact::{Optimum, Problem, ProblemError, Unsolved, best_angle};
+use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::{BoundaryMesh, MeshError, convex};
-use crate::conflict;
+use crate::boundary_mesh::{BoundaryMesh, MeshError};
+pub use crate::degree::{DegreeAnswer, degree, degree_of_rings};
+pub use crate::exact_error::ExactError;
+use crate::posed::Posed;
+pub use mindeg_exact::{ApexBound, LowerBound, Reached, ZigZag};
 
 /// A mesh with the largest minimum angle under a degree limit.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,6 +35,7 @@ pub struct TradeOff {
     domain: Domain,
     meshes: Vec<ExactMesh>,
     delaunay_min_angle: f64,
+    is_exact: bool,
 }
 
 impl TradeOff {
@@ -45,7 +46,8 @@ impl TradeOff {
     }
 
     /// A mesh for every maximum degree, from the least possible one to the first with which the
-    /// minimum angle is as large as with any. At least one.
+    /// minimum angle is as large as with any. At least one. Where windows reached them, degrees without
+    /// a better mesh than the one before are left out.
     #[must_use]
     pub fn meshes(&self) -> &[ExactMesh] {
         &self.meshes
@@ -58,6 +60,13 @@ impl TradeOff {
         self.delaunay_min_angle
     }
 
+    /// Whether the least degree and the angles are proven to be the best. If not, they are what windows
+    /// reach: the domain has holes, or too many of its vertices see each other.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.is_exact
+    }
+
     /// How much of that a mesh has, 0 to 1.
     #[must_use]
     pub fn share(&self, exact: &ExactMesh) -> f64 {
@@ -65,42 +74,13 @@ impl TradeOff {
     }
 }
 
-/// Why a domain has no exact mesh.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum ExactError {
-    /// It is too large.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
-    /// No mesh keeps the limit for all vertices, or the work was cancelled.
-    #[error(transparent)]
-    Unsolved(#[from] Unsolved),
-    /// No mesh keeps the degree limits that the domain gives these vertices, whatever the others
-    /// may have. Without any one of these limits the others can be kept, unless there are more
-    /// than the search had time for.
-    #[error(
-        "no mesh keeps the degree limits of {}; raise max_degree {}",
-        vertex_list(vertices),
-        if vertices.len() == 1 { "there" } else { "at one of them or more" }
-    )]
-    DegreeLimits {
-        /// The vertices, in ascending order.
-        vertices: Vec<u32>,
-    },
-    /// Its points have no Delaunay triangulation to start from.
-    #[error(transparent)]
-    Delaunay(#[from] DelaunayError),
-    /// Its points are too close together.
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-}
-
-/// The least maximum degree of all meshes of a domain; O(k) for k sides unless the domain is
-/// constrained.
+/// The least maximum degree of all meshes of a domain; O(k) for k sides of a convex domain without
+/// constraints. [`degree`] has more to say.
 ///
 /// # Errors
 ///
-/// A domain that is constrained and too large, or whose own degree limits no mesh keeps.
+/// As [`degree`], and a least maximum degree that is not proven: with holes, and where too many vertices
+/// see each other.
 ///
 /// # Example
 ///
@@ -116,12 +96,8 @@ pub enum ExactError {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, ExactError> {
-    if !domain.is_constrained() {
-        return Ok(mindeg_core::least_max_degree(convex(domain)?));
-    }
-    let problem = problem(domain)?;
-    mindeg_exact::least_max_degree(&problem, progress)
-        .map_err(|error| unsolved(domain, error, progress))
+    let DegreeAnswer { reached, at_least, .. } = degree(domain, progress)?;
+    if reached == at_least { Ok(reached) } else { Err(ExactError::Gap { reached, at_least }) }
 }
 
 /// The mesh with the largest minimum angle in which no total degree is above `max_degree`, nor
@@ -151,12 +127,21 @@ pub fn mesh(
     max_degree: u32,
     progress: Progress<'_>,
 ) -> Result<ExactMesh, ExactError> {
-    let problem = problem(domain)?;
-    let best = best_angle(&problem, max_degree, progress);
-    placed(domain, best.map_err(|error| unsolved(domain, error, progress))?)
+    best_mesh(&Posed::new(domain, progress)?, max_degree, progress)
 }
 
-/// The best mesh for every maximum degree.
+/// [`mesh()`] of a domain that has been posed.
+pub(crate) fn best_mesh(
+    posed: &Posed<'_>,
+    max_degree: u32,
+    progress: Progress<'_>,
+) -> Result<ExactMesh, ExactError> {
+    let best = best_angle(&posed.problem, max_degree, progress);
+    placed(posed, best.map_err(|error| posed.unsolved(error, progress))?)
+}
+
+/// The best mesh for every maximum degree; where exact work is out of reach, the best that windows
+/// reach, see [`TradeOff::is_exact`].
 ///
 /// # Errors
 ///
@@ -188,118 +173,67 @@ pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, Ex
 /// As [`mesh()`].
 pub fn trade_off_until(
     domain: &Domain,
+    is_enough: impl FnMut(f64, f64) -> bool,
+    progress: Progress<'_>,
+) -> Result<TradeOff, ExactError> {
+    let posed = Posed::new(domain, progress)?;
+    if posed.has_best_angles(progress)? {
+        exact_trade_off(&posed, is_enough, progress)
+    } else {
+        trade_off_by_windows(&posed, is_enough, progress)
+    }
+}
+
+/// The trade-off up to the first mesh that is enough, by the search.
+pub(crate) fn exact_trade_off(
+    posed: &Posed<'_>,
     mut is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
 ) -> Result<TradeOff, ExactError> {
-    let problem = problem(domain)?;
     let mut is_enough = |optimum: &Optimum, most: f64| is_enough(optimum.min_angle, most);
-    let answer = mindeg_exact::trade_off_until(&problem, &mut is_enough, progress)
-        .map_err(|error| unsolved(domain, error, progress))?;
-    let meshes = answer.optima.into_iter().map(|optimum| placed(domain, optimum));
+    let answer = mindeg_exact::trade_off_until(&posed.problem, &mut is_enough, progress)
+        .map_err(|error| posed.unsolved(error, progress))?;
+    let meshes = answer.optima.into_iter().map(|optimum| placed(posed, optimum));
     Ok(TradeOff {
-        domain: domain.clone(),
+        domain: posed.domain().clone(),
         meshes: meshes.collect::<Result<_, _>>()?,
         delaunay_min_angle: answer.unlimited_min_angle,
+        is_exact: true,
     })
 }
 
-/// The domain as the solver takes it.
-fn problem(domain: &Domain) -> Result<Problem, ExactError> {
-    let boundary = convex(domain)?;
-    // The solver refuses a number of vertices too large for the memory of one point each.
-    if boundary.vertex_count() > mindeg_exact::MAX_VERTICES {
-        return Err(ProblemError::TooManyVertices { vertices: boundary.vertex_count() }.into());
-    }
-    let points: Vec<DVec2> = domain.placement().points().collect();
-    let mut problem = Problem::new(boundary, &points)?;
-    constrain(&mut problem, domain);
-    Ok(problem)
-}
-
-/// Tells the solver the domain's constraints.
-pub(crate) fn constrain(problem: &mut Problem, domain: &Domain) {
-    set_external_degrees(problem, domain);
-    for (vertex, limit) in degree_limits(domain) {
-        problem.set_degree_limit(vertex, limit);
-    }
-}
-
-fn set_external_degrees(problem: &mut Problem, domain: &Domain) {
-    if domain.is_constrained() {
-        for vertex in 0..domain.rings().vertex_count() {
-            problem.set_external_degree(vertex, domain.external_degree(vertex));
+/// The angles that windows reach at each degree, with holes and beyond the budget of exact work.
+fn trade_off_by_windows(
+    posed: &Posed<'_>,
+    mut is_enough: impl FnMut(f64, f64) -> bool,
+    progress: Progress<'_>,
+) -> Result<TradeOff, ExactError> {
+    /// The shares of the Delaunay triangulation's angle that windows keep.
+    const SHARES: [f64; 9] = [1.0, 0.95, 0.9, 0.8, 0.6, 0.4, 0.2, 0.1, 0.0];
+    let most = posed.delaunay_min_angle.unwrap_or(0.0);
+    let mut meshes = Vec::<ExactMesh>::new();
+    // From the largest share to the smallest one, the degree falls.
+    for share in SHARES {
+        let Some(mesh) = posed.windows(share, 0, progress)? else { continue };
+        let max_degree = mesh.max_total_degree();
+        if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
+            let min_angle = mesh.measure_angles(progress).map_err(MeshError::from)?.min;
+            meshes.push(ExactMesh { max_degree, min_angle, mesh });
         }
     }
-}
-
-/// The vertices with a degree limit, and the limits.
-fn degree_limits(domain: &Domain) -> Vec<(u32, u32)> {
-    if !domain.is_constrained() {
-        return Vec::new();
+    meshes.reverse();
+    if meshes.is_empty() {
+        return Err(ExactError::LimitsNotReached);
     }
-    let vertices = 0..domain.rings().vertex_count();
-    vertices.filter_map(|vertex| Some((vertex, domain.degree_limit(vertex)?))).collect()
+    let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
+    meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
+    let domain = posed.domain().clone();
+    Ok(TradeOff { domain, meshes, delaunay_min_angle: most, is_exact: false })
 }
 
-/// Why the solver has no answer, with the vertices whose degree limits no mesh keeps together.
-fn unsolved(domain: &Domain, error: Unsolved, progress: Progress<'_>) -> ExactError {
-    if error != Unsolved::VertexLimits {
-        return error.into();
-    }
-    match vertices_in_conflict(domain, progress) {
-        Ok(vertices) => ExactError::DegreeLimits { vertices },
-        Err(error) => error,
-    }
-}
-
-/// Vertices whose degree limits no mesh keeps together, where those of all conflict.
-fn vertices_in_conflict(domain: &Domain, progress: Progress<'_>) -> Result<Vec<u32>, ExactError> {
-    let points: Vec<DVec2> = domain.placement().points().collect();
-    let mut plain = Problem::new(convex(domain)?, &points)?;
-    set_external_degrees(&mut plain, domain);
-    let conflict = |limits: &[(u32, u32)]| {
-        let mut problem = plain.clone();
-        limits.iter().for_each(|&(vertex, limit)| problem.set_degree_limit(vertex, limit));
-        match mindeg_exact::least_max_degree(&problem, progress) {
-            Ok(_) => Ok(false),
-            Err(Unsolved::VertexLimits) => Ok(true),
-            Err(error) => Err(error),
-        }
-    };
-    let tries = most_tries(domain.rings().vertex_count());
-    let found = conflict::smallest(degree_limits(domain), tries, conflict)?;
-    let mut vertices: Vec<u32> = found.into_iter().map(|(vertex, _)| vertex).collect();
-    vertices.sort_unstable();
-    Ok(vertices)
-}
-
-/// The most times that the search for a conflict solves the problem, in O(n³) time each.
-fn most_tries(vertex_count: u32) -> u64 {
-    const TRIES: u64 = 64;
-    /// Up to this many vertices a try takes some milliseconds.
-    const SMALL: u64 = 256;
-    TRIES * SMALL.pow(3) / u64::from(vertex_count).max(SMALL).pow(3)
-}
-
-/// Vertices as a message lists them.
-fn vertex_list(vertices: &[u32]) -> String {
-    const MOST: usize = 8;
-    let names: Vec<String> = vertices.iter().take(MOST).map(u32::to_string).collect();
-    match vertices.len() {
-        0 | 1 => format!("vertex {}", names.join("")),
-        count @ 2..=MOST => {
-            format!("vertices {} and {} together", names[..count - 1].join(", "), names[count - 1])
-        }
-        count => format!("vertices {}, … ({count} in all) together", names.join(", ")),
-    }
-}
-
-fn placed(domain: &Domain, optimum: Optimum) -> Result<ExactMesh, ExactError> {
-    let Optimum { max_degree, min_angle, mut triangles, .. } = optimum;
-    // Every triangle cuts off the vertices from its smallest to its largest. Sorted like that,
-    // what one cuts off follows on it, and neighbours mostly share an edge.
-    triangles.sort_unstable_by_key(|&[first, _, last]| (first, Reverse(last)));
-    Ok(ExactMesh { max_degree, min_angle, mesh: BoundaryMesh::with_triangles(domain, triangles)? })
+fn placed(posed: &Posed<'_>, optimum: Optimum) -> Result<ExactMesh, ExactError> {
+    let Optimum { max_degree, min_angle, triangles, .. } = optimum;
+    Ok(ExactMesh { max_degree, min_angle, mesh: posed.mesh(triangles)? })
 }
 
 #[cfg(test)]
@@ -346,13 +280,5 @@ mod tests {
             trade_off(&limited(&all), Progress::NONE),
             Err(ExactError::DegreeLimits { vertices })
         );
-    }
-
-    #[test]
-    fn a_long_list_of_vertices_is_cut() {
-        assert_eq!(vertex_list(&[7]), "vertex 7");
-        assert_eq!(vertex_list(&[1, 4, 7]), "vertices 1, 4 and 7 together");
-        let many: Vec<u32> = (0..100).collect();
-        assert_eq!(vertex_list(&many), "vertices 0, 1, 2, 3, 4, 5, 6, 7, … (100 in all) together");
     }
 }

@@ -2,18 +2,24 @@
 
 use mindeg_core::Boundary;
 use mindeg_domain::Domain;
-use mindeg_exact::MAX_VERTICES;
+use mindeg_exact::{MAX_VERTICES, Reached, Unsolved, degree_range};
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::{BoundaryMesh, convex};
-use crate::exact::{self, ExactError};
-use crate::keep_angle::{Delaunay, keep_angle};
+use crate::boundary_mesh::{BoundaryMesh, MeshError};
+use crate::exact;
+use crate::exact_error::ExactError;
+use crate::keep_angle::{keep_angle, windowed};
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
+use crate::posed::Posed;
 
 /// Up to this many chords between different sides, times the least maximum degree, the search for the
 /// best mesh of least degree, and of one and two degrees more, takes less than about half a second on
 /// one core.
 const LITTLE_WORK: u64 = 150_000;
+
+/// Up to this many triples of vertices that see each other, the same search takes about as long on a
+/// polygon that is not convex.
+const FEW_TRIPLES: u64 = 1_000_000;
 
 /// How many times the minimum angle a higher degree must bring to be worth a hint.
 const MUCH: f64 = 1.5;
@@ -23,17 +29,21 @@ const MUCH: f64 = 1.5;
 pub enum Goal {
     /// The least maximum degree, at any size.
     ///
-    /// Where few chords join different sides, or the domain [is constrained](Domain::is_constrained),
-    /// the mesh with the largest minimum angle of all with that degree, by the solver. Else the best of
-    /// at most 64 candidates that the construction gives.
+    /// Where few chords join different sides, or a convex domain
+    /// [is constrained](Domain::is_constrained), the mesh with the largest minimum angle of all with that
+    /// degree, by the solver. Else, of a convex domain, the best of at most 64 candidates that the
+    /// construction gives; of any other, one with an angle that is found on the way.
+    ///
+    /// With holes, and where too many vertices see each other, the least degree that windows reach.
     #[default]
     LeastDegree,
     /// No total degree above a limit, and the largest minimum angle within it: exactly up to
-    /// [`MAX_VERTICES`] boundary vertices, beyond that as large as windows reach.
+    /// [`MAX_VERTICES`] boundary vertices of a convex domain, and for polygons in which few vertices see
+    /// each other; beyond that, and with holes, as large as windows reach.
     MaxDegree(u32),
     /// The least maximum degree of all meshes that have this share, 0 to 1, of the minimum angle of a
-    /// Delaunay triangulation: exactly up to [`MAX_VERTICES`] boundary vertices, beyond that as low
-    /// as windows reach.
+    /// Delaunay triangulation: exactly where [`MaxDegree`](Self::MaxDegree) is, else as low as windows
+    /// reach.
     KeepAngle(f64),
 }
 
@@ -66,20 +76,32 @@ pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshe
 }
 
 fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    let boundary = convex(domain)?;
-    let is_cheap = boundary.vertex_count() <= MAX_VERTICES && work(boundary) <= LITTLE_WORK;
-    if !domain.is_constrained() && !is_cheap {
-        return formula(domain, progress);
+    if let Some(form) = domain.convex() {
+        let boundary = form.boundary();
+        let is_cheap = boundary.vertex_count() <= MAX_VERTICES && work(boundary) <= LITTLE_WORK;
+        return if is_cheap || domain.is_constrained() {
+            best_of_least_degree(&Posed::new(domain, progress)?, progress)
+        } else {
+            formula(domain, progress)
+        };
     }
+    let posed = Posed::new(domain, progress)?;
+    if posed.is_within(FEW_TRIPLES, progress)? {
+        best_of_least_degree(&posed, progress)
+    } else {
+        degree_first(&posed, progress)
+    }
+}
+
+/// The mesh of least degree with the largest minimum angle.
+fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     let mut tried = 0;
     let is_third = |_, _| {
         tried += 1;
         tried == 3
     };
-    let trade_off = exact::trade_off_until(domain, is_third, progress)?;
-    let [least, higher @ ..] = trade_off.meshes() else {
-        return formula(domain, progress);
-    };
+    let trade_off = exact::exact_trade_off(posed, is_third, progress)?;
+    let [least, higher @ ..] = trade_off.meshes() else { return formula(posed.domain(), progress) };
     let is_much = |exact: &&exact::ExactMesh| exact.min_angle >= MUCH * least.min_angle;
     let higher_degree = higher
         .iter()
@@ -88,10 +110,43 @@ fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, Exact
     Ok(Meshed { higher_degree, ..Meshed::of(&trade_off, 0) })
 }
 
+/// The mesh of the least degree that is found, with an angle that costs little to find.
+fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    /// The shares of Delaunay's angle that windows try to keep at degree 4.
+    const SHARES: [f64; 2] = [0.9, 0.5];
+    let range =
+        degree_range(&posed.problem, progress).map_err(|error| posed.unsolved(error, progress))?;
+    let meshed = |mesh, found_by| Meshed {
+        mesh,
+        least_max_degree: range.lower_bound,
+        is_least_proven: range.is_proven(),
+        found_by,
+        delaunay_min_angle: posed.delaunay_min_angle,
+        higher_degree: None,
+    };
+    let found_by = match range.reached_by {
+        Reached::Windows => FoundBy::Windows { share: 0.0 },
+        Reached::ZigZag(_) => FoundBy::ZigZag,
+        _ => FoundBy::Exhaustive,
+    };
+    if let FoundBy::ZigZag = found_by {
+        for share in SHARES {
+            if let Some(mesh) = posed.windows(share, range.max_degree, progress)?
+                && mesh.max_total_degree() <= range.max_degree
+            {
+                return Ok(meshed(mesh, FoundBy::Windows { share }));
+            }
+        }
+    }
+    Ok(meshed(posed.mesh(range.triangles.clone())?, found_by))
+}
+
 fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    let form = domain.convex().ok_or(MeshError::NotConvex)?;
     Ok(Meshed {
         mesh: BoundaryMesh::of_formula(domain, progress)?,
-        least_max_degree: mindeg_core::least_max_degree(convex(domain)?),
+        least_max_degree: mindeg_core::least_max_degree(form.boundary()),
+        is_least_proven: true,
         found_by: FoundBy::Formula,
         delaunay_min_angle: None,
         higher_degree: None,
@@ -101,32 +156,45 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError
 fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     /// The shares of Delaunay's angle that windows try to keep, in this order.
     const SHARES: [f64; 4] = [0.95, 0.75, 0.4, 0.0];
-    let least_max_degree = exact::least_max_degree(domain, progress)?;
-    if domain.rings().vertex_count() <= MAX_VERTICES {
+    let posed = Posed::of_any_size(domain, progress)?;
+    if posed.has_best_angles(progress)? {
+        let answer = exact::degree(domain, progress)?;
         return Ok(Meshed {
-            mesh: exact::mesh(domain, limit, progress)?.mesh,
-            least_max_degree,
+            mesh: exact::best_mesh(&posed, limit, progress)?.mesh,
+            least_max_degree: answer.at_least,
+            is_least_proven: answer.least_max_degree().is_some(),
             found_by: FoundBy::Search,
-            delaunay_min_angle: None,
+            delaunay_min_angle: posed.delaunay_min_angle,
             higher_degree: None,
         });
     }
-    if limit < least_max_degree {
-        return Err(mindeg_exact::Unsolved::Infeasible {
-            max_degree: limit,
-            least: least_max_degree,
+    if let Some(form) = domain.convex()
+        && !domain.is_constrained()
+    {
+        let least = mindeg_core::least_max_degree(form.boundary());
+        if limit < least {
+            return Err(Unsolved::Infeasible { max_degree: limit, least }.into());
         }
-        .into());
     }
-    let delaunay = Delaunay::new(domain, progress)?;
     for share in SHARES {
-        let windowed = delaunay.windows(share, limit, progress)?;
-        if windowed.mesh.max_total_degree() <= limit {
-            return Ok(windowed);
+        let meshed = windowed(&posed, share, limit, progress);
+        match meshed {
+            Ok(windowed) if windowed.mesh.max_total_degree() <= limit => return Ok(windowed),
+            Ok(_) | Err(ExactError::LimitsNotReached) => {}
+            Err(error) => return Err(error),
         }
     }
-    // What no window reaches, as round a dominant side, the formula does.
-    formula(domain, progress)
+    if domain.convex().is_some() && !domain.is_constrained() {
+        // What no window reaches, as round a dominant side, the formula does.
+        return formula(domain, progress);
+    }
+    let meshed = degree_first(&posed, progress)?;
+    let (reached, at_least) = (meshed.mesh.max_total_degree(), meshed.least_max_degree);
+    if reached <= limit {
+        Ok(meshed)
+    } else {
+        Err(ExactError::NotReached { max_degree: limit, reached, at_least })
+    }
 }
 
 /// How many chords join vertices that are not on one side, times the least maximum degree. O(k).

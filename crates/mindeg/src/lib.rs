@@ -32,14 +32,24 @@
 //!
 //! # Limits
 //!
-//! Convex outlines with straight sides, in the plane. Triangles use boundary points only, so a
-//! boundary that is dense against the width of its domain has thin triangles, whatever the mesh.
+//! Polygons in the plane, with or without holes. Triangles use boundary points only, so a boundary
+//! that is dense against the width of its domain has thin triangles, whatever the mesh. The formula
+//! takes convex domains, of any size. On other domains the solver finds the least maximum degree with
+//! its proof; with holes, and where too many vertices see each other, it states the gap.
 
 mod boundary_mesh;
 #[cfg(feature = "exact")]
+pub mod bridge;
+#[cfg(feature = "exact")]
 mod conflict;
 #[cfg(feature = "exact")]
+mod degree;
+#[cfg(feature = "exact")]
 pub mod exact;
+#[cfg(feature = "exact")]
+mod exact_error;
+#[cfg(feature = "exact")]
+pub mod fill;
 #[cfg(feature = "exact")]
 mod goal;
 #[cfg(feature = "interior")]
@@ -47,14 +57,20 @@ pub mod interior;
 #[cfg(feature = "exact")]
 mod keep_angle;
 #[cfg(feature = "exact")]
+mod loops;
+#[cfg(feature = "exact")]
 mod meshed;
 #[cfg(feature = "exact")]
 pub mod model;
+#[cfg(feature = "exact")]
+mod posed;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
 pub use goal::{Goal, mesh};
+#[cfg(feature = "exact")]
+pub use loops::{LoopDefect, Loops, MeshLoop};
 #[cfg(feature = "exact")]
 pub use meshed::{FoundBy, HigherDegree, Meshed};
 pub use mindeg_domain::*;

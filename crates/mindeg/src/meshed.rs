@@ -20,6 +20,10 @@ pub enum FoundBy {
         /// The share, 0 to 1.
         share: f64,
     },
+    /// The search for the least degree alone: a larger minimum angle may be possible with it.
+    Exhaustive,
+    /// A zig-zag, the only kind of mesh of degree 4: a larger minimum angle may be possible with it.
+    ZigZag,
 }
 
 /// A mesh, and the degrees and angles to compare it with.
@@ -27,8 +31,11 @@ pub enum FoundBy {
 pub struct Meshed {
     /// The mesh.
     pub mesh: BoundaryMesh,
-    /// The least maximum total degree that any mesh of the domain has.
+    /// The least maximum total degree that any mesh of the domain has, if that is proven; else no mesh
+    /// has less.
     pub least_max_degree: u32,
+    /// Whether some mesh is known to have this degree.
+    pub is_least_proven: bool,
     /// How it was found.
     pub found_by: FoundBy,
     /// The minimum angle of a Delaunay triangulation, in degrees, if that was worked out.
@@ -47,18 +54,19 @@ pub struct HigherDegree {
 }
 
 impl Meshed {
-    /// The last mesh of a trade-off that starts at the least maximum degree.
+    /// The last mesh of an exact trade-off that starts at the least maximum degree.
     pub(crate) fn last_of(trade_off: &TradeOff) -> Self {
         let last = trade_off.meshes().len() - 1;
         Self::of(trade_off, last)
     }
 
-    /// The mesh with this index of a trade-off that starts at the least maximum degree.
+    /// The mesh with this index of an exact trade-off that starts at the least maximum degree.
     pub(crate) fn of(trade_off: &TradeOff, index: usize) -> Self {
         let exact = &trade_off.meshes()[index];
         Self {
             mesh: exact.mesh.clone(),
             least_max_degree: trade_off.meshes()[0].max_degree,
+            is_least_proven: true,
             found_by: FoundBy::Search,
             delaunay_min_angle: Some(trade_off.delaunay_min_angle()),
             higher_degree: None,

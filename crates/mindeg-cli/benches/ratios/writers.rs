@@ -4,7 +4,9 @@
 use crate::clock::rounds;
 use crate::{even, table};
 use mindeg::BoundaryMesh;
-use mindeg_formats::{SurfaceOptions, glb, obj};
+use mindeg_formats::{
+    Encoding, Format, MshVersion, SurfaceOptions, WriteOptions, Writer, glb, obj,
+};
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::PathBuf;
@@ -19,7 +21,7 @@ pub(crate) fn print() {
         "MB",
         "raw, ms",
         "mindeg, ms",
-        "speed of raw (aim: OBJ 0.5, GLB 0.8)",
+        "speed of raw (aim: text 0.5, binary 0.8)",
         "`writeln!`, ms",
         "times as fast (aim 5)",
     ];
@@ -58,8 +60,44 @@ pub(crate) fn print() {
             }],
         );
         print_row("GLB", count, bytes.len(), raw, ours, 0.8, None);
+
+        for (name, format, options, aim) in others() {
+            let writer = Writer::new(format, options, &mesh, mesh.triangle_count()).unwrap();
+            let write = |file| writer.write(&mesh, &mut [("", file)]).unwrap();
+            let bytes = written(&write);
+            let [raw, ours] = rounds(
+                often,
+                [&mut || write_raw(&bytes, File::create(&path).unwrap()), &mut || {
+                    write(File::create(&path).unwrap())
+                }],
+            );
+            print_row(name, count, bytes.len(), raw, ours, aim, None);
+        }
     }
     fs::remove_file(&path).unwrap();
+}
+
+/// The formats of one file besides: the aims are those of OBJ for text and of GLB for binary.
+fn others() -> Vec<(&'static str, Format, WriteOptions, f64)> {
+    let plain = WriteOptions { fields: false, ..WriteOptions::default() };
+    let text = WriteOptions { encoding: Encoding::Ascii, ..plain };
+    let older = WriteOptions { msh_version: MshVersion::V2, ..plain };
+    let fields = WriteOptions::default();
+    vec![
+        ("MSH 4.1, no fields", Format::Msh, plain, 0.8),
+        ("MSH 4.1 as text, no fields", Format::Msh, text, 0.5),
+        ("MSH 4.1", Format::Msh, fields, 0.8),
+        ("MSH 2.2, no fields", Format::Msh, older, 0.8),
+        ("VTU, no fields", Format::Vtu, plain, 0.8),
+        ("VTU", Format::Vtu, fields, 0.8),
+        ("VTK, no fields", Format::Vtk, plain, 0.8),
+        ("VTK", Format::Vtk, fields, 0.8),
+        ("SU2", Format::Su2, plain, 0.5),
+        ("Abaqus input", Format::Inp, plain, 0.5),
+        ("PLY", Format::Ply, plain, 0.8),
+        ("fort.14", Format::Fort14, plain, 0.5),
+        ("2DM", Format::Sms2dm, plain, 0.5),
+    ]
 }
 
 /// Where files are in memory.

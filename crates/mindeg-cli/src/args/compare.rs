@@ -11,6 +11,7 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg compare assets/domains/wing-panel.json -o wing-panel.html
   mindeg compare --rectangle 4x3 --size 0.5 --json
+  mindeg compare assets/domains/wing-panel.json --interior -o wing-panel.md
   mindeg compare assets/domains/*.json -o reports/ --save-meshes meshes/";
 
 /// Compare the least-degree mesh with a Delaunay triangulation, ear clipping and a fan
@@ -41,6 +42,10 @@ pub(crate) struct CompareArguments {
     /// for each
     #[arg(long, value_name = "FOLDER")]
     pub(crate) save_meshes: Option<PathBuf>,
+
+    /// Also mesh with interior points, and compare with a Delaunay refinement of the same boundary
+    #[arg(long)]
+    pub(crate) interior: bool,
 
     /// How long each method may take, in seconds; the report lists one that takes longer as such
     #[arg(long, value_name = "SECONDS", default_value = "60", value_parser = seconds, allow_hyphen_values = true)]

@@ -1,5 +1,6 @@
 //! Commands that need interval counts alone.
 
+use super::domain::FileOptions;
 use super::values::{IntervalCounts, whole_number};
 use super::with_exit_codes;
 use clap::Args;
@@ -19,15 +20,18 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = DEGREE, after_long_help = with_exit_codes(DEGREE))]
 pub(crate) struct DegreeArguments {
-    /// The intervals of each side, counter-clockwise, such as 3,3,2,2; or a domain in JSON that
-    /// has them; - reads a domain from standard input
-    #[arg(value_name = "INTERVALS|DOMAIN.json")]
+    /// The intervals of each side, counter-clockwise, such as 3,3,2,2; or the file of a domain
+    /// that has them; - reads a domain from standard input
+    #[arg(id = "domain", value_name = "INTERVALS|DOMAIN")]
     pub(crate) counts: Counts,
 
     /// The most edges of a boundary vertex, for the limit of the minimum angle with interior points
     /// [default: 5]
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
     pub(crate) boundary_degree: Option<u32>,
+
+    #[command(flatten)]
+    pub(crate) file: FileOptions,
 
     /// Print JSON: intervals, vertices, triangles, interior_edges, least_max_degree, certificate
     /// (sides counted from 1); for a domain angle_limit, which interior points cannot exceed
@@ -49,10 +53,13 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
 pub(crate) struct SuggestArguments {
-    /// The intervals of each side, counter-clockwise, such as 30,2,4,2; or a domain in JSON that
-    /// has them; - reads a domain from standard input
-    #[arg(value_name = "INTERVALS|DOMAIN.json")]
+    /// The intervals of each side, counter-clockwise, such as 30,2,4,2; or the file of a domain
+    /// that has them; - reads a domain from standard input
+    #[arg(id = "domain", value_name = "INTERVALS|DOMAIN")]
     pub(crate) counts: Counts,
+
+    #[command(flatten)]
+    pub(crate) file: FileOptions,
 
     /// The degree to come down to; without it, every lower degree that a least change leads to
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]

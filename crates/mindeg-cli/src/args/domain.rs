@@ -1,6 +1,7 @@
 //! What describes a domain.
 
 use super::values::{Corners, IntervalCounts, RectangleSize, length};
+use crate::failure::Failure;
 use clap::Args;
 use mindeg::Spacing;
 use std::path::PathBuf;
@@ -8,8 +9,9 @@ use std::path::PathBuf;
 /// One domain, from a file or from options.
 #[derive(Debug, Args)]
 pub(crate) struct DomainArguments {
-    /// A domain in JSON; - reads standard input
-    #[arg(id = "domain", value_name = "DOMAIN.json")]
+    /// A domain in JSON, or outlines as GeoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's
+    /// .poly or DXF; - reads standard input
+    #[arg(id = "domain", value_name = "DOMAIN")]
     pub(crate) file: Option<PathBuf>,
 
     #[command(flatten)]
@@ -39,6 +41,62 @@ pub(crate) struct DomainOptions {
     /// beta:BETA, first-length:LENGTH or last-length:LENGTH
     #[arg(long, value_name = "LAW", value_parser = spacing)]
     pub(crate) spacing: Option<Spacing>,
+
+    #[command(flatten)]
+    pub(crate) outline: OutlineOptions,
+}
+
+/// What replaces a file's sides where interval counts may stand instead of a file.
+#[derive(Debug, Args)]
+pub(crate) struct FileOptions {
+    /// The length that the intervals of every side of a domain should have
+    #[arg(long, value_name = "S", value_parser = length, allow_hyphen_values = true)]
+    pub(crate) size: Option<f64>,
+
+    #[command(flatten)]
+    pub(crate) outline: OutlineOptions,
+}
+
+/// What becomes of the outlines of a file that is not JSON. Longitude and latitude are taken as
+/// planar coordinates.
+#[derive(Debug, Args)]
+pub(crate) struct OutlineOptions {
+    /// The polygon of a file with several, by its name or its index from 1
+    #[arg(long, value_name = "NAME|INDEX", requires = "domain")]
+    pub(crate) feature: Option<String>,
+
+    /// Part rings that touch or cross themselves, and drop repeated points and spikes
+    #[arg(long, requires = "domain")]
+    pub(crate) repair: bool,
+
+    /// A side of an outline ends where it turns by more than this, in degrees
+    #[arg(
+        long, value_name = "ANGLE", value_parser = angle, default_value = "30",
+        allow_hyphen_values = true
+    )]
+    pub(crate) corner_angle: f64,
+}
+
+impl OutlineOptions {
+    /// Refuses what says nothing about a domain in JSON.
+    pub(crate) fn refuse_for_json(&self, file: &str) -> Result<(), Failure> {
+        let option = match (&self.feature, self.repair) {
+            (Some(_), _) => "--feature",
+            (None, true) => "--repair",
+            (None, false) => return Ok(()),
+        };
+        Err(Failure::Input(format!(
+            "{option} is for outlines such as GeoJSON or SVG; {file} is a domain in JSON"
+        )))
+    }
+}
+
+/// An angle from 0 to 180 degrees.
+fn angle(text: &str) -> Result<f64, String> {
+    let angle = text.trim().trim_end_matches('°').parse().ok();
+    angle
+        .filter(|angle| (0.0..=180.0).contains(angle))
+        .ok_or_else(|| "give an angle from 0 to 180 degrees, such as 30".to_owned())
 }
 
 fn spacing(text: &str) -> Result<Spacing, String> {

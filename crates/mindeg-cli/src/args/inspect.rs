@@ -53,7 +53,7 @@ pub(crate) struct InspectArguments {
 
     /// Print JSON: file, vertices, welded_vertices, triangles, quads, polygons, line_segments,
     /// points, not_read, faces, edges, boundary_edges, boundary_loops, open_boundaries, components,
-    /// euler_characteristic, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
+    /// euler_characteristic, closed, manifold, genus, volume, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
     /// duplicate_faces, duplicate_triangles, zero_area_triangles, unreferenced_vertices,
     /// max_degree, degree_histogram, poles, area, min_angle, max_angle, metrics,
     /// share_below_degrees, worst_triangles, outline, no_outline

@@ -4,6 +4,7 @@ use super::domain::DomainArguments;
 use super::goal::GoalArguments;
 use super::interior::InteriorArguments;
 use super::surface::SurfaceArguments;
+use super::values::length;
 use super::with_exit_codes;
 use crate::gates::Gates;
 use clap::{Args, ValueEnum};
@@ -14,6 +15,7 @@ Examples:
   mindeg mesh assets/domains/wing-panel.json --keep-angle 95% -o wing.glb -o wing.svg
   mindeg mesh assets/domains/wing-panel.json --max-degree 5 -o wing.obj
   mindeg mesh --corners \"0,0 4,0 3,2\" --intervals 8,5,7 --spacing bump:0.5 -o wedge.gltf
+  mindeg mesh assets/models/bracket.obj --size 5 -o bracket.glb
   mindeg mesh - -o - --format obj < domain.json | zstd > mesh.obj.zst";
 
 /// Mesh a domain from its boundary points alone and write it to files
@@ -58,6 +60,33 @@ pub(crate) struct MeshArguments {
 
     #[command(flatten)]
     pub(crate) gates: Gates,
+
+    #[command(flatten)]
+    pub(crate) model: ModelArguments,
+}
+
+/// What only whole models take: an OBJ with faces, a glTF, or JSON with "faces".
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Models")]
+pub(crate) struct ModelArguments {
+    /// Merge neighbouring faces of one group in one plane to one face; always done for glTF
+    #[arg(long)]
+    pub(crate) merge_coplanar: bool,
+
+    /// How far a corner may be from the plane of its face; by default a hundred-thousandth of the
+    /// model's largest extent
+    #[arg(long, value_name = "LENGTH", value_parser = length, allow_hyphen_values = true)]
+    pub(crate) planar_tolerance: Option<f64>,
+
+    /// How long to look for a smaller degree, as a multiple of the default, which takes seconds
+    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1",
+        allow_hyphen_values = true)]
+    pub(crate) effort: f64,
+}
+
+fn factor(text: &str) -> Result<f64, String> {
+    let factor = text.trim().parse().ok().filter(|factor| (0.0..=1e6).contains(factor));
+    factor.ok_or_else(|| "give a factor from 0 to 1000000, such as 10".to_owned())
 }
 
 /// What a mesh is chosen for.

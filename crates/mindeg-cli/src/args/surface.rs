@@ -10,7 +10,7 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub(crate) struct SurfaceArguments {
     /// Where to write, by extension: .obj, .glb, .gltf (with its .bin), .msh, .vtu, .vtk, .su2, .inp,
-    /// .ply, .stl, .node (with its .ele and .poly), .14, .2dm, .npz, .svg or .png; - is standard
+    /// .ply, .stl, .off, .node (with its .ele and .poly), .14, .2dm, .npz, .svg or .png; - is standard
     /// output. May be given several times
     #[arg(short, long, value_name = "FILE", required = true)]
     pub(crate) output: Vec<PathBuf>,
@@ -19,7 +19,7 @@ pub(crate) struct SurfaceArguments {
     #[arg(long, value_name = "FORMAT", value_parser = format_parser(Format::WRITTEN))]
     pub(crate) format: Option<Format>,
 
-    /// Write text where the format has text and binary (MSH, VTU, VTK, PLY, STL)
+    /// Write text where the format has text and binary (MSH, VTU, VTK)
     #[arg(long)]
     pub(crate) ascii: bool,
 

@@ -103,6 +103,10 @@ fn write_counts(text: &mut String, report: &Report) -> std::fmt::Result {
     }
     row("components", &report.components, String::new())?;
     row("Euler characteristic", &report.euler_characteristic, String::new())?;
+    if let (Some(genus), Some(volume)) = (report.genus, report.volume) {
+        row("genus", &genus, "closed and manifold".to_owned())?;
+        row("volume", &four_digits(volume), "length³".to_owned())?;
+    }
     if !report.not_read.is_empty() {
         writeln!(text, "Not measured: {}.", report.not_read.join("; "))?;
     }

@@ -46,6 +46,9 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
     writeln!(out, "```sh\n{}\n```\n", advised_command(input))?;
     write_table(&mut out, 2, &tables::choice(report))?;
     write_table(&mut out, 2, &tables::overview(report))?;
+    if let Some(table) = tables::interior(report) {
+        write_table(&mut out, 2, &table)?;
+    }
     write_table(&mut out, 2, &tables::degrees(report))?;
     write_table(&mut out, 2, &tables::shares(report))?;
     writeln!(

@@ -8,9 +8,9 @@
 
 use super::Report;
 use super::metric::SHOWN;
-use crate::Method;
 use crate::figures::{DefectKind, Distribution, MethodFigures};
 use crate::number_format::{Column, count, seconds, steady_percent};
+use crate::{InteriorFigures, Method};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.
@@ -142,6 +142,56 @@ pub(crate) fn overview(report: &Report) -> Table {
         .into(),
         rows: named.iter().map(row).collect(),
     }
+}
+
+/// Meshes with interior points, a row for each; none unless asked for.
+pub(crate) fn interior(report: &Report) -> Option<Table> {
+    let all = &report.interior;
+    let least = Column::new(all.iter().filter_map(|figures| figures.min_angle), DIGITS);
+    let greatest = Column::new(all.iter().filter_map(|figures| figures.max_angle), 4);
+    let row = |figures: &InteriorFigures| {
+        let degree = |degree: Option<u32>| text(degree, count);
+        let mesh = match &figures.failure {
+            Some(failure) => format!("{}: no mesh, {failure}", figures.method),
+            None => figures.method.clone(),
+        };
+        vec![
+            mesh,
+            text(figures.triangles, |triangles| count(triangles as u64)),
+            text(figures.min_angle, |angle| least.angle(angle)),
+            text(figures.share_of_limit, steady_percent),
+            text(figures.max_angle, |angle| greatest.angle(angle)),
+            degree(figures.max_interior_degree),
+            degree(figures.max_boundary_degree),
+            text(figures.violations, |violations| count(violations as u64)),
+            text(figures.grading_p99, |grading| format!("{grading:.2}")),
+            text(figures.seconds, seconds),
+        ]
+    };
+    (!all.is_empty()).then(|| Table {
+        title: "With interior points".to_owned(),
+        note: "The same boundary, to which points inside are added. The share is that of the \
+               greatest minimum angle that any such mesh can have with at most 5 edges at a boundary \
+               vertex. Violations: interior vertices with other degrees than 5 to 7, boundary \
+               vertices with more than 5. Grading: the square root of the area ratio of \
+               neighbours, 99th percentile."
+            .to_owned(),
+        columns: [
+            "Method",
+            "Triangles",
+            "Minimum angle",
+            "Share of the limit",
+            "Maximum angle",
+            "Maximum degree inside",
+            "At the boundary",
+            "Violations",
+            "Grading",
+            "Time",
+        ]
+        .map(str::to_owned)
+        .into(),
+        rows: all.iter().map(row).collect(),
+    })
 }
 
 /// The sides of the domain: names, intervals, lengths.
@@ -367,6 +417,7 @@ mod tests {
             advice: None,
             methods: vec![method],
             trade_off: None,
+            interior: Vec::new(),
             verdict: String::new(),
         }
     }

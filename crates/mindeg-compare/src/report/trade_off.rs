@@ -29,7 +29,7 @@ use std::io::{self, Write};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[schemars(description = "What every degree buys, exactly.")]
+#[schemars(description = "What every degree buys.")]
 pub struct TradeOffFigures {
     /// A point for every maximum degree, in ascending order.
     pub points: Vec<TradeOffPoint>,
@@ -44,7 +44,7 @@ pub struct TradeOffPoint {
     pub max_degree: u32,
     /// The largest minimum angle there is then, in degrees.
     pub min_angle: f64,
-    /// Whether that is proven: always, so far.
+    /// Whether that is proven; if not, windows reached it.
     pub exact: bool,
 }
 
@@ -55,7 +55,7 @@ impl TradeOffFigures {
         let point = |exact: &mindeg::exact::ExactMesh| TradeOffPoint {
             max_degree: exact.max_degree,
             min_angle: exact.min_angle,
-            exact: true,
+            exact: trade_off.is_exact(),
         };
         Self {
             points: trade_off.meshes().iter().map(point).collect(),

@@ -1,10 +1,14 @@
 //! The key `interior`: what is wanted inside the domain.
 
+use serde_json::{Map, json};
+
 use super::error::DomainJsonError;
-use super::keys::{ABOVE_0, CORNERS, pair};
+use super::point::pair;
 use super::value::Value;
 use crate::interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 
+const CORNERS: &str = "a list of [x, y] pairs of numbers";
+const ABOVE_0: &str = "a number above 0";
 const INTERIOR: &str = "an object, which may be empty, such as {\"growth\": 0.3}";
 const DEGREES: &str = "a pair [least, greatest] of whole numbers, such as [5, 7]";
 const FIXED: &str = "{\"points\": [[x, y], …], \"segments\": [[end, end], …]}";
@@ -108,6 +112,38 @@ fn fixed(given: &Value<'_>) -> Result<FixedLines, DomainJsonError> {
     Ok(FixedLines { points, lines })
 }
 
+/// The value of the key `interior`.
+pub(super) fn to_json(interior: &Interior) -> serde_json::Value {
+    let mut keys = Map::new();
+    let mut add = |key: &str, value: Option<serde_json::Value>| {
+        keys.extend(value.map(|value| (key.to_owned(), value)));
+    };
+    add("growth", interior.growth.map(|growth| json!(growth)));
+    add("size_inside", interior.size_inside.map(|size| json!(size)));
+    let sizes = interior.sizes.iter().map(|SizeAt { at, size }| json!([at.x, at.y, size]));
+    add("sizes", (!interior.sizes.is_empty()).then(|| sizes.collect()));
+    let degrees = interior.interior_degree.as_ref();
+    add("interior_degree", degrees.map(|range| json!([range.start(), range.end()])));
+    add("boundary_degree", interior.boundary_degree.map(|degree| json!(degree)));
+    add("target_angle", interior.target_angle.map(|angle| json!(angle)));
+    let prefer = |prefer| match prefer {
+        Prefer::Degree => json!("degree"),
+        Prefer::Angle => json!("angle"),
+    };
+    add("prefer", interior.prefer.map(prefer));
+    let FixedLines { points, lines } = &interior.fixed;
+    if !points.is_empty() || !lines.is_empty() {
+        let end = |end: &LineEnd| match end {
+            LineEnd::Point(index) => json!(index),
+            LineEnd::At(place) => json!([place.x, place.y]),
+        };
+        let points: Vec<_> = points.iter().map(|point| json!([point.x, point.y])).collect();
+        let lines: Vec<Vec<_>> = lines.iter().map(|line| line.iter().map(end).collect()).collect();
+        add("fixed", Some(json!({"points": points, "segments": lines})));
+    }
+    serde_json::Value::Object(keys)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -203,5 +239,18 @@ mod tests {
             let column: usize = place.trim_start_matches("line 1, column ").parse().unwrap();
             assert!((65..65 + interior.len()).contains(&column), "{place}");
         }
+    }
+
+    #[test]
+    fn what_is_wanted_inside_survives_writing() {
+        let given = domain(
+            r#"{"growth": 0.3, "size_inside": 0.7, "sizes": [[1, 1, 0.1]], "interior_degree": [5, 8],
+                "boundary_degree": 6, "target_angle": 20, "prefer": "angle",
+                "fixed": {"points": [[1, 1]], "segments": [[0, [0.5, 0.25]]]}}"#,
+        )
+        .unwrap();
+        let again = Domain::from_json(&given.to_json()).unwrap();
+        assert!(given.interior().is_some());
+        assert_eq!(again.interior(), given.interior());
     }
 }

@@ -3,12 +3,13 @@
 use glam::DVec3;
 
 use super::error::DomainJsonError;
-use super::keys::{ABOVE_0, spacing};
+use super::spacing::spacing;
 use super::value::{Step, Value};
 use crate::model::{Model, ModelEdge, ModelError, ModelFace, ModelParts, check_name};
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
+const ABOVE_0: &str = "a number above 0";
 const MODEL: &str = "an object with \"corners\", \"faces\", and \"size\" or \"edges\"; optional: \
                      \"name\"";
 const CORNERS: &str = "a list of [x, y, z] triples of numbers";
@@ -215,5 +216,5 @@ fn edge(given: &Value<'_>, default_size: Option<f64>) -> Result<ModelEdge, Domai
                 .error("give \"intervals\" (a whole number) or \"size\" (a target interval length)")
         })?),
     };
-    Ok(ModelEdge { corners, side: Side { intervals, spacing, name } })
+    Ok(ModelEdge { corners, side: Side { intervals, spacing, name, ..Side::count(1) } })
 }

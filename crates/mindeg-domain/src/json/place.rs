@@ -2,12 +2,12 @@
 
 use super::error::DomainJsonError;
 use super::value::{Step, Value};
-use crate::constraints::{ConstraintError, ConstraintPlace};
+use crate::constraint_error::{ConstraintError, ConstraintPlace};
 use crate::domain_error::DomainError;
 use crate::intersection::{IntersectionError, PointPlace};
 use crate::name::NameError;
 use crate::outline::OutlineError;
-use crate::placement::PlacementError;
+use crate::placement_error::PlacementError;
 use crate::rectangle::RectangleError;
 use crate::rings::{InRing, RingsError};
 use crate::side::SideError;
@@ -48,7 +48,9 @@ fn paths(error: &DomainError) -> Vec<Vec<Step>> {
                 let parameter = vec![Key("parameters"), Step::Index(index)];
                 vec![[side_path(*side, "spacing"), parameter].concat()]
             }
-            SideError::Spacing(_) => vec![side_path(*side, "spacing")],
+            SideError::OutOfOrder { index, .. } => own_point_paths(*side, index),
+            SideError::SpacedPoints | SideError::Spacing(_) => vec![side_path(*side, "spacing")],
+            SideError::NoPoints | SideError::Curve(_) => curve_paths(*side),
         },
         DomainError::Rings(
             RingsError::NoIntervals { side } | RingsError::TooManyVertices { side, .. },
@@ -92,6 +94,18 @@ fn size_paths(side: InRing) -> Vec<Vec<Step>> {
     vec![side_path(side, "size"), in_ring(side.ring, size()), size()]
 }
 
+/// A point that a side gives itself: among its own, or in a ring of points.
+fn own_point_paths(side: InRing, index: usize) -> Vec<Vec<Step>> {
+    let own = [side_path(side, "points"), vec![Step::Index(index)]].concat();
+    vec![own, in_ring(side.ring, vec![Step::Key("ring"), Step::Index(index + 1)]), sides_path(side)]
+}
+
+fn curve_paths(side: InRing) -> Vec<Vec<Step>> {
+    let of_side = ["points", "polyline", "arc", "bezier"].map(|key| side_path(side, key));
+    let ring = in_ring(side.ring, vec![Step::Key("ring")]);
+    of_side.into_iter().chain([ring, sides_path(side)]).collect()
+}
+
 fn outline_paths(error: &OutlineError) -> Vec<Vec<Step>> {
     use Step::Key;
     match *error {
@@ -113,15 +127,20 @@ fn corner_paths(corner: InRing) -> Vec<Vec<Step>> {
     use Step::{Index, Key};
     let path = vec![Key("corners"), Index(corner.index)];
     match corner.ring {
-        0 => vec![[vec![Key("polygon")], path].concat(), vec![Key("rectangle")]],
-        ring => vec![in_ring(ring, path)],
+        0 => {
+            let ring = vec![Key("ring"), Index(corner.index)];
+            vec![[vec![Key("polygon")], path].concat(), ring, vec![Key("rectangle")]]
+        }
+        ring => {
+            vec![in_ring(ring, path), in_ring(ring, vec![Key("ring"), Index(corner.index)])]
+        }
     }
 }
 
 fn intersection_paths(error: &IntersectionError) -> Vec<Vec<Step>> {
     let point = |point: &PointPlace| match point.index {
         0 => corner_paths(point.side),
-        _ => vec![sides_path(point.side)],
+        index => own_point_paths(point.side, index as usize - 1),
     };
     let hole = |hole: usize| vec![in_ring(hole, Vec::new())];
     let mut paths = match error {

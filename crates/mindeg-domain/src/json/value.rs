@@ -104,6 +104,20 @@ impl<'t> Value<'t> {
         self.json.parse().map_err(|_| self.unexpected(wanted))
     }
 
+    /// True or false.
+    pub(super) fn truth(&self, wanted: &str) -> Result<bool, DomainJsonError> {
+        match self.json {
+            "true" => Ok(true),
+            "false" => Ok(false),
+            _ => Err(self.unexpected(wanted)),
+        }
+    }
+
+    /// All of it at once, if it is of the type that is wanted.
+    pub(super) fn read<T: Deserialize<'t>>(&self) -> Option<T> {
+        serde_json::from_str(self.json).ok()
+    }
+
     /// A text.
     pub(super) fn text(&self, wanted: &str) -> Result<String, DomainJsonError> {
         if !self.json.starts_with('"') {

@@ -258,7 +258,7 @@ fn law(corners: &[DVec3], ends: [u32; 2], side: &Side) -> Result<SpacingLaw, Mod
     }
     let intervals = match (&side.spacing, side.intervals) {
         (Spacing::Parameters(given), Intervals::Size(_)) => given.len() as u64 + 1,
-        (_, intervals) => intervals.on(length).map_err(failed)?,
+        (_, intervals) => intervals.on(length, 0).map_err(failed)?,
     };
     let Ok(intervals) = u32::try_from(intervals) else {
         return Err(ModelError::TooManyVertices { vertices: intervals });

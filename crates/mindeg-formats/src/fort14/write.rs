@@ -29,7 +29,7 @@ use std::io::Write;
 /// let mut file = Vec::new();
 /// fort14::write(&mesh, &mut file)?;
 /// let file = String::from_utf8(file)?;
-/// assert!(file.contains("\n 1 3\n 1 0 0 0\n 2 2 0 0\n 3 2 1 0\n 1 3 1 2 3\n"));
+/// assert!(file.contains("\n 1 0 0 0\n 2 2 0 0\n 3 2 1 0\n 1 3 1 2 3\n"));
 /// assert!(file.ends_with(" 3 0 = nodes of land boundary 1 (pier)\n 1\n 2\n 3\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -52,8 +52,9 @@ pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = one_line(mesh_name(mesh));
+    let (elements, nodes) = (mesh.triangle_count(), mesh.vertex_count());
     let head =
-        format!("{name} ({GENERATOR})\n {} {}\n", mesh.triangle_count(), mesh.vertex_count());
+        format!("{name}\n {elements} {nodes} = number of elements and of nodes, by {GENERATOR}\n");
     let mut sections =
         vec![Section::bytes(head), vertices(mesh), triangle_lines(mesh, b"", b" 3", |_, _| {})];
     let [open, closed] = segments(mesh);

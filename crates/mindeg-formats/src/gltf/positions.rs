@@ -2,7 +2,7 @@
 
 use crate::{Plane, WriteError};
 use glam::{DVec3, Vec3};
-use mindeg_mesh::parallel::{first_of_blocks, try_blocks};
+use mindeg_mesh::parallel::{first_of_blocks, sort_all, try_blocks};
 use mindeg_mesh::{Bounds, Positions, filled};
 use std::ops::Range;
 
@@ -47,8 +47,9 @@ impl Stored {
         Err(refusal.expect("the survey met something to refuse"))
     }
 
-    /// Looks at every position where it is, for a format that has no translation. O(n) time, shared
-    /// by all threads; next to no memory.
+    /// Looks at every position where it is, for a format that has no translation. O(n) time and next
+    /// to no memory; for a boundary far from the origin O(n log n) and O(n), since there 32-bit floats
+    /// may bring any two points together. Shared by all threads.
     ///
     /// # Errors
     ///
@@ -59,7 +60,30 @@ impl Stored {
         let count = positions.vertex_count();
         match first_of_blocks(count, |range| stored.survey(positions, range).err()) {
             Some(refusal) => Err(refusal),
+            None if positions.is_ring() && offset(positions.bounds(), FAR) != DVec3::ZERO => {
+                stored.unless_any_coincide(positions)
+            }
             None => Ok(stored),
+        }
+    }
+
+    /// Refuses any two vertices in the same place.
+    fn unless_any_coincide(self, positions: &dyn Positions) -> Result<Self, WriteError> {
+        let vertices = 0..positions.vertex_count();
+        let points = filled(vertices.clone(), DVec3::ZERO, |first, out| {
+            positions.fill_positions(first, out);
+        });
+        let bits = |point: &DVec3| self.of(*point).to_array().map(f32::to_bits);
+        let mut sorted: Vec<_> = points.iter().map(bits).zip(vertices).collect();
+        sort_all(&mut sorted);
+        let pairs = sorted.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        let first = pairs.map(|pair| [pair[0].1, pair[1].1]).min_by_key(|&[_, second]| second);
+        match first {
+            None => Ok(self),
+            Some(vertices) => {
+                let point = points[vertices[1] as usize];
+                Err(WriteError::Coincident { vertices, point })
+            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! An array of numpy: a head that tells type and shape, then the numbers.
 
 use crate::ReadError;
+use std::borrow::Cow;
 
 /// The head of an array with rows of three numbers, or of one if `columns` is none.
 pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
@@ -34,12 +35,12 @@ pub(super) struct Array<'a> {
     is_big_endian: bool,
     is_transposed: bool,
     shape: [usize; 2],
-    numbers: &'a [u8],
+    numbers: Cow<'a, [u8]>,
 }
 
 impl<'a> Array<'a> {
     /// An array of two dimensions that starts at an offset of the file.
-    pub(super) fn new(offset: usize, bytes: &'a [u8]) -> Result<Self, ReadError> {
+    pub(super) fn new(offset: usize, bytes: Cow<'a, [u8]>) -> Result<Self, ReadError> {
         let problem = |problem: &str| ReadError::byte(offset, problem.to_owned());
         let broken = || problem("this is not the head of an array of numpy");
         let rest = bytes.strip_prefix(b"\x93NUMPY").ok_or_else(broken)?;
@@ -93,6 +94,14 @@ impl<'a> Array<'a> {
             )));
         }
         let shape = [rows, columns];
+        let start = bytes.len() - numbers.len();
+        let numbers = match bytes {
+            Cow::Borrowed(bytes) => Cow::Borrowed(&bytes[start..]),
+            Cow::Owned(mut bytes) => {
+                bytes.drain(..start);
+                Cow::Owned(bytes)
+            }
+        };
         Ok(Self { kind, size, is_big_endian, is_transposed, shape, numbers })
     }
 
@@ -147,5 +156,81 @@ impl<'a> Array<'a> {
             return u32::try_from(signed).map_err(|_| signed.to_string());
         }
         u32::try_from(unsigned).map_err(|_| unsigned.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn array(kind: &str, order: &str, shape: &str, numbers: &[u8]) -> Vec<u8> {
+        let head = format!("{{'descr': {kind}, 'fortran_order': {order}, 'shape': {shape}, }}\n");
+        let mut bytes = b"\x93NUMPY\x01\0".to_vec();
+        bytes.extend_from_slice(&(head.len() as u16).to_le_bytes());
+        [bytes, head.into_bytes(), numbers.to_vec()].concat()
+    }
+
+    #[test]
+    fn numbers_of_all_types_and_orders_are_read() {
+        for (kind, order, numbers) in [
+            ("'<i2'", "False", &[1, 0, 2, 0, 3, 0, 4, 0][..]),
+            ("'>u2'", "False", &[0, 1, 0, 2, 0, 3, 0, 4]),
+            ("'|i1'", "True", &[1, 3, 2, 4]),
+            ("'>i2'", "True", &[0, 1, 0, 3, 0, 2, 0, 4]),
+        ] {
+            let bytes = array(kind, order, "(2, 2)", numbers);
+            let array = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
+            let rows = [[0, 0], [0, 1], [1, 0], [1, 1]];
+            assert_eq!(rows.map(|[i, j]| array.index(i, j)), [1, 2, 3, 4].map(Ok), "{kind}");
+            assert_eq!(rows.map(|[i, j]| array.float(i, j)), [1.0, 2.0, 3.0, 4.0], "{kind}");
+        }
+        let halves: Vec<u8> = [0.5_f32, -1.5].iter().flat_map(|x| x.to_be_bytes()).collect();
+        let bytes = array("'>f4'", "False", "(1, 2)", &halves);
+        let array = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
+        assert_eq!([array.float(0, 0), array.float(0, 1)], [0.5, -1.5]);
+    }
+
+    #[test]
+    fn indices_beyond_32_bits_are_told() {
+        let bytes = array("'<i8'", "False", "(1, 1)", &(-1_i64).to_le_bytes());
+        assert_eq!(Array::new(0, Cow::Borrowed(&bytes)).unwrap().index(0, 0), Err("-1".to_owned()));
+        let bytes = array("'<u8'", "False", "(1, 1)", &(1_u64 << 32).to_le_bytes());
+        assert_eq!(
+            Array::new(0, Cow::Borrowed(&bytes)).unwrap().index(0, 0),
+            Err("4294967296".to_owned())
+        );
+    }
+
+    #[test]
+    fn other_arrays_are_refused() {
+        for (kind, shape, expected) in [
+            ("'|O'", "(1, 2)", "the array is pickled, which is not read"),
+            ("[('x', '<f8')]", "(1, 2)", "the array has records, not numbers"),
+            (
+                "'<c8'",
+                "(1, 2)",
+                "the array has the type \"c8\"; integers, float32 and float64 are read",
+            ),
+            ("'<f8'", "(2,)", "the array has 1 dimensions, not 2"),
+            ("'<f8'", "(9, 9)", "the array has 16 bytes, which is not what its shape (9, 9) takes"),
+            (
+                "'<f8'",
+                "(4294967296, 4294967296)",
+                "the array has 16 bytes, which is not what its shape (4294967296, 4294967296) takes",
+            ),
+            ("'<f8'", "x", "this is not the head of an array of numpy"),
+        ] {
+            let bytes = array(kind, "False", shape, &[0; 16]);
+            let error = Array::new(7, Cow::Borrowed(&bytes)).unwrap_err();
+            assert_eq!(error.to_string(), format!("byte 7: {expected}"));
+        }
+    }
+
+    #[test]
+    fn heads_end_at_multiples_of_64() {
+        for (rows, columns) in [(0, Some(3)), (4_294_967_295, Some(3)), (12, None)] {
+            let head = head("<f8", rows, columns);
+            assert_eq!((head.len() % 64, head.last()), (0, Some(&b'\n')));
+        }
     }
 }

@@ -4,6 +4,8 @@
 //! sum; a directory of all entries ends the file.
 
 use crate::ReadError;
+use miniz_oxide::inflate::decompress_to_vec_with_limit;
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 const LOCAL: u32 = 0x0403_4b50;
@@ -140,6 +142,8 @@ pub(super) struct Stored<'a> {
     pub(super) offset: usize,
     method: u16,
     is_encrypted: bool,
+    /// How many bytes it takes in the file, and how many it has.
+    stored_len: u64,
     len: u64,
     check_sum: u32,
     file: &'a [u8],
@@ -229,7 +233,7 @@ fn entry<'a>(numbers: &mut Numbers<'a>) -> Result<Stored<'a>, ReadError> {
     let (flags, method) = (numbers.u16()?, numbers.u16()?);
     numbers.at += 4;
     let check_sum = numbers.u32()?;
-    let [stored, mut len] = [u64::from(numbers.u32()?), u64::from(numbers.u32()?)];
+    let [mut stored_len, mut len] = [u64::from(numbers.u32()?), u64::from(numbers.u32()?)];
     let [name_len, extra_len, comment_len] = [numbers.u16()?, numbers.u16()?, numbers.u16()?];
     numbers.at += 8;
     let mut offset = numbers.u32()? as usize;
@@ -245,8 +249,8 @@ fn entry<'a>(numbers: &mut Numbers<'a>) -> Result<Stored<'a>, ReadError> {
             if len == u64::from(u32::MAX) {
                 len = extra.u64()?;
             }
-            if stored == u64::from(u32::MAX) {
-                extra.u64()?;
+            if stored_len == u64::from(u32::MAX) {
+                stored_len = extra.u64()?;
             }
             if offset == u32::MAX as usize {
                 offset = extra.offset()?;
@@ -256,22 +260,17 @@ fn entry<'a>(numbers: &mut Numbers<'a>) -> Result<Stored<'a>, ReadError> {
     }
     numbers.slice(comment_len.into())?;
     let (is_encrypted, file) = (flags & 1 != 0, numbers.file);
-    Ok(Stored { name, offset, method, is_encrypted, len, check_sum, file })
+    Ok(Stored { name, offset, method, is_encrypted, stored_len, len, check_sum, file })
 }
 
 impl<'a> Stored<'a> {
-    /// The bytes of the entry, and their offset in the file.
-    pub(super) fn bytes(&self) -> Result<(usize, &'a [u8]), ReadError> {
+    /// The bytes of the entry, and their offset in the file. A compressed entry takes as much memory
+    /// as its bytes unfold to, however many it says it has: at most 1032 times its place in the file.
+    pub(super) fn bytes(&self) -> Result<(usize, Cow<'a, [u8]>), ReadError> {
         let Self { name, offset, .. } = self;
         let problem = |problem: &str| ReadError::byte(*offset, format!("{name}: {problem}"));
         if self.is_encrypted {
             return Err(problem("the array is encrypted"));
-        }
-        if self.method != 0 {
-            return Err(problem(
-                "the array is compressed, which is not read; save it with numpy.savez, not \
-                 savez_compressed",
-            ));
         }
         let mut head = Numbers { file: self.file, at: (*offset).min(self.file.len()) };
         if head.u32()? != LOCAL {
@@ -280,10 +279,27 @@ impl<'a> Stored<'a> {
         head.at += 22;
         let skipped = usize::from(head.u16()?) + usize::from(head.u16()?);
         let start = head.at + skipped;
-        let end = usize::try_from(self.len).ok().and_then(|len| start.checked_add(len));
+        let end = usize::try_from(self.stored_len).ok().and_then(|len| start.checked_add(len));
         let bytes = end.and_then(|end| self.file.get(start..end));
         let bytes = bytes.ok_or_else(|| problem("the file ends within the array"))?;
-        if crc32fast::hash(bytes) != self.check_sum {
+        let limit = usize::try_from(self.len).unwrap_or(usize::MAX);
+        let bytes = match self.method {
+            0 => Cow::Borrowed(bytes),
+            8 => {
+                let unfolded = decompress_to_vec_with_limit(bytes, limit);
+                Cow::Owned(unfolded.map_err(|_| problem("the compressed array is damaged"))?)
+            }
+            method => {
+                return Err(problem(&format!(
+                    "the array is compressed by method {method}; only 0 (stored) and 8 (deflate) \
+                     are read"
+                )));
+            }
+        };
+        if bytes.len() as u64 != self.len {
+            return Err(problem("the array is not as long as the archive says"));
+        }
+        if crc32fast::hash(&bytes) != self.check_sum {
             return Err(problem("the check sum is wrong; the file is damaged"));
         }
         Ok((start, bytes))

@@ -2,12 +2,11 @@
 
 use super::references::{Numbered, Unknown, leading_number};
 use crate::ReadError;
+use crate::face_list::FaceList;
 use crate::lines::Lines;
 use crate::lists::push;
 use glam::DVec3;
-use mindeg_mesh::ear_clipping::cut_polygon;
-use mindeg_mesh::{Group, Line, NonTriangles, Polygons, TriMesh, TriMeshError};
-use std::collections::TryReserveError;
+use mindeg_mesh::{Group, Line, NonTriangles, TriMesh};
 use std::io::BufRead;
 
 /// Reads a mesh from an OBJ.
@@ -89,9 +88,7 @@ struct Contents {
     missing: [Option<Unknown>; 2],
     /// The vertices of the element in the line.
     corners: Vec<u32>,
-    triangles: Vec<[u32; 3]>,
-    /// From the first face on that is no triangle.
-    polygons: Option<Polygons>,
+    faces: FaceList,
     groups: Vec<Group>,
     lines: Vec<Line>,
     /// Whether the last line is of the last group.
@@ -224,34 +221,14 @@ impl Contents {
     }
 
     fn take_face(&mut self) -> Result<(), ReadError> {
-        let &[a, b, ref others @ ..] = &self.corners[..] else {
-            return self.take_polyline();
-        };
-        let [c, others @ ..] = others else {
+        if let [_, _, _, ..] = self.corners[..] {
+            return Ok(self.faces.push(&self.corners)?);
+        }
+        // A single corner is noted with the lines.
+        if self.corners.len() == 2 {
             self.note_short();
-            return self.take_polyline();
-        };
-        match others {
-            [] => {}
-            [_] => self.non_triangles.quads += 1,
-            _ => self.non_triangles.polygons += 1,
         }
-        let first = self.triangles.len();
-        push(&mut self.triangles, [a, b, *c])?;
-        for edge in self.corners[2..].windows(2) {
-            // A place for the triangles that the face will be cut into.
-            push(&mut self.triangles, [a, edge[0], edge[1]])?;
-        }
-        if self.polygons.is_none() && self.corners.len() > 3 {
-            self.polygons = Some(as_polygons(&self.triangles[..first])?);
-        }
-        if let Some(polygons) = &mut self.polygons {
-            // More triangles than 32 bits count are refused at the end.
-            push(&mut polygons.triangle_starts, first as u32)?;
-            polygons.corners.try_reserve(self.corners.len())?;
-            polygons.corners.extend_from_slice(&self.corners);
-        }
-        Ok(())
+        self.take_polyline()
     }
 
     fn take_polyline(&mut self) -> Result<(), ReadError> {
@@ -286,14 +263,14 @@ impl Contents {
     }
 
     fn start_group(&mut self, name: String) {
-        let start = self.triangles.len() as u32;
+        let start = self.faces.triangle_count() as u32;
         self.groups.push(Group { name, triangles: start..start });
         self.line_is_open = false;
     }
 
     fn end_group(&mut self) {
         // More triangles than 32 bits count are refused at the end.
-        let end = self.triangles.len() as u32;
+        let end = self.faces.triangle_count() as u32;
         if let Some(group) = self.groups.last_mut() {
             group.triangles.end = end;
         }
@@ -323,48 +300,13 @@ impl Contents {
             let problem = unknown.message("vertex");
             return Err(ReadError::Line { line: unknown.line, problem });
         }
-        let Ok(triangle_count) = u32::try_from(self.triangles.len()) else {
-            return Err(TriMeshError::TooManyTriangles { triangles: self.triangles.len() }.into());
-        };
         if u32::try_from(self.segments.len()).is_err() {
             return Err(self.problem("the file has too many lines to be numbered in 32 bits"));
         }
         self.end_group();
         self.non_triangles.line_segments = self.segments.len() as u64;
-        if let Some(polygons) = &mut self.polygons {
-            push(&mut polygons.triangle_starts, triangle_count)?;
-            cut_polygons(polygons, &self.positions, &mut self.triangles);
-        }
-        let mesh = TriMesh::new(self.positions, self.triangles)?
-            .with_groups(self.groups)
-            .with_lines(self.lines, self.segments)?
-            .with_non_triangles(self.non_triangles);
-        Ok(match self.polygons {
-            Some(polygons) => mesh.with_polygons(polygons),
-            None => mesh,
-        })
-    }
-}
-
-/// Triangles as polygons, but for where the last one ends.
-fn as_polygons(triangles: &[[u32; 3]]) -> Result<Polygons, TryReserveError> {
-    let mut polygons = Polygons::default();
-    polygons.triangle_starts.try_reserve(triangles.len() + 2)?;
-    polygons.triangle_starts.extend(0..triangles.len() as u32);
-    polygons.corners.try_reserve(3 * triangles.len())?;
-    polygons.corners.extend_from_slice(triangles.as_flattened());
-    Ok(polygons)
-}
-
-/// Cuts the polygons into triangles, each into those that have been set aside for it.
-fn cut_polygons(polygons: &Polygons, positions: &[DVec3], triangles: &mut [[u32; 3]]) {
-    let mut cut = Vec::new();
-    for (corners, &start) in polygons.iter().zip(&polygons.triangle_starts) {
-        if corners.len() > 3 {
-            cut.clear();
-            cut_polygon(corners, positions, &mut cut);
-            triangles[start as usize..][..cut.len()].copy_from_slice(&cut);
-        }
+        let mesh = self.faces.into_mesh(self.positions, self.non_triangles)?;
+        Ok(mesh.with_groups(self.groups).with_lines(self.lines, self.segments)?)
     }
 }
 

@@ -4,6 +4,7 @@
 
 mod csv;
 mod curve;
+mod domain;
 mod dxf;
 mod format;
 mod geojson;
@@ -21,6 +22,7 @@ mod text;
 mod wkt;
 
 pub use curve::{Arc, Curve, Segment};
+pub use domain::FeatureError;
 pub use format::{OutlineFormat, format_of, read};
 pub use outline::{Feature, Outlines, Piece, Ring};
 pub use sides::{DividedSide, Division, SizeTooSmall};

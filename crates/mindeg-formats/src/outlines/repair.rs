@@ -33,6 +33,12 @@ struct Repairs {
 /// The share of the shorter neighbouring edge by which a vertex moves at most.
 const SHARE_MOVED: f64 = 0.25;
 
+/// How often parts of a ring are looked at again. Files made to be slow need more.
+const ROUNDS: usize = 100;
+
+/// The most points that are looked at to move vertices of one polygon.
+const MOST_LOOKED_AT: usize = 100_000_000;
+
 impl Outlines {
     /// The same polygons with rings that do not touch themselves or each other, and notes on what
     /// was done.
@@ -72,19 +78,17 @@ impl Repairs {
 
     /// The parts of a ring that come back to no point before their end.
     fn simple_rings(&mut self, ring: Ring) -> Vec<Ring> {
-        let mut open = vec![ring.pieces];
+        let mut open = vec![(ring.pieces, 0)];
         let mut parts = Vec::new();
-        while let Some(pieces) = open.pop() {
+        while let Some((pieces, round)) = open.pop() {
             let (pieces, spikes) = without_spikes(pieces);
             self.spikes += spikes;
             let mut split = self.split_at_repeated_points(pieces);
-            if spikes == 0 && split.len() <= 1 {
+            if spikes == 0 && split.len() <= 1 || round == ROUNDS {
                 parts.append(&mut split);
-            } else if spikes == 0 {
-                // Parts may have spikes where they were joined.
-                open.extend(split.into_iter().rev());
             } else {
-                open.append(&mut split);
+                // Parts may have spikes where they were joined.
+                open.extend(split.into_iter().rev().map(|part| (part, round + 1)));
             }
         }
         let rings = parts.into_iter().map(|pieces| Ring { pieces });
@@ -128,12 +132,15 @@ impl Repairs {
     /// Moves the vertices of holes that other rings have, too.
     fn part_holes(&mut self, feature: &mut Feature) {
         let mut taken = BTreeMap::new();
+        let mut looked_at = 0;
         for ring in &mut feature.rings {
             for index in 0..ring.pieces.len() {
                 let point = ring.pieces[index].start;
-                if taken.contains_key(&key(point))
-                    && let Some(moved) = moved_inside(ring, index)
-                {
+                if !taken.contains_key(&key(point)) || looked_at > MOST_LOOKED_AT {
+                    continue;
+                }
+                looked_at += ring.pieces.len();
+                if let Some(moved) = moved_inside(ring, index) {
                     self.moved += 1;
                     self.farthest = self.farthest.max(norm(moved - point));
                     ring.pieces[index].start = moved;
@@ -187,17 +194,15 @@ fn without_spikes(pieces: Vec<Piece>) -> (Vec<Piece>, usize) {
         kept.push(piece);
     }
     // Where the end meets the start.
+    let mut first = 0;
     loop {
-        match &kept[..] {
-            [first, .., before, tip] if is_spike(before, tip, first.start) => {
-                kept.pop();
-            }
-            [tip, after, .., before] if is_spike(before, tip, after.start) => {
-                kept.remove(0);
-            }
+        match &kept[first..] {
+            [start, .., before, tip] if is_spike(before, tip, start.start) => _ = kept.pop(),
+            [tip, after, .., before] if is_spike(before, tip, after.start) => first += 1,
             _ => break,
         }
     }
+    kept.drain(..first);
     let spikes = count - kept.len();
     (kept, spikes)
 }

@@ -50,8 +50,12 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
         let problem = format!("the root element is <{}>, expected <svg>", root.tag_name().name());
         return Err(at_line(1, problem));
     }
-    let mut reader =
-        Reader { document: &document, outlines: Outlines::default(), left_out: BTreeMap::new() };
+    let mut reader = Reader {
+        document: &document,
+        outlines: Outlines::default(),
+        left_out: BTreeMap::new(),
+        gaps: 0,
+    };
     reader.tree(root)?;
     reader.end()
 }
@@ -60,6 +64,8 @@ struct Reader<'a, 'input> {
     document: &'a Document<'input>,
     outlines: Outlines,
     left_out: BTreeMap<&'static str, usize>,
+    /// How many small gaps were closed.
+    gaps: usize,
 }
 
 impl Reader<'_, '_> {
@@ -120,6 +126,7 @@ impl Reader<'_, '_> {
                 self.leave_out("open line");
                 continue;
             }
+            self.gaps += usize::from(subpath.has_small_gap());
             let ring = subpath.ring(&style.transform);
             let is_finite = |ring: &Ring| ring.flattened().iter().all(|point| point.is_finite());
             if !is_finite(&ring) {
@@ -166,6 +173,12 @@ impl Reader<'_, '_> {
         }
         if !left_out.is_empty() {
             self.outlines.notes.push(format!("left out {left_out}"));
+        }
+        if self.gaps > 0 {
+            let gaps = counted(self.gaps, "gap");
+            self.outlines.notes.push(format!(
+                "closed {gaps} of less than 0.05% of the shape between the ends of closed paths"
+            ));
         }
         Ok(self.outlines)
     }

@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::style::{LARGEST_DOT, MAX_DOTS, escaped, hex};
+use super::view::View;
 use crate::degree_color;
 use glam::{DVec2, DVec3};
 use mindeg_mesh::{Line, Mesh, filled};
@@ -23,7 +24,7 @@ pub(super) struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    pub(super) fn new(mesh: &dyn Mesh, frame: &'a Frame) -> Self {
+    pub(super) fn new(mesh: &dyn Mesh, frame: &'a Frame, view: View) -> Self {
         let vertices = 0..mesh.vertex_count();
         let fill = |first, out: &mut [DVec3]| mesh.fill_positions(first, out);
         let points: Vec<DVec3> = filled(vertices.clone(), DVec3::ZERO, fill);
@@ -39,7 +40,7 @@ impl<'a> Drawing<'a> {
         let fill = |first, out: &mut [[u32; 2]]| mesh.fill_segments(first, out);
         Self {
             frame,
-            points: points.into_iter().map(|point| frame.place(point.truncate())).collect(),
+            points: points.into_iter().map(|point| frame.place(view.of_point(point))).collect(),
             boundary: boundary(&triangles),
             triangles,
             classes,

@@ -6,7 +6,8 @@
 //! and turns dark where the reader's system is dark. Lines and dots shrink with the
 //! distance between vertices.
 //!
-//! A mesh in space is seen along the z axis.
+//! A mesh in space is seen along the axis that its triangles face most: the one in which their
+//! normals are largest on average, weighted by area.
 //!
 //! Limits: a mesh of more than [`MAX_VERTICES`] vertices is refused, since its edges would
 //! run into one another. Above [`MAX_DOTS`] vertices, edges are drawn without dots. A side
@@ -15,11 +16,13 @@
 mod drawing;
 mod frame;
 mod style;
+mod view;
 
 use self::drawing::Drawing;
 use self::frame::Frame;
 pub use self::style::{MAX_DOTS, MAX_VERTICES, STYLE};
 use self::style::{SIDE_MARGIN, WIDTH, escaped, hex};
+use self::view::View;
 use crate::{GENERATOR, WriteError, degree_color, mesh_name};
 use glam::DVec2;
 use mindeg_mesh::{Bounds, Mesh};
@@ -53,8 +56,9 @@ use std::io::Write;
 /// ```
 pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
     check_size(mesh.vertex_count())?;
-    let frame = Frame::of_picture(mesh.bounds().in_plane());
-    let drawing = Drawing::new(mesh, &frame);
+    let view = View::of(mesh);
+    let frame = Frame::of_picture(view.of_box(mesh.bounds()));
+    let drawing = Drawing::new(mesh, &frame, view);
     out.write_all(head(mesh, &frame).as_bytes())?;
     drawing.write(&mut out)?;
     out.write_all(drawing.labels().as_bytes())?;
@@ -114,8 +118,28 @@ impl Inset {
     /// As [`write()`].
     pub fn write(&self, mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
         check_size(mesh.vertex_count())?;
-        Ok(Drawing::new(mesh, &self.frame).write(&mut out)?)
+        Ok(Drawing::new(mesh, &self.frame, View::Z).write(&mut out)?)
     }
+}
+
+/// The picture without any text, light, of `width` pixels.
+#[cfg(feature = "png")]
+pub(crate) fn without_text(mesh: &dyn Mesh, width: f64) -> Result<Vec<u8>, WriteError> {
+    check_size(mesh.vertex_count())?;
+    let view = View::of(mesh);
+    let margin = width / 40.0;
+    let room = Bounds { min: DVec2::splat(margin), max: DVec2::splat(width - margin) };
+    let frame = Frame::new(view.of_box(mesh.bounds()), room);
+    let height = frame.size.y + 2.0 * margin;
+    // A viewer's preferences, which are in the second part, reach no pixel.
+    let style = STYLE.split("@media").next().unwrap_or_default();
+    let mut picture = format!(
+        r#"<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height:.0}"><style>{style}</style><rect width="100%" height="100%" fill="white"/>"#
+    )
+    .into_bytes();
+    Drawing::new(mesh, &frame, view).write(&mut picture)?;
+    picture.extend_from_slice(b"</svg>");
+    Ok(picture)
 }
 
 /// Refuses a mesh with more vertices than a picture shows. O(1).

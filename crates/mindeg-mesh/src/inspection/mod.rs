@@ -151,6 +151,9 @@ pub struct Inspection {
     pub quality: QualitySummary,
     /// The triangles with the least minimum angles, at most [`WORST`].
     pub worst_triangles: WorstTriangles,
+    /// The volume inside, positive where triangles are counter-clockwise seen from outside, in cubed
+    /// units of length; none unless the mesh is closed and consistently wound.
+    pub volume: Option<f64>,
     /// The outline as a convex polygon, or why it is none.
     pub outline: Result<ConvexOutline, NoConvexOutline>,
 }
@@ -202,7 +205,10 @@ impl Inspection {
             }
             _ => Err(NoConvexOutline::NotADisk),
         };
+        let is_closed = topology.boundary.edge_count() == 0 && face_count > 0;
+        let has_inside = is_closed && is_manifold && topology.inconsistent_edges.is_empty();
         Self {
+            volume: has_inside.then(|| volume(mesh)),
             vertex_count,
             welded_count,
             triangle_count: mesh.triangles().len(),
@@ -229,9 +235,42 @@ impl Inspection {
         }
     }
 
+    /// Whether every edge has at least two faces.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.boundary_edge_count == 0 && self.face_count > 0
+    }
+
+    /// Whether no edge has more than two faces, and faces form one fan at every vertex.
+    #[must_use]
+    pub fn is_manifold(&self) -> bool {
+        self.non_manifold_edges.is_empty() && self.non_manifold_vertices.is_empty()
+    }
+
+    /// The number of handles of all components together: 0 for a sphere, 1 for a torus; none unless
+    /// the mesh is closed, manifold and consistently wound.
+    #[must_use]
+    pub fn genus(&self) -> Option<u64> {
+        let has_inside =
+            self.is_closed() && self.is_manifold() && self.inconsistent_edges.is_empty();
+        let doubled = 2 * self.component_count as i64 - self.euler_characteristic;
+        has_inside.then_some(doubled.max(0) as u64 / 2)
+    }
+
     /// The degree of `highest_degree`; 0 if there is no face.
     #[must_use]
     pub fn max_degree(&self) -> u32 {
         self.highest_degree.map_or(0, |highest| highest.degree)
     }
+}
+
+/// The signed volume of a closed mesh, by tetrahedra from its first vertex.
+fn volume(mesh: &TriMesh) -> f64 {
+    let positions = mesh.positions();
+    let origin = positions.first().copied().unwrap_or_default();
+    let of = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|vertex| positions[vertex as usize] - origin);
+        a.dot(b.cross(c))
+    };
+    mesh.triangles().iter().map(of).sum::<f64>() / 6.0
 }

@@ -8,12 +8,13 @@ use std::ops::Range;
 use glam::DVec2;
 use mindeg_core::{Boundary, Candidates, Triangulation};
 
-use mindeg_domain::Placement;
+use mindeg_domain::{ConvexForm, Placement};
 use mindeg_mesh::parallel::{block, fill_blocks, first_of_blocks, try_blocks};
 use mindeg_mesh::{Cancelled, Counter, Progress};
 
 use super::angles::{cotangents, placed};
 use super::error::MeshError;
+use super::faces::{Formula, turned};
 
 /// The most candidates tried.
 const MOST_CANDIDATES: u32 = 64;
@@ -30,16 +31,17 @@ const MARGIN: f64 = 1e-9;
 
 /// The candidate with the largest minimum angle.
 pub(super) fn best_candidate(
-    boundary: &Boundary,
+    form: &ConvexForm,
     placement: &Placement,
     progress: Progress<'_>,
-) -> Result<Triangulation, MeshError> {
+) -> Result<Formula, MeshError> {
+    let boundary = form.boundary();
     let candidates = Candidates::new(boundary);
     let limit = candidates_to_try(boundary);
     let triangles = u64::from(boundary.vertex_count()) - 2;
     let total = candidates.count().min(limit.into()) * triangles;
     let counter = progress.counter("choosing the mesh", total);
-    let points = Points::new(placement);
+    let points = Points::new(placement, form.first());
     let mut best: Option<(f64, Triangulation)> = None;
     let mut dropped = None;
     // Candidates are mostly bad in the same places: where one is worst is where to look at others.
@@ -55,7 +57,8 @@ pub(super) fn best_candidate(
         }
         counter.reach(tried * triangles)?;
     }
-    best.map(|(_, candidate)| candidate).ok_or_else(|| {
+    let formula = |(_, triangulation)| Formula { triangulation, first: form.first() };
+    best.map(formula).ok_or_else(|| {
         // Some candidate was tried, and if none is left then all of them have such a triangle.
         let triangle = dropped.and_then(|candidate| points.first_without_area(&candidate));
         MeshError::NoArea { triangle: triangle.unwrap_or_default() }
@@ -84,19 +87,21 @@ fn candidates_to_try(boundary: &Boundary) -> u32 {
 /// The points that candidates are compared on.
 struct Points<'a> {
     placement: &'a Placement,
+    /// The domain's index of the candidates' vertex 0.
+    first: u32,
     /// All of them, or none if there are too many.
     kept: Vec<DVec2>,
 }
 
 impl<'a> Points<'a> {
-    fn new(placement: &'a Placement) -> Self {
+    fn new(placement: &'a Placement, first: u32) -> Self {
         let count = placement.vertex_count();
         let mut kept = Vec::new();
         if count <= MOST_KEPT {
             kept.resize(count as usize, DVec2::ZERO);
             fill_blocks(&mut kept, |first, points| placement.fill_points(first, points));
         }
-        Self { placement, kept }
+        Self { placement, first, kept }
     }
 
     /// The points of some triangles of a candidate.
@@ -107,9 +112,13 @@ impl<'a> Points<'a> {
     ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + 'p {
         let mut walk = self.placement.walk();
         let triangles = candidate.triangles().skip(range.start as usize).take(range.len());
-        placed(triangles, move |vertex| match self.kept.get(vertex as usize) {
-            Some(&point) => point,
-            None => walk.point(vertex),
+        let (first, count) = (self.first, self.placement.vertex_count());
+        placed(triangles, move |vertex| {
+            let vertex = turned(vertex, first, count);
+            match self.kept.get(vertex as usize) {
+                Some(&point) => point,
+                None => walk.point(vertex),
+            }
         })
     }
 
@@ -157,7 +166,9 @@ impl<'a> Points<'a> {
             let start = range.start;
             let mut cotangents = self.placed(candidate, range).map(cotangents);
             let index = cotangents.position(|[of_least, _]| of_least == f64::INFINITY);
-            index.map(|index| candidate.triangle(start + index as u32))
+            let count = self.placement.vertex_count();
+            let in_domain = |vertex| turned(vertex, self.first, count);
+            index.map(|index| candidate.triangle(start + index as u32).map(in_domain))
         })
     }
 }

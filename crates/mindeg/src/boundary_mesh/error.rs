@@ -1,7 +1,7 @@
 //! Why a domain has no mesh.
 
-use mindeg_core::Defect;
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::check::CheckError;
 
 /// Why a domain has no mesh.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
@@ -24,9 +24,9 @@ pub enum MeshError {
          outside_degree and max_degree for a mesh of least degree"
     )]
     Constrained,
-    /// The domain is not convex, or has holes, or its first corner is straight.
+    /// The domain is not convex, or has holes, and the formula takes neither.
     #[error(
-        "the domain is not convex; only convex domains whose first corner turns are meshed so far"
+        "the domain is not convex or has holes, which the formula does not take; use the solver"
     )]
     NotConvex,
     /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
@@ -34,5 +34,12 @@ pub enum MeshError {
     Cancelled(#[from] Cancelled),
     /// The triangles given do not triangulate the domain's boundary.
     #[error("the triangles are no mesh of the domain: {0}")]
-    Triangles(#[from] Defect),
+    Triangles(#[from] CheckError),
+    /// The vertices of a triangle are all on one straight side, or on several that follow each other
+    /// without a turn.
+    #[error("the triangles are no mesh of the domain: triangle {triangle:?} is flat")]
+    Flat {
+        /// Its vertices.
+        triangle: [u32; 3],
+    },
 }

@@ -1,51 +1,78 @@
 //! Where a mesh has its triangles from: a formula, or a list.
 //!
-//! Limits: [`mindeg_core::verify`] has approved of a list, which takes memory for each triangle.
+//! The formula's vertex 0 is where a straight run of the domain begins. Where the domain's first corner
+//! is in the middle of a run, the two have other indices.
+//!
+//! Limits: a list has been checked, and takes memory for each triangle.
 
 use std::ops::Range;
 
 use either::Either;
-use mindeg_core::{Boundary, Defect, Triangulation, verify};
+use mindeg_core::Triangulation;
 
 /// The triangles of a mesh, by formula or in full.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Faces {
-    Formula(Triangulation),
+    Formula(Formula),
     List(TriangleList),
+}
+
+/// A formula's triangulation of the vertices of a domain.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Formula {
+    pub(super) triangulation: Triangulation,
+    /// The domain's index of the formula's vertex 0.
+    pub(super) first: u32,
 }
 
 /// A triangulation in full.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct TriangleList {
-    triangles: Vec<[u32; 3]>,
-    degrees: Vec<u32>,
-    max_degree: u32,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) degrees: Vec<u32>,
+    pub(super) max_degree: u32,
 }
 
-impl TriangleList {
-    /// The list, if it triangulates the boundary. O(n log n).
-    pub(super) fn new(boundary: &Boundary, triangles: Vec<[u32; 3]>) -> Result<Self, Defect> {
-        let intervals: Vec<u64> = boundary.sides().map(u64::from).collect();
-        let verified = verify(&intervals, triangles.iter().copied())?;
-        Ok(Self { triangles, degrees: verified.degrees, max_degree: verified.max_degree })
+impl Formula {
+    /// The domain's index of a vertex of the formula.
+    pub(super) fn of_domain(&self, vertex: u32) -> u32 {
+        turned(vertex, self.first, self.triangulation.vertex_count())
     }
+
+    /// The formula's index of a vertex of the domain.
+    fn of_formula(&self, vertex: u32) -> u32 {
+        let count = self.triangulation.vertex_count();
+        assert!(vertex < count, "vertex {vertex} does not exist; the mesh has {count} vertices");
+        turned(vertex, count - self.first, count)
+    }
+}
+
+/// A vertex `by` vertices farther on a ring of `count`.
+pub(super) fn turned(vertex: u32, by: u32, count: u32) -> u32 {
+    let left = count - by;
+    if vertex < left { vertex + by } else { vertex - left }
 }
 
 impl Faces {
     pub(super) fn vertex_count(&self) -> u32 {
         match self {
-            Self::Formula(triangulation) => triangulation.vertex_count(),
+            Self::Formula(formula) => formula.triangulation.vertex_count(),
             Self::List(list) => list.degrees.len() as u32,
         }
     }
 
     pub(super) fn triangle_count(&self) -> u32 {
-        self.vertex_count() - 2
+        match self {
+            Self::Formula(formula) => formula.triangulation.vertex_count() - 2,
+            Self::List(list) => list.triangles.len() as u32,
+        }
     }
 
     pub(super) fn triangle(&self, index: u32) -> [u32; 3] {
         match self {
-            Self::Formula(triangulation) => triangulation.triangle(index),
+            Self::Formula(formula) => {
+                formula.triangulation.triangle(index).map(|vertex| formula.of_domain(vertex))
+            }
             Self::List(list) => list.triangles[index as usize],
         }
     }
@@ -55,18 +82,27 @@ impl Faces {
         &self,
         range: Range<u32>,
     ) -> impl ExactSizeIterator<Item = [u32; 3]> + '_ {
-        let all = match self {
-            Self::Formula(triangulation) => Either::Left(triangulation.triangles()),
-            Self::List(list) => Either::Right(list.triangles.iter().copied()),
-        };
         // A leap is O(1) in either.
-        all.skip(range.start as usize).take(range.len())
+        let (skip, take) = (range.start as usize, range.len());
+        match self {
+            Self::Formula(formula) => {
+                let triangles = formula.triangulation.triangles().skip(skip).take(take);
+                Either::Left(triangles.map(|corners| corners.map(|v| formula.of_domain(v))))
+            }
+            Self::List(list) => Either::Right(list.triangles[skip..skip + take].iter().copied()),
+        }
     }
 
     /// Writes the triangles from index `first` on, as many as `out` holds; no fewer may remain.
     pub(super) fn fill(&self, first: u32, out: &mut [[u32; 3]]) {
         match self {
-            Self::Formula(triangulation) => triangulation.fill_triangles(first, out),
+            Self::Formula(formula) => {
+                formula.triangulation.fill_triangles(first, out);
+                if formula.first > 0 {
+                    let vertices = out.as_flattened_mut().iter_mut();
+                    vertices.for_each(|vertex| *vertex = formula.of_domain(*vertex));
+                }
+            }
             Self::List(list) => {
                 let first = first as usize;
                 out.copy_from_slice(&list.triangles[first..first + out.len()]);
@@ -76,35 +112,59 @@ impl Faces {
 
     pub(super) fn degree(&self, vertex: u32) -> u32 {
         match self {
-            Self::Formula(triangulation) => triangulation.degree(vertex),
+            Self::Formula(formula) => formula.triangulation.degree(formula.of_formula(vertex)),
             Self::List(list) => list.degrees[vertex as usize],
         }
     }
 
-    /// The neighbours of a vertex, counter-clockwise from the next boundary vertex.
-    pub(super) fn neighbors(&self, vertex: u32) -> Vec<u32> {
+    /// The neighbours of a vertex, counter-clockwise from `next`, the next vertex of its ring.
+    pub(super) fn neighbors(&self, vertex: u32, next: u32) -> Vec<u32> {
         match self {
-            Self::Formula(triangulation) => triangulation.neighbors(vertex).collect(),
+            Self::Formula(formula) => {
+                let neighbors = formula.triangulation.neighbors(formula.of_formula(vertex));
+                neighbors.map(|neighbor| formula.of_domain(neighbor)).collect()
+            }
             Self::List(list) => {
-                let n = list.degrees.len() as u32;
-                assert!(vertex < n, "vertex {vertex} does not exist; the mesh has {n} vertices");
-                let around = list.triangles.iter().filter(|corners| corners.contains(&vertex));
-                let mut neighbors: Vec<u32> =
-                    around.flatten().copied().filter(|&other| other != vertex).collect();
-                // Boundary vertices lie around a vertex in the order of the boundary.
-                neighbors.sort_unstable_by_key(|&other| {
-                    if other > vertex { other - vertex } else { other + (n - vertex) }
+                let around = list.triangles.iter().filter_map(|corners| {
+                    let at = corners.iter().position(|&corner| corner == vertex)?;
+                    Some((corners[(at + 1) % 3], corners[(at + 2) % 3]))
                 });
-                neighbors.dedup();
-                neighbors
+                let mut around: Vec<(u32, u32)> = around.collect();
+                around.sort_unstable();
+                let beyond = |&from: &u32| {
+                    let at = around.binary_search_by_key(&from, |&(from, _)| from).ok()?;
+                    Some(around[at].1)
+                };
+                std::iter::successors(Some(next), beyond).collect()
             }
         }
     }
 
     pub(super) fn max_degree(&self) -> u32 {
         match self {
-            Self::Formula(triangulation) => triangulation.max_degree(),
+            Self::Formula(formula) => formula.triangulation.max_degree(),
             Self::List(list) => list.max_degree,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn turning_wraps_and_does_not_overflow() {
+        let most = u32::MAX - 1;
+        for (vertex, by, count, expected) in [
+            (0, 0, 5, 0),
+            (4, 0, 5, 4),
+            (0, 2, 5, 2),
+            (3, 2, 5, 0),
+            (0, 5, 5, 0),
+            (4, 5, 5, 4),
+            (most - 1, most - 1, most, most - 2),
+        ] {
+            assert_eq!(turned(vertex, by, count), expected);
         }
     }
 }

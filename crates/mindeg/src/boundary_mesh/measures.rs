@@ -77,11 +77,11 @@ impl BoundaryMesh {
     /// How many corners and how many other vertices have each degree. O(n).
     #[must_use]
     pub fn degree_histograms(&self) -> DegreeHistograms {
-        let boundary = self.rings();
-        let corners = (0..boundary.side_count()).map(|side| boundary.corner(side));
+        let rings = self.rings();
+        let corners = (0..rings.side_count()).map(|side| rings.corner(side));
         let corners: DegreeHistogram = corners.map(|corner| self.degree(corner)).collect();
         let in_blocks = blocks(self.vertex_count(), |range| {
-            let sides = range.filter(|&vertex| !boundary.is_corner(vertex));
+            let sides = range.filter(|&vertex| !rings.is_corner(vertex));
             sides.map(|vertex| self.degree(vertex)).collect::<DegreeHistogram>()
         });
         DegreeHistograms { corners, sides: in_blocks.iter().sum() }

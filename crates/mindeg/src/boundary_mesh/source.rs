@@ -21,7 +21,7 @@ impl Positions for BoundaryMesh {
     }
 
     fn is_ring(&self) -> bool {
-        true
+        self.rings().ring_count() == 1
     }
 }
 
@@ -52,23 +52,27 @@ impl Triangles for BoundaryMesh {
     }
 
     fn lines(&self) -> Cow<'_, [Line]> {
-        let boundary = self.rings();
+        let rings = self.rings();
         let line = |side| {
-            let start = boundary.corner(side);
+            let start = rings.corner(side);
             Line {
                 name: self.domain().side_name(side),
-                segments: start..start + boundary.intervals(side),
-                is_straight: true,
+                segments: start..start + rings.intervals(side),
+                is_straight: self.domain().is_straight(side),
             }
         };
-        Cow::Owned((0..boundary.side_count()).map(line).collect())
+        Cow::Owned((0..rings.side_count()).map(line).collect())
     }
 
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
-        let count = self.vertex_count();
+        let (count, rings) = (self.vertex_count(), self.rings());
+        let mut ring = 0..0;
         for (start, segment) in (first..).zip(out) {
             assert!(start < count, "the boundary has {count} edges");
-            *segment = [start, if start + 1 == count { 0 } else { start + 1 }];
+            if !ring.contains(&start) {
+                ring = rings.ring(rings.ring_of(start));
+            }
+            *segment = [start, if start + 1 == ring.end { ring.start } else { start + 1 }];
         }
     }
 }

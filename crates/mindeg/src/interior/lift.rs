@@ -26,12 +26,14 @@ const MOST_VERTICES: u32 = 20_000;
 const MOST_TRIES: u32 = 24;
 /// A change that brings less than this factor is not worth it.
 const WORTH: f64 = 1.02;
+/// A larger limit than this, in degrees, is not looked for.
+const ENOUGH: f64 = 30.0;
 
 /// The smallest change of the counts of the side or sides that decide a domain's limit which
-/// brings nine tenths of what any such change can; none if it brings nothing, or for domains of more
-/// than 20,000 boundary vertices.
+/// brings it to 30 degrees, or nine tenths of the way to what any such change can bring; none if that is
+/// nothing, or for domains of more than 20,000 boundary vertices.
 ///
-/// Constraints stay on their vertices' indices. Takes up to about 50 times as long as
+/// Constraints stay on their vertices' indices. Takes up to about 75 times as long as
 /// [`angle_limit`].
 #[must_use]
 pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Lift> {
@@ -46,10 +48,20 @@ pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Li
     if best < WORTH * limit.min_angle {
         return None;
     }
-    let enough = limit.min_angle + 0.9 * (best - limit.min_angle);
-    let cost =
-        |lift: &Lift| lift.changes.iter().map(|change| change.by.unsigned_abs()).sum::<u64>();
-    tried.into_iter().filter(|lift| lift.min_angle >= enough).min_by_key(cost)
+    let near_best = limit.min_angle + 0.9 * (best - limit.min_angle);
+    let enough = near_best.min(ENOUGH.max(WORTH * limit.min_angle));
+    let good = tried.into_iter().filter(|lift| lift.min_angle >= enough);
+    good.min_by(|a, b| cost(domain, a).total_cmp(&cost(domain, b)))
+}
+
+/// How much a change changes: the logarithms of the ratios of counts. To lose points costs more than to
+/// get some.
+fn cost(domain: &Domain, lift: &Lift) -> f64 {
+    let of = |(change, count): (&Change, &u64)| {
+        let ratio = *count as f64 / f64::from(domain.rings().intervals(change.side));
+        if ratio >= 1.0 { libm::log(ratio) } else { -3.0 * libm::log(ratio) }
+    };
+    lift.changes.iter().zip(&lift.intervals).map(of).sum()
 }
 
 /// Counts to try, each as a list of sides with their new counts.
@@ -62,8 +74,26 @@ fn candidates(domain: &Domain, cause: &Cause) -> Vec<Vec<(usize, u64)>> {
                 if before > after { (*side_before, *corner) } else { (*corner, *side_before) };
             let finer = spread(count(long), (count(long) as f64 * ratio * 1.2).ceil() as u64 + 1);
             let coarser = spread(count(short), (count(short) as f64 / ratio / 1.2).floor() as u64);
+            let rings = domain.rings();
+            // The side with short intervals may press on its other neighbour as much.
+            let other = match rings.next_side(short) == long {
+                true => rings.previous_side(short),
+                false => rings.next_side(short),
+            };
+            let length =
+                |side: usize, count: u64| domain.placement().side_length(side) / count as f64;
+            let alike = |of_long: u64| {
+                let of_other = domain.placement().side_length(other) / length(long, of_long);
+                let of_other = (of_other.ceil() as u64).max(count(other));
+                vec![(long, of_long), (other, of_other)]
+            };
+            let both: Vec<_> = match other == long || other == short {
+                true => Vec::new(),
+                false => finer.iter().map(|count| alike(*count)).collect(),
+            };
             let finer = finer.into_iter().map(|count| vec![(long, count)]);
-            finer.chain(coarser.into_iter().map(|count| vec![(short, count)])).collect()
+            let coarser = coarser.into_iter().map(|count| vec![(short, count)]);
+            finer.chain(both).chain(coarser).collect()
         }
         Cause::Vertex { side, .. } => {
             let finer = spread(count(*side), count(*side).saturating_mul(8));
@@ -113,8 +143,12 @@ fn changed(domain: &Domain, wanted: &Interior, counts: &[(usize, u64)]) -> Optio
         by: *count as i64 - i64::from(domain.rings().intervals(*side)),
     };
     Some(Lift {
-        changes: counts.iter().map(by).collect(),
-        intervals: counts.iter().map(|(_, count)| *count).collect(),
+        changes: counts.iter().map(by).filter(|change| change.by != 0).collect(),
+        intervals: counts
+            .iter()
+            .filter(|(side, count)| *count != u64::from(domain.rings().intervals(*side)))
+            .map(|(_, count)| *count)
+            .collect(),
         min_angle: limit.min_angle,
         cause: limit.cause,
         domain: changed,

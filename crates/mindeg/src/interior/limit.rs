@@ -145,8 +145,8 @@ impl fmt::Display for Cause {
             ),
             Self::Facing { names: [first, second], vertices: [v, w], .. } => write!(
                 f,
-                "the gap between {first} at vertex {v} and {second} at vertex {w}, which is narrow \
-                 for the intervals there"
+                "the gap between {first} at vertex {v} and {second} at vertex {w}, narrow for its \
+                 intervals"
             ),
         }
     }
@@ -189,8 +189,8 @@ mod tests {
             (
                 limit(40.0, 0.2, [100, 1, 100, 1].map(Side::count)),
                 26.57,
-                "the gap between side 1 at vertex 97 and side 3 at vertex 103, which is narrow for \
-                 the intervals there",
+                "the gap between side 1 at vertex 97 and side 3 at vertex 103, narrow for its \
+                 intervals",
             ),
             (
                 limit(
@@ -203,7 +203,7 @@ mod tests {
                         Side::count(4),
                     ],
                 ),
-                5.0,
+                24.8,
                 "vertex 2 on side 1, where intervals of 0.04 and 1 meet",
             ),
         ] {

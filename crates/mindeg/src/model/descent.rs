@@ -17,6 +17,9 @@ use super::random::hash;
 /// Steps of the dynamic program that one degree may take, by default: some seconds on one core.
 pub(super) const LEVEL_STEPS: u64 = 1 << 28;
 
+/// In large models each degree may take as many steps a vertex.
+pub(super) const STEPS_PER_VERTEX: u64 = 1000;
+
 /// What it takes to set up a face, in steps a vertex.
 const SETUP_STEPS: u64 = 200;
 

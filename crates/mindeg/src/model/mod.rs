@@ -25,7 +25,7 @@ use mindeg_domain::Model;
 use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Group, Line, Progress, TriMesh};
 
-use descent::{Descent, LEVEL_STEPS};
+use descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use joint::Joint;
 
 /// What the mesh of a model is chosen for.
@@ -112,7 +112,8 @@ pub fn mesh_model(
     let mut joint = Joint::new(model, goal.keep_angle, progress)?;
     let mut bound = bound::cheap(&joint);
     let target = bound.max_degree().max(goal.max_degree.unwrap_or(0));
-    let steps = (LEVEL_STEPS as f64 * goal.effort.max(0.0)) as u64;
+    let most = LEVEL_STEPS.max(STEPS_PER_VERTEX * u64::from(model.vertex_count()));
+    let steps = (most as f64 * goal.effort.max(0.0)) as u64;
     let mut descent = Descent::new(&mut joint, progress);
     if descent.reach(target + 1, steps)? {
         // A short try, then the dearer bound, and only then a long try.

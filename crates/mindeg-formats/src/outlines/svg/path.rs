@@ -8,8 +8,8 @@ use super::super::outline::{Piece, Ring};
 use super::arc::{self, Ends};
 
 /// A gap between the ends of a closed subpath below this share of its size comes from adding up
-/// rounded relative coordinates.
-const GAP: f64 = 1e-6;
+/// relative coordinates that a program rounded: icons of 16 units have three decimals.
+const GAP: f64 = 5e-4;
 
 /// One run of the pen.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,12 +60,18 @@ impl Subpath {
             }
             start = end;
         }
-        let size = self.curves.iter().map(|&(_, end)| (end - self.start).abs().max_element());
-        let size = size.fold(0.0, f64::max);
-        if (start - self.start).abs().max_element() > GAP * size {
+        if start != self.start && !self.has_small_gap() {
             pieces.push(Piece::line(place(start)));
         }
         Ring { pieces }
+    }
+
+    /// Whether the ends are so near each other that they should be one point.
+    pub(super) fn has_small_gap(&self) -> bool {
+        let size = self.curves.iter().map(|&(_, end)| (end - self.start).abs().max_element());
+        let size = size.fold(0.0, f64::max);
+        let gap = (self.end() - self.start).abs().max_element();
+        gap > 0.0 && gap <= GAP * size
     }
 }
 

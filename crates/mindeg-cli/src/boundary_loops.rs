@@ -1,0 +1,106 @@
+//! The boundary loops of a mesh: which one a user means, and the list of them.
+
+use crate::args::LoopChoice;
+use crate::failure::Failure;
+use mindeg::glam::DVec3;
+use mindeg::{Loops, MeshLoop, TriMesh};
+use mindeg_compare::number_format::significant;
+use serde::Serialize;
+use std::path::Path;
+
+/// How many loops a list names.
+const LISTED: usize = 20;
+
+/// A loop in a summary.
+#[derive(Serialize)]
+pub(crate) struct LoopName {
+    /// Counted from 1.
+    #[serde(rename = "loop")]
+    number: usize,
+    vertices: usize,
+    first_vertex: u32,
+}
+
+impl LoopName {
+    pub(crate) fn new(index: usize, found: &MeshLoop) -> Self {
+        let first_vertex = found.vertices.first().copied().unwrap_or(0);
+        Self { number: index + 1, vertices: found.vertices.len(), first_vertex }
+    }
+
+    pub(crate) fn text(&self) -> String {
+        let Self { number, vertices, first_vertex } = self;
+        format!("loop {number} ({vertices} vertices from vertex {first_vertex} on)")
+    }
+}
+
+/// The index of the loop that is meant.
+pub(crate) fn index_of(
+    choice: LoopChoice,
+    loops: &Loops,
+    mesh: &TriMesh,
+    path: &Path,
+) -> Result<usize, Failure> {
+    let list = loops.list();
+    let at = |vertex: u32| mesh.positions()[vertex as usize];
+    let found = match choice {
+        LoopChoice::Number(number) => (number <= list.len()).then(|| number - 1),
+        LoopChoice::Vertex(vertex) => {
+            // A vertex at the same place as one on the loop is on it, too.
+            let position = mesh.positions().get(vertex as usize);
+            let is_on = |found: &MeshLoop| found.vertices.iter().any(|&v| Some(&at(v)) == position);
+            list.iter().position(is_on)
+        }
+        LoopChoice::Near(point) => {
+            let point = DVec3::from(point);
+            let distance = |found: &MeshLoop| {
+                let distances = found.vertices.iter().map(|&v| at(v).distance_squared(point));
+                distances.fold(f64::INFINITY, f64::min)
+            };
+            let distances = list.iter().map(distance).enumerate();
+            distances.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
+        }
+    };
+    found.ok_or_else(|| {
+        let what = match choice {
+            LoopChoice::Number(number) => format!("loop {number}"),
+            LoopChoice::Vertex(vertex) => format!("boundary loop through vertex {vertex}"),
+            LoopChoice::Near(_) => "boundary loop".to_owned(),
+        };
+        Failure::Input(format!("{} has no {what}{}", path.display(), listed(loops, mesh)))
+    })
+}
+
+/// The list of loops, to choose from.
+pub(crate) fn listed(loops: &Loops, mesh: &TriMesh) -> String {
+    let list = loops.list();
+    if list.is_empty() {
+        return "; it is closed".to_owned();
+    }
+    let mut text = String::from("; its loops are:");
+    for (index, found) in list.iter().enumerate().take(LISTED) {
+        let center = found.center(mesh.positions()).to_array().map(|x| significant(x, 4));
+        let name = LoopName::new(index, found).text();
+        text += &format!("\n  {name}, around {}", center.join(","));
+        if let Some(defect) = found.defect {
+            text += &format!("; {defect}");
+        }
+    }
+    if list.len() > LISTED {
+        text += &format!("\n  and {} more", list.len() - LISTED);
+    }
+    text
+}
+
+/// What a summary says of new triangles that cross others; empty if there are none.
+pub(crate) fn crossing_text(crossings: &[[u32; 2]]) -> String {
+    match crossings {
+        [] => String::new(),
+        [[new, other]] => format!(
+            "\nwarning: a new triangle crosses another one: {new} and {other} (counted from 0)"
+        ),
+        [[new, other], ..] => format!(
+            "\nwarning: {} new triangles cross others, the first {new} and {other} (counted from 0)",
+            crossings.len()
+        ),
+    }
+}

@@ -1,0 +1,211 @@
+//! `mindeg bridge`: two boundary loops joined by a strip.
+
+use crate::args::{BridgeArguments, LoopChoice};
+use crate::bar::Bar;
+use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
+use crate::failure::Failure;
+use crate::input;
+use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
+use crate::mesh_file;
+use crate::output::Outputs;
+use crate::standard_output::print_json;
+use crate::targets::Targets;
+use crate::terminal::say;
+use mindeg::bridge::{Bridged, bridge};
+use mindeg::{Loops, Progress, TriMesh};
+use mindeg_compare::number_format::steady_angle;
+use serde::Serialize;
+use std::path::Path;
+
+/// What `--json` prints; angles in degrees.
+#[derive(Serialize)]
+struct Summary<'a> {
+    from: LoopName,
+    to: LoopName,
+    vertices: usize,
+    triangles: usize,
+    /// The first triangle of the strip, and the one after the last.
+    strip: [u32; 2],
+    max_degree: u32,
+    least_max_degree: u32,
+    lower_bound: u32,
+    min_angle: f64,
+    /// With a degree one more; null where that is no better.
+    next_min_angle: Option<f64>,
+    angle_without_limit: f64,
+    degree_without_limit: u32,
+    planar: bool,
+    crossings: &'a [[u32; 2]],
+    files: Vec<String>,
+}
+
+/// A mesh that was read, and its loops.
+struct Side<'a> {
+    path: &'a Path,
+    mesh: TriMesh,
+    loops: Loops,
+}
+
+impl<'a> Side<'a> {
+    fn read(path: &'a Path, bar: &Bar) -> Result<Self, Failure> {
+        input::note(path, "mesh");
+        memory::require_to_read(path)?;
+        let mesh = mesh_file::read(path, bar)?;
+        memory::require_to_inspect(path, mesh.positions().len(), mesh.triangles().len())?;
+        let loops = Loops::of(&mesh);
+        Ok(Self { path, mesh, loops })
+    }
+
+    /// The loop that is meant by an option; without one, the only one there is.
+    fn index(&self, choice: Option<LoopChoice>, option: &str) -> Result<usize, Failure> {
+        match (choice, self.loops.list()) {
+            (Some(choice), _) => index_of(choice, &self.loops, &self.mesh, self.path),
+            (None, [_]) => Ok(0),
+            (None, []) => Err(Failure::Input(format!(
+                "{} has no boundary loop; it is closed",
+                self.path.display()
+            ))),
+            (None, all) => Err(Failure::Input(format!(
+                "{} has {} boundary loops; name one with {option}{}",
+                self.path.display(),
+                all.len(),
+                listed(&self.loops, &self.mesh)
+            ))),
+        }
+    }
+
+    fn name(&self, index: usize) -> LoopName {
+        LoopName::new(index, &self.loops.list()[index])
+    }
+}
+
+pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
+    let surface = &arguments.surface;
+    let mut targets =
+        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
+    let bar = Bar::new(arguments.quiet);
+    clean_up_on_interrupt()?;
+    let first = Side::read(&arguments.file, &bar)?;
+    let second = match &arguments.other {
+        Some(path) => Some(Side::read(path, &bar)?),
+        None => None,
+    };
+    let (from, to) = match &second {
+        Some(second) => {
+            (first.index(arguments.from, "--from")?, second.index(arguments.to, "--to")?)
+        }
+        None => both_of_one(&first, arguments)?,
+    };
+    let (from_name, to_name) = (first.name(from), second.as_ref().unwrap_or(&first).name(to));
+    let Side { mesh, .. } = first;
+    let whole = match &second {
+        Some(second) => mesh.clone().with_mesh_added(&second.mesh),
+        None => Ok(mesh.clone()),
+    };
+    let whole = whole.map_err(|error| Failure::Input(error.to_string()))?;
+    // What can be refused is refused before the search.
+    let most = whole.triangles().len().saturating_add(whole.positions().len());
+    targets.check(&whole, u32::try_from(most).unwrap_or(u32::MAX))?;
+    drop(whole);
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+    let callback = bar.callback();
+    let other = second.as_ref().map(|side| &side.mesh);
+    let result = bridge(mesh, other, [from, to], arguments.max_degree, Progress::new(&callback))
+        .map_err(|error| Failure::Input(error.to_string()))?;
+    let all_taken = targets.write(&result.mesh, &bar)?;
+    outputs.finish()?;
+    drop(callback);
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    if !arguments.quiet {
+        say(&text(&result, &from_name, &to_name, &files));
+    }
+    if !arguments.json {
+        return Ok(());
+    }
+    let strip = &result.strip;
+    print_json(&Summary {
+        from: from_name,
+        to: to_name,
+        vertices: result.mesh.positions().len(),
+        triangles: result.mesh.triangles().len(),
+        strip: [result.triangles.start, result.triangles.end],
+        max_degree: strip.max_degree,
+        least_max_degree: strip.least_max_degree,
+        lower_bound: strip.lower_bound,
+        min_angle: result.min_angle,
+        next_min_angle: strip.next_min_angle,
+        angle_without_limit: strip.without_limit.0,
+        degree_without_limit: strip.without_limit.1,
+        planar: strip.is_planar,
+        crossings: &result.crossings,
+        files,
+    })
+}
+
+/// Two loops of one mesh: those that are named, or the only two.
+fn both_of_one(side: &Side<'_>, arguments: &BridgeArguments) -> Result<(usize, usize), Failure> {
+    match (arguments.from, arguments.to, side.loops.list()) {
+        (None, None, [_, _]) => Ok((0, 1)),
+        (Some(choice), None, [_, _]) => {
+            let from = side.index(Some(choice), "--from")?;
+            Ok((from, 1 - from))
+        }
+        (None, Some(choice), [_, _]) => {
+            let to = side.index(Some(choice), "--to")?;
+            Ok((1 - to, to))
+        }
+        (_, _, all @ ([] | [_])) => Err(Failure::Input(format!(
+            "{} has {} boundary loop{}; a bridge takes two: give a second mesh",
+            side.path.display(),
+            all.len(),
+            if all.len() == 1 { "" } else { "s" }
+        ))),
+        (from, to, _) => Ok((side.index(from, "--from")?, side.index(to, "--to")?)),
+    }
+}
+
+fn text(result: &Bridged, from: &LoopName, to: &LoopName, files: &[String]) -> String {
+    let strip = &result.strip;
+    let optimal = match (strip.max_degree, strip.least_max_degree, strip.lower_bound) {
+        (degree, least, bound) if degree == least && least == bound => {
+            "the least possible, as counting proves".to_owned()
+        }
+        (degree, least, _) if degree == least => "the least possible, found by search".to_owned(),
+        (_, least, _) => format!("the least possible is {least}"),
+    };
+    let mut text = format!(
+        "joined {} and {} with {} triangles: maximum degree on them {} ({optimal}), minimum angle {}, the \
+         largest for this degree",
+        from.text(),
+        to.text(),
+        result.triangles.len(),
+        strip.max_degree,
+        steady_angle(result.min_angle),
+    );
+    if let Some(next) = strip.next_min_angle {
+        text += &format!(
+            "\nhint: --max-degree {} gives a minimum angle of {}",
+            strip.max_degree + 1,
+            steady_angle(next)
+        );
+    }
+    if let Some(turned) = result.turned_over {
+        text += &format!(
+            "\nwarning: the strip is twisted; if the triangles of the second mesh were turned over, \
+             its minimum angle would be {}",
+            steady_angle(turned)
+        );
+    }
+    text += &crossing_text(&result.crossings);
+    let files: Vec<&str> = files.iter().map(|file| &**file).filter(|file| *file != "-").collect();
+    if !files.is_empty() {
+        text += &format!("\nwrote {}", files.join(", "));
+    }
+    text
+}

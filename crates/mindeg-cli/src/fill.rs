@@ -1,0 +1,204 @@
+//! `mindeg fill`: the holes of a mesh closed.
+
+use crate::args::FillArguments;
+use crate::bar::Bar;
+use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
+use crate::failure::Failure;
+use crate::input;
+use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
+use crate::mesh_file;
+use crate::output::Outputs;
+use crate::standard_output::print_json;
+use crate::targets::Targets;
+use crate::terminal::say;
+use mindeg::fill::{FillOptions, Filled, FilledLoop, fill};
+use mindeg::{Loops, Progress};
+use mindeg_compare::number_format::{four_digits, percent, steady_angle};
+use mindeg_mesh::Triangles;
+use serde::Serialize;
+use std::path::Path;
+
+/// What `--json` prints; angles in degrees.
+#[derive(Serialize)]
+struct Summary<'a> {
+    file: String,
+    vertices: usize,
+    triangles: usize,
+    max_degree: u32,
+    filled: Vec<FilledSummary>,
+    left_open: Vec<LeftSummary>,
+    crossings: &'a [[u32; 2]],
+    files: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct FilledSummary {
+    #[serde(flatten)]
+    name: LoopName,
+    limit: u32,
+    max_degree: u32,
+    area: f64,
+    area_without_limit: f64,
+    /// With a limit one higher; null where that saves little or was not worked out.
+    next_area: Option<f64>,
+    degree_without_limit: u32,
+    min_angle: f64,
+    /// The first, and the one after the last.
+    triangles: [u32; 2],
+}
+
+#[derive(Serialize)]
+struct LeftSummary {
+    #[serde(flatten)]
+    name: LoopName,
+    reason: String,
+}
+
+pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
+    let surface = &arguments.surface;
+    let mut targets =
+        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
+    let bar = Bar::new(arguments.quiet);
+    clean_up_on_interrupt()?;
+    let file = &arguments.file;
+    input::note(file, "mesh");
+    memory::require_to_read(file)?;
+    let mesh = mesh_file::read(file, &bar)?;
+    memory::require_to_inspect(file, mesh.positions().len(), mesh.triangles().len())?;
+    let loops = Loops::of(&mesh);
+    if loops.list().is_empty() {
+        let message = format!("{} has no boundary loop; it is closed", file.display());
+        return Err(Failure::Input(message));
+    }
+    let only = match &arguments.loops[..] {
+        [] => None,
+        choices => {
+            let indices = choices.iter().map(|&choice| index_of(choice, &loops, &mesh, file));
+            Some(indices.collect::<Result<Vec<usize>, _>>()?)
+        }
+    };
+    let options = FillOptions {
+        max_degree: arguments.max_degree,
+        max_loop: arguments.max_loop as usize,
+        only,
+    };
+    let lengths = loops.list().iter().map(|found| found.vertices.len());
+    let longest = lengths.clone().filter(|&len| len < options.max_loop).max().unwrap_or(0);
+    memory::require_to_fill(file, longest)?;
+
+    // What can be refused is refused before the search, which can take minutes.
+    let most = mesh.triangle_count().saturating_add(lengths.sum::<usize>() as u32);
+    targets.check(&mesh, most)?;
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+    let callback = bar.callback();
+    let listed = listed(&loops, &mesh);
+    let result = fill(mesh, &options, Progress::new(&callback))
+        .map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
+    if result.filled.is_empty() {
+        let reasons: Vec<String> = left(&result, &loops)
+            .map(|left| format!("{} stays open: {}", left.name.text(), left.reason))
+            .collect();
+        let message = if reasons.len() > 5 { listed } else { format!(": {}", reasons.join("; ")) };
+        let name = file.display();
+        return Err(Failure::Input(format!("{name} has no loop to fill{message}")));
+    }
+    let all_taken = targets.write(&result.mesh, &bar)?;
+    outputs.finish()?;
+    drop(callback);
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    if !arguments.quiet {
+        say(&text(file, &result, &loops, &files, arguments.max_degree.is_some()));
+    }
+    if !arguments.json {
+        return Ok(());
+    }
+    print_json(&Summary {
+        file: file.display().to_string(),
+        vertices: result.mesh.positions().len(),
+        triangles: result.mesh.triangles().len(),
+        max_degree: result.mesh.max_degree(),
+        filled: result.filled.iter().map(|found| summary(found, &loops)).collect(),
+        left_open: left(&result, &loops).collect(),
+        crossings: &result.crossings,
+        files,
+    })
+}
+
+fn summary(found: &FilledLoop, loops: &Loops) -> FilledSummary {
+    FilledSummary {
+        name: LoopName::new(found.index, &loops.list()[found.index]),
+        limit: found.limit,
+        max_degree: found.max_degree,
+        area: found.area,
+        area_without_limit: found.without_limit.0,
+        next_area: found.next_area,
+        degree_without_limit: found.without_limit.1,
+        min_angle: found.min_angle,
+        triangles: [found.triangles.start, found.triangles.end],
+    }
+}
+
+fn left<'a>(result: &'a Filled, loops: &'a Loops) -> impl Iterator<Item = LeftSummary> + 'a {
+    result.left.iter().map(|left| LeftSummary {
+        name: LoopName::new(left.index, &loops.list()[left.index]),
+        reason: left.reason.to_string(),
+    })
+}
+
+/// How many loops a summary describes one by one.
+const DESCRIBED: usize = 8;
+
+fn text(file: &Path, result: &Filled, loops: &Loops, files: &[String], is_given: bool) -> String {
+    let (filled, open) = (result.filled.len(), result.left.len());
+    let triangles: usize = result.filled.iter().map(|found| found.triangles.len()).sum();
+    let largest = result.filled.iter().map(|found| found.max_degree).max().unwrap_or(0);
+    let angle = result.filled.iter().map(|found| found.min_angle).fold(f64::INFINITY, f64::min);
+    let plural = if filled == 1 { "loop" } else { "loops" };
+    let mut text = format!(
+        "{}: filled {filled} {plural} with {triangles} triangles; maximum degree on them {largest}, \
+         minimum angle {}",
+        file.display(),
+        steady_angle(angle),
+    );
+    for found in result.filled.iter().take(DESCRIBED) {
+        let name = LoopName::new(found.index, &loops.list()[found.index]).text();
+        let limit = match (is_given, found.limit) {
+            (true, limit) => format!("degree limit {limit}"),
+            (false, mindeg::fill::FIRST_LIMIT) => format!("degree limit {}", found.limit),
+            (false, limit) => format!("degree limit {limit}, the least that is possible"),
+        };
+        let (least, degree) = found.without_limit;
+        let more = (found.area / least - 1.0).max(0.0);
+        let cost = if degree == found.max_degree && found.area <= least || least == 0.0 {
+            "the least without a limit, too".to_owned()
+        } else {
+            format!("{} more than without a limit, where the degree is {degree}", percent(more))
+        };
+        text += &format!("\n  {name}: {limit}; area {}, {cost}", four_digits(found.area));
+        if let Some(next) = found.next_area {
+            let more = percent((next / least - 1.0).max(0.0));
+            text += &format!("; --max-degree {} takes {more} more", found.limit + 1);
+        }
+    }
+    if filled > DESCRIBED {
+        text += &format!("\n  and {} more", filled - DESCRIBED);
+    }
+    for left in left(result, loops).take(DESCRIBED) {
+        text += &format!("\n  {} stays open: {}", left.name.text(), left.reason);
+    }
+    if open > DESCRIBED {
+        text += &format!("\n  and {} more stay open", open - DESCRIBED);
+    }
+    text += &crossing_text(&result.crossings);
+    let files: Vec<&str> = files.iter().map(|file| &**file).filter(|file| *file != "-").collect();
+    if !files.is_empty() {
+        text += &format!("\nwrote {}", files.join(", "));
+    }
+    text
+}

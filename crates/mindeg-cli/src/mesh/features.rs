@@ -1,0 +1,63 @@
+//! Several polygons of a file: a mesh for each, in files of their own.
+
+use crate::args::MeshArguments;
+use crate::domain::Polygons;
+use crate::failure::Failure;
+use crate::named_files::{is_pattern, names, prepare, summed_up};
+use mindeg::Domain;
+use mindeg_formats::Format;
+use std::path::PathBuf;
+
+/// Meshes every polygon. One that has no mesh, or fails a gate, does not keep the others from it.
+pub(super) fn run(
+    arguments: &MeshArguments,
+    polygons: &Polygons,
+    mesh: impl Fn(&Domain, &[PathBuf]) -> Result<(), Failure>,
+) -> Result<(), Failure> {
+    let patterns = &arguments.surface.output;
+    if let Some(plain) = patterns.iter().find(|path| !is_pattern(path)) {
+        let count = polygons.polygons.len();
+        return Err(Failure::Input(format!(
+            "{} has {count} polygons, and {} is one file; give a folder, such as -o meshes/, or a \
+             name with {{name}} or {{index}}, such as -o 'meshes/{{name}}.glb', or choose one \
+             polygon with --feature",
+            polygons.file,
+            plain.display()
+        )));
+    }
+    let extension = arguments.surface.format.unwrap_or(Format::Obj).extension();
+    let files: Vec<Vec<PathBuf>> =
+        patterns.iter().map(|pattern| names(pattern, &polygons.polygons, extension)).collect();
+    prepare(&files.concat())?;
+    let mut failures = Vec::new();
+    for (index, polygon) in polygons.polygons.iter().enumerate() {
+        let outputs: Vec<PathBuf> =
+            files.iter().map(|of_pattern| of_pattern[index].clone()).collect();
+        let meshed = polygons.domain(polygon).and_then(|domain| mesh(&domain, &outputs));
+        match meshed {
+            // Nobody reads what is printed.
+            Err(Failure::ClosedPipe) => return Err(Failure::ClosedPipe),
+            meshed => failures.extend(meshed.err()),
+        }
+    }
+    summed_up(failures, polygons.polygons.len(), "have no mesh; those of the others were written")
+}
+
+/// Where the mesh of the only polygon goes: the outputs with its name in place of patterns.
+pub(super) fn outputs_of_one(
+    arguments: &MeshArguments,
+    polygons: &Polygons,
+) -> Result<Vec<PathBuf>, Failure> {
+    let extension = arguments.surface.format.unwrap_or(Format::Obj).extension();
+    let mut outputs = Vec::new();
+    for path in &arguments.surface.output {
+        if is_pattern(path) {
+            let files = names(path, &polygons.polygons, extension);
+            prepare(&files)?;
+            outputs.extend(files);
+        } else {
+            outputs.push(path.clone());
+        }
+    }
+    Ok(outputs)
+}

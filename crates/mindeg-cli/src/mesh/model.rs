@@ -1,0 +1,325 @@
+//! `mindeg mesh` of a whole model: from its faces to one watertight mesh.
+
+use crate::args::{DomainOptions, MeshArguments};
+use crate::bar::Bar;
+use crate::failure::{Failure, plainly};
+use crate::gates::NamedTriangle;
+use crate::input;
+use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
+use crate::mesh_file;
+use crate::output::Outputs;
+use crate::standard_output::print_json;
+use crate::targets::Targets;
+use crate::terminal::say;
+use mindeg::model::{JointBound, ModelGoal, ModelMesh, mesh_model};
+use mindeg::quality::TriangleQuality;
+use mindeg::{FromMesh, Intervals, Model, ModelPlace, Progress, Side, Spacing};
+use mindeg_compare::number_format::{percent, steady_angle};
+use mindeg_mesh::{TriMesh, Triangles};
+use serde::Serialize;
+use std::fs;
+use std::io::{self, IsTerminal};
+use std::path::Path;
+
+/// How many vertices and edges a message names.
+const NAMED: usize = 5;
+
+/// What `--json` prints; angles in degrees. Degrees are over all faces.
+#[derive(Serialize)]
+struct Summary<'a> {
+    name: Option<&'a str>,
+    faces: usize,
+    edges: usize,
+    vertices: u32,
+    triangles: u32,
+    max_degree: u32,
+    /// No mesh from these points has a smaller maximum degree.
+    lower_bound: u32,
+    /// "sum", "edges", "side" or "weights".
+    bounded_by: &'static str,
+    /// The vertices of maximum degree.
+    worst_vertices: &'a [u32],
+    min_angle: f64,
+    max_angle: f64,
+    /// The smallest share that a face has of its Delaunay triangulation's minimum angle; null
+    /// without `--keep-angle`.
+    angle_share: Option<f64>,
+    closed: bool,
+    /// By corners.
+    boundary_edges: Vec<[u32; 2]>,
+    /// By corners: edges with three faces or more.
+    non_manifold_edges: Vec<[u32; 2]>,
+    groups: Vec<GroupSummary<'a>>,
+    notes: &'a [String],
+    files: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct GroupSummary<'a> {
+    name: Option<&'a str>,
+    material: Option<&'a str>,
+    faces: usize,
+    triangles: u32,
+}
+
+/// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`.
+pub(super) fn is_model(path: &Path) -> bool {
+    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
+    match extension.as_deref() {
+        Some("glb" | "gltf") => true,
+        Some("obj") => fs::read(path).is_ok_and(|bytes| {
+            let mut lines = bytes.split(|&byte| byte == b'\n' || byte == b'\r');
+            lines.any(|line| line.starts_with(b"f ") || line.starts_with(b"f\t"))
+        }),
+        Some("json") => fs::read_to_string(path).is_ok_and(|text| Model::is_model_json(&text)),
+        _ => false,
+    }
+}
+
+pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
+    let surface = &arguments.surface;
+    let mut targets =
+        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
+    if arguments.optimize.is_some() {
+        let message = "--optimize is for domains; for a model give --keep-angle or --max-degree";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    if arguments.interior.interior {
+        let message = "--interior is for domains; the faces of a model have no interior points yet";
+        return Err(Failure::Input(message.to_owned()));
+    }
+    let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
+    let bar = Bar::new(arguments.quiet || to_terminal);
+    clean_up_on_interrupt()?;
+    let model = read(path, arguments, &bar)?;
+    let goal = ModelGoal {
+        keep_angle: arguments.goal.keep_angle,
+        max_degree: arguments.goal.max_degree,
+        effort: arguments.model.effort,
+    };
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+
+    let callback = bar.callback();
+    let meshed = mesh_model(&model, goal, Progress::new(&callback));
+    let meshed = meshed.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    drop(callback);
+    let mesh = &meshed.mesh;
+    check_gates(&meshed, arguments)?;
+    targets.check(mesh, mesh.triangle_count())?;
+    let all_taken = targets.write(mesh, &bar)?;
+    outputs.finish()?;
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+
+    let corners = |edge: usize| model.edge_corners(edge);
+    let summary = Summary {
+        name: model.name(),
+        faces: model.face_count(),
+        edges: model.edge_count(),
+        vertices: model.vertex_count(),
+        triangles: mesh.triangle_count(),
+        max_degree: meshed.max_degree,
+        lower_bound: meshed.lower_bound,
+        bounded_by: match meshed.bounded_by {
+            JointBound::Sum { .. } => "sum",
+            JointBound::Edges { .. } => "edges",
+            JointBound::Side { .. } => "side",
+            _ => "weights",
+        },
+        worst_vertices: &meshed.worst_vertices,
+        min_angle: meshed.min_angle,
+        max_angle: max_angle(mesh),
+        angle_share: meshed.angle_share,
+        closed: model.is_closed(),
+        boundary_edges: model.boundary_edges().map(corners).collect(),
+        non_manifold_edges: model.non_manifold_edges().map(corners).collect(),
+        groups: groups(&model, mesh),
+        notes: model.notes(),
+        files,
+    };
+    if !arguments.quiet {
+        say(&text(&model, &meshed, &summary));
+    }
+    if arguments.json { print_json(&summary) } else { Ok(()) }
+}
+
+/// The model in a file, with the options in place of what the file gives for its edges.
+fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<Model, Failure> {
+    input::note(path, "model");
+    let bad = |error: String| Failure::Input(format!("{}: {error}", path.display()));
+    let division = division(&arguments.domain.options)?;
+    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
+    let is_json = extension.as_deref() == Some("json");
+    if is_json {
+        let text = fs::read_to_string(path).map_err(|error| {
+            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
+        })?;
+        let model = Model::from_json(&text).map_err(|error| bad(error.to_string()))?;
+        return match division {
+            Some(side) => model.divided(&side).map_err(|error| bad(error.to_string())),
+            None => Ok(model),
+        };
+    }
+    let Some(edges) = division else {
+        let message = "how many intervals? give --size S, or --intervals N for every edge";
+        return Err(Failure::Input(message.to_owned()));
+    };
+    memory::require_to_read(path)?;
+    let mesh = mesh_file::read(path, bar)?;
+    let from_mesh = FromMesh {
+        edges,
+        merge_coplanar: arguments.model.merge_coplanar || extension.as_deref() != Some("obj"),
+        planar_tolerance: arguments.model.planar_tolerance,
+    };
+    Model::of_mesh(&mesh, &from_mesh).map_err(|error| bad(error.to_string()))
+}
+
+/// The division of every edge that the options ask for.
+fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
+    let DomainOptions { intervals, size, spacing, .. } = options;
+    let intervals = match (intervals.as_ref().map(|counts| &counts.0[..]), size) {
+        (Some(&[count]), _) => Intervals::Count(count),
+        (Some(counts), _) => {
+            return Err(Failure::Input(format!(
+                "--intervals gives {} counts; for a model give one, which every edge gets",
+                counts.len()
+            )));
+        }
+        (None, Some(size)) => Intervals::Size(*size),
+        (None, None) if spacing.is_some() => {
+            let message = "--spacing of a model needs --size or --intervals beside it";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        (None, None) => return Ok(None),
+    };
+    let spacing = spacing.clone().unwrap_or(Spacing::Uniform);
+    Ok(Some(Side { intervals, spacing, ..Side::count(1) }))
+}
+
+fn check_gates(meshed: &ModelMesh, arguments: &MeshArguments) -> Result<(), Failure> {
+    let mesh = &meshed.mesh;
+    let worst_triangle = || {
+        let angles = (0..).zip(mesh.triangles().iter().map(|&triangle| quality(mesh, triangle)));
+        let worst = angles.min_by(|(_, a), (_, b)| a.min_angle.total_cmp(&b.min_angle));
+        let number = worst.map_or(0, |(number, _)| number);
+        NamedTriangle { number, vertices: mesh.triangles()[number as usize] }
+    };
+    let highest_vertex = || meshed.worst_vertices.first().copied().unwrap_or_default();
+    arguments.gates.check(meshed.max_degree, meshed.min_angle, highest_vertex, worst_triangle)
+}
+
+fn quality(mesh: &TriMesh, triangle: [u32; 3]) -> TriangleQuality {
+    let [a, b, c] = triangle.map(|vertex| mesh.positions()[vertex as usize]);
+    TriangleQuality::in_space(a, b, c)
+}
+
+fn max_angle(mesh: &TriMesh) -> f64 {
+    let angles = mesh.triangles().iter().map(|&triangle| quality(mesh, triangle).max_angle);
+    angles.fold(0.0, f64::max)
+}
+
+fn groups<'a>(model: &'a Model, mesh: &TriMesh) -> Vec<GroupSummary<'a>> {
+    let mut groups: Vec<GroupSummary<'a>> = model
+        .groups()
+        .iter()
+        .map(|group| GroupSummary {
+            name: group.name.as_deref(),
+            material: group.material.as_deref(),
+            faces: 0,
+            triangles: 0,
+        })
+        .collect();
+    for face in 0..model.face_count() {
+        groups[model.group_of(face)].faces += 1;
+    }
+    for (group, of_mesh) in groups.iter_mut().zip(Triangles::groups(mesh)) {
+        group.triangles = of_mesh.triangles.len() as u32;
+    }
+    groups
+}
+
+fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
+    let mut lines = vec![format!(
+        "{}: {} faces, {} vertices, {} triangles, maximum degree {} (at least {} is needed), angles \
+         {} to {}",
+        summary.name.unwrap_or("model"),
+        summary.faces,
+        summary.vertices,
+        summary.triangles,
+        summary.max_degree,
+        summary.lower_bound,
+        steady_angle(summary.min_angle),
+        steady_angle(summary.max_angle),
+    )];
+    lines.push(standing(meshed));
+    let count = meshed.worst_vertices.len();
+    let mut named: Vec<String> =
+        meshed.worst_vertices.iter().take(NAMED).map(|&v| place_text(model, meshed, v)).collect();
+    if count > NAMED {
+        named.push(format!("and {} more", count - NAMED));
+    }
+    // Where most vertices have the maximum, their names tell nothing.
+    if count * 4 <= summary.vertices as usize || count <= NAMED {
+        let noun = if count == 1 { "vertex has" } else { "vertices have" };
+        lines.push(format!("{count} {noun} degree {}: {}.", meshed.max_degree, named.join(", ")));
+    }
+    if let Some(share) = summary.angle_share {
+        let share = percent(share);
+        lines.push(format!("Every face keeps {share} of its Delaunay minimum angle, or more."));
+    }
+    lines.extend(model.notes().iter().cloned());
+    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
+    if !files.is_empty() {
+        lines.push(format!("wrote {}", files.join(", ")));
+    }
+    lines.join("\n")
+}
+
+/// What is proven of the degree.
+fn standing(meshed: &ModelMesh) -> String {
+    let why = match &meshed.bounded_by {
+        JointBound::Sum { sum, vertices } => {
+            format!(
+                "the degrees of all {vertices} vertices add up to {sum}, whatever the triangles"
+            )
+        }
+        JointBound::Edges { vertex, edges } => {
+            format!("vertex {vertex} has {edges} edges of the model")
+        }
+        JointBound::Side { face, intervals, .. } => format!(
+            "face {face} has a side of {intervals} intervals, whose triangles need apexes elsewhere"
+        ),
+        _ => "a weighted sum of the degrees, least over all triangulations of each face".to_owned(),
+    };
+    let (degree, bound) = (meshed.max_degree, meshed.lower_bound);
+    if meshed.is_proven() {
+        format!("No mesh of these points has a smaller maximum degree: {why}.")
+    } else {
+        format!(
+            "Degree {degree} was reached. No mesh has less than {bound}: {why}. The gap is {}; \
+             --effort 10 looks ten times as long.",
+            degree - bound
+        )
+    }
+}
+
+fn place_text(model: &Model, meshed: &ModelMesh, vertex: u32) -> String {
+    let position = meshed.mesh.positions()[vertex as usize];
+    let [x, y, z] = position.to_array().map(|x| format!("{}", x as f32));
+    let place = match model.place(vertex) {
+        ModelPlace::Corner(corner) => format!("corner {corner}"),
+        ModelPlace::Edge { edge, .. } => {
+            let [low, high] = model.edge_corners(edge as usize);
+            match model.edge_name(edge as usize) {
+                Some(name) => format!("on edge {name}"),
+                None => format!("on edge {low}-{high}"),
+            }
+        }
+    };
+    format!("{vertex} ({place}, at {x} {y} {z})")
+}

@@ -1,0 +1,81 @@
+//! Delaunay refinement of a boundary, as `spade` does it: to compare with.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use spade::{
+    AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation,
+};
+
+use crate::{DelaunayError, next_on_rings};
+
+/// Points and triangles inside some rings.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refined {
+    /// The points given, then those added.
+    pub points: Vec<DVec2>,
+    /// The triangles, counter-clockwise.
+    pub triangles: Vec<[u32; 3]>,
+    /// Whether every angle that can reach the limit does; false where `most` points were not enough.
+    pub is_complete: bool,
+}
+
+/// Adds points inside rings until no triangle away from the boundary has an angle below `min_angle`
+/// degrees; boundary edges are kept whole. At most `most` points are added.
+///
+/// Rings are as for [`of_rings`](crate::of_rings).
+///
+/// # Errors
+///
+/// [`DelaunayError`], for coordinates out of range and rings that cross.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+///
+/// let ring = [[0.0, 0.0], [1.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]].map(DVec2::from);
+/// let refined = mindeg_delaunay::refined(&ring, &[0..5], 25.0, 1000)?;
+/// assert_eq!(refined.points[..5], ring);
+/// assert!(refined.is_complete);
+/// # Ok::<(), mindeg_delaunay::DelaunayError>(())
+/// ```
+pub fn refined(
+    points: &[DVec2],
+    rings: &[Range<u32>],
+    min_angle: f64,
+    most: usize,
+) -> Result<Refined, DelaunayError> {
+    let sites: Vec<Point2<f64>> = points.iter().map(|point| point.to_array().into()).collect();
+    let in_range = |site: &Point2<f64>| spade::validate_vertex(site).is_ok();
+    if let Some(vertex) = sites.iter().position(|site| !in_range(site)) {
+        return Err(DelaunayError::CoordinateOutOfRange { vertex: vertex as u32 });
+    }
+    let next = next_on_rings(rings);
+    let edges = next.iter().enumerate().map(|(from, &to)| [from, to as usize]).collect();
+    let mut conflict = None;
+    let mut triangulation =
+        ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {
+            conflict = Some(edge);
+        })
+        .map_err(|_| DelaunayError::CoordinateOutOfRange { vertex: 0 })?;
+    if let Some([a, b]) = conflict {
+        return Err(DelaunayError::CrossingBoundary { edge: [a as u32, b as u32] });
+    }
+    let parameters = RefinementParameters::<f64>::new()
+        .with_angle_limit(AngleLimit::from_deg(min_angle))
+        .with_max_additional_vertices(most)
+        .keep_constraint_edges()
+        .exclude_outer_faces(true);
+    let result = triangulation.refine(parameters);
+    let mut is_outside = vec![false; triangulation.num_all_faces()];
+    result.excluded_faces.iter().for_each(|face| is_outside[face.index()] = true);
+    let triangles = triangulation
+        .inner_faces()
+        .filter(|face| !is_outside[face.fix().index()])
+        .map(|face| face.vertices().map(|vertex| vertex.fix().index() as u32))
+        .collect();
+    let points = triangulation.vertices().map(|vertex| vertex.position());
+    let points = points.map(|point| DVec2::new(point.x, point.y)).collect();
+    Ok(Refined { points, triangles, is_complete: result.refinement_complete })
+}

@@ -1,0 +1,249 @@
+//! Rings divided into boundary points and put in place.
+//!
+//! All sides are checked and divided as they were given, so that errors name what was given. A
+//! convex outline with straight sides stays a formula. Of any other domain the points are computed
+//! and stored, and the sweep of `simple.rs` checks all of them. Then rings that run the wrong way are
+//! turned.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use crate::curve::{Curve, Path};
+use crate::domain_error::DomainError;
+use crate::intersection;
+use crate::limits::{MAX_STORED_VERTICES, STRAIGHT};
+use crate::name;
+use crate::outline::{self, Ring};
+use crate::placement::Placement;
+use crate::rings::{InRing, Rings};
+use crate::side::{Intervals, Side, SideError};
+use crate::spacing::Spacing;
+use crate::spacing_law::SpacingLaw;
+use crate::turning::{Orientation, Turn, Turning};
+
+/// Rings whose sides are checked and divided.
+pub(crate) struct Divided {
+    pub(crate) rings: Rings,
+    /// How each side runs.
+    paths: Vec<Path>,
+    /// The law of each side.
+    laws: Vec<SpacingLaw>,
+}
+
+/// Rings in place, each the right way round.
+pub(crate) struct Placed {
+    pub(crate) placement: Placement,
+    /// Whether each side is straight.
+    pub(crate) straight: Vec<bool>,
+    /// The rings that were given the other way round.
+    pub(crate) turned: Vec<usize>,
+}
+
+impl Divided {
+    pub(crate) fn new(given: &[Ring]) -> Result<Self, DomainError> {
+        for (ring, given) in given.iter().enumerate() {
+            outline::check_corners(ring, given)?;
+        }
+        for (ring, Ring { corners, sides }) in given.iter().enumerate() {
+            if sides.len() != corners.len() {
+                let (corners, sides) = (corners.len(), sides.len());
+                return Err(DomainError::SideCount { ring, corners, sides });
+            }
+        }
+        name::check_all(given_sides(given).map(|side| (side.at, side.side.name.as_deref())))?;
+        let paths = given_sides(given).map(|side| side.path()).collect::<Result<Vec<_>, _>>()?;
+        let mut of_sides = paths.iter();
+        let mut intervals = Vec::with_capacity(given.len());
+        for (ring, given) in given.iter().enumerate() {
+            let of_ring = sides_of(ring, given).zip(of_sides.by_ref());
+            let of_ring = of_ring.map(|(side, path)| side.intervals(path));
+            intervals.push(of_ring.collect::<Result<Vec<u64>, DomainError>>()?);
+        }
+        let rings = Rings::new(&intervals)?;
+        let of_sides = given_sides(given).zip(&paths).zip(rings.sides());
+        let laws = of_sides.map(|((side, path), intervals)| side.law(intervals, path));
+        Ok(Self { laws: laws.collect::<Result<_, _>>()?, rings, paths })
+    }
+
+    /// Turns the rings that run the wrong way, and places all.
+    pub(crate) fn placed(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
+        let is_line = |side: Given<'_>| side.side.curve == Curve::Line;
+        for (side, law) in given_sides(given).zip(&self.laws).filter(|&(side, _)| is_line(side)) {
+            Placement::check_intervals(side.start, side.end, law, side.at)?;
+        }
+        if given.len() > 1 || !given_sides(given).all(is_line) {
+            return self.stored(given);
+        }
+        let straight = vec![true; self.laws.len()];
+        let formula = self.formula(given);
+        let turning = Turning { placement: &formula, straight: &straight };
+        let Some(orientation) = turning.convex_orientation(0) else { return self.stored(given) };
+        formula.check_corners(|side| turning.at(formula.rings().corner(side)) == Turn::Straight)?;
+        if orientation == Orientation::CounterClockwise {
+            return Ok(Placed { placement: formula, straight, turned: Vec::new() });
+        }
+        turn(&mut given[0]);
+        let turned = Self::new(given).map_err(|error| match error {
+            DomainError::Side { side, source } => {
+                let index = straight.len() - 1 - side.index;
+                DomainError::Side { side: InRing { index, ..side }, source }
+            }
+            error => error,
+        })?;
+        Ok(Placed { placement: turned.formula(given), straight, turned: vec![0] })
+    }
+
+    fn formula(&self, given: &[Ring]) -> Placement {
+        let corners = given.iter().flat_map(|ring| ring.corners.iter().copied()).collect();
+        Placement::straight(self.rings.clone(), corners, self.laws.clone())
+    }
+
+    /// The points one by one, after all of them are checked.
+    fn stored(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
+        let Self { rings, paths, laws } = self;
+        let mut points = memory_for(rings.vertex_count())?;
+        let mut straight = Vec::with_capacity(paths.len());
+        for ((side, path), law) in given_sides(given).zip(&paths).zip(&laws) {
+            let first = points.len();
+            points.push(side.start);
+            match side.side.intervals {
+                Intervals::Points => points.extend_from_slice(side.side.curve.points()),
+                _ => points.extend((1..law.intervals()).map(|i| path.point(law.parameter(i)))),
+            }
+            straight.push(match side.side.curve {
+                Curve::Line => true,
+                _ => {
+                    is_straight(&points[first..], side.end).map_err(|source| side.error(source))?
+                }
+            });
+        }
+        let mut lengths: Vec<f64> = paths.iter().map(Path::length).collect();
+        let mut intervals: Vec<Vec<u64>> = Vec::with_capacity(given.len());
+        let mut turned = Vec::new();
+        let orientations = intersection::orientations(&points, &rings)?;
+        for (ring, orientation) in orientations.into_iter().enumerate() {
+            let sides = rings.ring_sides(ring);
+            let of_sides = sides.clone().map(|side| u64::from(rings.intervals(side)));
+            if (orientation == Orientation::CounterClockwise) == (ring == 0) {
+                intervals.push(of_sides.collect());
+                continue;
+            }
+            intervals.push(of_sides.rev().collect());
+            turn(&mut given[ring]);
+            lengths[sides.clone()].reverse();
+            straight[sides].reverse();
+            let Range { start, end } = rings.ring(ring);
+            points[start as usize + 1..end as usize].reverse();
+            turned.push(ring);
+        }
+        let placement = Placement::stored(Rings::new(&intervals)?, points, lengths);
+        Ok(Placed { placement, straight, turned })
+    }
+}
+
+/// Room for points that are stored.
+fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
+    /// What the checks take besides, for each point.
+    const BYTES: usize = 48;
+    let max = MAX_STORED_VERTICES;
+    if vertices > max {
+        return Err(DomainError::TooManyStored { vertices, max });
+    }
+    let mut points = Vec::new();
+    let count = vertices as usize;
+    let is_free = Vec::<[u8; BYTES]>::new()
+        .try_reserve_exact(count)
+        .and_then(|()| points.try_reserve_exact(count));
+    match is_free {
+        Ok(()) => Ok(points),
+        Err(_) => Err(DomainError::NoMemory { vertices }),
+    }
+}
+
+/// Gives the corners of a ring in the other order, from the same first corner.
+fn turn(ring: &mut Ring) {
+    ring.corners[1..].reverse();
+    ring.sides.reverse();
+    for side in &mut ring.sides {
+        *side = std::mem::replace(side, Side::count(1)).reversed();
+    }
+}
+
+/// A side between its corners.
+#[derive(Clone, Copy)]
+struct Given<'a> {
+    at: InRing,
+    start: DVec2,
+    end: DVec2,
+    side: &'a Side,
+}
+
+/// The sides of all rings.
+fn given_sides(given: &[Ring]) -> impl Iterator<Item = Given<'_>> {
+    given.iter().enumerate().flat_map(|(ring, given)| sides_of(ring, given))
+}
+
+/// The sides of a ring.
+fn sides_of(ring: usize, given: &Ring) -> impl Iterator<Item = Given<'_>> {
+    let Ring { corners, sides } = given;
+    sides.iter().enumerate().map(move |(index, side)| Given {
+        at: InRing { ring, index },
+        start: corners[index],
+        end: corners[(index + 1) % corners.len()],
+        side,
+    })
+}
+
+impl Given<'_> {
+    fn error(&self, source: impl Into<SideError>) -> DomainError {
+        DomainError::Side { side: self.at, source: source.into() }
+    }
+
+    fn path(&self) -> Result<Path, DomainError> {
+        Path::new(&self.side.curve, self.start, self.end).map_err(|source| self.error(source))
+    }
+
+    fn intervals(&self, path: &Path) -> Result<u64, DomainError> {
+        let points = match &self.side.curve {
+            Curve::Polyline(points) => points.len(),
+            _ => 0,
+        };
+        let Side { intervals, spacing, .. } = self.side;
+        if *intervals == Intervals::Points && *spacing != Spacing::Uniform {
+            return Err(self.error(SideError::SpacedPoints));
+        }
+        intervals.on(path.length(), points).map_err(|source| self.error(source))
+    }
+
+    fn law(&self, intervals: u32, path: &Path) -> Result<SpacingLaw, DomainError> {
+        SpacingLaw::solve(&self.side.spacing, intervals, path.length())
+            .map_err(|source| self.error(source))
+    }
+}
+
+/// Whether the points of a side lie on the line to its end, up to [`STRAIGHT`] of its length; then
+/// they must be in order on it.
+fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, SideError> {
+    let [start, own @ ..] = points else { return Ok(true) };
+    let chord = end - start;
+    let length = chord.length();
+    let along = |point: &DVec2| (point - start).dot(chord / length);
+    if length == 0.0
+        || own
+            .iter()
+            .any(|point| (point - start).perp_dot(chord).abs() > STRAIGHT * length * length)
+    {
+        return Ok(false);
+    }
+    let mut before = 0.0;
+    for (index, point) in own.iter().enumerate() {
+        let share = along(point);
+        if share <= before || share >= length {
+            let DVec2 { x, y } = *point;
+            return Err(SideError::OutOfOrder { index, x, y });
+        }
+        before = share;
+    }
+    Ok(true)
+}

@@ -1,0 +1,15 @@
+//! Meshes as VTK's unstructured grids: what VTU and legacy VTK share.
+//!
+//! The cells are the triangles, then the segments of all sides, so that sides are cells as well.
+
+mod read;
+mod write;
+
+pub(crate) use read::{CellData, Cells, Grid};
+pub(crate) use write::{Arrays, text_of_names};
+
+/// VTK's numbers of the cells that are written.
+mod cell_type {
+    pub(super) const LINE: u8 = 3;
+    pub(super) const TRIANGLE: u8 = 5;
+}

@@ -1,0 +1,194 @@
+//! A mesh from points and cells.
+
+use glam::DVec3;
+use mindeg_mesh::{NonTriangles, TriMesh};
+
+use crate::ReadError;
+use crate::face_list::FaceList;
+use crate::lists::push;
+use crate::runs::{Segments, TriangleRuns};
+
+/// The points and cells of a file so far.
+#[derive(Default)]
+pub(crate) struct Grid {
+    positions: Vec<DVec3>,
+    faces: FaceList,
+    groups: TriangleRuns,
+    segments: Segments,
+    points: u64,
+    volumes: u64,
+}
+
+/// Cells of one piece of a file.
+pub(crate) struct Cells<'a> {
+    /// The corners of all cells, counted from the first point of the piece.
+    pub(crate) connectivity: &'a [i64],
+    /// Where the corners of each cell end.
+    pub(crate) ends: &'a [i64],
+    pub(crate) types: &'a [i64],
+    pub(crate) data: &'a CellData,
+}
+
+/// What is known of the cells of a piece besides corners; lists are empty or have a value for each.
+#[derive(Default)]
+pub(crate) struct CellData {
+    pub(crate) sides: Vec<i64>,
+    pub(crate) side_names: Vec<String>,
+    pub(crate) groups: Vec<i64>,
+    pub(crate) group_names: Vec<String>,
+}
+
+impl Grid {
+    /// How many points there are.
+    pub(crate) fn point_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// Adds points, three coordinates each.
+    pub(crate) fn add_points(&mut self, coordinates: &[f64]) -> Result<(), ReadError> {
+        self.positions.try_reserve(coordinates.len() / 3)?;
+        self.positions.extend(coordinates.chunks_exact(3).map(DVec3::from_slice));
+        Ok(())
+    }
+
+    /// Adds cells of the points from `first` on. An error is told as a cell and what is wrong with it.
+    pub(crate) fn add_cells(
+        &mut self,
+        first: usize,
+        cells: &Cells<'_>,
+    ) -> Result<(), (usize, ReadErrorOr)> {
+        let Cells { connectivity, ends, types, data } = *cells;
+        let count = self.positions.len() - first;
+        let mut start = 0;
+        let mut corners = Vec::new();
+        for (cell, (&end, &cell_type)) in ends.iter().zip(types).enumerate() {
+            let wrong = |problem: String| (cell, ReadErrorOr::Problem(problem));
+            let of_cell = usize::try_from(end).ok().filter(|&end| start <= end);
+            let of_cell =
+                of_cell.and_then(|end| connectivity.get(start..end)).ok_or_else(|| {
+                    wrong(format!(
+                        "its corners end at {end}; expected {start} to {}",
+                        connectivity.len()
+                    ))
+                })?;
+            start += of_cell.len();
+            corners.clear();
+            for &corner in of_cell {
+                let known = usize::try_from(corner).ok().filter(|&corner| corner < count);
+                let Some(corner) = known else {
+                    return Err(wrong(format!("point {corner} does not exist; there are {count}")));
+                };
+                push(&mut corners, (first + corner) as u32)
+                    .map_err(|error| (cell, error.into()))?;
+            }
+            self.add_cell(cell, cell_type, &mut corners, data).map_err(|error| (cell, error))?;
+        }
+        Ok(())
+    }
+
+    fn add_cell(
+        &mut self,
+        cell: usize,
+        cell_type: i64,
+        corners: &mut Vec<u32>,
+        data: &CellData,
+    ) -> Result<(), ReadErrorOr> {
+        let few = |count: usize| {
+            ReadErrorOr::Problem(format!("a cell of type {cell_type} has {count} corners or more"))
+        };
+        // Of curved cells the corners, which come first.
+        let straight = match cell_type {
+            3 | 21 | 35 | 68 => 2,
+            5 | 22 | 34 | 69 => 3,
+            8 | 9 | 23 | 28 | 30 | 70 => 4,
+            _ => 0,
+        };
+        if corners.len() < straight {
+            return Err(few(straight));
+        }
+        if straight > 0 {
+            corners.truncate(straight);
+        }
+        match cell_type {
+            1 | 2 => self.points += corners.len() as u64,
+            3 | 4 | 21 | 35 | 68 => {
+                let side = data.sides.get(cell).copied();
+                for pair in corners.windows(2) {
+                    let name = || name_of(side, &data.side_names, "side");
+                    self.segments.push(side.unwrap_or(-1), [pair[0], pair[1]], name)?;
+                }
+            }
+            5 | 7 | 8 | 9 | 22 | 23 | 28 | 30 | 34 | 69 | 70 => {
+                if corners.len() < 3 {
+                    return Err(few(3));
+                }
+                // A pixel has its corners row by row.
+                if cell_type == 8 {
+                    corners.swap(2, 3);
+                }
+                self.faces.push(corners)?;
+                self.note_group(cell, data)?;
+            }
+            6 => {
+                for (index, triangle) in corners.windows(3).enumerate() {
+                    let (a, b) = (triangle[index % 2], triangle[1 - index % 2]);
+                    self.faces.push(&[a, b, triangle[2]])?;
+                }
+                self.note_group(cell, data)?;
+            }
+            _ => self.volumes += 1,
+        }
+        Ok(())
+    }
+
+    fn note_group(&mut self, cell: usize, data: &CellData) -> Result<(), ReadErrorOr> {
+        let group = data.groups.get(cell).copied();
+        let name = || match group {
+            Some(_) => name_of(group, &data.group_names, "group"),
+            None => String::new(),
+        };
+        Ok(self.groups.push(group.unwrap_or(-1), self.faces.triangle_count(), name)?)
+    }
+
+    pub(crate) fn into_mesh(self) -> Result<TriMesh, ReadError> {
+        let line_segments = self.segments.count() as u64;
+        let counts = NonTriangles { line_segments, points: self.points, ..Default::default() };
+        let mesh = self.faces.into_mesh(self.positions, counts)?;
+        let mesh = self.segments.give_to(mesh)?;
+        let (mesh, note) = self.groups.give_to(mesh, "groups");
+        let volumes = (self.volumes > 0).then(|| format!("{} volume cells", self.volumes));
+        Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
+    }
+}
+
+/// The name of a side or group by its index, else its index.
+fn name_of(index: Option<i64>, names: &[String], kind: &str) -> String {
+    let Some(index) = index else { return "lines".to_owned() };
+    let name = usize::try_from(index).ok().and_then(|index| names.get(index));
+    match name {
+        Some(name) if !name.trim().is_empty() => name.clone(),
+        _ => format!("{kind} {index}"),
+    }
+}
+
+/// Why a cell is refused: what is wrong with it, or an error that has nothing to do with it.
+pub(crate) enum ReadErrorOr {
+    Problem(String),
+    Other(ReadError),
+}
+
+impl<E: Into<ReadError>> From<E> for ReadErrorOr {
+    fn from(error: E) -> Self {
+        Self::Other(error.into())
+    }
+}
+
+impl ReadErrorOr {
+    /// The error, at a place that `at` knows.
+    pub(crate) fn at(self, cell: usize, at: impl FnOnce(String) -> ReadError) -> ReadError {
+        match self {
+            Self::Problem(problem) => at(format!("cell {cell} (counted from 0): {problem}")),
+            Self::Other(error) => error,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! Abaqus input files, which CalculiX and others read too.
+//!
+//! Nodes, `S3` elements in an element set for each group, and a node set for each line of the mesh,
+//! under its name; lines of one name add to one set. Numbers count from 1, and no line of a set has
+//! more than 16. Names become labels: a letter first, then letters, digits, `-` and `_`, at most 80.
+//!
+//! Limits: written, not read. For a plane problem, replace `S3` by `CPS3` or `CPE3`.
+
+use std::io::{self, Write};
+
+use mindeg_mesh::Mesh;
+
+use crate::boundary::{Boundary, Chain, chain_vertices};
+use crate::corners::{positions, triangles};
+use crate::decimals::Decimals;
+use crate::names::one_line;
+use crate::sections::{Section, write_sections};
+use crate::{GENERATOR, mesh_name};
+
+/// The most numbers in a line.
+const WIDTH: u32 = 16;
+
+/// The longest label.
+const LABEL: usize = 80;
+
+/// Writes a mesh as an Abaqus input file. Decimals are the shortest that read back as the same f64.
+///
+/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
+/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
+///
+/// # Errors
+///
+/// Those of `out`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::{inp, obj};
+///
+/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no wall\nl 1 2 3\n".as_bytes())?;
+/// let mut file = Vec::new();
+/// inp::write(&mesh, &mut file)?;
+/// let file = String::from_utf8(file)?;
+/// assert!(file.contains("\n*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n"));
+/// assert!(file.contains("\n*ELEMENT, TYPE=S3, ELSET=mesh\n1, 1, 2, 3\n"));
+/// assert!(file.ends_with("\n*NSET, NSET=wall\n1, 2, 3\n"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> io::Result<()> {
+    write_sections(&mut out, &sections(mesh))?;
+    out.flush()
+}
+
+/// The file from front to back.
+pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+    let name = mesh_name(mesh);
+    let mut sections = vec![
+        Section::bytes(format!("*HEADING\n{}\n** {GENERATOR}\n*NODE\n", one_line(name))),
+        Section::new(mesh.vertex_count(), 52, move |range, buffer| {
+            let mut axes = [0; 3].map(|_| Decimals::new());
+            for (vertex, point) in range.clone().zip(positions(mesh, range)) {
+                push_number(vertex, buffer);
+                for (decimals, value) in axes.iter_mut().zip(point.to_array()) {
+                    buffer.push(b',');
+                    decimals.push(value, buffer);
+                }
+                buffer.push(b'\n');
+            }
+        }),
+    ];
+    let mut groups: Vec<_> =
+        mesh.groups().iter().map(|group| (&*group.name, group.triangles.clone())).collect();
+    if groups.is_empty() {
+        groups.push((name, 0..mesh.triangle_count()));
+    }
+    for (group, of_group) in groups {
+        let set = label(if group.is_empty() { name } else { group });
+        sections.push(Section::bytes(format!("*ELEMENT, TYPE=S3, ELSET={set}\n")));
+        sections.push(Section::new(of_group.len() as u32, 44, move |range, buffer| {
+            let range = of_group.start + range.start..of_group.start + range.end;
+            for (index, triangle) in range.clone().zip(triangles(mesh, range)) {
+                push_number(index, buffer);
+                for vertex in triangle {
+                    buffer.extend_from_slice(b", ");
+                    push_number(vertex, buffer);
+                }
+                buffer.push(b'\n');
+            }
+        }));
+    }
+    let lines = mesh.lines();
+    for chain in Boundary::of(mesh).chains {
+        let set = label(&lines[chain.line].name);
+        sections.push(Section::bytes(format!("*NSET, NSET={set}\n")));
+        sections.push(node_set(mesh, chain));
+    }
+    sections
+}
+
+/// The vertices of a chain; the last only if it is not the first.
+fn node_set(mesh: &dyn Mesh, chain: Chain) -> Section<'_> {
+    let is_open = chain.start != chain.end;
+    let count = (chain.segments.len() as u32).saturating_add(u32::from(is_open));
+    Section::new(count, 12, move |range, buffer| {
+        for (index, vertex) in range.clone().zip(chain_vertices(mesh, &chain, range)) {
+            push_number(vertex, buffer);
+            let is_last = index % WIDTH == WIDTH - 1 || index + 1 == count;
+            buffer.extend_from_slice(if is_last { b"\n" } else { b", " });
+        }
+    })
+}
+
+/// The number of the node or element with an index.
+fn push_number(index: u32, buffer: &mut Vec<u8>) {
+    buffer.extend_from_slice(itoa::Buffer::new().format(u64::from(index) + 1).as_bytes());
+}
+
+/// A name as a label.
+fn label(name: &str) -> String {
+    let is_kept = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
+    let letters = name.chars().map(|letter| if is_kept(letter) { letter } else { '_' });
+    let begins = name.starts_with(|letter: char| letter.is_ascii_alphabetic());
+    let prefix = if begins { "" } else { "S_" };
+    prefix.chars().chain(letters).take(LABEL).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_begin_with_a_letter() {
+        assert_eq!(label("root rib, 2"), "root_rib__2");
+        assert_eq!(label("3"), "S_3");
+        assert_eq!(label("Ärmel"), "S__rmel");
+        assert_eq!(label(&"a".repeat(100)).len(), LABEL);
+    }
+}

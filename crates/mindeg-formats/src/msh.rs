@@ -1,0 +1,34 @@
+//! Gmsh's MSH, versions 4.1 and 2.2, in text and binary.
+//!
+//! Sides are physical groups of dimension 1 under their names, and groups of triangles physical
+//! groups of dimension 2, so that a solver finds both. Sides of one name are one physical group. All
+//! physical tags differ, also between dimensions, since some programs forget the dimension. Vertices
+//! and elements count from 1; the elements are the segments of all sides, then the triangles.
+//!
+//! With data fields, `degree` is node data. In 4.1 `min_angle` is element data in degrees: that of the
+//! triangle, and 60, the best there is, for a segment, since meshio wants a value for every element;
+//! in 2.2 meshio cannot read element data of a mesh with segments, so there is none. Tags in data are 32 bits, also in 4.1: Gmsh reads no others, whatever its
+//! manual says.
+//!
+//! Limits: names end at a line's end and have no `"`. Of what is read, only nodes, triangles,
+//! quadrilaterals, lines, entities, periodic links and physical names count; data and parametric
+//! coordinates are passed over. Elements of higher order are taken by their corners.
+
+mod entities;
+mod nodes;
+mod read;
+mod record;
+mod shapes;
+mod write;
+mod write2;
+mod write4;
+
+pub use self::read::read;
+pub use self::write::write;
+pub(crate) use self::write::{check_size, sections};
+
+/// Gmsh's numbers of the elements that are written.
+mod element_type {
+    pub(super) const LINE: i32 = 1;
+    pub(super) const TRIANGLE: i32 = 2;
+}

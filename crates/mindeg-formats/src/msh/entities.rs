@@ -1,0 +1,93 @@
+//! The entities and physical groups that a mesh is written as.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use glam::DVec3;
+use mindeg_mesh::{Bounds, Mesh};
+
+use crate::corners::{Corners, segments};
+use crate::mesh_name;
+use crate::names::one_line;
+
+/// The entities of a mesh: a curve for each line, a surface for each group.
+pub(super) struct Entities {
+    pub(super) curves: Vec<Entity>,
+    pub(super) surfaces: Vec<Entity>,
+    /// Dimension, physical tag and name.
+    pub(super) physical_names: Vec<(i32, i32, String)>,
+}
+
+/// One entity; its tag is its index in the list and one more.
+pub(super) struct Entity {
+    pub(super) physical: i32,
+    /// The segments of a curve, the triangles of a surface.
+    pub(super) elements: Range<u32>,
+}
+
+impl Entities {
+    /// O(g) for g lines and groups.
+    pub(super) fn of(mesh: &dyn Mesh) -> Self {
+        let mut physical_names = Vec::new();
+        let mut physical = Physical { tags: HashMap::new(), names: &mut physical_names };
+        let lines = mesh.lines();
+        let curve = |line: &mindeg_mesh::Line| Entity {
+            physical: physical.tag(1, &line.name),
+            elements: line.segments.clone(),
+        };
+        let curves = lines.iter().map(curve).collect();
+        let mut surface = |name: &str, elements: Range<u32>| {
+            let name = if name.is_empty() { mesh_name(mesh) } else { name };
+            Entity { physical: physical.tag(2, name), elements }
+        };
+        let mut surfaces: Vec<Entity> = mesh
+            .groups()
+            .iter()
+            .map(|group| surface(&group.name, group.triangles.clone()))
+            .collect();
+        if surfaces.is_empty() {
+            surfaces.push(surface("", 0..mesh.triangle_count()));
+        }
+        Self { curves, surfaces, physical_names }
+    }
+}
+
+/// Physical groups, one for each dimension and name.
+struct Physical<'a> {
+    tags: HashMap<(i32, String), i32>,
+    names: &'a mut Vec<(i32, i32, String)>,
+}
+
+impl Physical<'_> {
+    fn tag(&mut self, dimension: i32, name: &str) -> i32 {
+        let name = one_line(name).replace('"', "'");
+        let next = self.names.len() as i32 + 1;
+        *self.tags.entry((dimension, name)).or_insert_with_key(|(dimension, name)| {
+            self.names.push((*dimension, next, name.clone()));
+            next
+        })
+    }
+}
+
+/// The smallest box around some segments. O(1) for a straight line, else O(n).
+pub(super) fn bounds_of_line(mesh: &dyn Mesh, line: &mindeg_mesh::Line) -> Bounds<DVec3> {
+    const BLOCK: u32 = 1 << 12;
+    let mut corners = Corners::new(mesh);
+    let mut bounds: Option<Bounds<DVec3>> = None;
+    let Range { start, end } = line.segments;
+    let mut add = |range: Range<u32>| {
+        for vertex in segments(mesh, range).into_iter().flatten() {
+            let point = corners.position(vertex);
+            let at = Bounds { min: point, max: point };
+            bounds = Some(bounds.map_or(at, |bounds| bounds.union(at)));
+        }
+    };
+    if line.is_straight && end - start > 2 {
+        add(start..start + 1);
+        add(end - 1..end);
+    } else {
+        let starts = (start..end).step_by(BLOCK as usize);
+        starts.for_each(|start| add(start..start.saturating_add(BLOCK).min(end)));
+    }
+    bounds.unwrap_or(Bounds { min: DVec3::ZERO, max: DVec3::ZERO })
+}

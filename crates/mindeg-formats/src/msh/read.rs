@@ -1,0 +1,407 @@
+//! Reading MSH.
+
+use std::collections::HashMap;
+use std::io::Read;
+
+use glam::DVec3;
+use mindeg_mesh::{NonTriangles, TriMesh};
+
+use super::nodes::Nodes;
+use super::shapes::{Shape, shape};
+use crate::ReadError;
+use crate::face_list::FaceList;
+use crate::runs::{Segments, TriangleRuns};
+use crate::scanner::{Numbers, Scanner};
+
+/// Reads a mesh from MSH 4.1, or any 2.x, in text or binary of either byte order.
+///
+/// Triangles and quadrilaterals become faces, those of each surface a group under the name of its
+/// physical group; line elements become lines, those of each curve one, under the name of its
+/// physical group, else `physical 3` or `curve 3`. Nodes keep the order of the file, also those that
+/// no element has. Of elements of higher order the corners are taken; points are counted, volumes
+/// are noted.
+///
+/// O(n log n) time, and memory for the file and the mesh, whatever the file says of its size.
+///
+/// # Errors
+///
+/// Those of the input; other versions; parts that are not as the format has them, by line or byte;
+/// elements of nodes that the file does not have; a file without faces.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::msh;
+///
+/// let file = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n9 0 1 0\n\
+///             $EndNodes\n$Elements\n2\n1 1 2 7 7 1 2\n2 2 2 1 1 1 2 9\n$EndElements\n";
+/// let mesh = msh::read(file.as_bytes())?;
+/// assert_eq!((mesh.triangles(), mesh.segments()), (&[[0, 1, 2]][..], &[[0, 1]][..]));
+///
+/// let error = msh::read(file.replace("1 2 9\n", "1 2 4\n").as_bytes()).unwrap_err();
+/// assert_eq!(error.to_string(), "line 12: node 4 does not exist");
+/// # Ok::<(), mindeg_formats::ReadError>(())
+/// ```
+pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
+    let mut file = Vec::new();
+    input.read_to_end(&mut file)?;
+    let mut contents = Contents::default();
+    let mut scanner = Scanner::new(&file);
+    let encoding = format(&mut scanner, &mut contents)?;
+    loop {
+        scanner.encoding = Numbers::Text;
+        let Some(name) = next_part(&mut scanner) else { break };
+        let start = scanner.offset();
+        match name {
+            b"PhysicalNames" => contents.take_physical_names(&mut scanner)?,
+            b"Entities" if contents.version == Version::V4 => {
+                scanner.encoding = encoding;
+                contents.take_entities(&mut scanner)?;
+            }
+            b"Nodes" => match contents.version {
+                Version::V4 => {
+                    scanner.encoding = encoding;
+                    contents.take_nodes_4(&mut scanner)?;
+                }
+                Version::V2 => contents.take_nodes_2(&mut scanner, encoding)?,
+            },
+            b"Elements" => match contents.version {
+                Version::V4 => {
+                    scanner.encoding = encoding;
+                    contents.take_elements_4(&mut scanner)?;
+                }
+                Version::V2 => contents.take_elements_2(&mut scanner, encoding)?,
+            },
+            _ => {
+                skip(&mut scanner, name, start)?;
+                continue;
+            }
+        }
+        end_part(&mut scanner, name)?;
+    }
+    contents.into_mesh()
+}
+
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Version {
+    #[default]
+    V4,
+    V2,
+}
+
+/// What the parts of the file so far say.
+#[derive(Default)]
+struct Contents {
+    version: Version,
+    /// By dimension and tag.
+    physical_names: HashMap<(i64, i64), String>,
+    /// The first physical tag of each entity, by dimension and tag.
+    physical_of: HashMap<(i64, i64), i64>,
+    nodes: Option<Nodes>,
+    faces: FaceList,
+    surfaces: TriangleRuns,
+    segments: Segments,
+    points: u64,
+    volumes: u64,
+}
+
+/// Reads up to the end of `$MeshFormat`, and says how numbers are stored.
+fn format(scanner: &mut Scanner<'_>, contents: &mut Contents) -> Result<Numbers, ReadError> {
+    loop {
+        match next_part(scanner) {
+            Some(b"MeshFormat") => break,
+            Some(name) => skip(scanner, name, scanner.offset())?,
+            None => return Err(scanner.problem("$MeshFormat is missing; is it a mesh of Gmsh?")),
+        }
+    }
+    let version: f64 = scanner.parsed("the version", "a number")?;
+    contents.version = match version {
+        4.1 => Version::V4,
+        2.0..3.0 => Version::V2,
+        _ => {
+            let problem = format!("MSH {version} is not read; save it as 4.1 or 2.2");
+            return Err(scanner.problem(problem));
+        }
+    };
+    let kind = scanner.int("the kind of file")?;
+    let size = scanner.int("the size of numbers")?;
+    if size != 8 {
+        return Err(scanner.problem(format!("numbers of {size} bytes are not read, only of 8")));
+    }
+    scanner.line();
+    let encoding = match kind {
+        0 => Numbers::Text,
+        1 => match scanner.take(4, "the byte order")? {
+            [1, 0, 0, 0] => Numbers::LittleEndian,
+            [0, 0, 0, 1] => Numbers::BigEndian,
+            _ => return Err(scanner.problem("the byte order is not told by a 1 in 4 bytes")),
+        },
+        _ => return Err(scanner.problem(format!("the kind of file is {kind}, not 0 or 1"))),
+    };
+    end_part(scanner, b"MeshFormat")?;
+    Ok(encoding)
+}
+
+/// The name of the next part; its contents follow in the next line.
+fn next_part<'a>(scanner: &mut Scanner<'a>) -> Option<&'a [u8]> {
+    loop {
+        let line = scanner.line()?.trim_ascii();
+        if let Some(name) = line.strip_prefix(b"$")
+            && !name.starts_with(b"End")
+        {
+            return Some(name);
+        }
+    }
+}
+
+/// Leaves out a part, whose contents begin at an offset.
+fn skip(scanner: &mut Scanner<'_>, name: &[u8], start: usize) -> Result<(), ReadError> {
+    let end = [b"$End", name].concat();
+    let found = memchr::memmem::find(scanner.rest(), &end);
+    let shown = String::from_utf8_lossy(name);
+    let found =
+        found.ok_or_else(|| scanner.problem_at(start, format!("${shown} has no $End{shown}")))?;
+    scanner.go_to(scanner.offset() + found);
+    scanner.line();
+    Ok(())
+}
+
+fn end_part(scanner: &mut Scanner<'_>, name: &[u8]) -> Result<(), ReadError> {
+    let start = scanner.offset();
+    let word = scanner.word().unwrap_or_default();
+    if word.strip_prefix(b"$End") == Some(name) {
+        return Ok(());
+    }
+    let name = String::from_utf8_lossy(name);
+    Err(scanner.problem_at(start, format!("$End{name} should follow here")))
+}
+
+impl Contents {
+    /// Dimension, tag and name in quotation marks, one a line.
+    fn take_physical_names(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
+        let count = scanner.size("the number of physical names")?;
+        for _ in 0..count {
+            let dimension = scanner.int("a dimension")?;
+            let tag = scanner.int("a physical tag")?;
+            let line = scanner.line().unwrap_or_default().trim_ascii();
+            let name = line.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
+            let name = String::from_utf8_lossy(name.unwrap_or(line)).into_owned();
+            self.physical_names.insert((dimension, tag), name);
+        }
+        Ok(())
+    }
+
+    /// Of every entity the first physical tag.
+    fn take_entities(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
+        let mut counts = [0; 4];
+        for count in &mut counts {
+            *count = scanner.size("the number of entities")?;
+        }
+        for (dimension, count) in (0..).zip(counts) {
+            for _ in 0..count {
+                let tag = scanner.int("the tag of an entity")?;
+                for _ in 0..if dimension == 0 { 3 } else { 6 } {
+                    scanner.double("the box of an entity")?;
+                }
+                for index in 0..scanner.size("the number of physical tags")? {
+                    let physical = scanner.int("a physical tag")?;
+                    if index == 0 {
+                        self.physical_of.insert((dimension, tag), physical);
+                    }
+                }
+                if dimension > 0 {
+                    for _ in 0..scanner.size("the number of bounding entities")? {
+                        scanner.int("the tag of a bounding entity")?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn nodes(&mut self, scanner: &Scanner<'_>) -> Result<&mut Nodes, ReadError> {
+        if self.nodes.is_some() {
+            return Err(scanner.problem("$Nodes are there twice"));
+        }
+        Ok(self.nodes.get_or_insert_default())
+    }
+
+    fn take_nodes_4(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
+        let nodes = self.nodes(scanner)?;
+        let blocks = scanner.size("the number of blocks")?;
+        for what in ["the number of nodes", "the least tag", "the greatest tag"] {
+            scanner.size(what)?;
+        }
+        for _ in 0..blocks {
+            let dimension = scanner.int("the dimension of a block")?;
+            scanner.int("the entity of a block")?;
+            let is_parametric = scanner.int("whether nodes are parametric")? != 0;
+            let count = scanner.size("the number of nodes of a block")?;
+            let parameters = if is_parametric { dimension.clamp(0, 3) } else { 0 };
+            for _ in 0..count {
+                nodes.push_tag(scanner.size("the tag of a node")?)?;
+            }
+            for _ in 0..count {
+                nodes.push_position(scanner)?;
+                for _ in 0..parameters {
+                    scanner.double("a parameter of a node")?;
+                }
+            }
+        }
+        nodes.sort(scanner)
+    }
+
+    fn take_nodes_2(
+        &mut self,
+        scanner: &mut Scanner<'_>,
+        encoding: Numbers,
+    ) -> Result<(), ReadError> {
+        let nodes = self.nodes(scanner)?;
+        let count = scanner.size("the number of nodes")?;
+        scanner.line();
+        scanner.encoding = encoding;
+        for _ in 0..count {
+            let tag = scanner.int("the number of a node")?;
+            let tag = u64::try_from(tag).map_err(|_| {
+                scanner.problem(format!("the number of a node is {tag}; it cannot be negative"))
+            })?;
+            nodes.push_tag(tag)?;
+            nodes.push_position(scanner)?;
+        }
+        nodes.sort(scanner)
+    }
+
+    fn take_elements_4(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
+        let blocks = scanner.size("the number of blocks")?;
+        for what in ["the number of elements", "the least tag", "the greatest tag"] {
+            scanner.size(what)?;
+        }
+        for _ in 0..blocks {
+            let dimension = scanner.int("the dimension of a block")?;
+            let entity = scanner.int("the entity of a block")?;
+            let element_type = scanner.int("the type of a block's elements")?;
+            let shape = known_shape(scanner, element_type)?;
+            let count = scanner.size("the number of elements of a block")?;
+            let physical = self.physical_of.get(&(dimension, entity)).copied();
+            for _ in 0..count {
+                let start = scanner.offset();
+                scanner.size("the tag of an element")?;
+                self.take_element(scanner, shape, (entity, physical), start, |scanner| {
+                    scanner.size("a node of an element")
+                })?;
+            }
+        }
+        Ok(())
+    }
+
+    fn take_elements_2(
+        &mut self,
+        scanner: &mut Scanner<'_>,
+        encoding: Numbers,
+    ) -> Result<(), ReadError> {
+        let count = scanner.size("the number of elements")?;
+        scanner.line();
+        scanner.encoding = encoding;
+        let mut left = count;
+        while left > 0 {
+            // A text has a type for each, bytes one for a block.
+            let start = scanner.offset();
+            let (element_type, in_block, tags) = if encoding == Numbers::Text {
+                scanner.int("the number of an element")?;
+                let element_type = scanner.int("the type of an element")?;
+                (element_type, 1, scanner.int("the number of tags")?)
+            } else {
+                let element_type = scanner.int("the type of a block's elements")?;
+                let in_block = scanner.int("the number of elements of a block")?;
+                (element_type, in_block, scanner.int("the number of tags")?)
+            };
+            let shape = known_shape(scanner, element_type)?;
+            let in_block = u64::try_from(in_block).ok().filter(|&count| 0 < count && count <= left);
+            let in_block = in_block.ok_or_else(|| {
+                scanner.problem(format!("a block must have 1 to {left} elements"))
+            })?;
+            for _ in 0..in_block {
+                if encoding != Numbers::Text {
+                    scanner.int("the number of an element")?;
+                }
+                // Physical, then elementary; then perhaps partitions.
+                let mut known = [None; 2];
+                for index in 0..tags.max(0) as usize {
+                    let tag = scanner.int("a tag of an element")?;
+                    if let Some(known) = known.get_mut(index) {
+                        *known = Some(tag);
+                    }
+                }
+                let physical = known[0].filter(|&tag| tag != 0);
+                let entity = known[1].or(physical).unwrap_or(0);
+                self.take_element(scanner, shape, (entity, physical), start, |scanner| {
+                    let node = scanner.int("a node of an element")?;
+                    // A negative one does not exist.
+                    Ok(u64::try_from(node).unwrap_or(u64::MAX))
+                })?;
+            }
+            left -= in_block;
+        }
+        Ok(())
+    }
+
+    /// Reads the nodes of an element, which begins at an offset.
+    fn take_element(
+        &mut self,
+        scanner: &mut Scanner<'_>,
+        shape: Shape,
+        (entity, physical): (i64, Option<i64>),
+        start: usize,
+        node: impl Fn(&mut Scanner<'_>) -> Result<u64, ReadError>,
+    ) -> Result<(), ReadError> {
+        let Some(nodes) = &self.nodes else {
+            return Err(scanner.problem_at(start, "the elements come before the nodes"));
+        };
+        let mut corners = [0; 4];
+        for index in 0..shape.nodes {
+            let tag = node(scanner)?;
+            if let Some(corner) = corners[..shape.corners].get_mut(index) {
+                *corner = nodes
+                    .index(tag)
+                    .ok_or_else(|| scanner.problem(format!("node {tag} does not exist")))?;
+            }
+        }
+        let name = |dimension: i64, kind: &str| match physical {
+            Some(tag) => match self.physical_names.get(&(dimension, tag)) {
+                Some(name) if !name.trim().is_empty() => name.clone(),
+                _ => format!("physical {tag}"),
+            },
+            None if dimension == 1 => format!("{kind} {entity}"),
+            None => String::new(),
+        };
+        match (shape.dimension, &corners[..shape.corners]) {
+            (0, _) => self.points += 1,
+            (1, &[a, b]) => self.segments.push(entity, [a, b], || name(1, "curve"))?,
+            (2, corners) => {
+                self.faces.push(corners)?;
+                // Surfaces without a name are one.
+                let surface = if physical.is_some() { entity } else { i64::MIN };
+                let end = self.faces.triangle_count();
+                self.surfaces.push(surface, end, || name(2, "surface"))?;
+            }
+            _ => self.volumes += 1,
+        }
+        Ok(())
+    }
+
+    fn into_mesh(self) -> Result<TriMesh, ReadError> {
+        let line_segments = self.segments.count() as u64;
+        let counts = NonTriangles { line_segments, points: self.points, ..Default::default() };
+        let positions: Vec<DVec3> = self.nodes.map(Nodes::into_positions).unwrap_or_default();
+        let mesh = self.faces.into_mesh(positions, counts)?;
+        let mesh = self.segments.give_to(mesh)?;
+        let (mesh, note) = self.surfaces.give_to(mesh, "surfaces");
+        let volumes = (self.volumes > 0).then(|| format!("{} volume elements", self.volumes));
+        Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
+    }
+}
+
+fn known_shape(scanner: &Scanner<'_>, element_type: i64) -> Result<Shape, ReadError> {
+    shape(element_type)
+        .ok_or_else(|| scanner.problem(format!("elements of type {element_type} are not known")))
+}

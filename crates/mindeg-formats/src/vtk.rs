@@ -1,0 +1,19 @@
+//! VTK's legacy format, `.vtk`.
+//!
+//! What is written: an unstructured grid in the layout of version 4.2, which all readers know; binary
+//! numbers are big-endian. With data fields, the segments of all sides are cells after the triangles;
+//! `degree` is point data; `min_angle` (degrees; 60 for a segment) and `side` (the index of the side;
+//! -1 for a triangle) are cell data, and so is `group` where the mesh has several. The second line is
+//! the mesh's name.
+//!
+//! What is read: unstructured grids and polygonal data, in text and binary, up to version 5.1.
+//!
+//! Limits: 31 bits for vertices. Names of sides and groups are not kept: field data before the points,
+//! where they would be, is more than Gmsh reads. Gmsh 4.15 reads such files as text only.
+
+mod read;
+mod write;
+
+pub use self::read::read;
+pub use self::write::write;
+pub(crate) use self::write::{check_size, sections};

@@ -1,0 +1,269 @@
+//! MSH, VTU, legacy VTK, SU2 and Abaqus input: what is written is read again, and no bytes are a
+//! panic.
+
+use glam::DVec3;
+use mindeg::{BoundaryMesh, Domain, Side};
+use mindeg_formats::{
+    Encoding, Format, MshVersion, ReadError, WriteOptions, Writer, msh, read_as, su2, vtk, vtu,
+};
+use mindeg_mesh::{Group, Line, Mesh, TriMesh, Triangles};
+use proptest::prelude::*;
+
+/// Every way to write a format that is read again.
+fn ways() -> Vec<(Format, WriteOptions)> {
+    let mut ways = Vec::new();
+    for encoding in [Encoding::Binary, Encoding::Ascii] {
+        for fields in [true, false] {
+            let options = WriteOptions { encoding, fields, ..WriteOptions::default() };
+            for msh_version in [MshVersion::V4, MshVersion::V2] {
+                ways.push((Format::Msh, WriteOptions { msh_version, ..options }));
+            }
+            ways.push((Format::Vtu, options));
+            ways.push((Format::Vtk, options));
+        }
+    }
+    ways
+}
+
+fn written(mesh: &dyn Mesh, format: Format, options: WriteOptions) -> Vec<u8> {
+    let mut file = Vec::new();
+    let writer = Writer::new(format, options, mesh, mesh.triangle_count()).unwrap();
+    writer.write(mesh, &mut [("a", &mut file)]).unwrap();
+    let expected = writer.expected_lens(mesh).unwrap()[0] as f64;
+    assert!((expected / file.len() as f64 - 1.0).abs() < 0.1, "{format:?}: {expected}");
+    file
+}
+
+fn read(format: Format, file: &[u8]) -> Result<TriMesh, ReadError> {
+    read_as(format, "a".as_ref(), file, |_| Err(std::io::ErrorKind::NotFound.into()))
+}
+
+/// A strip in space, in two groups, with three lines, of which two have one name.
+fn strip() -> TriMesh {
+    let points = (0..8).map(|i| DVec3::new(f64::from(i / 2) / 3.0, f64::from(i % 2), 1e-3 / 7.0));
+    let triangles = vec![[0, 2, 1], [2, 3, 1], [2, 4, 3], [4, 5, 3], [4, 6, 5], [6, 7, 5]];
+    let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+    let line = |name: &str, segments| Line { name: name.to_owned(), segments, is_straight: false };
+    TriMesh::new(points.collect(), triangles)
+        .unwrap()
+        .with_groups(vec![group("left part", 0..4), group("rechts \u{e4}", 4..6)])
+        .with_lines(
+            vec![line("wall", 0..3), line("end", 3..4), line("wall", 4..7)],
+            vec![[0, 2], [2, 4], [4, 6], [6, 7], [7, 5], [5, 3], [3, 1]],
+        )
+        .unwrap()
+}
+
+fn names(mesh: &TriMesh) -> Vec<(String, std::ops::Range<u32>)> {
+    mesh.lines().iter().map(|line| (line.name.clone(), line.segments.clone())).collect()
+}
+
+#[test]
+fn what_is_written_is_read_again() {
+    let mesh = strip();
+    for (format, options) in ways() {
+        let file = written(&mesh, format, options);
+        let found = read(format, &file).unwrap_or_else(|error| panic!("{format:?}: {error}"));
+        let what = format!("{format:?} {options:?}");
+        assert_eq!(found.positions(), mesh.positions(), "{what}");
+        assert_eq!(found.triangles(), mesh.triangles(), "{what}");
+        let has_sides = options.fields || format == Format::Msh;
+        if !has_sides {
+            assert!(found.segments().is_empty(), "{what}");
+            continue;
+        }
+        assert_eq!(found.segments(), mesh.segments(), "{what}");
+        let expected = match format {
+            Format::Vtk => ["side 0", "side 1", "side 2"],
+            _ => ["wall", "end", "wall"],
+        };
+        assert!(names(&found).iter().map(|(name, _)| name).eq(expected), "{what}");
+        assert!(names(&found).iter().map(|(_, range)| range).eq([&(0..3), &(3..4), &(4..7)]));
+        let groups: Vec<_> = found.groups().iter().map(|group| group.triangles.clone()).collect();
+        assert_eq!(groups, [0..4, 4..6], "{what}");
+        if format != Format::Vtk {
+            assert_eq!(found.groups()[1].name, "rechts \u{e4}", "{what}");
+        }
+    }
+}
+
+#[test]
+fn a_formula_is_written_as_its_list() {
+    let domain =
+        Domain::rectangle(4.0, 3.0, [20_000, 15_000, 9_000, 14_000].map(Side::count).into())
+            .unwrap();
+    let mesh = BoundaryMesh::least_degree(&domain).unwrap();
+    for (format, options) in ways() {
+        let found = read(format, &written(&mesh, format, options)).unwrap();
+        assert!(found.triangles().iter().copied().eq(mesh.triangles()), "{format:?}");
+        assert!(found.positions().iter().zip(mesh.points()).all(|(a, b)| a.truncate() == b));
+        if options.fields {
+            assert_eq!(found.lines().len(), 4);
+            assert_eq!(found.boundary_loops().len(), 1);
+        }
+    }
+}
+
+#[test]
+fn data_are_where_readers_look_for_them() {
+    let mesh = strip();
+    let ascii = WriteOptions { encoding: Encoding::Ascii, ..WriteOptions::default() };
+    let text = |format| String::from_utf8(written(&mesh, format, ascii)).unwrap();
+    let file = text(Format::Msh);
+    assert!(file.contains("$PhysicalNames\n4\n1 1 \"wall\"\n1 2 \"end\"\n2 3 \"left part\"\n"));
+    assert!(
+        file.contains("$NodeData\n1\n\"degree\"\n1\n0.0\n3\n0\n1\n8\n1 2\n2 3\n3 4\n"),
+        "{file}"
+    );
+    assert!(file.contains("$ElementData\n1\n\"min_angle\"\n1\n0.0\n3\n0\n1\n13\n1 60\n"), "{file}");
+    let file = text(Format::Vtu);
+    assert!(
+        file.contains("Name=\"side\" format=\"ascii\">\n-1\n-1\n-1\n-1\n-1\n-1\n0\n0\n0\n1\n2\n")
+    );
+    assert!(file.contains("Name=\"degree\" format=\"ascii\">\n2\n3\n4\n"), "{file}");
+    let file = text(Format::Vtk);
+    assert!(file.contains("\nCELLS 13 45\n3 0 2 1\n"), "{file}");
+}
+
+#[test]
+fn markers_of_one_name_are_one() {
+    let mut flat = strip().positions().to_vec();
+    flat.iter_mut().for_each(|point| point.z = 0.5);
+    let strip = strip();
+    let mesh = TriMesh::new(flat, strip.triangles().to_vec())
+        .unwrap()
+        .with_lines(strip.lines().into_owned(), strip.segments().to_vec())
+        .unwrap();
+    let mut file = Vec::new();
+    su2::write(&mesh, &mut file).unwrap();
+    let file = String::from_utf8(file).unwrap();
+    let markers = "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 6\n3 0 2\n3 2 4\n3 4 6\n3 7 5\n3 5 3\n\
+                   3 3 1\nMARKER_TAG= end\nMARKER_ELEMS= 1\n3 6 7\n";
+    assert!(file.ends_with(markers), "{file}");
+}
+
+#[test]
+fn a_mesh_in_space_is_refused_for_the_plane() {
+    let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y + DVec3::Z];
+    let mesh = TriMesh::new(points, vec![[0, 1, 2]]).unwrap();
+    let error = Writer::new(Format::Su2, WriteOptions::default(), &mesh, 1).err().unwrap();
+    let error = error.to_string();
+    assert!(
+        error.starts_with("SU2 holds meshes in the plane") && error.contains("0 to 1"),
+        "{error}"
+    );
+}
+
+#[test]
+fn what_other_programs_write_is_read() {
+    // As VTK 9.7 writes one triangle: inline base64, appended base64 and zlib.
+    for (file, what) in [
+        (include_str!("fixtures/vtk-base64.vtu"), "inline base64"),
+        (include_str!("fixtures/vtk-zlib.vtu"), "inline zlib"),
+        (include_str!("fixtures/vtk-appended-zlib.vtu"), "appended zlib"),
+    ] {
+        let mesh = vtu::read(file.as_bytes()).unwrap_or_else(|error| panic!("{what}: {error}"));
+        assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]], "{what}");
+        assert_eq!(mesh.positions()[2], DVec3::new(2.0, 1.0, 0.0), "{what}");
+    }
+    // As Gmsh writes a square: points of the geometry, quadratic elements, and several blocks.
+    let mesh = msh::read(&include_bytes!("fixtures/gmsh-square.msh")[..]).unwrap();
+    let lines = names(&mesh);
+    let found: Vec<_> = lines.iter().map(|(name, range)| (&**name, range.len())).collect();
+    assert_eq!(found, [("inlet", 2), ("curve 2", 2), ("wall", 2), ("wall", 2)]);
+    assert_eq!(mesh.groups()[0].name, "plate");
+    let area: f64 = mesh
+        .triangles()
+        .iter()
+        .map(|corners| {
+            let [a, b, c] = corners.map(|vertex| mesh.positions()[vertex as usize].truncate());
+            (b - a).perp_dot(c - a) / 2.0
+        })
+        .sum();
+    assert!((area - 1.0).abs() < 1e-12, "{area}");
+    let file = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n\
+                0 0 0 1 0 0 1 1 0 0 1 0\nCELLS 3 6\nOFFSETS vtktypeint64\n0 4 6\n\
+                CONNECTIVITY vtktypeint64\n0 1 3 2 0 1\nCELL_TYPES 2\n8\n3\n";
+    let mesh = vtk::read(file.as_bytes()).unwrap();
+    assert_eq!(mesh.polygons().unwrap().corners(0), [0, 1, 2, 3]);
+    assert_eq!((mesh.segments(), names(&mesh)), (&[[0, 1]][..], vec![("lines".to_owned(), 0..1)]));
+}
+
+#[test]
+fn errors_say_where() {
+    let msh2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 x\n";
+    let big =
+        "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 99999999999 1 9\n2 1 0 99999999999\n1\n";
+    let vtk_head = "# vtk DataFile Version 4.2\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\n";
+    let huge = format!("{vtk_head}POINTS 9000000000000000000 double\n");
+    let cut = format!("{vtk_head}POINTS 2 double\n1234");
+    for (format, file, message) in [
+        (Format::Msh, "$Nodes\n", "line 1: $Nodes has no $EndNodes"),
+        (Format::Msh, "", "line 1: $MeshFormat is missing; is it a mesh of Gmsh?"),
+        (Format::Msh, "$MeshFormat\n4 0 8\n", "line 2: MSH 4 is not read; save it as 4.1 or 2.2"),
+        (Format::Msh, msh2, "line 6: a coordinate is \"x\", which is not a number"),
+        (Format::Msh, big, "line 8: the file ends before the tag of a node"),
+        (Format::Vtk, &huge, "line 5: no file has so many points"),
+        (Format::Vtk, &cut, "byte 91: the file"),
+        (Format::Vtk, "x", "line 1: a legacy VTK file begins with # vtk DataFile Version"),
+        (Format::Vtu, "<a/>", "byte 0: no element VTKFile; is it a VTU?"),
+        (
+            Format::Vtu,
+            "<VTKFile type=\"PolyData\">",
+            "byte 0: the type of VTK file is \"PolyData\"; only \"UnstructuredGrid\" (.vtu) is read",
+        ),
+    ] {
+        let error = read(format, file.as_bytes()).unwrap_err().to_string();
+        assert!(error.starts_with(message), "{error}\n{message}");
+    }
+}
+
+/// Files of all ways, to be broken.
+fn files() -> Vec<(Format, Vec<u8>)> {
+    let mesh = strip();
+    let ways = ways().into_iter();
+    ways.map(|(format, options)| (format, written(&mesh, format, options))).collect()
+}
+
+#[test]
+fn files_cut_short_are_no_panic() {
+    for (format, file) in files() {
+        for len in 0..file.len() {
+            let _ = read(format, &file[..len]);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 400, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_bytes_are_no_panic(bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
+        for (format, start) in [
+            (Format::Msh, &b"$MeshFormat\n4.1 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Nodes\n"[..]),
+            (Format::Msh, b"$MeshFormat\n2.2 1 8\n\x01\0\0\0\n$EndMeshFormat\n$Elements\n"),
+            (Format::Vtk, b"# vtk DataFile Version 4.2\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\n"),
+            (Format::Vtu, b"<VTKFile type=\"UnstructuredGrid\">"),
+        ] {
+            let _ = read(format, &bytes);
+            let _ = read(format, &[start, &bytes].concat());
+        }
+    }
+
+    #[test]
+    fn broken_files_are_no_panic(
+        index in 0_usize..16,
+        changes in proptest::collection::vec((any::<prop::sample::Index>(), any::<u8>()), 1..6),
+        removed in any::<prop::sample::Index>(),
+        count in 0_usize..40,
+    ) {
+        let (format, mut file) = files().swap_remove(index);
+        for (place, byte) in changes {
+            let place = place.index(file.len());
+            file[place] = byte;
+        }
+        let start = removed.index(file.len());
+        file.drain(start..(start + count).min(file.len()));
+        let _ = read(format, &file);
+    }
+}

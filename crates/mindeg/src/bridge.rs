@@ -1,0 +1,197 @@
+//! Joining two boundary loops by a strip of triangles.
+//!
+//! The strip has the least maximum degree, the edges that the meshes have at the loops included,
+//! and of those strips the largest minimum angle. Without edges beyond those of the loops the
+//! least degree is 3 + ⌈p/q⌉ for loops of p >= q vertices, in closed form
+//! ([`RingStrip`](mindeg_core::RingStrip)).
+//!
+//! # Orientation
+//!
+//! It follows from the meshes. Each loop runs with the faces along it, so the strip has to run
+//! against both: forward along the one loop reversed, and backward along the other. So the two
+//! loops advance round the strip in opposite senses of their own, as the two ends of a tube do.
+//!
+//! The loops may be of one mesh, or of two, which are then joined: first the vertices and triangles
+//! of the first mesh, then those of the second, then the strip, as the group `bridge`.
+
+use crate::fill::min_angle;
+use crate::loops::{LoopDefect, Loops};
+use mindeg_exact::{Bridge, BridgeProblem, BridgeUnsolved, bridge_rings, largest_bridge_angle};
+use mindeg_mesh::crossing::crossings;
+use mindeg_mesh::{Cancelled, Progress, TriMesh, TriMeshError};
+use std::ops::Range;
+use thiserror::Error;
+
+/// The name of the group of the strip.
+pub const BRIDGE: &str = "bridge";
+
+/// A mesh with two of its loops joined.
+#[derive(Clone, Debug)]
+pub struct Bridged {
+    /// The mesh.
+    pub mesh: TriMesh,
+    /// The strip's triangles.
+    pub triangles: Range<u32>,
+    /// What is known of the strip; its triangles are by indices of the loops' vertices.
+    pub strip: Bridge,
+    /// The minimum angle of the strip, in degrees.
+    pub min_angle: f64,
+    /// The strip's triangles that cross another triangle, each with the first that it crosses.
+    pub crossings: Vec<[u32; 2]>,
+    /// The largest minimum angle of a strip in degrees, if the second mesh were turned over, where
+    /// that is more than twice as large: then one of the meshes probably is inside out.
+    pub turned_over: Option<f64>,
+}
+
+/// Why two loops cannot be joined.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum BridgeError {
+    /// A loop that the mesh does not have.
+    #[error("there is no loop {}; the mesh has {loops} boundary loops", index + 1)]
+    NoSuchLoop {
+        /// The index.
+        index: usize,
+        /// How many loops there are.
+        loops: usize,
+    },
+    /// A loop of one mesh and itself.
+    #[error("both ends of the bridge are loop {}; give two loops", index + 1)]
+    SameLoop {
+        /// The index.
+        index: usize,
+    },
+    /// Two loops of one mesh that touch.
+    #[error("the loops touch at vertex {vertex}; a bridge needs loops without a common vertex")]
+    Touching {
+        /// The vertex.
+        vertex: u32,
+    },
+    /// A loop that is no sound one.
+    #[error("loop {} cannot be bridged: {defect}", index + 1)]
+    Defect {
+        /// The index.
+        index: usize,
+        /// Why.
+        defect: LoopDefect,
+    },
+    /// There is no such strip.
+    #[error(transparent)]
+    Unsolved(#[from] BridgeUnsolved),
+    /// The mesh would be too large.
+    #[error(transparent)]
+    TooLarge(#[from] TriMeshError),
+    /// The progress callback cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// Joins a loop of a mesh to another one, or to a loop of a second mesh, by the strip of least
+/// maximum degree, or within `max_degree`, with the largest minimum angle.
+///
+/// # Errors
+///
+/// [`BridgeError`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Progress, TriMesh, bridge::bridge, glam::DVec3};
+///
+/// // Two pyramids without bases, back to back.
+/// let pyramid = |z: f64, tip: f64, n: u32| {
+///     let angle = |i: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n) * tip.signum();
+///     let ring = (0..n).map(|i| DVec3::new(angle(i).cos(), angle(i).sin(), z));
+///     let points = ring.chain([DVec3::Z * tip]).collect();
+///     TriMesh::new(points, (0..n).map(|i| [i, (i + 1) % n, n]).collect())
+/// };
+/// let (top, bottom) = (pyramid(1.0, 2.0, 8)?, pyramid(-1.0, -2.0, 5)?);
+/// let joined = bridge(top, Some(&bottom), [0, 0], None, Progress::NONE)?;
+/// assert!(joined.mesh.boundary_loops().is_empty());
+/// // Three edges of the pyramids, one of the strip, and two more.
+/// assert_eq!(joined.strip.max_degree, 6);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn bridge(
+    a: TriMesh,
+    b: Option<&TriMesh>,
+    [from, to]: [usize; 2],
+    max_degree: Option<u32>,
+    progress: Progress<'_>,
+) -> Result<Bridged, BridgeError> {
+    let own = Loops::of(&a);
+    let other = b.map(Loops::of);
+    if b.is_none() && from == to {
+        return Err(BridgeError::SameLoop { index: from });
+    }
+    let target = other.as_ref().unwrap_or(&own);
+    let [mut x, y] = [vertices(&own, from)?, vertices(target, to)?];
+    let first = if b.is_some() { a.positions().len() as u32 } else { 0 };
+    if b.is_none()
+        && let Some(&vertex) = x.iter().find(|vertex| y.contains(vertex))
+    {
+        return Err(BridgeError::Touching { vertex });
+    }
+    let degrees = |loops: &Loops, ring: &[u32]| -> Vec<u32> {
+        ring.iter().map(|&vertex| loops.degrees[vertex as usize]).collect()
+    };
+    x.reverse();
+    let external = [degrees(&own, &x), degrees(target, &y)];
+    let excluded: Vec<[u32; 2]> = if b.is_none() {
+        let pairs = (0_u32..).zip(&x).flat_map(|(i, &vertex)| {
+            let places = own.neighbors(vertex).map(|other| y.iter().position(|&v| v == other));
+            places.flatten().map(move |j| [i, j as u32])
+        });
+        pairs.collect()
+    } else {
+        Vec::new()
+    };
+    let at = |mesh: &TriMesh, ring: &[u32]| -> Vec<_> {
+        ring.iter().map(|&vertex| mesh.positions()[vertex as usize]).collect()
+    };
+    let [x_points, y_points] = [at(&a, &x), at(b.unwrap_or(&a), &y)];
+    let external = [&external[0][..], &external[1]];
+    let problem = BridgeProblem::new([&x_points, &y_points], external, excluded)?;
+    let strip = bridge_rings(&problem, max_degree, progress)?;
+    let turned_over = match b {
+        Some(_) if !strip.is_planar => {
+            let backward: Vec<_> = y_points.iter().rev().copied().collect();
+            let degrees: Vec<u32> = external[1].iter().rev().copied().collect();
+            let problem = BridgeProblem::new([&x_points, &backward], [external[0], &degrees], [])?;
+            let turned = largest_bridge_angle(&problem, progress)?;
+            (turned > 2.0 * strip.without_limit.0).then_some(turned)
+        }
+        _ => None,
+    };
+
+    let p = x.len() as u32;
+    let vertex = |i: u32| if i < p { x[i as usize] } else { first + y[(i - p) as usize] };
+    let triangles: Vec<[u32; 3]> = strip.triangles.iter().map(|t| t.map(vertex)).collect();
+    let whole = match b {
+        Some(b) => a.with_mesh_added(b)?,
+        None => a,
+    };
+    let start = whole.triangles().len() as u32;
+    let mesh = whole.with_triangles_added(BRIDGE, &triangles)?;
+    progress.report("looking for crossings", 0, 1)?;
+    let new = start..mesh.triangles().len() as u32;
+    let same = |vertex: u32| match &other {
+        Some(other) if vertex >= first => first + other.same[(vertex - first) as usize],
+        _ => own.same[vertex as usize],
+    };
+    let merged: Vec<[u32; 3]> = mesh.triangles().iter().map(|t| t.map(same)).collect();
+    let crossings = crossings(mesh.positions(), &merged, new.clone());
+    let min_angle = min_angle(&mesh, &triangles);
+    Ok(Bridged { mesh, triangles: new, strip, min_angle, crossings, turned_over })
+}
+
+/// The vertices of a sound loop.
+fn vertices(loops: &Loops, index: usize) -> Result<Vec<u32>, BridgeError> {
+    let all = loops.list();
+    let found = all.get(index).ok_or(BridgeError::NoSuchLoop { index, loops: all.len() })?;
+    match found.defect {
+        // The boundary of a single triangle is a ring as good as any.
+        None | Some(LoopDefect::SingleTriangle) => Ok(found.vertices.clone()),
+        Some(defect) => Err(BridgeError::Defect { index, defect }),
+    }
+}

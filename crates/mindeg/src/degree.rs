@@ -1,0 +1,103 @@
+//! The least maximum degree of any domain, with what proves it, or what is reached and what is known
+//! below.
+//!
+//! Limits: with holes, and beyond the solver's budget, there may be a gap.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use mindeg_domain::Domain;
+use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
+use mindeg_mesh::Progress;
+
+use crate::exact_error::ExactError;
+use crate::posed::Posed;
+
+/// A maximum degree that a mesh reaches, and one that no mesh is below.
+///
+/// [`mindeg_exact::check`] tells whether blocked zig-zags and apexes hold.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DegreeAnswer {
+    /// The maximum degree of some mesh, external degrees included.
+    pub reached: u32,
+    /// No mesh has a smaller maximum degree.
+    pub at_least: u32,
+    /// How `reached` was found.
+    pub reached_by: Reached,
+    /// What proves `at_least`.
+    pub bounded_by: LowerBound,
+}
+
+impl DegreeAnswer {
+    /// The least maximum degree, if it is proven.
+    #[must_use]
+    pub fn least_max_degree(&self) -> Option<u32> {
+        (self.reached == self.at_least).then_some(self.reached)
+    }
+}
+
+impl From<DegreeRange> for DegreeAnswer {
+    fn from(range: DegreeRange) -> Self {
+        let DegreeRange { max_degree, lower_bound, reached_by, bounded_by, .. } = range;
+        Self { reached: max_degree, at_least: lower_bound, reached_by, bounded_by }
+    }
+}
+
+/// The least maximum degree of all meshes of a domain, or the gap that is left.
+///
+/// O(k) for k sides of a convex domain without constraints. Else as [`degree_range`] finds it: for a
+/// polygon without holes in which at most [`MAX_TRIPLES`](mindeg_exact::MAX_TRIPLES) triples of vertices
+/// see each other it is proven; with holes, where windows meet a bound.
+///
+/// # Errors
+///
+/// A domain that is constrained, convex and too large; whose own degree limits no mesh keeps; points
+/// without a Delaunay triangulation; a `progress` that cancels.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::exact::{LowerBound, degree};
+/// use mindeg::{Domain, Progress, Side};
+///
+/// // An L with 13, 6, 6, 6, 6 and 13 intervals.
+/// let corners = [[0, 0], [4, 0], [4, 2], [2, 2], [2, 4], [0, 4]].map(|[x, y]| [x as f64, y as f64]);
+/// let sides = [13, 6, 6, 6, 6, 13].map(Side::count).to_vec();
+/// let answer = degree(&Domain::polygon(corners, sides)?, Progress::NONE)?;
+/// assert_eq!(answer.least_max_degree(), Some(5));
+/// assert!(matches!(answer.bounded_by, LowerBound::BlockedZigZags(_)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, ExactError> {
+    if let Some(form) = domain.convex()
+        && !domain.is_constrained()
+    {
+        let least = mindeg_core::least_max_degree(form.boundary());
+        let (reached_by, bounded_by) = (Reached::ClosedForm, LowerBound::ClosedForm);
+        return Ok(DegreeAnswer { reached: least, at_least: least, reached_by, bounded_by });
+    }
+    let posed = Posed::new(domain, progress)?;
+    let range = degree_range(&posed.problem, progress);
+    Ok(range.map_err(|error| posed.unsolved(error, progress))?.into())
+}
+
+/// The least maximum degree of all meshes of rings of points, or the gap that is left; as [`degree`]
+/// without a domain.
+///
+/// `rings` are ranges of `points`, one after the other from 0 on: the outer one counter-clockwise, the
+/// others clockwise. `side_of` names the straight side of the boundary edge that begins at each point.
+///
+/// # Errors
+///
+/// Rings that cross or touch, points that coincide, other numbers of sides than of points, and a
+/// `progress` that cancels.
+pub fn degree_of_rings(
+    points: &[DVec2],
+    rings: &[Range<u32>],
+    side_of: &[u32],
+    progress: Progress<'_>,
+) -> Result<DegreeAnswer, ExactError> {
+    let triangles = mindeg_delaunay::of_rings(points, rings, &[], &[], progress)?;
+    let problem = Problem::triangulated(points, side_of, &triangles)?;
+    Ok(degree_range(&problem, progress)?.into())
+}

@@ -1,0 +1,265 @@
+//! Closing the boundary loops of a mesh.
+//!
+//! Each loop gets the triangulation of least area under a limit on the *total* degree of its
+//! vertices: the edges that the mesh has there count. An edge that the mesh has already is not
+//! made again, so no edge gets three faces. Loops are filled one after the other, in order: what
+//! one adds counts for the next where they share vertices.
+//!
+//! The mesh stays as it is: vertices, triangles, groups, lines and names keep their places. The new
+//! triangles form the group `fill`, at the end.
+//!
+//! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
+
+use crate::loops::{LoopDefect, Loops, MeshLoop};
+use mindeg_exact::{LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, fill_loop};
+use mindeg_mesh::crossing::crossings;
+use mindeg_mesh::quality::TriangleQuality;
+use mindeg_mesh::{Cancelled, Progress, TriMesh, TriMeshError};
+use std::ops::Range;
+use thiserror::Error;
+
+/// The name of the group of new triangles.
+pub const FILL: &str = "fill";
+
+/// The least limit that [`fill`] tries where none is given. Below, the area of a filling grows
+/// quickly; see `docs/fill-and-bridge.md`.
+pub const FIRST_LIMIT: u32 = 6;
+
+/// What to fill, and how.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FillOptions {
+    /// The limit on total degrees; without one, for each loop the least that is possible, from
+    /// [`FIRST_LIMIT`] up.
+    pub max_degree: Option<u32>,
+    /// Loops of this many vertices or more stay open.
+    pub max_loop: usize,
+    /// The loops to fill, by their indices; all, if none are given.
+    pub only: Option<Vec<usize>>,
+}
+
+/// 500 vertices, no limit of its own, all loops.
+impl Default for FillOptions {
+    fn default() -> Self {
+        Self { max_degree: None, max_loop: 500, only: None }
+    }
+}
+
+/// A mesh with its loops filled.
+#[derive(Clone, Debug)]
+pub struct Filled {
+    /// The mesh.
+    pub mesh: TriMesh,
+    /// The loops that were filled, in order.
+    pub filled: Vec<FilledLoop>,
+    /// The loops that were to be filled and stay open, in order.
+    pub left: Vec<LeftLoop>,
+    /// The new triangles that cross another triangle, each with the first that it crosses.
+    pub crossings: Vec<[u32; 2]>,
+}
+
+/// A loop that was filled.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FilledLoop {
+    /// Its index.
+    pub index: usize,
+    /// How many vertices it has.
+    pub vertices: usize,
+    /// Its triangles.
+    pub triangles: Range<u32>,
+    /// The limit that it keeps. Vertices that had more edges before got none.
+    pub limit: u32,
+    /// The largest total degree of its vertices.
+    pub max_degree: u32,
+    /// The area of its triangles.
+    pub area: f64,
+    /// The least area without a limit, and the largest total degree that goes with it.
+    pub without_limit: (f64, u32),
+    /// The least area under a limit one higher, where no limit was given and it may be worth it.
+    pub next_area: Option<f64>,
+    /// The minimum angle of its triangles, in degrees.
+    pub min_angle: f64,
+}
+
+/// A loop that stays open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LeftLoop {
+    /// Its index.
+    pub index: usize,
+    /// How many vertices it has.
+    pub vertices: usize,
+    /// Why.
+    pub reason: LeftOpen,
+}
+
+/// Why a loop stays open.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[non_exhaustive]
+pub enum LeftOpen {
+    /// It is no sound loop.
+    #[error(transparent)]
+    Defect(#[from] LoopDefect),
+    /// It has too many vertices.
+    #[error("it has {vertices} vertices, and only loops below {max_loop} are filled")]
+    TooLong {
+        /// How many vertices it has.
+        vertices: usize,
+        /// The number from which on loops stay open.
+        max_loop: usize,
+    },
+    /// Each triangulation needs an edge that is there already.
+    #[error("every triangulation of it needs an edge that the mesh has already")]
+    EdgesThere,
+}
+
+/// Why loops cannot be filled.
+#[derive(Clone, Debug, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FillError {
+    /// A loop that the mesh does not have.
+    #[error("there is no loop {}; the mesh has {loops} boundary loops", index + 1)]
+    NoSuchLoop {
+        /// The index.
+        index: usize,
+        /// How many loops there are.
+        loops: usize,
+    },
+    /// A loop cannot keep the limit, or is too large.
+    #[error("loop {} from vertex {first}: {source}", index + 1)]
+    Unsolved {
+        /// The index of the loop.
+        index: usize,
+        /// Its first vertex.
+        first: u32,
+        /// Why.
+        source: LoopUnsolved,
+    },
+    /// The mesh would have too many triangles.
+    #[error(transparent)]
+    TooLarge(#[from] TriMeshError),
+    /// The progress callback cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+/// Closes the boundary loops of a mesh by triangulations of least area under a limit on the total
+/// degrees.
+///
+/// O(n³) time for a loop of n vertices, times the square of the number of degree pairs that matter;
+/// O(n²) memory; and O(m log m) for the m triangles of the mesh.
+///
+/// # Errors
+///
+/// [`FillError`]. A loop that cannot be filled for what it is stays open, and is in
+/// [`Filled::left`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Progress, TriMesh, fill::{FillOptions, fill}, glam::DVec3};
+///
+/// // A pyramid without its base.
+/// let corners = [(0., 0., 0.), (1., 0., 0.), (1., 1., 0.), (0., 1., 0.), (0.5, 0.5, 1.)];
+/// let sides = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+/// let open = TriMesh::new(corners.map(DVec3::from).to_vec(), sides)?;
+/// let closed = fill(open, &FillOptions::default(), Progress::NONE)?;
+/// assert!(closed.mesh.boundary_loops().is_empty());
+/// assert_eq!((closed.filled[0].limit, closed.filled[0].max_degree), (6, 4));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn fill(
+    mesh: TriMesh,
+    options: &FillOptions,
+    progress: Progress<'_>,
+) -> Result<Filled, FillError> {
+    let mut loops = Loops::of(&mesh);
+    let all = loops.list().to_vec();
+    let mut chosen = options.only.clone().unwrap_or_else(|| (0..all.len()).collect());
+    chosen.sort_unstable();
+    chosen.dedup();
+    let first_triangle = mesh.triangles().len();
+    let mut triangles = Vec::new();
+    let (mut filled, mut left) = (Vec::new(), Vec::new());
+    for index in chosen {
+        let Some(found) = all.get(index) else {
+            return Err(FillError::NoSuchLoop { index, loops: all.len() });
+        };
+        let vertices = found.vertices.len();
+        let mut leave = |reason| left.push(LeftLoop { index, vertices, reason });
+        if let Some(defect) = found.defect {
+            leave(defect.into());
+            continue;
+        }
+        if vertices >= options.max_loop {
+            leave(LeftOpen::TooLong { vertices, max_loop: options.max_loop });
+            continue;
+        }
+        let solved = match solve(&mesh, found, &loops, options.max_degree, progress) {
+            Ok(solved) => solved,
+            Err(LoopUnsolved::Excluded) => {
+                leave(LeftOpen::EdgesThere);
+                continue;
+            }
+            Err(LoopUnsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
+            Err(source) => {
+                return Err(FillError::Unsolved { index, first: found.vertices[0], source });
+            }
+        };
+        let start = first_triangle + triangles.len();
+        // The loop ran with the faces; its filling runs against them.
+        let vertex = |i: u32| found.vertices[vertices - 1 - i as usize];
+        let own: Vec<[u32; 3]> = solved.triangles.iter().map(|t| t.map(vertex)).collect();
+        loops.add(&own);
+        filled.push(FilledLoop {
+            index,
+            vertices,
+            // Checked below, before anybody sees it.
+            triangles: start as u32..(start + own.len()) as u32,
+            limit: solved.limit.unwrap_or(u32::MAX),
+            max_degree: solved.max_degree,
+            area: solved.area,
+            without_limit: solved.without_limit,
+            next_area: solved.next_area,
+            min_angle: min_angle(&mesh, &own),
+        });
+        triangles.extend(own);
+    }
+    let mesh = mesh.with_triangles_added(FILL, &triangles)?;
+    progress.report("looking for crossings", 0, 1)?;
+    let new = first_triangle as u32..mesh.triangles().len() as u32;
+    let crossings = crossings(mesh.positions(), &loops.merged(mesh.triangles()), new);
+    progress.report("looking for crossings", 1, 1)?;
+    Ok(Filled { mesh, filled, left, crossings })
+}
+
+/// The triangulation of a loop, by indices of its vertices backward: so it faces as the mesh does.
+fn solve(
+    mesh: &TriMesh,
+    found: &MeshLoop,
+    loops: &Loops,
+    max_degree: Option<u32>,
+    progress: Progress<'_>,
+) -> Result<LoopTriangulation, LoopUnsolved> {
+    let backward = || found.vertices.iter().rev().copied();
+    let points: Vec<_> = backward().map(|vertex| mesh.positions()[vertex as usize]).collect();
+    let degrees: Vec<u32> = backward().map(|vertex| loops.degrees[vertex as usize]).collect();
+    let mut places: Vec<(u32, u32)> = backward().zip(0..).collect();
+    places.sort_unstable();
+    let place = |vertex: u32| {
+        places.binary_search_by_key(&vertex, |&(vertex, _)| vertex).ok().map(|at| places[at].1)
+    };
+    let there = backward().zip(0..).flat_map(|(vertex, own)| {
+        loops.neighbors(vertex).filter_map(place).map(move |other| [own, other])
+    });
+    let problem = LoopProblem::new(&points, &degrees, there)?;
+    let limit = max_degree.map_or(LoopLimit::LeastFrom(FIRST_LIMIT), LoopLimit::AtMost);
+    fill_loop(&problem, limit, progress)
+}
+
+/// The minimum angle of some triangles, in degrees.
+pub(crate) fn min_angle(mesh: &TriMesh, triangles: &[[u32; 3]]) -> f64 {
+    let angle = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|vertex| mesh.positions()[vertex as usize]);
+        TriangleQuality::in_space(a, b, c).min_angle
+    };
+    triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
+}

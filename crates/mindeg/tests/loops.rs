@@ -1,0 +1,355 @@
+//! Meshes whose loops are filled or bridged.
+
+use mindeg::bridge::{BridgeError, bridge};
+use mindeg::fill::{FILL, FillError, FillOptions, Filled, LeftOpen, fill};
+use mindeg::glam::DVec3;
+use mindeg::inspection::{Inspection, InspectionOptions};
+use mindeg::{LoopDefect, Loops, Progress, TriMesh};
+use proptest::prelude::*;
+
+fn inspected(mesh: &TriMesh) -> Inspection {
+    Inspection::of(mesh, &InspectionOptions::default())
+}
+
+#[track_caller]
+fn assert_sound(mesh: &TriMesh, loops: usize, euler: i64) {
+    let found = inspected(mesh);
+    assert_eq!(mesh.boundary_loops().len(), loops);
+    assert_eq!(found.euler_characteristic, euler);
+    assert!(found.non_manifold_edges.is_empty() && found.non_manifold_vertices.is_empty());
+    assert!(found.inconsistent_edges.is_empty() && found.duplicate_faces.is_empty());
+}
+
+/// The old mesh, bit for bit, is the start of the new one.
+#[track_caller]
+fn assert_kept(old: &TriMesh, new: &TriMesh, group: &str) {
+    assert_eq!(old.positions(), &new.positions()[..old.positions().len()]);
+    assert_eq!(old.triangles(), &new.triangles()[..old.triangles().len()]);
+    assert_eq!(old.groups(), &new.groups()[..old.groups().len()]);
+    let last = &new.groups()[new.groups().len() - 1];
+    assert_eq!(last.name, group);
+    assert_eq!(last.triangles.end as usize, new.triangles().len());
+}
+
+fn filled(mesh: &TriMesh) -> Filled {
+    fill(mesh.clone(), &FillOptions::default(), Progress::NONE).unwrap()
+}
+
+/// A tube: rings of n vertices one above the other, of a radius for each ring and a height for
+/// each vertex of a ring.
+fn tube(n: u32, rings: &[f64], height: impl Fn(f64) -> f64) -> TriMesh {
+    let vertex = |ring: usize, i: u32| ring as u32 * n + i % n;
+    let mut points = Vec::new();
+    let mut triangles = Vec::new();
+    for (ring, radius) in rings.iter().enumerate() {
+        for i in 0..n {
+            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(n);
+            let z = ring as f64 + height(angle);
+            points.push(DVec3::new(radius * libm::cos(angle), radius * libm::sin(angle), z));
+            if ring + 1 < rings.len() {
+                let [a, b] = [vertex(ring, i), vertex(ring, i + 1)];
+                triangles.extend([[a, b, a + n], [b, b + n, a + n]]);
+            }
+        }
+    }
+    TriMesh::new(points, triangles).unwrap()
+}
+
+/// A plane of squares, two triangles each, without some of the squares.
+fn plate(width: u32, height: u32, holes: &[[u32; 2]]) -> TriMesh {
+    let vertex = |x: u32, y: u32| y * (width + 1) + x;
+    let points = (0..=height).flat_map(|y| (0..=width).map(move |x| [x, y]));
+    let squares = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+    let triangles = squares.filter(|square| !holes.contains(square)).flat_map(|[x, y]| {
+        let [a, b, c, d] = [vertex(x, y), vertex(x + 1, y), vertex(x + 1, y + 1), vertex(x, y + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    let triangles = triangles.collect();
+    let points = points.map(|[x, y]| DVec3::new(x.into(), y.into(), 0.0)).collect();
+    TriMesh::new(points, triangles).unwrap()
+}
+
+#[test]
+fn a_tube_closes_at_both_ends() {
+    let open = tube(24, &[1.0, 1.5, 1.0], |angle| 0.3 * libm::cos(2.0 * angle)).named("tube");
+    let closed = filled(&open);
+    assert_sound(&closed.mesh, 0, 2);
+    assert_kept(&open, &closed.mesh, FILL);
+    assert_eq!(closed.filled.len(), 2);
+    for found in &closed.filled {
+        assert_eq!((found.limit, found.max_degree), (6, 6));
+        assert_eq!(found.triangles.len(), 22);
+        assert!(found.area >= found.without_limit.0 && found.min_angle > 0.0);
+    }
+    // Degrees at the ends are 4 before.
+    assert_eq!(closed.mesh.degrees().iter().max(), Some(&6));
+    assert_eq!(closed.crossings, [[0; 2]; 0]);
+}
+
+#[test]
+fn each_limit_is_kept_and_what_cannot_be_is_refused_with_the_least() {
+    let open = tube(24, &[1.0, 1.0], |_| 0.0);
+    let under = |max_degree| {
+        let options = FillOptions { max_degree: Some(max_degree), ..FillOptions::default() };
+        fill(open.clone(), &options, Progress::NONE)
+    };
+    // Four edges at each vertex, and 21 chords for 24 vertices.
+    let message = under(5).unwrap_err().to_string();
+    let expected = "loop 1 from vertex 0: no triangulation of the loop keeps degree limit 5; \
+                    the least possible is 6";
+    assert_eq!(message, expected);
+    for limit in 6..9 {
+        let closed = under(limit).unwrap();
+        assert!(closed.mesh.degrees().iter().all(|&degree| degree <= limit));
+    }
+}
+
+#[test]
+fn loops_that_touch_are_filled_so_that_their_vertex_is_sound() {
+    // Two holes that meet in a corner are one walk round both.
+    let open = plate(4, 4, &[[1, 1], [2, 2]]);
+    assert_eq!(inspected(&open).non_manifold_vertices.len(), 1);
+    let loops = Loops::of(&open);
+    let inner: Vec<_> = loops.list().iter().filter(|found| found.vertices.len() == 4).collect();
+    assert_eq!(inner.len(), 2);
+    let closed = filled(&open);
+    // The outer boundary is a loop as well: then the plate has two sides.
+    assert_eq!(closed.filled.len(), 3);
+    assert_sound(&closed.mesh, 0, 2);
+
+    let only = FillOptions { max_loop: 5, ..FillOptions::default() };
+    let closed = fill(open, &only, Progress::NONE).unwrap();
+    assert_eq!((closed.filled.len(), closed.left.len()), (2, 1));
+    let reason = LeftOpen::TooLong { vertices: 16, max_loop: 5 };
+    assert_eq!((closed.left[0].index, closed.left[0].reason), (0, reason));
+    assert_sound(&closed.mesh, 1, 1);
+    assert_eq!(closed.crossings, [[0; 2]; 0]);
+}
+
+#[test]
+fn what_is_no_sound_loop_stays_open() {
+    let points = || vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, -DVec3::ONE];
+    for (triangles, reasons) in [
+        (vec![[0, 1, 2]], vec![LoopDefect::SingleTriangle]),
+        (
+            vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]],
+            vec![
+                LoopDefect::Open { vertex: 1 },
+                LoopDefect::Open { vertex: 0 },
+                LoopDefect::Open { vertex: 0 },
+            ],
+        ),
+        (vec![[0, 1, 2], [0, 1, 3]], vec![LoopDefect::Disagreeing { edge: [0, 3] }]),
+    ] {
+        let mesh = TriMesh::new(points(), triangles).unwrap();
+        let closed = filled(&mesh);
+        let found: Vec<_> = closed.left.iter().map(|left| left.reason).collect();
+        let expected: Vec<_> = reasons.into_iter().map(LeftOpen::Defect).collect();
+        assert_eq!(found, expected);
+        assert_eq!(closed.mesh, mesh);
+    }
+}
+
+#[test]
+fn edges_that_are_there_are_not_made_again() {
+    // Four vertices all joined: both diagonals of the loop 0 1 2 3 are edges of other triangles.
+    let points: Vec<DVec3> = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0], [2, 2, 5], [2, 2, -5]]
+        .map(|point: [i32; 3]| DVec3::from(point.map(f64::from)))
+        .to_vec();
+    let sides = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    let diagonal = [[0, 2, 5]];
+    let both = [[0, 2, 5], [1, 3, 5]];
+    let mesh =
+        |more: &[[u32; 3]]| TriMesh::new(points.clone(), [&sides[..], more].concat()).unwrap();
+    let loop_of_sides = |mesh: &TriMesh| {
+        let loops = Loops::of(mesh);
+        loops.list().iter().position(|found| found.vertices == [0, 1, 2, 3]).unwrap()
+    };
+    for (more, added) in [(&[][..], 2), (&diagonal, 2), (&both, 0)] {
+        let open = mesh(more);
+        let only = FillOptions { only: Some(vec![loop_of_sides(&open)]), ..FillOptions::default() };
+        let closed = fill(open.clone(), &only, Progress::NONE).unwrap();
+        let new = &closed.mesh.triangles()[open.triangles().len()..];
+        assert_eq!(new.len(), added, "{more:?}");
+        if added == 0 {
+            assert_eq!(closed.left[0].reason, LeftOpen::EdgesThere);
+        } else if !more.is_empty() {
+            assert!(new.iter().all(|triangle| triangle.contains(&1) && triangle.contains(&3)));
+        }
+    }
+    // The two sides of a square, front and back, share its boundary: one diagonal each.
+    let square = plate(1, 1, &[]);
+    let closed = filled(&square);
+    assert_sound(&closed.mesh, 0, 2);
+}
+
+#[test]
+fn a_filling_that_crosses_is_named() {
+    // A box of squares without its lid, and a spike through the opening.
+    let mut points = vec![DVec3::ZERO, DVec3::X * 4.0, DVec3::new(4.0, 4.0, 0.0), DVec3::Y * 4.0];
+    points.extend(points.clone().iter().map(|point| *point - DVec3::Z * 3.0));
+    let below = [[4, 6, 5], [4, 7, 6]];
+    let sides = [0, 1, 2, 3].map(|i: u32| [i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4]);
+    let sides = sides.map(|[a, b, c, d]| [[a, d, b], [b, d, c]]).concat();
+    let spike = points.len() as u32;
+    points.extend([[1.0, 2.0, -1.0], [1.0, 1.9, 1.0], [1.3, 1.9, 1.0]].map(DVec3::from));
+    let triangles = [&below[..], &sides, &[[spike, spike + 1, spike + 2]]].concat();
+    let open = TriMesh::new(points, triangles).unwrap();
+    let closed = filled(&open);
+    assert_eq!(closed.filled.len(), 1);
+    assert_eq!(closed.crossings.len(), 1);
+    assert_eq!(closed.crossings[0][1], 10);
+}
+
+#[test]
+fn seams_do_not_count_as_holes() {
+    // Every triangle has vertices of its own.
+    let tube = tube(12, &[1.0, 1.0, 1.0], |_| 0.0);
+    let corners = tube.triangles().iter().flatten();
+    let points = corners.map(|&vertex| tube.positions()[vertex as usize]).collect();
+    let triangles = (0..tube.triangles().len() as u32).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
+    let soup = TriMesh::new(points, triangles.collect()).unwrap();
+    let closed = filled(&soup);
+    let limits: Vec<u32> = closed.filled.iter().map(|found| found.limit).collect();
+    assert_eq!(limits, [6, 6]);
+    let found = inspected(&closed.mesh);
+    assert_eq!((Loops::of(&closed.mesh).list().len(), found.euler_characteristic), (0, 2));
+}
+
+#[test]
+fn loops_that_are_not_there_are_refused() {
+    let tube = tube(5, &[1.0, 1.0], |_| 0.0);
+    let only = FillOptions { only: Some(vec![2]), ..FillOptions::default() };
+    let error = fill(tube.clone(), &only, Progress::NONE).unwrap_err();
+    assert_eq!(error, FillError::NoSuchLoop { index: 2, loops: 2 });
+    assert_eq!(error.to_string(), "there is no loop 3; the mesh has 2 boundary loops");
+    for (loops, message) in [
+        ([0, 7], "there is no loop 8; the mesh has 2 boundary loops"),
+        ([1, 1], "both ends of the bridge are loop 2; give two loops"),
+    ] {
+        let error = bridge(tube.clone(), None, loops, None, Progress::NONE).unwrap_err();
+        assert_eq!(error.to_string(), message);
+    }
+}
+
+#[test]
+fn a_bridge_joins_two_meshes_or_two_loops_of_one() {
+    let lower = tube(24, &[1.0, 1.0], |_| 0.0).named("lower");
+    let raised = |mesh: &TriMesh, by: f64| {
+        let points = mesh.positions().iter().map(|&point| point + DVec3::Z * by).collect();
+        TriMesh::new(points, mesh.triangles().to_vec()).unwrap()
+    };
+    for count in [24, 17, 7] {
+        let upper = raised(&tube(count, &[1.2, 0.8], |_| 0.0), 2.0);
+        let joined = bridge(lower.clone(), Some(&upper), [1, 0], None, Progress::NONE).unwrap();
+        assert_sound(&joined.mesh, 2, 0);
+        assert_kept(&lower, &joined.mesh, "bridge");
+        assert_eq!(joined.crossings, [[0; 2]; 0]);
+        assert_eq!(joined.turned_over, None);
+        // Four edges at each vertex before, one of the strip, and the even share of the others.
+        assert_eq!(joined.strip.max_degree, 5 + 24_u32.div_ceil(count));
+        assert_eq!(joined.strip.lower_bound, joined.strip.max_degree);
+        assert_eq!(joined.triangles.len() as u32, 24 + count);
+        assert!((joined.min_angle - joined.strip.min_angle).abs() < 1e-8);
+
+        // Two parts of one mesh: the same strip.
+        let both = lower.clone().with_mesh_added(&upper).unwrap();
+        let again = bridge(both, None, [1, 2], None, Progress::NONE).unwrap();
+        assert_eq!(again.mesh.triangles(), joined.mesh.triangles());
+    }
+    // A tube whose ends are joined is a torus.
+    let bent = tube(12, &[1.0, 2.0, 2.5, 2.0], |_| 0.0);
+    let torus = bridge(bent, None, [0, 1], None, Progress::NONE).unwrap();
+    assert_sound(&torus.mesh, 0, 0);
+}
+
+#[test]
+fn a_mesh_that_is_inside_out_is_noticed() {
+    let lower = tube(24, &[1.0, 1.0], |_| 0.0);
+    let upper = tube(24, &[1.0, 1.0], |_| 0.0);
+    let points = upper.positions().iter().map(|&point| point + DVec3::Z * 2.0).collect();
+    let over = upper.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
+    let upper = TriMesh::new(points, over).unwrap();
+    let joined = bridge(lower, Some(&upper), [1, 0], None, Progress::NONE).unwrap();
+    assert!(joined.turned_over.unwrap() > 10.0, "{:?}", joined.turned_over);
+}
+
+#[test]
+fn a_ring_in_a_plane_is_closed_without_folds() {
+    // A plate with a large hole, and a smaller plate within it.
+    let holes: Vec<[u32; 2]> = (2..8).flat_map(|x| (2..8).map(move |y| [x, y])).collect();
+    let outer = plate(10, 10, &holes);
+    let points = plate(2, 2, &[]).positions().iter().map(|&p| p + DVec3::splat(4.0)).collect();
+    let level = |points: Vec<DVec3>| points.into_iter().map(|p| p.truncate().extend(0.0)).collect();
+    let inner = TriMesh::new(level(points), plate(2, 2, &[]).triangles().to_vec()).unwrap();
+    let hole = Loops::of(&outer).list().iter().position(|found| found.vertices[0] != 0).unwrap();
+    let joined = bridge(outer, Some(&inner), [hole, 0], None, Progress::NONE).unwrap();
+    assert!(joined.strip.is_planar);
+    assert_sound(&joined.mesh, 1, 1);
+    assert_eq!(joined.crossings, [[0; 2]; 0]);
+    let area = inspected(&joined.mesh).quality.area;
+    assert!((area - 100.0).abs() < 1e-9);
+}
+
+#[test]
+fn a_bridge_between_loops_that_touch_is_refused() {
+    let open = plate(4, 4, &[[1, 1], [2, 2]]);
+    let loops = Loops::of(&open);
+    let small = (0..loops.list().len()).filter(|&i| loops.list()[i].vertices.len() == 4);
+    let [a, b] = small.collect::<Vec<_>>()[..] else { panic!("two holes") };
+    let error = bridge(open, None, [a, b], None, Progress::NONE).unwrap_err();
+    assert_eq!(error, BridgeError::Touching { vertex: 12 });
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Any holes in a plate: each closes, and nothing else changes.
+    #[test]
+    fn plates_with_any_holes_close(
+        holes in prop::collection::vec([0_u32..6, 0_u32..5], 0..20)
+    ) {
+        prop_assume!((0..6).any(|x| (0..5).any(|y| !holes.contains(&[x, y]))));
+        let open = plate(6, 5, &holes);
+        let before = Loops::of(&open);
+        let closed = fill(open.clone(), &FillOptions::default(), Progress::NONE).unwrap();
+        prop_assert_eq!(closed.filled.len() + closed.left.len(), before.list().len());
+        for left in &closed.left {
+            prop_assert_eq!(left.reason, LeftOpen::EdgesThere);
+        }
+        prop_assert_eq!(closed.mesh.boundary_loops().len(), closed.left.len());
+        let found = inspected(&closed.mesh);
+        prop_assert!(found.non_manifold_edges.is_empty());
+        prop_assert!(found.inconsistent_edges.is_empty());
+        // Where two parts touch in a vertex, they still do.
+        let touching = inspected(&open).non_manifold_vertices;
+        prop_assert!(found.non_manifold_vertices.iter().all(|vertex| touching.contains(vertex)));
+        for found in &closed.filled {
+            prop_assert!(found.limit >= 6);
+        }
+    }
+
+    /// Any triangles at all: an error or a mesh, and no edge gets more than two faces by a filling.
+    #[test]
+    fn any_triangles_are_filled_or_left(
+        triangles in prop::collection::vec(prop::array::uniform3(0_u32..9), 1..24),
+        points in prop::collection::vec(prop::array::uniform3(-4_i8..4), 9),
+    ) {
+        let points: Vec<DVec3> = points.into_iter().map(|p| DVec3::from(p.map(f64::from))).collect();
+        let open = TriMesh::new(points, triangles).unwrap();
+        let before = inspected(&open);
+        let closed = fill(open.clone(), &FillOptions::default(), Progress::NONE).unwrap();
+        let after = inspected(&closed.mesh);
+        prop_assert_eq!(after.non_manifold_edges.len(), before.non_manifold_edges.len());
+        let loops = Loops::of(&open);
+        let edges = |loops: &Loops| loops.list().iter().map(|found| found.vertices.len()).sum::<usize>();
+        prop_assert!(edges(&Loops::of(&closed.mesh)) <= edges(&loops));
+        if loops.list().len() > 1 {
+            // Nothing panics, and what is joined is no worse.
+            if let Ok(joined) = bridge(open, None, [0, 1], None, Progress::NONE) {
+                let after = inspected(&joined.mesh);
+                prop_assert_eq!(after.non_manifold_edges.len(), before.non_manifold_edges.len());
+            }
+        }
+    }
+}

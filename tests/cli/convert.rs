@@ -1,0 +1,86 @@
+//! Every format into every other.
+
+use crate::run::mindeg;
+use mindeg_formats::Format;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A plate with a dent: nine vertices on a square, the middle one of which is moved.
+const SPACE: &str = "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0.5\nv 2 1 0\nv 0 2 0\nv 1 2 0\n\
+    v 2 2 0\nf 1 2 5\nf 1 5 4\nf 2 3 6\nf 2 6 5\nf 4 5 8\nf 4 8 7\nf 5 6 9\nf 5 9 8\n";
+
+const IS_WRITTEN: fn(&Format) -> bool = |format| *format != Format::Png || cfg!(feature = "png");
+
+/// The formats for the plane.
+const PLANE: [Format; 3] = [Format::Su2, Format::Node, Format::Fort14];
+
+fn path(folder: &Path, stem: &str, format: Format) -> PathBuf {
+    folder.join(stem).with_extension(format.extension())
+}
+
+/// Vertices and faces as `mindeg inspect` counts them.
+fn counts(file: &Path) -> [u64; 2] {
+    let report = mindeg(["inspect".as_ref(), file.as_os_str(), "--json".as_ref()]).json();
+    ["vertices", "faces"].map(|count| report[count].as_u64().expect("a count"))
+}
+
+#[test]
+fn every_format_becomes_every_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let flat = folder.join("flat.obj");
+    fs::write(&flat, SPACE.replace("0.5", "0")).expect("a file");
+    for start in Format::READ.into_iter().filter(|format| Format::WRITTEN.contains(format)) {
+        let source = path(folder, "source", start);
+        let run = mindeg(["convert".as_ref(), flat.as_os_str(), "-o".as_ref(), source.as_ref()]);
+        assert_eq!(run.code, Some(0), "{start:?}: {}", run.errors);
+        for end in Format::WRITTEN.into_iter().filter(IS_WRITTEN) {
+            let stem = format!("{}-to-{}", start.name(), end.name());
+            let target = path(folder, &stem, end);
+            let run =
+                mindeg(["convert".as_ref(), source.as_os_str(), "-o".as_ref(), target.as_ref()]);
+            assert_eq!(run.code, Some(0), "{start:?} to {end:?}: {}", run.errors);
+            for file in end.files(&target) {
+                let len = fs::metadata(&file).expect("it was written").len();
+                assert!(len > 20, "{} has {len} bytes", file.display());
+            }
+            if Format::READ.contains(&end) {
+                assert_eq!(counts(&target), [9, 8], "{start:?} to {end:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_mesh_in_space_goes_where_the_format_has_space() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let source = folder.join("space.obj");
+    fs::write(&source, SPACE).expect("a file");
+    for end in Format::WRITTEN.into_iter().filter(IS_WRITTEN) {
+        let target = path(folder, "target", end);
+        let run = mindeg(["convert".as_ref(), source.as_os_str(), "-o".as_ref(), target.as_ref()]);
+        if PLANE.contains(&end) {
+            run.refuses(&["holds meshes in the plane, and the z of this one goes from 0 to 0.5"]);
+            assert!(!target.exists(), "nothing is left behind");
+        } else {
+            assert_eq!(run.code, Some(0), "{end:?}: {}", run.errors);
+        }
+        if !PLANE.contains(&end) && Format::READ.contains(&end) {
+            assert_eq!(counts(&target), [9, 8], "{end:?}");
+        }
+    }
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn a_build_without_png_says_so() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let source = folder.path().join("flat.obj");
+    fs::write(&source, SPACE).expect("a file");
+    let target = folder.path().join("flat.png");
+    let run = mindeg(["convert".as_ref(), source.as_os_str(), "-o".as_ref(), target.as_ref()]);
+    run.refuses(&[
+        "does not write a picture in pixels; write .svg, or build it with the feature png",
+    ]);
+}

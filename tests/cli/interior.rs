@@ -1,0 +1,222 @@
+//! Meshes with interior points, and the limits of their angles.
+
+use crate::mesh::{content, domains, text};
+use crate::run::{mindeg, mindeg_reading};
+use mindeg_formats::obj;
+use serde_json::Value;
+use std::fs;
+
+/// A rectangle whose left side is coarse between two fine ones.
+const COARSE: [&str; 5] = ["mesh", "--rectangle", "4x4", "--intervals", "16,16,16,2"];
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+#[test]
+fn every_domain_gets_interior_points() {
+    let folder = tempfile::tempdir().expect("a folder for the files");
+    for domain in domains() {
+        let file = folder.path().join("mesh.obj");
+        let run = mindeg(["mesh", text(&domain), "--interior", "--json", "-o", text(&file)]);
+        let summary = run.json();
+        assert_eq!(summary["found_by"], "interior");
+        assert_eq!(summary["violations"], serde_json::json!([]), "{domain:?}");
+        let limit = number(&summary["min_angle_limit"]);
+        assert!(number(&summary["min_angle"]) >= 0.95 * limit.min(35.0), "{domain:?}: {summary}");
+        assert_eq!(summary["limit"]["min_angle"], summary["min_angle_limit"]);
+        let mesh = obj::read(&fs::read(&file).expect("the file was written")[..]).expect("an OBJ");
+        assert_eq!(mesh.positions().len() as u64, summary["vertices"].as_u64().expect("a count"));
+        let count = summary["boundary_vertices"].as_u64().expect("a count") as u32;
+        let mut rings: Vec<u32> =
+            mesh.boundary_loops().iter().flat_map(|l| l.vertices.clone()).collect();
+        rings.sort_unstable();
+        assert_eq!(rings, (0..count).collect::<Vec<_>>(), "{domain:?}");
+
+        // The boundary is that of the mesh without interior points, to the last digit.
+        let plain = folder.path().join("plain.obj");
+        assert_eq!(mindeg(["mesh", text(&domain), "-q", "-o", text(&plain)]).code, Some(0));
+        let vertices = |file| -> Vec<String> {
+            let text = fs::read_to_string(file).expect("the file was written");
+            let lines = text.lines().filter(|line| line.starts_with("v "));
+            lines.take(count as usize).map(str::to_owned).collect()
+        };
+        assert_eq!(vertices(&file), vertices(&plain), "{domain:?}");
+    }
+}
+
+#[test]
+fn the_summary_names_the_limit_and_what_lifts_it() {
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let file = folder.path().join("mesh.obj");
+    let run = mindeg(COARSE.into_iter().chain(["--interior", "-o", text(&file)]));
+    assert_eq!(run.code, Some(0), "{run:?}");
+    for words in [
+        "domain: 50 boundary and ",
+        "of the limit) to ",
+        "degrees 5 to 7 inside, 2 to 5 at the boundary",
+        "The boundary allows a minimum angle of at most ",
+        ", decided by corner 1 (vertex 0), where intervals of 2 and 0.25 meet at 90°. With ",
+        "intervals on side 4 it would be ",
+        "Neighbouring triangles differ in area by a factor of ",
+        "wrote ",
+    ] {
+        assert!(run.errors.contains(words), "{words:?} is missing in: {}", run.errors);
+    }
+}
+
+#[test]
+fn impossible_targets_are_refused_with_the_limit() {
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let file = folder.path().join("mesh.obj");
+    let aims = ["--interior", "--target-angle", "40", "-o", text(&file)];
+    mindeg(COARSE.into_iter().chain(aims)).refuses(&[
+        "a minimum angle of 40° is impossible. The boundary allows a minimum angle of at most ",
+        "corner 1 (vertex 0)",
+        "intervals on side 4 it would be ",
+    ]);
+    assert_eq!(content(folder.path()), [] as [&str; 0]);
+}
+
+#[test]
+fn what_is_demanded_and_not_reached_is_not_written() {
+    let folder = tempfile::tempdir().expect("a folder for the file");
+    let file = folder.path().join("mesh.obj");
+    // A corner between unequal intervals takes degrees other than 6.
+    let demands = ["--interior", "--interior-degree", "6..6", "-o", text(&file)];
+    let all = || COARSE.into_iter().chain(demands);
+    let run = mindeg(all());
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(run.errors.contains("outside the range: vertex "), "{}", run.errors);
+    assert!(run.errors.contains("--write-anyway writes the mesh all the same"), "{}", run.errors);
+    assert_eq!(content(folder.path()), [] as [&str; 0]);
+    // Written all the same, the exit code is the same.
+    let run = mindeg(all().chain(["--write-anyway"]));
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert_eq!(content(folder.path()), ["mesh.obj"]);
+}
+
+#[test]
+fn options_that_do_not_go_together_are_refused() {
+    let with = |options: &[&'static str]| {
+        mindeg(
+            COARSE.into_iter().chain(["-o", "-", "--format", "obj"]).chain(options.iter().copied()),
+        )
+    };
+    for (options, words) in [
+        (
+            &["--interior", "--keep-angle", "95%"][..],
+            &["--keep-angle is for meshes of boundary points alone", "--target-angle A"][..],
+        ),
+        (&["--interior", "--max-degree", "6"], &["--interior-degree A..B", "--boundary-degree D"]),
+        (&["--interior", "--optimize", "angle"], &["--optimize", "--prefer angle"]),
+        (&["--growth", "0.3"], &["--growth is for meshes with interior points; add --interior"]),
+        (&["--target-angle", "30"], &["--target-angle is for meshes with interior points"]),
+        (&["--interior", "--growth", "0"], &["--growth", "give a number above 0"]),
+        (&["--interior", "--growth", "-1"], &["--growth", "give a number above 0"]),
+        (&["--interior", "--size-inside", "0"], &["--size-inside", "give a length above 0"]),
+        (&["--interior", "--interior-degree", "7..9"], &["the range must contain 6"]),
+        (&["--interior", "--boundary-degree", "3"], &["a boundary degree of 3 is too low"]),
+        (&["--interior", "--target-angle", "90"], &["give degrees above 0 and below 60"]),
+        (&["--interior", "--no-interior"], &["--no-interior"]),
+    ] {
+        with(options).refuses(words);
+    }
+}
+
+#[test]
+fn a_domain_file_says_what_is_wanted_inside() {
+    let domain = |interior: &str| {
+        format!(
+            r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 0.5, "interior": {interior}}}"#
+        )
+    };
+    let run = |interior: &str, more: &[&str]| {
+        let arguments = ["mesh", "-", "-o", "-", "--format", "obj", "-q"];
+        let arguments = arguments.into_iter().chain(more.iter().copied());
+        mindeg_reading(arguments, domain(interior).as_bytes())
+    };
+    let vertices = |run: &crate::run::Run| {
+        assert_eq!(run.code, Some(0), "{run:?}");
+        run.text().lines().filter(|line| line.starts_with("v ")).count()
+    };
+    let plain = vertices(&run("{}", &[]));
+    assert!(plain > 28 + 20, "{plain}");
+    assert_eq!(vertices(&run("{}", &["--no-interior"])), 28);
+    assert_eq!(vertices(&run("null", &[])), 28);
+    assert!(vertices(&run(r#"{"sizes": [[2, 1.5, 0.1]]}"#, &[])) > 2 * plain);
+    // Options go before the file.
+    let coarse = vertices(&run(r#"{"size_inside": 0.1}"#, &["--size-inside", "1"]));
+    assert!(coarse < plain, "{coarse} {plain}");
+    let lines = r#"{"fixed": {"points": [[1, 1]], "segments": [[[0, 1.5], 0, [4, 1.5]]]}}"#;
+    let fixed = run(lines, &["--boundary-lines"]);
+    assert!(fixed.text().contains("\nv 1 1 0\n"), "{}", fixed.text());
+    assert!(fixed.text().contains("fixed line 1"), "{}", fixed.text());
+    for (interior, words) in [
+        (r#"{"sizes": [[9, 1, 0.1]]}"#, "size 0 at (9, 1) is not inside the domain"),
+        (r#"{"fixed": {"points": [[4, 1]]}}"#, "fixed point 0 at (4, 1) is not inside the domain"),
+        (
+            r#"{"fixed": {"segments": [[[0, 1.2], [2, 2]]]}}"#,
+            "fixed line 0 ends on the boundary at (0, 1.2), between its points",
+        ),
+        (
+            r#"{"fixed": {"segments": [[[1, 1], [3, 2]], [[1, 2], [3, 1]]]}}"#,
+            "fixed segment 0 touches or crosses fixed segment 1",
+        ),
+        (r#"{"growth": 0}"#, "interior.growth: found the number 0, expected a number above 0"),
+    ] {
+        run(interior, &[]).refuses(&[words]);
+    }
+    run("{}", &["--keep-angle", "95%"]).refuses(&["with \"interior\" in the domain's file"]);
+}
+
+#[test]
+fn more_points_than_allowed_are_refused_before_they_are_made() {
+    let sizes = ["--interior", "--size-inside", "1e-9", "-o", "-", "--format", "obj"];
+    let fine = ["mesh", "--rectangle", "4x4", "--size", "0.25"];
+    let run = mindeg(fine.into_iter().chain(sizes));
+    run.refuses(&["the mesh needs more than ", "raise the size inside"]);
+}
+
+#[test]
+fn equal_input_gives_equal_bytes_on_any_number_of_threads() {
+    let run = |threads: &str| {
+        let mut command = std::process::Command::new(env!("CARGO_BIN_EXE_mindeg"));
+        command.args(COARSE).args(["--interior", "-o", "-", "--format", "obj", "-q"]);
+        let output = crate::run::output_of(command.env("RAYON_NUM_THREADS", threads));
+        assert!(output.status.success(), "{output:?}");
+        output.stdout
+    };
+    assert!(!run("1").is_empty());
+    assert_eq!(run("1"), run("4"));
+}
+
+#[test]
+fn degree_and_suggest_tell_the_limit_of_a_domain() {
+    let domain = domains().into_iter().find(|path| path.ends_with("dominated-side.json"));
+    let domain = domain.expect("it is there");
+    let answer = mindeg(["degree", text(&domain), "--json"]).json();
+    let limit = &answer["angle_limit"];
+    assert!((number(&limit["min_angle"]) - 7.68).abs() < 0.01, "{limit}");
+    assert!((number(&limit["min_angle_at_any_degree"]) - 11.25).abs() < 0.01, "{limit}");
+    assert!(number(&limit["lift"]["min_angle"]) > 7.68, "{limit}");
+    let tighter = mindeg(["degree", text(&domain), "--json", "--boundary-degree", "4"]).json();
+    assert!((number(&tighter["angle_limit"]["min_angle"]) - 5.73).abs() < 0.01, "{tighter}");
+    assert_eq!(mindeg(["degree", "3,3,2,2", "--json"]).json()["angle_limit"], Value::Null);
+
+    let told = mindeg(["degree", text(&domain)]);
+    let words = "With interior points: The boundary allows a minimum angle of at most 7.683° (11.250° at any degree), decided by corner 1";
+    assert!(told.text().contains(words), "{}", told.text());
+
+    let suggested = mindeg(["suggest", text(&domain)]);
+    for words in
+        ["With interior points the minimum angle is at most 7.683°, decided by corner 1", "\nFor "]
+    {
+        assert!(suggested.text().contains(words), "{}", suggested.text());
+    }
+    let steps = mindeg(["suggest", text(&domain), "--json"]).json();
+    let steps = steps["angle_suggestions"].as_array().expect("a list");
+    assert!(steps.len() > 1);
+    let angle = |step: &Value| number(&step["min_angle"]);
+    assert!(steps.windows(2).all(|pair| angle(&pair[0]) < angle(&pair[1])), "{steps:?}");
+}

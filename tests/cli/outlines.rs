@@ -1,0 +1,321 @@
+//! Outlines of other programs, wherever a domain is taken.
+
+use crate::run::{mindeg, mindeg_reading};
+use serde_json::{Value, json};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// A folder with the files of a test.
+fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, text) in files {
+        fs::write(folder.path().join(name), text).expect("a file");
+    }
+    folder
+}
+
+fn text(path: &Path) -> String {
+    fs::read_to_string(path).expect("a text")
+}
+
+/// The `x y` of each vertex of an OBJ.
+fn points(obj: &str) -> Vec<[f64; 2]> {
+    let point = |line: &str| {
+        let mut words =
+            line.strip_prefix("v ")?.split(' ').map(|word| word.parse().expect("a number"));
+        Some([words.next()?, words.next()?])
+    };
+    obj.lines().filter_map(point).collect()
+}
+
+const TRIANGLE: [[f64; 2]; 3] = [[0.1, 0.0], [4.0, 0.0], [0.1, 3.3]];
+
+/// The same triangle in every format. Y is turned in SVG.
+const FILES: [(&str, &str); 9] = [
+    (
+        "a.geojson",
+        r#"{"type": "Polygon", "coordinates": [[[0.1, 0], [4, 0], [0.1, 3.3], [0.1, 0]]]}"#,
+    ),
+    (
+        "a.json",
+        r#"{"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[0.1, 0], [4, 0], [0.1, 3.3], [0.1, 0]]]}}"#,
+    ),
+    ("a.wkt", "POLYGON((0.1 0, 4 0, 0.1 3.3, 0.1 0))"),
+    ("a.svg", "<svg><path d='M.1 0H4L.1-3.3z'/></svg>"),
+    ("a.csv", "x,y\n0.1,0\n4,0\n0.1,3.3\n"),
+    ("a.obj", "v 0.1 0 0\nv 4 0 0\nv 0.1 3.3 0\nl 1 2 3 1\n"),
+    (
+        "a.msh",
+        "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0.1 0 0\n2 4 0 0\n3 0.1 3.3 0\n$EndNodes\n$Elements\n3\n1 1 2 0 1 1 2\n2 1 2 0 1 2 3\n3 1 2 0 1 3 1\n$EndElements\n",
+    ),
+    ("a.poly", "3 2 0 0\n1 0.1 0\n2 4 0\n3 0.1 3.3\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n"),
+    (
+        "a.dxf",
+        "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n70\n1\n10\n0.1\n20\n0\n10\n4\n20\n0\n10\n0.1\n20\n3.3\n0\nENDSEC\n0\nEOF\n",
+    ),
+];
+
+#[test]
+fn every_format_is_meshed_with_its_points_bit_for_bit() {
+    let folder = folder(&FILES);
+    for (name, content) in FILES {
+        let (file, out) = (folder.path().join(name), folder.path().join("out.obj"));
+        let run = mindeg(["mesh".as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()]);
+        assert_eq!(run.code, Some(0), "{name}: {}", run.errors);
+        assert_eq!(points(&text(&out)), TRIANGLE, "{name}");
+        // Standard input tells no extension.
+        let run = mindeg_reading(["mesh", "-", "-o", "-", "--format", "obj"], content.as_bytes());
+        assert_eq!(run.code, Some(0), "{name}: {}", run.errors);
+        assert_eq!(points(run.text()), TRIANGLE, "{name}");
+    }
+}
+
+#[test]
+fn domains_are_written_as_json_that_gives_the_same_points() {
+    let folder = folder(&FILES);
+    let json = folder.path().join("domain.json");
+    let [one, other] = ["one.obj", "other.obj"].map(|name| folder.path().join(name));
+    for (name, size) in FILES.iter().flat_map(|(name, _)| [(name, None), (name, Some("0.37"))]) {
+        let file = folder.path().join(name);
+        let mut options: Vec<&std::ffi::OsStr> = Vec::new();
+        options.extend(size.iter().flat_map(|size| ["--size", *size].map(std::ffi::OsStr::new)));
+        let call = |command: &str, file: &Path, out: &Path, options: &[&std::ffi::OsStr]| {
+            let words = [command.as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()];
+            let run = mindeg(words.iter().chain(options));
+            assert_eq!(run.code, Some(0), "{name}: {}", run.errors);
+        };
+        call("domain", &file, &json, &options);
+        call("mesh", &file, &one, &options);
+        call("mesh", &json, &other, &[]);
+        assert_eq!(text(&one), text(&other), "{name}");
+    }
+}
+
+#[test]
+fn every_command_that_takes_a_domain_takes_outlines() {
+    let wkt = "POLYGON((0 0, 4 0, 4 3, 0 3))";
+    for words in [
+        &["degree", "-", "--size", "1"][..],
+        &["suggest", "-", "--size", "1"],
+        &["tradeoff", "-", "--size", "1"],
+        &["compare", "-", "--size", "1", "--json"],
+        &["domain", "-"],
+        &["domain", "-", "-o", "-"],
+        &["view", "-", "-o", "-"],
+    ] {
+        let run = mindeg_reading(words, wkt.as_bytes());
+        assert_eq!(run.code, Some(0), "{words:?}: {}", run.errors);
+    }
+    let run = mindeg_reading(["degree", "-", "--size", "1", "--json"], wkt.as_bytes());
+    assert_eq!(run.json()["intervals"], json!([4, 3, 4, 3]));
+}
+
+/// Two polygons of one name, one with a hole, and one without a name.
+const MAP: &str = r#"{"type": "FeatureCollection", "features": [
+    {"type": "Feature", "properties": {"name": "Isles"}, "geometry": {"type": "MultiPolygon", "coordinates": [
+        [[[0, 0], [6, 0], [6, 6], [0, 6]], [[2, 2], [2, 4], [4, 4], [4, 2]]],
+        [[[8, 0], [9, 0], [8, 1]]]]}},
+    {"type": "Feature", "geometry": {"type": "Polygon", "coordinates": [[[20, 0], [21, 0], [20, 1]]]}},
+    {"type": "Feature", "geometry": {"type": "Point", "coordinates": [20, 0]}}]}"#;
+
+fn names_in(folder: &Path) -> Vec<String> {
+    let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut names: Vec<String> = entries.map(|entry| name(entry.expect("an entry"))).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn several_polygons_are_listed_chosen_or_written_to_a_folder() {
+    let folder = folder(&[("map.geojson", MAP)]);
+    let map = folder.path().join("map.geojson");
+    let map = map.to_str().expect("a name");
+    let run = mindeg(["domain", map, "--json"]);
+    assert!(run.errors.contains("left out 1 Point"), "{}", run.errors);
+    let rows = run.json();
+    let column = |key: &str| -> Vec<Value> {
+        rows.as_array().expect("a list").iter().map(|row| row[key].clone()).collect()
+    };
+    assert_eq!(column("name"), [json!("Isles 1"), json!("Isles 2"), Value::Null]);
+    assert_eq!(column("rings"), [2, 1, 1]);
+    assert_eq!(column("vertices"), [8, 3, 3]);
+    assert_eq!(column("area"), [32.0, 0.5, 0.5]);
+    assert!(
+        mindeg(["domain", map])
+            .text()
+            .contains("    1  Isles 1: 8 points on 8 sides, 1 hole, area 3.2000e1")
+    );
+
+    for (feature, points) in [("Isles 2", 3), ("2", 3), ("3", 3), ("Isles 1", 8)] {
+        let run = mindeg(["domain", map, "--feature", feature, "--json"]);
+        assert_eq!(run.json()[0]["vertices"], points, "{feature}");
+    }
+    let one_file = folder.path().join("x.obj");
+    let one_file = one_file.to_str().expect("a name");
+    mindeg(["mesh", map, "--feature", "4", "-o", one_file]).refuses(&[
+        "has no polygon \"4\"; give a name, or an index from 1 to 3: 1 (Isles 1), 2 (Isles 2), 3",
+    ]);
+    mindeg(["mesh", map, "-o", one_file])
+        .refuses(&["has 3 polygons, and", "x.obj is one file; give a folder, such as -o meshes/"]);
+    mindeg(["degree", map]).refuses(&["has 3 polygons; choose one with --feature, by its name or index: 1 (Isles 1), 2 (Isles 2), 3"]);
+    assert!(!Path::new(one_file).exists());
+
+    let out = folder.path().join("out/");
+    let run = mindeg(["mesh".as_ref(), map.as_ref(), "-o".as_ref(), out.as_os_str()]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert_eq!(names_in(&out), ["Isles-1.obj", "Isles-2.obj", "polygon-3.obj"]);
+    assert_eq!(points(&text(&out.join("Isles-2.obj"))), [[8.0, 0.0], [9.0, 0.0], [8.0, 1.0]]);
+    // Nothing is overwritten.
+    let before = text(&out.join("Isles-1.obj"));
+    let run = mindeg(["mesh".as_ref(), map.as_ref(), "-o".as_ref(), out.as_os_str()]);
+    assert_eq!(run.code, Some(1));
+    assert!(
+        run.errors.contains("Isles-1.obj exists; a file for each polygon overwrites none"),
+        "{}",
+        run.errors
+    );
+    assert_eq!(text(&out.join("Isles-1.obj")), before);
+
+    let pattern = folder.path().join("p/{index}-{name}.json");
+    let run = mindeg(["domain".as_ref(), map.as_ref(), "-o".as_ref(), pattern.as_os_str()]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert_eq!(
+        names_in(&folder.path().join("p")),
+        ["1-Isles-1.json", "2-Isles-2.json", "3-polygon-3.json"]
+    );
+    let pattern = folder.path().join("q/{name}.svg");
+    let run = mindeg([
+        "mesh".as_ref(),
+        map.as_ref(),
+        "--feature".as_ref(),
+        "Isles".as_ref(),
+        "-o".as_ref(),
+        pattern.as_os_str(),
+    ]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert_eq!(names_in(&folder.path().join("q")), ["Isles-1.svg", "Isles-2.svg"]);
+}
+
+#[test]
+fn a_polygon_that_is_no_domain_does_not_keep_the_others_from_it() {
+    let wkt = "POLYGON((0 0,4 4,4 0,0 4))\nPOLYGON((0 0,4 0,4 4))";
+    let folder = folder(&[("a.wkt", wkt)]);
+    let (file, out) = (folder.path().join("a.wkt"), folder.path().join("out/"));
+    let run = mindeg(["mesh".as_ref(), file.as_os_str(), "-o".as_ref(), out.as_os_str()]);
+    assert_eq!(run.code, Some(2));
+    assert!(
+        run.errors.contains("1 of 2 polygons have no mesh; those of the others were written"),
+        "{}",
+        run.errors
+    );
+    assert!(
+        run.errors.contains("a.wkt: polygon 1: side 1 and side 3 cross near (2.0, 2.0)"),
+        "{}",
+        run.errors
+    );
+    assert_eq!(names_in(&out), ["polygon-2.obj"]);
+}
+
+#[test]
+fn rings_that_touch_themselves_are_refused_or_repaired() {
+    let wkt = "POLYGON((0 0,2 1,4 0,4 2,2 1,0 2,0 2))";
+    let words = ["mesh", "-", "-o", "-", "--format", "obj"];
+    mindeg_reading(words, wkt.as_bytes())
+        .refuses(&["polygon 1", "--repair parts rings that touch themselves"]);
+    let run = mindeg_reading(["domain", "-", "--repair", "--json"], wkt.as_bytes());
+    assert!(
+        run.errors.contains(
+            "repaired polygon 1: dropped 1 repeated point; parted rings at 1 place, into 2 polygons"
+        ),
+        "{}",
+        run.errors
+    );
+    assert_eq!(run.json().as_array().map(Vec::len), Some(2));
+}
+
+#[test]
+fn curves_and_sides_are_divided_by_their_length() {
+    let svg = "<svg><circle r='1'/></svg>";
+    let count = |words: &[&str]| {
+        let run = mindeg_reading([&["domain", "-", "--json"], words].concat(), svg.as_bytes());
+        run.json()[0]["vertices"].clone()
+    };
+    assert_eq!(count(&[]), 24);
+    assert_eq!(count(&["--size", "0.1"]), 63);
+    // Sides between corners of more than 30 degrees keep their ends.
+    let wkt = "POLYGON((0 0, 2 0.1, 4 0, 4 4, 0 4))";
+    let vertices = |words: &[&str]| {
+        let run = mindeg_reading([&["domain", "-", "--json"], words].concat(), wkt.as_bytes());
+        (run.json()[0]["sides"].clone(), run.json()[0]["vertices"].clone())
+    };
+    assert_eq!(vertices(&["--size", "1"]).1, 16);
+    assert_eq!(vertices(&["--size", "1", "--corner-angle", "180"]).1, 16);
+    assert_eq!(vertices(&["--size", "10", "--corner-angle", "3"]).1, 5);
+}
+
+#[test]
+fn mistakes_are_named_with_what_to_do() {
+    let folder = folder(&[
+        ("lie.svg", "POLYGON((0 0,4 0,0 3))"),
+        ("lie.json", "0 0\n1 0\n0 1\n"),
+        ("domain.wkt", r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
+        ("plain.json", r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
+        ("mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+        ("broken.geojson", "{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0], [1, \"a\"]]]}"),
+        ("what.xyz", "hello world\n"),
+        ("a.wkt", "POLYGON((0 0,4 0,0 3))"),
+    ]);
+    let at = |name: &str| -> PathBuf { folder.path().join(name) };
+    for (name, options, words) in [
+        (
+            "lie.svg",
+            &[][..],
+            &[
+                "lie.svg: the name of the file: it ends as SVG does, and the content looks like WKT; rename the file to end in .wkt",
+            ][..],
+        ),
+        (
+            "lie.json",
+            &[],
+            &[
+                "lie.json ends in .json, and its content looks like a list of points; rename it to end in .csv",
+            ],
+        ),
+        (
+            "domain.wkt",
+            &[],
+            &["domain.wkt ends as WKT does, and its content is JSON; rename it to end in .json"],
+        ),
+        (
+            "plain.json",
+            &["--feature", "1"],
+            &[
+                "--feature is for outlines such as GeoJSON or SVG;",
+                "plain.json is a domain in JSON",
+            ],
+        ),
+        ("plain.json", &["--repair"], &["--repair is for outlines"]),
+        (
+            "mesh.obj",
+            &[],
+            &[
+                "mesh.obj: line 4: the file has faces, so it is a mesh; mindeg view, inspect and convert take meshes",
+            ],
+        ),
+        (
+            "broken.geojson",
+            &[],
+            &[
+                "broken.geojson: coordinates[0][1]: found the text \"a\" in a position, expected a number",
+            ],
+        ),
+        ("a.wkt", &["--size", "1e-12"], &["the size 1e-12 makes", "give a larger size"]),
+        ("a.wkt", &["--corner-angle", "200"], &["give an angle from 0 to 180 degrees, such as 30"]),
+    ] {
+        let file = at(name);
+        let mut call = vec!["mesh", file.to_str().expect("a name"), "-o", "no-such-folder/x.obj"];
+        call.extend(options);
+        mindeg(&call).refuses(words);
+    }
+}
