@@ -11,7 +11,17 @@ what you give are ``ValueError`` with what to do.
 """
 
 from ._domain import Domain, polygon, rectangle
-from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, improve, inspect, read
+from ._mindeg import (
+    Degree,
+    Mesh,
+    Suggestion,
+    TradeOffPoint,
+    bridge_loops,
+    fill_loop,
+    improve,
+    inspect,
+    read,
+)
 
 __all__ = [
     "Degree",
@@ -19,6 +29,8 @@ __all__ = [
     "Mesh",
     "Suggestion",
     "TradeOffPoint",
+    "bridge_loops",
+    "fill_loop",
     "improve",
     "inspect",
     "polygon",

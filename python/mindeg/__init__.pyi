@@ -111,3 +111,18 @@ def inspect(
     corner_angle: float = 1.0,
 ) -> dict[str, Any]: ...
 def improve(points: npt.NDArray[np.float64], triangles: npt.ArrayLike, **options: Any) -> Mesh: ...
+def fill_loop(
+    points: npt.NDArray[np.float64],
+    *,
+    external: Sequence[int] | None = None,
+    excluded: Sequence[tuple[int, int]] = ...,
+    max_degree: int | None = None,
+) -> tuple[npt.NDArray[np.uint32], dict[str, Any]]: ...
+def bridge_loops(
+    first: npt.NDArray[np.float64],
+    second: npt.NDArray[np.float64],
+    *,
+    external: Sequence[int] | None = None,
+    excluded: Sequence[tuple[int, int]] = ...,
+    max_degree: int | None = None,
+) -> tuple[npt.NDArray[np.uint32], dict[str, Any]]: ...

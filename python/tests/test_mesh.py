@@ -115,3 +115,26 @@ def test_other_threads_run_while_it_works():
         done.set()
         thread.join()
     assert len(ticks) > 3
+
+
+def test_a_loop_in_space_is_closed_within_a_limit():
+    angles = np.linspace(0, 2 * np.pi, 25)[:-1]
+    saddle = np.column_stack([np.cos(angles), np.sin(angles), 0.4 * np.cos(2 * angles)])
+    triangles, facts = mindeg.fill_loop(saddle)
+    degrees = np.bincount(triangles.ravel(), minlength=24) + 1
+    assert triangles.shape == (22, 3)
+    assert facts["limit"] == 6 and degrees.max() == facts["max_degree"] <= 6
+    with pytest.raises(ValueError, match="at least 3"):
+        mindeg.fill_loop(saddle[:2])
+    with pytest.raises(ValueError, match="no such vertex"):
+        mindeg.fill_loop(saddle, excluded=[(0, 99)])
+
+
+def test_loops_of_unequal_counts_are_joined():
+    def ring(count, z):
+        angles = np.linspace(0, 2 * np.pi, count + 1)[:-1]
+        return np.column_stack([np.cos(angles), np.sin(angles), np.full(count, float(z))])
+
+    triangles, facts = mindeg.bridge_loops(ring(12, 1), ring(5, 0))
+    assert triangles.shape == (17, 3)
+    assert facts["max_degree"] == facts["least_max_degree"] == 2 + 1 + 3

@@ -1,7 +1,8 @@
 //! Arrays to numpy without copying.
 
 use mindeg::glam::DVec3;
-use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// An array of n rows of three, in the memory of a flat list.
@@ -31,4 +32,16 @@ pub(crate) fn points<'py>(
         return PyArray1::from_vec(py, flat).reshape([points.len(), 2]);
     }
     rows_of_three(py, points.iter().flat_map(|point| point.to_array()).collect())
+}
+
+/// The rows of an (n, 2) or (n, 3) array as points, z = 0 where there is none.
+pub(crate) fn positions(points: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<DVec3>> {
+    let points = points.as_array();
+    let columns = points.ncols();
+    if !(2..=3).contains(&columns) {
+        let problem = format!("points has {columns} columns; give (n, 2) or (n, 3)");
+        return Err(PyValueError::new_err(problem));
+    }
+    let z = |row: usize| if columns == 3 { points[[row, 2]] } else { 0.0 };
+    Ok((0..points.nrows()).map(|row| DVec3::new(points[[row, 0]], points[[row, 1]], z(row))).collect())
 }

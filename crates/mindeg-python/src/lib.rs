@@ -7,6 +7,7 @@ mod answers;
 mod arrays;
 mod domain;
 mod interior;
+mod loops;
 mod mesh;
 mod save;
 mod work;
@@ -19,6 +20,8 @@ mod _mindeg {
     use super::answers::{Degree, Suggestion, TradeOffPoint};
     #[pymodule_export]
     use super::domain::Domain;
+    #[pymodule_export]
+    use super::loops::{bridge_loops, fill_loop};
     #[pymodule_export]
     use super::mesh::{Mesh, improve, inspect, read};
 }

@@ -321,15 +321,7 @@ pub(crate) fn improve(
 
 /// Numpy's arrays, or what numpy makes one of, as a mesh.
 fn tri_mesh(points: &PyReadonlyArray2<'_, f64>, triangles: &Bound<'_, PyAny>) -> PyResult<TriMesh> {
-    let points = points.as_array();
-    let columns = points.ncols();
-    if !(2..=3).contains(&columns) {
-        let problem = format!("points has {columns} columns; give (n, 2) or (n, 3)");
-        return Err(PyValueError::new_err(problem));
-    }
-    let z = |row: usize| if columns == 3 { points[[row, 2]] } else { 0.0 };
-    let position = |row| DVec3::new(points[[row, 0]], points[[row, 1]], z(row));
-    let positions = (0..points.nrows()).map(position).collect();
+    let positions = arrays::positions(points)?;
     TriMesh::new(positions, index_rows(triangles)?).map_err(value_error)
 }
 
