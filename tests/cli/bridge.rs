@@ -101,7 +101,7 @@ fn loops_must_be_named_where_there_are_several() {
     let closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     let (frame, patch, closed) =
         (("frame.obj", FRAME), ("patch.obj", patch), ("closed.obj", closed));
-    let three = cones() + "o third\nv 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 21 22 23 24\n";
+    let three = cones() + "o third\nv 5 0 0\nv 6 0 0\nv 6 1 0\nv 5 1 0\nf 22 23 24 25\n";
     let three = ("three.obj", &*three);
     for (files, options, words) in [
         (

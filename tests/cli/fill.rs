@@ -101,9 +101,8 @@ fn the_old_mesh_stays_bit_for_bit() {
     assert_eq!(positions("shell.obj"), positions("out.obj"));
     assert_closed(folder, "out.obj", 2);
     // What mindeg writes of the mesh alone is the start of each list.
-    let shell = folder.join("shell.obj");
+    let [shell, same] = ["shell.obj", "same.obj"].map(|name| folder.join(name));
     let convert = ["convert", text(&shell), "-q", "-o"];
-    let same = folder.join("same.obj");
     assert_eq!(mindeg(convert.iter().chain(&[text(&same)])).code, Some(0));
     let faces = |name: &str| -> Vec<String> {
         let text = fs::read_to_string(folder.join(name)).expect("a file");

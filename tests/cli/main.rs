@@ -22,6 +22,7 @@ mod models;
 mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
+mod polygons;
 #[cfg(target_os = "linux")]
 mod progress;
 mod run;

@@ -81,6 +81,20 @@ fn the_angle_that_is_asked_for_is_kept() {
 }
 
 #[test]
+fn faces_with_interior_points_stay_watertight() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = ["obj", "glb"].map(|end| folder.path().join("part").with_extension(end));
+    let summary = mesh(&model("bracket.json"), &files, &["--interior"]).json();
+    assert!(summary["interior_points"].as_u64() > Some(20), "{summary}");
+    let found = inspected(&files[0]);
+    assert_eq!((&found["closed"], &found["genus"]), (&json!(true), &json!(2)));
+    assert!((found["volume"].as_f64().expect("a volume") / 22656.0 - 1.0).abs() < 1e-5);
+    assert_eq!(found["max_degree"], summary["max_degree"]);
+    assert!(found["min_angle"].as_f64() > Some(20.0));
+    assert_eq!(inspected(&files[1])["closed"], true);
+}
+
+#[test]
 fn threads_change_no_byte() {
     let folder = tempfile::tempdir().expect("a folder");
     let written = |threads: &str| {
@@ -112,7 +126,8 @@ fn open_and_bad_models_say_what_is_wrong() {
     assert_eq!(run.json()["closed"], false);
     mesh(&open, &files, &[]).refuses(&["--size S", "--intervals N"]);
     mesh(&open, &files, &["--intervals", "2,3"]).refuses(&["for a model give one"]);
-    mesh(&open, &files, &["--size", "1", "--interior"]).refuses(&["--interior"]);
+    let both = ["--size", "1", "--interior", "--max-degree", "6"];
+    mesh(&open, &files, &both).refuses(&["--interior"]);
     let twice = written("twice.obj", &format!("{square}f 1 2 3 4\nf 4 3 2 1\n"));
     mesh(&twice, &files, &["--size", "1"]).refuses(&["faces 0 and 1 have the same corners"]);
     let bent = written("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nf 1 2 3 4\n");

@@ -60,10 +60,10 @@ const SLIPS: &[(&str, &str)] = &[
         "no domain: name a JSON file, or - for standard input, or give --rectangle or --corners",
     ),
     ("mesh plate.json", "where to? name a file, such as -o mesh.obj"),
-    ("mesh - -o x.obj", "standard input is empty; a domain in JSON is expected"),
+    ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
     (
-        "mesh a.obj -o b.obj",
-        "a.obj is a mesh, not a domain; mindeg view, inspect and convert take meshes",
+        "mesh a.stl -o b.obj",
+        "a.stl is a mesh, not a domain; mindeg view, inspect and convert take meshes",
     ),
     (
         "mesh a.json b.json -o x.obj",
@@ -104,12 +104,12 @@ const SLIPS: &[(&str, &str)] = &[
     ("degree 3, 3, 2, 2", "join the counts by commas, without spaces: mindeg degree 3,3,2,2"),
     (
         "degree 18446744073709551616,1,1",
-        "invalid value '18446744073709551616,1,1' for '<INTERVALS|DOMAIN.json>': side 1: the \
+        "invalid value '18446744073709551616,1,1' for '<INTERVALS|DOMAIN>': side 1: the \
          maximum is 4294967294 intervals",
     ),
     (
         "degree wing",
-        "invalid value 'wing' for '<INTERVALS|DOMAIN.json>': side 1: give a whole number of \
+        "invalid value 'wing' for '<INTERVALS|DOMAIN>': side 1: give a whole number of \
          intervals for each side, such as 3,3,2,2",
     ),
     (

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 /// The names in backquotes after each "Checked by:", up to the end of the paragraph, and those in the last
 /// cell of each row of a table with a column "checked by".
-pub fn named_tests(document: &str) -> BTreeSet<String> {
+pub(crate) fn named_tests(document: &str) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
     for paragraph in document.split("\n\n") {
         if let Some((_, list)) = paragraph.split_once("Checked by:") {
@@ -25,6 +25,6 @@ fn quoted(text: &str) -> Vec<String> {
 }
 
 /// Whether a source has a test function of this name.
-pub fn has_test(source: &str, name: &str) -> bool {
+pub(crate) fn has_test(source: &str, name: &str) -> bool {
     ["fn ", "def "].iter().any(|keyword| source.contains(&format!("{keyword}{name}(")))
 }

@@ -64,8 +64,8 @@ pub(crate) const PEERS: [Peer; 12] = [
                  boundary as constraints, faces outside dropped; timed with it are the checks of \
                  coordinates and reading the faces out",
         run: |input, clock| {
-            let run =
-                || Reference::Delaunay.triangulate_without_limit(&input.boundary, &input.points);
+            let domain = input.domain()?;
+            let run = || Reference::Delaunay.triangulate_without_limit(&domain, &input.points);
             Ok(clock.time(run)?)
         },
     },

@@ -78,7 +78,11 @@ pub(crate) fn listed(loops: &Loops, mesh: &TriMesh) -> String {
     }
     let mut text = String::from("; its loops are:");
     for (index, found) in list.iter().enumerate().take(LISTED) {
-        let center = found.center(mesh.positions()).to_array().map(|x| significant(x, 4));
+        let points = found.vertices.iter().map(|&vertex| mesh.positions()[vertex as usize]);
+        let largest = points.map(|point| point.abs().max_element()).fold(0.0, f64::max);
+        // What rounding leaves of a zero is one.
+        let round = |x: f64| if x.abs() < 1e-12 * largest { 0.0 } else { x };
+        let center = found.center(mesh.positions()).to_array().map(|x| significant(round(x), 4));
         let name = LoopName::new(index, found).text();
         text += &format!("\n  {name}, around {}", center.join(","));
         if let Some(defect) = found.defect {

@@ -35,6 +35,16 @@ impl Failure {
         }
     }
 
+    /// The same failure of something with a name.
+    pub(crate) fn of(self, name: &str) -> Self {
+        match self {
+            Self::Io(message) => Self::Io(format!("{name}: {message}")),
+            Self::Input(message) => Self::Input(format!("{name}: {message}")),
+            Self::Gate(message) => Self::Gate(format!("{name}: {message}")),
+            Self::ClosedPipe => Self::ClosedPipe,
+        }
+    }
+
     /// Says what went wrong on standard error and gives the exit code.
     pub(crate) fn report(&self) -> ExitCode {
         if let Some(message) = self.message() {

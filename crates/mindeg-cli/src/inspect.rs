@@ -1,5 +1,6 @@
 //! `mindeg inspect`: what is in a mesh, whatever program wrote it.
 
+mod polygon;
 mod report;
 mod standard_input;
 mod text;
@@ -37,8 +38,11 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         memory::require_to_inspect(&arguments.file, vertices, triangles)?;
         Ok(Inspection::of(&mesh, &options))
     })?;
+    let polygon = bar.waiting("the least degree of its outline", || {
+        polygon::polygon(&mesh, &inspection, &options)
+    });
     drop(bar);
-    let report = Report::new(name, &mesh, &inspection);
+    let report = Report::new(name, &mesh, &inspection, polygon);
     let printed = if arguments.json {
         print_json(&report)
     } else {

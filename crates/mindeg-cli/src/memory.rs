@@ -84,8 +84,8 @@ pub(crate) fn most_points(what: &str) -> Result<usize, Failure> {
     Ok(points as usize)
 }
 
-/// Bytes for each point of a mesh with interior points: as measured, and a third more.
-const PER_INTERIOR_POINT: u64 = 1000;
+/// Bytes for each point of a mesh with interior points: as measured, 290, and a third more.
+const PER_INTERIOR_POINT: u64 = 400;
 
 /// Asks for the memory of improving a mesh.
 pub(crate) fn require_to_improve(

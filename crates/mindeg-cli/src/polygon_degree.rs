@@ -113,10 +113,12 @@ impl<'a> Answer<'a> {
         text.push_str(&why_not_less(domain, answer));
         text.push_str(&how_reached(answer));
         if self.least_max_degree.is_none() {
+            let open = match (self.at_least, self.reached - 1) {
+                (least, most) if least == most => format!("degree {least}"),
+                (least, most) => format!("a degree from {least} to {most}"),
+            };
             text.push_str(&format!(
-                "Whether a degree from {} to {} is possible is not known: {}.\n",
-                self.at_least,
-                self.reached - 1,
+                "Whether {open} is possible is not known: {}.\n",
                 if self.holes > 0 {
                     "with holes, not all meshes are searched"
                 } else {
@@ -136,14 +138,14 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
         LowerBound::BlockedZigZags(chords) => {
             let [from, to] = chords.first().copied().unwrap_or_default();
             format!(
-                "It cannot be less: from 7 vertices on, a mesh of degree 4 is one of {} zig-zags across \
+                "No mesh has less than {bound}: from 7 vertices on, a mesh of degree 4 is one of {} zig-zags across \
                  the whole polygon,\nand each of these has a chord that does not lie inside, such as \
                  the one from vertex {from} to vertex {to}.\n",
                 count(vertices)
             )
         }
         LowerBound::Apexes(apexes) => format!(
-            "It cannot be less: {} boundary edges, the first from vertex {} on, are the side of no ear, \
+            "No mesh has less than {bound}: {} boundary edges, the first from vertex {} on, are the side of no ear, \
              and only {} vertices\nsee both ends of one of them. A vertex of degree {} is the apex of \
              at most {} of these edges.\n",
             count(apexes.edges.len() as u32),
@@ -153,7 +155,7 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
             bound - 4,
         ),
         LowerBound::Counting => format!(
-            "It cannot be less: the {} edges of every mesh have two ends each, at {} vertices{}, so that \
+            "No mesh has less than {bound}: the {} edges of every mesh have two ends each, at {} vertices{}, so that \
              one of these\nhas {bound} or more.\n",
             count(edge_count(domain)),
             count(vertices),
@@ -163,7 +165,7 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
             "It cannot be less, by the formula for convex domains.\n".to_owned()
         }
         _ => format!(
-            "It cannot be less: of all triangulations, none {}has a maximum degree of {}.\n",
+            "No mesh has less than {bound}: of all triangulations, none {}has a maximum degree of {}.\n",
             if domain.is_constrained() { "that keeps the limits " } else { "" },
             bound.saturating_sub(1)
         ),

@@ -6,9 +6,9 @@ use crate::reference::Reference;
 use crate::report::{Provenance, Report, TradeOffFigures};
 use crate::{Advice, KEPT, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
-use mindeg::exact::{self, ExactMesh, TradeOff};
-use mindeg::{BoundaryMesh, Domain, MeshError, Progress, Step};
-use std::ops::ControlFlow;
+use mindeg::exact::{self, ExactError, ExactMesh, TradeOff};
+use mindeg::{Domain, Goal, MeshError, Progress, Step};
+use std::ops::{ControlFlow, Range};
 use std::time::{Duration, Instant};
 
 /// The largest number of boundary vertices that can be compared: unlike mindeg's own meshes,
@@ -54,6 +54,9 @@ pub enum CompareError {
     /// There is no mesh of the domain.
     #[error(transparent)]
     Mesh(#[from] MeshError),
+    /// The solver has no mesh of the domain.
+    #[error(transparent)]
+    Exact(#[from] ExactError),
 }
 
 /// A domain's triangulations with their figures.
@@ -75,6 +78,10 @@ pub enum CompareError {
 pub struct Comparison {
     report: Report,
     points: Vec<DVec2>,
+    /// The rings of the domain as closed lines.
+    outlines: Vec<Vec<DVec2>>,
+    /// The vertices of each ring.
+    rings: Vec<Range<u32>>,
     /// The triangles of each method of the report, none where it has none.
     triangles: Vec<Vec<[u32; 3]>>,
     trade_off: Option<TradeOff>,
@@ -91,6 +98,16 @@ impl Comparison {
     #[must_use]
     pub fn points(&self) -> &[DVec2] {
         &self.points
+    }
+
+    /// The rings of the domain as closed lines.
+    pub(crate) fn outlines(&self) -> &[Vec<DVec2>] {
+        &self.outlines
+    }
+
+    /// The vertices of each ring.
+    pub(crate) fn rings(&self) -> &[Range<u32>] {
+        &self.rings
     }
 
     /// The methods of the report, each with its triangles: none where it gave none.
@@ -142,27 +159,30 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     if vertices > MAX_COMPARED_VERTICES {
         return Err(CompareError::TooManyVertices { vertices });
     }
+    if domain.is_constrained() {
+        return Err(MeshError::Constrained.into());
+    }
     let start = Instant::now();
-    let mesh = BoundaryMesh::least_degree(domain)?;
-    let boundary = domain.convex().ok_or(MeshError::NotConvex)?.boundary();
-    let own: Vec<[u32; 3]> = mesh.triangles().collect();
+    let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE)?;
+    let own: Vec<[u32; 3]> = meshed.mesh.triangles().collect();
     let own_time = start.elapsed();
 
     let points: Vec<DVec2> = domain.placement().points().collect();
-    let optimal_max_degree = mindeg_core::least_max_degree(boundary);
+    let optimal_max_degree = meshed.least_max_degree;
+    let checker = measure::Checker::new(domain, &points);
     let figures = |method, triangles: &[[u32; 3]]| MethodFigures {
         method,
         description: method.description().into_owned(),
-        ..measure::figures(boundary, &points, triangles, optimal_max_degree)
+        ..measure::figures(&checker, triangles, optimal_max_degree)
     };
     let mut methods = vec![MethodFigures {
         seconds: Some(own_time.as_secs_f64()),
         ..figures(Method::LeastDegree, &own)
     }];
     let mut triangles = vec![own];
-    for reference in Reference::ALL {
+    for &reference in Reference::of(domain) {
         let method = Method::Reference(reference);
-        let outcome = reference.triangulate(boundary, &points, options.time_limit);
+        let outcome = reference.triangulate(domain, &points, options.time_limit);
         let (measured, list) = match outcome {
             Ok(timed) => {
                 let measured = figures(method, &timed.triangles);
@@ -187,15 +207,19 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         true => interior::meshes(domain, options.time_limit),
         false => Vec::new(),
     };
+    let rings = domain.rings();
+    let (outlines, ranges) = (outlines(domain), rings.rings().collect());
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
-        intervals: domain.rings().sides().collect(),
+        intervals: rings.sides().collect(),
         side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
         vertices,
-        triangles: vertices - 2,
-        interior_edges: vertices - 3,
+        holes: rings.ring_count() as u32 - 1,
+        triangles: meshed.mesh.triangle_count(),
+        interior_edges: meshed.mesh.triangle_count() + rings.ring_count() as u32 - 2,
         optimal_max_degree,
+        optimum_is_proven: meshed.is_least_proven,
     };
     let mut report = Report {
         provenance: Provenance::default(),
@@ -207,7 +231,22 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         verdict: String::new(),
     };
     report.verdict = verdict::verdict(&report).text();
-    Ok(Comparison { report, points, triangles, trade_off })
+    Ok(Comparison { report, points, outlines, rings: ranges, triangles, trade_off })
+}
+
+/// The rings as closed lines: of straight sides the corners, of others all points.
+fn outlines(domain: &Domain) -> Vec<Vec<DVec2>> {
+    let (rings, placement) = (domain.rings(), domain.placement());
+    let line = |ring: usize| {
+        let sides = rings.ring_sides(ring).flat_map(|side| {
+            let first = rings.corner(side);
+            let shown = if domain.is_straight(side) { 1 } else { rings.intervals(side) };
+            first..first + shown
+        });
+        let start = rings.ring(ring).start;
+        sides.chain([start]).map(|vertex| placement.point(vertex)).collect()
+    };
+    (0..rings.ring_count()).map(line).collect()
 }
 
 /// The trade-off, if the size and the time allow it.
@@ -223,7 +262,8 @@ fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
             ControlFlow::Break(())
         }
     };
-    exact::trade_off(domain, Progress::new(&in_time)).ok()
+    // What windows reach is no exact trade-off.
+    exact::trade_off(domain, Progress::new(&in_time)).ok().filter(TradeOff::is_exact)
 }
 
 /// Of the points of the curve those that a comparison shows: the least degree, the next, the first

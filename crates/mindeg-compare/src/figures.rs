@@ -11,20 +11,25 @@ use std::collections::BTreeMap;
 pub struct DomainFigures {
     /// Its name, if it has one.
     pub name: Option<String>,
-    /// The intervals of each side, counter-clockwise.
+    /// The intervals of each side, those of the outer ring first, then those of each hole.
     pub intervals: Vec<u32>,
     /// The name of each side, where it has one.
     pub side_names: Vec<Option<String>>,
-    /// The x and y of each corner, counter-clockwise; side i runs from corner i to the next.
+    /// The x and y of each corner; side i runs from corner i to the next of its ring.
     pub corners: Vec<[f64; 2]>,
     /// The number of boundary vertices n.
     pub vertices: u32,
-    /// The number of triangles of every triangulation, n - 2.
+    /// The number of holes h.
+    pub holes: u32,
+    /// The number of triangles of every triangulation, n + 2h - 2.
     pub triangles: u32,
-    /// The number of interior edges of every triangulation, n - 3.
+    /// The number of interior edges of every triangulation, n + 3h - 3.
     pub interior_edges: u32,
-    /// The least maximum degree that any triangulation can have.
+    /// The least maximum degree that any triangulation can have; if that is not proven, none has a
+    /// smaller one.
     pub optimal_max_degree: u32,
+    /// Whether some triangulation is known to have the least maximum degree.
+    pub optimum_is_proven: bool,
 }
 
 /// What one method gives.
@@ -56,8 +61,8 @@ pub struct MethodFigures {
     /// For a Delaunay triangulation, the number of interior edges whose two triangles lie on
     /// one circle: there the other diagonal would be as good, and degrees are arbitrary.
     pub ties: Option<u32>,
-    /// Whether the triangles have passed the check: n - 2 of them, none flat, every boundary
-    /// edge in one and every interior edge in two.
+    /// Whether the triangles have passed the check: all of them counter-clockwise, none flat, every
+    /// boundary edge in one and every interior edge in two.
     pub valid: bool,
     /// What is wrong where `valid` is false; empty otherwise.
     pub defects: Vec<MethodDefect>,

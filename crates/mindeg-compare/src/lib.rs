@@ -2,8 +2,8 @@
 //! costs, and what it buys.
 //!
 //! [`compare`] triangulates a domain by mindeg, by Delaunay, by ear clipping and as a fan,
-//! checks every result with [`mindeg_core::verify`], measures all, and says in words what the
-//! figures mean.
+//! checks every result with [`mindeg_mesh::check`], measures all, and says in words what the figures
+//! mean. The fan is for convex domains only.
 //!
 //! ```
 //! use mindeg_compare::{Options, compare};

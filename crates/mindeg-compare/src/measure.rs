@@ -7,8 +7,10 @@ use crate::figures::{
     DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
 };
 use glam::DVec2;
+use mindeg::Domain;
 use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
-use mindeg_core::{Boundary, Defect, verify};
+use mindeg_mesh::check;
+use std::ops::Range;
 
 /// The angles, in degrees, below which triangles are counted.
 const BELOW: [u32; 5] = [1, 5, 10, 15, 20];
@@ -16,19 +18,42 @@ const BELOW: [u32; 5] = [1, 5, 10, 15, 20];
 /// How many of the worst triangles are listed.
 const WORST: usize = 5;
 
+/// What triangles of a domain are checked against.
+pub(crate) struct Checker<'a> {
+    points: &'a [DVec2],
+    rings: Vec<Range<u32>>,
+    /// For each vertex the straight runs that end and begin there.
+    runs: Vec<[u32; 2]>,
+}
+
+impl<'a> Checker<'a> {
+    pub(crate) fn new(domain: &Domain, points: &'a [DVec2]) -> Self {
+        let (rings, after) = (domain.rings(), domain.straight_runs());
+        let runs = (0..).zip(&after).map(|(v, &run)| [after[rings.previous(v) as usize], run]);
+        Self { points, runs: runs.collect(), rings: rings.rings().collect() }
+    }
+
+    /// Whether all vertices of a triangle are on one straight run.
+    fn is_flat(&self, triangle: [u32; 3]) -> bool {
+        let [a, b, c] = triangle.map(|vertex| self.runs[vertex as usize]);
+        a.iter().any(|run| b.contains(run) && c.contains(run))
+    }
+
+    /// The number of triangles of a triangulation.
+    fn triangle_count(&self) -> u64 {
+        (self.points.len() + 2 * self.rings.len() - 4) as u64
+    }
+}
+
 /// The figures of one method's triangles. O(n log n).
 pub(crate) fn figures(
-    boundary: &Boundary,
-    points: &[DVec2],
+    checker: &Checker<'_>,
     triangles: &[[u32; 3]],
     optimal_max_degree: u32,
 ) -> MethodFigures {
-    let intervals: Vec<u64> = boundary.sides().map(u64::from).collect();
-    let defects = match verify(&intervals, triangles.iter().copied()) {
-        Ok(_) => Vec::new(),
-        Err(first) => defects(boundary, triangles, first),
-    };
-    let degrees = degrees(boundary.vertex_count(), triangles);
+    let points = checker.points;
+    let defects = defects(checker, triangles);
+    let degrees = degrees(&checker.rings, triangles);
     let qualities: Vec<TriangleQuality> =
         triangles.iter().map(|&triangle| quality(points, triangle)).collect();
     let measured = measured(degrees, &qualities, triangles);
@@ -92,27 +117,36 @@ fn metric_figures(summary: &QualitySummary) -> Option<MetricFigures> {
     })
 }
 
-/// The number of neighbours of every vertex, its two on the boundary included, in a list that
-/// need not be a triangulation.
-pub(crate) fn degrees(vertices: u32, triangles: &[[u32; 3]]) -> Vec<u32> {
-    let ring = (0..vertices).map(|v| [v, if v + 1 == vertices { 0 } else { v + 1 }]);
+/// The number of neighbours of every vertex of some rings, its two on the boundary included, in a list
+/// that need not be a triangulation.
+pub(crate) fn degrees(rings: &[Range<u32>], triangles: &[[u32; 3]]) -> Vec<u32> {
+    let edges = rings.iter().flat_map(|ring| {
+        let next = move |v| if v + 1 == ring.end { ring.start } else { v + 1 };
+        ring.clone().map(move |v| [v, next(v)])
+    });
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let mut edges: Vec<[u32; 2]> =
-        ring.chain(sides).map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a != b).collect();
+        edges.chain(sides).map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a != b).collect();
     edges.sort_unstable();
     edges.dedup();
-    let mut degrees = vec![0; vertices as usize];
+    let mut degrees = vec![0; rings.last().map_or(0, |ring| ring.end as usize)];
     for vertex in edges.into_iter().flatten() {
         degrees[vertex as usize] += 1;
     }
     degrees
 }
 
-/// What is wrong with a list in which the check found `first`: counted where that can be.
-fn defects(boundary: &Boundary, triangles: &[[u32; 3]], first: Defect) -> Vec<MethodDefect> {
-    let expected = u64::from(boundary.vertex_count() - 2);
+/// What is wrong with a list: counted where that can be.
+fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
+    let checked = check::triangulation(checker.points, &checker.rings, triangles);
+    let flat = triangles.iter().filter(|&&triangle| checker.is_flat(triangle)).count() as u64;
+    let first = match checked {
+        Ok(_) if flat == 0 => return Vec::new(),
+        Ok(_) => String::new(),
+        Err(error) => error.to_string(),
+    };
+    let expected = checker.triangle_count();
     let found = triangles.len() as u64;
-    let flat = triangles.iter().filter(|&&triangle| boundary.is_flat(triangle)).count() as u64;
     let missing = expected.saturating_sub(found);
     let surplus = found.saturating_sub(expected);
     let s = |count: u64| if count == 1 { "" } else { "s" };
@@ -140,7 +174,7 @@ fn defects(boundary: &Boundary, triangles: &[[u32; 3]], first: Defect) -> Vec<Me
     let counted: Vec<MethodDefect> = counted.collect();
     if counted.is_empty() {
         let kind = DefectKind::NotATriangulation;
-        vec![MethodDefect { kind, count: None, message: first.to_string() }]
+        vec![MethodDefect { kind, count: None, message: first }]
     } else {
         counted
     }
@@ -168,13 +202,14 @@ fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<WorstTria
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg::{Domain, Side};
+    use mindeg::Side;
+    use mindeg_core::verify;
 
     /// The figures of some triangles on a square of two intervals a side.
     fn square(triangles: &[[u32; 3]]) -> MethodFigures {
         let domain = Domain::rectangle(2.0, 2.0, vec![Side::count(2); 4]).unwrap();
         let points: Vec<DVec2> = domain.placement().points().collect();
-        figures(domain.convex().unwrap().boundary(), &points, triangles, 3)
+        figures(&Checker::new(&domain, &points), triangles, 3)
     }
 
     /// A fan from vertex 1, the middle of the bottom.
@@ -213,7 +248,7 @@ mod tests {
                 &["1 flat triangle, with all vertices on one side", "2 of 6 triangles missing"],
             ),
             (&[FAN, FAN].concat(), &["6 triangles more than 6"]),
-            (&[FAN[0]; 6], &["the boundary edge from 0 to 1 has no triangle"]),
+            (&[FAN[0]; 6], &["the edge from 1 to 2 has a triangle too many on its left"]),
             (&[], &["6 of 6 triangles missing"]),
         ] {
             let figures = square(triangles);
@@ -226,8 +261,8 @@ mod tests {
     #[test]
     fn degrees_of_what_is_no_triangulation_count_neighbors_once() {
         let twice = [FAN[1], FAN[1], FAN[2]];
-        assert_eq!(degrees(8, &twice), [2, 5, 2, 3, 3, 3, 2, 2]);
-        let fan = degrees(8, &FAN);
+        assert_eq!(degrees(std::slice::from_ref(&(0..8)), &twice), [2, 5, 2, 3, 3, 3, 2, 2]);
+        let fan = degrees(std::slice::from_ref(&(0..8)), &FAN);
         assert_eq!(fan, verify(&[2, 2, 2, 2], FAN).unwrap().degrees);
     }
 }

@@ -38,9 +38,9 @@ impl Method {
     #[must_use]
     pub fn description(self) -> Cow<'static, str> {
         match self {
-            Self::LeastDegree => "The least possible maximum degree, and among the meshes with \
-                                  that degree which mindeg tries the one with the largest \
-                                  minimum angle."
+            Self::LeastDegree => "The mesh of mindeg mesh without options: the least maximum degree that \
+                                  is found, and among the meshes with that degree which mindeg tries the \
+                                  one with the largest minimum angle."
                 .into(),
             Self::Reference(reference) => reference.description().into(),
             Self::Exact { max_degree } => format!(

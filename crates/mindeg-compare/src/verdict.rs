@@ -67,9 +67,10 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
     let Some((_, angle_there)) = delaunay.outcome() else {
         return Verdict::only(format!(
             "There is no Delaunay triangulation to compare with: {}. mindeg has at most {} edges at a \
-             vertex, the least possible, and a minimum angle of {}.",
+             vertex{}, and a minimum angle of {}.",
             reasons(delaunay),
             count(own_degree),
+            least(report),
             angle(own_angle)
         ));
     };
@@ -87,6 +88,11 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
         caveat: caveat(taken, delaunay),
         notes: notes(report, delaunay, angle_there),
     }
+}
+
+/// What is known of mindeg's maximum degree, after it.
+fn least(report: &Report) -> &'static str {
+    if report.domain.optimum_is_proven { ", the least possible" } else { "" }
 }
 
 /// What to do, and the mesh it is about; both methods have a valid mesh.
@@ -120,9 +126,10 @@ fn headline<'a>(
     }
     if report.trade_off.is_none() {
         let text = format!(
-            "Degree {}, the least possible, keeps {} of Delaunay's minimum angle, with at most {} edges \
-             at a vertex instead of {}.",
+            "Degree {}{} keeps {} of Delaunay's minimum angle, with at most {} edges at a vertex instead of \
+             {}.",
             count(degree(mindeg)),
+            if report.domain.optimum_is_proven { ", the least possible," } else { "" },
             share(mindeg),
             count(degree(mindeg)),
             count(degree(delaunay))
@@ -277,6 +284,8 @@ mod tests {
             triangles: 38,
             interior_edges: 37,
             optimal_max_degree: 4,
+            holes: 0,
+            optimum_is_proven: true,
         };
         let has_exact = methods.iter().any(|m| matches!(m.method, Method::Exact { .. }));
         let trade_off = TradeOffFigures { points: vec![], delaunay_min_angle: 1.0 };

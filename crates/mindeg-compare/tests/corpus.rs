@@ -145,6 +145,10 @@ fn the_domains_that_come_with_the_program() {
     assert!(!names.is_empty());
     for name in names {
         let domain = Domain::from_json(&std::fs::read_to_string(&name).unwrap()).unwrap();
+        // Comparisons take convex domains with straight sides.
+        if domain.convex().is_none_or(|form| form.boundary().side_count() != domain.sides().len()) {
+            continue;
+        }
         check(
             &compare(&domain, &Options { exact_vertices: 40, ..Options::default() }).unwrap(),
             &name.display().to_string(),

@@ -16,6 +16,10 @@ fn the_curve_ends_at_the_delaunay_angle() {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let domain = Domain::from_json(&fs::read_to_string(&path).unwrap()).unwrap();
+        // Comparisons take convex domains with straight sides.
+        if domain.convex().is_none_or(|form| form.boundary().side_count() != domain.sides().len()) {
+            continue;
+        }
         let comparison = compare(&domain, &Options::default()).unwrap();
         let report = comparison.report();
         let Some(trade_off) = &report.trade_off else {

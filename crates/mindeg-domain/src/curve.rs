@@ -4,7 +4,7 @@
 //! the length has its point. Arcs are closed forms, kurbo measures Béziers, and polylines are measured
 //! edge by edge. kurbo is built without `std`, so that its functions are those of `libm` too.
 //!
-//! Limits: shares of a Bézier's length are met to about 1e-12 of the length.
+//! Limits: shares of a Bézier's length are met to about 1e-11 of the length.
 
 use std::f64::consts::{PI, TAU};
 
@@ -148,6 +148,10 @@ impl Path {
         if let Some(index) = curve.points().iter().position(|point| !is_usable(&point)) {
             let DVec2 { x, y } = curve.points()[index];
             return Err(CurveError::Coordinate { index, x, y });
+        }
+        // kurbo takes seconds to find no length.
+        if start == end && curve.points().iter().all(|&point| point == start) {
+            return Err(CurveError::NoLength);
         }
         let path = match curve {
             Curve::Line => Self::Line { start, end },
@@ -299,7 +303,7 @@ impl<T> Pieces<T> {
 }
 
 /// The share of the whole length to which lengths of a Bézier are measured.
-const CUBIC_ACCURACY: f64 = 1e-13;
+const CUBIC_ACCURACY: f64 = 1e-11;
 
 /// A Bézier in pieces short enough to be nearly straight, which are measured fast.
 fn cubic_pieces(cubic: CubicBez) -> Pieces<CubicBez> {
@@ -374,7 +378,7 @@ mod tests {
         let straight = Curve::Cubic([[0.1, 0.0], [0.2, 0.0]].map(DVec2::from));
         let path_of_straight = path(&straight, [0.0, 0.0], [1.0, 0.0]);
         for share in [0.1, 0.25, 0.9] {
-            assert!((path_of_straight.point(share).x - share).abs() < 1e-12, "{share}");
+            assert!((path_of_straight.point(share).x - share).abs() < 1e-10, "{share}");
         }
 
         // Against sums of many chords.
@@ -420,7 +424,7 @@ mod tests {
             (message(through(2.0, 0.0), zero, one), "the arc goes through (2.0, 0.0), which lies on the line through its corners; move that point off, or drop the arc"),
             (message(through(2.0, 0.0), zero, zero), "the arc ends where it starts; give its \"center\""),
             (message(around(0.25, 0.0, false), zero, one), "the arc's center is 0.25 from the corner where the arc starts and 0.75 from the corner where it ends; move it to where both are equal"),
-            (message(around(0.0, 0.0, false), zero, zero), "the arc's center is 0.0 from the corner where the arc starts and 0.0 from the corner where it ends; move it to where both are equal"),
+            (message(around(0.0, 0.0, false), zero, zero), "the side has no length; move its points apart"),
             (message(Curve::Cubic([DVec2::ZERO; 2]), zero, zero), "the side has no length; move its points apart"),
             (message(Curve::Polyline(vec![DVec2::ZERO]), zero, zero), "the side has no length; move its points apart"),
             (message(Curve::Polyline(vec![DVec2::ONE, DVec2::new(0.0, f64::NAN)]), zero, zero), "point 2 of the curve is at (0.0, NaN); coordinates must be finite and at most 1e100 in size"),

@@ -35,6 +35,8 @@ pub struct EdgePlace {
     pub index: u32,
     /// Whether the side is one edge.
     pub is_side: bool,
+    /// Whether the side is the whole ring.
+    pub is_alone: bool,
 }
 
 /// "corner 3", "point 4 of side 2 of hole 1", or "point 12" of a ring that is one side.
@@ -51,9 +53,13 @@ impl fmt::Display for PointPlace {
     }
 }
 
-/// "side 3" or "interval 5 of side 3 of hole 1".
+/// "side 3", "interval 5 of side 3 of hole 1", or "edge 12" of a ring that is one side.
 impl fmt::Display for EdgePlace {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.is_alone {
+            let edge = InRing { index: self.index as usize, ..self.side };
+            return f.write_str(&edge.named("edge"));
+        }
         if !self.is_side {
             write!(f, "interval {} of ", self.index + 1)?;
         }
@@ -178,13 +184,14 @@ pub(crate) fn orientations(
 
 /// A fault with its places in words.
 fn placed(fault: Fault, points: &[DVec2], rings: &Rings) -> IntersectionError {
+    let is_alone = |side| rings.ring_sides(rings.ring_of_side(side)).len() == 1;
     let point = |vertex: u32| {
         let side = rings.side_of(vertex);
         let DVec2 { x, y } = points[vertex as usize];
         PointPlace {
             side: rings.in_ring(side),
             index: vertex - rings.corner(side),
-            is_alone: rings.ring_sides(rings.ring_of_side(side)).len() == 1,
+            is_alone: is_alone(side),
             x,
             y,
         }
@@ -192,7 +199,12 @@ fn placed(fault: Fault, points: &[DVec2], rings: &Rings) -> IntersectionError {
     let edge = |begin: u32| {
         let side = rings.side_of(begin);
         let index = begin - rings.corner(side);
-        EdgePlace { side: rings.in_ring(side), index, is_side: rings.intervals(side) == 1 }
+        EdgePlace {
+            side: rings.in_ring(side),
+            index,
+            is_side: rings.intervals(side) == 1,
+            is_alone: is_alone(side),
+        }
     };
     match fault {
         Fault::SamePoint([first, second]) => {

@@ -17,8 +17,6 @@ mod ring;
 mod side;
 mod spacing;
 mod syntax;
-#[cfg(test)]
-mod tests;
 mod value;
 mod write;
 
@@ -129,3 +127,8 @@ impl Domain {
         domain.map_err(|error| place::located(&text, &error))
     }
 }
+
+#[cfg(test)]
+mod messages;
+#[cfg(test)]
+mod tests;

@@ -25,28 +25,13 @@
 
 mod any_degree;
 mod limited;
+mod problem;
 
 use crate::space::{self, Cost};
 use any_degree::AnyDegree;
-use glam::DVec3;
 use limited::Limited;
-use mindeg_mesh::{Cancelled, Progress};
-use thiserror::Error;
-
-/// The most vertices of a loop: n³/6 triangles are weighed, at this number 1.3 thousand million.
-pub const MAX_LOOP: usize = 2000;
-
-/// The most triangulations of pieces that are kept at a time, of 16 bytes each.
-pub const MAX_STATES: usize = 1 << 24;
-
-/// A closed loop in space, and what is around it.
-#[derive(Clone, Debug)]
-pub struct LoopProblem {
-    points: Vec<DVec3>,
-    external: Vec<u32>,
-    /// For each pair of vertices, whether no edge of the filling may join them.
-    excluded: Vec<bool>,
-}
+use mindeg_mesh::Progress;
+pub use problem::{LoopProblem, LoopUnsolved, MAX_LOOP, MAX_STATES};
 
 /// How many edges a vertex may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,95 +65,8 @@ pub struct LoopTriangulation {
 /// From which share of the least area on a higher limit is worth a look.
 pub const WORTH_MORE: f64 = 1.02;
 
-/// Why a loop has no triangulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum LoopUnsolved {
-    /// More vertices than [`MAX_LOOP`].
-    #[error("the loop has {vertices} vertices; the maximum is {MAX_LOOP}")]
-    TooLarge {
-        /// How many vertices it has.
-        vertices: usize,
-    },
-    /// More than [`MAX_STATES`] triangulations of pieces would be kept.
-    #[error(
-        "under degree limit {limit} the search needs more memory than it may take ({} MB); give \
-         another limit",
-        MAX_STATES / 62500
-    )]
-    TooManyStates {
-        /// The limit.
-        limit: u32,
-    },
-    /// Every triangulation has an edge that is excluded.
-    #[error("every triangulation of the loop needs an edge that is there already")]
-    Excluded,
-    /// No triangulation keeps the limit.
-    #[error(
-        "no triangulation of the loop keeps degree limit {limit}; the least possible is {least}"
-    )]
-    Infeasible {
-        /// The limit.
-        limit: u32,
-        /// The least limit that some triangulation keeps.
-        least: u32,
-    },
-    /// The progress callback cancelled the work.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-}
-
-impl LoopProblem {
-    /// A loop of three vertices or more. `external` are the edges at each vertex without those of
-    /// the filling: its two loop edges, and what else is there. `excluded` are pairs of vertices
-    /// that may not be joined; neighbours among them do not matter. O(n²) memory.
-    ///
-    /// # Errors
-    ///
-    /// [`LoopUnsolved::TooLarge`].
-    ///
-    /// # Panics
-    ///
-    /// If there are fewer than three points, one is not finite, there are not as many external
-    /// degrees as points, or a pair names a vertex that is not there.
-    pub fn new(
-        points: &[DVec3],
-        external: &[u32],
-        excluded: impl IntoIterator<Item = [u32; 2]>,
-    ) -> Result<Self, LoopUnsolved> {
-        let n = points.len();
-        assert!(n >= 3 && external.len() == n, "three points and as many degrees");
-        assert!(points.iter().all(|point| point.is_finite()), "points are finite");
-        if n > MAX_LOOP {
-            return Err(LoopUnsolved::TooLarge { vertices: n });
-        }
-        let mut pairs = vec![false; n * n];
-        for [a, b] in excluded {
-            let [a, b] = [a as usize, b as usize];
-            let are_neighbours = a.abs_diff(b) == 1 || a.abs_diff(b) == n - 1;
-            pairs[a * n + b] = !are_neighbours;
-            pairs[b * n + a] = !are_neighbours;
-        }
-        Ok(Self { points: points.to_vec(), external: external.to_vec(), excluded: pairs })
-    }
-
-    /// The number of vertices.
-    #[must_use]
-    pub fn vertex_count(&self) -> usize {
-        self.points.len()
-    }
-
-    fn is_excluded(&self, i: usize, j: usize) -> bool {
-        self.excluded[i * self.points.len() + j]
-    }
-
-    /// The most chords at each vertex under a limit.
-    fn capacities(&self, limit: u32) -> Vec<u16> {
-        // A vertex has fewer chords than the loop has vertices.
-        let most = self.points.len() as u32;
-        self.external.iter().map(|&own| limit.saturating_sub(own).min(most) as u16).collect()
-    }
-}
+/// The triangles of a loop, and their cost.
+type Solved = (Vec<[u32; 3]>, Cost);
 
 /// The triangulation of least area of a loop, under a limit on the total degrees of its vertices.
 ///
@@ -206,7 +104,7 @@ pub fn fill_loop(
         let (area, max_degree) = (area(problem, &triangles), max_degree(problem, &triangles));
         LoopTriangulation { triangles, limit, max_degree, area, without_limit, next_area: None }
     };
-    let solve = |limit: u32| -> Result<Option<(Vec<[u32; 3]>, Cost)>, LoopUnsolved> {
+    let solve = |limit: u32| -> Result<Option<Solved>, LoopUnsolved> {
         if keeps(problem, &free, limit) {
             return Ok(Some((free.clone(), least)));
         }

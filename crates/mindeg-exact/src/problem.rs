@@ -2,25 +2,15 @@
 
 use crate::chords::{Chords, Sides};
 use crate::limits::DegreeLimits;
+use crate::problem_error::ProblemError;
 use crate::progress::Stage;
+use crate::size::{MAX_TRIPLES, MAX_VERTICES};
 use crate::triangulation::{Triangulation, orientation};
 use crate::unsolved::Unsolved;
 use crate::visibility;
 use glam::DVec2;
 use mindeg_core::{Boundary, least_degree_triangulation};
 use mindeg_mesh::{Cancelled, Progress};
-use thiserror::Error;
-
-/// The most boundary vertices of a convex polygon, 4,096.
-///
-/// Time grows with the cube of the number of vertices and memory with its square.
-pub const MAX_VERTICES: u32 = 4096;
-
-/// The most triples of vertices that see each other in another polygon: 4 * 10^9.
-///
-/// One pass of the dynamic program over 10^9 triples takes 5 to 10 seconds on one core. A coastline
-/// of 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
-pub const MAX_TRIPLES: u64 = 4_000_000_000;
 
 /// The largest external degree in windows, which take larger ones for this.
 pub(crate) const MANY_EDGES: u32 = 1 << 30;
@@ -65,70 +55,6 @@ pub(crate) enum Domain {
     Simple(Triangulation),
     /// Any other domain, with a triangulation.
     Rings(Triangulation),
-}
-
-/// Why input is not a [`Problem`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum ProblemError {
-    /// More vertices than [`MAX_VERTICES`].
-    #[error(
-        "found {vertices} boundary vertices; exact work takes at most {MAX_VERTICES}; use fewer \
-         intervals, or the formula of least degree, which takes any number"
-    )]
-    TooManyVertices {
-        /// Their number.
-        vertices: u32,
-    },
-    /// Other numbers of points than of vertices.
-    #[error("found {points} points for {vertices} boundary vertices; give one for each")]
-    PointCount {
-        /// The vertices.
-        vertices: u32,
-        /// The points.
-        points: usize,
-    },
-    /// A triangle has a vertex without a point.
-    #[error("triangle {triangle} has vertex {vertex}, but the vertices are 0 to {last}")]
-    NoSuchVertex {
-        /// The triangle.
-        triangle: usize,
-        /// Its vertex.
-        vertex: u32,
-        /// The largest vertex.
-        last: usize,
-    },
-    /// A triangle that is clockwise or has no area, exactly.
-    #[error("triangle {triangle} is clockwise or has no area; give counter-clockwise triangles")]
-    NotCounterClockwise {
-        /// The triangle.
-        triangle: usize,
-    },
-    /// An edge with two triangles on one side, or three triangles.
-    #[error("the edge from {from} to {to} has two triangles on the same side; remove one of them")]
-    Overlap {
-        /// Where it begins.
-        from: u32,
-        /// Where it ends.
-        to: u32,
-    },
-    /// A vertex that the boundary does not pass exactly once.
-    #[error(
-        "the boundary passes vertex {vertex} {times} times, expected once; leave out interior \
-         points, and keep rings apart"
-    )]
-    NotOnBoundary {
-        /// The vertex.
-        vertex: u32,
-        /// The times that the boundary passes it.
-        times: u32,
-    },
-    /// A coordinate is infinite or not a number.
-    #[error("the point of vertex {vertex} is not finite; give finite coordinates")]
-    NotFinite {
-        /// The vertex.
-        vertex: u32,
-    },
 }
 
 impl Problem {
@@ -355,18 +281,19 @@ impl Problem {
         }
     }
 
-    /// Refuses chords of another polygon than a convex one if they have too many triples.
+    /// Refuses chords of another polygon than a convex one if they have too many triples, and counts
+    /// them.
     pub(crate) fn require_triples(
         &self,
         chords: &Chords,
         progress: Progress<'_>,
-    ) -> Result<(), Unsolved> {
+    ) -> Result<u64, Unsolved> {
         if let Domain::Convex(_) = self.domain {
-            return Ok(());
+            return Ok(0);
         }
         let stage = Stage::new(progress, "counting triples of vertices");
         let triples = chords.count_triples(self.max_triples, &stage)?;
-        triples.map(|_| ()).ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
+        triples.ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
     }
 
     /// The number of triples of vertices that see each other, the work of one pass of the dynamic

@@ -1,5 +1,7 @@
 //! Strips between rings beside all strips there are.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use glam::DVec3;
 use mindeg_core::RingStrip;
 use mindeg_exact::{Bridge, BridgeProblem, BridgeUnsolved, Cancelled, Progress, bridge_rings};

@@ -1,5 +1,7 @@
 //! Loops in space beside all triangulations there are.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use glam::DVec3;
 use mindeg_exact::{
     Cancelled, LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, Progress, fill_loop,

@@ -57,12 +57,12 @@ impl Table {
 
 fn outlines(count: usize) -> impl Iterator<Item = (Outline, Random)> {
     let mut random = Random(11);
-    let mut next = move || {
+    let next = move || {
         let corners = 4 + random.below(6) as usize;
         Outline::random(&mut random, corners, 12)
             .map(|outline| (outline, Random(random.below(1 << 40))))
     };
-    std::iter::repeat_with(move || next()).flatten().take(count)
+    std::iter::repeat_with(next).flatten().take(count)
 }
 
 #[test]

@@ -50,10 +50,31 @@ impl<'a> Corners<'a> {
 pub(crate) fn min_angles(mesh: &dyn Mesh, range: Range<u32>) -> impl Iterator<Item = f64> + '_ {
     let mut corners = Corners::new(mesh);
     let triangles = filled(range, [0; 3], |first, out| mesh.fill_triangles(first, out));
-    triangles.into_iter().map(move |triangle| {
-        let [a, b, c] = corners.positions(triangle);
-        TriangleQuality::in_space(a, b, c).min_angle
-    })
+    triangles.into_iter().map(move |triangle| min_angle(corners.positions(triangle)))
+}
+
+/// The minimum angle of a triangle, in degrees.
+///
+/// [`TriangleQuality`] has it too, among measures that take longer. It is asked where products of
+/// coordinates leave the range of floats.
+fn min_angle([a, b, c]: [DVec3; 3]) -> f64 {
+    let [x, y, z] = [c - b, a - c, b - a];
+    // The length of the cross product is twice the area at all three corners; at the maximum angle
+    // it loses least to rounding.
+    let dots = [-y.dot(z), -z.dot(x), -x.dot(y)];
+    let [least, greatest] = [dots[0].min(dots[1]).min(dots[2]), dots[0].max(dots[1]).max(dots[2])];
+    let cross = if dots[0] == least {
+        y.cross(z)
+    } else if dots[1] == least {
+        z.cross(x)
+    } else {
+        x.cross(y)
+    };
+    let square = cross.length_squared();
+    if !(1e-250..1e250).contains(&square) {
+        return TriangleQuality::in_space(a, b, c).min_angle;
+    }
+    libm::atan2(square.sqrt(), greatest).to_degrees()
 }
 
 /// The degrees of some vertices.
@@ -102,5 +123,28 @@ mod tests {
         let mesh = TriMesh::new(points, vec![[0, 1, 2], [0, 1, 3]]).unwrap();
         let angles: Vec<f64> = min_angles(&mesh, 0..2).collect();
         assert!((angles[0] - 45.0).abs() < 1e-12 && angles[1] == 0.0, "{angles:?}");
+    }
+
+    #[test]
+    fn minimum_angles_are_those_of_the_quality() {
+        let mut state = 1_u64;
+        let mut next = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (state >> 40) as f64 / f64::from(1 << 24)
+        };
+        for exponent in [-300, -120, -3, 0, 100, 300] {
+            let scale = 10_f64.powi(exponent);
+            for flatness in [1.0, 1e-3, 1e-7] {
+                for _ in 0..200 {
+                    let corner = |_| DVec3::new(next(), flatness * next(), flatness * next());
+                    let [a, b, c] = [0; 3].map(corner).map(|corner| corner * scale);
+                    let [expected, found] =
+                        [TriangleQuality::in_space(a, b, c).min_angle, min_angle([a, b, c])];
+                    // Rounding of corners as flat as that takes digits off both.
+                    let close = (found - expected).abs() <= 1e-9 / flatness * expected + 1e-300;
+                    assert!(close, "{found}, expected {expected}: {a} {b} {c}");
+                }
+            }
+        }
     }
 }

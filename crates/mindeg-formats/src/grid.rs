@@ -7,9 +7,3 @@ mod write;
 
 pub(crate) use read::{CellData, Cells, Grid};
 pub(crate) use write::{Arrays, text_of_names};
-
-/// VTK's numbers of the cells that are written.
-mod cell_type {
-    pub(super) const LINE: u8 = 3;
-    pub(super) const TRIANGLE: u8 = 5;
-}

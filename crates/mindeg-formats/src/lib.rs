@@ -43,7 +43,6 @@ mod numbered;
 pub mod obj;
 pub mod off;
 mod options;
-pub mod outlines;
 pub mod ply;
 #[cfg(feature = "png")]
 pub mod png;

@@ -16,6 +16,7 @@
 
 mod entities;
 mod nodes;
+mod parts;
 mod read;
 mod record;
 mod shapes;
@@ -26,9 +27,3 @@ mod write4;
 pub use self::read::read;
 pub use self::write::write;
 pub(crate) use self::write::{check_size, sections};
-
-/// Gmsh's numbers of the elements that are written.
-mod element_type {
-    pub(super) const LINE: i32 = 1;
-    pub(super) const TRIANGLE: i32 = 2;
-}

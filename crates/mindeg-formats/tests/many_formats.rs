@@ -452,6 +452,27 @@ fn formats_for_the_plane_refuse_a_mesh_in_space() {
     }
 }
 
+/// Vertices 5 and 19 lie across from one another in the middle of a sliver.
+#[test]
+fn a_sliver_far_away_is_refused_in_32_bits() {
+    let sliver = |x: f64| {
+        let json = format!(
+            r#"{{"polygon": {{"corners": [[{x}, {x}], [{}, {x}], [{}, {}]]}},
+                "sides": [{{"intervals": 10}}, {{"intervals": 1}}, {{"intervals": 16}}]}}"#,
+            x + 10.0,
+            x + 10.0,
+            x + 0.2
+        );
+        BoundaryMesh::least_degree(&Domain::from_json(&json).unwrap()).unwrap()
+    };
+    for format in [Format::Ply, Format::Stl] {
+        let writer = |x| Writer::new(format, WriteOptions::default(), &sliver(x), 25);
+        assert!(writer(0.0).is_ok());
+        let error = writer(4_000_000.0).err().unwrap().to_string();
+        assert!(error.starts_with("vertices 5 and 19 (counted from 0) at"), "{error}");
+    }
+}
+
 #[test]
 fn damaged_and_compressed_arrays_are_refused() {
     let mesh = ring();

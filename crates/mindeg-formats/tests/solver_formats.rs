@@ -1,6 +1,8 @@
 //! MSH, VTU, legacy VTK, SU2 and Abaqus input: what is written is read again, and no bytes are a
 //! panic.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain, Side};
 use mindeg_formats::{
@@ -189,6 +191,27 @@ fn what_other_programs_write_is_read() {
     assert_eq!((mesh.segments(), names(&mesh)), (&[[0, 1]][..], vec![("lines".to_owned(), 0..1)]));
 }
 
+/// As meshio writes data: several arrays of bytes in one field.
+#[test]
+fn fields_of_bytes_follow_one_another() {
+    let mut file = b"# vtk DataFile Version 4.2\nx\nBINARY\nDATASET UNSTRUCTURED_GRID\n\
+                     POINTS 3 double\n"
+        .to_vec();
+    for value in [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0_f64] {
+        file.extend_from_slice(&value.to_be_bytes());
+    }
+    let ints = |file: &mut Vec<u8>, head: &str, values: &[i32]| {
+        file.extend_from_slice(head.as_bytes());
+        values.iter().for_each(|value| file.extend_from_slice(&value.to_be_bytes()));
+    };
+    ints(&mut file, "\nCELLS 2 7\n", &[3, 0, 1, 2, 2, 0, 1]);
+    ints(&mut file, "\nCELL_TYPES 2\n", &[5, 3]);
+    ints(&mut file, "\nCELL_DATA 2\nFIELD FieldData 2\nother 1 2 int\n", &[7, 8]);
+    ints(&mut file, "\nside 1 2 vtktypeint32\n", &[-1, 4]);
+    let mesh = vtk::read(&file[..]).unwrap();
+    assert_eq!(names(&mesh), [("side 4".to_owned(), 0..1)]);
+}
+
 #[test]
 fn errors_say_where() {
     let msh2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 x\n";
@@ -198,13 +221,13 @@ fn errors_say_where() {
     let huge = format!("{vtk_head}POINTS 9000000000000000000 double\n");
     let cut = format!("{vtk_head}POINTS 2 double\n1234");
     for (format, file, message) in [
-        (Format::Msh, "$Nodes\n", "line 1: $Nodes has no $EndNodes"),
+        (Format::Msh, "$Nodes\n", "line 2: $Nodes has no $EndNodes"),
         (Format::Msh, "", "line 1: $MeshFormat is missing; is it a mesh of Gmsh?"),
         (Format::Msh, "$MeshFormat\n4 0 8\n", "line 2: MSH 4 is not read; save it as 4.1 or 2.2"),
         (Format::Msh, msh2, "line 6: a coordinate is \"x\", which is not a number"),
-        (Format::Msh, big, "line 8: the file ends before the tag of a node"),
+        (Format::Msh, big, "line 7: the file ends before the tag of a node"),
         (Format::Vtk, &huge, "line 5: no file has so many points"),
-        (Format::Vtk, &cut, "byte 91: the file"),
+        (Format::Vtk, &cut, "byte 78: numbers should take 48 bytes; the file has 4 more"),
         (Format::Vtk, "x", "line 1: a legacy VTK file begins with # vtk DataFile Version"),
         (Format::Vtu, "<a/>", "byte 0: no element VTKFile; is it a VTU?"),
         (

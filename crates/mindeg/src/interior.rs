@@ -128,9 +128,9 @@ fn outline(domain: &Domain) -> Result<Outline, InteriorError> {
 }
 
 /// What is wanted, with defaults for what is left out.
-fn options(domain: &Domain, wanted: &Interior) -> Options {
+pub(crate) fn options_of(wanted: &Interior) -> Options {
     let default = Options::default();
-    let mut options = Options {
+    Options {
         growth: wanted.growth.unwrap_or(default.growth),
         size_inside: wanted.size_inside,
         sizes: wanted.sizes.clone(),
@@ -140,7 +140,12 @@ fn options(domain: &Domain, wanted: &Interior) -> Options {
         target_angle: wanted.target_angle,
         prefer: wanted.prefer.unwrap_or_default(),
         max_points: wanted.max_points.unwrap_or(default.max_points),
-    };
+    }
+}
+
+/// What is wanted inside a domain, with its degree limits.
+fn options(domain: &Domain, wanted: &Interior) -> Options {
+    let mut options = options_of(wanted);
     if domain.is_constrained() {
         for vertex in 0..domain.rings().vertex_count() {
             if let Some(limit) = domain.degree_limit(vertex) {

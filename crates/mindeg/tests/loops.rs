@@ -1,5 +1,7 @@
 //! Meshes whose loops are filled or bridged.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use mindeg::bridge::{BridgeError, bridge};
 use mindeg::fill::{FILL, FillError, FillOptions, Filled, LeftOpen, fill};
 use mindeg::glam::DVec3;

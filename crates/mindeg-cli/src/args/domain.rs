@@ -10,7 +10,8 @@ use std::path::PathBuf;
 #[derive(Debug, Args)]
 pub(crate) struct DomainArguments {
     /// A domain in JSON, or outlines as GeoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's
-    /// .poly or DXF; - reads standard input
+    /// .poly or DXF; - reads standard input. mindeg mesh also takes a whole model: an OBJ with
+    /// faces, a .glb or .gltf, or JSON with "faces"
     #[arg(id = "domain", value_name = "DOMAIN")]
     pub(crate) file: Option<PathBuf>,
 

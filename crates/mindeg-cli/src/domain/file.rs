@@ -5,7 +5,7 @@ use crate::failure::{Failure, plainly};
 use crate::input;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_formats::outlines::{self, Division, Feature, OutlineFormat, Outlines};
+use mindeg_outlines::{self as outlines, Division, Feature, OutlineFormat, Outlines};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::{self, Read};
@@ -59,14 +59,14 @@ impl Polygons {
             } else {
                 ""
             };
-            Failure::Input(format!("{}: {}: {error}{hint}", self.file, polygon.name()))
+            Failure::Input(format!("{error}{hint}")).of(&polygon.name())
         })
     }
 
     /// The only one, or why there are several.
     pub(crate) fn only(&self) -> Result<Domain, Failure> {
         match &self.polygons[..] {
-            [polygon] => self.domain(polygon),
+            [polygon] => self.domain(polygon).map_err(|failure| failure.of(&self.file)),
             polygons => Err(Failure::Input(format!(
                 "{} has {} polygons; choose one with --feature, by its name or index: {}",
                 self.file,

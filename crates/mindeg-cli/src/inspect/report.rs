@@ -1,5 +1,6 @@
 //! The findings in the words of the JSON output, which `docs/inspect.md` explains.
 
+use super::polygon::Polygon;
 use mindeg::inspection::Inspection;
 use mindeg::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
 use mindeg_core::{Boundary, least_max_degree};
@@ -49,6 +50,8 @@ pub(super) struct Report {
     pub(super) worst_triangles: Vec<Triangle>,
     pub(super) outline: Option<Outline>,
     pub(super) no_outline: Option<String>,
+    /// Of a planar mesh of boundary vertices alone that has no convex outline.
+    pub(super) polygon: Option<Polygon>,
 }
 
 /// The number of vertices of each degree.
@@ -93,7 +96,12 @@ pub(super) struct Outline {
 }
 
 impl Report {
-    pub(super) fn new(file: String, mesh: &TriMesh, inspection: &Inspection) -> Self {
+    pub(super) fn new(
+        file: String,
+        mesh: &TriMesh,
+        inspection: &Inspection,
+        polygon: Option<Polygon>,
+    ) -> Self {
         let others = mesh.non_triangles();
         let quality = &inspection.quality;
         let [min_angle, max_angle] = ["min_angle", "max_angle"].map(|name| quality.metric(name));
@@ -177,6 +185,7 @@ impl Report {
                 })
             }),
             no_outline: outline.err().map(ToString::to_string),
+            polygon,
         }
     }
 }

@@ -178,6 +178,10 @@ fn write_outline(text: &mut String, report: &Report, inspection: &Inspection) ->
                 counts.join(", ")
             )
         }
+        (None, _) if report.polygon.is_some() => match &report.polygon {
+            Some(polygon) => writeln!(text, "{}", polygon.text(report.max_degree)),
+            None => Ok(()),
+        },
         (None, Err(NoConvexOutline::NotADisk | NoConvexOutline::InteriorVertices)) => Ok(()),
         (None, _) => writeln!(
             text,

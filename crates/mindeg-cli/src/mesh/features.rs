@@ -33,7 +33,9 @@ pub(super) fn run(
     for (index, polygon) in polygons.polygons.iter().enumerate() {
         let outputs: Vec<PathBuf> =
             files.iter().map(|of_pattern| of_pattern[index].clone()).collect();
-        let meshed = polygons.domain(polygon).and_then(|domain| mesh(&domain, &outputs));
+        let meshed = polygons.domain(polygon).and_then(|domain| {
+            mesh(&domain, &outputs).map_err(|failure| failure.of(&polygon.name()))
+        });
         match meshed {
             // Nobody reads what is printed.
             Err(Failure::ClosedPipe) => return Err(Failure::ClosedPipe),

@@ -1,24 +1,24 @@
 //! `mindeg mesh` of a whole model: from its faces to one watertight mesh.
 
-use crate::args::{DomainOptions, MeshArguments};
+mod source;
+
+pub(super) use source::is_model;
+
+use crate::args::MeshArguments;
 use crate::bar::Bar;
-use crate::failure::{Failure, plainly};
+use crate::failure::Failure;
 use crate::gates::NamedTriangle;
-use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
-use crate::mesh_file;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
-use mindeg::model::{JointBound, ModelGoal, ModelMesh, mesh_model};
+use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
-use mindeg::{FromMesh, Intervals, Model, ModelPlace, Progress, Side, Spacing};
+use mindeg::{Model, ModelPlace, Progress};
 use mindeg_compare::number_format::{percent, steady_angle};
 use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
-use std::fs;
 use std::io::{self, IsTerminal};
 use std::path::Path;
 
@@ -55,26 +55,29 @@ struct Summary<'a> {
     files: Vec<String>,
 }
 
+/// What `--json` prints with `--interior`.
+#[derive(Serialize)]
+struct FilledSummary<'a> {
+    name: Option<&'a str>,
+    faces: usize,
+    edges: usize,
+    vertices: usize,
+    interior_points: usize,
+    triangles: u32,
+    max_degree: u32,
+    min_angle: f64,
+    max_angle: f64,
+    closed: bool,
+    notes: &'a [String],
+    files: Vec<String>,
+}
+
 #[derive(Serialize)]
 struct GroupSummary<'a> {
     name: Option<&'a str>,
     material: Option<&'a str>,
     faces: usize,
     triangles: u32,
-}
-
-/// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`.
-pub(super) fn is_model(path: &Path) -> bool {
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    match extension.as_deref() {
-        Some("glb" | "gltf") => true,
-        Some("obj") => fs::read(path).is_ok_and(|bytes| {
-            let mut lines = bytes.split(|&byte| byte == b'\n' || byte == b'\r');
-            lines.any(|line| line.starts_with(b"f ") || line.starts_with(b"f\t"))
-        }),
-        Some("json") => fs::read_to_string(path).is_ok_and(|text| Model::is_model_json(&text)),
-        _ => false,
-    }
 }
 
 pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
@@ -85,14 +88,13 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
         let message = "--optimize is for domains; for a model give --keep-angle or --max-degree";
         return Err(Failure::Input(message.to_owned()));
     }
-    if arguments.interior.interior {
-        let message = "--interior is for domains; the faces of a model have no interior points yet";
-        return Err(Failure::Input(message.to_owned()));
-    }
     let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
-    let model = read(path, arguments, &bar)?;
+    let model = source::read(path, arguments, &bar)?;
+    if arguments.interior.interior {
+        return fill(path, &model, arguments, targets, bar);
+    }
     let goal = ModelGoal {
         keep_angle: arguments.goal.keep_angle,
         max_degree: arguments.goal.max_degree,
@@ -148,67 +150,84 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
-/// The model in a file, with the options in place of what the file gives for its edges.
-fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<Model, Failure> {
-    input::note(path, "model");
-    let bad = |error: String| Failure::Input(format!("{}: {error}", path.display()));
-    let division = division(&arguments.domain.options)?;
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    let is_json = extension.as_deref() == Some("json");
-    if is_json {
-        let text = fs::read_to_string(path).map_err(|error| {
-            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
-        })?;
-        let model = Model::from_json(&text).map_err(|error| bad(error.to_string()))?;
-        return match division {
-            Some(side) => model.divided(&side).map_err(|error| bad(error.to_string())),
-            None => Ok(model),
-        };
-    }
-    let Some(edges) = division else {
-        let message = "how many intervals? give --size S, or --intervals N for every edge";
+/// Fills the faces with interior points.
+fn fill(
+    path: &Path,
+    model: &Model,
+    arguments: &MeshArguments,
+    mut targets: Targets<'_>,
+    bar: Bar,
+) -> Result<(), Failure> {
+    let goal = &arguments.goal;
+    if goal.keep_angle.is_some() || goal.max_degree.is_some() {
+        let message = "--keep-angle and --max-degree are for meshes of boundary points alone; \
+                       leave them out, or --interior";
         return Err(Failure::Input(message.to_owned()));
+    }
+    let mut outputs = Outputs::default();
+    targets.open(&mut outputs)?;
+    let files = targets.files();
+    let callback = bar.callback();
+    let filled = fill_model(model, &arguments.interior.over(None), Progress::new(&callback));
+    let filled = filled.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    drop(callback);
+    let mesh = &filled.mesh;
+    let highest = || {
+        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == filled.max_degree);
+        highest.map_or(0, |(vertex, _)| vertex)
     };
-    memory::require_to_read(path)?;
-    let mesh = mesh_file::read(path, bar)?;
-    let from_mesh = FromMesh {
-        edges,
-        merge_coplanar: arguments.model.merge_coplanar || extension.as_deref() != Some("obj"),
-        planar_tolerance: arguments.model.planar_tolerance,
+    let worst = || NamedTriangle::worst_of(mesh);
+    arguments.gates.check(filled.max_degree, filled.min_angle, highest, worst)?;
+    targets.check(mesh, mesh.triangle_count())?;
+    let all_taken = targets.write(mesh, &bar)?;
+    outputs.finish()?;
+    drop(bar);
+    if !all_taken {
+        return Err(Failure::ClosedPipe);
+    }
+    let summary = FilledSummary {
+        name: model.name(),
+        faces: model.face_count(),
+        edges: model.edge_count(),
+        vertices: mesh.positions().len(),
+        interior_points: filled.interior_points,
+        triangles: mesh.triangle_count(),
+        max_degree: filled.max_degree,
+        min_angle: filled.min_angle,
+        max_angle: max_angle(mesh),
+        closed: model.is_closed(),
+        notes: model.notes(),
+        files,
     };
-    Model::of_mesh(&mesh, &from_mesh).map_err(|error| bad(error.to_string()))
+    if !arguments.quiet {
+        let mut lines = vec![format!(
+            "{}: {} faces, {} vertices, {} of them inside faces, {} triangles, maximum degree {}, \
+             angles {} to {}",
+            summary.name.unwrap_or("model"),
+            summary.faces,
+            summary.vertices,
+            summary.interior_points,
+            summary.triangles,
+            summary.max_degree,
+            steady_angle(summary.min_angle),
+            steady_angle(summary.max_angle),
+        )];
+        lines.extend(model.notes().iter().cloned());
+        lines.extend(written(&summary.files));
+        say(&lines.join("\n"));
+    }
+    if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
-/// The division of every edge that the options ask for.
-fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
-    let DomainOptions { intervals, size, spacing, .. } = options;
-    let intervals = match (intervals.as_ref().map(|counts| &counts.0[..]), size) {
-        (Some(&[count]), _) => Intervals::Count(count),
-        (Some(counts), _) => {
-            return Err(Failure::Input(format!(
-                "--intervals gives {} counts; for a model give one, which every edge gets",
-                counts.len()
-            )));
-        }
-        (None, Some(size)) => Intervals::Size(*size),
-        (None, None) if spacing.is_some() => {
-            let message = "--spacing of a model needs --size or --intervals beside it";
-            return Err(Failure::Input(message.to_owned()));
-        }
-        (None, None) => return Ok(None),
-    };
-    let spacing = spacing.clone().unwrap_or(Spacing::Uniform);
-    Ok(Some(Side { intervals, spacing, ..Side::count(1) }))
+/// The line on the files that were written.
+fn written(files: &[String]) -> Option<String> {
+    let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
+    (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
 }
 
 fn check_gates(meshed: &ModelMesh, arguments: &MeshArguments) -> Result<(), Failure> {
     let mesh = &meshed.mesh;
-    let worst_triangle = || {
-        let angles = (0..).zip(mesh.triangles().iter().map(|&triangle| quality(mesh, triangle)));
-        let worst = angles.min_by(|(_, a), (_, b)| a.min_angle.total_cmp(&b.min_angle));
-        let number = worst.map_or(0, |(number, _)| number);
-        NamedTriangle { number, vertices: mesh.triangles()[number as usize] }
-    };
+    let worst_triangle = || NamedTriangle::worst_of(mesh);
     let highest_vertex = || meshed.worst_vertices.first().copied().unwrap_or_default();
     arguments.gates.check(meshed.max_degree, meshed.min_angle, highest_vertex, worst_triangle)
 }
@@ -273,10 +292,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
         lines.push(format!("Every face keeps {share} of its Delaunay minimum angle, or more."));
     }
     lines.extend(model.notes().iter().cloned());
-    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
-    if !files.is_empty() {
-        lines.push(format!("wrote {}", files.join(", ")));
-    }
+    lines.extend(written(&summary.files));
     lines.join("\n")
 }
 
@@ -297,11 +313,15 @@ fn standing(meshed: &ModelMesh) -> String {
         _ => "a weighted sum of the degrees, least over all triangulations of each face".to_owned(),
     };
     let (degree, bound) = (meshed.max_degree, meshed.lower_bound);
+    let mesh = match meshed.angle_share {
+        Some(_) => "mesh of these points with such angles",
+        None => "mesh of these points",
+    };
     if meshed.is_proven() {
-        format!("No mesh of these points has a smaller maximum degree: {why}.")
+        format!("No {mesh} has a smaller maximum degree: {why}.")
     } else {
         format!(
-            "Degree {degree} was reached. No mesh has less than {bound}: {why}. The gap is {}; \
+            "Degree {degree} was reached. No {mesh} has less than {bound}: {why}. The gap is {}; \
              --effort 10 looks ten times as long.",
             degree - bound
         )

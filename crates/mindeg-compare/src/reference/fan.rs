@@ -4,12 +4,13 @@
 //! not an end of the edge. So the sides on which the tip lies must consist of edges at the
 //! tip: it is the middle of a side of two intervals, or a corner between two sides of one.
 
+use mindeg::ConvexForm;
 use mindeg_core::Boundary;
 
 /// The triangles round the first vertex round which none is flat, counter-clockwise.
-pub(super) fn triangulate(boundary: &Boundary) -> Option<Vec<[u32; 3]>> {
-    let vertices = boundary.vertex_count();
-    let tip = tip(boundary)?;
+pub(super) fn triangulate(form: &ConvexForm) -> Option<Vec<[u32; 3]>> {
+    let vertices = form.boundary().vertex_count();
+    let tip = (tip(form.boundary())? + form.first()) % vertices;
     let after = |steps: u32| ((u64::from(tip) + u64::from(steps)) % u64::from(vertices)) as u32;
     Some((1..vertices - 1).map(|steps| [tip, after(steps), after(steps + 1)]).collect())
 }
@@ -29,7 +30,8 @@ fn tip(boundary: &Boundary) -> Option<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg_core::verify;
+    use glam::DVec2;
+    use mindeg::{BoundaryMesh, Domain, Side};
     use proptest::prelude::*;
 
     #[test]
@@ -48,6 +50,16 @@ mod tests {
         }
     }
 
+    /// The first corner is in the middle of a side of two intervals: there the fan has its tip.
+    #[test]
+    fn the_fan_is_that_of_the_domain_where_sides_are_on_one_line() {
+        let corners = [[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0], [0.0, 0.0]];
+        let domain = Domain::polygon(corners, [1, 1, 3, 1, 1].map(Side::count).into()).unwrap();
+        let fan = triangulate(domain.convex().unwrap()).unwrap();
+        let mesh = BoundaryMesh::with_triangles(&domain, fan).unwrap();
+        assert_eq!(mesh.degree(0), mesh.vertex_count() - 1);
+    }
+
     proptest! {
         #[test]
         fn every_other_fan_is_flat(intervals in prop::collection::vec(1_u64..5, 3..8)) {
@@ -60,9 +72,14 @@ mod tests {
             let first = (0..vertices).find(|&tip| around(tip).all(|t| !boundary.is_flat(t)));
             prop_assert_eq!(tip(&boundary), first);
             if first.is_some() {
-                let fan = triangulate(&boundary).unwrap();
-                let degree = verify(&intervals, fan).unwrap().max_degree;
-                prop_assert_eq!(degree, vertices - 1);
+                let turn = std::f64::consts::TAU / intervals.len() as f64;
+                let corners = (0..intervals.len()).map(|side| DVec2::from_angle(turn * side as f64));
+                let sides = intervals.iter().copied().map(Side::count).collect();
+                let domain = Domain::polygon(corners, sides).unwrap();
+                let form = domain.convex().unwrap();
+                let fan = triangulate(form).unwrap();
+                let mesh = BoundaryMesh::with_triangles(&domain, fan).unwrap();
+                prop_assert_eq!(mesh.max_degree(), vertices - 1);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! What people get otherwise: triangulations of the same boundary points by other methods.
 //!
-//! None is repaired: whoever shows one checks it first, with [`mindeg_core::verify`].
+//! None is repaired: whoever shows one checks it first, with [`mindeg_mesh::check`].
 //!
 //! Limits: a method past its time limit is given up. Ear clipping is another crate's loop and
 //! cannot be told to stop: its thread runs on unheeded until it is done or the program ends.
@@ -10,7 +10,7 @@ mod fan;
 mod ties;
 
 use glam::DVec2;
-use mindeg_core::Boundary;
+use mindeg::Domain;
 use mindeg_delaunay::DelaunayError;
 use mindeg_mesh::{Progress, Step};
 use std::ops::ControlFlow;
@@ -25,17 +25,15 @@ pub use ties::tie_count;
 /// # Example
 ///
 /// ```
-/// use glam::DVec2;
+/// use mindeg::{BoundaryMesh, Domain, Side};
 /// use mindeg_compare::Reference;
-/// use mindeg_core::{Boundary, verify};
 /// use std::time::Duration;
 ///
-/// let sides = [2, 1, 1, 1];
-/// let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(DVec2::from);
-/// let boundary = Boundary::new(&sides)?;
-/// for reference in Reference::ALL {
-///     let timed = reference.triangulate(&boundary, &points, Duration::from_secs(60))?;
-///     assert!(verify(&sides, timed.triangles)?.max_degree <= 4);
+/// let domain = Domain::rectangle(2.0, 1.0, [2, 1, 1, 1].map(Side::count).to_vec())?;
+/// let points: Vec<_> = domain.placement().points().collect();
+/// for reference in Reference::of(&domain) {
+///     let timed = reference.triangulate(&domain, &points, Duration::from_secs(60))?;
+///     assert!(BoundaryMesh::with_triangles(&domain, timed.triangles)?.max_degree() <= 4);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -69,6 +67,9 @@ pub enum NoTriangulation {
         /// The limit.
         limit: Duration,
     },
+    /// The fan: only of a convex domain.
+    #[error("a fan round one vertex covers convex domains only")]
+    NotConvex,
     /// The fan: round every vertex some triangle is flat.
     #[error(
         "round every vertex some triangle would be flat; a fan needs a side of exactly 2 \
@@ -89,6 +90,12 @@ pub enum NoTriangulation {
 impl Reference {
     /// All of them, in the order of a report.
     pub const ALL: [Self; 3] = [Self::Delaunay, Self::EarClipping, Self::Fan];
+
+    /// Those that a domain is compared with, in the order of a report: the fan only if it is convex.
+    #[must_use]
+    pub fn of(domain: &Domain) -> &'static [Self] {
+        if domain.convex().is_some() { &Self::ALL } else { &Self::ALL[..2] }
+    }
 
     /// The name in reports.
     #[must_use]
@@ -131,17 +138,18 @@ impl Reference {
     /// When there are not as many points as boundary vertices.
     pub fn triangulate(
         self,
-        boundary: &Boundary,
+        domain: &Domain,
         points: &[DVec2],
         time_limit: Duration,
     ) -> Result<Timed, NoTriangulation> {
-        assert_eq!(points.len(), boundary.vertex_count() as usize, "one point for each vertex");
-        let (boundary, points) = (boundary.clone(), points.to_vec());
+        let vertices = domain.rings().vertex_count() as usize;
+        assert_eq!(points.len(), vertices, "one point for each vertex");
+        let (domain, points) = (domain.clone(), points.to_vec());
         let (sender, receiver) = mpsc::channel();
         let deadline = Deadline { at: Instant::now().checked_add(time_limit), time_limit };
         let started = thread::Builder::new().spawn(move || {
             let start = Instant::now();
-            let triangles = self.run(&boundary, &points, deadline);
+            let triangles = self.run(&domain, &points, deadline);
             let time = start.elapsed();
             // Nobody listens any more once the time is up.
             let _ = sender.send(triangles.map(|triangles| Timed { triangles, time }));
@@ -177,23 +185,31 @@ impl Reference {
     /// When there are not as many points as boundary vertices, or the library panics.
     pub fn triangulate_without_limit(
         self,
-        boundary: &Boundary,
+        domain: &Domain,
         points: &[DVec2],
     ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
-        assert_eq!(points.len(), boundary.vertex_count() as usize, "one point for each vertex");
-        self.run(boundary, points, Deadline { at: None, time_limit: Duration::MAX })
+        let vertices = domain.rings().vertex_count() as usize;
+        assert_eq!(points.len(), vertices, "one point for each vertex");
+        self.run(domain, points, Deadline { at: None, time_limit: Duration::MAX })
     }
 
     fn run(
         self,
-        boundary: &Boundary,
+        domain: &Domain,
         points: &[DVec2],
         deadline: Deadline,
     ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
         match self {
-            Self::Delaunay => delaunay(boundary, points, deadline),
-            Self::EarClipping => Ok(ear_clipping::triangulate(points)),
-            Self::Fan => fan::triangulate(boundary).ok_or(NoTriangulation::EveryFanIsFlat),
+            Self::Delaunay => delaunay(domain, points, deadline),
+            Self::EarClipping => {
+                let holes: Vec<u32> =
+                    domain.rings().rings().skip(1).map(|ring| ring.start).collect();
+                Ok(ear_clipping::triangulate(points, &holes))
+            }
+            Self::Fan => {
+                let form = domain.convex().ok_or(NoTriangulation::NotConvex)?;
+                fan::triangulate(form).ok_or(NoTriangulation::EveryFanIsFlat)
+            }
         }
     }
 
@@ -216,16 +232,20 @@ struct Deadline {
 
 /// A Delaunay triangulation, unless the deadline comes first.
 fn delaunay(
-    boundary: &Boundary,
+    domain: &Domain,
     points: &[DVec2],
     deadline: Deadline,
 ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
-    let corners: Vec<u32> = (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
+    let domain_rings = domain.rings();
+    let rings: Vec<_> = domain_rings.rings().collect();
+    let corners: Vec<u32> =
+        (0..domain_rings.side_count()).map(|side| domain_rings.corner(side)).collect();
     let in_time = |_: Step<'_>| match deadline.at {
         Some(at) if Instant::now() >= at => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    let triangles = mindeg_delaunay::of_boundary(points, &corners, Progress::new(&in_time));
+    let triangles =
+        mindeg_delaunay::of_rings(points, &rings, &corners, &[], Progress::new(&in_time));
     triangles.map_err(|error| match error {
         DelaunayError::Cancelled(_) => NoTriangulation::TimeLimit { limit: deadline.time_limit },
         error => NoTriangulation::Delaunay(error),
@@ -235,7 +255,7 @@ fn delaunay(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg::{Domain, Side};
+    use mindeg::Side;
     use mindeg_core::verify;
 
     fn triangulate(
@@ -246,7 +266,7 @@ mod tests {
         let domain = Domain::rectangle(4.0, 3.0, sides.map(Side::count).to_vec()).unwrap();
         let points: Vec<DVec2> = domain.placement().points().collect();
         let limit = Duration::from_millis(milliseconds);
-        reference.triangulate(domain.convex().unwrap().boundary(), &points, limit)
+        reference.triangulate(&domain, &points, limit)
     }
 
     #[test]

@@ -77,9 +77,7 @@ mod tests {
         let domain = Domain::new(Outline::Rectangle(rectangle), sides).unwrap();
         let points: Vec<DVec2> = domain.placement().points().collect();
         let limit = Duration::from_secs(60);
-        let timed = Reference::Delaunay
-            .triangulate(domain.convex().unwrap().boundary(), &points, limit)
-            .unwrap();
+        let timed = Reference::Delaunay.triangulate(&domain, &points, limit).unwrap();
         tie_count(&points, &timed.triangles)
     }
 

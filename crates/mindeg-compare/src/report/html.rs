@@ -169,7 +169,12 @@ pub fn write_linked_html(
             next: links.next.as_ref().map(|(name, path)| (name.as_str(), link(path))),
         },
         style: svg::page_style(&[STYLE, CURVE_STYLE]),
-        facts: facts(&report.domain.intervals, report.domain.optimal_max_degree),
+        facts: facts(
+            &report.domain.intervals,
+            report.domain.holes,
+            report.domain.optimal_max_degree,
+            report.domain.optimum_is_proven,
+        ),
         verdict: verdict(report),
         choice: tables::choice(report),
         command: advised_command(input.unwrap_or("DOMAIN.json")),
@@ -238,20 +243,26 @@ pub(super) fn script_safe(json: &str) -> String {
     json.replace('<', "\\u003c")
 }
 
-/// The domain in a line.
-pub(super) fn facts(intervals: &[u32], optimal_max_degree: u32) -> String {
+/// The domain in a line; its least maximum degree is that, or a bound.
+pub(super) fn facts(intervals: &[u32], holes: u32, least: u32, is_proven: bool) -> String {
     let sides = intervals.len();
     let listed: Vec<String> =
         intervals.iter().take(MAX_SIDES_LISTED).map(|&intervals| count(intervals)).collect();
     let more = if sides > MAX_SIDES_LISTED { ", …" } else { "" };
     let vertices = intervals.iter().sum::<u32>();
+    let holes_in_words = match holes {
+        0 => String::new(),
+        1 => " · 1 hole".to_owned(),
+        holes => format!(" · {} holes", count(holes)),
+    };
     format!(
-        "{sides} sides with {}{more} intervals · {} boundary vertices · {} triangles · least possible \
-         maximum degree {}",
+        "{sides} sides with {}{more} intervals{holes_in_words} · {} boundary vertices · {} triangles · \
+         least possible maximum degree {}{}",
         listed.join(", "),
         count(vertices),
-        count(vertices - 2),
-        count(optimal_max_degree)
+        count(vertices + 2 * holes - 2),
+        count(least),
+        if is_proven { "" } else { " or more" }
     )
 }
 

@@ -110,7 +110,6 @@ struct Drawing {
 /// What goes into the pictures of a comparison.
 pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     let report = comparison.report();
-    let corners = report.domain.corners.iter().copied().map(DVec2::from);
     let points = comparison.points();
     let meshes: Vec<_> = tables::named(report)
         .into_iter()
@@ -121,16 +120,16 @@ pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
         .collect();
     let vertex_count = points.len() as u32;
     picture(&Scene {
-        outlines: vec![corners.clone().chain(corners.take(1)).collect()],
+        outlines: comparison.outlines().to_vec(),
         fills_outlines: true,
-        is_ring: true,
+        is_ring: report.domain.holes == 0,
         points,
         vertices: (0..vertex_count).collect(),
         optimal_max_degree: Some(report.domain.optimal_max_degree),
         most_drawn: MAX_DRAWN,
         degrees: meshes
             .iter()
-            .map(|(_, triangles)| measure::degrees(vertex_count, triangles))
+            .map(|(_, triangles)| measure::degrees(comparison.rings(), triangles))
             .collect(),
         meshes,
         quality: &|triangle| measure::quality(points, triangle),

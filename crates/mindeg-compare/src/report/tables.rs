@@ -406,6 +406,8 @@ mod tests {
             triangles: 0,
             interior_edges: 0,
             optimal_max_degree: 4,
+            holes: 0,
+            optimum_is_proven: true,
         };
         let method = MethodFigures {
             degree_histogram: degrees.iter().map(|&degree| (degree, 1)).collect(),

@@ -3,6 +3,7 @@
 use super::error::DomainJsonError;
 use super::value::{Step, Value};
 use crate::constraint_error::{ConstraintError, ConstraintPlace};
+use crate::curve::CurveError;
 use crate::domain_error::DomainError;
 use crate::intersection::{IntersectionError, PointPlace};
 use crate::name::NameError;
@@ -50,6 +51,9 @@ fn paths(error: &DomainError) -> Vec<Vec<Step>> {
             }
             SideError::OutOfOrder { index, .. } => own_point_paths(*side, index),
             SideError::SpacedPoints | SideError::Spacing(_) => vec![side_path(*side, "spacing")],
+            SideError::Curve(CurveError::Coordinate { index, .. }) => {
+                [own_point_paths(*side, index)[..2].to_vec(), curve_paths(*side)].concat()
+            }
             SideError::NoPoints | SideError::Curve(_) => curve_paths(*side),
         },
         DomainError::Rings(
@@ -147,7 +151,10 @@ fn intersection_paths(error: &IntersectionError) -> Vec<Vec<Step>> {
         IntersectionError::RepeatedPoint { second: at, .. }
         | IntersectionError::Touch { point: at, .. }
         | IntersectionError::FoldsBack { point: at } => point(at),
-        IntersectionError::Crossing { second, .. } => vec![sides_path(second.side)],
+        IntersectionError::Crossing { second, .. } => match second.index {
+            0 => vec![sides_path(second.side)],
+            index => own_point_paths(second.side, index as usize - 1),
+        },
         IntersectionError::HoleOutside { hole: at, .. }
         | IntersectionError::HoleInHole { hole: at, .. }
         | IntersectionError::HoleAround { hole: at } => hole(*at),

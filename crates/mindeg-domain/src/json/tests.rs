@@ -1,10 +1,10 @@
-//! What is read, and the whole message of what is not.
+//! What is read.
 
 use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
-use crate::side::Side;
+use crate::side::{Side, SideKind};
 use crate::spacing::Spacing;
 
 #[test]
@@ -94,193 +94,62 @@ fn coordinates_are_the_nearest_f64() {
 }
 
 /// A unit square in whose JSON the last side is as given, on line 3 from column 2 on.
-fn with_side(side: &str) -> String {
+pub(super) fn with_side(side: &str) -> String {
     format!(
         "{{\"rectangle\": {{\"width\": 1, \"height\": 1}}, \"sides\": [\n\
          {{\"intervals\": 1}}, {{\"intervals\": 1}}, {{\"intervals\": 1, \"name\": \"top\"}},\n {side}]}}"
     )
 }
 
-#[track_caller]
-fn check(text: &str, message: &str) {
-    let error = Domain::from_json(text).unwrap_err().to_string();
-    assert_eq!(error, message, "{text}");
+/// A domain in which the hole is as given, from column 63 on.
+pub(super) fn with_hole(hole: &str) -> String {
+    format!(r#"{{"rectangle": {{"width": 9, "height": 9}}, "size": 3, "holes": [{hole}]}}"#)
 }
 
 #[test]
-fn says_what_is_wrong_with_a_side() {
-    #[rustfmt::skip]
-    let table = [
-        (r#"3"#, r#"line 3, column 2, sides[3]: found the number 3, expected an object such as {"intervals": 3} or {"size": 0.5}; optional: "spacing", "name", "kind", "outside_degree", "max_degree", and one of "points", "polyline", "arc", "bezier""#),
-        (r#"[3]"#, r#"line 3, column 2, sides[3]: found a list, expected an object such as {"intervals": 3} or {"size": 0.5}; optional: "spacing", "name", "kind", "outside_degree", "max_degree", and one of "points", "polyline", "arc", "bezier""#),
-        (r#"[3, null, "uniform", "x", 1, 4]"#, r#"line 3, column 2, sides[3]: found a list, expected an object such as {"intervals": 3} or {"size": 0.5}; optional: "spacing", "name", "kind", "outside_degree", "max_degree", and one of "points", "polyline", "arc", "bezier""#),
-        (r#"null"#, r#"line 3, column 2, sides[3]: found null, expected an object such as {"intervals": 3} or {"size": 0.5}; optional: "spacing", "name", "kind", "outside_degree", "max_degree", and one of "points", "polyline", "arc", "bezier""#),
-        (r#""a""#, r#"line 3, column 2, sides[3]: found the text "a", expected an object such as {"intervals": 3} or {"size": 0.5}; optional: "spacing", "name", "kind", "outside_degree", "max_degree", and one of "points", "polyline", "arc", "bezier""#),
-        (r#"{"intervals": 2.5}"#, r#"line 3, column 16, sides[3].intervals: found the number 2.5, expected a whole number, at least 1"#),
-        (r#"{"intervals": -1}"#, r#"line 3, column 16, sides[3].intervals: found the number -1, expected a whole number, at least 1"#),
-        (r#"{"intervals": "3"}"#, r#"line 3, column 16, sides[3].intervals: found the text "3", expected a whole number, at least 1"#),
-        (r#"{"intervals": 18446744073709551616}"#, r#"line 3, column 16, sides[3].intervals: found the number 18446744073709551616, expected a whole number, at least 1"#),
-        (r#"{"intervals": [3]}"#, r#"line 3, column 16, sides[3].intervals: found a list, expected a whole number, at least 1"#),
-        (r#"{"interval": 1}"#, r#"line 3, column 15, sides[3].interval: unknown key "interval"; allowed: "intervals", "size", "spacing", "name", "kind", "outside_degree", "max_degree", "points", "polyline", "arc", "bezier""#),
-        (r#"{"size": "a"}"#, r#"line 3, column 11, sides[3].size: found the text "a", expected a number above 0"#),
-        (r#"{"size": 1e999}"#, r#"line 3, column 11, sides[3].size: the number 1e999 is too large; the maximum is about 1e308"#),
-        (r#"{"intervals": 1, "intervals": 1}"#, r#"line 3, column 32, sides[3].intervals: the key "intervals" comes twice; give it once"#),
-        (r#"{"intervals": 1, "spacing": "even"}"#, r#"line 3, column 30, sides[3].spacing: found the text "even", expected "uniform", {"geometric": {"ratio": r}}, {"bump": {"ratio": c}}, {"beta": {"beta": b}}, {"first_length": h}, {"last_length": h} or {"parameters": [t1, t2, …]}"#),
-        (r#"{"intervals": 1, "spacing": "bump"}"#, r#"line 3, column 30, sides[3].spacing: found the text "bump", expected "uniform", {"geometric": {"ratio": r}}, {"bump": {"ratio": c}}, {"beta": {"beta": b}}, {"first_length": h}, {"last_length": h} or {"parameters": [t1, t2, …]}"#),
-        (r#"{"intervals": 1, "spacing": 1}"#, r#"line 3, column 30, sides[3].spacing: found the number 1, expected "uniform", {"geometric": {"ratio": r}}, {"bump": {"ratio": c}}, {"beta": {"beta": b}}, {"first_length": h}, {"last_length": h} or {"parameters": [t1, t2, …]}"#),
-        (r#"{"intervals": 1, "spacing": {}}"#, r#"line 3, column 30, sides[3].spacing: give exactly one spacing law: "uniform", {"geometric": {"ratio": r}}, {"bump": {"ratio": c}}, {"beta": {"beta": b}}, {"first_length": h}, {"last_length": h} or {"parameters": [t1, t2, …]}"#),
-        (r#"{"intervals": 1, "spacing": [1]}"#, r#"line 3, column 30, sides[3].spacing: found a list, expected "uniform", {"geometric": {"ratio": r}}, {"bump": {"ratio": c}}, {"beta": {"beta": b}}, {"first_length": h}, {"last_length": h} or {"parameters": [t1, t2, …]}"#),
-        (r#"{"intervals": 1, "spacing": {"bump": {"ratio": 2}, "beta": {"beta": 2}}}"#, r#"line 3, column 30, sides[3].spacing: give exactly one spacing law: "uniform", {"geometric": {"ratio": r}}, {"bump": {"ratio": c}}, {"beta": {"beta": b}}, {"first_length": h}, {"last_length": h} or {"parameters": [t1, t2, …]}"#),
-        (r#"{"intervals": 1, "spacing": {"bumb": {"ratio": 2}}}"#, r#"line 3, column 39, sides[3].spacing.bumb: unknown key "bumb"; allowed: "geometric", "bump", "beta", "first_length", "last_length", "parameters""#),
-        (r#"{"intervals": 1, "spacing": {"bump": {"c": 2}}}"#, r#"line 3, column 45, sides[3].spacing.bump.c: unknown key "c"; allowed: "ratio""#),
-        (r#"{"intervals": 1, "spacing": {"bump": {"ratio": true}}}"#, r#"line 3, column 49, sides[3].spacing.bump.ratio: found true, expected a number"#),
-        (r#"{"intervals": 1, "spacing": {"bump": 2}}"#, r#"line 3, column 39, sides[3].spacing.bump: found the number 2, expected {"ratio": c}"#),
-        (r#"{"intervals": 1, "spacing": {"geometric": [1.2]}}"#, r#"line 3, column 44, sides[3].spacing.geometric: found a list, expected {"ratio": r}"#),
-        (r#"{"intervals": 1, "spacing": {"geometric": {}}}"#, r#"line 3, column 44, sides[3].spacing.geometric: the key "ratio" is missing; expected {"ratio": r}"#),
-        (r#"{"intervals": 1, "spacing": {"first_length": "a"}}"#, r#"line 3, column 47, sides[3].spacing.first_length: found the text "a", expected a number above 0"#),
-        (r#"{"spacing": {"parameters": 0.5}}"#, r#"line 3, column 29, sides[3].spacing.parameters: found the number 0.5, expected a list of numbers above 0 and below 1"#),
-        (r#"{"spacing": {"parameters": [0.5, "a"]}}"#, r#"line 3, column 35, sides[3].spacing.parameters[1]: found the text "a", expected a number"#),
-        (r#"{"outside_degree": -1}"#, r#"line 3, column 21, sides[3].outside_degree: found the number -1, expected a whole number, or for a side a list of one whole number for each vertex from its first corner to its last"#),
-        (r#"{"outside_degree": 5000000000}"#, r#"line 3, column 21, sides[3].outside_degree: found the number 5000000000, expected a whole number, or for a side a list of one whole number for each vertex from its first corner to its last"#),
-        (r#"{"outside_degree": [1, "a"]}"#, r#"line 3, column 25, sides[3].outside_degree[1]: found the text "a", expected a whole number"#),
-        (r#"{"max_degree": 2.5}"#, r#"line 3, column 17, sides[3].max_degree: found the number 2.5, expected a whole number, at least 2"#),
-        (r#"{"max_degree": {}}"#, r#"line 3, column 17, sides[3].max_degree: found an object, expected a whole number, at least 2"#),
-        (r#"{"intervals": 1, "name": 3}"#, r#"line 3, column 27, sides[3].name: found the number 3, expected a text in double quotes"#),
-        (r#"{"intervals": 1, "name": "\ud800"}"#, r#"line 3, column 27, sides[3].name: this text has an escape that is no character"#),
-        (r#"{"intervals": 0}"#, r#"line 3, column 16, sides[3].intervals: side 4 has 0 intervals; every side needs at least 1"#),
-        (r#"{"size": 0}"#, r#"line 3, column 11, sides[3].size: side 4: the size is 0.0; it must be a finite number above 0"#),
-        (r#"{}"#, r#"line 3, column 2, sides[3]: give "intervals" (a whole number) or "size" (a target interval length)"#),
-        (r#"{"intervals": 1, "size": 1}"#, r#"line 3, column 2, sides[3]: give either "intervals" or "size", not both"#),
-        (r#"{"size": 1, "spacing": {"parameters": [0.5]}}"#, r#"line 3, column 2, sides[3]: "parameters" say how many intervals there are; drop "size""#),
-        (r#"{"intervals": 1, "name": "top"}"#, r#"line 3, column 27, sides[3].name: sides 3 and 4 are both named "top"; names become groups in mesh files and must differ"#),
-        (r#"{"intervals": 1, "name": "a\u2028b"}"#, r#"line 3, column 27, sides[3].name: the name of side 4 contains the line break U+2028; remove this character"#),
-        (r#"{"intervals": 1, "name": "\u202eb"}"#, r#"line 3, column 27, sides[3].name: the name of side 4 contains the direction mark U+202E; remove this character"#),
-        (r#"{"intervals": 1, "name": " "}"#, r#"line 3, column 27, sides[3].name: the name of side 4 is blank; give it a letter or leave it out"#),
-        (r#"{"intervals": 2, "spacing": {"bump": {"ratio": 0}}}"#, r#"line 3, column 30, sides[3].spacing: side 4: the ratio is 0.0; it must be a finite number above 0"#),
-        (r#"{"intervals": 3, "spacing": {"parameters": [0.5]}}"#, r#"line 3, column 30, sides[3].spacing: side 4: 1 parameter makes 2 intervals, and the side has 3; drop the interval count or make them agree"#),
-        (r#"{"intervals": 2, "spacing": {"first_length": 1}}"#, r#"line 3, column 30, sides[3].spacing: side 4: an interval of length 1.0 leaves nothing of the side's 1.0 for the other 1 interval; give a shorter length or 1 interval"#),
-        (r#"{"intervals": 1, "outside_degree": [1]}"#, r#"line 3, column 37, sides[3].outside_degree: side 4: outside_degree lists 1 number, and the side has 2 vertices, both corners included; give one for each, or a single number for all that are not corners"#),
-        (r#"{"intervals": 1, "outside_degree": 1000000001}"#, r#"line 3, column 37, sides[3].outside_degree: side 4: outside_degree is 1000000001; the maximum is 1000000000"#),
-        (r#"{"intervals": 1, "max_degree": 1}"#, r#"line 3, column 33, sides[3].max_degree: vertex 3 has a max_degree of 1 and needs 2: 2 edges along the boundary; raise max_degree to 2 or more"#),
-        (r#"{"intervals": 2, "max_degree": 2}"#, r#"line 3, column 33, sides[3].max_degree: vertex 4 has a max_degree of 2 and needs 3: 2 edges along its straight side and 1 into the domain; raise max_degree to 3 or more"#),
-        (r#"{"spacing": {"parameters": [0.5, 0.5]}}"#, r#"line 3, column 35, sides[3].spacing.parameters[1]: side 4: parameter 2 (0.5) is not above the one before (0.5); parameters must increase"#),
-        (r#"{"size": 1e-300}"#, r#"line 3, column 11, sides[3].size: side 4: the size 1e-300 makes 1.0e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"#),
-        (r#"{"intervals": 4294967294}"#, r#"line 3, column 16, sides[3].intervals: side 4 has 4294967294 intervals, with which the boundary exceeds the maximum of 4294967294 vertices; use fewer intervals"#),
-    ];
-    for (side, message) in table {
-        check(&with_side(side), message);
-    }
-}
+fn reads_holes_rings_and_curves() {
+    let holes = r#"{"corners": [[1, 1], [2, 1], [1, 2]], "size": 0.5, "sides": [{"name": "a", "max_degree": 9}, {"intervals": 3}, {}]},
+        {"ring": [[4, 4], [4, 5], [5, 4.5]], "sides": [{"name": "b", "kind": "island"}]},
+        {"corners": [[7, 7]], "sides": [{"intervals": 6, "arc": {"center": [6.5, 7]}}]},
+        {"corners": [[6, 1], [8, 1]], "sides": [{"arc": {"through": [7, 2]}, "intervals": 4}, {"points": [[7, 0.5]]}]},
+        {"corners": [[1, 6], [2, 6]], "sides": [{"bezier": [[1, 8], [2, 8]], "intervals": 3}, {"polyline": [[2, 5], [1, 5]]}]}"#;
+    let domain = Domain::from_json(&with_hole(holes)).unwrap();
+    let rings = domain.rings();
+    assert!(rings.rings().eq([0..12, 12..19, 19..22, 22..28, 28..34, 34..38]));
+    assert_eq!(domain.notes().len(), 2, "{:?}", domain.notes());
+    // Turned: from the first corner back.
+    assert_eq!(domain.sides()[6].name.as_deref(), Some("a"));
+    assert_eq!(domain.constraints().sides[6].degree_limit, Some(9));
+    assert_eq!(domain.sides()[7].kind, Some(SideKind::Island));
+    let names: Vec<_> = (4..13).map(|side| domain.side_name(side)).collect();
+    assert_eq!(
+        names,
+        [
+            "hole 1 side 1",
+            "hole 1 side 2",
+            "a",
+            "b",
+            "hole 3",
+            "hole 4 side 1",
+            "hole 4 side 2",
+            "hole 5 side 1",
+            "hole 5 side 2"
+        ]
+    );
+    let point = |vertex| domain.placement().point(vertex).to_array();
+    assert_eq!([19, 20, 21].map(point), [[4.0, 4.0], [4.0, 5.0], [5.0, 4.5]]);
+    assert_eq!([28, 32, 33].map(point), [[6.0, 1.0], [8.0, 1.0], [7.0, 0.5]]);
+    assert!(
+        (22..28)
+            .all(|v| (domain.placement().point(v).distance(DVec2::new(6.5, 7.0)) - 0.5).abs()
+                < 1e-15)
+    );
+    // The polyline of 3, in intervals of 3.
+    assert_eq!(rings.intervals(12), 1);
 
-#[test]
-fn says_what_is_wrong_with_a_domain() {
-    #[rustfmt::skip]
-    let table = [
-        (r#"3"#, r#"line 1, column 1: found the number 3, expected an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices""#),
-        (r#"true"#, r#"line 1, column 1: found true, expected an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices""#),
-        (r#"[]"#, r#"line 1, column 1: found a list; a domain is an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices"; the corners of a polygon go into "polygon": {"corners": [[x, y], …]}"#),
-        (r#"[[0, 0], [4, 0], [0, 3]]"#, r#"line 1, column 1: found a list; a domain is an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices"; the corners of a polygon go into "polygon": {"corners": [[x, y], …]}"#),
-        (r#"{}"#, r#"line 1, column 1: the outline is missing; give "rectangle": {"width": w, "height": h}, "polygon": {"corners": [[x, y], …]} or "ring": [[x, y], …]"#),
-        (r#"{"polygon": [[0, 0], [1, 0]]}"#, r#"line 1, column 13, polygon: found a list, expected {"corners": [[x, y], …]}"#),
-        (r#"{"polygon": [[[0, 0], [4, 0], [0, 3]]]}"#, r#"line 1, column 13, polygon: found a list, expected {"corners": [[x, y], …]}"#),
-        (r#"{"polygon": {}}"#, r#"line 1, column 13, polygon: the key "corners" is missing; expected {"corners": [[x, y], …]}"#),
-        (r#"{"polygon": {"corners": [[0, 0], [1, 0, 0]]}}"#, r#"line 1, column 34, polygon.corners[1]: found a list of 3 values, expected a pair [x, y] of numbers"#),
-        (r#"{"polygon": {"corners": [[0, 0], [1]]}}"#, r#"line 1, column 34, polygon.corners[1]: found a list of 1 value, expected a pair [x, y] of numbers"#),
-        (r#"{"polygon": {"corners": [[0, 0], [1, "a"]]}}"#, r#"line 1, column 38, polygon.corners[1][1]: found the text "a", expected a number"#),
-        (r#"{"polygon": {"corners": [[0, 0], {"x": 1, "y": 0}]}}"#, r#"line 1, column 34, polygon.corners[1]: found an object, expected a pair [x, y] of numbers"#),
-        (r#"{"polygon": {"corners": []}, "size": 1}"#, r#"line 1, column 25, polygon.corners: found 0 corners; an outline of straight sides needs at least 3"#),
-        (r#"{"rectangle": [4, 3]}"#, r#"line 1, column 15, rectangle: found a list, expected {"width": w, "height": h}; optional: "origin": [x, y], "rotation": degrees"#),
-        (r#"{"rectangle": 4}"#, r#"line 1, column 15, rectangle: found the number 4, expected {"width": w, "height": h}; optional: "origin": [x, y], "rotation": degrees"#),
-        (r#"{"rectangle": {"width": 1}}"#, r#"line 1, column 15, rectangle: the key "height" is missing; expected {"width": w, "height": h}; optional: "origin": [x, y], "rotation": degrees"#),
-        (r#"{"rectangle": {"width": null, "height": 1}}"#, r#"line 1, column 15, rectangle: the key "width" is missing; expected {"width": w, "height": h}; optional: "origin": [x, y], "rotation": degrees"#),
-        (r#"{"rectangle": {"width": 1, "heigth": 1}}"#, r#"line 1, column 38, rectangle.heigth: unknown key "heigth"; allowed: "width", "height", "origin", "rotation""#),
-        (r#"{"rectangle": {"width": 1, "height": 1, "origin": 3}}"#, r#"line 1, column 51, rectangle.origin: found the number 3, expected a pair [x, y] of numbers"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "vertices": [[3, 1, 5]], "size": 1}"#, r#"line 1, column 55, vertices[0]: found a list, expected an object such as {"vertex": 7, "max_degree": 6} or {"vertex": 7, "outside_degree": 3}"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "vertices": {"vertex": 1}, "size": 1}"#, r#"line 1, column 54, vertices: found an object, expected a list of {"vertex": v, "outside_degree": d, "max_degree": D}"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"id": 1}]}"#, r#"line 1, column 73, vertices[0].id: unknown key "id"; allowed: "vertex", "outside_degree", "max_degree""#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"vertex": -1}]}"#, r#"line 1, column 77, vertices[0].vertex: found the number -1, expected a whole number, the index of a vertex in the mesh"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"max_degree": 4}]}"#, r#"line 1, column 66, vertices[0]: the key "vertex" is missing; expected an object such as {"vertex": 7, "max_degree": 6} or {"vertex": 7, "outside_degree": 3}"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"vertex": 1}]}"#, r#"line 1, column 66, vertices[0]: give "outside_degree" (edges on the other side of the boundary) or "max_degree" (a degree limit), or drop the vertex"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"vertex": 4, "max_degree": 3}]}"#, r#"line 1, column 77, vertices[0].vertex: vertex 4 does not exist; the 4 vertices are numbered from 0, counter-clockwise from the first corner"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"vertex": 1, "max_degree": 3}, {"max_degree": 4, "vertex": 1}]}"#, r#"line 1, column 126, vertices[1].vertex: vertex 1 is listed twice; give it one entry"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"vertex": 1, "max_degree": 3, "outside_degree": 2}]}"#, r#"line 1, column 94, vertices[0].max_degree: vertex 1 has a max_degree of 3 and needs 4: 2 edges along the boundary and 2 outside; raise max_degree to 4 or more"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 0.5, "vertices": [{"vertex": 1, "max_degree": 2}]}"#, r#"line 1, column 96, vertices[0].max_degree: vertex 1 has a max_degree of 2 and needs 3: 2 edges along its straight side and 1 into the domain; raise max_degree to 3 or more"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1, "vertices": [{"vertex": 1, "outside_degree": 4000000000}]}"#, r#"line 1, column 98, vertices[0].outside_degree: entry 1: outside_degree is 4000000000; the maximum is 1000000000"#),
-        (r#"{"sides": [], "rectangle": {"width": 1, "height": 1}}"#, r#"line 1, column 11, sides: 0 sides are described and the outline has 4; describe each side once"#),
-        (r#"{"sides": [{"intervals": 1}], "rectangle": {"width": 1, "height": 1}}"#, r#"line 1, column 11, sides: 1 side is described and the outline has 4; describe each side once"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}}"#, r#"line 1, column 1: the sides are missing; give "sides": [{"intervals": n}, …], or a target interval length "size" for all"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "sides": 3}"#, r#"line 1, column 51, sides: found the number 3, expected a list with one object for each side, such as {"intervals": 3}"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "sides": {"intervals": 3}}"#, r#"line 1, column 51, sides: found an object, expected a list with one object for each side, such as {"intervals": 3}"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": -1}"#, r#"line 1, column 50, size: side 1: the size is -1.0; it must be a finite number above 0"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1e-300}"#, r#"line 1, column 50, size: side 1: the size 1e-300 makes 1.0e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1e-300, "sides": [{}, {}, {}, {}]}"#, r#"line 1, column 50, size: side 1: the size 1e-300 makes 1.0e300 intervals, and a boundary has at most 4294967294 vertices; give a larger size"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "size": 1e-9, "sides": [{}, {}, {}, {"intervals": 4000000000}]}"#, r#"line 1, column 92, sides[3].intervals: side 4 has 4000000000 intervals, with which the boundary exceeds the maximum of 4294967294 vertices; use fewer intervals"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "name": 3, "size": 1}"#, r#"line 1, column 50, name: found the number 3, expected a text in double quotes"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "name": "a\nb", "size": 1}"#, r#"line 1, column 50, name: the domain's name contains the line break U+000A; remove this character"#),
-        (r#"{"rectangle": {"width": 1, "height": 1}, "polygon": {"corners": []}}"#, r#"line 1, column 53, polygon: a domain has one outline; drop "rectangle" or "polygon""#),
-        (r#"{"size": 1, "rectangle": {"width": 1, "height": -1}}"#, r#"line 1, column 49, rectangle.height: the rectangle's height is -1.0; it must be a finite number above 0"#),
-        (r#"{"size": 1, "rectangle": {"width": 1e-17, "height": 1}}"#, r#"line 1, column 36, rectangle.width: the rectangle's width is 1e-17, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"#),
-        (r#"{"size": 1, "rectangle": {"width": 1e20, "height": 1}}"#, r#"line 1, column 52, rectangle.height: the rectangle's height is 1.0, and its coordinates are up to 1e20: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"#),
-        (r#"{"size": 1, "rectangle": {"width": 1e101, "height": 1}}"#, r#"line 1, column 26, rectangle: a corner of the rectangle is at (1e101, 0.0); coordinates must be finite and at most 1e100 in size; use another unit of length"#),
-        (r#"{"size": 1, "rectangle": {"width": 1e-13, "height": 1}, "sides": [{"intervals": 99}, {}, {}, {}]}"#, r#"line 1, column 26, rectangle: corner 1: the points next to it are 1.0e-15 from the other side, too close to be told apart at the size of the coordinates; make the intervals there longer or the angle larger, or move the domain towards the origin"#),
-        (r#"{"size": 1e9, "rectangle": {"width": 1, "height": 1e-15}}"#, r#"line 1, column 51, rectangle.height: the rectangle's height is 1e-15, and its coordinates are up to 1.0: 64-bit floats cannot tell its corners apart; keep width and height within a factor of 1e14, and the rectangle near the origin"#),
-        ("{\"size\": 1, \"polygon\": {\"corners\":\n[[0,0],[3,0],\n[1,0],[0,1]]}}", r#"line 2, column 8, polygon.corners[1]: the boundary folds back on itself at corner 2 at (3.0, 0.0) (0°); drop the point or move it"#),
-        (r#"{"size": 1, "polygon": {"corners": [[0,0],[4,0],[4,1e-17],[0,3]]}}"#, r#"line 1, column 49, polygon.corners[2]: corners 2 and 3 coincide: their distance is 1.0e-17, and the minimum at these coordinates is 7.1e-15; drop one of them"#),
-        (r#"{"size": 1, "polygon": {"corners": [[0,0],[4,0],[0,3],[0,0]]}}"#, r#"line 1, column 37, polygon.corners[0]: corners 4 and 1 are the same point (0.0, 0.0); give each corner once (the outline closes by itself)"#),
-        (r#"{"size": 9, "polygon": {"corners": [[0,0],[4,0],[1,1],[4,4],[2,0],[0,2]]}}"#, r#"line 1, column 61, polygon.corners[4]: corner 5 at (2.0, 0.0) lies on side 1; rings may not touch: move the point off, or split the ring there"#),
-    ];
-    for (text, message) in table {
-        check(text, message);
-    }
-}
-
-#[test]
-fn says_where_a_text_is_no_json_and_what_it_looks_like() {
-    #[rustfmt::skip]
-    let table = [
-        ("", r#"line 1, column 1: the input is empty; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("  \n ", r#"line 1, column 1: the input is empty; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("\u{feff}", r#"line 1, column 1: the input is empty; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("{", r#"line 1, column 1: the JSON text ends too early; close every {, [ and " that is open"#),
-        ("{}{}", r#"line 1, column 3: text after the end of the domain; remove it"#),
-        ("{\"size\": 1,}", r#"line 1, column 12: a key must stand in double quotes"#),
-        ("{\"size\": [1,]}", r#"line 1, column 13: this is not a JSON value; give a number, a text in double quotes, true, false, null, [ ] or { }"#),
-        ("{size: 1}", r#"line 1, column 2: a key must stand in double quotes"#),
-        ("{\"size\" 1}", r#"line 1, column 9: a key must be followed by : and a value"#),
-        ("{\"size\": 1 \"name\": 2}", r#"line 1, column 12: a value must be followed by , or }"#),
-        ("{\"size\": [1 2]}", r#"line 1, column 13: a value must be followed by , or ]"#),
-        ("{\"size\": .5}", r#"line 1, column 10: this is not a JSON value; give a number, a text in double quotes, true, false, null, [ ] or { }"#),
-        ("{\"size\": 01}", r#"line 1, column 11: this is not a JSON number; write it as 0.5, -2 or 1e-3"#),
-        ("{\"size\": -}", r#"line 1, column 11: this is not a JSON number; write it as 0.5, -2 or 1e-3"#),
-        ("{\"size\": NaN}", r#"line 1, column 10: this is not a JSON value; give a number, a text in double quotes, true, false, null, [ ] or { }"#),
-        ("{\"name\": \"a\nb\"}", r#"line 1, column 11: a line break or control character in a text; remove it, or close the text before it with ""#),
-        ("{\"name\": \"a\\qb\"}", r#"line 1, column 13: this \ escape is not JSON; write \\ for a backslash"#),
-        ("{\"name\": \"a", r#"line 1, column 11: the JSON text ends too early; close every {, [ and " that is open"#),
-        ("{'size': 1}", r#"line 1, column 2: a key must stand in double quotes"#),
-        ("hello", r#"line 1, column 1: this is not a JSON value; give a number, a text in double quotes, true, false, null, [ ] or { }"#),
-        ("# Blender\no cube\nv 1 2 3\nf 1 2 3", r#"line 1, column 1: this looks like an OBJ mesh (mindeg inspect reads meshes); give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("v 0 0 0\nv 1 0 0", r#"line 1, column 1: this looks like an OBJ mesh (mindeg inspect reads meshes); give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("$MeshFormat\n4.1 0 8", r#"line 1, column 1: this looks like a Gmsh mesh (.msh); give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("Point(1) = {0, 0, 0};", r#"line 1, column 1: this looks like a Gmsh geometry (.geo); give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("x,y\n0,0\n1,0", r#"line 1, column 1: this looks like a list of points (CSV); they go into "polygon": {"corners": [[x, y], …]}; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("0,0\n4,0\n3,2", r#"line 1, column 1: this looks like a list of points (CSV); they go into "polygon": {"corners": [[x, y], …]}; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("0 0\n4 0", r#"line 1, column 1: this looks like a list of points (CSV); they go into "polygon": {"corners": [[x, y], …]}; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("1;2", r#"line 1, column 1: this looks like a list of points (CSV); they go into "polygon": {"corners": [[x, y], …]}; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("<svg xmlns=", r#"line 1, column 1: this looks like an SVG drawing; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("<?xml version=", r#"line 1, column 1: this looks like XML, such as a VTU mesh or an SVG drawing; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("POLYGON ((0 0, 4 0, 0 3))", r#"line 1, column 1: this looks like WKT; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("ply\nformat ascii", r#"line 1, column 1: this looks like a PLY mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("solid cube", r#"line 1, column 1: this looks like an STL mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("# vtk DataFile Version 3.0", r#"line 1, column 1: this looks like a VTK mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("OFF\n8 6 0", r#"line 1, column 1: this looks like an OFF mesh; give a domain in JSON, such as {"rectangle": {"width": 4, "height": 3}, "size": 1}"#),
-        ("{\"type\": \"FeatureCollection\", \"features\": []}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices""#),
-        ("{\"type\": \"Polygon\", \"coordinates\": [[[0, 0]]]}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices""#),
-        ("{\"type\": \"MultiPolygon\", \"coordinates\": []}", r#"line 1, column 1: this looks like GeoJSON; a domain is an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices""#),
-        ("{\"asset\": {\"version\": \"2.0\"}, \"meshes\": []}", r#"line 1, column 1: this looks like a glTF mesh (mindeg inspect reads meshes); a domain is an object with "rectangle", "polygon" or "ring", and "sides" or "size"; optional: "name", "holes", "vertices""#),
-    ];
-    for (text, message) in table {
-        check(text, message);
-    }
+    let ring = Domain::from_json(r#"{"ring": [[0.1, 0], [1e3, -0.0], [0.3, 7]]}"#).unwrap();
+    assert!(ring.placement().points().eq([[0.1, 0.0], [1e3, -0.0], [0.3, 7.0]].map(DVec2::from)));
+    assert!(ring.convex().is_some());
 }
 
 /// The parser's words and the names of Rust's types must not reach a message.

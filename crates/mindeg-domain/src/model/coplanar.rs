@@ -8,8 +8,7 @@ use std::collections::{BTreeMap, VecDeque};
 
 use glam::DVec3;
 
-use super::ModelFace;
-use super::from_mesh::{plane, put_largest_first};
+use super::{ModelFace, Plane};
 
 /// A corner between two edges vanishes if they turn by less, as a sine.
 const STRAIGHT: f64 = 1e-5;
@@ -166,4 +165,28 @@ fn remove_straight_corners(corners: &[DVec3], faces: &mut [ModelFace]) {
             corners.retain(|&corner| !is_straight(corner));
         }
     }
+}
+
+/// Puts the loop with the largest area first.
+pub(super) fn put_largest_first(loops: &mut [Vec<u32>], corners: &[DVec3]) {
+    let area = |corners_of: &[u32]| {
+        let at = |i: usize| {
+            corners[corners_of[i % corners_of.len()] as usize] - corners[corners_of[0] as usize]
+        };
+        let sum: DVec3 = (0..corners_of.len()).map(|i| at(i).cross(at(i + 1))).sum();
+        sum.length_squared()
+    };
+    let mut largest = 0;
+    for (index, corners_of) in loops.iter().enumerate() {
+        if area(corners_of) > area(&loops[largest]) {
+            largest = index;
+        }
+    }
+    loops[..=largest].rotate_right(1);
+}
+
+/// The plane of a face, if it has area.
+fn plane(corners: &[DVec3], face: &ModelFace) -> Option<Plane> {
+    let at = |&corner: &u32| corners[corner as usize];
+    Plane::of_loop(&face.loops[0].iter().map(at).collect::<Vec<_>>())
 }

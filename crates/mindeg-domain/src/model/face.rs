@@ -71,6 +71,13 @@ impl Plane {
         DVec2::new(from_origin.dot(self.axes[0]), from_origin.dot(self.axes[1]))
     }
 
+    /// The point of the plane with some coordinates.
+    #[must_use]
+    pub fn lift(&self, point: DVec2) -> DVec3 {
+        let height = (self.center - self.origin).dot(self.normal);
+        self.origin + self.axes[0] * point.x + self.axes[1] * point.y + self.normal * height
+    }
+
     /// How far a point is from the plane.
     #[must_use]
     pub fn distance(&self, point: DVec3) -> f64 {

@@ -4,7 +4,7 @@ use glam::DVec3;
 use mindeg_mesh::TriMesh;
 
 use super::build::largest_extent;
-use super::{Model, ModelError, ModelFace, ModelParts, Plane, coplanar};
+use super::{Model, ModelError, ModelFace, ModelParts, coplanar};
 use crate::side::Side;
 
 /// How a mesh becomes a model.
@@ -71,7 +71,7 @@ impl Model {
                 return;
             }
             let mut loops = split_at_bridges(polygon);
-            put_largest_first(&mut loops, corners);
+            coplanar::put_largest_first(&mut loops, corners);
             let name = groups.get(group).map(|group| group.name.clone());
             let group = name.filter(|name| !name.is_empty());
             faces.push(ModelFace { loops, group, ..ModelFace::default() });
@@ -149,30 +149,6 @@ fn find_bridge(corners: &[u32]) -> Option<(usize, usize)> {
         let &(edge, j) = edges.get(at)?;
         (edge == back && j > i + 1 && j + 1 < n + i).then_some((i, j))
     })
-}
-
-/// Puts the loop with the largest area first.
-pub(super) fn put_largest_first(loops: &mut [Vec<u32>], corners: &[DVec3]) {
-    let area = |corners_of: &[u32]| {
-        let at = |i: usize| {
-            corners[corners_of[i % corners_of.len()] as usize] - corners[corners_of[0] as usize]
-        };
-        let sum: DVec3 = (0..corners_of.len()).map(|i| at(i).cross(at(i + 1))).sum();
-        sum.length_squared()
-    };
-    let mut largest = 0;
-    for (index, corners_of) in loops.iter().enumerate() {
-        if area(corners_of) > area(&loops[largest]) {
-            largest = index;
-        }
-    }
-    loops[..=largest].rotate_right(1);
-}
-
-/// The plane of a face, if it has area.
-pub(super) fn plane(corners: &[DVec3], face: &ModelFace) -> Option<Plane> {
-    let at = |&corner: &u32| corners[corner as usize];
-    Plane::of_loop(&face.loops[0].iter().map(at).collect::<Vec<_>>())
 }
 
 #[cfg(test)]

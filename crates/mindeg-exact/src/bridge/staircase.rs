@@ -134,20 +134,20 @@ impl Search<'_> {
             progress.report("looking for a strip", done as u64, self.starts.len() as u64)?;
             let start = start as usize;
             for before in 1..=self.capacities.map_or(1, |capacities| capacities.x[start] as usize) {
-                if let Some((cost, _)) = self.from_start(start, before, best.0, &mut table) {
+                if let Some((cost, _)) = self.best_from(start, before, best.0, &mut table) {
                     best = (cost, Some((start, before)));
                 }
             }
         }
         Ok(best.1.and_then(|(start, before)| {
-            let (cost, end) = self.from_start(start, before, best.0 + 1, &mut table)?;
+            let (cost, end) = self.best_from(start, before, best.0 + 1, &mut table)?;
             Some(Path { cost, start, steps: self.steps_back(start, before, end, &table) })
         }))
     }
 
     /// The least cost below `bound` of a staircase from a start with `before` steps Y behind it,
     /// and the state in which it ends. Sets the part of the table that was reached.
-    fn from_start(
+    fn best_from(
         &self,
         start: usize,
         before: usize,

@@ -1,6 +1,6 @@
 //! The least cost of each piece of a loop, whatever its degrees.
 
-use super::LoopProblem;
+use super::problem::LoopProblem;
 use crate::parallel::map_chunks;
 use crate::space::{Cost, cost};
 use glam::DVec3;

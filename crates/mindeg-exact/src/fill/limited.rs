@@ -1,6 +1,6 @@
 //! The triangulations of each piece of a loop that keep degree limits and that no other one beats.
 
-use super::{LoopProblem, LoopUnsolved, MAX_STATES};
+use super::problem::{LoopProblem, LoopUnsolved, MAX_STATES};
 use crate::parallel::map_chunks;
 use crate::space::{Cost, cost};
 use glam::DVec3;

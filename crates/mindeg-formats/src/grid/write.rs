@@ -4,10 +4,13 @@ use std::ops::Range;
 
 use mindeg_mesh::Mesh;
 
-use super::cell_type;
 use crate::corners::{degrees, min_angles, positions, segments, triangles};
 use crate::scanner::Numbers;
 use crate::sections::Section;
+
+/// VTK's numbers of the cells that are written.
+const LINE: u8 = 3;
+const TRIANGLE: u8 = 5;
 
 /// The best minimum angle, which segments have: those who want a minimum are not to find it there.
 const EQUILATERAL: f64 = 60.0;
@@ -73,8 +76,8 @@ impl<'a> Arrays<'a> {
     /// The kind of each cell, u8.
     pub(crate) fn types(&self) -> Vec<Section<'a>> {
         vec![
-            self.repeated(self.mesh.triangle_count(), cell_type::TRIANGLE),
-            self.repeated(self.segments, cell_type::LINE),
+            self.repeated(self.mesh.triangle_count(), TRIANGLE),
+            self.repeated(self.segments, LINE),
         ]
     }
 
@@ -95,8 +98,8 @@ impl<'a> Arrays<'a> {
     /// The kind of each cell, i32.
     pub(crate) fn wide_types(&self) -> Vec<Section<'a>> {
         vec![
-            self.repeated(self.mesh.triangle_count(), i32::from(cell_type::TRIANGLE)),
-            self.repeated(self.segments, i32::from(cell_type::LINE)),
+            self.repeated(self.mesh.triangle_count(), i32::from(TRIANGLE)),
+            self.repeated(self.segments, i32::from(LINE)),
         ]
     }
 

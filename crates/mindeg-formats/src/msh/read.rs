@@ -7,6 +7,7 @@ use glam::DVec3;
 use mindeg_mesh::{NonTriangles, TriMesh};
 
 use super::nodes::Nodes;
+use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, shape};
 use crate::ReadError;
 use crate::face_list::FaceList;
@@ -39,7 +40,7 @@ use crate::scanner::{Numbers, Scanner};
 /// assert_eq!((mesh.triangles(), mesh.segments()), (&[[0, 1, 2]][..], &[[0, 1]][..]));
 ///
 /// let error = msh::read(file.replace("1 2 9\n", "1 2 4\n").as_bytes()).unwrap_err();
-/// assert_eq!(error.to_string(), "line 12: node 4 does not exist");
+/// assert_eq!(error.to_string(), "line 13: node 4 does not exist");
 /// # Ok::<(), mindeg_formats::ReadError>(())
 /// ```
 pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
@@ -140,40 +141,6 @@ fn format(scanner: &mut Scanner<'_>, contents: &mut Contents) -> Result<Numbers,
     };
     end_part(scanner, b"MeshFormat")?;
     Ok(encoding)
-}
-
-/// The name of the next part; its contents follow in the next line.
-fn next_part<'a>(scanner: &mut Scanner<'a>) -> Option<&'a [u8]> {
-    loop {
-        let line = scanner.line()?.trim_ascii();
-        if let Some(name) = line.strip_prefix(b"$")
-            && !name.starts_with(b"End")
-        {
-            return Some(name);
-        }
-    }
-}
-
-/// Leaves out a part, whose contents begin at an offset.
-fn skip(scanner: &mut Scanner<'_>, name: &[u8], start: usize) -> Result<(), ReadError> {
-    let end = [b"$End", name].concat();
-    let found = memchr::memmem::find(scanner.rest(), &end);
-    let shown = String::from_utf8_lossy(name);
-    let found =
-        found.ok_or_else(|| scanner.problem_at(start, format!("${shown} has no $End{shown}")))?;
-    scanner.go_to(scanner.offset() + found);
-    scanner.line();
-    Ok(())
-}
-
-fn end_part(scanner: &mut Scanner<'_>, name: &[u8]) -> Result<(), ReadError> {
-    let start = scanner.offset();
-    let word = scanner.word().unwrap_or_default();
-    if word.strip_prefix(b"$End") == Some(name) {
-        return Ok(());
-    }
-    let name = String::from_utf8_lossy(name);
-    Err(scanner.problem_at(start, format!("$End{name} should follow here")))
 }
 
 impl Contents {

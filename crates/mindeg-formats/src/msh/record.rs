@@ -1,4 +1,6 @@
-//! Numbers in bytes or as the words of a line.
+//! Numbers in bytes or as the words of a line, and what ends the parts that they are in.
+
+use crate::sections::Section;
 
 /// The numbers of one record, appended to a file.
 pub(super) struct Record<'a> {
@@ -51,4 +53,10 @@ impl<'a> Record<'a> {
         self.is_first = false;
         self
     }
+}
+
+/// What ends a part of the file.
+pub(super) fn end_of<'a>(kind: &str, is_binary: bool) -> Section<'a> {
+    let line_end = if is_binary { "\n" } else { "" };
+    Section::bytes(format!("{line_end}$End{kind}\n"))
 }

@@ -1,5 +1,11 @@
 //! The elements that Gmsh knows, by their numbers.
 
+/// The number of a line of two nodes.
+pub(super) const LINE: i32 = 1;
+
+/// The number of a triangle of three nodes.
+pub(super) const TRIANGLE: i32 = 2;
+
 /// What an element of one type is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Shape {

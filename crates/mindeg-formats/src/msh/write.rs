@@ -6,7 +6,7 @@ use std::ops::Range;
 use mindeg_mesh::Mesh;
 
 use super::entities::Entities;
-use super::record::Record;
+use super::record::{Record, end_of};
 use super::{write2, write4};
 use crate::corners::{degrees, min_angles};
 use crate::sections::{Section, write_sections};
@@ -136,12 +136,6 @@ fn head_of_field<'a>(kind: &str, name: &str, count: i32) -> Section<'a> {
     // One string, the name; one number, the time; three counts: the step, the numbers at each, and
     // of how many. They are text in binary files too.
     Section::bytes(format!("${kind}\n1\n\"{name}\"\n1\n0.0\n3\n0\n1\n{count}\n"))
-}
-
-/// What ends a part of the file.
-pub(super) fn end_of<'a>(kind: &str, is_binary: bool) -> Section<'a> {
-    let line_end = if is_binary { "\n" } else { "" };
-    Section::bytes(format!("{line_end}$End{kind}\n"))
 }
 
 /// A tag, counted from `first`, and a number for each of `count` nodes or elements.

@@ -2,10 +2,9 @@
 
 use mindeg_mesh::Mesh;
 
-use super::element_type;
 use super::entities::{Entities, Entity};
-use super::record::Record;
-use super::write::end_of;
+use super::record::{Record, end_of};
+use super::shapes::{LINE, TRIANGLE};
 use crate::corners::{positions, segments, triangles};
 use crate::decimals::Decimals;
 use crate::sections::Section;
@@ -25,26 +24,22 @@ pub(super) fn add_sections<'a>(
     let elements = u64::from(segment_count) + u64::from(mesh.triangle_count());
     sections.push(Section::bytes(format!("$Elements\n{elements}\n")));
     if segment_count > 0 {
-        sections.push(head_of_block(element_type::LINE, segment_count, is_binary));
+        sections.push(head_of_block(LINE, segment_count, is_binary));
     }
     for (curve, tag) in entities.curves.iter().zip(1..) {
         let start = curve.elements.start;
         let before = Before { element: start, tags: [curve.physical, tag] };
-        sections.push(elements_of(curve, element_type::LINE, before, is_binary, move |range| {
+        sections.push(elements_of(curve, LINE, before, is_binary, move |range| {
             segments(mesh, start + range.start..start + range.end)
         }));
     }
-    sections.push(head_of_block(element_type::TRIANGLE, mesh.triangle_count(), is_binary));
+    sections.push(head_of_block(TRIANGLE, mesh.triangle_count(), is_binary));
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
         let start = surface.elements.start;
         let before = Before { element: segment_count + start, tags: [surface.physical, tag] };
-        sections.push(elements_of(
-            surface,
-            element_type::TRIANGLE,
-            before,
-            is_binary,
-            move |range| triangles(mesh, start + range.start..start + range.end),
-        ));
+        sections.push(elements_of(surface, TRIANGLE, before, is_binary, move |range| {
+            triangles(mesh, start + range.start..start + range.end)
+        }));
     }
     sections.push(end_of("Elements", is_binary));
 }

@@ -2,10 +2,9 @@
 
 use mindeg_mesh::{Bounds, Mesh};
 
-use super::element_type;
 use super::entities::{Entities, bounds_of_line};
-use super::record::Record;
-use super::write::end_of;
+use super::record::{Record, end_of};
+use super::shapes::{LINE, TRIANGLE};
 use crate::corners::{positions, segments, triangles};
 use crate::decimals::Decimals;
 use crate::sections::Section;
@@ -45,7 +44,7 @@ pub(super) fn add_sections<'a>(
     sections.push(Section::bytes(head));
     for (curve, tag) in entities.curves.iter().zip(1..) {
         let (start, len) = (curve.elements.start, curve.elements.len());
-        sections.push(head_of_block(1, tag, element_type::LINE, len, is_binary));
+        sections.push(head_of_block(1, tag, LINE, len, is_binary));
         sections.push(elements_of(len as u32, u64::from(start), is_binary, move |range| {
             segments(mesh, start + range.start..start + range.end)
         }));
@@ -53,7 +52,7 @@ pub(super) fn add_sections<'a>(
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
         let (start, len) = (surface.elements.start, surface.elements.len());
         let before = u64::from(segment_count) + u64::from(start);
-        sections.push(head_of_block(2, tag, element_type::TRIANGLE, len, is_binary));
+        sections.push(head_of_block(2, tag, TRIANGLE, len, is_binary));
         sections.push(elements_of(len as u32, before, is_binary, move |range| {
             triangles(mesh, start + range.start..start + range.end)
         }));

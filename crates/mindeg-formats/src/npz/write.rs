@@ -6,6 +6,7 @@ use crate::corners::{degrees, min_angles, positions, triangles};
 use crate::sections::{Section, write_sections};
 use mindeg_mesh::Mesh;
 use std::io::{self, Write};
+use std::ops::Range;
 
 /// Writes a mesh as NPZ, with `degrees` and `min_angles` if `fields` are asked for.
 ///
@@ -50,13 +51,16 @@ fn len(head: &[u8], rows: u32, row_len: u32) -> u64 {
     head.len() as u64 + u64::from(rows) * u64::from(row_len)
 }
 
+/// Appends the numbers of a range of rows.
+type Rows<'a> = Box<dyn Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a>;
+
 /// An array of the file.
 struct Array<'a> {
     name: &'static str,
     head: Vec<u8>,
     rows: u32,
     row_len: u32,
-    format: Box<dyn Fn(std::ops::Range<u32>, &mut Vec<u8>) + Sync + 'a>,
+    format: Rows<'a>,
 }
 
 fn arrays(mesh: &dyn Mesh, fields: bool) -> Vec<Array<'_>> {

@@ -4,6 +4,7 @@ use std::io::Read;
 
 use mindeg_mesh::TriMesh;
 
+use super::kind::Kind;
 use crate::ReadError;
 use crate::grid::{CellData, Cells, Grid};
 use crate::lists::push;
@@ -118,7 +119,7 @@ impl Contents {
             },
             b"POINTS" => {
                 let count = scanner.size("the number of points")?;
-                let kind = self.kind(scanner)?;
+                let kind = Kind::read(scanner)?;
                 let count = count.checked_mul(3);
                 let count = count.ok_or_else(|| scanner.problem("no file has so many points"))?;
                 self.positions = self.values(scanner, count, kind, "a coordinate")?;
@@ -183,7 +184,7 @@ impl Contents {
             b"TEXTURE_COORDINATES" => scanner.size("the number of dimensions")?,
             _ => components,
         };
-        let kind = self.kind(scanner)?;
+        let kind = Kind::read(scanner)?;
         let mut components = components;
         if word == b"SCALARS" {
             // The number of components may follow in the same line, and a table in the next.
@@ -219,7 +220,7 @@ impl Contents {
             };
             let components = scanner.size("the number of components")?;
             let tuples = scanner.size("the number of values")?;
-            let kind = self.kind(scanner)?;
+            let kind = Kind::read(scanner)?;
             let count = components.checked_mul(tuples);
             let count = count.ok_or_else(|| scanner.problem("no file has so much data"))?;
             self.take_data(scanner, name, count, kind)?;
@@ -266,36 +267,6 @@ impl Contents {
     ) -> Result<(), ReadError> {
         let count = count.saturating_mul(components);
         self.take_data(scanner, b"", count, Kind::Unsigned(1))
-    }
-
-    /// The type of numbers.
-    fn kind(&self, scanner: &mut Scanner<'_>) -> Result<Kind, ReadError> {
-        let word = scanner.word().unwrap_or_default().to_ascii_lowercase();
-        Ok(match &word[..] {
-            b"bit" => Kind::Bit,
-            b"char" | b"signed_char" => Kind::Int(1),
-            b"unsigned_char" => Kind::Unsigned(1),
-            b"short" => Kind::Int(2),
-            b"unsigned_short" => Kind::Unsigned(2),
-            b"int" => Kind::Int(4),
-            b"unsigned_int" => Kind::Unsigned(4),
-            b"long" | b"long_long" | b"vtkidtype" => Kind::Int(8),
-            b"unsigned_long" | b"unsigned_long_long" => Kind::Unsigned(8),
-            b"vtktypeint8" => Kind::Int(1),
-            b"vtktypeuint8" => Kind::Unsigned(1),
-            b"vtktypeint16" => Kind::Int(2),
-            b"vtktypeuint16" => Kind::Unsigned(2),
-            b"vtktypeint32" => Kind::Int(4),
-            b"vtktypeuint32" => Kind::Unsigned(4),
-            b"vtktypeint64" => Kind::Int(8),
-            b"vtktypeuint64" => Kind::Unsigned(8),
-            b"float" => Kind::Float(4),
-            b"double" => Kind::Float(8),
-            other => {
-                let other = String::from_utf8_lossy(&other[..other.len().min(40)]).into_owned();
-                return Err(scanner.problem(format!("{other:?} is not a type of numbers")));
-            }
-        })
     }
 
     /// Goes to where bytes begin: after the line's end.
@@ -368,13 +339,13 @@ impl Contents {
         let first = self.connectivity.len() as i64;
         let types_before = self.ends.len();
         if scanner.word() == Some(b"OFFSETS") {
-            let kind = self.kind(scanner)?;
+            let kind = Kind::read(scanner)?;
             let offsets = self.whole(scanner, count, kind, "an offset")?;
             scanner.encoding = Numbers::Text;
             if scanner.word() != Some(b"CONNECTIVITY") {
                 return Err(scanner.problem("CONNECTIVITY should follow here"));
             }
-            let kind = self.kind(scanner)?;
+            let kind = Kind::read(scanner)?;
             let connectivity = self.whole(scanner, size, kind, "a corner")?;
             self.ends.try_reserve(offsets.len())?;
             let ends = offsets.iter().skip(1).map(|offset| first.saturating_add(*offset));
@@ -419,46 +390,5 @@ impl Contents {
         grid.add_cells(0, &cells)
             .map_err(|(cell, error)| error.at(cell, |text| scanner.problem_at(self.start, text)))?;
         grid.into_mesh()
-    }
-}
-
-/// What numbers are, and how many bytes each takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Bit,
-    Int(usize),
-    Unsigned(usize),
-    Float(usize),
-}
-
-impl Kind {
-    fn len(self) -> usize {
-        match self {
-            Self::Bit => 1,
-            Self::Int(len) | Self::Unsigned(len) | Self::Float(len) => len,
-        }
-    }
-
-    fn is_whole(self) -> bool {
-        matches!(self, Self::Int(_) | Self::Unsigned(_))
-    }
-
-    /// A number from its bytes, the greatest first.
-    fn whole(self, item: &[u8]) -> i64 {
-        let bits = item.iter().fold(0_u64, |bits, &byte| (bits << 8) | u64::from(byte));
-        let unused = 64 - 8 * item.len() as u32;
-        match self {
-            // One beyond the range of i64 is far beyond any count.
-            Self::Unsigned(_) => i64::try_from(bits).unwrap_or(i64::MAX),
-            _ => ((bits << unused) as i64) >> unused,
-        }
-    }
-
-    fn float(self, item: &[u8]) -> f64 {
-        match (self, item) {
-            (Self::Float(_), &[a, b, c, d]) => f32::from_be_bytes([a, b, c, d]).into(),
-            (Self::Float(_), item) => item.try_into().map_or(f64::NAN, f64::from_be_bytes),
-            (kind, item) => kind.whole(item) as f64,
-        }
     }
 }

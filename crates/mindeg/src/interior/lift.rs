@@ -175,11 +175,13 @@ mod tests {
         let (limit, lift) = lifted(4.0, 4.0, [16, 16, 16, 2]).unwrap();
         assert_eq!(lift.changes.len(), 1);
         assert_eq!(lift.changes[0].side, 3);
-        assert!(lift.changes[0].by > 0 && lift.min_angle > 1.5 * limit.min_angle, "{lift:?}");
-        // One interval too many between coarse sides is taken away, or the others get more.
+        assert!(lift.changes[0].by > 0 && lift.min_angle > 1.2 * limit.min_angle, "{lift:?}");
+        // A fine side between two coarse ones: both get more.
         let (_, lift) = lifted(4.0, 4.0, [2, 16, 2, 2]).unwrap();
-        assert_eq!(lift.changes[0].side, 1);
-        assert!(lift.changes[0].by < 0, "{lift:?}");
+        let mut sides: Vec<usize> = lift.changes.iter().map(|change| change.side).collect();
+        sides.sort_unstable();
+        assert_eq!(sides, [0, 2], "{lift:?}");
+        assert!(lift.changes.iter().all(|change| change.by > 0), "{lift:?}");
         // A narrow strip needs shorter intervals on both long sides.
         let (_, lift) = lifted(40.0, 0.2, [100, 1, 100, 1]).unwrap();
         assert_eq!(lift.changes.iter().map(|change| change.side).collect::<Vec<_>>(), [0, 2]);

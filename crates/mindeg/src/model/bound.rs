@@ -177,7 +177,7 @@ pub(super) fn with_weights(
         let found = map_faces(&faces, |face| {
             let (solver, vertices) = solvers[face].as_ref()?;
             let own: Vec<u64> = vertices.iter().map(|&vertex| whole[vertex as usize]).collect();
-            Some(solver.as_ref()?.of(&own)?)
+            solver.as_ref()?.of(&own)
         });
         let of_edges = whole.iter().zip(&joint.edge_degrees);
         let mut sum: u128 =

@@ -190,7 +190,7 @@ fn improved(
     } else {
         for place in 0..places {
             let random = hash(&[round, face as u64, place as u64, 1]);
-            let is_tried = is_crowded(&patch, place) || (is_small && random % 8 == 0);
+            let is_tried = is_crowded(&patch, place) || (is_small && random.is_multiple_of(8));
             if is_tried {
                 let size = WINDOWS[(round % WINDOWS.len() as u64) as usize];
                 let block = Block { vertex: place as u32, skip: (random >> 32) as u32, size };

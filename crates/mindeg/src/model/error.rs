@@ -5,7 +5,7 @@ use mindeg_exact::ProblemError;
 use mindeg_mesh::{Cancelled, TriMeshError};
 
 /// Why a model has no mesh. Faces count from 0.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelMeshError {
     /// A face has no Delaunay triangulation.
@@ -23,6 +23,15 @@ pub enum ModelMeshError {
         face: usize,
         /// Why; its vertices are those of the face.
         source: ProblemError,
+    },
+    /// A face cannot be filled with interior points.
+    #[cfg(feature = "interior")]
+    #[error("face {face}: {source}")]
+    Interior {
+        /// The face.
+        face: usize,
+        /// Why; its vertices are those of the face.
+        source: mindeg_interior::InteriorError,
     },
     /// The mesh is too large.
     #[error(transparent)]

@@ -13,17 +13,21 @@ mod colors;
 mod descent;
 mod error;
 mod face;
+#[cfg(feature = "interior")]
+mod filled;
 mod joint;
 mod polish;
 mod random;
 
 pub use bound::JointBound;
 pub use error::ModelMeshError;
+#[cfg(feature = "interior")]
+pub use filled::{FilledModel, fill_model};
 
 use glam::DVec3;
 use mindeg_domain::Model;
 use mindeg_mesh::quality::TriangleQuality;
-use mindeg_mesh::{Group, Line, Progress, TriMesh};
+use mindeg_mesh::{Group, Line, Progress, TriMesh, TriMeshError};
 
 use descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use joint::Joint;
@@ -55,7 +59,8 @@ pub struct ModelMesh {
     pub face_starts: Vec<u32>,
     /// The maximum degree.
     pub max_degree: u32,
-    /// No mesh of the model from these points has a smaller maximum degree.
+    /// No mesh of the model from these points has a smaller maximum degree; with
+    /// [`ModelGoal::keep_angle`], none whose faces keep that share.
     pub lower_bound: u32,
     /// The proof of that.
     pub bounded_by: JointBound,
@@ -146,31 +151,12 @@ fn finished(
         joint.totals.iter().enumerate().filter(is_worst).map(|(v, _)| v as u32).collect();
     let angle_share = joint.angle_share();
 
-    // Faces of one group follow each other.
-    let mut order: Vec<usize> = (0..model.face_count()).collect();
-    order.sort_by_key(|&face| model.group_of(face));
-    let mut face_starts = vec![0; model.face_count()];
-    let mut triangles = Vec::new();
-    let mut groups: Vec<Group> = Vec::new();
-    for same in order.chunk_by(|&a, &b| model.group_of(a) == model.group_of(b)) {
-        let start = triangles.len() as u32;
-        for &face in same {
-            face_starts[face] = triangles.len() as u32;
-            let vertices = model.rings(face).vertices;
-            let global = |triangle: &[u32; 3]| triangle.map(|place| vertices[place as usize]);
-            triangles.extend(joint.triangles[face].iter().map(global));
-        }
-        let name = group_name(model, model.group_of(same[0]));
-        groups.push(Group { name, triangles: start..triangles.len() as u32 });
-    }
-    let min_angle = min_angle(&joint.positions, &triangles);
-    let mesh = TriMesh::new(joint.positions, triangles)?.with_groups(groups);
-    let (lines, segments) = lines(model);
-    let mesh = mesh.with_lines(lines, segments)?;
-    let mesh = match model.name() {
-        Some(name) => mesh.named(name),
-        None => mesh,
+    let triangles = |face: usize, vertices: &[u32]| -> Vec<[u32; 3]> {
+        let of_model = |triangle: &[u32; 3]| triangle.map(|place| vertices[place as usize]);
+        joint.triangles[face].iter().map(of_model).collect()
     };
+    let (mesh, face_starts) = assembled(model, joint.positions, triangles)?;
+    let min_angle = min_angle(mesh.positions(), mesh.triangles());
     Ok(ModelMesh {
         mesh,
         face_starts,
@@ -181,6 +167,38 @@ fn finished(
         min_angle,
         angle_share,
     })
+}
+
+/// The mesh of a model and where the triangles of each face begin, from each face's triangles, for
+/// which `triangles` gets the face and its vertices.
+fn assembled(
+    model: &Model,
+    positions: Vec<DVec3>,
+    mut triangles: impl FnMut(usize, &[u32]) -> Vec<[u32; 3]>,
+) -> Result<(TriMesh, Vec<u32>), TriMeshError> {
+    // Faces of one group follow each other.
+    let mut order: Vec<usize> = (0..model.face_count()).collect();
+    order.sort_by_key(|&face| model.group_of(face));
+    let mut face_starts = vec![0; model.face_count()];
+    let mut all = Vec::new();
+    let mut groups: Vec<Group> = Vec::new();
+    for same in order.chunk_by(|&a, &b| model.group_of(a) == model.group_of(b)) {
+        let start = all.len() as u32;
+        for &face in same {
+            face_starts[face] = all.len() as u32;
+            all.extend(triangles(face, &model.rings(face).vertices));
+        }
+        let name = group_name(model, model.group_of(same[0]));
+        groups.push(Group { name, triangles: start..all.len() as u32 });
+    }
+    let mesh = TriMesh::new(positions, all)?.with_groups(groups);
+    let (lines, segments) = lines(model);
+    let mesh = mesh.with_lines(lines, segments)?;
+    let mesh = match model.name() {
+        Some(name) => mesh.named(name),
+        None => mesh,
+    };
+    Ok((mesh, face_starts))
 }
 
 /// The name of a group: its own, and that of its material where it has one.

@@ -108,7 +108,12 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
         title: domain.name().unwrap_or("Domain"),
         provenance: Provenance::default(),
         style: svg::page_style(&[STYLE, CURVE_STYLE, MESHES_STYLE]),
-        facts: facts(&intervals, meshes[0].max_degree),
+        facts: facts(
+            &intervals,
+            domain.rings().ring_count() as u32 - 1,
+            meshes[0].max_degree,
+            trade_off.is_exact(),
+        ),
         headline,
         sentences,
         curve: curve_picture(trade_off, WIDE_CURVE, "wide", marks, is_shown)?

@@ -99,8 +99,9 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
     let height = first_row + rows as f64 * (drawn_height + CAPTION) + LEGEND;
 
     let mut summary = format!(
-        "{} boundary vertices · the largest minimum angle for each maximum degree",
-        count(trade_off.domain().rings().vertex_count())
+        "{} boundary vertices · the largest minimum angle {}for each maximum degree",
+        count(trade_off.domain().rings().vertex_count()),
+        if trade_off.is_exact() { "" } else { "that windows reach " }
     );
     if let Some(stretch) = at_origin.stretch() {
         summary += &format!(" · {stretch}");

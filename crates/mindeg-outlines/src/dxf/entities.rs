@@ -1,0 +1,186 @@
+//! The entities of a drawing as runs of lines and arcs.
+
+use std::f64::consts::TAU;
+use std::sync::Arc as Shared;
+
+use glam::DVec2;
+
+use super::super::curve::{Arc, Curve};
+use super::super::text::{at_line, number, quoted};
+use super::pairs::Pair;
+use crate::error::ReadError;
+
+/// A run of the pen: points, and how each goes on to the next.
+pub(super) struct Entity {
+    pub(super) layer: Option<Shared<str>>,
+    pub(super) points: Vec<DVec2>,
+    /// For each point the tangent of a quarter of the angle of the arc to the next.
+    bulges: Vec<f64>,
+    pub(super) is_closed: bool,
+    /// An arc or circle, from its only or first point.
+    arc: Option<Arc>,
+    /// Whether vertices may follow as entities of their own.
+    pub(super) is_open: bool,
+}
+
+impl Entity {
+    /// An entity of a kind that is read; none for others.
+    pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, ReadError> {
+        let layer = pairs.iter().find(|pair| pair.code == 8).map(|pair| pair.value);
+        let mut entity = Self {
+            // Layer 0 is where drawings begin, and no name.
+            layer: layer.filter(|layer| !matches!(*layer, "" | "0")).map(Shared::from),
+            points: Vec::new(),
+            bulges: Vec::new(),
+            is_closed: false,
+            arc: None,
+            is_open: name == "POLYLINE",
+        };
+        let flags = pairs.iter().find(|pair| pair.code == 70);
+        let flags = flags.and_then(|pair| pair.value.parse::<i64>().ok()).unwrap_or(0);
+        // An extrusion of (0, 0, -1) mirrors the x axis.
+        let is_mirrored = value(pairs, 230)?.is_some_and(|z| z < 0.0);
+        match name {
+            "LINE" => {
+                entity.add_point(need(pairs, 10)?, need(pairs, 20)?);
+                entity.add_point(need(pairs, 11)?, need(pairs, 21)?);
+                return Ok(Some(entity));
+            }
+            "LWPOLYLINE" => {
+                entity.is_closed = flags & 1 != 0;
+                entity.add(pairs)?;
+            }
+            "POLYLINE" => {
+                // Meshes and polylines in space have other flags.
+                if flags & (8 | 16 | 64) != 0 {
+                    return Ok(None);
+                }
+                entity.is_closed = flags & 1 != 0;
+            }
+            "CIRCLE" | "ARC" => {
+                let center = DVec2::new(need(pairs, 10)?, need(pairs, 20)?);
+                let radius = need(pairs, 40)?;
+                let axes = [DVec2::X * radius, DVec2::Y * radius];
+                let (start, sweep) = if name == "CIRCLE" {
+                    entity.is_closed = true;
+                    (0.0, TAU)
+                } else {
+                    let (start, end) = (need(pairs, 50)?, need(pairs, 51)?);
+                    let sweep = (end - start).rem_euclid(360.0);
+                    (start.to_radians(), if sweep == 0.0 { TAU } else { sweep.to_radians() })
+                };
+                let arc = Arc { center, axes, start, sweep };
+                let ends = [start, start + sweep].map(|angle| arc.point(angle));
+                entity.arc = Some(arc);
+                entity.points = if entity.is_closed { vec![ends[0]] } else { ends.to_vec() };
+            }
+            _ => return Ok(None),
+        }
+        if is_mirrored {
+            entity.mirror();
+        }
+        Ok(Some(entity))
+    }
+
+    /// Adds the vertices that pairs give.
+    pub(super) fn add(&mut self, pairs: &[Pair<'_>]) -> Result<(), ReadError> {
+        for pair in pairs {
+            match pair.code {
+                10 => self.add_point(finite(pair)?, 0.0),
+                20 => {
+                    let y = finite(pair)?;
+                    self.points.iter_mut().rev().take(1).for_each(|point| point.y = y);
+                }
+                42 => {
+                    let bulge = finite(pair)?;
+                    self.bulges.iter_mut().rev().take(1).for_each(|last| *last = bulge);
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    fn add_point(&mut self, x: f64, y: f64) {
+        self.points.push(DVec2::new(x, y));
+        self.bulges.push(0.0);
+    }
+
+    fn mirror(&mut self) {
+        self.points.iter_mut().for_each(|point| point.x = -point.x);
+        self.bulges.iter_mut().for_each(|bulge| *bulge = -*bulge);
+        if let Some(arc) = &mut self.arc {
+            arc.center.x = -arc.center.x;
+            arc.axes[0] = -arc.axes[0];
+        }
+    }
+
+    /// How the point at an index goes on to the next.
+    pub(super) fn curve(&self, index: usize) -> Curve {
+        match self.arc {
+            Some(arc) => Curve::Arc(arc),
+            None => {
+                let next = self.points[(index + 1) % self.points.len()];
+                bulged(self.points[index], next, self.bulges[index])
+            }
+        }
+    }
+}
+
+/// The arc between two points that turns by four times the arc tangent of the bulge, to the left
+/// if it is positive.
+fn bulged(start: DVec2, end: DVec2, bulge: f64) -> Curve {
+    if bulge == 0.0 || start == end {
+        return Curve::Line;
+    }
+    let sweep = 4.0 * libm::atan(bulge);
+    let half = (end - start) / 2.0;
+    // The center lies left of the chord if the arc turns left by less than half a circle.
+    let center = start + half + half.perp() * ((1.0 - bulge * bulge) / (2.0 * bulge));
+    let toward = start - center;
+    // The start lies on the first axis.
+    Curve::Arc(Arc { center, axes: [toward, toward.perp()], start: 0.0, sweep })
+}
+
+fn finite(pair: &Pair<'_>) -> Result<f64, ReadError> {
+    number(pair.value).ok_or_else(|| {
+        let problem = format!("found {}, expected a finite number", quoted(pair.value));
+        at_line(pair.line + 1, problem)
+    })
+}
+
+fn value(pairs: &[Pair<'_>], code: i32) -> Result<Option<f64>, ReadError> {
+    pairs.iter().find(|pair| pair.code == code).map(finite).transpose()
+}
+
+fn need(pairs: &[Pair<'_>], code: i32) -> Result<f64, ReadError> {
+    value(pairs, code)?.ok_or_else(|| {
+        let (line, name) = pairs.first().map_or((1, ""), |pair| (pair.line, pair.value));
+        at_line(line, format!("the {name} has no group code {code}"))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn bulges_are_arcs() {
+        let (start, end) = (DVec2::new(1.0, 1.0), DVec2::new(3.0, 1.0));
+        for (bulge, center, sweep) in [
+            (1.0, [2.0, 1.0], PI),
+            (-1.0, [2.0, 1.0], -PI),
+            ((PI / 8.0).tan(), [2.0, 2.0], PI / 2.0),
+            (-(PI / 8.0).tan(), [2.0, 0.0], -PI / 2.0),
+            ((PI * 3.0 / 8.0).tan(), [2.0, 0.0], PI * 1.5),
+        ] {
+            let Curve::Arc(arc) = bulged(start, end, bulge) else { panic!("{bulge}") };
+            assert!(arc.center.distance(center.into()) < 1e-12, "{bulge}: {arc:?}");
+            assert!((arc.sweep - sweep).abs() < 1e-12, "{bulge}: {arc:?}");
+            assert!(arc.point(0.0).distance(start) < 1e-12, "{bulge}: {arc:?}");
+            assert!(arc.point(arc.sweep).distance(end) < 1e-12, "{bulge}: {arc:?}");
+        }
+        assert_eq!(bulged(start, end, 0.0), Curve::Line);
+    }
+}

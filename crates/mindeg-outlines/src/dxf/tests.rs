@@ -1,0 +1,106 @@
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+use super::super::curve::Curve;
+use super::super::outline::{Outlines, Ring};
+
+/// A DXF whose entities are given as pairs in one line each, such as `LINE 10=0 20=0`.
+fn dxf(entities: &str) -> String {
+    let mut text =
+        "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n"
+            .to_owned();
+    for line in entities.lines().map(str::trim).filter(|line| !line.is_empty()) {
+        let (name, pairs) = line.split_once(' ').unwrap_or((line, ""));
+        text += &format!("  0\n{name}\n");
+        for pair in pairs.split(' ').filter(|pair| !pair.is_empty()) {
+            text += &format!(" {}\n", pair.replace('=', "\n"));
+        }
+    }
+    text + "0\nENDSEC\n0\nEOF\n"
+}
+
+fn read(entities: &str) -> Result<Outlines, String> {
+    super::read(dxf(entities).as_bytes()).map_err(|error| error.to_string())
+}
+
+const UNIT: &str = "the drawing's unit ($INSUNITS) is millimeters; coordinates are kept";
+
+#[test]
+fn lines_in_any_order_form_rings() {
+    let expected = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0]].map(DVec2::from);
+    for entities in [
+        "LINE 10=0 20=0 11=4 21=0\nLINE 10=4 20=3 11=0.000001 21=0\nLINE 10=4 20=3 11=4 21=0",
+        "LWPOLYLINE 90=3 70=1 10=0 20=0 10=4 20=0 10=4 20=3",
+        "LWPOLYLINE 90=4 10=0 20=0 10=4 20=0 10=4 20=3 10=0 20=0",
+        "POLYLINE 70=1\nVERTEX 10=0 20=0\nVERTEX 10=4 20=0\nVERTEX 10=4 20=3\nSEQEND",
+        "LWPOLYLINE 10=0 20=0 10=4 20=0\nLWPOLYLINE 10=0 20=0 10=4 20=3 10=4 20=0",
+    ] {
+        let outlines = read(entities).unwrap();
+        assert_eq!(outlines.features.len(), 1);
+        assert_eq!(outlines.features[0].rings, [Ring::of_points(expected)], "{entities}");
+        assert_eq!(outlines.notes, [UNIT]);
+    }
+}
+
+#[test]
+fn arcs_bulges_and_circles_stay_curves() {
+    let length = |ring: &Ring| ring.segments().map(|segment| segment.length()).sum::<f64>();
+    for (entities, expected) in [
+        ("CIRCLE 10=1 20=2 40=3", 6.0 * PI),
+        ("ARC 10=0 20=0 40=1 50=90 51=270\nLINE 10=0 20=1 11=0 21=-1", PI + 2.0),
+        ("LWPOLYLINE 70=1 10=0 20=0 42=1 10=2 20=0 42=1", 2.0 * PI),
+        ("ARC 10=0 20=0 40=1 50=270 51=90 230=-1\nLINE 10=0 20=1 11=0 21=-1", PI + 2.0),
+    ] {
+        let outlines = read(entities).unwrap();
+        let ring = &outlines.features[0].rings[0];
+        assert!((length(ring) - expected).abs() < 1e-12, "{entities}");
+        assert!(ring.is_curved());
+    }
+    // The mirrored half circle lies left of the line.
+    let outlines =
+        read("ARC 10=0 20=0 40=1 50=270 51=90 230=-1\nLINE 10=0 20=1 11=0 21=-1").unwrap();
+    let points = outlines.features[0].rings[0].flattened();
+    assert!(points.iter().all(|point| point.x < 1e-15), "{points:?}");
+    let Curve::Arc(arc) = outlines.features[0].rings[0].pieces[0].curve else { panic!() };
+    assert_eq!(arc.center, DVec2::ZERO);
+}
+
+#[test]
+fn layers_name_polygons_or_sides() {
+    let outlines = read("CIRCLE 8=plate 10=0 20=0 40=9\nCIRCLE 8=plate 10=0 20=0 40=1").unwrap();
+    assert_eq!(outlines.features[0].name.as_deref(), Some("plate"));
+    assert_eq!(outlines.features[0].rings.len(), 2);
+    let outlines = read("CIRCLE 8=plate 10=0 20=0 40=9\nCIRCLE 8=hole 10=0 20=0 40=1").unwrap();
+    assert_eq!(outlines.features[0].name, None);
+    assert_eq!(outlines.features[0].rings[1].pieces[0].side.as_deref(), Some("hole"));
+    assert_eq!(read("CIRCLE 8=0 10=0 20=0 40=9").unwrap().features[0].name, None);
+}
+
+#[test]
+fn what_is_left_out_is_said_and_errors_say_where() {
+    let outlines =
+        read("TEXT 1=a\nSPLINE\nCIRCLE 10=0 20=0 40=9\nLINE 10=0 20=0 11=1 21=1\nTEXT").unwrap();
+    assert_eq!(
+        outlines.notes,
+        [
+            UNIT,
+            "left out an open line of 1 piece that ends at (0.0, 0.0)",
+            "left out 1 SPLINE, 2 TEXTs"
+        ]
+    );
+    for (entities, message) in [
+        ("SPLINE", "the section ENTITIES: no closed outline, only 1 SPLINE; explode blocks"),
+        ("", "the section ENTITIES: no closed outline; explode blocks"),
+        ("LINE 10=0 20=0 11=1", "line 15: the LINE has no group code 21"),
+        ("LINE 10=0 20=a 11=1", "line 20: found \"a\", expected a finite number"),
+        ("CIRCLE x=0", "line 17: found \"x\", expected a group code"),
+        ("LINE 10=0 20=0 11=1 21=0", "the point (0.0, 0.0): no line closes"),
+        ("LINE 10=-1e308 20=0 11=1e308 21=0", "the section ENTITIES: a coordinate is too large"),
+    ] {
+        let error = read(entities).unwrap_err();
+        assert!(error.starts_with(message), "{entities}: {error}");
+    }
+    assert!(super::read(b"AutoCAD Binary DXF\r\n").unwrap_err().to_string().contains("ASCII"));
+    assert!(super::read(b"0").unwrap_err().to_string().contains("within a pair"));
+}

@@ -1,0 +1,49 @@
+//! Outlines in files: what to mesh, drawn by other programs.
+//!
+//! [`read`] gives the polygons of a file, with their holes, names and curves;
+//! [`Outlines::repaired`] parts rings that touch themselves; [`Feature::domain`] divides the rings
+//! into sides and points, as a domain.
+//!
+//! ```
+//! use mindeg_outlines::{Division, OutlineFormat, read};
+//!
+//! let svg = b"<svg><circle cx='5' cy='5' r='2'/></svg>";
+//! let outlines = read(svg, OutlineFormat::Svg)?;
+//! let domain = outlines.features[0].domain(&Division { size: Some(0.5), ..Division::default() })?;
+//! assert_eq!(domain.rings().vertex_count(), 25);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Readers take the bytes of a whole file and use memory in proportion to them. A malformed file is
+//! an error that says what is wrong and where, never a panic. Paths are the caller's. The same file
+//! gives the same points on every machine.
+//!
+//! To read a further format, add a module with a function `read`, a variant of [`OutlineFormat`],
+//! and the first lines that tell it.
+
+mod csv;
+mod curve;
+mod domain;
+mod dxf;
+mod error;
+mod format;
+mod geojson;
+mod loops;
+mod msh;
+mod nesting;
+mod obj_lines;
+mod outline;
+mod plane;
+mod poly;
+mod repair;
+mod sides;
+mod svg;
+mod text;
+mod wkt;
+
+pub use curve::{Arc, Curve, Segment};
+pub use domain::FeatureError;
+pub use error::ReadError;
+pub use format::{OutlineFormat, format_of, read};
+pub use outline::{Feature, Outlines, Piece, Ring};
+pub use sides::{DividedSide, Division, SizeTooSmall};

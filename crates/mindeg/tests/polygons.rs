@@ -1,0 +1,406 @@
+//! Meshes of domains that are not convex: against all triangulations, and known answers.
+
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+#[path = "../../mindeg-exact/tests/outlines/mod.rs"]
+mod outlines;
+
+use mindeg::exact::{self, ExactError, LowerBound, Reached};
+use mindeg::glam::DVec2;
+use mindeg::{BoundaryMesh, Domain, FoundBy, Goal, Outline as Shape, Progress, Ring, Side, mesh};
+use mindeg_mesh::check;
+use outlines::{Measured, Outline, Random};
+use std::collections::BTreeSet;
+
+/// The corners and counts of an outline's sides.
+fn sides(outline: &Outline) -> (Vec<DVec2>, Vec<Side>) {
+    let mut corners = Vec::new();
+    let mut counts = Vec::<u64>::new();
+    for (vertex, &side) in outline.side_of.iter().enumerate() {
+        if counts.len() as u32 <= side {
+            corners.push(outline.points[vertex]);
+            counts.push(0);
+        }
+        counts[side as usize] += 1;
+    }
+    (corners, counts.into_iter().map(Side::count).collect())
+}
+
+fn domain(outline: &Outline) -> Domain {
+    let (corners, sides) = sides(outline);
+    Domain::polygon(corners, sides).unwrap()
+}
+
+/// The outline with the domain's own points and straight runs.
+fn as_placed(domain: &Domain) -> Outline {
+    Outline { points: domain.placement().points().collect(), side_of: domain.straight_runs() }
+}
+
+/// Turns corners that are straight or nearly so away: the two definitions of a straight run differ
+/// there.
+fn random(random: &mut Random, most: usize) -> Outline {
+    loop {
+        let corners = 4 + random.below(most as u64 - 4) as usize;
+        if let Some(outline) = Outline::random(random, corners, most)
+            && outline.len() >= 4
+            && outline.len() <= most
+        {
+            return outline;
+        }
+    }
+}
+
+fn largest(degrees: &[u32]) -> u32 {
+    degrees.iter().copied().max().unwrap()
+}
+
+/// Degree and angle of every goal are the best of all triangulations.
+#[test]
+fn every_goal_agrees_with_all_triangulations() {
+    let mut numbers = Random(11);
+    let (mut straight, mut reflex) = (0, 0);
+    for round in 0..150 {
+        let outline = random(&mut numbers, if round % 5 == 0 { 13 } else { 10 });
+        let domain = domain(&outline);
+        let placed = as_placed(&domain);
+        let runs = placed.side_of.iter().collect::<BTreeSet<_>>().len();
+        straight += usize::from(runs < domain.rings().side_count());
+        reflex += usize::from(domain.convex().is_none());
+        let all: Vec<Measured> = placed
+            .triangulations()
+            .iter()
+            .map(|triangles| Measured::new(&placed.points, triangles))
+            .collect();
+        let best = |limit: u32| {
+            let kept = all.iter().filter(|it| largest(&it.degrees) <= limit);
+            kept.map(|it| it.tangent).max_by(f64::total_cmp)
+        };
+        let most = best(u32::MAX).unwrap();
+        let least = all.iter().map(|it| largest(&it.degrees)).min().unwrap();
+        let angle = |mesh: &BoundaryMesh| {
+            let triangles: Vec<_> = mesh.triangles().collect();
+            Measured::new(&placed.points, &triangles).tangent
+        };
+        let answer = exact::degree(&domain, Progress::NONE).unwrap();
+        assert_eq!(answer.least_max_degree(), Some(least), "{outline:?}");
+        let meshed = mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap();
+        assert_eq!(meshed.mesh.max_degree(), least);
+        assert_eq!(angle(&meshed.mesh), best(least).unwrap(), "{outline:?}");
+        for limit in least - 1..least + 3 {
+            match mesh(&domain, Goal::MaxDegree(limit), Progress::NONE) {
+                Ok(meshed) => {
+                    assert!(meshed.mesh.max_degree() <= limit);
+                    assert_eq!(angle(&meshed.mesh), best(limit).unwrap(), "{limit}: {outline:?}");
+                }
+                Err(_) => assert_eq!(limit, least - 1, "{outline:?}"),
+            }
+        }
+        let share = [0.5, 0.9, 1.0][round % 3];
+        let kept = mesh(&domain, Goal::KeepAngle(share), Progress::NONE).unwrap().mesh;
+        let wanted = libm::tan(share * (1.0 - 2e-10) * libm::atan(most));
+        let smallest = all.iter().filter(|it| it.tangent >= wanted);
+        let smallest = smallest.map(|it| largest(&it.degrees)).min().unwrap();
+        assert_eq!(kept.max_degree(), smallest, "{share}: {outline:?}");
+        assert!(angle(&kept) >= wanted);
+        let curve = exact::trade_off(&domain, Progress::NONE).unwrap();
+        for step in curve.meshes() {
+            assert_eq!(angle(&step.mesh), best(step.max_degree).unwrap(), "{outline:?}");
+        }
+        assert!(curve.is_exact());
+    }
+    assert!(straight > 5 && reflex > 100, "{straight}, {reflex}");
+}
+
+/// A convex ring of points has the formula's degree, wherever its first corner is.
+#[test]
+fn a_first_corner_in_a_straight_side_changes_no_degree() {
+    let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]];
+    let whole = Domain::polygon(corners, [7, 3, 4, 3].map(Side::count).into()).unwrap();
+    let least = BoundaryMesh::least_degree(&whole).unwrap();
+    for split in 1..7_u64 {
+        let middle = [4.0 * split as f64 / 7.0, 0.0];
+        let corners = [middle, corners[1], corners[2], corners[3], corners[0]];
+        let counts = [7 - split, 3, 4, 3, split].map(Side::count);
+        let domain = Domain::polygon(corners, counts.into()).unwrap();
+        let mesh = BoundaryMesh::least_degree(&domain).unwrap();
+        assert_eq!(mesh.max_degree(), least.max_degree());
+        let listed = BoundaryMesh::with_triangles(&domain, mesh.triangles().collect()).unwrap();
+        let n = mesh.vertex_count();
+        assert!((0..n).all(|v| listed.degree(v) == mesh.degree(v)));
+        assert!((0..n).all(|v| listed.neighbors(v) == mesh.neighbors(v)), "{split}");
+        let mut filled = vec![[0; 3]; n as usize - 2];
+        mesh.fill_triangles(0, &mut filled);
+        assert!(mesh.triangles().eq(filled));
+        let best = exact::mesh(&domain, 5, Progress::NONE).unwrap();
+        let of_whole = exact::mesh(&whole, 5, Progress::NONE).unwrap();
+        assert!((best.min_angle - of_whole.min_angle).abs() < 1e-9);
+    }
+}
+
+/// What the design gives for each, from elsewhere.
+#[test]
+fn known_least_degrees() {
+    let l = |counts| domain(&Outline::l_shape(counts));
+    let u = |counts| domain(&Outline::u_shape(counts));
+    let rectangle =
+        |counts: [u64; 4]| Domain::rectangle(4.0, 3.0, counts.map(Side::count).to_vec()).unwrap();
+    for (domain, least) in [
+        (l([13, 6, 6, 6, 6, 13]), 5),
+        (l([25, 13, 13, 13, 13, 25]), 5),
+        (l([50, 25, 25, 25, 25, 50]), 4),
+        (l([60, 2, 2, 2, 2, 2]), 11),
+        (u([2, 2, 2, 2, 60, 2, 2, 2]), 23),
+        (u([90, 2, 2, 2, 2, 2, 2, 2]), 14),
+        (domain(&Outline::comb(8, 200, 1)), 11),
+        (domain(&Outline::spiral(5)), 4),
+        (rectangle([30, 2, 4, 2]), 7),
+        (rectangle([12, 9, 4, 4]), 5),
+        (rectangle([100, 3, 3, 3]), 16),
+        (rectangle([20, 1, 1, 1]), 12),
+    ] {
+        let answer = exact::degree(&domain, Progress::NONE).unwrap();
+        assert_eq!(answer.least_max_degree(), Some(least), "{domain:?}");
+    }
+    let zigzag = exact::degree(&l([50, 25, 25, 25, 25, 50]), Progress::NONE).unwrap();
+    assert!(matches!(zigzag.reached_by, Reached::ZigZag(_)));
+    let five = exact::degree(&l([13, 6, 6, 6, 6, 13]), Progress::NONE).unwrap();
+    let LowerBound::BlockedZigZags(blocked) = five.bounded_by else { panic!("not 4") };
+    let placed = as_placed(&l([13, 6, 6, 6, 6, 13]));
+    let rings = exact_rings(&placed);
+    assert!(rings(&blocked));
+    assert!(!rings(&blocked[..blocked.len() / 2]));
+}
+
+/// Whether chords prove that an outline has no triangulation of degree 4.
+fn exact_rings(placed: &Outline) -> impl Fn(&[[u32; 2]]) -> bool + '_ {
+    let ring = 0..placed.points.len() as u32;
+    move |blocked| {
+        mindeg_exact::check::Outline {
+            points: &placed.points,
+            rings: std::slice::from_ref(&ring),
+            side_of: &placed.side_of,
+        }
+        .blocks_all_zigzags(blocked)
+    }
+}
+
+/// A square of side 4 with a square hole of side 2, and intervals to each of their sides.
+fn frame(outer: u64, inner: u64) -> Domain {
+    let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
+    let outline = Shape::Polygon(square(0.0, 4.0).map(DVec2::from).to_vec());
+    let hole = Ring::new(square(1.0, 3.0), vec![Side::count(inner); 4]);
+    Domain::builder(outline, vec![Side::count(outer); 4]).hole(hole).build().unwrap()
+}
+
+/// A square plate with rows of round holes.
+fn plate(rows: u32, corners: u32) -> Domain {
+    let width = f64::from(rows);
+    let side = vec![Side::count(5 * u64::from(rows)); 4];
+    let outline = [[0.0, 0.0], [width, 0.0], [width, width], [0.0, width]];
+    let outline = Shape::Polygon(outline.map(DVec2::from).to_vec());
+    let mut builder = Domain::builder(outline, side);
+    for (x, y) in (0..rows).flat_map(|x| (0..rows).map(move |y| (x, y))) {
+        let at = |corner: u32| {
+            let angle = std::f64::consts::TAU * f64::from(corner) / f64::from(corners);
+            let center = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+            center + 0.25 * DVec2::new(libm::cos(angle), libm::sin(angle))
+        };
+        builder =
+            builder.hole(Ring::new((0..corners).map(at), vec![Side::count(1); corners as usize]));
+    }
+    builder.build().unwrap()
+}
+
+#[test]
+fn domains_with_holes_have_a_gap_that_holds() {
+    for (domain, reached, at_least) in [
+        (frame(4, 2), 5, 4),
+        (frame(10, 5), 5, 4),
+        (frame(25, 12), 5, 4),
+        (plate(2, 8), 5, 5),
+        (plate(3, 12), 5, 5),
+        (plate(5, 24), 5, 5),
+    ] {
+        let meshed = mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap();
+        let rings = domain.rings();
+        let holes = rings.ring_count() as u32 - 1;
+        assert_eq!(meshed.mesh.triangle_count(), rings.vertex_count() + 2 * holes - 2);
+        assert_eq!((meshed.mesh.max_degree(), meshed.least_max_degree), (reached, at_least));
+        assert_eq!(meshed.is_least_proven, reached == at_least);
+        let points: Vec<_> = domain.placement().points().collect();
+        let ranges: Vec<_> = rings.rings().collect();
+        let triangles: Vec<_> = meshed.mesh.triangles().collect();
+        let checked = check::triangulation(&points, &ranges, &triangles).unwrap();
+        assert_eq!(checked.max_degree, reached);
+        for vertex in 0..rings.vertex_count() {
+            let neighbors = meshed.mesh.neighbors(vertex);
+            assert_eq!(neighbors.len() as u32, checked.degrees[vertex as usize]);
+            let ends = (neighbors.first().copied(), neighbors.last().copied());
+            assert_eq!(ends, (Some(rings.next(vertex)), Some(rings.previous(vertex))));
+        }
+        let kept = mesh(&domain, Goal::KeepAngle(0.9), Progress::NONE).unwrap();
+        assert!(
+            kept.mesh.angle_range().min >= 0.9 * kept.delaunay_min_angle.unwrap() * (1.0 - 1e-9)
+        );
+        assert_eq!(kept.found_by, FoundBy::Windows { share: 0.9 });
+        let curve = exact::trade_off(&domain, Progress::NONE).unwrap();
+        assert!(!curve.is_exact() && curve.meshes()[0].max_degree == reached);
+        assert!(curve.share(curve.meshes().last().unwrap()) > 1.0 - 1e-9);
+        let refused = mesh(&domain, Goal::MaxDegree(3), Progress::NONE).unwrap_err();
+        assert_eq!(refused, ExactError::NotReached { max_degree: 3, reached, at_least });
+    }
+}
+
+/// All triangulations of a small domain with a hole.
+fn all_of_rings(domain: &Domain) -> Vec<Vec<[u32; 3]>> {
+    let points: Vec<DVec2> = domain.placement().points().collect();
+    let rings: Vec<_> = domain.rings().rings().collect();
+    let runs = domain.straight_runs();
+    let outline = mindeg_exact::check::Outline { points: &points, rings: &rings, side_of: &runs };
+    let n = points.len() as u32;
+    let is_edge = |a: u32, b: u32| domain.rings().next(a) == b || domain.rings().next(b) == a;
+    let joins: Vec<Vec<bool>> = (0..n)
+        .map(|a| {
+            (0..n).map(|b| a != b && (is_edge(a, b) || outline.is_admissible([a, b]))).collect()
+        })
+        .collect();
+    let mut all = Vec::new();
+    let open: BTreeSet<[u32; 2]> = (0..n).map(|v| [v, domain.rings().next(v)]).collect();
+    advance(&points, &joins, &open, &mut Vec::new(), &mut all);
+    all
+}
+
+/// Puts a triangle on the first half-edge that has none, in every way.
+fn advance(
+    points: &[DVec2],
+    joins: &[Vec<bool>],
+    open: &BTreeSet<[u32; 2]>,
+    triangles: &mut Vec<[u32; 3]>,
+    all: &mut Vec<Vec<[u32; 3]>>,
+) {
+    let Some(&[a, b]) = open.first() else {
+        all.push(triangles.clone());
+        return;
+    };
+    let at = |vertex: u32| points[vertex as usize];
+    let n = points.len() as u32;
+    for c in (0..n).filter(|&c| joins[a as usize][c as usize] && joins[b as usize][c as usize]) {
+        let is_inside = |vertex: u32| {
+            let p = at(vertex);
+            ![a, b, c].contains(&vertex)
+                && outlines::turn(at(a), at(b), p) >= 0.0
+                && outlines::turn(at(b), at(c), p) >= 0.0
+                && outlines::turn(at(c), at(a), p) >= 0.0
+        };
+        let crosses = |triangle: &[u32; 3]| {
+            let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
+            edges(*triangle).into_iter().any(|[p, q]| {
+                edges([a, b, c]).into_iter().any(|[r, s]| {
+                    let turn = |x, y, z| outlines::turn(at(x), at(y), at(z));
+                    ![r, s].contains(&p)
+                        && ![r, s].contains(&q)
+                        && turn(p, q, r) * turn(p, q, s) < 0.0
+                        && turn(r, s, p) * turn(r, s, q) < 0.0
+                })
+            })
+        };
+        if outlines::turn(at(a), at(b), at(c)) <= 0.0
+            || (0..n).any(is_inside)
+            || triangles.iter().any(crosses)
+        {
+            continue;
+        }
+        let mut next = open.clone();
+        let mut fits = true;
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            // An edge that is open is closed; any other one opens on its other side.
+            if !next.remove(&[from, to]) {
+                fits &= next.insert([to, from]);
+            }
+        }
+        if fits {
+            triangles.push([a, b, c]);
+            advance(points, joins, &next, triangles, all);
+            triangles.pop();
+        }
+    }
+}
+
+#[test]
+fn the_gap_of_a_hole_holds_the_least_degree_of_all_triangulations() {
+    let mut numbers = Random(3);
+    for _ in 0..40 {
+        let corners = 4 + numbers.below(2) as usize;
+        let outer = (0..corners).map(|corner| {
+            let radius = 6.0 + numbers.below(40) as f64 / 10.0;
+            let angle = std::f64::consts::TAU * corner as f64 / corners as f64;
+            DVec2::new(libm::cos(angle), libm::sin(angle)) * radius
+        });
+        let outer: Vec<DVec2> = outer.collect();
+        let shift = numbers.below(100) as f64 / 100.0;
+        let hole = (0..3).map(|corner| {
+            let angle = shift + std::f64::consts::TAU * f64::from(corner) / 3.0;
+            DVec2::new(libm::cos(angle), libm::sin(angle)) * 2.0
+        });
+        let counts = (0..corners).map(|_| Side::count(1 + numbers.below(2))).collect();
+        let domain = Domain::builder(Shape::Polygon(outer), counts)
+            .hole(Ring::new(hole, vec![Side::count(1); 3]))
+            .build()
+            .unwrap();
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        let all = all_of_rings(&domain);
+        let least = all.iter().map(|t| largest(&Measured::new(&points, t).degrees)).min().unwrap();
+        let answer = exact::degree(&domain, Progress::NONE).unwrap();
+        assert!((answer.at_least..=answer.reached).contains(&least), "{answer:?}: {least}");
+        assert!(answer.reached <= least + 1, "{answer:?}: {least}");
+    }
+}
+
+#[test]
+fn other_triangles_than_a_mesh_are_refused() {
+    let domain = frame(1, 1);
+    let good: Vec<_> =
+        mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap().mesh.triangles().collect();
+    let refused = |triangles: Vec<[u32; 3]>| {
+        BoundaryMesh::with_triangles(&domain, triangles).unwrap_err().to_string()
+    };
+    assert!(BoundaryMesh::with_triangles(&domain, good.clone()).is_ok());
+    assert!(refused(good[1..].to_vec()).contains("found 7 triangles, expected 8"));
+    let mut other = good.clone();
+    other[0] = [0, 1, 2];
+    assert!(refused(other).contains("on its left"));
+    let mut other = good;
+    other[0] = [0, 1, 99];
+    assert!(refused(other).contains("vertex 99, which does not exist"));
+
+    // Three points of a straight bottom, in an L.
+    let bottom = domain_of_l([2, 1, 1, 1, 1, 1]);
+    let flat = vec![[0, 1, 2], [0, 2, 4], [2, 3, 4], [0, 4, 6], [4, 5, 6]];
+    let refusal = BoundaryMesh::with_triangles(&bottom, flat).unwrap_err().to_string();
+    assert!(refusal.ends_with("triangle [0, 1, 2] is flat"), "{refusal}");
+}
+
+fn domain_of_l(counts: [u32; 6]) -> Domain {
+    domain(&Outline::l_shape(counts))
+}
+
+#[test]
+fn the_same_bytes_on_any_number_of_threads() {
+    let domains = [domain_of_l([60, 30, 30, 30, 30, 60]), frame(30, 15), plate(3, 12)];
+    for domain in domains {
+        let solve = |threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            pool.install(|| {
+                let goals = [Goal::LeastDegree, Goal::KeepAngle(0.9), Goal::MaxDegree(7)];
+                (
+                    goals.map(|goal| mesh(&domain, goal, Progress::NONE).unwrap()),
+                    exact::degree(&domain, Progress::NONE).unwrap(),
+                    exact::trade_off(&domain, Progress::NONE).unwrap(),
+                )
+            })
+        };
+        let one = solve(1);
+        assert_eq!(solve(2), one);
+        assert_eq!(solve(7), one);
+    }
+}
