@@ -13,8 +13,12 @@ from pathlib import Path
 
 import numpy
 
+from solver_formats import meshes
+
 DOMAINS = Path(__file__).resolve().parents[2] / "assets" / "domains"
 EXTENSIONS = ("ply", "stl", "off", "node", "14", "2dm", "npz")
+# What ADCIRC calls islands among the types of land boundaries.
+ISLANDS = (1, 11, 21)
 
 
 class Expected:
@@ -26,6 +30,11 @@ class Expected:
         faces = [row[1:4] for row in words if row[:1] == ["f"]]
         corners = [[int(corner.split("/")[0]) - 1 for corner in face] for face in faces]
         self.triangles = numpy.array(corners)
+        # The surface comes first, then each side.
+        self.sides = sum(row[:1] == ["o"] for row in words) - 1
+        edges = numpy.sort(self.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        edges, counts = numpy.unique(edges, axis=0, return_counts=True)
+        self.boundary = set(map(tuple, edges[counts == 1].tolist()))
         self.area = area(self.points, self.triangles)
 
 
@@ -108,13 +117,15 @@ def triangle_reads(stem, expected):
         "segments": data["segments"],
         "segment_markers": data["segment_markers"],
     }
-    # All points are on the boundary of one polygon: any triangulation has as many triangles, but
+    # A point in each hole.
+    boundary |= {key: data[key] for key in ("holes",) if key in data}
+    # All points are on the boundary: any triangulation has as many triangles, but
     # where points on slanted sides are rounded to the inside, slivers beyond them.
     made = triangle.triangulate(boundary, "pQ")
     assert len(made["vertices"]) == len(expected.points), "Triangle adds no vertex"
     assert len(made["triangles"]) == len(expected.triangles), "Triangle makes as many triangles"
-    markers = numpy.unique(data["segment_markers"])
-    assert markers.min() == 1 and len(markers) >= 3, "every side has its marker"
+    markers = numpy.unique(data["segment_markers"]).tolist()
+    assert markers == list(range(1, expected.sides + 1)), "every side has its marker"
 
 
 def numpy_reads(stem, expected):
@@ -138,7 +149,7 @@ def py2dm_reads(stem, expected):
         strings = list(mesh.iter_node_strings())
     same(points, triangles, expected, single=False)
     segments = sum(len(string.nodes) - 1 for string in strings)
-    assert segments == len(expected.points), "node strings go once round"
+    assert segments == len(expected.boundary), "node strings go once round"
 
 
 def swan_reads(stem, expected):
@@ -158,19 +169,20 @@ def swan_reads(stem, expected):
         assert words[:2] == [number, 3], "numbering of elements is not sequential"
         triangles.append(words[2:])
     same(points, numpy.array(triangles) - 1, expected, single=False)
-    ends = []
+    edges = []
     for kind in ("open", "land"):
         (boundaries,), (nodes,) = integers(1), integers(1)
         counted = 0
         for _ in range(boundaries):
-            count = integers(1 if kind == "open" else 2)[0]
-            members = [integers(1)[0] for _ in range(count)]
-            ends.append((members[0], members[-1]))
+            count, of = integers(1) + [0] if kind == "open" else integers(2)
+            members = [integers(1)[0] - 1 for _ in range(count)]
+            # An island does not repeat its first node.
+            edges += zip(members, members[1:] + (members[:1] if of in ISLANDS else []))
             counted += count
         assert counted == nodes, f"{counted} nodes of {kind} boundaries, {nodes} announced"
     assert next(lines, None) is None, "the file ends"
-    # Each segment begins where the one before ends, once round.
-    assert [start for start, _ in ends] == [ends[-1][1], *(end for _, end in ends[:-1])], "a ring"
+    found = {(min(edge), max(edge)) for edge in edges}
+    assert found == expected.boundary and len(found) == len(edges), "all boundary edges, once"
 
 
 READERS = [
@@ -241,10 +253,10 @@ def main():
             passed += 1
             print(f"ok      {name}")
 
-    for domain in domains:
-        stem = folder / domain.stem
+    for name, command, _ in meshes(mindeg, domains):
+        stem = folder / name
         outputs = [f"{stem}.{extension}" for extension in ("obj", *EXTENSIONS)]
-        command = [mindeg, "mesh", domain, "--quiet"]
+        command = [*command, "--quiet", "--boundary-lines"]
         # What 32 bits cannot hold goes without PLY and STL.
         finished = subprocess.run(
             [*command, *(word for output in outputs for word in ("-o", output))],
@@ -252,18 +264,18 @@ def main():
         )
         if finished.returncode:
             failed += 1
-            print(f"FAILED  {domain.stem} in mindeg: {finished.stderr.strip()}")
+            print(f"FAILED  {name} in mindeg: {finished.stderr.strip()}")
             continue
         colors = [*command, "-o", f"{stem}-colors.ply", "--degree-colors", "--double"]
         subprocess.run(colors, check=True)
         expected = Expected(f"{stem}.obj")
         for reader in READERS:
-            check(f"{domain.stem} in {reader.__name__[:-6]}", reader, stem, expected)
-        others = folder / f"{domain.stem}-others"
+            check(f"{name} in {reader.__name__[:-6]}", reader, stem, expected)
+        others = folder / f"{name}-others"
         others.mkdir(exist_ok=True)
         foreign_files(others, expected)
         for file in sorted(others.iterdir()):
-            check(f"{domain.stem}: {file.name} in mindeg", mindeg_reads, mindeg, file, expected)
+            check(f"{name}: {file.name} in mindeg", mindeg_reads, mindeg, file, expected)
     print(f"{passed} passed, {failed} failed")
     sys.exit(1 if failed else 0)
 

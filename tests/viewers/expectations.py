@@ -13,13 +13,17 @@ ANGLE_TOLERANCE = 0.01
 STEPS_TO_TELL_A_SHAPE = 10
 
 
-def check_report(report, outputs):
+def check_report(report, outline, outputs):
     """What the program says of the mesh, and that it wrote the files it was asked for."""
     vertices, triangles = report["vertices"], report["triangles"]
-    # Every vertex is on the boundary, so any triangulation has two triangles fewer.
-    yield equal("triangles reported", vertices - 2, triangles)
-    least, seen = report["least_max_degree"], report["max_degree"]
-    yield "max_degree reported", f"at least the optimum {least}", seen, seen >= least
+    # A polygon has two triangles fewer than vertices, each hole adds two, and so does a vertex inside.
+    inside = report.get("interior_points", 0)
+    expected = vertices - 2 + 2 * outline.holes + inside
+    yield equal("triangles reported", expected, triangles)
+    yield equal("vertices reported", sum(report["intervals"]) + inside, vertices)
+    if "least_max_degree" in report:
+        least, seen = report["least_max_degree"], report["max_degree"]
+        yield "max_degree reported", f"at least the optimum {least}", seen, seen >= least
     # A .gltf has a .bin beside it.
     binaries = sum(str(file).endswith(".bin") for file in report["files"])
     documents = sum(str(file).endswith(".gltf") for file in report["files"])
@@ -33,12 +37,18 @@ def check_mesh(reading, report, outline):
     yield equal("vertices", report["vertices"], reading["vertices"])
     yield equal("faces", report["triangles"], reading["faces"])
     yield equal("non-manifold edges", 0, reading["non_manifold_edges"])
-    # All vertices are on the boundary, and a closed line has as many edges as vertices.
-    yield equal("boundary edges", report["vertices"], reading["boundary_edges"])
+    yield equal("boundary edges", sum(report["intervals"]), reading["boundary_edges"])
     yield equal("connected components", 1, reading["components"])
-    yield equal("maximum degree", report["max_degree"], reading["max_degree"])
+    yield equal("maximum degree", max_degree(report), reading["max_degree"])
     yield check_bounds(reading, outline)
     yield from check_shape(reading, report, outline)
+
+
+def max_degree(report):
+    """A mesh with interior points reports the smallest and the largest degree, inside and around."""
+    if "max_degree" in report:
+        return report["max_degree"]
+    return max(report["interior_degree"][1], report["boundary_degree"][1])
 
 
 def check_extras(reading, line_segments, has_colors):

@@ -63,7 +63,12 @@ impl Case {
         };
         let domain = domain(&corners, &intervals)?;
         let points = domain.placement().points().collect();
-        Ok(Input { intervals, corners, boundary: domain.convex().expect("these are convex").boundary().clone(), points })
+        Ok(Input {
+            intervals,
+            corners,
+            boundary: domain.convex().expect("the cases are convex").boundary().clone(),
+            points,
+        })
     }
 }
 

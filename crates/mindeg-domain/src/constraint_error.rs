@@ -9,7 +9,7 @@ use crate::turning::Turn;
 pub enum ConstraintPlace {
     /// The entry of this side.
     Side(InRing),
-    /// This entry of the list of [`VertexConstraint`]s.
+    /// This entry of the list of [`VertexConstraint`](crate::VertexConstraint)s.
     Entry(usize),
 }
 

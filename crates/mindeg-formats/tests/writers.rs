@@ -346,7 +346,7 @@ fn gltf_refuses_what_32_bit_floats_cannot_hold() {
             "[[0, 0], [1e39, 0], [0, 1e39]]",
             &[1; 3],
             "vertex 1 (counted from 0) at (1000000000000000000000000000000000000000, 0) is beyond \
-             the range of glTF's 32-bit floats; scale the domain down, or write OBJ",
+             the range of 32-bit floats; scale the domain down, or write OBJ",
         ),
     ] {
         let mesh = polygon(corners, intervals);

@@ -264,7 +264,7 @@ impl TriMesh {
         &self.groups
     }
 
-    /// The segments of all [lines](Triangles::lines), one line after the other.
+    /// The segments of all [lines](crate::Triangles::lines), one line after the other.
     #[must_use]
     pub fn segments(&self) -> &[[u32; 2]] {
         &self.segments
