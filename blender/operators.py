@@ -93,7 +93,7 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
             done = [self.fill_loop(bm, loop) for loop in _selected_loops(bm)]
         return "; ".join(done)
 
-    def options(self):
+    def wanted(self):
         return {
             "max_degree": self.max_degree or None,
             "keep_angle": self.keep_angle or None,
@@ -102,7 +102,7 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
 
     def fill_face(self, bm, face):
         names = list(face.verts)
-        new, triangles, words = loops.fill([vertex.co for vertex in names], **self.options())
+        new, triangles, words = loops.fill([vertex.co for vertex in names], **self.wanted())
         like = face
         names += [bm.verts.new(point) for point in new]
         made = _add_faces(bm, names, triangles, like)
@@ -121,7 +121,7 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
             if all(vertex.index in index for vertex in edge.verts)
         ]
         new, triangles, words = loops.fill(
-            [vertex.co for vertex in names], external=external, excluded=excluded, **self.options()
+            [vertex.co for vertex in names], external=external, excluded=excluded, **self.wanted()
         )
         names += [bm.verts.new(point) for point in new]
         made = _add_faces(bm, names, triangles)

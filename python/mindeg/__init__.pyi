@@ -107,7 +107,7 @@ def inspect(
     points: npt.NDArray[np.float64],
     triangles: npt.ArrayLike,
     *,
-    weld: float | None = 0.0,
+    weld: float | None = ...,
     corner_angle: float = 1.0,
 ) -> dict[str, Any]: ...
 def improve(points: npt.NDArray[np.float64], triangles: npt.ArrayLike, **options: Any) -> Mesh: ...

@@ -87,7 +87,7 @@ def test_improving_keeps_the_boundary():
 
 
 def test_an_unknown_option_is_named():
-    with pytest.raises(ValueError, match="no option is named 'grow'; give growth"):
+    with pytest.raises(ValueError, match='no option is named "grow"; give growth'):
         mindeg.rectangle(4, 3, size=1).interior(grow=1)
 
 

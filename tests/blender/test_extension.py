@@ -5,8 +5,8 @@ import math
 import sys
 from pathlib import Path
 
+import bpy  # Before bmesh, which it brings.
 import bmesh
-import bpy
 import pytest
 
 EXTENSION = Path(__file__).resolve().parents[2] / "blender"

@@ -43,5 +43,7 @@ pub(crate) fn positions(points: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<DVec
         return Err(PyValueError::new_err(problem));
     }
     let z = |row: usize| if columns == 3 { points[[row, 2]] } else { 0.0 };
-    Ok((0..points.nrows()).map(|row| DVec3::new(points[[row, 0]], points[[row, 1]], z(row))).collect())
+    Ok((0..points.nrows())
+        .map(|row| DVec3::new(points[[row, 0]], points[[row, 1]], z(row)))
+        .collect())
 }

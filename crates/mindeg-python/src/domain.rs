@@ -52,8 +52,8 @@ impl Domain {
 
     /// The least maximum degree, and what is proven of it.
     fn degree(&self, py: Python<'_>) -> PyResult<Degree> {
-        let least = done(py, |progress| exact::least_max_degree(&self.inner, progress))?;
-        Ok(Degree { reached: least, at_least: least })
+        let found = done(py, |progress| exact::degree(&self.inner, progress))?;
+        Ok(Degree { reached: found.reached, at_least: found.at_least })
     }
 
     /// The mesh of least degree; the best one within `max_degree`; or the one of least degree that
@@ -82,10 +82,12 @@ impl Domain {
         let found_by = match meshed.found_by {
             FoundBy::Formula => "formula".to_owned(),
             FoundBy::Search => "search".to_owned(),
+            FoundBy::Exhaustive => "exhaustive search for the degree".to_owned(),
+            FoundBy::ZigZag => "zig-zag".to_owned(),
             FoundBy::Windows { share } => format!("windows that keep {share} of the angle"),
         };
         let facts = Facts {
-            least_max_degree: Some(meshed.least_max_degree),
+            least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
             found_by: Some(found_by),
             report: None,
         };

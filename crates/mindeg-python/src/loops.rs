@@ -88,8 +88,10 @@ fn ring(points: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<DVec3>> {
 fn degrees(given: Option<Vec<u32>>, count: usize) -> PyResult<Vec<u32>> {
     let degrees = given.unwrap_or_else(|| vec![2; count]);
     if degrees.len() != count {
-        let problem =
-            format!("found {} external degrees for {count} vertices; give one for each", degrees.len());
+        let problem = format!(
+            "found {} external degrees for {count} vertices; give one for each",
+            degrees.len()
+        );
         return Err(PyValueError::new_err(problem));
     }
     Ok(degrees)
