@@ -84,3 +84,20 @@ fn a_build_without_png_says_so() {
         "does not write a picture in pixels; write .svg, or build it with the feature png",
     ]);
 }
+
+#[test]
+fn the_kind_of_a_side_reaches_fort_14_with_and_without_interior_points() {
+    let domain = br#"{"rectangle": {"width": 4, "height": 3}, "sides": [
+        {"intervals": 4, "kind": "open", "name": "sea"}, {"intervals": 3}, {"intervals": 4},
+        {"intervals": 3}]}"#;
+    for interior in ["--interior", "--no-interior"] {
+        let run = crate::run::mindeg_reading(
+            ["mesh", "-", "-o", "-", "--format", "fort14", "-q", interior],
+            domain,
+        );
+        let text = run.text();
+        for line in ["1 = number of open boundaries", "5 = nodes of open boundary 1 (sea)"] {
+            assert!(text.contains(line), "{interior}: {text}");
+        }
+    }
+}

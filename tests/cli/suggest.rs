@@ -83,10 +83,13 @@ fn a_domain_s_file_has_the_counts_too() {
         let domain = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
         let read = mindeg_reading([command, "-", "--json"], domain.as_bytes());
         assert_eq!(without_angles(read.json()), of("4,3,4,3"), "{command}");
+        if command == "degree" {
+            continue; // it tells the degree under limits, too
+        }
         let limited = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
             {"max_degree": 5}, {}, {}, {}]}"#;
         mindeg_reading([command, "-"], limited.as_bytes())
-            .refuses(&["the domain gives outside_degree or max_degree", "mindeg mesh"]);
+            .refuses(&["the domain gives outside_degree or max_degree", "mindeg degree, mesh"]);
     }
 }
 

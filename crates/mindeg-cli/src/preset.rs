@@ -11,7 +11,8 @@ use std::ops::RangeInclusive;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Preset {
     /// SWAN (waves): 4 to 10 triangles at each interior vertex; its limit on large angles is not checked.
-    /// Source: swanmodel.sourceforge.io/online_doc/swantech/node88.html
+    /// Source: SWAN's technical manual,
+    /// swanmodel.sourceforge.io, node88.html
     Swan,
     /// FVCOM (ocean): at most 8 triangles at each vertex, which its array NBVE(M,9) holds.
     /// Source: the declaration in FVCOM's code

@@ -71,7 +71,7 @@ pub use placement::{Placement, Walk};
 pub use placement_error::PlacementError;
 pub use rectangle::{Rectangle, RectangleError};
 pub use rings::{InRing, Rings, RingsError};
-pub use side::{Intervals, Side, SideError, SideKind};
+pub use side::{Intervals, Side, SideError};
 pub use spacing::{Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;
 pub use turning::ConvexForm;

@@ -4,6 +4,7 @@
 
 use glam::DVec2;
 use mindeg_core::MAX_VERTICES;
+use mindeg_mesh::LineKind;
 
 use crate::curve::{Curve, CurveError};
 use crate::spacing::{Spacing, SpacingError};
@@ -20,18 +21,7 @@ pub struct Side {
     /// A name, for the groups of mesh files.
     pub name: Option<String>,
     /// What kind of boundary it is.
-    pub kind: Option<SideKind>,
-}
-
-/// The kinds of boundary that ocean models tell apart.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum SideKind {
-    /// Open water beyond.
-    Open,
-    /// The mainland.
-    Land,
-    /// An island.
-    Island,
+    pub kind: Option<LineKind>,
 }
 
 /// The number of intervals of a side.
@@ -149,7 +139,7 @@ impl Side {
 
     /// The same side of a kind.
     #[must_use]
-    pub fn of_kind(self, kind: SideKind) -> Self {
+    pub fn of_kind(self, kind: LineKind) -> Self {
         Self { kind: Some(kind), ..self }
     }
 

@@ -79,7 +79,8 @@ type Solved = (Vec<[u32; 3]>, Cost);
 /// # Example
 ///
 /// ```
-/// /// use mindeg_exact::{LoopLimit, LoopProblem, Progress, fill_loop};
+/// use glam::DVec3;
+/// use mindeg_exact::{LoopLimit, LoopProblem, Progress, fill_loop};
 ///
 /// // A square whose corners go up and down in turn: either diagonal folds it.
 /// let loop_ = [(0., 0., 0.), (1., 0., 1.), (1., 1., 0.), (0., 1., 1.)].map(DVec3::from);

@@ -79,8 +79,12 @@ pub(crate) fn reaching(
 fn is_roughly([a, b, c]: [DVec2; 3], threshold: f64) -> bool {
     let squares = [(b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared()];
     let [x, y, z] = squares;
-    let longer = x + y + z - 2.0 * x.min(y).min(z);
-    let excess = 2.0 * (b - a).perp_dot(c - a) - threshold * longer * (1.0 - 1e-9);
+    let sum = x + y + z;
+    let longer = sum - 2.0 * x.min(y).min(z);
+    // The measure starts from another corner, where rounding is another: of an area, it is a part of the
+    // longest edge's square.
+    let area = 2.0 * (b - a).perp_dot(c - a) + 32.0 * f64::EPSILON * sum;
+    let excess = area - threshold * longer * (1.0 - 1e-9);
     excess >= 0.0 || excess.is_nan()
 }
 

@@ -98,6 +98,9 @@ impl<'a> Boundary<'a> {
                 }
             }
         }
+        // Where a chain ends at a vertex that begins none, its marker is the chain's.
+        let count = lines.last().map_or(0, |line| line.segments.end);
+        is_in_order &= chains.iter().all(|chain| chain.end < count);
         let markers = if is_in_order {
             Markers::InOrder(lines.iter().map(|line| line.segments.end).collect())
         } else {

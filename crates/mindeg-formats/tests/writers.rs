@@ -331,7 +331,7 @@ fn gltf_refuses_what_32_bit_floats_cannot_hold() {
             "[[0, 0], [1, 0], [1, 1], [0.999999999, 1.000000001], [0, 1]]",
             &[1; 5][..],
             "vertices 2 and 3 (counted from 0) at (0.999999999, 1.000000001) are too close \
-             together for glTF's 32-bit floats to tell them apart; use fewer intervals there, or \
+             together for 32-bit floats to tell them apart; use fewer intervals there, or \
              write OBJ, which keeps every digit",
         ),
         (
@@ -339,14 +339,14 @@ fn gltf_refuses_what_32_bit_floats_cannot_hold() {
             "[[0, 0], [1, 1], [-2e-9, 2e-9]]",
             &[2, 2, 1],
             "vertices 1 and 3 (counted from 0) at (0.49999999900000003, 0.5000000010000001) are \
-             too close together for glTF's 32-bit floats to tell them apart; use fewer intervals \
+             too close together for 32-bit floats to tell them apart; use fewer intervals \
              there, or write OBJ, which keeps every digit",
         ),
         (
             "[[0, 0], [1e39, 0], [0, 1e39]]",
             &[1; 3],
             "vertex 1 (counted from 0) at (1000000000000000000000000000000000000000, 0) is beyond \
-             the range of glTF's 32-bit floats; scale the domain down, or write OBJ",
+             the range of 32-bit floats; scale the domain down, or write OBJ",
         ),
     ] {
         let mesh = polygon(corners, intervals);

@@ -86,8 +86,11 @@ pub fn mesh(
             lines.push(Line { name, segments: start..segments.len() as u32, is_straight: false });
         }
     }
+    let mut kinds: Vec<_> = domain.sides().iter().map(|side| side.kind).collect();
+    kinds.resize(lines.len(), None);
     let mesh = TriMesh::new(points, found.triangles)
         .and_then(|mesh| mesh.with_lines(lines, segments))
+        .map(|mesh| mesh.with_line_kinds(kinds))
         .map_err(|error| InteriorError::NotFilled(error.to_string()))?;
     let mesh = match domain.name() {
         Some(name) => mesh.named(name),

@@ -56,7 +56,7 @@ pub(crate) struct InspectArguments {
     /// euler_characteristic, closed, manifold, genus, volume, non_manifold_edges, non_manifold_vertices, inconsistent_edges,
     /// duplicate_faces, duplicate_triangles, zero_area_triangles, unreferenced_vertices,
     /// max_degree, degree_histogram, poles, area, min_angle, max_angle, metrics,
-    /// share_below_degrees, worst_triangles, outline, no_outline
+    /// share_below_degrees, worst_triangles, outline, no_outline, polygon
     #[arg(long)]
     pub(crate) json: bool,
 

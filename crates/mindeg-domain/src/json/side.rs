@@ -9,8 +9,9 @@ use super::spacing::spacing;
 use super::value::{Object, Value};
 use crate::constraints::SideConstraint;
 use crate::curve::{Arc, Curve};
-use crate::side::{Intervals, Side, SideKind};
+use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
+use mindeg_mesh::LineKind;
 
 const SIDE: &str = "an object such as {\"intervals\": 3} or {\"size\": 0.5}; optional: \"spacing\", \
                     \"name\", \"kind\", \"outside_degree\", \"max_degree\", and one of \"points\", \
@@ -68,12 +69,12 @@ pub(super) fn name(keys: &Object<'_>) -> Result<Option<String>, DomainJsonError>
     keys.get("name").map(|name| name.text("a text in double quotes")).transpose()
 }
 
-fn kind(given: &Value<'_>) -> Result<SideKind, DomainJsonError> {
+fn kind(given: &Value<'_>) -> Result<LineKind, DomainJsonError> {
     const KINDS: &str = "\"open\", \"land\" or \"island\"";
     match given.text(KINDS)?.as_str() {
-        "open" => Ok(SideKind::Open),
-        "land" => Ok(SideKind::Land),
-        "island" => Ok(SideKind::Island),
+        "open" => Ok(LineKind::Open),
+        "land" => Ok(LineKind::Land),
+        "island" => Ok(LineKind::Island),
         other => Err(given.error(format!("found the text {other:?}, expected {KINDS}"))),
     }
 }

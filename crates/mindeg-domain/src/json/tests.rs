@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
-use crate::side::{Side, SideKind};
+use crate::side::{LineKind, Side};
 use crate::spacing::Spacing;
 
 #[test]
@@ -120,7 +120,7 @@ fn reads_holes_rings_and_curves() {
     // Turned: from the first corner back.
     assert_eq!(domain.sides()[6].name.as_deref(), Some("a"));
     assert_eq!(domain.constraints().sides[6].degree_limit, Some(9));
-    assert_eq!(domain.sides()[7].kind, Some(SideKind::Island));
+    assert_eq!(domain.sides()[7].kind, Some(LineKind::Island));
     let names: Vec<_> = (4..13).map(|side| domain.side_name(side)).collect();
     assert_eq!(
         names,

@@ -9,8 +9,9 @@ use crate::constraints::{ExternalDegree, SideConstraint, VertexConstraint};
 use crate::curve::{Arc, Curve};
 use crate::domain::Domain;
 use crate::outline::Outline;
-use crate::side::{Intervals, Side, SideKind};
+use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
+use mindeg_mesh::LineKind;
 
 impl Domain {
     /// The domain as JSON text, which [`Domain::from_json`] reads as the same points, bit for bit.
@@ -131,9 +132,9 @@ fn side(side: &Side, constraint: Option<&SideConstraint>) -> Value {
     }
     if let Some(kind) = side.kind {
         let kind = match kind {
-            SideKind::Open => "open",
-            SideKind::Land => "land",
-            SideKind::Island => "island",
+            LineKind::Open => "open",
+            LineKind::Land => "land",
+            LineKind::Island => "island",
         };
         keys.insert("kind".to_owned(), json!(kind));
     }

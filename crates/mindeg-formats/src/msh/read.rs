@@ -40,7 +40,7 @@ use crate::scanner::{Numbers, Scanner};
 /// assert_eq!((mesh.triangles(), mesh.segments()), (&[[0, 1, 2]][..], &[[0, 1]][..]));
 ///
 /// let error = msh::read(file.replace("1 2 9\n", "1 2 4\n").as_bytes()).unwrap_err();
-/// assert_eq!(error.to_string(), "line 12: node 4 does not exist");
+/// assert_eq!(error.to_string(), "line 13: node 4 does not exist");
 /// # Ok::<(), mindeg_formats::ReadError>(())
 /// ```
 pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {

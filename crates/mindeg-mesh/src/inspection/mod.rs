@@ -152,7 +152,7 @@ pub struct Inspection {
     /// The triangles with the least minimum angles, at most [`WORST`].
     pub worst_triangles: WorstTriangles,
     /// The volume inside, positive where triangles are counter-clockwise seen from outside, in cubed
-    /// units of length; none unless the mesh is closed and consistently wound.
+    /// units of length; none unless the mesh is closed and consistently wound, or beyond f64.
     pub volume: Option<f64>,
     /// The outline as a convex polygon, or why it is none.
     pub outline: Result<ConvexOutline, NoConvexOutline>,
@@ -208,7 +208,7 @@ impl Inspection {
         let is_closed = topology.boundary.edge_count() == 0 && face_count > 0;
         let has_inside = is_closed && is_manifold && topology.inconsistent_edges.is_empty();
         Self {
-            volume: has_inside.then(|| volume(mesh)),
+            volume: has_inside.then(|| volume(mesh)).filter(|volume| volume.is_finite()),
             vertex_count,
             welded_count,
             triangle_count: mesh.triangles().len(),

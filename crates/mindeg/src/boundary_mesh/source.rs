@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use glam::DVec3;
-use mindeg_mesh::{Bounds, Line, Positions, Triangles};
+use mindeg_mesh::{Bounds, Line, LineKind, Positions, Triangles};
 
 use super::BoundaryMesh;
 
@@ -62,6 +62,10 @@ impl Triangles for BoundaryMesh {
             }
         };
         Cow::Owned((0..rings.side_count()).map(line).collect())
+    }
+
+    fn line_kind(&self, line: usize) -> Option<LineKind> {
+        self.domain().sides().get(line)?.kind
     }
 
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {

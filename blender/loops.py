@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Loops of edges, and meshes for them. Nothing here knows Blender: it works on lists and arrays."""
+
+import mindeg
+import numpy as np
+
+# A loop is planar if no point is farther than this from its plane, as a share of the loop's size.
+PLANAR = 1e-5
+
+
+def loops_of(edges):
+    """The closed loops that edges form, each a list of vertices; a ValueError names what is none."""
+    beside = {}
+    for a, b in edges:
+        beside.setdefault(a, []).append(b)
+        beside.setdefault(b, []).append(a)
+    wrong = next((vertex for vertex, others in beside.items() if len(others) != 2), None)
+    if wrong is not None:
+        raise ValueError(
+            f"vertex {wrong} has {len(beside[wrong])} selected edges; select closed loops, with 2 at each vertex"
+        )
+    loops, seen = [], set()
+    for start in beside:
+        if start in seen:
+            continue
+        loop, previous, vertex = [], None, start
+        while vertex not in seen:
+            seen.add(vertex)
+            loop.append(vertex)
+            a, b = beside[vertex]
+            previous, vertex = vertex, (b if a == previous else a)
+        loops.append(loop)
+    return loops
+
+
+def plane_of(points):
+    """The center, two axes and the largest distance of a loop from its plane, by Newell's normal."""
+    points = np.asarray(points, dtype=float)
+    center = points.mean(axis=0)
+    around = points - center
+    normal = np.cross(around, np.roll(around, -1, axis=0)).sum(axis=0)
+    length = np.linalg.norm(normal)
+    if length == 0:
+        raise ValueError("the loop has no area; move its vertices apart")
+    normal /= length
+    least = np.eye(3)[np.argmin(np.abs(normal))]
+    first = np.cross(normal, least)
+    first /= np.linalg.norm(first)
+    axes = np.array([first, np.cross(normal, first)])
+    return center, axes, np.abs(around @ normal).max()
+
+
+def fill(points, *, external=None, excluded=(), max_degree=None, keep_angle=None, interior=False):
+    """Triangles for a loop of points in space: new points, triangles, and a line that says what was reached.
+
+    A planar loop is meshed as a polygon, any other as a loop in space. ``external`` are the edges at each vertex without those
+    of the filling, and then the limit counts them.
+    """
+    points = np.asarray(points, dtype=float)
+    center, axes, off = plane_of(points)
+    size = np.ptp(points, axis=0).max()
+    if off > PLANAR * size:
+        if interior or keep_angle is not None:
+            raise ValueError(
+                f"the loop is {off:.3g} off its plane; interior points and kept angles need a planar loop"
+            )
+        triangles, facts = mindeg.fill_loop(
+            points, external=external, excluded=list(excluded), max_degree=max_degree
+        )
+        return [], triangles.tolist(), f"degree {facts['max_degree']} (limit {facts['limit']})"
+    ring = (points - center) @ axes.T
+    domain = mindeg.Domain(ring)
+    if interior:
+        mesh = domain.interior()
+        new = center + mesh.points[len(points) :] @ axes
+        reached = mesh.report
+        words = (
+            f"minimum angle {reached['min_angle']:.1f}°, at most {reached['angle_limit']:.1f}° possible; "
+            f"{len(reached['violations'])} vertices outside 5 to 7 edges"
+        )
+        return new.tolist(), mesh.triangles.tolist(), words
+    mesh = domain.mesh(max_degree=max_degree, keep_angle=keep_angle)
+    least = mesh.least_max_degree
+    bound = f"least possible {least}" if least is not None else "least possible unknown"
+    return [], mesh.triangles.tolist(), (
+        f"degree {mesh.max_degree} ({bound}), minimum angle {mesh.min_angle:.1f}°"
+    )
+
+
+def bridge(first, second, *, external=None, max_degree=None):
+    """Triangles between two loops of points, the second turned to run as the first does."""
+    first, second = np.asarray(first, dtype=float), np.asarray(second, dtype=float)
+    normals = [np.cross(loop - loop.mean(axis=0), np.roll(loop - loop.mean(axis=0), -1, axis=0)).sum(axis=0)
+               for loop in (first, second)]
+    order = np.arange(len(second))
+    if normals[0] @ normals[1] < 0:
+        order = order[::-1]
+    if external is not None:
+        external = [*external[: len(first)], *(external[len(first) + i] for i in order)]
+    triangles, facts = mindeg.bridge_loops(
+        first, np.ascontiguousarray(second[order]), external=external, max_degree=max_degree
+    )
+    names = np.concatenate([np.arange(len(first)), len(first) + order])
+    words = (
+        f"degree {facts['max_degree']} (least possible {facts['least_max_degree']}), "
+        f"minimum angle {facts['min_angle']:.1f}°"
+    )
+    return names[triangles].tolist(), words

@@ -1,0 +1,167 @@
+//! A domain: what to mesh.
+
+use mindeg::glam::DVec3;
+use mindeg::{Domain as Inner, FoundBy, Goal, Positions, exact};
+use mindeg_mesh::filled;
+use numpy::PyArray2;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::answers::{Degree, Suggestion, TradeOffPoint};
+use crate::arrays;
+use crate::interior;
+use crate::mesh::{Facts, Mesh};
+use crate::work::{done, value_error};
+
+/// A polygon with its boundary points.
+#[pyclass(module = "mindeg", frozen, subclass, name = "_Domain")]
+pub(crate) struct Domain {
+    inner: Inner,
+    /// What it was made from: it tells everything, so it is what is pickled.
+    json: String,
+}
+
+#[pymethods]
+impl Domain {
+    #[new]
+    fn from_json(json: String) -> PyResult<Self> {
+        Ok(Self { inner: Inner::from_json(&json).map_err(value_error)?, json })
+    }
+
+    /// The domain as JSON, as `mindeg mesh` reads it.
+    fn to_json(&self) -> &str {
+        &self.json
+    }
+
+    /// The name, if there is one.
+    #[getter]
+    fn name(&self) -> Option<&str> {
+        self.inner.name()
+    }
+
+    /// The boundary points, (n, 2) float64.
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let placement = self.inner.placement();
+        let points = filled(0..placement.vertex_count(), DVec3::ZERO, |first, out| {
+            placement.fill_positions(first, out);
+        });
+        arrays::points(py, &points)
+    }
+
+    /// The least maximum degree, and what is proven of it.
+    fn degree(&self, py: Python<'_>) -> PyResult<Degree> {
+        let found = done(py, |progress| exact::degree(&self.inner, progress))?;
+        Ok(Degree { reached: found.reached, at_least: found.at_least })
+    }
+
+    /// The mesh of least degree; the best one within `max_degree`; or the one of least degree that
+    /// keeps a share of Delaunay's minimum angle.
+    #[pyo3(signature = (*, max_degree=None, keep_angle=None))]
+    fn mesh(
+        &self,
+        py: Python<'_>,
+        max_degree: Option<u32>,
+        keep_angle: Option<f64>,
+    ) -> PyResult<Mesh> {
+        let goal = match (max_degree, keep_angle) {
+            (None, None) => Goal::LeastDegree,
+            (Some(limit), None) => Goal::MaxDegree(limit),
+            (None, Some(share)) if (0.0..=1.0).contains(&share) => Goal::KeepAngle(share),
+            (None, Some(share)) => {
+                let problem = format!("keep_angle is {share}; give a share from 0 to 1");
+                return Err(PyValueError::new_err(problem));
+            }
+            (Some(_), Some(_)) => {
+                let problem = "max_degree and keep_angle exclude each other; give one of them";
+                return Err(PyValueError::new_err(problem));
+            }
+        };
+        let meshed = done(py, |progress| mindeg::mesh(&self.inner, goal, progress))?;
+        let found_by = match meshed.found_by {
+            FoundBy::Formula => "formula".to_owned(),
+            FoundBy::Search => "search".to_owned(),
+            FoundBy::Exhaustive => "exhaustive search for the degree".to_owned(),
+            FoundBy::ZigZag => "zig-zag".to_owned(),
+            FoundBy::Windows { share } => format!("windows that keep {share} of the angle"),
+        };
+        let facts = Facts {
+            least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
+            found_by: Some(found_by),
+            report: None,
+        };
+        Ok(Mesh::new(meshed.mesh, facts))
+    }
+
+    /// A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum
+    /// angle gets near its proven limit. Options: growth, size_inside, interior_degree=(5, 7),
+    /// boundary_degree, target_angle, prefer="degree" or "angle", sizes=[(x, y, size)],
+    /// fixed_points=[(x, y)], max_points. `mesh.report` has what was reached.
+    #[pyo3(signature = (**options))]
+    fn interior(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Mesh> {
+        let base = self.inner.interior().cloned().unwrap_or_default();
+        let wanted = interior::wanted(options, base)?;
+        let found = done(py, |progress| mindeg::interior::mesh(&self.inner, &wanted, progress))?;
+        let report = interior::reached(py, &found.report)?.unbind();
+        let facts = Facts { report: Some(report), ..Facts::default() };
+        Ok(Mesh::new(found.mesh, facts))
+    }
+
+    /// The best mesh for every maximum degree, from the least one on.
+    fn tradeoff(&self, py: Python<'_>) -> PyResult<Vec<TradeOffPoint>> {
+        let trade_off = done(py, |progress| exact::trade_off(&self.inner, progress))?;
+        let least = trade_off.meshes().first().map(|least| least.max_degree);
+        let point = |exact: &exact::ExactMesh| {
+            let facts = Facts {
+                least_max_degree: least,
+                found_by: Some("search".to_owned()),
+                report: None,
+            };
+            Ok(TradeOffPoint {
+                max_degree: exact.max_degree,
+                min_angle: exact.min_angle,
+                share: trade_off.share(exact),
+                mesh: Py::new(py, Mesh::new(exact.mesh.clone(), facts))?,
+            })
+        };
+        trade_off.meshes().iter().map(point).collect()
+    }
+
+    /// The smallest changes of interval counts, one for each lower least maximum degree.
+    fn suggest(&self) -> PyResult<Vec<Suggestion>> {
+        let boundary = match self.inner.convex() {
+            Some(form) if form.boundary().side_count() == self.inner.sides().len() => {
+                form.boundary()
+            }
+            _ => {
+                let problem = "suggestions are for convex domains without straight corners";
+                return Err(PyValueError::new_err(problem));
+            }
+        };
+        let suggestion = |one: mindeg_core::Suggestion| Suggestion {
+            max_degree: one.max_degree,
+            intervals: one.intervals(boundary),
+            changes: one.changes.iter().map(|change| (change.side, change.by)).collect(),
+        };
+        Ok(mindeg_core::suggestions(boundary).map(suggestion).collect())
+    }
+
+    /// The comparison with other methods as JSON text.
+    fn _compare(&self, py: Python<'_>) -> PyResult<String> {
+        let options = mindeg_compare::Options::default();
+        let compared = done(py, |_| mindeg_compare::compare(&self.inner, &options))?;
+        let mut json = Vec::new();
+        mindeg_compare::write_json(compared.report(), &mut json).map_err(value_error)?;
+        String::from_utf8(json).map_err(value_error)
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "<mindeg.Domain {}{} vertices, {} sides>",
+            self.inner.name().map(|name| format!("{name}: ")).unwrap_or_default(),
+            self.inner.placement().vertex_count(),
+            self.inner.sides().len(),
+        )
+    }
+}

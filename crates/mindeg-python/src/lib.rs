@@ -1,0 +1,27 @@
+//! The Python module `mindeg._mindeg`; the package in `python/mindeg` adds what is easier in Python.
+//!
+//! Everything is worked out by the library. Arrays go to numpy without copying, work runs without the
+//! interpreter's lock, Ctrl-C cancels it, and errors are `ValueError`s with the words of the command line.
+
+mod answers;
+mod arrays;
+mod domain;
+mod interior;
+mod loops;
+mod mesh;
+mod save;
+mod work;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+mod _mindeg {
+    #[pymodule_export]
+    use super::answers::{Degree, Suggestion, TradeOffPoint};
+    #[pymodule_export]
+    use super::domain::Domain;
+    #[pymodule_export]
+    use super::loops::{bridge_loops, fill_loop};
+    #[pymodule_export]
+    use super::mesh::{Mesh, improve, inspect, read};
+}

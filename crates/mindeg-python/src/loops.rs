@@ -1,0 +1,110 @@
+//! Loops in space: closing one, joining two.
+
+use mindeg::glam::DVec3;
+use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
+use numpy::{PyArray2, PyReadonlyArray2};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays;
+use crate::work::{done, value_error};
+
+/// The triangles, and what is known of them.
+type Answer<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyDict>);
+
+/// Close a loop in space by the triangulation of least area under a limit on the total degree.
+///
+/// `points` is (n, 2) or (n, 3); `external` counts the edges at each vertex without those of the filling, 2 each by
+/// default; `excluded` are pairs that may not be joined. Without `max_degree`, the least limit
+/// possible from 6 up. Gives (n - 2, 3) triangles and a dict: limit, max_degree, area.
+#[pyfunction]
+#[pyo3(signature = (points, *, external=None, excluded=Vec::new(), max_degree=None))]
+pub(crate) fn fill_loop<'py>(
+    py: Python<'py>,
+    points: PyReadonlyArray2<'py, f64>,
+    external: Option<Vec<u32>>,
+    excluded: Vec<[u32; 2]>,
+    max_degree: Option<u32>,
+) -> PyResult<Answer<'py>> {
+    let points = ring(&points)?;
+    let external = degrees(external, points.len())?;
+    check_pairs(&excluded, [points.len(); 2])?;
+    let problem = LoopProblem::new(&points, &external, excluded).map_err(value_error)?;
+    let limit = max_degree.map_or(LoopLimit::LeastFrom(6), LoopLimit::AtMost);
+    let found = done(py, |progress| filled(&problem, limit, progress))?;
+    let facts = PyDict::new(py);
+    facts.set_item("limit", found.limit)?;
+    facts.set_item("max_degree", found.max_degree)?;
+    facts.set_item("area", found.area)?;
+    facts.set_item("least_area", found.without_limit.0)?;
+    Ok((arrays::triangles(py, found.triangles)?, facts))
+}
+
+/// Join two loops by one strip: the largest minimum angle at the least maximum degree possible, or
+/// within `max_degree`.
+///
+/// Triangles run forward along the first loop and backward along the second. Indices count the first loop's
+/// vertices, then the second's. `external` as for `fill_loop`, for both loops together.
+#[pyfunction]
+#[pyo3(signature = (first, second, *, external=None, excluded=Vec::new(), max_degree=None))]
+pub(crate) fn bridge_loops<'py>(
+    py: Python<'py>,
+    first: PyReadonlyArray2<'py, f64>,
+    second: PyReadonlyArray2<'py, f64>,
+    external: Option<Vec<u32>>,
+    excluded: Vec<[u32; 2]>,
+    max_degree: Option<u32>,
+) -> PyResult<Answer<'py>> {
+    let (x, y) = (ring(&first)?, ring(&second)?);
+    let external = degrees(external, x.len() + y.len())?;
+    check_pairs(&excluded, [x.len(), y.len()])?;
+    let external = external.split_at(x.len());
+    let problem = BridgeProblem::new([&x, &y], [external.0, external.1], excluded);
+    let problem = problem.map_err(value_error)?;
+    let found = done(py, |progress| bridge_rings(&problem, max_degree, progress))?;
+    let facts = PyDict::new(py);
+    facts.set_item("max_degree", found.max_degree)?;
+    facts.set_item("least_max_degree", found.least_max_degree)?;
+    facts.set_item("lower_bound", found.lower_bound)?;
+    facts.set_item("min_angle", found.min_angle)?;
+    Ok((arrays::triangles(py, found.triangles)?, facts))
+}
+
+fn ring(points: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<DVec3>> {
+    let points = arrays::positions(points)?;
+    if points.len() < 3 {
+        let problem = format!("found {} points; a loop has at least 3", points.len());
+        return Err(PyValueError::new_err(problem));
+    }
+    match points.iter().position(|point| !point.is_finite()) {
+        None => Ok(points),
+        Some(index) => {
+            Err(PyValueError::new_err(format!("point {index} is not finite; give finite numbers")))
+        }
+    }
+}
+
+fn degrees(given: Option<Vec<u32>>, count: usize) -> PyResult<Vec<u32>> {
+    let degrees = given.unwrap_or_else(|| vec![2; count]);
+    if degrees.len() != count {
+        let problem = format!(
+            "found {} external degrees for {count} vertices; give one for each",
+            degrees.len()
+        );
+        return Err(PyValueError::new_err(problem));
+    }
+    Ok(degrees)
+}
+
+fn check_pairs(pairs: &[[u32; 2]], counts: [usize; 2]) -> PyResult<()> {
+    let is_there = |pair: &&[u32; 2]| {
+        pair.iter().zip(counts).all(|(&vertex, count)| (vertex as usize) < count)
+    };
+    match pairs.iter().find(|pair| !is_there(pair)) {
+        None => Ok(()),
+        Some([a, b]) => Err(PyValueError::new_err(format!(
+            "excluded has the pair ({a}, {b}), and there is no such vertex; count from 0"
+        ))),
+    }
+}

@@ -1,0 +1,56 @@
+"""Meshes of a domain from its boundary points, with low degree and good angles.
+
+>>> import mindeg
+>>> domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
+>>> mesh = domain.mesh(keep_angle=0.95)
+>>> mesh.max_degree, mesh.points.shape, mesh.triangles.shape
+(6, (29, 2), (27, 3))
+
+Vertices and sides are numbered from 0, counter-clockwise from the first corner; angles are in degrees. Faults in
+what you give are ``ValueError`` with what to do.
+"""
+
+from ._domain import Domain, polygon, rectangle
+from ._mindeg import (
+    Degree,
+    Mesh,
+    Suggestion,
+    TradeOffPoint,
+    bridge_loops,
+    fill_loop,
+    improve,
+    inspect,
+    read,
+)
+
+__all__ = [
+    "Degree",
+    "Domain",
+    "Mesh",
+    "Suggestion",
+    "TradeOffPoint",
+    "bridge_loops",
+    "fill_loop",
+    "improve",
+    "inspect",
+    "polygon",
+    "read",
+    "rectangle",
+]
+
+
+def _restored(points, triangles, name, lines, facts):
+    """A mesh that was pickled."""
+    return Mesh._of_parts(points, triangles, name, [(n, s.tolist()) for n, s in lines], facts)
+
+
+def _add_conversions():
+    """The conversions live in Python: each needs a package that mindeg does not."""
+    from . import _convert
+
+    Mesh.to_meshio = _convert.to_meshio
+    Mesh.to_trimesh = _convert.to_trimesh
+    Mesh.to_pyvista = _convert.to_pyvista
+
+
+_add_conversions()

@@ -1,0 +1,142 @@
+"""Domains from what Python users have, and what they answer."""
+
+import json
+import pickle
+
+import mindeg
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+
+def test_the_degree_of_a_rectangle_is_proven():
+    degree = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4]).degree()
+    assert (degree.reached, degree.at_least, degree.is_proven) == (5, 5, True)
+
+
+def test_keeping_the_angle_costs_one_degree():
+    domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
+    least, kept = domain.mesh(), domain.mesh(keep_angle=0.95)
+    assert (least.max_degree, kept.max_degree) == (5, 6)
+    assert least.min_angle == pytest.approx(5.528, abs=5e-4)
+    assert kept.min_angle == pytest.approx(6.340, abs=5e-4)
+
+
+def test_the_trade_off_ends_at_delaunay():
+    points = mindeg.rectangle(4, 3, intervals=[10, 10, 10, 10]).tradeoff()
+    assert [point.max_degree for point in points] == [4, 5]
+    assert points[-1].share == pytest.approx(1.0)
+    assert points[0].mesh.max_degree == 4
+
+
+def test_suggestions_lower_the_degree():
+    first = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4]).suggest()[0]
+    assert (first.max_degree, first.changes, first.intervals) == (4, [(1, 2)], [12, 11, 4, 4])
+
+
+def test_points_of_an_array_come_back_bit_for_bit():
+    angles = np.linspace(0, 2 * np.pi, 17)[:-1]
+    ring = np.column_stack([np.cos(angles), np.sin(angles)]) / 3
+    domain = mindeg.Domain(ring)
+    assert np.array_equal(domain.points, ring)
+    assert domain.mesh().max_degree <= 4
+
+
+def test_a_polygon_of_shapely_with_a_hole():
+    shapely = pytest.importorskip("shapely")
+    square = [(0, 0), (4, 0), (4, 4), (0, 4)]
+    hole = [(1, 1), (2, 1), (2, 2), (1, 2)]
+    mesh = mindeg.Domain(shapely.Polygon(square, [hole])).mesh()
+    assert area(mesh) == pytest.approx(15)
+
+
+def test_a_non_convex_polygon():
+    corners = [(0, 0), (4, 0), (4, 2), (2, 2), (2, 4), (0, 4)]
+    domain = mindeg.polygon(corners, intervals=[13, 6, 6, 6, 6, 13])
+    assert domain.degree().reached == 5
+    assert area(domain.mesh()) == pytest.approx(12)
+
+
+def test_a_domain_survives_pickling_and_json():
+    domain = mindeg.rectangle(4, 3, size=0.5, names=["a", None, "c", None], name="plate")
+    for other in (pickle.loads(pickle.dumps(domain)), mindeg.Domain(domain.to_json())):
+        assert other.name == "plate"
+        assert np.array_equal(other.points, domain.points)
+
+
+def test_a_dict_may_hold_numpys_numbers():
+    sides = [{"intervals": np.int64(2)}] * 4
+    source = {"rectangle": {"width": np.float64(4), "height": 3}, "sides": sides}
+    assert len(mindeg.Domain(source).points) == 8
+
+
+def test_interior_points_keep_the_boundary_and_the_degrees():
+    domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
+    mesh = domain.interior(growth=0.4)
+    assert np.array_equal(mesh.points[: len(domain.points)], domain.points)
+    assert mesh.report["violations"] == []
+    assert mesh.report["share_of_limit"] > 0.95
+    assert area(mesh) == pytest.approx(12)
+
+
+def test_improving_keeps_the_boundary():
+    points = np.array([[0.0, 0], [2, 0], [2, 2], [0, 2], [0.1, 0.1]])
+    mesh = mindeg.improve(points, [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]])
+    assert mesh.min_angle > 44 > mesh.report["before"]["min_angle"]
+
+
+def test_an_unknown_option_is_named():
+    with pytest.raises(ValueError, match='no option is named "grow"; give growth'):
+        mindeg.rectangle(4, 3, size=1).interior(grow=1)
+
+
+def test_comparing_gives_the_report():
+    report = mindeg.rectangle(4, 3, intervals=[14, 3, 5, 2]).compare()
+    assert len(report["methods"]) >= 3
+    json.dumps(report)
+
+
+@pytest.mark.parametrize(
+    ("make", "message"),
+    [
+        (lambda: mindeg.rectangle(-1, 3, size=1), "width"),
+        (lambda: mindeg.rectangle(4, 3, intervals=[1, 2, 3]), "found 3 intervals for 4 sides"),
+        (lambda: mindeg.rectangle(4, 3), "either intervals or size"),
+        (lambda: mindeg.rectangle(4, 3, size=1).mesh(keep_angle=2), "a share from 0 to 1"),
+        (lambda: mindeg.rectangle(4, 3, size=1).mesh(max_degree=5, keep_angle=0.9), "exclude"),
+        (lambda: mindeg.rectangle(4, 3, intervals=[9, 1, 1, 1]).mesh(max_degree=3), "3"),
+        (lambda: mindeg.Domain({"type": "Point", "coordinates": [0, 0]}), "a Point"),
+        (lambda: mindeg.Domain([[0, 0, 0], [1, 0, 0], [0, 1, 0]]), "give (n, 2)"),
+        (lambda: mindeg.Domain('{"rectangle": {"width": 4}}'), "height"),
+    ],
+)
+def test_faults_are_value_errors_that_say_what_to_do(make, message):
+    with pytest.raises(ValueError, match=".*") as raised:
+        make()
+    assert message in str(raised.value)
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.lists(st.integers(1, 9), min_size=3, max_size=6))
+def test_meshes_of_regular_polygons_cover_them(counts):
+    sides = len(counts)
+    angles = 2 * np.pi * np.arange(sides) / sides
+    corners = np.column_stack([np.cos(angles), np.sin(angles)])
+    domain = mindeg.polygon(corners, intervals=counts)
+    mesh = domain.mesh()
+    assert len(mesh.triangles) == sum(counts) - 2
+    assert area(mesh) == pytest.approx(sides / 2 * np.sin(2 * np.pi / sides))
+    # The degrees, counted by numpy alone.
+    edges = {tuple(sorted(edge)) for t in mesh.triangles.tolist() for edge in zip(t, t[1:] + t[:1])}
+    degrees = np.bincount(np.array(sorted(edges)).ravel(), minlength=len(mesh.points))
+    assert np.array_equal(degrees, mesh.degrees)
+    assert degrees.max() == mesh.max_degree == mesh.least_max_degree
+
+
+def area(mesh):
+    """The sum of the signed areas, by numpy."""
+    a, b, c = (mesh.points[mesh.triangles[:, corner]] for corner in range(3))
+    return float(np.sum(np.cross(b - a, c - a)) / 2) if mesh.points.shape[1] == 3 else float(
+        np.sum((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    )

@@ -1,0 +1,140 @@
+"""Meshes: arrays, files, other packages, Ctrl-C."""
+
+import os
+import pickle
+import signal
+import threading
+import time
+
+import mindeg
+import numpy as np
+import pytest
+
+
+@pytest.fixture
+def mesh():
+    return mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4], names=["a", "b", "c", "d"]).mesh()
+
+
+def test_arrays_are_made_once_and_have_the_promised_types(mesh):
+    assert mesh.points is mesh.points and mesh.triangles is mesh.triangles
+    assert (mesh.points.dtype, mesh.points.shape) == (np.float64, (29, 2))
+    assert (mesh.triangles.dtype, mesh.triangles.shape) == (np.uint32, (27, 3))
+    assert mesh.degrees.sum() == 2 * (2 * 29 - 3)
+
+
+def test_lines_are_the_sides(mesh):
+    assert [(name, len(segments)) for name, segments in mesh.lines] == [
+        ("a", 12),
+        ("b", 9),
+        ("c", 4),
+        ("d", 4),
+    ]
+
+
+def test_a_mesh_survives_pickling(mesh):
+    other = pickle.loads(pickle.dumps(mesh))
+    assert np.array_equal(other.points, mesh.points)
+    assert np.array_equal(other.triangles, mesh.triangles)
+    assert [name for name, _ in other.lines] == ["a", "b", "c", "d"]
+    assert other.least_max_degree == mesh.least_max_degree
+
+
+@pytest.mark.parametrize("extension", ["obj", "glb", "gltf", "msh", "vtu", "vtk", "ply", "npz"])
+def test_every_format_brings_the_triangles_back(mesh, tmp_path, extension):
+    path = tmp_path / f"plate.{extension}"
+    mesh.save(path)
+    other = mindeg.read(path)
+    assert np.array_equal(other.triangles, mesh.triangles)
+    assert np.allclose(other.points, mesh.points, atol=1e-6)
+
+
+def test_a_file_is_replaced_whole_or_not_at_all(mesh, tmp_path):
+    path = tmp_path / "plate.obj"
+    path.write_text("old")
+    with pytest.raises(ValueError, match="names no format"):
+        mesh.save(tmp_path / "plate.foo")
+    with pytest.raises(OSError, match="missing"):
+        mesh.save(tmp_path / "missing" / "plate.obj")
+    assert path.read_text() == "old"
+    mesh.save(path)
+    assert path.read_text().count("\nf ") == 27
+    assert os.listdir(tmp_path) == ["plate.obj"]
+
+
+def test_inspecting_arrays_finds_what_is_wrong():
+    points = np.array([[0.0, 0], [2, 0], [2, 2], [0, 2], [1, 1]])
+    found = mindeg.inspect(points, [[0, 1, 4], [1, 2, 4], [4, 2, 3], [3, 4, 0]])
+    assert found["inconsistent_edges"] == [[0, 4], [3, 4]]
+    assert (found["max_degree"], found["euler_characteristic"]) == (4, 1)
+
+
+@pytest.mark.parametrize("triangles", [[[0, 1, 9]], [[0, 1]], [[0.5, 1, 2]], [[-1, 0, 1]]])
+def test_wrong_triangles_are_value_errors(triangles):
+    with pytest.raises(ValueError, match="."):
+        mindeg.inspect(np.zeros((3, 2)), triangles)
+
+
+def test_a_notebook_shows_a_picture(mesh):
+    assert mesh._repr_svg_().startswith("<svg")
+
+
+def test_other_packages_take_the_mesh(mesh):
+    trimesh = pytest.importorskip("trimesh")
+    assert isinstance(mesh.to_trimesh(), trimesh.Trimesh)
+    assert mesh.to_trimesh().area == pytest.approx(12)
+    pytest.importorskip("meshio")
+    assert len(mesh.to_meshio().cells_dict["triangle"]) == 27
+    assert set(mesh.to_meshio().cell_sets) == {"a", "b", "c", "d"}
+
+
+def test_control_c_cancels_work():
+    domain = mindeg.rectangle(4, 3, intervals=[900, 900, 900, 900])
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        domain.tradeoff()
+    assert time.monotonic() - start < 20
+
+
+def test_other_threads_run_while_it_works():
+    domain = mindeg.rectangle(4, 3, intervals=[200, 200, 200, 200])
+    ticks = []
+    done = threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(None)
+            time.sleep(0.005)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    try:
+        domain.mesh(keep_angle=0.95)
+    finally:
+        done.set()
+        thread.join()
+    assert len(ticks) > 3
+
+
+def test_a_loop_in_space_is_closed_within_a_limit():
+    angles = np.linspace(0, 2 * np.pi, 25)[:-1]
+    saddle = np.column_stack([np.cos(angles), np.sin(angles), 0.4 * np.cos(2 * angles)])
+    triangles, facts = mindeg.fill_loop(saddle)
+    degrees = np.bincount(triangles.ravel(), minlength=24) + 1
+    assert triangles.shape == (22, 3)
+    assert facts["limit"] == 6 and degrees.max() == facts["max_degree"] <= 6
+    with pytest.raises(ValueError, match="at least 3"):
+        mindeg.fill_loop(saddle[:2])
+    with pytest.raises(ValueError, match="no such vertex"):
+        mindeg.fill_loop(saddle, excluded=[(0, 99)])
+
+
+def test_loops_of_unequal_counts_are_joined():
+    def ring(count, z):
+        angles = np.linspace(0, 2 * np.pi, count + 1)[:-1]
+        return np.column_stack([np.cos(angles), np.sin(angles), np.full(count, float(z))])
+
+    triangles, facts = mindeg.bridge_loops(ring(12, 1), ring(5, 0))
+    assert triangles.shape == (17, 3)
+    assert facts["max_degree"] == facts["least_max_degree"] == 2 + 1 + 3
