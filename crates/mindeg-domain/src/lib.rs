@@ -61,6 +61,7 @@ pub use json::DomainJsonError;
 pub use limits::{
     GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE, MAX_STORED_VERTICES,
 };
+pub use mindeg_mesh::LineKind;
 pub use model::{
     FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelError, ModelFace, ModelParts,
     ModelPlace, PLANAR_SHARE, Plane,

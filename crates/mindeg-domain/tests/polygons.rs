@@ -1,7 +1,6 @@
 //! Random polygons with holes: valid ones are taken as they are, damaged ones refused with the right
 //! reason.
 
-
 use glam::DVec2;
 use mindeg_domain::{Curve, Domain, DomainError, IntersectionError, Ring, Side};
 use proptest::prelude::*;

@@ -4,8 +4,9 @@ use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
-use crate::side::{LineKind, Side};
+use crate::side::Side;
 use crate::spacing::Spacing;
+use mindeg_mesh::LineKind;
 
 #[test]
 fn reads_every_key() {
