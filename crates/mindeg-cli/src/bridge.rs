@@ -99,15 +99,18 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     };
     let (from_name, to_name) = (first.name(from), second.as_ref().unwrap_or(&first).name(to));
     let Side { mesh, .. } = first;
-    let whole = match &second {
-        Some(second) => mesh.clone().with_mesh_added(&second.mesh),
-        None => Ok(mesh.clone()),
-    };
-    let whole = whole.map_err(|error| Failure::Input(error.to_string()))?;
     // What can be refused is refused before the search.
-    let most = whole.triangles().len().saturating_add(whole.positions().len());
-    targets.check(&whole, u32::try_from(most).unwrap_or(u32::MAX))?;
-    drop(whole);
+    let check = |targets: &mut Targets<'_>, whole: &TriMesh| {
+        let most = whole.triangles().len().saturating_add(whole.positions().len());
+        targets.check(whole, u32::try_from(most).unwrap_or(u32::MAX))
+    };
+    match &second {
+        Some(second) => {
+            let whole = mesh.clone().with_mesh_added(&second.mesh);
+            check(&mut targets, &whole.map_err(|error| Failure::Input(error.to_string()))?)?;
+        }
+        None => check(&mut targets, &mesh)?,
+    }
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();
@@ -115,13 +118,9 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     let other = second.as_ref().map(|side| &side.mesh);
     let result = bridge(mesh, other, [from, to], arguments.max_degree, Progress::new(&callback))
         .map_err(|error| Failure::Input(error.to_string()))?;
-    let all_taken = targets.write(&result.mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(&result.mesh, outputs, &bar)?;
     drop(callback);
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
     if !arguments.quiet {
         say(&text(&result, &from_name, &to_name, &files));
     }

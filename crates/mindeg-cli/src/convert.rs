@@ -27,18 +27,15 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let files = targets.files();
     // Where the file does not tell the boundary, solvers still need it.
     let bounded = targets.need_boundary().then(|| with_boundary_lines(mesh.clone()));
-    let all_taken = targets.write_each(
+    targets.write_each(
         |format| match &bounded {
             Some(bounded) if format.has_boundary() => bounded,
             _ => &mesh,
         },
+        outputs,
         &bar,
     )?;
-    outputs.finish()?;
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
     let files: Vec<_> = files.into_iter().filter(|file| file != "-").collect();
     if !arguments.quiet && !files.is_empty() {
         say(&format!("wrote {}", files.join(", ")));

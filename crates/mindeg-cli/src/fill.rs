@@ -105,13 +105,9 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         let name = file.display();
         return Err(Failure::Input(format!("{name} has no loop to fill{message}")));
     }
-    let all_taken = targets.write(&result.mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(&result.mesh, outputs, &bar)?;
     drop(callback);
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
     if !arguments.quiet {
         say(&text(file, &result, &loops, &files, arguments.max_degree.is_some()));
     }

@@ -7,7 +7,7 @@ use clap::Args;
 use mindeg::BoundaryMesh;
 use mindeg::quality::TriangleQuality;
 use mindeg_compare::number_format::steady_angle;
-use mindeg_mesh::TriMesh;
+use mindeg_mesh::{TriMesh, Triangles};
 
 /// What a mesh must be to pass.
 #[derive(Debug, Args)]
@@ -92,6 +92,16 @@ impl Gates {
             return Ok(());
         }
         Err(Failure::Gate(format!("{} (counted from 0)", failed.join("; "))))
+    }
+
+    /// Checks a mesh given as a list, of which the minimum angle is known.
+    pub(crate) fn check_list(&self, mesh: &TriMesh, min_angle: f64) -> Result<(), Failure> {
+        let max_degree = mesh.max_degree();
+        let highest_vertex = || {
+            let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == max_degree);
+            highest.map_or(0, |(vertex, _)| vertex)
+        };
+        self.check(max_degree, min_angle, highest_vertex, || NamedTriangle::worst_of(mesh))
     }
 
     /// Checks the mesh of a domain, of which the minimum angle is known. Degrees are total. To name

@@ -4,7 +4,6 @@ use crate::args::ImproveArguments;
 use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::failure::Failure;
-use crate::gates::NamedTriangle;
 use crate::input;
 use crate::interior_report::{Reached, angles_and_degrees, grading, violations};
 use crate::interrupt::clean_up_on_interrupt;
@@ -63,13 +62,9 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     check_gates(arguments, &improved)?;
 
     targets.check(&improved.mesh, improved.mesh.triangle_count())?;
-    let all_taken = targets.write(&improved.mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(&improved.mesh, outputs, &bar)?;
     drop(callback);
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
     if !arguments.quiet {
         say(&text(&file, &mesh, &improved, &files));
     }
@@ -90,14 +85,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
 
 fn check_gates(arguments: &ImproveArguments, improved: &ImprovedMesh) -> Result<(), Failure> {
     let mesh = &improved.mesh;
-    let max_degree = mesh.max_degree();
-    let highest_vertex = || {
-        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == max_degree);
-        highest.map_or(0, |(vertex, _)| vertex)
-    };
-    let worst_triangle = || NamedTriangle::worst_of(mesh);
-    let min_angle = improved.after.min_angle;
-    arguments.gates.check(max_degree, min_angle, highest_vertex, worst_triangle)?;
+    arguments.gates.check_list(mesh, improved.after.min_angle)?;
     arguments.gates.preset.map_or(Ok(()), |preset| preset.check(mesh))
 }
 

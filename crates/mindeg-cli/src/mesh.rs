@@ -90,13 +90,9 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
     arguments.gates.check_mesh(mesh, angles.min, &bar)?;
 
-    let all_taken = targets.write(mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(mesh, outputs, &bar)?;
     drop(callback);
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
 
     let summary = Summary {
         name: domain.name(),

@@ -96,18 +96,23 @@ impl<'a> Targets<'a> {
         self.targets.iter_mut().try_for_each(|target| target.open(outputs))
     }
 
-    /// Writes a mesh of the positions that were [checked](Self::check) to all of them, and lets the
-    /// bar count the bytes. Whether all readers took all of it.
-    pub(crate) fn write(self, mesh: &dyn Mesh, bar: &Bar) -> Result<bool, Failure> {
-        self.write_each(|_| mesh, bar)
+    /// Writes a mesh of the positions that were [checked](Self::check) to all of them, lets the bar
+    /// count the bytes, and gives the files their names.
+    ///
+    /// # Errors
+    ///
+    /// [`Failure::ClosedPipe`] if a reader did not take all of it; the other outputs are whole.
+    pub(crate) fn write(self, mesh: &dyn Mesh, outputs: Outputs, bar: &Bar) -> Result<(), Failure> {
+        self.write_each(|_| mesh, outputs, bar)
     }
 
     /// [`write`](Self::write), with a mesh for each format.
     pub(crate) fn write_each<'m>(
         mut self,
         mesh_for: impl Fn(Format) -> &'m dyn Mesh,
+        outputs: Outputs,
         bar: &Bar,
-    ) -> Result<bool, Failure> {
+    ) -> Result<(), Failure> {
         let mut writers = Vec::new();
         for target in &mut self.targets {
             let mesh = mesh_for(target.format);
@@ -124,7 +129,8 @@ impl<'a> Targets<'a> {
                 written => written?,
             }
         }
-        Ok(all_taken)
+        outputs.finish()?;
+        if all_taken { Ok(()) } else { Err(Failure::ClosedPipe) }
     }
 }
 

@@ -5,7 +5,6 @@ use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::domain::{name, name_in_text};
 use crate::failure::Failure;
-use crate::gates::NamedTriangle;
 use crate::interior_report::{
     Limit, Reached, angles_and_degrees, grading, limit_in_words, violations,
 };
@@ -105,13 +104,9 @@ pub(super) fn run(
     check_gates(arguments, &mesh, report.min_angle)?;
 
     targets.check(&mesh, mesh.triangle_count())?;
-    let all_taken = targets.write(&mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(&mesh, outputs, &bar)?;
     drop(callback);
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
     let summary = Summary {
         name: domain.name(),
         intervals: domain.rings().sides().collect(),
@@ -134,13 +129,7 @@ pub(super) fn run(
 
 /// The gates on the whole mesh.
 fn check_gates(arguments: &MeshArguments, mesh: &TriMesh, min_angle: f64) -> Result<(), Failure> {
-    let max_degree = mesh.max_degree();
-    let highest_vertex = || {
-        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == max_degree);
-        highest.map_or(0, |(vertex, _)| vertex)
-    };
-    let worst_triangle = || NamedTriangle::worst_of(mesh);
-    arguments.gates.check(max_degree, min_angle, highest_vertex, worst_triangle)?;
+    arguments.gates.check_list(mesh, min_angle)?;
     arguments.gates.preset.map_or(Ok(()), |preset| preset.check(mesh))
 }
 

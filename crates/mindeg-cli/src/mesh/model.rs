@@ -111,12 +111,8 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     let mesh = &meshed.mesh;
     check_gates(&meshed, arguments)?;
     targets.check(mesh, mesh.triangle_count())?;
-    let all_taken = targets.write(mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(mesh, outputs, &bar)?;
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
 
     let corners = |edge: usize| model.edge_corners(edge);
     let summary = Summary {
@@ -172,19 +168,10 @@ fn fill(
     let filled = filled.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
     drop(callback);
     let mesh = &filled.mesh;
-    let highest = || {
-        let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == filled.max_degree);
-        highest.map_or(0, |(vertex, _)| vertex)
-    };
-    let worst = || NamedTriangle::worst_of(mesh);
-    arguments.gates.check(filled.max_degree, filled.min_angle, highest, worst)?;
+    arguments.gates.check_list(mesh, filled.min_angle)?;
     targets.check(mesh, mesh.triangle_count())?;
-    let all_taken = targets.write(mesh, &bar)?;
-    outputs.finish()?;
+    targets.write(mesh, outputs, &bar)?;
     drop(bar);
-    if !all_taken {
-        return Err(Failure::ClosedPipe);
-    }
     let summary = FilledSummary {
         name: model.name(),
         faces: model.face_count(),
