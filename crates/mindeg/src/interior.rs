@@ -34,10 +34,11 @@ pub use mindeg_interior::{InteriorError, Report, Violation};
 
 use std::ops::Range;
 
-use glam::DVec2;
 use mindeg_domain::{Domain, Interior};
 use mindeg_interior::{Fixed, Options, Outline, generate};
 use mindeg_mesh::{Line, Progress, TriMesh};
+
+use crate::boundary_mesh::points_of;
 
 /// A mesh with interior points, and what it is like.
 #[derive(Clone, Debug, PartialEq)]
@@ -124,8 +125,7 @@ fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
 
 /// The boundary points of a domain.
 fn outline(domain: &Domain) -> Result<Outline, InteriorError> {
-    let mut points = vec![DVec2::ZERO; domain.rings().vertex_count() as usize];
-    domain.placement().fill_points(0, &mut points);
+    let points = points_of(domain);
     let ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
     Ok(Outline::new(&domain.rings().rings().map(ring).collect::<Vec<_>>())?)
 }

@@ -10,7 +10,7 @@
 
 use glam::DVec3;
 use mindeg_mesh::TriMesh;
-use mindeg_mesh::inspection::first_at_same_position;
+use mindeg_mesh::inspection::weld;
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 
@@ -76,7 +76,7 @@ impl Loops {
     /// ```
     #[must_use]
     pub fn of(mesh: &TriMesh) -> Self {
-        let same = first_at_same_position(mesh.positions());
+        let same = weld(mesh.positions(), 0.0);
         let merged = |corners: &[u32; 3]| corners.map(|vertex| same[vertex as usize]);
         let triangles: Vec<[u32; 3]> = mesh.triangles().iter().map(merged).collect();
         // Positions and counts are those of a mesh.

@@ -8,7 +8,7 @@ use super::error::DomainJsonError;
 use super::interior::interior;
 use super::ring::{OWN_POINTS, POLYGON, hole, outline};
 use super::side::name;
-use super::value::Value;
+use super::value::{ABOVE_0, Value};
 use crate::build::DomainBuilder;
 use crate::constraints::Constraints;
 use crate::domain::Domain;
@@ -36,7 +36,7 @@ pub(super) fn description(
         ["name", "rectangle", "polygon", "ring", "holes", "size", "sides", "vertices", "interior"];
     let keys = text.object(&allowed, DOMAIN)?;
     let name = name(&keys)?;
-    let size = keys.get("size").map(|size| size.number("a number above 0")).transpose()?;
+    let size = keys.get("size").map(|size| size.number(ABOVE_0)).transpose()?;
     if let (Some(size), Some(_), None) = (keys.get("size"), keys.get("ring"), keys.get("holes")) {
         return Err(size.error(OWN_POINTS));
     }

@@ -4,11 +4,10 @@ use serde_json::{Map, json};
 
 use super::error::DomainJsonError;
 use super::point::pair;
-use super::value::Value;
+use super::value::{ABOVE_0, Value};
 use crate::interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 
 const CORNERS: &str = "a list of [x, y] pairs of numbers";
-const ABOVE_0: &str = "a number above 0";
 const INTERIOR: &str = "an object, which may be empty, such as {\"growth\": 0.3}";
 const DEGREES: &str = "a pair [least, greatest] of whole numbers, such as [5, 7]";
 const FIXED: &str = "{\"points\": [[x, y], …], \"segments\": [[end, end], …]}";

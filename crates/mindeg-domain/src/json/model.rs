@@ -4,12 +4,11 @@ use glam::DVec3;
 
 use super::error::DomainJsonError;
 use super::spacing::spacing;
-use super::value::{Step, Value};
+use super::value::{ABOVE_0, Step, Value};
 use crate::model::{Model, ModelEdge, ModelError, ModelFace, ModelParts, check_name};
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
-const ABOVE_0: &str = "a number above 0";
 const MODEL: &str = "an object with \"corners\", \"faces\", and \"size\" or \"edges\"; optional: \
                      \"name\"";
 const CORNERS: &str = "a list of [x, y, z] triples of numbers";

@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::error::DomainJsonError;
 use super::point::{pair, points};
 use super::side::{ring_side, side};
-use super::value::{Object, Value};
+use super::value::{ABOVE_0, Object, Value};
 use crate::constraints::SideConstraint;
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
@@ -17,7 +17,6 @@ pub(super) const POLYGON: &str = "{\"corners\": [[x, y], …]}";
 const HOLE: &str = "{\"corners\": [[x, y], …], \"sides\": [{\"intervals\": 3}, …]} or {\"ring\": [[x, y], \
                     …]}; optional: \"size\"";
 const SIDES: &str = "a list with one object for each side, such as {\"intervals\": 3}";
-const ABOVE_0: &str = "a number above 0";
 
 /// The sides of a ring, and their constraints.
 pub(super) type Sides = (Vec<Side>, Vec<SideConstraint>);

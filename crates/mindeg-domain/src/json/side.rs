@@ -6,7 +6,7 @@ use super::constraint::side_constraint;
 use super::error::DomainJsonError;
 use super::point::{pair, points};
 use super::spacing::spacing;
-use super::value::{Object, Value};
+use super::value::{ABOVE_0, Object, Value};
 use crate::constraints::SideConstraint;
 use crate::curve::{Arc, Curve};
 use crate::side::{Intervals, Side};
@@ -20,7 +20,6 @@ const RING_SIDE: &str =
     "an object; optional: \"name\", \"kind\", \"outside_degree\", \"max_degree\"";
 const ARC: &str = "{\"through\": [x, y]} or {\"center\": [x, y]}; optional: \"clockwise\": true";
 const BEZIER: &str = "a list of two control points [x, y]";
-const ABOVE_0: &str = "a number above 0";
 
 /// A side of a ring that has corners.
 pub(super) fn side(

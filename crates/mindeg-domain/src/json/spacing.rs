@@ -1,13 +1,12 @@
 //! Spacing laws.
 
 use super::error::DomainJsonError;
-use super::value::Value;
+use super::value::{ABOVE_0, Value};
 use crate::spacing::Spacing;
 
 const SPACING: &str = "\"uniform\", {\"geometric\": {\"ratio\": r}}, {\"bump\": {\"ratio\": c}}, \
                        {\"beta\": {\"beta\": b}}, {\"first_length\": h}, {\"last_length\": h} or \
                        {\"parameters\": [t1, t2, …]}";
-const ABOVE_0: &str = "a number above 0";
 
 pub(super) fn spacing(given: &Value<'_>) -> Result<Spacing, DomainJsonError> {
     if !given.is_object() {

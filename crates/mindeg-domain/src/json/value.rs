@@ -17,6 +17,9 @@ use super::error::DomainJsonError;
 use super::guess;
 use super::syntax;
 
+/// What a length, a size or a growth is to be.
+pub(super) const ABOVE_0: &str = "a number above 0";
+
 /// A value of a text.
 #[derive(Clone)]
 pub(super) struct Value<'t> {

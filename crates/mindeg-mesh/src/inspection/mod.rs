@@ -39,7 +39,7 @@ mod welding;
 
 pub use convex_outline::{ConvexOutline, NoConvexOutline};
 pub use topology::VertexDegree;
-pub use welding::{first_at_same_position, weld};
+pub use welding::weld;
 
 use crate::connectivity::faces::Faces;
 use crate::quality::{DegreeHistogram, QualitySummary, WorstTriangles};

@@ -34,7 +34,7 @@ pub fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
 
 /// For every vertex the first with equal coordinates; -0 equals 0. O(n log n), shared by all
 /// threads.
-pub fn first_at_same_position(positions: &[DVec3]) -> Vec<u32> {
+fn first_at_same_position(positions: &[DVec3]) -> Vec<u32> {
     // Adding zero turns -0 into 0, so that equal numbers have equal bits.
     let bits = |position: DVec3| (position + DVec3::ZERO).to_array().map(f64::to_bits);
     let mut vertices: Vec<_> = (0_u32..).zip(positions).map(|(v, &p)| (bits(p), v)).collect();
