@@ -113,34 +113,6 @@ impl From<&Lift> for LiftRow {
     }
 }
 
-/// The limit in a sentence, and in another what would lift it.
-pub(crate) fn limit_in_words(limit: &AngleLimit, lift: Option<&Lift>) -> String {
-    let AngleLimit { min_angle, min_angle_at_any_degree: any, .. } = limit;
-    let at_any = if any > &(min_angle * 1.001) {
-        format!(" ({} at any degree)", steady_angle(*any))
-    } else {
-        String::new()
-    };
-    let lifted = lift.map_or_else(String::new, |lift| {
-        format!(" With {} it would be {}.", lift_in_words(lift), steady_angle(lift.min_angle))
-    });
-    format!(
-        "The boundary allows a minimum angle of at most {}{at_any}, decided by {}.{lifted}",
-        steady_angle(*min_angle),
-        limit.cause
-    )
-}
-
-/// Such as "9 intervals on side 2".
-pub(crate) fn lift_in_words(lift: &Lift) -> String {
-    let change = |(change, count): (&mindeg_core::Change, &u64)| {
-        let intervals = if *count == 1 { "interval" } else { "intervals" };
-        format!("{count} {intervals} on {}", lift.domain.side_name(change.side))
-    };
-    let changes: Vec<_> = lift.changes.iter().zip(&lift.intervals).map(change).collect();
-    changes.join(" and ")
-}
-
 /// Angles and degrees in a line.
 pub(crate) fn angles_and_degrees(report: &Report) -> String {
     let degrees = |range: &RangeInclusive<u32>| match (range.start(), range.end()) {

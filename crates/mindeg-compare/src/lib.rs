@@ -38,6 +38,7 @@ pub mod number_format;
 pub mod reference;
 pub mod report;
 mod verdict;
+pub mod words;
 
 pub use advice::{Advice, KEPT, advised_command, shell_word};
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
