@@ -1,7 +1,7 @@
 //! What a mesh with interior points is like, in words and in JSON.
 
 use mindeg::interior::{AngleLimit, Lift, Report, Violation};
-use mindeg_compare::number_format::{four_digits, percent, steady_angle};
+use mindeg_compare::number_format::four_digits;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -111,25 +111,6 @@ impl From<&Lift> for LiftRow {
         let changes = changes.collect();
         Self { changes, min_angle: lift.min_angle, cause: lift.cause.to_string() }
     }
-}
-
-/// Angles and degrees in a line.
-pub(crate) fn angles_and_degrees(report: &Report) -> String {
-    let degrees = |range: &RangeInclusive<u32>| match (range.start(), range.end()) {
-        (least, greatest) if least == greatest => least.to_string(),
-        (least, greatest) => format!("{least} to {greatest}"),
-    };
-    let inside = match &report.interior_degree {
-        Some(range) => format!("{} inside, ", degrees(range)),
-        None => String::new(),
-    };
-    format!(
-        "angles {} ({} of the limit) to {}; degrees {inside}{} at the boundary",
-        steady_angle(report.min_angle),
-        percent(report.share_of_limit),
-        steady_angle(report.max_angle),
-        degrees(&report.boundary_degree),
-    )
 }
 
 /// How much neighbouring triangles differ.

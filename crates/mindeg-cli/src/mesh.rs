@@ -16,7 +16,6 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
 use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
-use mindeg_compare::number_format::steady_angle;
 use mindeg_compare::words::{self, triangle_count};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
@@ -188,18 +187,8 @@ pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
 
 fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
     let domain = meshed.mesh.domain();
-    let total = if domain.is_constrained() { "total " } else { "" };
-    let mut lines = vec![format!(
-        "{}: {} vertices, {} triangles, maximum {total}degree {} ({} {}), angles {} to {}",
-        name(domain),
-        summary.vertices,
-        summary.triangles,
-        summary.max_degree,
-        if meshed.is_least_proven { "least possible" } else { "no mesh has less than" },
-        summary.at_least,
-        steady_angle(summary.min_angle),
-        steady_angle(summary.max_angle),
-    )];
+    let angles = [summary.min_angle, summary.max_angle];
+    let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
     lines.extend(words::standing(meshed, goal, summary.min_angle));
     if let Some(higher) = &meshed.higher_degree {
         lines.push(words::higher_degree(summary.min_angle, higher));

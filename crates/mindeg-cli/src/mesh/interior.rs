@@ -5,7 +5,7 @@ use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::domain::{name, name_in_text};
 use crate::failure::Failure;
-use crate::interior_report::{Limit, Reached, angles_and_degrees, grading, violations};
+use crate::interior_report::{Limit, Reached, grading, violations};
 use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
@@ -162,7 +162,7 @@ fn text(
             summary.boundary_vertices,
             report.interior_points,
             report.triangles,
-            angles_and_degrees(report),
+            words::angles_and_degrees(report),
         ),
         words::limit(limit, lift),
         grading(report),

@@ -4,6 +4,22 @@ use mindeg::{FoundBy, Goal, HigherDegree, Meshed};
 
 use crate::number_format::steady_angle;
 
+/// The size of a mesh, its degree and its angles, the least and the greatest in degrees, in a line.
+#[must_use]
+pub fn mesh(meshed: &Meshed, angles: [f64; 2]) -> String {
+    let mesh = &meshed.mesh;
+    let total = if mesh.domain().is_constrained() { "total " } else { "" };
+    let [min, max] = angles.map(steady_angle);
+    format!(
+        "{} vertices, {} triangles, maximum {total}degree {} ({} {}), angles {min} to {max}",
+        mesh.vertex_count(),
+        mesh.triangle_count(),
+        mesh.max_total_degree(),
+        if meshed.is_least_proven { "least possible" } else { "no mesh has less than" },
+        meshed.least_max_degree,
+    )
+}
+
 /// What is proven of a mesh, where the first line does not say it.
 #[must_use]
 pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
