@@ -28,7 +28,8 @@
 //!
 //! # Order
 //!
-//! First [`Line::Domain`] or [`Line::Refused`]; then what is fast; last [`Line::Done`]. A later mesh of
+//! First [`Line::Domain`] or [`Line::Refused`]; then what is fast; last [`Line::Done`]. Only what
+//! [`Request::show`] lists is worked out: the curve, say, stays the same for another goal. A later mesh of
 //! the same view takes the place of an earlier one.
 
 use mindeg::quality::METRICS;

@@ -5,7 +5,7 @@ use mindeg_mesh::Progress;
 use std::path::PathBuf;
 
 use crate::answer::understood;
-use crate::api::{FormatFact, Line};
+use crate::api::{FormatFact, Line, View};
 use crate::command::file_stem;
 use crate::format::{format_named, formats};
 use crate::mesh::Made;
@@ -16,13 +16,15 @@ pub(crate) struct Download {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// One of the files of the mesh that a body asks for: that of its view, in a format by its name.
+/// One of the files of the mesh that a body asks for: that of a view, or of
+/// the view it names, in a format by its name.
 ///
 /// # Errors
 ///
 /// What is wrong, in a sentence.
 pub(crate) fn download(
     body: &[u8],
+    view: Option<View>,
     format: &str,
     file: usize,
     progress: Progress<'_>,
@@ -38,7 +40,7 @@ pub(crate) fn download(
         format.files(&path).iter().map(|path| path.display().to_string()).collect();
     let name = names.get(file).cloned();
     let name = name.ok_or_else(|| format!("this format has {} files", names.len()))?;
-    let made = Made::new(&domain, &request, request.view, progress)?;
+    let made = Made::new(&domain, &request, view.unwrap_or(request.view), progress)?;
     let mesh = made.mesh();
     let written = || {
         let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count())?;

@@ -10,6 +10,7 @@ use std::time::Duration;
 
 use axum::Router;
 use axum::body::{Body, Bytes, HttpBody};
+use axum::extract::rejection::QueryRejection;
 use axum::extract::{Path, Query, Request, State};
 use axum::http::StatusCode;
 use axum::http::header::{self, HeaderName, HeaderValue};
@@ -22,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::mpsc;
 
 use crate::answer::{self, answer};
-use crate::api::{Line, Source};
+use crate::api::{Line, Source, View};
 use crate::command::KnownFiles;
 use crate::download::download;
 use crate::facts::facts;
@@ -78,6 +79,9 @@ pub(crate) fn router(all: Arc<All>) -> Router {
         .route("/api/download", post(downloads))
         .route("/api/state/{id}", get(state).put(keep_state))
         .fallback(async || refused(StatusCode::NOT_FOUND, "there is nothing at this address"))
+        .method_not_allowed_fallback(async || {
+            refused(StatusCode::METHOD_NOT_ALLOWED, "this address takes another method")
+        })
         .layer(from_fn_with_state(Arc::clone(&all), guarded))
         .with_state(all)
 }
@@ -88,7 +92,7 @@ async fn guarded(State(all): State<Arc<All>>, request: Request, next: Next) -> R
     let checked = all.guard.check(request.method(), request.headers(), needs_token);
     let mut response = match checked {
         Ok(()) => next.run(request).await,
-        Err((status, message)) => refused(status, message),
+        Err((status, message)) => refused(status, message).into_response(),
     };
     let fixed = [
         (header::CONTENT_SECURITY_POLICY, POLICY),
@@ -104,15 +108,27 @@ async fn guarded(State(all): State<Arc<All>>, request: Request, next: Next) -> R
     response
 }
 
-/// A request that is refused, with the sentence to show.
-fn refused(status: StatusCode, message: &str) -> Response {
-    #[derive(Serialize)]
-    struct Refused<'a> {
-        message: &'a str,
+/// A request that is refused.
+struct Refusal {
+    status: StatusCode,
+    message: String,
+}
+
+impl IntoResponse for Refusal {
+    fn into_response(self) -> Response {
+        #[derive(Serialize)]
+        struct Refused {
+            message: String,
+        }
+        let mut response = json(&Refused { message: self.message });
+        *response.status_mut() = self.status;
+        response
     }
-    let mut response = json(&Refused { message });
-    *response.status_mut() = status;
-    response
+}
+
+/// A request that is refused, with the sentence to show.
+fn refused(status: StatusCode, message: &str) -> Refusal {
+    Refusal { status, message: message.to_owned() }
 }
 
 fn json(value: &impl Serialize) -> Response {
@@ -126,11 +142,9 @@ fn page(file: File) -> Response {
     ([(header::CONTENT_TYPE, file.kind)], file.text).into_response()
 }
 
-async fn page_file(Path(name): Path<String>) -> Response {
-    match files::named(&name) {
-        Some(file) => page(file),
-        None => refused(StatusCode::NOT_FOUND, "the page has no such file"),
-    }
+async fn page_file(Path(name): Path<String>) -> Result<Response, Refusal> {
+    let missing = || refused(StatusCode::NOT_FOUND, "the page has no such file");
+    files::named(&name).map(page).ok_or_else(missing)
 }
 
 async fn start(State(all): State<Arc<All>>) -> Response {
@@ -138,7 +152,7 @@ async fn start(State(all): State<Arc<All>>) -> Response {
 }
 
 /// The whole body, if it is small enough and comes soon enough.
-async fn body(request: Request) -> Result<Bytes, Response> {
+async fn body(request: Request) -> Result<Bytes, Refusal> {
     let mut body = request.into_body();
     let mut bytes = Vec::new();
     let mut is_large = body.size_hint().lower() > MAX_BYTES as u64;
@@ -190,6 +204,17 @@ async fn drained(body: &mut Body) {
     }
 }
 
+/// What stands after `?` in an address, if it is what it should be.
+type Asked<T> = Result<Query<T>, QueryRejection>;
+
+fn asked<T>(query: Asked<T>) -> Result<T, Refusal> {
+    query.map(|Query(asked)| asked).map_err(|error| bad_request(&error.body_text()))
+}
+
+fn bad_request(message: &str) -> Refusal {
+    refused(StatusCode::BAD_REQUEST, message)
+}
+
 #[derive(Deserialize)]
 struct Tab {
     tab: String,
@@ -203,42 +228,47 @@ fn is_name(name: &str) -> bool {
 
 async fn answers(
     State(all): State<Arc<All>>,
-    Query(Tab { tab }): Query<Tab>,
+    query: Asked<Tab>,
     request: Request,
-) -> Response {
+) -> Result<Response, Refusal> {
+    let Tab { tab } = asked(query)?;
     if !is_name(&tab) {
-        return refused(StatusCode::BAD_REQUEST, "tab takes up to 64 letters, digits, - and _");
+        return Err(bad_request("tab takes up to 64 letters, digits, - and _"));
     }
     let work = all.works.start(&tab);
-    let bytes = match body(request).await {
-        Ok(bytes) => bytes,
-        Err(refusal) => return refusal,
-    };
+    let bytes = body(request).await?;
     let (lines, received) = mpsc::unbounded_channel::<Bytes>();
     tokio::spawn(async move {
         let Some(turn) = all.works.turn().await else { return };
-        tokio::task::spawn_blocking(move || {
+        let last = lines.clone();
+        let answered = tokio::task::spawn_blocking(move || {
             let _turn = turn;
             let stops = || work.is_over() || lines.is_closed() || work.is_late();
             let callback = |_: Step<'_>| match stops() {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
             };
-            let mut send = |line: &Line| {
-                if let Ok(mut text) = serde_json::to_vec(line) {
-                    text.push(b'\n');
-                    // Nobody reads on: the next step of the work ends it.
-                    let _ = lines.send(text.into());
-                }
-            };
-            let done = answer(&bytes, &all.known, Progress::new(&callback), &mut send);
+            let progress = Progress::new(&callback);
+            let done = answer(&bytes, &all.known, progress, &mut |line| send(&lines, line));
             if done.is_err() && work.is_late() {
-                send(&answer::late(TIME_LIMIT));
+                send(&lines, &answer::late(TIME_LIMIT));
             }
         });
+        if answered.await.is_err() {
+            send(&last, &answer::refused(None, FAULT.to_owned()));
+        }
     });
     let kind = [(header::CONTENT_TYPE, "application/x-ndjson")];
-    (kind, Body::new(Lines(received))).into_response()
+    Ok((kind, Body::new(Lines(received))).into_response())
+}
+
+/// Sends a line of an answer.
+fn send(lines: &mpsc::UnboundedSender<Bytes>, line: &Line) {
+    if let Ok(mut text) = serde_json::to_vec(line) {
+        text.push(b'\n');
+        // Nobody reads on: the next step of the work ends it.
+        let _ = lines.send(text.into());
+    }
 }
 
 /// A body of lines as they come.
@@ -262,22 +292,22 @@ struct Named {
 }
 
 /// The domains in a file.
-async fn reading(Query(Named { name }): Query<Named>, request: Request) -> Response {
-    let bytes = match body(request).await {
-        Ok(bytes) => bytes,
-        Err(refusal) => return refusal,
-    };
+async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refusal> {
+    let Named { name } = asked(query)?;
+    let bytes = body(request).await?;
     let read = tokio::task::spawn_blocking(move || sources(&name, &bytes)).await;
     match read {
-        Ok(Ok(sources)) => json(&sources),
-        Ok(Err(message)) => refused(StatusCode::UNPROCESSABLE_ENTITY, &message),
-        Err(_) => failed(),
+        Ok(Ok(sources)) => Ok(json(&sources)),
+        Ok(Err(message)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &message)),
+        Err(_) => Err(failed()),
     }
 }
 
 /// What is said where a thread ended before its work.
-fn failed() -> Response {
-    refused(StatusCode::INTERNAL_SERVER_ERROR, "this failed, which is a fault of mindeg explore")
+const FAULT: &str = "this failed, which is a fault of mindeg; please report it with the domain";
+
+fn failed() -> Refusal {
+    refused(StatusCode::INTERNAL_SERVER_ERROR, FAULT)
 }
 
 #[derive(Deserialize)]
@@ -285,19 +315,19 @@ struct Wanted {
     format: String,
     #[serde(default)]
     file: usize,
+    /// Instead of that of the request.
+    view: Option<View>,
 }
 
 /// A file of a mesh.
 async fn downloads(
     State(all): State<Arc<All>>,
-    Query(Wanted { format, file }): Query<Wanted>,
+    query: Asked<Wanted>,
     request: Request,
-) -> Response {
-    let bytes = match body(request).await {
-        Ok(bytes) => bytes,
-        Err(refusal) => return refusal,
-    };
-    let Some(turn) = all.works.turn().await else { return failed() };
+) -> Result<Response, Refusal> {
+    let Wanted { format, file, view } = asked(query)?;
+    let bytes = body(request).await?;
+    let Some(turn) = all.works.turn().await else { return Err(failed()) };
     let work = Work::alone();
     let made = tokio::task::spawn_blocking(move || {
         let _turn = turn;
@@ -305,45 +335,39 @@ async fn downloads(
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        download(&bytes, &format, file, Progress::new(&callback))
+        download(&bytes, view, &format, file, Progress::new(&callback))
     });
     match made.await {
         Ok(Ok(file)) => {
             // The name has letters, digits and dashes only.
             let disposition = format!("attachment; filename=\"{}\"", file.name);
             let kind = (header::CONTENT_TYPE, "application/octet-stream".to_owned());
-            ([kind, (header::CONTENT_DISPOSITION, disposition)], file.bytes).into_response()
+            let disposition = (header::CONTENT_DISPOSITION, disposition);
+            Ok(([kind, disposition], file.bytes).into_response())
         }
-        Ok(Err(message)) => refused(StatusCode::UNPROCESSABLE_ENTITY, &message),
-        Err(_) => failed(),
+        Ok(Err(message)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &message)),
+        Err(_) => Err(failed()),
     }
 }
 
-async fn state(State(all): State<Arc<All>>, Path(id): Path<String>) -> Response {
-    match all.states.get(&id) {
-        Some(state) => ([(header::CONTENT_TYPE, "application/json")], state).into_response(),
-        None => refused(StatusCode::NOT_FOUND, "this address is of another run, or too old"),
-    }
+async fn state(State(all): State<Arc<All>>, Path(id): Path<String>) -> Result<Response, Refusal> {
+    let gone = || refused(StatusCode::NOT_FOUND, "this address is of another run, or too old");
+    let state = all.states.get(&id).ok_or_else(gone)?;
+    Ok(([(header::CONTENT_TYPE, "application/json")], state).into_response())
 }
 
 async fn keep_state(
     State(all): State<Arc<All>>,
     Path(id): Path<String>,
     request: Request,
-) -> Response {
+) -> Result<Response, Refusal> {
     if !is_name(&id) {
-        return refused(
-            StatusCode::BAD_REQUEST,
-            "a state's ID has up to 64 letters, digits, - and _",
-        );
+        return Err(bad_request("a state's ID has up to 64 letters, digits, - and _"));
     }
-    let bytes = match body(request).await {
-        Ok(bytes) => bytes,
-        Err(refusal) => return refusal,
-    };
+    let bytes = body(request).await?;
     if serde_json::from_slice::<serde::de::IgnoredAny>(&bytes).is_err() {
-        return refused(StatusCode::BAD_REQUEST, "a state is JSON");
+        return Err(bad_request("a state is JSON"));
     }
     all.states.put(id, bytes);
-    StatusCode::NO_CONTENT.into_response()
+    Ok(StatusCode::NO_CONTENT.into_response())
 }
