@@ -6,6 +6,7 @@ mod convert;
 mod degree;
 mod describe;
 mod domain;
+mod explore;
 mod fill;
 mod goal;
 mod improve;
@@ -24,6 +25,7 @@ pub(crate) use convert::ConvertArguments;
 pub(crate) use degree::{Counts, DegreeArguments, SuggestArguments};
 pub(crate) use describe::DescribeArguments;
 pub(crate) use domain::{DomainArguments, DomainOptions, FileOptions, OutlineOptions};
+pub(crate) use explore::ExploreArguments;
 pub(crate) use fill::FillArguments;
 pub(crate) use goal::GoalArguments;
 pub(crate) use improve::ImproveArguments;
@@ -83,6 +85,7 @@ pub(crate) enum Command {
     Inspect(InspectArguments),
     Improve(ImproveArguments),
     View(ViewArguments),
+    Explore(ExploreArguments),
     Convert(ConvertArguments),
     Fill(FillArguments),
     Bridge(BridgeArguments),

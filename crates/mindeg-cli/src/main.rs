@@ -14,6 +14,7 @@ mod convert;
 mod degree;
 mod demands;
 mod domain;
+mod explore;
 mod failure;
 mod fill;
 mod gates;
@@ -77,6 +78,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),
+        Command::Explore(arguments) => explore::run(arguments),
         Command::View(arguments) => shared(|| view::run(arguments)),
     }
 }

@@ -1,0 +1,24 @@
+//! `mindeg explore`: a page on this machine on which a boundary is edited and its meshes follow.
+//!
+//! [`answer`] takes what the page asks for and gives lines of answers, the fast ones first; [`Server`] puts
+//! it, the page and the files behind a loopback address that only the page can talk to. What they say to
+//! each other is in [`api`].
+//!
+//! # Limits
+//!
+//! One user, on this machine. Domains of at most [`MAX_VERTICES`] boundary vertices.
+
+mod answer;
+pub mod api;
+mod arrays;
+mod files;
+mod guard;
+mod presets;
+mod server;
+mod shown;
+mod token;
+mod work;
+
+pub use answer::{MAX_VERTICES, answer};
+pub use api::{Goal, Line, Part, Request, Source, View};
+pub use server::{Server, ServerError, Setup};

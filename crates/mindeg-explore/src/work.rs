@@ -1,0 +1,65 @@
+//! What is being worked on: one answer a tab, two at once, none for ever.
+
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+
+/// How many answers are worked on at once.
+const AT_ONCE: usize = 2;
+
+/// The most tabs that are remembered; the answer of the one that asked longest ago ends.
+const MOST_TABS: usize = 64;
+
+/// How long an answer may take.
+pub(crate) const TIME_LIMIT: Duration = Duration::from_secs(60);
+
+/// The answers that tabs wait for.
+pub(crate) struct Works {
+    /// The tab that asked last comes last.
+    tabs: Mutex<Vec<(String, Arc<AtomicBool>)>>,
+    turns: Arc<Semaphore>,
+}
+
+impl Works {
+    pub(crate) fn new() -> Self {
+        Self { tabs: Mutex::default(), turns: Arc::new(Semaphore::new(AT_ONCE)) }
+    }
+
+    /// An answer for a tab; the one before it ends.
+    pub(crate) fn start(&self, tab: &str) -> Work {
+        let mut tabs = self.tabs.lock().unwrap_or_else(PoisonError::into_inner);
+        let before = tabs.iter().position(|(name, _)| name == tab);
+        let ended = before.or((tabs.len() >= MOST_TABS).then_some(0));
+        if let Some(ended) = ended {
+            tabs.remove(ended).1.store(true, Relaxed);
+        }
+        let is_over = Arc::new(AtomicBool::new(false));
+        tabs.push((tab.to_owned(), Arc::clone(&is_over)));
+        Work { is_over, deadline: Instant::now() + TIME_LIMIT }
+    }
+
+    /// Waits until fewer than two answers are worked on. None of the permits is ever closed.
+    pub(crate) async fn turn(&self) -> Option<OwnedSemaphorePermit> {
+        Arc::clone(&self.turns).acquire_owned().await.ok()
+    }
+}
+
+/// An answer in the making.
+pub(crate) struct Work {
+    is_over: Arc<AtomicBool>,
+    deadline: Instant,
+}
+
+impl Work {
+    /// Whether a newer request came.
+    pub(crate) fn is_over(&self) -> bool {
+        self.is_over.load(Relaxed)
+    }
+
+    /// Whether it took too long.
+    pub(crate) fn is_late(&self) -> bool {
+        Instant::now() > self.deadline
+    }
+}
