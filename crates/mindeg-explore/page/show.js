@@ -1,0 +1,151 @@
+// Puts what the server says into the page.
+// From the viewer's script: DEGREE_COLORS, make and the charts.
+
+import { angleText, showCurve } from "./curve.js";
+import { canRedo, canUndo, shown, state } from "./state.js";
+
+export const element = (id) => document.getElementById(id);
+
+/** What a mesh beside the wanted one is called. */
+export const NAMES = { least: "The least degree", delaunay: "Delaunay", interior: "With points inside" };
+
+/** The degree that the reader asks for, or the one that the mesh of the goal has. */
+const wantedDegree = () => state.goal.max_degree ?? shown.meshes.wanted?.max_degree;
+
+export function showDomain(domain) {
+  const { name, vertices, triangles, rings } = domain;
+  const holes = rings.length - 2;
+  element("title").textContent = name ?? "A domain";
+  const counted = [`${vertices} boundary vertices`, `${triangles} triangles without points inside`];
+  if (holes) counted.splice(1, 0, holes === 1 ? "1 hole" : `${holes} holes`);
+  element("facts").textContent = counted.join(" · ");
+  showNotes(domain.notes);
+}
+
+/** What was changed of a domain, when it was read and now. */
+function showNotes(notes) {
+  element("notes").replaceChildren(...[...shown.sourceNotes, ...notes].map((text) => make("p", "note", text)));
+}
+
+export function showUndo() {
+  element("undo").disabled = !canUndo();
+  element("redo").disabled = !canRedo();
+}
+
+/** What is wrong; nothing if there is no message. */
+export function showTrouble(message, path) {
+  element("trouble").hidden = !message;
+  element("trouble").textContent = message ? (path ? `${message} (at ${path})` : message) : "";
+  element("meshes").classList.toggle("old", Boolean(message));
+}
+
+/** The figures of a mesh in its caption. */
+export function showMesh(stage, mesh) {
+  const { figure } = stage;
+  const isWanted = stage.view === "wanted";
+  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : `${NAMES[stage.view]}: ${mesh.max_degree}`;
+  const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle))];
+  if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
+    parts.push(make("span", "", ` · ${Number((100 * mesh.share_of_delaunay).toPrecision(3))}% of Delaunay’s`));
+  }
+  if (!mesh.is_last) parts.push(make("span", "searching", " · looking for a better one …"));
+  figure.querySelector(".figures").replaceChildren(...parts);
+  figure.querySelector(".words-of").textContent = mesh.words;
+}
+
+/** Why a part has no answer, where its answer would stand. */
+export function showPartRefused(stages, part, message) {
+  const stage = stages.find(({ view }) => view === part);
+  if (stage) {
+    stage.worst = null;
+    delete shown.meshes[part];
+    stage.figure.querySelector("h3").textContent = part === "wanted" ? "No such mesh" : NAMES[part];
+    stage.figure.querySelector(".figures").textContent = "";
+    stage.figure.querySelector(".words-of").textContent = message;
+  } else if (part === "curve") {
+    shown.curve = null;
+    element("curve").replaceChildren();
+    element("degrees").replaceChildren();
+    element("advice").textContent = "";
+    element("curve-note").textContent = message;
+  } else if (part === "degree") element("degree-words").textContent = message;
+  else if (part === "limit") element("limit-words").textContent = message;
+  else if (part === "suggestions") element("suggestions").replaceChildren(make("p", "", message));
+  else if (part === "command") element("command").textContent = message;
+}
+
+export function showCurveNow(choose) {
+  const { curve } = shown;
+  if (!curve) return;
+  showCurve(element("curve"), element("degrees"), curve, wantedDegree(), choose);
+  element("advice").textContent = curve.words;
+  const parts = [];
+  if (!curve.is_last) parts.push("More degrees follow.");
+  if (!curve.is_exact) parts.push("The angles are what was reached; larger ones may be possible.");
+  element("curve-note").textContent = parts.join(" ");
+}
+
+/** Sentences of the server, a paragraph for each line. */
+function paragraphs(box, words) {
+  const text = words.split("\n").map((line) => line.trim()).filter(Boolean).join(" ");
+  box.textContent = text;
+}
+
+export function showDegree(degree) {
+  shown.degree = degree;
+  paragraphs(element("degree-words"), degree.words);
+  element("show-degree").hidden = !(degree.vertices.length || degree.sides.length || degree.chords.length);
+}
+
+export function showLimit(limit) {
+  shown.limit = limit;
+  paragraphs(element("limit-words"), limit.words);
+  element("show-limit").hidden = !limit.vertices.length;
+}
+
+export function showSuggestions({ suggestions }, apply) {
+  const box = element("suggestions");
+  if (!suggestions.length) {
+    box.replaceChildren(make("p", "", "No small change of the counts makes it better."));
+    return;
+  }
+  box.replaceChildren(...suggestions.map(({ words, domain }) => {
+    const button = make("button", "suggestion", words);
+    button.type = "button";
+    button.addEventListener("click", () => apply(domain));
+    return button;
+  }));
+}
+
+/** Legends and charts of the meshes on screen. */
+export function showCharts(stages, facts, colors) {
+  const meshes = stages.map(({ view }) => shown.meshes[view]).filter(Boolean);
+  const name = (mesh) => (mesh.view === "wanted" ? "Your mesh" : NAMES[mesh.view]);
+  const degrees = [...new Set(meshes.flatMap(({ degree_bars }) => degree_bars.map(([degree]) => degree)))].sort((a, b) => a - b);
+  showDegreeLegend(element("degree-legend"), degrees);
+  const ranges = rangesOf(degrees);
+  showDegreeChart(element("degree-chart"), ranges, meshes.map((mesh) => ({
+    name: name(mesh),
+    counts: ranges.map(([, from, to]) => mesh.degree_bars.reduce((sum, [degree, count]) => (degree >= from && degree <= to ? sum + count : sum), 0)),
+  })));
+  const charted = meshes.filter(({ bars }) => bars);
+  const measure = facts.measures.find((measure) => measure.name === charted[0]?.bars.measure);
+  const section = element("metric-chart").closest("section");
+  section.hidden = !measure;
+  if (!measure) return showMetricLegend(element("metric-legend"));
+  const all = charted.map(({ bars }) => bars);
+  const { range, is_logarithmic: logarithmic } = all[0];
+  const goesBeyond = [all.some(({ min }) => min < range[0]), all.some(({ max }) => max > range[1])];
+  const drawn = { ...measure, range, logarithmic, goes_beyond: goesBeyond };
+  element("chart-metric").textContent = measure.title.toLowerCase();
+  element("chart-note").textContent = measure.explanation;
+  showMetricLegend(element("metric-legend"), drawn);
+  showMetricChart(element("metric-chart"), drawn, charted.map((mesh) => ({ name: name(mesh), counts: mesh.bars.counts })), colors);
+}
+
+/** The bars of the degree chart: one for each degree, or for ranges of them where they are many. */
+function rangesOf(degrees) {
+  if (degrees.length <= 14) return degrees.map((degree) => [String(degree), degree, degree]);
+  return DEGREE_COLORS.map(({ from, name }, i) => [name, from, (DEGREE_COLORS[i + 1]?.from ?? Infinity) - 1])
+    .filter(([, from, to]) => degrees.some((degree) => degree >= from && degree <= to));
+}
