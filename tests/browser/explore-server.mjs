@@ -43,11 +43,15 @@ export const cornerPlaces = (page) => page.evaluate(async () => {
   });
 });
 
-/** Waits for the last line of the answer to what was asked last. */
+/** Waits for the last line of the answer to what was asked last, and for its picture. */
 export async function answered(page) {
-  await page.waitForFunction(async () => {
+  await page.evaluate(async () => {
     const { progress } = await import("/page/asking.js");
-    return progress.answered === progress.asked;
-  }, null, { timeout: 60_000 });
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    const end = performance.now() + 60_000;
+    while (progress.answered !== progress.asked) {
+      if (performance.now() > end) throw new Error("no whole answer in 60 s");
+      await new Promise((done) => setTimeout(done, 20));
+    }
+    await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
 }

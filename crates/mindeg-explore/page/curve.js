@@ -1,8 +1,8 @@
 // The curve: the largest minimum angle over the maximum degree, to click on, and the same as buttons.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
-const [WIDTH, HEIGHT] = [380, 230];
-const [LEFT, RIGHT, TOP, BOTTOM] = [46, 16, 26, 40];
+const [WIDTH, HEIGHT] = [380, 196];
+const [LEFT, RIGHT, TOP, BOTTOM] = [46, 16, 24, 38];
 
 function draw(tag, attributes, text) {
   const made = document.createElementNS(NAMESPACE, tag);
@@ -78,7 +78,7 @@ export function showCurve(box, rows, curve, shown, choose) {
 }
 
 /** One button for each degree, with its angle. */
-function showRows(rows, { points, knee, is_exact: isExact, is_last: isLast }, shown, choose) {
+function showRows(rows, { points, is_exact: isExact, is_last: isLast }, shown, choose) {
   // Buttons are kept, so that the one with the focus keeps it.
   while (rows.children.length > points.length) rows.lastChild.remove();
   points.forEach(({ max_degree, min_angle, share }, place) => {
@@ -95,9 +95,7 @@ function showRows(rows, { points, knee, is_exact: isExact, is_last: isLast }, sh
     const [name, angle, note] = button.children;
     name.textContent = `degree ${max_degree}`;
     angle.textContent = angleText(min_angle);
-    const least = place === 0 ? " · the least" : "";
-    const bend = place === knee && place > 0 ? " · the bend" : "";
     const more = isExact || !isLast ? "" : " or more";
-    note.textContent = `${percent(share)}${more} of Delaunay’s${least}${bend}`;
+    note.textContent = `${percent(share)}${more} of Delaunay’s`;
   });
 }

@@ -132,8 +132,6 @@ export function grab(stage, event, place) {
     if (near) chooseSide(near);
     return false;
   }
-  event.preventDefault();
-  stage.element.focus({ preventScroll: true });
   stage.element.setPointerCapture(event.pointerId);
   selection.drag = { pointer: event.pointerId, domain: state.domain, shown: shown.domain, to: null, hasMoved: false };
   choose(corner);

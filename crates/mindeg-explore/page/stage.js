@@ -5,6 +5,9 @@
 export const view = { x: 0, y: 0, zoom: 1, stretch: false };
 export const bounds = { center: [0, 0], size: [1, 1] };
 
+/** Pictures are at most so much wider than high: a corner needs room to be dragged outward. */
+const LOWEST = 5.5;
+
 export const isWide = () => !view.stretch && bounds.size[0] > 3 * bounds.size[1];
 
 /** Looks at a whole domain. */
@@ -30,7 +33,7 @@ export class Stage {
 
   resize() {
     this.frame.size = bounds.size;
-    this.element.style.aspectRatio = String(aspectRatio(bounds.size, view.stretch));
+    this.element.style.aspectRatio = String(Math.min(LOWEST, aspectRatio(bounds.size, view.stretch)));
     const { width, height } = this.element.getBoundingClientRect();
     const dots = window.devicePixelRatio || 1;
     Object.assign(this.frame, { width, height, dots });
