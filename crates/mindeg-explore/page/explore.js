@@ -50,7 +50,7 @@ const take = {
     element("command").textContent = text;
   },
   refused({ part, message, path }) {
-    if (!part) return showTrouble(message, path);
+    if (!part) return showTrouble(path ? `${message} (at ${path})` : message, true);
     showPartRefused(stages, part, message);
     laterCharts();
   },

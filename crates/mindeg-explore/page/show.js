@@ -22,9 +22,13 @@ export function showDomain(domain) {
   showNotes(domain.notes);
 }
 
-/** What was changed of a domain, when it was read and now. */
+/** What was changed of a domain, when it was read and now; several sentences are folded. */
 function showNotes(notes) {
-  element("notes").replaceChildren(...[...shown.sourceNotes, ...notes].map((text) => make("p", "note", text)));
+  const lines = [...shown.sourceNotes, ...notes].map((text) => make("p", "note", text));
+  if (lines.length < 2) return element("notes").replaceChildren(...lines);
+  const folded = make("details");
+  folded.append(make("summary", "", `${lines.length} notes on this domain`), ...lines);
+  element("notes").replaceChildren(folded);
 }
 
 export function showUndo() {
@@ -32,11 +36,11 @@ export function showUndo() {
   element("redo").disabled = !canRedo();
 }
 
-/** What is wrong; nothing if there is no message. */
-export function showTrouble(message, path) {
+/** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
+export function showTrouble(message, isOld = false) {
   element("trouble").hidden = !message;
-  element("trouble").textContent = message ? (path ? `${message} (at ${path})` : message) : "";
-  element("meshes").classList.toggle("old", Boolean(message));
+  element("trouble").textContent = message;
+  element("meshes").classList.toggle("old", isOld);
 }
 
 /** The figures of a mesh in its caption. */

@@ -102,11 +102,12 @@ function showDegreeChart(chart, ranges, rows) {
 function ticks(measure) {
   const [from, to] = measure.range;
   const steps = measure.logarithmic ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
-  const found = [];
-  for (let power = Math.floor(Math.log10(from)); power <= Math.ceil(Math.log10(to)); power++) {
+  const found = from === 0 ? [0] : [];
+  const least = from > 0 ? from : to / 20;
+  for (let power = Math.floor(Math.log10(least)); power <= Math.ceil(Math.log10(to)); power++) {
     for (const step of steps) {
       const value = step * 10 ** power;
-      if (value >= from && value <= to) found.push(value);
+      if (value >= least && value <= to) found.push(value);
     }
   }
   if (found.length < 2) return measure.range;
