@@ -16,10 +16,10 @@ let keeping;
 
 /** What is asked for: what is on screen, and nothing else. */
 export function request() {
-  const { domain, goal, color, beside } = state;
+  const { domain, goal, color, beside, format } = state;
   const show = ["wanted", "degree", "limit", "curve", "suggestions", "command"];
   if (beside !== "none") show.splice(1, 0, beside);
-  return { domain, goal, show, color, view: "wanted" };
+  return { domain, goal, show, color, format, view: "wanted" };
 }
 
 export function ask() {

@@ -78,7 +78,7 @@ export function showCurve(box, rows, curve, shown, choose) {
 }
 
 /** One button for each degree, with its angle. */
-function showRows(rows, { points, is_exact: isExact, is_last: isLast }, shown, choose) {
+function showRows(rows, { points, is_exact: isExact }, shown, choose) {
   // Buttons are kept, so that the one with the focus keeps it.
   while (rows.children.length > points.length) rows.lastChild.remove();
   points.forEach(({ max_degree, min_angle, share }, place) => {
@@ -95,7 +95,7 @@ function showRows(rows, { points, is_exact: isExact, is_last: isLast }, shown, c
     const [name, angle, note] = button.children;
     name.textContent = `degree ${max_degree}`;
     angle.textContent = angleText(min_angle);
-    const more = isExact || !isLast ? "" : " or more";
+    const more = isExact ? "" : " or more";
     note.textContent = `${percent(share)}${more} of Delaunay’s`;
   });
 }

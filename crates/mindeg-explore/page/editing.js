@@ -139,6 +139,22 @@ export function grab(stage, event, place) {
   return true;
 }
 
+/** Shows that a corner can be taken where the pointer is. */
+export function hint(stage, x, y) {
+  if (!shown.domain || stage !== stages[0]) return;
+  const isNear = cornerAt(state.domain, shown.domain, stage.frame, stage.frame.toScreen(x, y), "mouse");
+  stage.element.classList.toggle("grabbing", Boolean(isNear));
+}
+
+/** A finger on a corner drags it; elsewhere it scrolls the page. */
+function keepFinger(event) {
+  const [touch, ...others] = event.touches;
+  if (others.length || !shown.domain) return;
+  const { left, top } = stages[0].element.getBoundingClientRect();
+  const place = [touch.clientX - left, touch.clientY - top];
+  if (isPlacing || cornerAt(state.domain, shown.domain, stages[0].frame, place, "touch")) event.preventDefault();
+}
+
 /** The corner follows the pointer, once a frame. */
 function dragTo(stage, event) {
   const { drag } = selection;
@@ -220,6 +236,7 @@ export function handleKey(event) {
 export function startEditing() {
   table = new SidesTable(element("sides"), apply, chooseSide);
   const { element: picture } = stages[0];
+  picture.addEventListener("touchstart", keepFinger, { passive: false });
   picture.addEventListener("pointermove", (event) => dragTo(stages[0], event));
   for (const kind of ["pointerup", "pointercancel"]) picture.addEventListener(kind, drop);
   element("previous").addEventListener("click", () => chooseNext(-1));

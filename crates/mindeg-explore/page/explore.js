@@ -1,8 +1,8 @@
 // The page begins here: it takes what the server says, and its controls work.
 // From the viewer's script: make.
 
-import { apply, ask, begin, keep, progress, request, undo, worker } from "./asking.js";
-import { grab, handleKey, startEditing, updateEditor } from "./editing.js";
+import { apply, ask, begin, keep, progress, undo, worker } from "./asking.js";
+import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
 import { fit, fitAnew, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
@@ -221,7 +221,11 @@ function startFiles() {
 
 /** What a stage does with its pointers and keys. */
 const hooks = (stage) => ({
-  pointAt: (x, y) => { if (!selection.drag) setCursor({ x, y, from: stage }); },
+  pointAt: (x, y) => {
+    if (selection.drag) return;
+    setCursor({ x, y, from: stage });
+    hint(stage, x, y);
+  },
   leave: () => setCursor(null),
   pointAtCenter: () => { if (!selection.corner) setCursor({ x: view.x, y: view.y, from: stage, centered: true, isSpoken: true }); },
   moveTo,
@@ -264,7 +268,7 @@ async function start() {
   startControls();
   startFiles();
   offerCopy();
-  offerFiles(facts.formats, request);
+  offerFiles(facts.formats);
   readLooks();
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
     readLooks();

@@ -83,10 +83,7 @@ export function showCurveNow(choose) {
   if (!curve) return;
   showCurve(element("curve"), element("degrees"), curve, wantedDegree(), choose);
   element("advice").textContent = curve.words;
-  const parts = [];
-  if (!curve.is_last) parts.push("More degrees follow.");
-  if (!curve.is_exact) parts.push("The angles are what was reached; larger ones may be possible.");
-  element("curve-note").textContent = parts.join(" ");
+  element("curve-note").textContent = curve.is_exact ? "" : "The angles are what was reached; larger ones may be possible.";
 }
 
 /** Sentences of the server, a paragraph for each line. */

@@ -6,6 +6,7 @@ export const state = {
   goal: { keep_angle: 0.95 },
   beside: "least",
   color: "min_angle",
+  format: "obj",
 };
 
 /**

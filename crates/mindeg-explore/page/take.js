@@ -1,5 +1,6 @@
 // What a reader leaves with: the file of a mesh, the domain, the command line.
 
+import { ask, request } from "./asking.js";
 import * as server from "./server.js";
 import { element, showTrouble } from "./show.js";
 import { state } from "./state.js";
@@ -15,8 +16,8 @@ function hand(blob, name) {
 
 const baseName = () => (state.domain.name ?? "mesh").replace(/[^\p{L}\p{N}._-]+/gu, "-").slice(0, 80) || "mesh";
 
-/** Offers the formats, and downloads; `requestOf()` is what the page asks for now. */
-export function offerFiles(formats, requestOf) {
+/** Offers the formats, and downloads. */
+export function offerFiles(formats) {
   const select = element("format");
   select.append(...formats.map(({ name, description }) => new Option(`${name.toUpperCase()}: ${description}`, name)));
   const format = () => formats.find(({ name }) => name === select.value);
@@ -25,14 +26,20 @@ export function offerFiles(formats, requestOf) {
     const isSeveral = files.length > 1;
     element("format-note").textContent = isSeveral ? `Two or more files that belong together: ${files.map((file) => `.${file}`).join(", ")}.` : "";
   };
-  select.addEventListener("change", explain);
+  select.value = state.format;
+  select.addEventListener("change", () => {
+    state.format = select.value;
+    explain();
+    // The command changes with it.
+    ask();
+  });
   explain();
   const load = async (view, button) => {
     button.disabled = true;
     try {
       const { name, files } = format();
       for (const [place, extension] of files.entries()) {
-        const { blob, name: named } = await server.download(requestOf(), name, view, place);
+        const { blob, name: named } = await server.download(request(), name, view, place);
         hand(blob, named ?? `${baseName()}.${extension}`);
       }
       element("spoken").textContent = "The mesh is downloaded.";
