@@ -133,10 +133,17 @@ export function grab(stage, event, place) {
     return false;
   }
   stage.element.setPointerCapture(event.pointerId);
+  hold(true);
   selection.drag = { pointer: event.pointerId, domain: state.domain, shown: shown.domain, to: null, hasMoved: false };
   choose(corner);
   setCursor(null);
   return true;
+}
+
+/** While a corner is dragged, what stands above the picture keeps its height, so that the picture stays. */
+function hold(isHeld) {
+  const { style, offsetHeight } = element("verdict");
+  style.height = isHeld ? `${offsetHeight}px` : "";
 }
 
 /** Shows that a corner can be taken where the pointer is. */
@@ -181,26 +188,15 @@ function drop(event) {
   if (event.pointerId !== drag?.pointer) return;
   follow(drag);
   selection.drag = null;
+  hold(false);
   if (drag.hasMoved) {
     remember(drag.domain);
     showUndo();
-    // What has left the picture is brought back into it with the next answer.
-    if (view.zoom === 1 && !isInSight()) {
-      selection.mustFit = true;
-      ask();
-    }
+    // With the next answer, what has left the picture is brought back into it.
+    ask();
   }
   updateEditor();
   redraw();
-}
-
-/** Whether all corners are in the picture. */
-function isInSight() {
-  const { frame } = stages[0];
-  return corners(state.domain, shown.domain).every(({ x, y }) => {
-    const [left, top] = frame.toScreen(x, y);
-    return left >= 0 && top >= 0 && left <= frame.width && top <= frame.height;
-  });
 }
 
 /** Takes the keys that edit; others move the picture. */

@@ -3,7 +3,7 @@
 
 import { apply, ask, begin, keep, progress, undo, worker } from "./asking.js";
 import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
-import { fit, fitAnew, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
+import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
   NAMES, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused,
@@ -27,6 +27,7 @@ const take = {
     showTrouble("");
     showDomain(domain);
     if (selection.mustFit) fitAnew();
+    else if (!selection.drag && isOff(domain)) fit();
     selection.mustFit = false;
     if (!selection.drag) updateEditor();
   },
@@ -274,7 +275,7 @@ async function start() {
     readLooks();
     laterCharts();
   });
-  new ResizeObserver(resize).observe(element("meshes"));
+  new ResizeObserver(() => resize(false)).observe(element("meshes"));
   showGoal();
   showBeside();
   begin(kept?.domain ?? source.domain, kept ? [] : source.notes);

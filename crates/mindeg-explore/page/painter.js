@@ -5,8 +5,12 @@
 
 importScripts("/page/viewer.js");
 
-/** A newer request waits for the meshes of the one before, but no longer than so many milliseconds. */
-const PATIENCE = 200;
+/** A mesh that a better one follows is shown after so many milliseconds, unless the better one is there. */
+const HOLD = 20;
+/** Last meshes that came within so many milliseconds are waited for while a corner is dragged. */
+const QUICK = 45;
+/** No request waits longer than so many milliseconds for the one before. */
+const PATIENCE = 250;
 
 let headers = {};
 let look = null;
@@ -15,20 +19,38 @@ const stages = new Map();
 
 let running = null;
 let waiting = null;
+let isQuick = true;
+let timer;
 
-/** Sends what was asked last. While meshes of the request before are on their way, they come first. */
+/**
+ * How many more milliseconds the running request may have before the next one ends it: until all its
+ * meshes are there where that is quick, else until there is one in each picture.
+ */
+function timeLeft() {
+  if (!running || !running.unfinished.size) return 0;
+  const spent = performance.now() - running.start;
+  const isEnough = !isQuick && !running.empty.size;
+  return isEnough ? 0 : Math.max(0, (isQuick ? 2 * QUICK : PATIENCE) - spent);
+}
+
+/** Sends what was asked last, as soon as it may. */
 function askNext() {
+  clearTimeout(timer);
   if (!waiting) return;
-  const spent = running ? performance.now() - running.start : Infinity;
-  if (running && running.awaited.size && spent < PATIENCE) {
-    setTimeout(askNext, PATIENCE - spent);
+  const left = timeLeft();
+  if (left > 0) {
+    timer = setTimeout(askNext, left);
     return;
   }
+  if (running?.unfinished.size) isQuick = false;
   running?.controller.abort();
   const { id, tab, request } = waiting;
   waiting = null;
-  const awaited = new Set(request.show.filter((part) => ["wanted", "least", "delaunay"].includes(part)));
-  running = { id, awaited, controller: new AbortController(), start: performance.now(), domain: null, color: request.color };
+  const views = request.show.filter((part) => ["wanted", "least", "delaunay"].includes(part));
+  running = {
+    id, start: performance.now(), domain: null, color: request.color, controller: new AbortController(),
+    empty: new Set(views), unfinished: new Set(views), held: new Map(),
+  };
   answer(running, tab, request);
 }
 
@@ -55,7 +77,8 @@ async function answer(run, tab, request) {
     const message = isGone ? "mindeg explore no longer answers: was it ended in its terminal?" : error.message;
     postMessage({ kind: "line", id: run.id, line: { kind: "refused", part: null, message } });
   }
-  run.awaited.clear();
+  if (run !== running) return;
+  run.unfinished.clear();
   askNext();
 }
 
@@ -63,20 +86,37 @@ function take(run, line) {
   if (line.kind === "domain") {
     const points = unpack(line.points, Float64Array);
     for (let i = 0; i < points.length; i++) points[i] += line.center[i % 2];
-    run.domain = { ...line, points };
-    line = run.domain;
+    line = run.domain = { ...line, points };
   } else if (line.kind === "mesh") {
-    show(run, line);
-    for (const name of ["interior_points", "triangles", "degrees", "values"]) delete line[name];
-    run.awaited.delete(line.view);
+    clearTimeout(run.held.get(line.view));
+    // Pictures would flicker if they changed twice for each step of a corner.
+    if (!line.is_last) return void run.held.set(line.view, setTimeout(reveal, HOLD, run, line));
+    return reveal(run, line);
   } else if (line.kind === "refused") {
-    if (line.part) run.awaited.delete(line.part);
-    else run.awaited.clear();
-    const stage = stages.get(line.part);
-    if (stage) clear(stage);
+    for (const view of line.part ? [line.part] : [...run.unfinished]) finish(run, view);
+    if (stages.has(line.part)) clear(stages.get(line.part));
   }
-  postMessage({ kind: "line", id: run.id, line, spent: performance.now() - run.start });
-  if (!run.awaited.size) askNext();
+  tell(run, line);
+}
+
+/** Draws a mesh and tells the page of it. */
+function reveal(run, line) {
+  if (run !== running) return;
+  show(run, line);
+  for (const name of ["interior_points", "triangles", "degrees", "values"]) delete line[name];
+  run.empty.delete(line.view);
+  if (line.is_last) finish(run, line.view);
+  tell(run, line);
+}
+
+function finish(run, view) {
+  run.empty.delete(view);
+  if (run.unfinished.delete(view) && !run.unfinished.size) isQuick = performance.now() - run.start < QUICK;
+}
+
+function tell(run, line) {
+  postMessage({ kind: "line", id: run.id, line });
+  if (waiting && !timeLeft()) askNext();
 }
 
 /** The line round a ring of vertices. */

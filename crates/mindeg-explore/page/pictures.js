@@ -52,11 +52,21 @@ export function readLooks() {
   redraw(true);
 }
 
-export function resize() {
+/** Pictures take the size of their places; they are drawn if that is new, or if they look elsewhere. */
+export function resize(hasMoved = true) {
   element("meshes").classList.toggle("wide", isWide());
   element("stretched").hidden = !view.stretch;
-  for (const stage of stages) stage.resize();
-  redraw(true);
+  const resized = stages.map((stage) => stage.resize());
+  if (hasMoved || resized.includes(true)) redraw(true);
+}
+
+/** Whether a domain is partly out of sight, or small, in a picture that nobody has zoomed. */
+export function isOff({ center, size }) {
+  if (view.zoom > 1) return false;
+  return size.some((length, axis) => {
+    const whole = bounds.size[axis];
+    return Math.abs(center[axis] - bounds.center[axis]) + length / 2 > 0.53 * whole || length < 0.6 * whole;
+  });
 }
 
 /** Looks at a domain for the first time. */

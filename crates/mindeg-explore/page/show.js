@@ -48,11 +48,11 @@ export function showMesh(stage, mesh) {
   const { figure } = stage;
   const isWanted = stage.view === "wanted";
   figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : `${NAMES[stage.view]}: ${mesh.max_degree}`;
-  const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle))];
+  const searching = mesh.is_last ? "" : " …";
+  const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
   if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
     parts.push(make("span", "", ` · ${Number((100 * mesh.share_of_delaunay).toPrecision(3))}% of Delaunay’s`));
   }
-  if (!mesh.is_last) parts.push(make("span", "searching", " · looking for a better one …"));
   figure.querySelector(".figures").replaceChildren(...parts);
   figure.querySelector(".words-of").textContent = mesh.words;
 }

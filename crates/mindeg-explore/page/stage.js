@@ -31,14 +31,17 @@ export class Stage {
     followPointers(this.element, { frame: this.frame, ...hooks(this) });
   }
 
+  /** Takes the size that it has on the page; whether that is another than before. */
   resize() {
     this.frame.size = bounds.size;
     this.element.style.aspectRatio = String(Math.min(LOWEST, aspectRatio(bounds.size, view.stretch)));
     const { width, height } = this.element.getBoundingClientRect();
     const dots = window.devicePixelRatio || 1;
+    if (width === this.frame.width && height === this.frame.height && dots === this.frame.dots) return false;
     Object.assign(this.frame, { width, height, dots });
     this.overlay.width = Math.round(width * dots);
     this.overlay.height = Math.round(height * dots);
+    return true;
   }
 
   /** What the worker needs to know to draw it. */
