@@ -280,13 +280,15 @@ fn mistakes_are_named_with_what_to_do() {
             "lie.json",
             &[],
             &[
-                "lie.json ends in .json, and its content looks like a list of points; rename it to end in .csv",
+                "lie.json: the name of the file: it ends in .json, and the content looks like a list of points; rename the file to end in .csv",
             ],
         ),
         (
             "domain.wkt",
             &[],
-            &["domain.wkt ends as WKT does, and its content is JSON; rename it to end in .json"],
+            &[
+                "domain.wkt: the name of the file: it ends as WKT does, and the content is JSON; rename the file to end in .json",
+            ],
         ),
         (
             "plain.json",

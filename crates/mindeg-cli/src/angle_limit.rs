@@ -1,9 +1,10 @@
 //! The limit of the minimum angle with interior points, for `degree` and `suggest`.
 
-use crate::interior_report::{LiftRow, Limit, lift_in_words, limit_in_words};
+use crate::interior_report::{LiftRow, Limit};
 use mindeg::interior::{AngleLimit, Lift, angle_limit, lift};
 use mindeg::{Domain, Interior};
 use mindeg_compare::number_format::steady_angle;
+use mindeg_compare::words;
 
 /// On larger domains the limit is not worked out: it takes all points in memory.
 const MOST_VERTICES: u32 = 1_000_000;
@@ -56,7 +57,7 @@ impl Lifting {
 
     /// In sentences, for meshes with interior points.
     pub(crate) fn text(&self) -> String {
-        format!("With interior points: {}\n", limit_in_words(&self.limit, self.steps.first()))
+        format!("With interior points: {}\n", words::limit(&self.limit, self.steps.first()))
     }
 
     /// The changes one by one, for `suggest`.
@@ -71,7 +72,7 @@ impl Lifting {
             text.push_str(&format!(
                 "For {}: {then}give {}.\n",
                 steady_angle(step.min_angle),
-                lift_in_words(step)
+                words::lift_counts(step)
             ));
         }
         text

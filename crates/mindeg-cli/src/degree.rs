@@ -8,11 +8,10 @@ use crate::failure::Failure;
 use crate::interior_report::Limit;
 use crate::polygon_degree::{Answer, failed};
 use crate::standard_output::{print, print_json};
-use crate::suggest::in_words;
 use mindeg::exact::degree;
 use mindeg::{Domain, Goal, Progress};
 use mindeg_compare::number_format::steady_angle;
-use mindeg_compare::shell_word;
+use mindeg_compare::{shell_word, words};
 use mindeg_core::{Boundary, Certificate, certificate, suggest};
 use serde::Serialize;
 use std::fmt::Write;
@@ -162,65 +161,16 @@ fn text(boundary: &Boundary, certificate: &Certificate) -> String {
         let _ = writeln!(text, "{name:<21} {count}");
     }
     text.push('\n');
-    text.push_str(&why(boundary, certificate));
+    text.push_str(&words::certificate(boundary, certificate));
     if degree > 4
         && let Some(suggestion) = suggest(boundary, degree - 1)
     {
         let _ = writeln!(
             text,
             "Hint: {} and it is {}; mindeg suggest tells more.",
-            in_words(&suggestion),
+            words::suggestion(&suggestion),
             suggestion.max_degree
         );
     }
     text
-}
-
-/// Why the degree cannot be less and how it is reached, in sentences.
-fn why(boundary: &Boundary, certificate: &Certificate) -> String {
-    let vertices = boundary.vertex_count();
-    let sides = boundary.side_count();
-    match *certificate {
-        Certificate::BalancedCut { .. } if vertices == 3 => {
-            "There is only one triangle.\n".to_owned()
-        }
-        Certificate::BalancedCut { cut, max_degree } => {
-            let run = |first: usize, count: usize| match count {
-                1 => format!("side {}", first % sides + 1),
-                _ => format!("sides {} to {}", first % sides + 1, (first + count - 1) % sides + 1),
-            };
-            let larger = run(cut.first_side, cut.side_count);
-            let smaller = run(cut.first_side + cut.side_count, sides - cut.side_count);
-            format!(
-                "It cannot be less: any triangulation of {vertices} boundary points has a vertex \
-                 of degree {max_degree} or more\n(counting edges: Liu 2005, Theorems 3 and 8).\n\
-                 It is reached by a zig-zag between {larger} ({} intervals) and {smaller} ({}).\n",
-                cut.larger, cut.smaller
-            )
-        }
-        Certificate::MedialTriangle => "\
-It cannot be less: any triangulation of 6 boundary points has a vertex of degree 4 or more
-(counting edges: Liu 2005, Theorems 3 and 8).
-It is reached by the triangle through the three midpoints.\n"
-            .to_owned(),
-        Certificate::LongSide { side, max_degree } => {
-            let intervals = boundary.intervals(side);
-            let off_side = vertices - intervals - 1;
-            let edges = mindeg_core::bound::interior_edge_count(boundary);
-            format!(
-                "It cannot be less: each of the {edges} interior edges ends at one of the \
-                 {off_side} vertices off side {}\n({intervals} intervals), so one of these has \
-                 {} of them besides two boundary edges\n(Liu 2005, Theorem 4).\n\
-                 It is reached by sharing that side out evenly among them.\n",
-                side + 1,
-                max_degree - 2,
-            )
-        }
-        Certificate::NoBalancedCut { least_imbalance } => format!(
-            "It cannot be less: degree 4 needs two runs of consecutive sides whose intervals \
-             differ by at most 1,\nand here every two differ by {least_imbalance} or more \
-             (Liu 2005, Theorems 5 and 10).\n\
-             It is reached by a corner strip and a zig-zag across the rest.\n"
-        ),
-    }
 }

@@ -3,6 +3,8 @@
 pub(crate) mod describe;
 mod file;
 
+#[cfg(feature = "explore")]
+pub(crate) use file::bytes_of;
 pub(crate) use file::{Content, Polygon, Polygons};
 
 use crate::args::{Counts, DomainArguments, DomainOptions, FileOptions};

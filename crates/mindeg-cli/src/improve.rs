@@ -5,7 +5,7 @@ use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::failure::Failure;
 use crate::input;
-use crate::interior_report::{Reached, angles_and_degrees, grading, violations};
+use crate::interior_report::{Reached, grading, violations};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::mesh_file;
@@ -16,6 +16,7 @@ use crate::terminal::say;
 use mindeg::interior::{self, ImprovedMesh};
 use mindeg::{Interior, Progress, Triangles};
 use mindeg_compare::number_format::steady_angle;
+use mindeg_compare::words;
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 
@@ -100,7 +101,7 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -
         format!(
             "  {when:<7} {} triangles, {}, {}",
             report.triangles,
-            angles_and_degrees(report),
+            words::angles_and_degrees(report),
             wrong(report)
         )
     };

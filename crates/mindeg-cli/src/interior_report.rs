@@ -1,7 +1,7 @@
 //! What a mesh with interior points is like, in words and in JSON.
 
 use mindeg::interior::{AngleLimit, Lift, Report, Violation};
-use mindeg_compare::number_format::{four_digits, percent, steady_angle};
+use mindeg_compare::number_format::four_digits;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -111,53 +111,6 @@ impl From<&Lift> for LiftRow {
         let changes = changes.collect();
         Self { changes, min_angle: lift.min_angle, cause: lift.cause.to_string() }
     }
-}
-
-/// The limit in a sentence, and in another what would lift it.
-pub(crate) fn limit_in_words(limit: &AngleLimit, lift: Option<&Lift>) -> String {
-    let AngleLimit { min_angle, min_angle_at_any_degree: any, .. } = limit;
-    let at_any = if any > &(min_angle * 1.001) {
-        format!(" ({} at any degree)", steady_angle(*any))
-    } else {
-        String::new()
-    };
-    let lifted = lift.map_or_else(String::new, |lift| {
-        format!(" With {} it would be {}.", lift_in_words(lift), steady_angle(lift.min_angle))
-    });
-    format!(
-        "The boundary allows a minimum angle of at most {}{at_any}, decided by {}.{lifted}",
-        steady_angle(*min_angle),
-        limit.cause
-    )
-}
-
-/// Such as "9 intervals on side 2".
-pub(crate) fn lift_in_words(lift: &Lift) -> String {
-    let change = |(change, count): (&mindeg_core::Change, &u64)| {
-        let intervals = if *count == 1 { "interval" } else { "intervals" };
-        format!("{count} {intervals} on {}", lift.domain.side_name(change.side))
-    };
-    let changes: Vec<_> = lift.changes.iter().zip(&lift.intervals).map(change).collect();
-    changes.join(" and ")
-}
-
-/// Angles and degrees in a line.
-pub(crate) fn angles_and_degrees(report: &Report) -> String {
-    let degrees = |range: &RangeInclusive<u32>| match (range.start(), range.end()) {
-        (least, greatest) if least == greatest => least.to_string(),
-        (least, greatest) => format!("{least} to {greatest}"),
-    };
-    let inside = match &report.interior_degree {
-        Some(range) => format!("{} inside, ", degrees(range)),
-        None => String::new(),
-    };
-    format!(
-        "angles {} ({} of the limit) to {}; degrees {inside}{} at the boundary",
-        steady_angle(report.min_angle),
-        percent(report.share_of_limit),
-        steady_angle(report.max_angle),
-        degrees(&report.boundary_degree),
-    )
 }
 
 /// How much neighbouring triangles differ.

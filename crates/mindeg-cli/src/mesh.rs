@@ -11,13 +11,12 @@ use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::output::Outputs;
-use crate::polygon_degree::triangle_count;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
-use mindeg::{Domain, FoundBy, Goal, HigherDegree, Meshed, Progress};
-use mindeg_compare::number_format::steady_angle;
+use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
+use mindeg_compare::words::{self, triangle_count};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
@@ -188,21 +187,11 @@ pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
 
 fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
     let domain = meshed.mesh.domain();
-    let total = if domain.is_constrained() { "total " } else { "" };
-    let mut lines = vec![format!(
-        "{}: {} vertices, {} triangles, maximum {total}degree {} ({} {}), angles {} to {}",
-        name(domain),
-        summary.vertices,
-        summary.triangles,
-        summary.max_degree,
-        if meshed.is_least_proven { "least possible" } else { "no mesh has less than" },
-        summary.at_least,
-        steady_angle(summary.min_angle),
-        steady_angle(summary.max_angle),
-    )];
-    lines.extend(standing(meshed, goal, summary));
+    let angles = [summary.min_angle, summary.max_angle];
+    let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
+    lines.extend(words::standing(meshed, goal, summary.min_angle));
     if let Some(higher) = &meshed.higher_degree {
-        lines.push(hint(summary.min_angle, higher));
+        lines.push(words::higher_degree(summary.min_angle, higher));
     }
     lines.extend(domain.notes());
     let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
@@ -210,58 +199,4 @@ fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
         lines.push(format!("wrote {}", files.join(", ")));
     }
     lines.join("\n")
-}
-
-/// What is proven of a mesh, where the first line does not say it.
-fn standing(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> Option<String> {
-    let Summary { min_angle, max_degree, at_least: least, .. } = summary;
-    let kept = meshed.delaunay_min_angle.map(|most| {
-        let share = 100.0 * min_angle / most;
-        format!("{share:.0}% of Delaunay's minimum angle, {}", steady_angle(most))
-    });
-    match (meshed.found_by, goal, kept) {
-        (FoundBy::Formula, Goal::LeastDegree, _) => Some(
-            "It is the best of the candidates that were tried; --keep-angle 95% trades degree for \
-             angle at this size."
-                .to_owned(),
-        ),
-        (FoundBy::Formula, _, _) => Some(
-            "No window reached the limit; the formula did. A larger minimum angle may be possible."
-                .to_owned(),
-        ),
-        (FoundBy::Search, Goal::KeepAngle(share), Some(kept)) => {
-            let percent = 100.0 * share;
-            Some(format!("It has {kept}. No smaller degree keeps {percent:.0}%."))
-        }
-        (FoundBy::Windows { share }, _, Some(kept)) => {
-            let percent = 100.0 * share;
-            let gap = if max_degree == least {
-                "no degree is smaller".to_owned()
-            } else if meshed.is_least_proven && goal == Goal::LeastDegree {
-                "no mesh has less".to_owned()
-            } else if share == 0.0 {
-                format!("whether a degree from {least} on is possible is not known")
-            } else {
-                format!(
-                    "whether a degree from {least} on is possible with {percent:.0}% is not known"
-                )
-            };
-            Some(format!("It has {kept}. Degree {max_degree} was reached; {gap}."))
-        }
-        (FoundBy::Exhaustive | FoundBy::ZigZag, _, Some(kept)) => {
-            Some(format!("It has {kept}; more may be possible with this degree."))
-        }
-        (_, _, _) => None,
-    }
-}
-
-/// What a higher degree would bring, and the option to copy.
-pub(crate) fn hint(min_angle: f64, higher: &HigherDegree) -> String {
-    format!(
-        "Hint: degree {} has a minimum angle of {}, {:.1} times as much: add --max-degree {}",
-        higher.max_degree,
-        steady_angle(higher.min_angle),
-        higher.min_angle / min_angle,
-        higher.max_degree,
-    )
 }

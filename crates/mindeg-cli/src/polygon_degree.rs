@@ -3,9 +3,9 @@
 
 use crate::failure::Failure;
 use crate::interior_report::Limit;
+use mindeg::Domain;
 use mindeg::exact::{DegreeAnswer, LowerBound, Reached};
-use mindeg::{Domain, Rings};
-use mindeg_compare::number_format::count;
+use mindeg_compare::words::{self, triangle_count};
 use serde::Serialize;
 
 /// What `--json` prints.
@@ -45,11 +45,6 @@ enum Proof<'a> {
         apexes: &'a [u32],
     },
     Exhaustive,
-}
-
-/// The triangles of every mesh.
-pub(crate) fn triangle_count(rings: &Rings) -> u32 {
-    rings.vertex_count() + 2 * (rings.ring_count() as u32 - 1) - 2
 }
 
 impl<'a> Answer<'a> {
@@ -110,85 +105,8 @@ impl<'a> Answer<'a> {
         let rows = rows.into_iter().map(|(name, value)| format!("{name:<21} {value}\n"));
         let mut text: String = rows.collect();
         text.push('\n');
-        text.push_str(&why_not_less(domain, answer));
-        text.push_str(&how_reached(answer));
-        if self.least_max_degree.is_none() {
-            let open = match (self.at_least, self.reached - 1) {
-                (least, most) if least == most => format!("degree {least}"),
-                (least, most) => format!("a degree from {least} to {most}"),
-            };
-            text.push_str(&format!(
-                "Whether {open} is possible is not known: {}.\n",
-                if self.holes > 0 {
-                    "with holes, not all meshes are searched"
-                } else {
-                    "too many of its vertices see each other for a search of all meshes"
-                }
-            ));
-        }
+        text.push_str(&words::degree(domain, answer));
         text
-    }
-}
-
-/// Why the degree cannot be less, in sentences.
-fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
-    let vertices = domain.rings().vertex_count();
-    let bound = answer.at_least;
-    match &answer.bounded_by {
-        LowerBound::BlockedZigZags(chords) => {
-            let [from, to] = chords.first().copied().unwrap_or_default();
-            format!(
-                "No mesh has less than {bound}: from 7 vertices on, a mesh of degree 4 is one of {} zig-zags across \
-                 the whole polygon,\nand each of these has a chord that does not lie inside, such as \
-                 the one from vertex {from} to vertex {to}.\n",
-                count(vertices)
-            )
-        }
-        LowerBound::Apexes(apexes) => format!(
-            "No mesh has less than {bound}: {} boundary edges, the first from vertex {} on, are the side of no ear, \
-             and only {} vertices\nsee both ends of one of them. A vertex of degree {} is the apex of \
-             at most {} of these edges.\n",
-            count(apexes.edges.len() as u32),
-            apexes.edges.first().copied().unwrap_or_default(),
-            count(apexes.apexes.len() as u32),
-            bound - 1,
-            bound - 4,
-        ),
-        LowerBound::Counting => format!(
-            "No mesh has less than {bound}: the {} edges of every mesh have two ends each, at {} vertices{}, so that \
-             one of these\nhas {bound} or more.\n",
-            count(edge_count(domain)),
-            count(vertices),
-            if domain.is_constrained() { " with external edges besides" } else { "" }
-        ),
-        LowerBound::ClosedForm => {
-            "It cannot be less, by the formula for convex domains.\n".to_owned()
-        }
-        _ => format!(
-            "No mesh has less than {bound}: of all triangulations, none {}has a maximum degree of {}.\n",
-            if domain.is_constrained() { "that keeps the limits " } else { "" },
-            bound.saturating_sub(1)
-        ),
-    }
-}
-
-fn edge_count(domain: &Domain) -> u32 {
-    let (triangles, vertices) = (triangle_count(domain.rings()), domain.rings().vertex_count());
-    ((3 * u64::from(triangles) + u64::from(vertices)) / 2) as u32
-}
-
-/// How the degree is reached, in a sentence.
-fn how_reached(answer: &DegreeAnswer) -> String {
-    let degree = answer.reached;
-    match answer.reached_by {
-        Reached::ZigZag(zigzag) => {
-            format!("Degree {degree} is reached by the zig-zag from vertex {} on.\n", zigzag.tip)
-        }
-        Reached::Windows => format!(
-            "Degree {degree} is reached by windows of a Delaunay triangulation, each triangulated \
-             anew.\n"
-        ),
-        _ => format!("Degree {degree} is reached by a search over all triangulations.\n"),
     }
 }
 

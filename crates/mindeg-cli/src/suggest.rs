@@ -6,6 +6,7 @@ use crate::domain::counts;
 use crate::failure::Failure;
 use crate::interior_report::{LiftRow, Limit};
 use crate::standard_output::{print, print_json};
+use mindeg_compare::words;
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 
@@ -88,7 +89,12 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             "No change is needed.\n".to_owned()
         } else {
             let counts: Vec<String> = row.intervals(&boundary).iter().map(u64::to_string).collect();
-            format!("For {}: {}, giving {}.\n", row.max_degree, in_words(row), counts.join(","))
+            format!(
+                "For {}: {}, giving {}.\n",
+                row.max_degree,
+                words::suggestion(row),
+                counts.join(",")
+            )
         });
     }
     text.push_str(&left_out(rows.len(), suggestion_count));
@@ -118,19 +124,6 @@ pub(crate) fn left_out(shown: usize, count: usize) -> String {
         return String::new();
     }
     format!("{shown} of {count} rows, spread evenly; --limit 0 prints all.\n")
-}
-
-/// Such as "add 7 to side 2 and take 1 from side 4".
-pub(crate) fn in_words(suggestion: &Suggestion) -> String {
-    let change = |&Change { side, by }: &Change| {
-        let (count, side) = (by.unsigned_abs(), side + 1);
-        if by > 0 {
-            format!("add {count} to side {side}")
-        } else {
-            format!("take {count} from side {side}")
-        }
-    };
-    suggestion.changes.iter().map(change).collect::<Vec<_>>().join(" and ")
 }
 
 #[cfg(test)]

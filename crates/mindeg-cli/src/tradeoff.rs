@@ -12,6 +12,7 @@ use crate::suggest::{left_out, spread};
 use mindeg::Progress;
 use mindeg::exact::{self, TradeOff};
 use mindeg_compare::number_format::steady_angle;
+use mindeg_compare::words::knee;
 use mindeg_compare::{
     TradeOffFigures, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
@@ -89,33 +90,4 @@ fn table(trade_off: &TradeOff, limit: u32) -> String {
         );
     }
     text
-}
-
-/// The point farthest above the straight line from the first to the last, if one is above it.
-fn knee(points: &[(f64, f64)]) -> Option<usize> {
-    let (&(first_x, first_y), &(last_x, last_y)) = (points.first()?, points.last()?);
-    // Twice the area of the triangle of the three: the farthest has the largest.
-    let above = |&(x, y): &(f64, f64)| {
-        (y - first_y) * (last_x - first_x) - (x - first_x) * (last_y - first_y)
-    };
-    let heights = points.iter().map(above).enumerate().filter(|&(_, height)| height > 0.0);
-    // Of several, the least degree.
-    heights.rev().max_by(|(_, a), (_, b)| a.total_cmp(b)).map(|(row, _)| row)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_knee_is_where_the_curve_bends_most() {
-        let curve = |angles: &[f64]| -> Vec<(f64, f64)> {
-            (4..).map(f64::from).zip(angles.iter().copied()).collect()
-        };
-        assert_eq!(knee(&curve(&[0.1, 2.0, 2.05, 2.07])), Some(1));
-        assert_eq!(knee(&curve(&[1.0, 2.0, 3.0, 3.0, 3.0])), Some(2));
-        for none in [&[][..], &[1.0], &[1.0, 2.0], &[1.0, 2.0, 3.0], &[1.0, 1.1, 3.0]] {
-            assert_eq!(knee(&curve(none)), None, "{none:?}");
-        }
-    }
 }

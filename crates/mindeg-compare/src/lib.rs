@@ -38,6 +38,7 @@ pub mod number_format;
 pub mod reference;
 pub mod report;
 mod verdict;
+pub mod words;
 
 pub use advice::{Advice, KEPT, advised_command, shell_word};
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
@@ -49,7 +50,8 @@ pub use interior::InteriorFigures;
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
-    IndexEntry, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint, report_schema,
-    viewer_script, viewer_style, write_html, write_index, write_json, write_linked_html,
-    write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg, write_view,
+    IndexEntry, MeasureFacts, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint,
+    measure_facts, report_schema, viewer_script, viewer_style, write_html, write_index, write_json,
+    write_linked_html, write_markdown, write_trade_off_html, write_trade_off_json,
+    write_trade_off_svg, write_view,
 };

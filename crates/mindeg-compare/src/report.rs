@@ -6,6 +6,7 @@
 //!
 //! Limits: figures only. Points and triangles are in the files that `mindeg mesh` writes.
 
+mod facts;
 mod html;
 mod index;
 mod markdown;
@@ -17,6 +18,7 @@ mod trade_off;
 mod view;
 mod viewer;
 
+pub use facts::{MeasureFacts, measure_facts};
 pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;

@@ -169,11 +169,13 @@ pub struct DomainBuilder {
     sides: Vec<Side>,
     holes: Vec<Ring>,
     constraints: Constraints,
+    max_vertices: u32,
 }
 
 impl DomainBuilder {
     pub(crate) fn new(outline: Outline, sides: Vec<Side>) -> Self {
-        Self { outline, sides, holes: Vec::new(), constraints: Constraints::default() }
+        let (holes, constraints) = (Vec::new(), Constraints::default());
+        Self { outline, sides, holes, constraints, max_vertices: u32::MAX }
     }
 
     /// With another hole. It lies inside the outline, outside all other holes, and touches none of
@@ -191,18 +193,29 @@ impl DomainBuilder {
         Self { constraints, ..self }
     }
 
+    /// With at most so many boundary vertices: a domain with more is refused before its points take time
+    /// and memory.
+    #[must_use]
+    pub fn max_vertices(self, max_vertices: u32) -> Self {
+        Self { max_vertices, ..self }
+    }
+
     /// The domain.
     ///
     /// # Errors
     ///
     /// See [`Domain::new`] and [`Domain::constrained`].
     pub fn build(self) -> Result<Domain, DomainError> {
-        let Self { outline, sides, holes, mut constraints } = self;
+        let Self { outline, sides, holes, mut constraints, max_vertices: max } = self;
         let corners = outline.corners().map_err(OutlineError::from)?;
         let mut given = vec![Ring { corners, sides }];
         given.extend(holes);
 
         let divided = Divided::new(&given)?;
+        let vertices = divided.rings.vertex_count();
+        if vertices > max {
+            return Err(DomainError::TooManyVertices { vertices, max });
+        }
         constraints.check_side_count(divided.rings.side_count())?;
         let Placed { placement, straight, turned } = divided.placed(&mut given)?;
         for &ring in &turned {

@@ -44,6 +44,16 @@ pub enum DomainError {
     /// Interval counts that are those of no boundary.
     #[error(transparent)]
     Rings(#[from] RingsError),
+    /// More boundary vertices than are wanted.
+    #[error(
+        "the boundary has {vertices} points; at most {max} are wanted here; use fewer intervals"
+    )]
+    TooManyVertices {
+        /// The points.
+        vertices: u32,
+        /// What [`DomainBuilder::max_vertices`](crate::DomainBuilder::max_vertices) was given.
+        max: u32,
+    },
     /// Too many points to store, of a domain that is not convex with straight sides.
     #[error(
         "the boundary has {vertices} points; a domain that is not convex with straight sides takes at \

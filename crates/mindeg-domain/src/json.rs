@@ -113,10 +113,34 @@ impl Domain {
     /// # Ok::<(), mindeg_domain::DomainJsonError>(())
     /// ```
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
+        Self::from_json_up_to(text, u32::MAX)
+    }
+
+    /// [`Domain::from_json`] of a domain with at most so many boundary vertices; others are refused before
+    /// their points take time and memory.
+    ///
+    /// # Errors
+    ///
+    /// As [`Domain::from_json`], and more vertices.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::Domain;
+    ///
+    /// let text = r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.001}"#;
+    /// let error = Domain::from_json_up_to(text, 1000).unwrap_err();
+    /// assert_eq!(
+    ///     error.to_string(),
+    ///     "the boundary has 14000 points; at most 1000 are wanted here; use fewer intervals"
+    /// );
+    /// # Ok::<(), mindeg_domain::DomainJsonError>(())
+    /// ```
+    pub fn from_json_up_to(text: &str, max_vertices: u32) -> Result<Self, DomainJsonError> {
         // A mark that some Windows programs put before UTF-8 text.
         let text = Value::document(text.strip_prefix('\u{feff}').unwrap_or(text))?;
         let (builder, name, interior) = description::description(&text)?;
-        let domain = builder.build().and_then(|domain| match name {
+        let domain = builder.max_vertices(max_vertices).build().and_then(|domain| match name {
             Some(name) => domain.named(name),
             None => Ok(domain),
         });

@@ -2,13 +2,15 @@
 
 use std::time::{Duration, Instant};
 
-use mindeg::exact::ExactError;
-use mindeg::{BoundaryMesh, Domain, Meshed};
-use mindeg_delaunay::of_rings;
+use mindeg::exact::trade_off;
+use mindeg::{BoundaryMesh, Domain, is_by_formula};
 use mindeg_mesh::{Cancelled, Progress};
 
 use crate::api::{Goal, Line, Part, Request, View};
+use crate::command::{KnownFiles, command};
+use crate::mesh::Made;
 use crate::shown::{self, Figure};
+use crate::{changes, curve, degree};
 
 /// The most boundary vertices of a domain.
 pub const MAX_VERTICES: u32 = 20_000;
@@ -25,12 +27,12 @@ type Out<'a> = &'a mut dyn FnMut(&Line);
 /// # Example
 ///
 /// ```
-/// use mindeg_explore::{Line, answer};
+/// use mindeg_explore::{KnownFiles, Line, answer};
 /// use mindeg_mesh::Progress;
 ///
 /// let body = br#"{"domain": {"rectangle": {"width": 4, "height": 3}, "size": 0.5}, "show": ["wanted"]}"#;
 /// let mut degree = None;
-/// answer(body, Progress::NONE, &mut |line| {
+/// answer(body, &KnownFiles::default(), Progress::NONE, &mut |line| {
 ///     if let Line::Mesh(mesh) = line {
 ///         degree = Some(mesh.max_degree);
 ///     }
@@ -38,121 +40,190 @@ type Out<'a> = &'a mut dyn FnMut(&Line);
 /// assert_eq!(degree, Some(4));
 /// # Ok::<(), mindeg_mesh::Cancelled>(())
 /// ```
-pub fn answer(body: &[u8], progress: Progress<'_>, out: Out<'_>) -> Result<(), Cancelled> {
+pub fn answer(
+    body: &[u8],
+    known: &KnownFiles,
+    progress: Progress<'_>,
+    out: Out<'_>,
+) -> Result<(), Cancelled> {
     let start = Instant::now();
-    let request = match read(body) {
-        Ok(request) => request,
-        Err(line) => {
-            out(&line);
-            return Ok(());
-        }
-    };
-    let domain = match domain(&request) {
-        Ok(domain) => domain,
+    let (request, domain) = match understood(body) {
+        Ok(understood) => understood,
         Err(line) => {
             out(&line);
             return Ok(());
         }
     };
     out(&Line::Domain(shown::domain(&domain)));
-    let shows = |part| request.show.contains(&part);
-    if (shows(Part::Wanted) || shows(Part::Least))
-        && let Ok(mesh) = BoundaryMesh::least_degree(&domain)
-    {
-        let figure = Figure::of(&mesh);
-        for (view, part) in [(View::Wanted, Part::Wanted), (View::Least, Part::Least)] {
-            if shows(part) {
-                out(&Line::Mesh(Box::new(figure.shown(view, false, &request))));
-            }
-        }
-    }
-    if shows(Part::Delaunay) {
-        delaunay(&domain, &request, progress, out)?;
-    }
-    for (part, view, goal) in
-        [(Part::Wanted, View::Wanted, request.goal), (Part::Least, View::Least, Goal::LeastDegree)]
-    {
-        if shows(part) {
-            match meshed(&domain, goal, progress) {
-                Ok(meshed) => {
-                    let figure = Figure::of(&meshed.mesh);
-                    out(&Line::Mesh(Box::new(figure.shown(view, true, &request))));
-                }
-                Err(error) => {
-                    unless_cancelled(progress)?;
-                    out(&refused(Some(part), error.to_string()));
-                }
-            }
-        }
-    }
+    Answering { request: &request, domain: &domain, known, progress, out }.all()?;
     out(&Line::Done { milliseconds: 1e3 * start.elapsed().as_secs_f64() });
     Ok(())
 }
 
-/// What is said when the time of an answer is over.
-pub(crate) fn late(limit: Duration) -> Line {
-    refused(
-        None,
-        format!(
-            "it took more than {} s and was ended; the command line has no limit",
-            limit.as_secs()
-        ),
-    )
-}
-
-fn refused(part: Option<Part>, message: String) -> Line {
-    Line::Refused { part, message, path: None }
-}
-
-fn read(body: &[u8]) -> Result<Request, Box<Line>> {
-    serde_json::from_slice(body)
+/// The request in a body, and its domain.
+///
+/// # Errors
+///
+/// The line that says what is wrong.
+pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<Line>> {
+    let request: Request = serde_json::from_slice(body)
         .map_err(|error| format!("the request is not what the page sends: {error}"))
-        .map_err(|message| Box::new(refused(None, message)))
-}
-
-fn domain(request: &Request) -> Result<Domain, Box<Line>> {
-    let domain = Domain::from_json(request.domain.get()).map_err(|error| {
+        .and_then(|request: Request| request.checked())
+        .map_err(|message| Box::new(refused(None, message)))?;
+    let domain = Domain::from_json_up_to(request.domain.get(), MAX_VERTICES).map_err(|error| {
         let message = error.to_string();
         Box::new(Line::Refused { part: None, message, path: Some(error.path) })
     })?;
-    let vertices = domain.rings().vertex_count();
-    if vertices > MAX_VERTICES {
-        let message = format!(
-            "the domain has {vertices} boundary vertices; the page takes up to {MAX_VERTICES}, the \
-             command line any number"
-        );
-        return Err(Box::new(refused(None, message)));
-    }
-    Ok(domain)
+    Ok((request, domain))
 }
 
-/// Whether the work was cancelled, which is one of the errors of each step.
-fn unless_cancelled(progress: Progress<'_>) -> Result<(), Cancelled> {
-    progress.report("answering", 0, 1)
+/// What is said when the time of an answer is over.
+pub(crate) fn late(limit: Duration) -> Line {
+    let seconds = limit.as_secs();
+    refused(
+        None,
+        format!("it took more than {seconds} s and was ended; the command line has no limit"),
+    )
 }
 
-fn meshed(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    mindeg::mesh(domain, goal.into(), progress)
+pub(crate) fn refused(part: Option<Part>, message: String) -> Line {
+    Line::Refused { part, message, path: None }
 }
 
-fn delaunay(
-    domain: &Domain,
-    request: &Request,
-    progress: Progress<'_>,
-    out: Out<'_>,
-) -> Result<(), Cancelled> {
-    let points: Vec<_> = domain.placement().points().collect();
-    let rings: Vec<_> = domain.rings().rings().collect();
-    let mesh = of_rings(&points, &rings, &[], &[], progress);
-    unless_cancelled(progress)?;
-    let mesh = mesh
-        .map_err(|error| error.to_string())
-        .and_then(|list| BoundaryMesh::with_triangles(domain, list).map_err(|e| e.to_string()));
-    match mesh {
-        Ok(mesh) => {
-            out(&Line::Mesh(Box::new(Figure::of(&mesh).shown(View::Delaunay, true, request))));
+/// An answer in the making.
+struct Answering<'a> {
+    request: &'a Request,
+    domain: &'a Domain,
+    known: &'a KnownFiles,
+    progress: Progress<'a>,
+    out: Out<'a>,
+}
+
+impl Answering<'_> {
+    fn all(mut self) -> Result<(), Cancelled> {
+        self.first_meshes()?;
+        let delaunay = if self.shows(Part::Delaunay) || self.shows(Part::Curve) {
+            self.mesh(Part::Delaunay, View::Delaunay)?
+        } else {
+            None
+        };
+        if self.shows(Part::Wanted) && self.request.goal != Goal::LeastDegree {
+            self.mesh(Part::Wanted, View::Wanted)?;
         }
-        Err(message) => out(&refused(Some(Part::Delaunay), message)),
+        if self.shows(Part::Command) {
+            let text = command(self.request, self.domain, self.known);
+            (self.out)(&Line::Command { text });
+        }
+        if self.shows(Part::Degree) {
+            match degree::shown(self.domain, self.progress) {
+                Ok(degree) => (self.out)(&Line::Degree(degree)),
+                Err(error) => self.refuse(Part::Degree, error.to_string())?,
+            }
+        }
+        self.changes()?;
+        if self.shows(Part::Curve) {
+            match trade_off(self.domain, self.progress) {
+                Ok(found) => {
+                    let delaunay = delaunay.map(|figure| figure.max_degree());
+                    (self.out)(&Line::Curve(curve::shown(&found, delaunay)));
+                }
+                Err(error) => self.refuse(Part::Curve, error.to_string())?,
+            }
+        }
+        if self.shows(Part::Interior) {
+            self.mesh(Part::Interior, View::Interior)?;
+        }
+        Ok(())
     }
-    Ok(())
+
+    fn shows(&self, part: Part) -> bool {
+        self.request.show.contains(&part)
+    }
+
+    /// The mesh of least degree, also as the one that is wanted until that is found. Where a search takes
+    /// its time, the mesh of the formula comes first.
+    fn first_meshes(&mut self) -> Result<(), Cancelled> {
+        let (is_wanted, is_shown) = (self.shows(Part::Wanted), self.shows(Part::Least));
+        if !is_wanted && !is_shown {
+            return Ok(());
+        }
+        let is_last = self.request.goal == Goal::LeastDegree;
+        let is_asked_for = is_shown || is_wanted && is_last;
+        // The formula's mesh of a large domain is the mesh of least degree: once is enough.
+        let is_soon = is_asked_for && is_by_formula(self.domain);
+        if !is_soon && let Ok(mesh) = BoundaryMesh::least_degree(self.domain) {
+            self.least(&Figure::of(&mesh), false, false);
+            if !is_asked_for {
+                return Ok(());
+            }
+        }
+        match Made::new(self.domain, self.request, View::Least, self.progress) {
+            Ok(made) => self.least(&Figure::made(self.domain, &made), true, is_last),
+            Err(message) => {
+                self.refuse(if is_shown { Part::Least } else { Part::Wanted }, message)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Shows a mesh of least degree, as what is wanted too.
+    fn least(&mut self, figure: &Figure, is_last: bool, is_last_wanted: bool) {
+        for (part, view, is_last) in
+            [(Part::Wanted, View::Wanted, is_last_wanted), (Part::Least, View::Least, is_last)]
+        {
+            if self.shows(part) {
+                let shown = figure.shown(view, is_last, self.request);
+                (self.out)(&Line::Mesh(Box::new(shown)));
+            }
+        }
+    }
+
+    /// Makes the mesh of a view, and shows it if its part is asked for.
+    fn mesh(&mut self, part: Part, view: View) -> Result<Option<Figure>, Cancelled> {
+        match Made::new(self.domain, self.request, view, self.progress) {
+            Ok(made) => {
+                let figure = Figure::made(self.domain, &made);
+                if self.shows(part) {
+                    let shown = figure.shown(view, true, self.request);
+                    (self.out)(&Line::Mesh(Box::new(shown)));
+                }
+                Ok(Some(figure))
+            }
+            Err(message) => {
+                self.refuse(part, message)?;
+                Ok(None)
+            }
+        }
+    }
+
+    /// The limit of the angle, and the changes.
+    fn changes(&mut self) -> Result<(), Cancelled> {
+        if !self.shows(Part::Limit) && !self.shows(Part::Suggestions) {
+            return Ok(());
+        }
+        let limit = changes::limit(self.domain);
+        self.unless_cancelled()?;
+        let lifted = limit.as_ref().and_then(|(_, lifted)| lifted.as_ref());
+        if self.shows(Part::Limit)
+            && let Some((limit, lifted)) = &limit
+        {
+            (self.out)(&Line::Limit(changes::limit_shown(limit, lifted.as_ref())));
+        }
+        if self.shows(Part::Suggestions) {
+            let suggestions = changes::suggestions(self.domain, lifted);
+            (self.out)(&Line::Suggestions { suggestions });
+        }
+        Ok(())
+    }
+
+    /// Says why a part has no answer, unless that is because the work was cancelled.
+    fn refuse(&mut self, part: Part, message: String) -> Result<(), Cancelled> {
+        self.unless_cancelled()?;
+        (self.out)(&refused(Some(part), message));
+        Ok(())
+    }
+
+    fn unless_cancelled(&self) -> Result<(), Cancelled> {
+        self.progress.report("answering", 0, 1)
+    }
 }

@@ -29,10 +29,16 @@
 //! # Order
 //!
 //! First [`Line::Domain`] or [`Line::Refused`]; then what is fast; last [`Line::Done`]. A later mesh of
-//! the same view takes the place of an earlier one, and so does a later curve.
+//! the same view takes the place of an earlier one.
 
+use mindeg::quality::METRICS;
+use mindeg_formats::Format;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
+
+use crate::format::format_named;
+pub use crate::line::*;
+pub use crate::part::{Part, View};
 
 /// What the page asks for.
 ///
@@ -65,6 +71,9 @@ pub struct Request {
     /// The mesh of [`Line::Command`].
     #[serde(default)]
     pub view: View,
+    /// The format of [`Line::Command`]: one of [`Facts::formats`], OBJ by default.
+    #[serde(default)]
+    pub format: Option<String>,
 }
 
 /// What a mesh is chosen for: `"least_degree"`, `{"keep_angle": 0.95}` or `{"max_degree": 5}`.
@@ -78,267 +87,6 @@ pub enum Goal {
     KeepAngle(f64),
     /// The largest minimum angle with no more than so many edges at a vertex.
     MaxDegree(u32),
-}
-
-/// A mesh of the domain.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum View {
-    /// Of the goal.
-    #[default]
-    Wanted,
-    /// Of the least maximum degree.
-    Least,
-    /// A Delaunay triangulation of the boundary points.
-    Delaunay,
-    /// With interior points.
-    Interior,
-}
-
-/// Something to answer: `"wanted"`, `"curve"` and so on.
-#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Part {
-    /// The mesh of the goal.
-    Wanted,
-    /// The mesh of least degree.
-    Least,
-    /// A Delaunay triangulation.
-    Delaunay,
-    /// The mesh with interior points.
-    Interior,
-    /// The degree in words, with what proves it.
-    Degree,
-    /// The limit of the minimum angle with interior points.
-    Limit,
-    /// The largest minimum angle for every maximum degree.
-    Curve,
-    /// Changes of interval counts.
-    Suggestions,
-    /// The command line that makes the mesh of [`Request::view`].
-    Command,
-}
-
-impl Part {
-    /// All but the mesh with interior points.
-    fn usual() -> Vec<Self> {
-        use Part::*;
-        vec![Wanted, Least, Delaunay, Degree, Limit, Curve, Suggestions, Command]
-    }
-}
-
-/// A line of an answer.
-#[derive(Clone, Debug, Serialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-pub enum Line {
-    /// The domain as it was understood.
-    Domain(DomainShown),
-    /// A mesh.
-    Mesh(Box<Shown>),
-    /// The degree in words.
-    Degree(DegreeShown),
-    /// The limit of the minimum angle of every mesh with this boundary, with any interior points.
-    Limit(LimitShown),
-    /// What every degree brings.
-    Curve(CurveShown),
-    /// Changes that bring a smaller degree or a larger angle.
-    Suggestions {
-        /// The least change first.
-        suggestions: Vec<Suggestion>,
-    },
-    /// How to make the mesh without the page.
-    Command {
-        /// Ready for a POSIX shell.
-        text: String,
-    },
-    /// One part has no answer, or all have none.
-    Refused {
-        /// The part; none if the request or its domain is refused.
-        part: Option<Part>,
-        /// What is wrong and what to do, in a sentence.
-        message: String,
-        /// Where in the domain's JSON it is, such as `sides[2].spacing`, if that is known.
-        path: Option<String>,
-    },
-    /// All parts are answered.
-    Done {
-        /// Milliseconds since the request was read.
-        milliseconds: f64,
-    },
-}
-
-/// A domain as it was understood.
-#[derive(Clone, Debug, Serialize)]
-pub struct DomainShown {
-    /// Its name.
-    pub name: Option<String>,
-    /// The number of boundary vertices.
-    pub vertices: u32,
-    /// The number of triangles of every mesh of its boundary points alone.
-    pub triangles: u32,
-    /// Whether it is convex and without holes.
-    pub is_convex: bool,
-    /// Where the points are counted from: the middle of their bounding box.
-    pub center: [f64; 2],
-    /// The width and height of the bounding box.
-    pub size: [f64; 2],
-    /// All boundary points: `f64`, base64.
-    pub points: String,
-    /// The first vertex of each ring, and then the number of vertices.
-    pub rings: Vec<u32>,
-    /// The sides of all rings.
-    pub sides: Vec<SideShown>,
-    /// What was changed of the description, in sentences.
-    pub notes: Vec<String>,
-}
-
-/// A side of a domain.
-#[derive(Clone, Debug, Serialize)]
-pub struct SideShown {
-    /// What it is called: its own name, or such as "hole 1 side 2".
-    pub name: String,
-    /// Its ring; 0 is the outer one.
-    pub ring: usize,
-    /// Its first vertex, which is a corner.
-    pub start: u32,
-    /// How many intervals it has.
-    pub intervals: u32,
-    /// Whether all its points are on a straight line.
-    pub is_straight: bool,
-}
-
-/// A mesh, what it is like and how it is colored.
-#[derive(Clone, Debug, Serialize)]
-pub struct Shown {
-    /// Which one.
-    pub view: View,
-    /// Whether a better one follows: while the exact search runs, the best mesh at hand is shown.
-    pub is_last: bool,
-    /// In a sentence: degree, angles, and what is proven of them.
-    pub words: String,
-    /// Points beyond those of the domain: `f64`, base64; empty but in [`View::Interior`].
-    pub interior_points: String,
-    /// Three vertices each: `u32`, base64.
-    pub triangles: String,
-    /// The degree of each vertex: `u32`, base64.
-    pub degrees: String,
-    /// The measure of [`Request::color`] of each triangle: `f32`, base64; empty without one.
-    pub values: String,
-    /// The greatest degree, external degrees included.
-    pub max_degree: u32,
-    /// No mesh of the boundary points has less.
-    pub at_least: Option<u32>,
-    /// The minimum angle in degrees.
-    pub min_angle: f64,
-    /// The maximum angle in degrees.
-    pub max_angle: f64,
-    /// The minimum angle as a share of that of a Delaunay triangulation, where that is known.
-    pub share_of_delaunay: Option<f64>,
-    /// How many vertices have each degree, ascending: `[degree, vertices]`.
-    pub degree_bars: Vec<[u64; 2]>,
-    /// How the measure of [`Request::color`] is spread.
-    pub bars: Option<Bars>,
-    /// The triangle with the minimum angle.
-    pub worst_triangle: u32,
-    /// The first vertex with the greatest degree.
-    pub max_degree_vertex: u32,
-}
-
-/// A histogram of a measure.
-#[derive(Clone, Debug, Serialize)]
-pub struct Bars {
-    /// The name of the measure.
-    pub measure: String,
-    /// The ends of the axis; what is beyond is counted in the first and last bar. The axis of a measure is
-    /// the same for all meshes but that of lengths and areas, which goes by the domain's size.
-    pub range: [f64; 2],
-    /// Whether the bars divide the axis by equal ratios instead of equal steps.
-    pub is_logarithmic: bool,
-    /// The number of triangles in each of 30 bars.
-    pub counts: Vec<u32>,
-    /// The smallest value, the median, the mean and the largest.
-    pub min: f64,
-    /// The median.
-    pub median: f64,
-    /// The mean.
-    pub mean: f64,
-    /// The largest value.
-    pub max: f64,
-}
-
-/// The least maximum degree, in words.
-#[derive(Clone, Debug, Serialize)]
-pub struct DegreeShown {
-    /// No mesh of the boundary points has a smaller maximum degree.
-    pub at_least: u32,
-    /// Some mesh has this one; equal to `at_least` where that is proven.
-    pub reached: u32,
-    /// Why it cannot be less, and how it is reached: sentences, as `mindeg degree` has them.
-    pub words: String,
-    /// The kind of the proof, such as `no_balanced_cut`, `blocked_zig_zags` or `apexes`.
-    pub certificate: &'static str,
-    /// Chords that lie outside and block every zig-zag: pairs of vertices.
-    pub chords: Vec<[u32; 2]>,
-    /// Vertices that the proof speaks of.
-    pub vertices: Vec<u32>,
-    /// Sides that the proof speaks of.
-    pub sides: Vec<usize>,
-}
-
-/// The limit of the minimum angle, in words.
-#[derive(Clone, Debug, Serialize)]
-pub struct LimitShown {
-    /// In degrees, for meshes whose boundary vertices keep their degree limits.
-    pub min_angle: f64,
-    /// A sentence, as `mindeg degree` has it.
-    pub words: String,
-    /// The vertices that decide: one, or one of each of two intervals that face each other.
-    pub vertices: Vec<u32>,
-    /// Their sides.
-    pub sides: Vec<usize>,
-}
-
-/// The largest minimum angle for every maximum degree.
-#[derive(Clone, Debug, Serialize)]
-pub struct CurveShown {
-    /// From the least degree to the first whose minimum angle is Delaunay's.
-    pub points: Vec<CurvePoint>,
-    /// Whether no mesh is better; else the points are what was reached.
-    pub is_exact: bool,
-    /// Whether all points are there.
-    pub is_last: bool,
-    /// The minimum angle of a Delaunay triangulation, in degrees.
-    pub delaunay_min_angle: f64,
-    /// The maximum degree of that Delaunay triangulation.
-    pub delaunay_max_degree: Option<u32>,
-    /// The index of the point where the curve bends most.
-    pub knee: Option<usize>,
-    /// Which degree to take and why, in a sentence.
-    pub words: String,
-}
-
-/// A point of the curve.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct CurvePoint {
-    /// The limit on the degrees.
-    pub max_degree: u32,
-    /// The largest minimum angle within it, in degrees.
-    pub min_angle: f64,
-    /// As a share of Delaunay's, 0 to 1.
-    pub share: f64,
-}
-
-/// A change of interval counts.
-#[derive(Clone, Debug, Serialize)]
-pub struct Suggestion {
-    /// The change and what it brings: "add 2 to side 2: degree 4".
-    pub words: String,
-    /// The least maximum degree after it, if that is what it is for.
-    pub max_degree: Option<u32>,
-    /// The limit of the minimum angle after it, in degrees, if that is what it is for.
-    pub min_angle: Option<f64>,
-    /// The domain after it, for [`Request::domain`].
-    pub domain: Box<RawValue>,
 }
 
 /// A domain to start from.
@@ -359,8 +107,6 @@ pub struct Source {
 pub struct Facts {
     /// The measures of a triangle.
     pub measures: Vec<Measure>,
-    /// The colors of degrees, as `[least degree, "#rrggbb", name]`.
-    pub degree_colors: Vec<(u32, String, String)>,
     /// The formats to download.
     pub formats: Vec<FormatFact>,
     /// The most boundary vertices of a domain.
@@ -375,8 +121,8 @@ pub struct Measure {
     /// For [`Request::color`].
     pub name: &'static str,
     /// What people call it.
-    pub title: String,
-    /// `1`, `degrees`, `length` or `length²`.
+    pub title: &'static str,
+    /// `1`, `degrees` or `length`.
     pub unit: &'static str,
     /// The formula and which direction is better.
     pub explanation: String,
@@ -393,6 +139,30 @@ pub struct FormatFact {
     pub description: &'static str,
     /// The extension of each of its files, for `file=0`, `file=1`, …
     pub files: Vec<String>,
+}
+
+impl Request {
+    /// The request, if its goal, measure and format exist.
+    pub(crate) fn checked(self) -> Result<Self, String> {
+        if let Goal::KeepAngle(share) = self.goal
+            && !(0.0..=1.0).contains(&share)
+        {
+            return Err(format!("keep_angle is {share}; give a share from 0 to 1"));
+        }
+        let is_measure = |name: &String| METRICS.iter().any(|metric| metric.name == name);
+        if let Some(name) = self.color.as_ref().filter(|name| !is_measure(name)) {
+            return Err(format!("no measure is called {name:?}"));
+        }
+        if let (Some(name), None) = (&self.format, self.format()) {
+            return Err(format!("no format {name:?} is written here"));
+        }
+        Ok(self)
+    }
+
+    /// The format that is named.
+    pub(crate) fn format(&self) -> Option<Format> {
+        format_named(self.format.as_deref()?)
+    }
 }
 
 impl From<Goal> for mindeg::Goal {

@@ -30,8 +30,9 @@ presets![
     "wing-panel",
 ];
 
-/// All presets.
-pub(crate) fn presets() -> Vec<Source> {
+/// The domains of `assets/domains`, by the names of their files without `.json`.
+#[must_use]
+pub fn presets() -> Vec<Source> {
     let preset = |&(file, text): &(&str, &str)| Source {
         name: file.trim_end_matches(".json").to_owned(),
         domain: RawValue::from_string(text.to_owned()).ok(),

@@ -1,11 +1,14 @@
 //! Domains and meshes as the page draws them.
 
 use mindeg::glam::DVec2;
-use mindeg::quality::{Distribution, METRICS, Metric, TriangleQuality};
-use mindeg::{BoundaryMesh, Domain};
+use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
+use mindeg::{BoundaryMesh, Domain, TriMesh};
+use mindeg_compare::number_format::steady_angle;
+use mindeg_compare::words;
 
 use crate::api::{Bars, DomainShown, Request, Shown, SideShown, View};
 use crate::arrays::{f32s, f64s, u32s};
+use crate::mesh::Made;
 
 /// The number of bars of a histogram.
 const BARS: usize = 30;
@@ -39,7 +42,7 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
     DomainShown {
         name: domain.name().map(str::to_owned),
         vertices: rings.vertex_count(),
-        triangles: rings.vertex_count() + 2 * rings.ring_count() as u32 - 4,
+        triangles: words::triangle_count(rings),
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
         size: size.to_array(),
@@ -53,56 +56,148 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
 /// A mesh with its figures.
 pub(crate) struct Figure {
     frame: Frame,
+    /// Those beyond the boundary.
+    interior_points: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
+    /// With external degrees.
     degrees: Vec<u32>,
     qualities: Vec<TriangleQuality>,
+    /// No mesh has a smaller maximum degree.
+    at_least: Option<u32>,
+    delaunay_min_angle: Option<f64>,
+    words: String,
 }
 
 impl Figure {
+    /// A mesh of the boundary points.
     pub(crate) fn of(mesh: &BoundaryMesh) -> Self {
-        let degrees = (0..mesh.vertex_count()).map(|vertex| mesh.total_degree(vertex)).collect();
         Self {
             frame: Frame::of(mesh.domain()),
+            interior_points: Vec::new(),
             triangles: mesh.triangles().collect(),
-            degrees,
+            degrees: (0..mesh.vertex_count()).map(|vertex| mesh.total_degree(vertex)).collect(),
             qualities: mesh.qualities().collect(),
+            at_least: None,
+            delaunay_min_angle: None,
+            words: String::new(),
         }
+    }
+
+    /// A mesh of a domain, with what is known of it.
+    pub(crate) fn made(domain: &Domain, made: &Made) -> Self {
+        match made {
+            Made::Boundary(meshed, goal) => {
+                let figure = Self::of(&meshed.mesh);
+                let (min, max) = figure.angles();
+                let mut lines = vec![words::mesh(meshed, [min, max]) + "."];
+                lines.extend(words::standing(meshed, *goal, min));
+                Self {
+                    at_least: Some(meshed.least_max_degree),
+                    delaunay_min_angle: meshed.delaunay_min_angle,
+                    words: lines.join(" "),
+                    ..figure
+                }
+            }
+            Made::Delaunay(mesh) => {
+                let figure = Self::listed(domain, mesh);
+                let (min, max) = figure.angles();
+                let words = format!(
+                    "{} vertices, {} triangles, maximum degree {}, angles {} to {}. No mesh of these points has \
+                     a larger minimum angle.",
+                    figure.degrees.len(),
+                    figure.triangles.len(),
+                    figure.max_degree(),
+                    steady_angle(min),
+                    steady_angle(max),
+                );
+                Self { delaunay_min_angle: Some(min), words, ..figure }
+            }
+            Made::Interior(mesh, report) => {
+                let figure = Self::listed(domain, mesh);
+                let words = format!(
+                    "{} boundary and {} interior vertices, {} triangles, {}.",
+                    domain.rings().vertex_count(),
+                    report.interior_points,
+                    report.triangles,
+                    words::angles_and_degrees(report),
+                );
+                Self { words, ..figure }
+            }
+        }
+    }
+
+    /// A list of triangles whose first points are those of the boundary.
+    fn listed(domain: &Domain, mesh: &TriMesh) -> Self {
+        let points: Vec<DVec2> = mesh.positions().iter().map(|point| point.truncate()).collect();
+        let vertices = domain.rings().vertex_count();
+        let external = |vertex: usize| match vertex as u32 {
+            vertex if vertex < vertices => domain.external_degree(vertex),
+            _ => 0,
+        };
+        let mut degrees: Vec<u32> = (0..points.len()).map(external).collect();
+        // Around a vertex inside, edges and triangles alternate; at the boundary there is an edge more.
+        degrees[..vertices as usize].iter_mut().for_each(|degree| *degree += 1);
+        for &vertex in mesh.triangles().iter().flatten() {
+            degrees[vertex as usize] += 1;
+        }
+        let quality = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
+            TriangleQuality::of(a, b, c)
+        };
+        Self {
+            frame: Frame::of(domain),
+            interior_points: points[vertices as usize..].to_vec(),
+            triangles: mesh.triangles().to_vec(),
+            qualities: mesh.triangles().iter().map(quality).collect(),
+            degrees,
+            at_least: None,
+            delaunay_min_angle: None,
+            words: String::new(),
+        }
+    }
+
+    /// The greatest degree.
+    pub(crate) fn max_degree(&self) -> u32 {
+        self.degrees.iter().copied().max().unwrap_or(0)
+    }
+
+    /// The minimum and the maximum angle in degrees.
+    fn angles(&self) -> (f64, f64) {
+        let ends = (180.0_f64, 0.0_f64);
+        self.qualities.iter().fold(ends, |(min, max), quality| {
+            (min.min(quality.min_angle), max.max(quality.max_angle))
+        })
     }
 
     pub(crate) fn shown(&self, view: View, is_last: bool, request: &Request) -> Shown {
         let measure = METRICS.iter().find(|metric| Some(metric.name) == request.color.as_deref());
-        let max_degree = self.degrees.iter().copied().max().unwrap_or(0);
-        let worst = (0..self.qualities.len())
-            .min_by(|&a, &b| self.qualities[a].min_angle.total_cmp(&self.qualities[b].min_angle));
-        let worst = worst.unwrap_or(0);
-        let min_angle = self.qualities.iter().map(|q| q.min_angle).fold(180.0, f64::min);
-        let max_angle = self.qualities.iter().map(|q| q.max_angle).fold(0.0, f64::max);
+        let max_degree = self.max_degree();
+        let by_angle = |&a: &usize, &b: &usize| {
+            self.qualities[a].min_angle.total_cmp(&self.qualities[b].min_angle)
+        };
+        let worst = (0..self.qualities.len()).min_by(by_angle).unwrap_or(0);
+        let (min_angle, max_angle) = self.angles();
         let values = |metric: &Metric| f32s(self.qualities.iter().map(metric.of));
-        let mut degree_bars: Vec<[u64; 2]> = Vec::new();
-        for degree in 0..=max_degree {
-            let vertices = self.degrees.iter().filter(|&&other| other == degree).count();
-            if vertices > 0 {
-                degree_bars.push([degree.into(), vertices as u64]);
-            }
-        }
+        let histogram: DegreeHistogram = self.degrees.iter().copied().collect();
+        let first_of_max = self.degrees.iter().position(|&degree| degree == max_degree);
+        let of_delaunay = |most: f64| (min_angle / most).min(1.0);
         Shown {
             view,
             is_last,
-            words: format!("maximum degree {max_degree}, minimum angle {min_angle:.3}°"),
-            interior_points: String::new(),
+            words: self.words.clone(),
+            interior_points: f64s(self.interior_points.iter().map(|&p| p - self.frame.center)),
             triangles: u32s(self.triangles.iter().flatten().copied()),
             degrees: u32s(self.degrees.iter().copied()),
             values: measure.map_or_else(String::new, values),
             max_degree,
-            at_least: None,
+            at_least: self.at_least,
             min_angle,
             max_angle,
-            share_of_delaunay: None,
-            degree_bars,
+            share_of_delaunay: self.delaunay_min_angle.map(of_delaunay),
+            degree_bars: histogram.iter().map(|(degree, count)| [degree.into(), count]).collect(),
             bars: measure.and_then(|measure| self.bars(measure)),
             worst_triangle: worst as u32,
-            max_degree_vertex: self.degrees.iter().position(|&d| d == max_degree).unwrap_or(0)
-                as u32,
+            max_degree_vertex: first_of_max.unwrap_or(0) as u32,
         }
     }
 
@@ -123,6 +218,8 @@ impl Figure {
 /// The axis of a measure, and whether it is logarithmic.
 fn axis(metric: &Metric, size: DVec2) -> ([f64; 2], bool) {
     match (metric.unit, metric.best) {
+        // Whether a needle has a tenth of a degree or two degrees matters, as in the reports.
+        ("degrees", Some(best)) if metric.worst == 0.0 => ([0.1, best], true),
         ("degrees", Some(best)) => ([best.min(metric.worst), best.max(metric.worst)], false),
         (_, Some(best)) if metric.worst.is_finite() => ([metric.worst, best], false),
         (_, Some(best)) => ([best, 1e3 * best], true),
@@ -139,4 +236,25 @@ fn position(value: f64, [low, high]: [f64; 2], is_logarithmic: bool) -> f64 {
         (value - low) / (high - low)
     };
     if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_have_a_place_whatever_they_are() {
+        for (value, is_logarithmic, expected) in [
+            (1.0, false, 0.0),
+            (5.0, false, 4.0 / 15.0),
+            (4.0, true, 0.5),
+            (0.0, true, 0.0),
+            (f64::INFINITY, true, 1.0),
+            (-3.0, false, 0.0),
+            (-3.0, true, 0.0),
+            (f64::NAN, false, 0.0),
+        ] {
+            assert_eq!(position(value, [1.0, 16.0], is_logarithmic), expected, "{value}");
+        }
+    }
 }

@@ -53,6 +53,11 @@ pub(crate) struct Work {
 }
 
 impl Work {
+    /// A work that no other one ends.
+    pub(crate) fn alone() -> Self {
+        Self { is_over: Arc::default(), deadline: Instant::now() + TIME_LIMIT }
+    }
+
     /// Whether a newer request came.
     pub(crate) fn is_over(&self) -> bool {
         self.is_over.load(Relaxed)

@@ -196,6 +196,39 @@ pub fn format_of(path: Option<&Path>, bytes: &[u8]) -> Result<OutlineFormat, Rea
     }
 }
 
+/// The format of outlines in a file; none if it is, or should be, a domain in JSON.
+///
+/// # Errors
+///
+/// An extension and a content that tell different formats.
+pub fn format_or_domain(
+    path: Option<&Path>,
+    bytes: &[u8],
+) -> Result<Option<OutlineFormat>, ReadError> {
+    let told = path.and_then(OutlineFormat::of_path);
+    let looks_like = OutlineFormat::of_content(bytes);
+    let is_json = bytes.trim_ascii_start().starts_with(b"{") && looks_like.is_none();
+    let ends_as_json = path.is_some_and(|path| {
+        path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
+    });
+    let of_name = |problem| Err(ReadError::place("the name of the file", problem));
+    match (told, looks_like) {
+        (None, Some(GeoJson)) if ends_as_json => Ok(looks_like),
+        (None, Some(format)) if ends_as_json => of_name(format!(
+            "it ends in .json, and the content looks like {}; rename the file to end in .{}",
+            format.name(),
+            format.extensions()[0]
+        )),
+        (Some(format), None) if is_json && format != GeoJson => of_name(format!(
+            "it ends as {} does, and the content is JSON; rename the file to end in .json",
+            format.name()
+        )),
+        // The reader of domains says best what is wrong with other text.
+        (None, None) => Ok(None),
+        _ => format_of(path, bytes).map(Some),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -75,15 +75,23 @@ pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshe
     }
 }
 
-fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    if let Some(form) = domain.convex() {
+/// Whether the mesh of [`Goal::LeastDegree`] comes from the formula, in time linear in its vertices: the
+/// domain is convex and unconstrained, and too large for a search of about half a second. O(k) for k sides.
+#[must_use]
+pub fn is_by_formula(domain: &Domain) -> bool {
+    domain.convex().is_some_and(|form| {
         let boundary = form.boundary();
         let is_cheap = boundary.vertex_count() <= MAX_VERTICES && work(boundary) <= LITTLE_WORK;
-        return if is_cheap || domain.is_constrained() {
-            best_of_least_degree(&Posed::new(domain, progress)?, progress)
-        } else {
-            formula(domain, progress)
-        };
+        !is_cheap && !domain.is_constrained()
+    })
+}
+
+fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    if is_by_formula(domain) {
+        return formula(domain, progress);
+    }
+    if domain.convex().is_some() {
+        return best_of_least_degree(&Posed::new(domain, progress)?, progress);
     }
     let posed = Posed::new(domain, progress)?;
     if posed.is_within(FEW_TRIPLES, progress)? {

@@ -68,7 +68,7 @@ mod posed;
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
-pub use goal::{Goal, mesh};
+pub use goal::{Goal, is_by_formula, mesh};
 #[cfg(feature = "exact")]
 pub use loops::{LoopDefect, Loops, MeshLoop};
 #[cfg(feature = "exact")]

@@ -5,8 +5,7 @@ use crate::failure::{Failure, plainly};
 use crate::input;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_outlines::{self as outlines, Division, Feature, OutlineFormat, Outlines};
-use std::collections::BTreeMap;
+use mindeg_outlines::{self as outlines, Division, Labelled, OutlineFormat, Outlines, labelled};
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
@@ -38,7 +37,7 @@ pub(crate) struct Polygon {
     pub(crate) index: usize,
     /// Its name, with a number if several polygons have it; empty if it has none.
     pub(crate) label: String,
-    feature: Feature,
+    labelled: Labelled,
 }
 
 impl Polygon {
@@ -51,9 +50,7 @@ impl Polygon {
 impl Polygons {
     /// The domain of one of them.
     pub(crate) fn domain(&self, polygon: &Polygon) -> Result<Domain, Failure> {
-        let name = (!polygon.label.is_empty()).then(|| polygon.label.clone());
-        let feature = Feature { name, ..polygon.feature.clone() };
-        feature.domain(&self.division).map_err(|error| {
+        polygon.labelled.feature().domain(&self.division).map_err(|error| {
             let hint = if error.is_touch() && !self.is_repaired {
                 "; --repair parts rings that touch themselves"
             } else {
@@ -100,7 +97,9 @@ pub(crate) fn read(
         return Err(Failure::Input(format!("{name} is empty; a domain is expected")));
     }
     let path = (path != Path::new("-")).then_some(path);
-    let Some(format) = format(path, &name, &bytes)? else {
+    let format = outlines::format_or_domain(path, &bytes)
+        .map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+    let Some(format) = format else {
         options.refuse_for_json(&name)?;
         let text = String::from_utf8(bytes)
             .map_err(|error| Failure::Input(format!("{name} is not UTF-8 text: {error}")))?;
@@ -116,7 +115,12 @@ pub(crate) fn read(
     }
     let Outlines { features, notes } = outlines;
     notes.iter().for_each(|note| say(&format!("{name}: {note}")));
-    let polygons = chosen(labelled(features), options, &name)?;
+    let polygons = (1..).zip(labelled(features)).map(|(index, labelled)| Polygon {
+        index,
+        label: labelled.label.clone(),
+        labelled,
+    });
+    let polygons = chosen(polygons.collect(), options, &name)?;
     let corner_angle = options.corner_angle;
     let division = Division { corner_angle, size };
     let is_repaired = options.repair;
@@ -124,7 +128,7 @@ pub(crate) fn read(
 }
 
 /// What messages call a file, and its bytes.
-fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
+pub(crate) fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let (name, bytes) = if path == Path::new("-") {
         input::note_standard_input("domain");
         let mut bytes = Vec::new();
@@ -152,58 +156,6 @@ fn refuse_mesh(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The format of outlines in a file; none if it is, or should be, a domain in JSON.
-fn format(path: Option<&Path>, name: &str, bytes: &[u8]) -> Result<Option<OutlineFormat>, Failure> {
-    let told = path.and_then(OutlineFormat::of_path);
-    let looks_like = OutlineFormat::of_content(bytes);
-    let is_json = bytes.trim_ascii_start().starts_with(b"{") && looks_like.is_none();
-    let ends_as_json = path.is_some_and(|path| {
-        path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
-    });
-    match (told, looks_like) {
-        (None, Some(OutlineFormat::GeoJson)) if ends_as_json => Ok(looks_like),
-        (None, Some(format)) if ends_as_json => Err(Failure::Input(format!(
-            "{name} ends in .json, and its content looks like {}; rename it to end in .{}",
-            format.name(),
-            format.extensions()[0]
-        ))),
-        (Some(format), None) if is_json && format != OutlineFormat::GeoJson => {
-            Err(Failure::Input(format!(
-                "{name} ends as {} does, and its content is JSON; rename it to end in .json",
-                format.name()
-            )))
-        }
-        // The reader of domains says best what is wrong with other text.
-        (None, None) => Ok(None),
-        _ => match outlines::format_of(path, bytes) {
-            Ok(format) => Ok(Some(format)),
-            Err(error) => Err(Failure::Input(format!("{name}: {error}"))),
-        },
-    }
-}
-
-/// The polygons with labels that differ.
-fn labelled(features: Vec<Feature>) -> Vec<Polygon> {
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    for name in features.iter().filter_map(|feature| feature.name.as_ref()) {
-        *counts.entry(name.clone()).or_default() += 1;
-    }
-    let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
-    let polygon = |(index, feature): (usize, Feature)| {
-        let label = match &feature.name {
-            None => String::new(),
-            Some(name) if counts[name] == 1 => name.clone(),
-            Some(name) => {
-                let number = numbers.entry(name.clone()).or_default();
-                *number += 1;
-                format!("{name} {number}")
-            }
-        };
-        Polygon { index: index + 1, label, feature }
-    };
-    features.into_iter().enumerate().map(polygon).collect()
-}
-
 /// The polygons that `--feature` names: one by its label or index, or all of one name.
 fn chosen(
     polygons: Vec<Polygon>,
@@ -211,7 +163,7 @@ fn chosen(
     file: &str,
 ) -> Result<Vec<Polygon>, Failure> {
     let Some(wanted) = &options.feature else { return Ok(polygons) };
-    let of_name = |polygon: &Polygon| polygon.feature.name.as_ref() == Some(wanted);
+    let of_name = |polygon: &Polygon| polygon.labelled.feature.name.as_ref() == Some(wanted);
     let by_label = polygons.iter().any(|polygon| polygon.label == *wanted);
     let by_name = !by_label && polygons.iter().any(of_name);
     let index = wanted.parse::<usize>().ok();

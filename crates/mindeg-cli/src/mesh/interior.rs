@@ -5,9 +5,7 @@ use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::domain::{name, name_in_text};
 use crate::failure::Failure;
-use crate::interior_report::{
-    Limit, Reached, angles_and_degrees, grading, limit_in_words, violations,
-};
+use crate::interior_report::{Limit, Reached, grading, violations};
 use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
@@ -15,6 +13,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::interior::{self, AngleLimit, InteriorError, InteriorMesh, Lift};
 use mindeg::{Domain, Interior, Progress, Triangles};
+use mindeg_compare::words;
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 
@@ -139,7 +138,7 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
         && let Ok(limit) = interior::angle_limit(domain, wanted)
     {
         let lift = interior::lift(domain, wanted, &limit);
-        let words = limit_in_words(&limit, lift.as_ref());
+        let words = words::limit(&limit, lift.as_ref());
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
     input(error)
@@ -163,9 +162,9 @@ fn text(
             summary.boundary_vertices,
             report.interior_points,
             report.triangles,
-            angles_and_degrees(report),
+            words::angles_and_degrees(report),
         ),
-        limit_in_words(limit, lift),
+        words::limit(limit, lift),
         grading(report),
     ];
     lines.extend(violations(report).map(|violations| format!("Warning: {violations}")));

@@ -1,0 +1,96 @@
+//! The limit of the minimum angle, and changes of interval counts that bring a smaller degree or a larger
+//! angle.
+
+use mindeg::interior::{AngleLimit, Cause, Lift, angle_limit, lift};
+use mindeg::{Domain, Intervals};
+use mindeg_compare::number_format::steady_angle;
+use mindeg_compare::words;
+use mindeg_core::{Boundary, Change};
+use serde_json::value::RawValue;
+
+use crate::api::{LimitShown, Suggestion};
+
+/// On larger domains no change for the angle is looked for: each that is tried looks at all vertices, and
+/// cannot be cancelled.
+const LIFTED: u32 = 4000;
+
+/// The most changes for the degree.
+const MOST: usize = 6;
+
+/// The limit of a domain, and the smallest change that lifts it; none for points too close to work with.
+pub(crate) fn limit(domain: &Domain) -> Option<(AngleLimit, Option<Lift>)> {
+    let wanted = domain.interior().cloned().unwrap_or_default();
+    let limit = angle_limit(domain, &wanted).ok()?;
+    let is_small = domain.rings().vertex_count() <= LIFTED;
+    let lifted = is_small.then(|| lift(domain, &wanted, &limit)).flatten();
+    Some((limit, lifted))
+}
+
+pub(crate) fn limit_shown(limit: &AngleLimit, lifted: Option<&Lift>) -> LimitShown {
+    let (vertices, sides) = match &limit.cause {
+        Cause::Corner { vertex, corner, side_before, .. } => {
+            (vec![*vertex], vec![*side_before, *corner])
+        }
+        Cause::Vertex { vertex, side, .. } => (vec![*vertex], vec![*side]),
+        Cause::Facing { vertices, sides, .. } => (vertices.to_vec(), sides.to_vec()),
+    };
+    let words = words::limit(limit, lifted);
+    LimitShown { min_angle: limit.min_angle, words, vertices, sides }
+}
+
+/// Changes for the degree, the smallest first, then the one for the angle.
+pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<Suggestion> {
+    let mut found = Vec::new();
+    if let Some(boundary) = own_boundary(domain) {
+        let changes = mindeg_core::suggestions(boundary).take(MOST);
+        found.extend(changes.filter_map(|suggestion| {
+            let change = words::suggestion(&suggestion);
+            Some(Suggestion {
+                words: format!("{}: degree {}", capital(&change), suggestion.max_degree),
+                max_degree: Some(suggestion.max_degree),
+                min_angle: None,
+                domain: json(&changed(domain, &suggestion.changes)?)?,
+            })
+        }));
+    }
+    found.extend(lifted.and_then(|lift| {
+        Some(Suggestion {
+            words: format!(
+                "Give {}: with interior points, a minimum angle of up to {}",
+                words::lift_counts(lift),
+                steady_angle(lift.min_angle)
+            ),
+            max_degree: None,
+            min_angle: Some(lift.min_angle),
+            domain: json(&lift.domain)?,
+        })
+    }));
+    found
+}
+
+/// The boundary that formulas take, if its sides are those of the domain.
+fn own_boundary(domain: &Domain) -> Option<&Boundary> {
+    let form = domain.convex().filter(|_| !domain.is_constrained())?;
+    let is_own = form.first() == 0 && form.boundary().sides().eq(domain.rings().sides());
+    is_own.then(|| form.boundary())
+}
+
+/// The domain with other counts; none if its sides have points or spacing laws that do not fit them.
+fn changed(domain: &Domain, changes: &[Change]) -> Option<Domain> {
+    let mut sides = domain.sides().to_vec();
+    for change in changes {
+        let count = u64::from(domain.rings().intervals(change.side));
+        let count = count.checked_add_signed(change.by)?;
+        sides[change.side].intervals = Intervals::Count(count);
+    }
+    domain.with_sides(sides).ok()
+}
+
+fn json(domain: &Domain) -> Option<Box<RawValue>> {
+    RawValue::from_string(domain.to_json()).ok()
+}
+
+fn capital(words: &str) -> String {
+    let mut letters = words.chars();
+    letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}

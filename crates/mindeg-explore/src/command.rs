@@ -1,0 +1,137 @@
+//! The command line that makes a mesh of the page.
+
+use mindeg::Domain;
+use mindeg_compare::shell_word;
+use mindeg_formats::Format;
+use serde_json::Value;
+
+use crate::api::{Goal, Request, View};
+
+/// The line that ends a domain within a command. No line of JSON can be this word.
+const END: &str = "END";
+
+/// Files that a command may name instead of holding the domain itself.
+#[derive(Clone, Debug, Default)]
+pub struct KnownFiles(Vec<(String, Value)>);
+
+impl KnownFiles {
+    /// With a file whose text is a domain in JSON; text that is none is left out.
+    pub fn add(&mut self, path: &str, text: &str) {
+        if let Ok(domain) = serde_json::from_str(text) {
+            self.0.push((path.to_owned(), domain));
+        }
+    }
+
+    /// The file that holds a domain.
+    fn with(&self, domain: &str) -> Option<&str> {
+        let domain: Value = serde_json::from_str(domain).ok()?;
+        self.0.iter().find(|(_, known)| *known == domain).map(|(path, _)| path.as_str())
+    }
+}
+
+/// What names the files of a domain's mesh: its name in small letters, digits and dashes.
+pub(crate) fn file_stem(domain: &Domain) -> String {
+    let name = domain.name().unwrap_or_default();
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+    let stem = words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("-");
+    if stem.is_empty() { "mesh".to_owned() } else { stem.chars().take(60).collect() }
+}
+
+/// The command that writes the mesh of a view, ready for a POSIX shell.
+pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) -> String {
+    let file = known.with(request.domain.get());
+    let input = match file {
+        // A file name that begins with a dash would be taken for an option.
+        Some(path) if path.starts_with('-') => shell_word(&format!("./{path}")),
+        Some(path) => shell_word(path),
+        None => "-".to_owned(),
+    };
+    let stem = file_stem(domain);
+    let mut words = vec!["mindeg".to_owned()];
+    if request.view == View::Delaunay {
+        let folder = format!("{stem}-compared");
+        words.extend(["compare".to_owned(), input, "-o".to_owned(), format!("{stem}.html")]);
+        words.extend(["--save-meshes".to_owned(), folder]);
+    } else {
+        let format = request.format().unwrap_or(Format::Obj);
+        words.extend(["mesh".to_owned(), input]);
+        words.extend(options(request, domain));
+        words.extend(["-o".to_owned(), format!("{stem}.{}", format.extension())]);
+    }
+    let command = words.join(" ");
+    match file {
+        Some(_) => command,
+        None => format!("{command} <<'{END}'\n{}\n{END}", request.domain.get().trim()),
+    }
+}
+
+/// What tells `mindeg mesh` which mesh is wanted.
+fn options(request: &Request, domain: &Domain) -> Vec<String> {
+    let mut options = Vec::new();
+    let interior = domain.interior();
+    if request.view == View::Interior {
+        options.push("--interior".to_owned());
+        let demands = interior.is_some_and(|wanted| {
+            wanted.target_angle.is_some()
+                || wanted.interior_degree.is_some()
+                || wanted.boundary_degree.is_some()
+        });
+        if demands || domain.is_constrained() {
+            options.push("--write-anyway".to_owned());
+        }
+        return options;
+    }
+    match (request.view, request.goal) {
+        (View::Wanted, Goal::KeepAngle(share)) => {
+            options.extend(["--keep-angle".to_owned(), percentage(share)]);
+        }
+        (View::Wanted, Goal::MaxDegree(limit)) => {
+            options.extend(["--max-degree".to_owned(), limit.to_string()]);
+        }
+        _ => {}
+    }
+    if interior.is_some() {
+        options.push("--no-interior".to_owned());
+    }
+    options
+}
+
+/// A share as a percentage, if that is read back as the same number.
+fn percentage(share: f64) -> String {
+    let percent = (share * 100.0).round();
+    if percent / 100.0 == share { format!("{percent}%") } else { share.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_are_read_back() {
+        for (share, text) in [(0.95, "95%"), (1.0, "100%"), (0.0, "0%"), (0.123, "0.123")] {
+            assert_eq!(percentage(share), text);
+        }
+        assert_eq!(percentage(1.0 / 3.0).parse(), Ok(1.0 / 3.0));
+    }
+
+    #[test]
+    fn commands_name_a_known_file_or_hold_the_domain() {
+        let text = r#"{"name": "A b/c", "rectangle": {"width": 4, "height": 3}, "size": 0.5}"#;
+        let command = |body: String, known: &KnownFiles| {
+            let request: Request = serde_json::from_str(&body).unwrap();
+            command(&request, &Domain::from_json(text).unwrap(), known)
+        };
+        let body =
+            format!(r#"{{"domain": {text}, "goal": {{"keep_angle": 0.95}}, "format": "fort14"}}"#);
+        assert_eq!(
+            command(body.clone(), &KnownFiles::default()),
+            format!("mindeg mesh - --keep-angle 95% -o a-b-c.14 <<'END'\n{text}\nEND")
+        );
+        let mut known = KnownFiles::default();
+        known.add("my plate.json", &text.replace("0.5", "0.50"));
+        assert_eq!(
+            command(body, &known),
+            "mindeg mesh 'my plate.json' --keep-angle 95% -o a-b-c.14"
+        );
+    }
+}

@@ -1,0 +1,67 @@
+//! The files of a mesh.
+
+use mindeg_formats::{WriteOptions, Writer};
+use mindeg_mesh::Progress;
+use std::path::PathBuf;
+
+use crate::answer::understood;
+use crate::api::{FormatFact, Line};
+use crate::command::file_stem;
+use crate::format::{format_named, formats};
+use crate::mesh::Made;
+
+/// A file to save.
+pub(crate) struct Download {
+    pub(crate) name: String,
+    pub(crate) bytes: Vec<u8>,
+}
+
+/// One of the files of the mesh that a body asks for: that of its view, in a format by its name.
+///
+/// # Errors
+///
+/// What is wrong, in a sentence.
+pub(crate) fn download(
+    body: &[u8],
+    format: &str,
+    file: usize,
+    progress: Progress<'_>,
+) -> Result<Download, String> {
+    let format =
+        format_named(format).ok_or_else(|| format!("no format {format:?} is written here"))?;
+    let (request, domain) = understood(body).map_err(|line| match *line {
+        Line::Refused { message, .. } => message,
+        _ => String::new(),
+    })?;
+    let path = PathBuf::from(format!("{}.{}", file_stem(&domain), format.extension()));
+    let names: Vec<String> =
+        format.files(&path).iter().map(|path| path.display().to_string()).collect();
+    let name = names.get(file).cloned();
+    let name = name.ok_or_else(|| format!("this format has {} files", names.len()))?;
+    let made = Made::new(&domain, &request, request.view, progress)?;
+    let mesh = made.mesh();
+    let written = || {
+        let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count())?;
+        let mut contents = vec![Vec::new(); names.len()];
+        let mut files: Vec<(&str, &mut Vec<u8>)> =
+            names.iter().map(String::as_str).zip(&mut contents).collect();
+        writer.write(mesh, &mut files)?;
+        Ok(contents)
+    };
+    let mut contents = written().map_err(|error: mindeg_formats::WriteError| error.to_string())?;
+    Ok(Download { name, bytes: contents.swap_remove(file) })
+}
+
+/// The formats that are written here, for the page.
+pub(crate) fn format_facts() -> Vec<FormatFact> {
+    let facts = formats().map(|format| {
+        let path = PathBuf::from("mesh").with_extension(format.extension());
+        let extension = |path: &PathBuf| path.extension().map(|e| e.to_string_lossy().into_owned());
+        FormatFact {
+            name: format.name(),
+            description: format.description(),
+            files: format.files(&path).iter().filter_map(extension).collect(),
+        }
+    });
+    facts.collect()
+}

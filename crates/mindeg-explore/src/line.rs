@@ -1,0 +1,216 @@
+//! The lines of an answer, as JSON has them.
+
+use serde::Serialize;
+use serde_json::value::RawValue;
+
+use crate::part::{Part, View};
+
+/// A line of an answer.
+#[derive(Clone, Debug, Serialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+pub enum Line {
+    /// The domain as it was understood.
+    Domain(DomainShown),
+    /// A mesh.
+    Mesh(Box<Shown>),
+    /// The degree in words.
+    Degree(DegreeShown),
+    /// The limit of the minimum angle of every mesh with this boundary, with any interior points.
+    Limit(LimitShown),
+    /// What every degree brings.
+    Curve(CurveShown),
+    /// Changes that bring a smaller degree or a larger angle.
+    Suggestions {
+        /// The least change first.
+        suggestions: Vec<Suggestion>,
+    },
+    /// How to make the mesh without the page.
+    Command {
+        /// Ready for a POSIX shell.
+        text: String,
+    },
+    /// One part has no answer, or all have none.
+    Refused {
+        /// The part; none if the request or its domain is refused.
+        part: Option<Part>,
+        /// What is wrong and what to do, in a sentence.
+        message: String,
+        /// Where in the domain's JSON it is, such as `sides[2].spacing`, if that is known.
+        path: Option<String>,
+    },
+    /// All parts are answered.
+    Done {
+        /// Milliseconds since the request was read.
+        milliseconds: f64,
+    },
+}
+
+/// A domain as it was understood.
+#[derive(Clone, Debug, Serialize)]
+pub struct DomainShown {
+    /// Its name.
+    pub name: Option<String>,
+    /// The number of boundary vertices.
+    pub vertices: u32,
+    /// The number of triangles of every mesh of its boundary points alone.
+    pub triangles: u32,
+    /// Whether it is convex and without holes.
+    pub is_convex: bool,
+    /// Where the points are counted from: the middle of their bounding box.
+    pub center: [f64; 2],
+    /// The width and height of the bounding box.
+    pub size: [f64; 2],
+    /// All boundary points: `f64`, base64.
+    pub points: String,
+    /// The first vertex of each ring, and then the number of vertices.
+    pub rings: Vec<u32>,
+    /// The sides of all rings.
+    pub sides: Vec<SideShown>,
+    /// What was changed of the description, in sentences.
+    pub notes: Vec<String>,
+}
+
+/// A side of a domain.
+#[derive(Clone, Debug, Serialize)]
+pub struct SideShown {
+    /// What it is called: its own name, or such as "hole 1 side 2".
+    pub name: String,
+    /// Its ring; 0 is the outer one.
+    pub ring: usize,
+    /// Its first vertex, which is a corner.
+    pub start: u32,
+    /// How many intervals it has.
+    pub intervals: u32,
+    /// Whether all its points are on a straight line.
+    pub is_straight: bool,
+}
+
+/// A mesh, what it is like and how it is colored.
+#[derive(Clone, Debug, Serialize)]
+pub struct Shown {
+    /// Which one.
+    pub view: View,
+    /// Whether a better one follows: while the exact search runs, the best mesh at hand is shown.
+    pub is_last: bool,
+    /// In a sentence: degree, angles, and what is proven of them.
+    pub words: String,
+    /// Points beyond those of the domain: `f64`, base64; empty but in [`View::Interior`].
+    pub interior_points: String,
+    /// Three vertices each: `u32`, base64.
+    pub triangles: String,
+    /// The degree of each vertex: `u32`, base64.
+    pub degrees: String,
+    /// The measure of [`Request::color`](crate::Request::color) of each triangle: `f32`, base64; empty without one.
+    pub values: String,
+    /// The greatest degree, external degrees included.
+    pub max_degree: u32,
+    /// No mesh of the boundary points has less.
+    pub at_least: Option<u32>,
+    /// The minimum angle in degrees.
+    pub min_angle: f64,
+    /// The maximum angle in degrees.
+    pub max_angle: f64,
+    /// The minimum angle as a share of that of a Delaunay triangulation, where that is known.
+    pub share_of_delaunay: Option<f64>,
+    /// How many vertices have each degree, ascending: `[degree, vertices]`.
+    pub degree_bars: Vec<[u64; 2]>,
+    /// How the measure of [`Request::color`](crate::Request::color) is spread.
+    pub bars: Option<Bars>,
+    /// The triangle with the minimum angle.
+    pub worst_triangle: u32,
+    /// The first vertex with the greatest degree.
+    pub max_degree_vertex: u32,
+}
+
+/// A histogram of a measure.
+#[derive(Clone, Debug, Serialize)]
+pub struct Bars {
+    /// The name of the measure.
+    pub measure: String,
+    /// The ends of the axis; what is beyond is counted in the first and last bar. The axis of a measure is
+    /// the same for all meshes but that of lengths and areas, which goes by the domain's size.
+    pub range: [f64; 2],
+    /// Whether the bars divide the axis by equal ratios instead of equal steps.
+    pub is_logarithmic: bool,
+    /// The number of triangles in each of 30 bars.
+    pub counts: Vec<u32>,
+    /// The smallest value, the median, the mean and the largest.
+    pub min: f64,
+    /// The median.
+    pub median: f64,
+    /// The mean.
+    pub mean: f64,
+    /// The largest value.
+    pub max: f64,
+}
+
+/// The least maximum degree, in words.
+#[derive(Clone, Debug, Serialize)]
+pub struct DegreeShown {
+    /// No mesh of the boundary points has a smaller maximum degree.
+    pub at_least: u32,
+    /// Some mesh has this one; equal to `at_least` where that is proven.
+    pub reached: u32,
+    /// Why it cannot be less, and how it is reached: sentences, as `mindeg degree` has them.
+    pub words: String,
+    /// The kind of the proof, such as `no_balanced_cut`, `blocked_zig_zags` or `apexes`.
+    pub certificate: &'static str,
+    /// Chords that do not lie inside, one of which every zig-zag has: pairs of vertices.
+    pub chords: Vec<[u32; 2]>,
+    /// The only vertices that may be the third of certain triangles: those that apexes are counted at.
+    pub vertices: Vec<u32>,
+}
+
+/// The limit of the minimum angle, in words.
+#[derive(Clone, Debug, Serialize)]
+pub struct LimitShown {
+    /// In degrees, for meshes whose boundary vertices keep their degree limits.
+    pub min_angle: f64,
+    /// A sentence, as `mindeg degree` has it.
+    pub words: String,
+    /// The vertices that decide: one, or one of each of two intervals that face each other.
+    pub vertices: Vec<u32>,
+    /// Their sides.
+    pub sides: Vec<usize>,
+}
+
+/// The largest minimum angle for every maximum degree.
+#[derive(Clone, Debug, Serialize)]
+pub struct CurveShown {
+    /// From the least degree to the first whose minimum angle is Delaunay's.
+    pub points: Vec<CurvePoint>,
+    /// Whether no mesh is better; else the points are what was reached.
+    pub is_exact: bool,
+    /// The minimum angle of a Delaunay triangulation, in degrees.
+    pub delaunay_min_angle: f64,
+    /// The maximum degree of that Delaunay triangulation.
+    pub delaunay_max_degree: Option<u32>,
+    /// The index of the point where the curve bends most.
+    pub knee: Option<usize>,
+    /// Which degree to take and why, in a sentence.
+    pub words: String,
+}
+
+/// A point of the curve.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct CurvePoint {
+    /// The limit on the degrees.
+    pub max_degree: u32,
+    /// The largest minimum angle within it, in degrees.
+    pub min_angle: f64,
+    /// As a share of Delaunay's, 0 to 1.
+    pub share: f64,
+}
+
+/// A change of interval counts.
+#[derive(Clone, Debug, Serialize)]
+pub struct Suggestion {
+    /// The change and what it brings: "add 2 to side 2: degree 4".
+    pub words: String,
+    /// The least maximum degree after it, if that is what it is for.
+    pub max_degree: Option<u32>,
+    /// The limit of the minimum angle after it, in degrees, if that is what it is for.
+    pub min_angle: Option<f64>,
+    /// The domain after it, for [`Request::domain`](crate::Request::domain).
+    pub domain: Box<RawValue>,
+}

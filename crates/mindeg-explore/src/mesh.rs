@@ -1,0 +1,80 @@
+//! The meshes of a domain that the page shows and downloads.
+
+use std::time::Duration;
+
+use mindeg::exact::ExactError;
+use mindeg::glam::DVec2;
+use mindeg::interior::{self, Report};
+use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
+use mindeg_compare::Reference;
+use mindeg_mesh::Progress;
+
+use crate::api::{Request, View};
+
+/// The most points of a mesh with interior points.
+const MAX_POINTS: usize = 200_000;
+
+/// How long a Delaunay triangulation may take.
+const DELAUNAY_TIME: Duration = Duration::from_secs(20);
+
+/// A mesh, and how it was found.
+pub(crate) enum Made {
+    /// Of boundary points alone, for a goal.
+    Boundary(Box<Meshed>, Goal),
+    /// A Delaunay triangulation.
+    Delaunay(TriMesh),
+    /// With interior points.
+    Interior(TriMesh, Box<Report>),
+}
+
+impl Made {
+    /// The mesh of a view.
+    ///
+    /// # Errors
+    ///
+    /// Why there is none, in a sentence; also if `progress` cancels.
+    pub(crate) fn new(
+        domain: &Domain,
+        request: &Request,
+        view: View,
+        progress: Progress<'_>,
+    ) -> Result<Self, String> {
+        let boundary = |goal: Goal| {
+            mindeg::mesh(domain, goal, progress)
+                .map(|meshed| Self::Boundary(Box::new(meshed), goal))
+                .map_err(|error: ExactError| error.to_string())
+        };
+        match view {
+            View::Wanted => boundary(request.goal.into()),
+            View::Least => boundary(Goal::LeastDegree),
+            View::Delaunay => delaunay(domain).map(Self::Delaunay),
+            View::Interior => {
+                let wanted = domain.interior().cloned().unwrap_or_default();
+                let wanted = Interior { max_points: Some(MAX_POINTS), ..wanted };
+                let found = interior::mesh(domain, &wanted, progress);
+                let found = found.map_err(|error| error.to_string())?;
+                Ok(Self::Interior(found.mesh, Box::new(found.report)))
+            }
+        }
+    }
+
+    /// For writers.
+    pub(crate) fn mesh(&self) -> &dyn Mesh {
+        match self {
+            Self::Boundary(meshed, _) => &meshed.mesh,
+            Self::Delaunay(mesh) | Self::Interior(mesh, _) => mesh,
+        }
+    }
+}
+
+/// A Delaunay triangulation as `mindeg compare --save-meshes` writes it.
+fn delaunay(domain: &Domain) -> Result<TriMesh, String> {
+    let points: Vec<DVec2> = domain.placement().points().collect();
+    let triangles = Reference::Delaunay
+        .triangulate(domain, &points, DELAUNAY_TIME)
+        .map_err(|error| error.to_string())?
+        .triangles;
+    let points = points.into_iter().map(|point| point.extend(0.0)).collect();
+    let mesh = TriMesh::new(points, triangles).map_err(|error| error.to_string())?;
+    Ok(mesh.named(Reference::Delaunay.name()))
+}

@@ -1,0 +1,74 @@
+//! Domains in files of any format that mindeg takes.
+
+use std::path::Path;
+
+use mindeg::Domain;
+use mindeg_outlines::{Division, Labelled, Outlines, format_or_domain, labelled, read};
+use serde_json::value::RawValue;
+
+use crate::answer::MAX_VERTICES;
+use crate::api::Source;
+
+/// The most polygons of a file that are given.
+const MOST: usize = 200;
+
+/// The domain or the polygons of a file; the name tells its format where it has one.
+///
+/// # Errors
+///
+/// What is wrong with the file, in a sentence that names it.
+///
+/// # Example
+///
+/// ```
+/// let svg = b"<svg><circle id='lid' cx='5' cy='5' r='2'/></svg>";
+/// let sources = mindeg_explore::sources("lid.svg", svg)?;
+/// assert_eq!(sources[0].name, "lid");
+/// # Ok::<(), String>(())
+/// ```
+pub fn sources(name: &str, bytes: &[u8]) -> Result<Vec<Source>, String> {
+    let failed = |error: String| format!("{name}: {error}");
+    if bytes.trim_ascii().is_empty() {
+        return Err(failed("the file is empty; a domain is expected".to_owned()));
+    }
+    let format = format_or_domain(Some(Path::new(name)), bytes);
+    let Some(format) = format.map_err(|error| failed(error.to_string()))? else {
+        let text = std::str::from_utf8(bytes)
+            .map_err(|error| failed(format!("the file is not UTF-8 text: {error}")))?;
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let domain = Domain::from_json_up_to(text, MAX_VERTICES)
+            .map_err(|error| failed(error.to_string()))?;
+        let name = domain.name().unwrap_or(name).to_owned();
+        let domain = RawValue::from_string(text.trim().to_owned()).ok();
+        return Ok(vec![Source { name, domain, notes: Vec::new(), message: None }]);
+    };
+    let outlines = read(bytes, format).map_err(|error| failed(error.to_string()))?;
+    let Outlines { features, mut notes } = outlines;
+    let count = features.len();
+    if count > MOST {
+        notes.push(format!("The first {MOST} of {count} polygons are given."));
+    }
+    let polygons = labelled(features).into_iter().take(MOST).enumerate();
+    Ok(polygons.map(|(index, polygon)| source(index, &polygon, &notes)).collect())
+}
+
+fn source(index: usize, polygon: &Labelled, notes: &[String]) -> Source {
+    let name = match polygon.label.as_str() {
+        "" => format!("polygon {}", index + 1),
+        label => label.to_owned(),
+    };
+    let notes = notes.to_vec();
+    let points: usize = polygon.feature.rings.iter().map(|ring| ring.pieces.len()).sum();
+    let domain = if points > MAX_VERTICES as usize {
+        Err(format!("the outline has {points} points; the page takes up to {MAX_VERTICES}"))
+    } else {
+        polygon.feature().domain(&Division::default()).map_err(|error| error.to_string())
+    };
+    match domain {
+        Ok(domain) => {
+            let domain = RawValue::from_string(domain.to_json()).ok();
+            Source { name, domain, notes, message: None }
+        }
+        Err(message) => Source { name, domain: None, notes, message: Some(message) },
+    }
+}

@@ -1,0 +1,307 @@
+//! What is at which address.
+
+use std::convert::Infallible;
+use std::ops::ControlFlow;
+use std::pin::Pin;
+use std::sync::Arc;
+use std::task::{Context, Poll};
+use std::time::Duration;
+
+use axum::Router;
+use axum::body::{Body, Bytes, HttpBody};
+use axum::extract::{Path, Query, Request, State};
+use axum::http::StatusCode;
+use axum::http::header::{self, HeaderName, HeaderValue};
+use axum::middleware::{Next, from_fn_with_state};
+use axum::response::{IntoResponse, Response};
+use axum::routing::{get, post};
+use http_body::Frame;
+use mindeg_mesh::{Progress, Step};
+use serde::{Deserialize, Serialize};
+use tokio::sync::mpsc;
+
+use crate::answer::{self, answer};
+use crate::api::{Line, Source};
+use crate::command::KnownFiles;
+use crate::download::download;
+use crate::facts::facts;
+use crate::files::{self, File};
+use crate::guard::Guard;
+use crate::presets::presets;
+use crate::reading::sources;
+use crate::states::States;
+use crate::work::{TIME_LIMIT, Work, Works};
+
+/// The most bytes of a body.
+pub(crate) const MAX_BYTES: usize = 8 << 20;
+
+/// How long the body of a request may take to come.
+const BODY_TIME: Duration = Duration::from_secs(30);
+
+const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
+                      img-src 'self' data: blob:; connect-src 'self'; frame-ancestors 'none'; \
+                      base-uri 'none'; form-action 'none'";
+
+/// What requests are answered from.
+pub(crate) struct All {
+    guard: Guard,
+    start: Option<Source>,
+    known: KnownFiles,
+    works: Works,
+    states: States,
+}
+
+impl All {
+    pub(crate) fn new(guard: Guard, start: Option<Source>, known: KnownFiles) -> Self {
+        Self { guard, start, known, works: Works::new(), states: States::default() }
+    }
+
+    /// The token that requests must have.
+    pub(crate) fn token(&self) -> &str {
+        &self.guard.token
+    }
+}
+
+pub(crate) fn router(all: Arc<All>) -> Router {
+    Router::new()
+        .route("/", get(async || page(files::INDEX)))
+        .route("/page/{name}", get(page_file))
+        .route("/api/start", get(start))
+        .route("/api/presets", get(async || json(&presets())))
+        .route("/api/facts", get(async || json(&facts(MAX_BYTES))))
+        .route("/api/answer", post(answers))
+        .route("/api/read", post(reading))
+        .route("/api/download", post(downloads))
+        .route("/api/state/{id}", get(state).put(keep_state))
+        .fallback(async || refused(StatusCode::NOT_FOUND, "there is nothing at this address"))
+        .layer(from_fn_with_state(Arc::clone(&all), guarded))
+        .with_state(all)
+}
+
+/// Checks who asks, and tells the browser to keep others out.
+async fn guarded(State(all): State<Arc<All>>, request: Request, next: Next) -> Response {
+    let needs_token = request.uri().path().starts_with("/api/");
+    let checked = all.guard.check(request.method(), request.headers(), needs_token);
+    let mut response = match checked {
+        Ok(()) => next.run(request).await,
+        Err((status, message)) => refused(status, message),
+    };
+    let fixed = [
+        (header::CONTENT_SECURITY_POLICY, POLICY),
+        (header::X_CONTENT_TYPE_OPTIONS, "nosniff"),
+        (header::CACHE_CONTROL, "no-store"),
+        (header::REFERRER_POLICY, "no-referrer"),
+        (HeaderName::from_static("cross-origin-resource-policy"), "same-origin"),
+        (HeaderName::from_static("cross-origin-opener-policy"), "same-origin"),
+    ];
+    for (name, value) in fixed {
+        response.headers_mut().insert(name, HeaderValue::from_static(value));
+    }
+    response
+}
+
+/// A request that is refused, with the sentence to show.
+fn refused(status: StatusCode, message: &str) -> Response {
+    #[derive(Serialize)]
+    struct Refused<'a> {
+        message: &'a str,
+    }
+    let mut response = json(&Refused { message });
+    *response.status_mut() = status;
+    response
+}
+
+fn json(value: &impl Serialize) -> Response {
+    match serde_json::to_vec(value) {
+        Ok(text) => ([(header::CONTENT_TYPE, "application/json")], text).into_response(),
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, error.to_string()).into_response(),
+    }
+}
+
+fn page(file: File) -> Response {
+    ([(header::CONTENT_TYPE, file.kind)], file.text).into_response()
+}
+
+async fn page_file(Path(name): Path<String>) -> Response {
+    match files::named(&name) {
+        Some(file) => page(file),
+        None => refused(StatusCode::NOT_FOUND, "the page has no such file"),
+    }
+}
+
+async fn start(State(all): State<Arc<All>>) -> Response {
+    json(&all.start.clone().or_else(|| presets().into_iter().next()))
+}
+
+/// The whole body, if it is small enough and comes soon enough.
+async fn body(request: Request) -> Result<Bytes, Response> {
+    let read = axum::body::to_bytes(request.into_body(), MAX_BYTES);
+    match tokio::time::timeout(BODY_TIME, read).await {
+        Ok(Ok(bytes)) => Ok(bytes),
+        Ok(Err(_)) => Err(refused(
+            StatusCode::PAYLOAD_TOO_LARGE,
+            "the request is cut off or larger than 8 MB; the command line takes larger domains",
+        )),
+        Err(_) => {
+            Err(refused(StatusCode::REQUEST_TIMEOUT, "the request took more than 30 s to come"))
+        }
+    }
+}
+
+#[derive(Deserialize)]
+struct Tab {
+    tab: String,
+}
+
+/// Whether a name is one that the page gives to tabs and states.
+fn is_name(name: &str) -> bool {
+    let is_plain = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'-' | b'_');
+    (1..=64).contains(&name.len()) && name.bytes().all(is_plain)
+}
+
+async fn answers(
+    State(all): State<Arc<All>>,
+    Query(Tab { tab }): Query<Tab>,
+    request: Request,
+) -> Response {
+    if !is_name(&tab) {
+        return refused(StatusCode::BAD_REQUEST, "tab takes up to 64 letters, digits, - and _");
+    }
+    let work = all.works.start(&tab);
+    let bytes = match body(request).await {
+        Ok(bytes) => bytes,
+        Err(refusal) => return refusal,
+    };
+    let (lines, received) = mpsc::unbounded_channel::<Bytes>();
+    tokio::spawn(async move {
+        let Some(turn) = all.works.turn().await else { return };
+        tokio::task::spawn_blocking(move || {
+            let _turn = turn;
+            let stops = || work.is_over() || lines.is_closed() || work.is_late();
+            let callback = |_: Step<'_>| match stops() {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            };
+            let mut send = |line: &Line| {
+                if let Ok(mut text) = serde_json::to_vec(line) {
+                    text.push(b'\n');
+                    // Nobody reads on: the next step of the work ends it.
+                    let _ = lines.send(text.into());
+                }
+            };
+            let done = answer(&bytes, &all.known, Progress::new(&callback), &mut send);
+            if done.is_err() && work.is_late() {
+                send(&answer::late(TIME_LIMIT));
+            }
+        });
+    });
+    let kind = [(header::CONTENT_TYPE, "application/x-ndjson")];
+    (kind, Body::new(Lines(received))).into_response()
+}
+
+/// A body of lines as they come.
+struct Lines(mpsc::UnboundedReceiver<Bytes>);
+
+impl HttpBody for Lines {
+    type Data = Bytes;
+    type Error = Infallible;
+
+    fn poll_frame(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+    ) -> Poll<Option<Result<Frame<Bytes>, Infallible>>> {
+        self.0.poll_recv(context).map(|line| line.map(|line| Ok(Frame::data(line))))
+    }
+}
+
+#[derive(Deserialize)]
+struct Named {
+    name: String,
+}
+
+/// The domains in a file.
+async fn reading(Query(Named { name }): Query<Named>, request: Request) -> Response {
+    let bytes = match body(request).await {
+        Ok(bytes) => bytes,
+        Err(refusal) => return refusal,
+    };
+    let read = tokio::task::spawn_blocking(move || sources(&name, &bytes)).await;
+    match read {
+        Ok(Ok(sources)) => json(&sources),
+        Ok(Err(message)) => refused(StatusCode::UNPROCESSABLE_ENTITY, &message),
+        Err(_) => failed(),
+    }
+}
+
+/// What is said where a thread ended before its work.
+fn failed() -> Response {
+    refused(StatusCode::INTERNAL_SERVER_ERROR, "this failed, which is a fault of mindeg explore")
+}
+
+#[derive(Deserialize)]
+struct Wanted {
+    format: String,
+    #[serde(default)]
+    file: usize,
+}
+
+/// A file of a mesh.
+async fn downloads(
+    State(all): State<Arc<All>>,
+    Query(Wanted { format, file }): Query<Wanted>,
+    request: Request,
+) -> Response {
+    let bytes = match body(request).await {
+        Ok(bytes) => bytes,
+        Err(refusal) => return refusal,
+    };
+    let Some(turn) = all.works.turn().await else { return failed() };
+    let work = Work::alone();
+    let made = tokio::task::spawn_blocking(move || {
+        let _turn = turn;
+        let callback = |_: Step<'_>| match work.is_late() {
+            true => ControlFlow::Break(()),
+            false => ControlFlow::Continue(()),
+        };
+        download(&bytes, &format, file, Progress::new(&callback))
+    });
+    match made.await {
+        Ok(Ok(file)) => {
+            // The name has letters, digits and dashes only.
+            let disposition = format!("attachment; filename=\"{}\"", file.name);
+            let kind = (header::CONTENT_TYPE, "application/octet-stream".to_owned());
+            ([kind, (header::CONTENT_DISPOSITION, disposition)], file.bytes).into_response()
+        }
+        Ok(Err(message)) => refused(StatusCode::UNPROCESSABLE_ENTITY, &message),
+        Err(_) => failed(),
+    }
+}
+
+async fn state(State(all): State<Arc<All>>, Path(id): Path<String>) -> Response {
+    match all.states.get(&id) {
+        Some(state) => ([(header::CONTENT_TYPE, "application/json")], state).into_response(),
+        None => refused(StatusCode::NOT_FOUND, "this address is of another run, or too old"),
+    }
+}
+
+async fn keep_state(
+    State(all): State<Arc<All>>,
+    Path(id): Path<String>,
+    request: Request,
+) -> Response {
+    if !is_name(&id) {
+        return refused(
+            StatusCode::BAD_REQUEST,
+            "a state's ID has up to 64 letters, digits, - and _",
+        );
+    }
+    let bytes = match body(request).await {
+        Ok(bytes) => bytes,
+        Err(refusal) => return refusal,
+    };
+    if serde_json::from_slice::<serde::de::IgnoredAny>(&bytes).is_err() {
+        return refused(StatusCode::BAD_REQUEST, "a state is JSON");
+    }
+    all.states.put(id, bytes);
+    StatusCode::NO_CONTENT.into_response()
+}
