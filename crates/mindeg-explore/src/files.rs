@@ -49,11 +49,12 @@ mod tests {
 
     #[test]
     fn every_file_that_the_page_asks_for_is_there() {
-        let texts = ["explore.js", "asking.js", "pictures.js", "editing.js", "painter.js", "show.js"]
-            .iter()
-            .filter_map(|name| named(name))
-            .map(|file| file.text)
-            .chain([INDEX.text]);
+        let texts =
+            ["explore.js", "asking.js", "pictures.js", "editing.js", "painter.js", "show.js"]
+                .iter()
+                .filter_map(|name| named(name))
+                .map(|file| file.text)
+                .chain([INDEX.text]);
         let mut asked = 0;
         for text in texts {
             for start in ["\"/page/", " from \"./"] {
