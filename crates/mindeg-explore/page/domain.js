@@ -46,10 +46,13 @@ function isReversed(domain, shown, ring) {
   return apart(list.at(-1)) < apart(list[1]);
 }
 
-/** The place in the JSON of a side that the server has as the `index`th of its ring. */
+/**
+ * The place in the JSON of a side that the server has as the `index`th of its ring, and the other way round. In a
+ * ring of points, each edge is a side.
+ */
 export function sidePlace(domain, shown, { ring, index }) {
-  const count = shownSides(shown, ring).length;
-  return isReversed(domain, shown, ring) ? count - 1 - index : index;
+  if (!isReversed(domain, shown, ring)) return index;
+  return listOf(ringOf(domain, ring)).length - 1 - index;
 }
 
 /** All corners, and all points of rings: `{ring, index, x, y}`, with their index in the JSON. */
@@ -77,8 +80,7 @@ function sidesOf(domain, ring) {
 function throughPoint(domain, shown, ring, place) {
   const side = sidesHolder(domain, ring).sides?.[place];
   if (!side?.arc?.center) return;
-  const count = shownSides(shown, ring).length;
-  const index = isReversed(domain, shown, ring) ? count - 1 - place : place;
+  const index = sidePlace(domain, shown, { ring, index: place });
   const { start, intervals } = shownSides(shown, ring)[index];
   if (intervals > 1) side.arc = { through: point(shown, start + Math.floor(intervals / 2)) };
   else delete side.arc;
@@ -99,12 +101,12 @@ export function moveCorner(domain, shown, { ring, index }, to) {
 export function addCorner(domain, shown, { ring, index }) {
   const changed = withPolygon(domain, shown);
   const list = listOf(ringOf(changed, ring));
-  if (isPoints(changed, ring)) {
-    const [a, b] = [list[index], list[(index + 1) % list.length]];
-    list.splice(index + 1, 0, [0, 1].map((axis) => tidy((a[axis] + b[axis]) / 2, largest(shown))));
-    return { domain: changed, corner: { ring, index: index + 1 } };
-  }
   const place = sidePlace(changed, shown, { ring, index });
+  if (isPoints(changed, ring)) {
+    const [a, b] = [list[place], list[(place + 1) % list.length]];
+    list.splice(place + 1, 0, [0, 1].map((axis) => tidy((a[axis] + b[axis]) / 2, largest(shown))));
+    return { domain: changed, corner: { ring, index: place + 1 } };
+  }
   const { start, intervals } = shownSides(shown, ring)[index];
   if (intervals < 2) return null;
   const half = Math.floor(intervals / 2);
@@ -139,10 +141,7 @@ export function removeCorner(domain, shown, { ring, index }) {
   }
   const sides = sidesOf(changed, ring);
   const before = (index + list.length - 1) % list.length;
-  const count = (place) => {
-    const shownIndex = isReversed(changed, shown, ring) ? list.length - 1 - place : place;
-    return shownSides(shown, ring)[shownIndex].intervals;
-  };
+  const count = (place) => shownSides(shown, ring)[sidePlace(changed, shown, { ring, index: place })].intervals;
   const { name } = sides[before];
   const joined = { intervals: count(before) + count(index) };
   if (name) joined.name = name;

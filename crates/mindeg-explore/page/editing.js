@@ -2,7 +2,7 @@
 // From the viewer's script: make.
 
 import { apply, ask } from "./asking.js";
-import { addCorner, addHole, corners, moveCorner, removeCorner, removeHole } from "./domain.js";
+import { addCorner, addHole, corners, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { redraw, setCursor, stages } from "./pictures.js";
 import { element, showUndo } from "./show.js";
@@ -90,7 +90,8 @@ function chooseNext(by) {
 /** Adds a corner in the middle of the chosen side, or of the side after the chosen corner. */
 function add() {
   const { corner, side } = selection;
-  const added = addCorner(state.domain, shown.domain, side ?? corner ?? { ring: 0, index: 0 });
+  const after = corner && { ring: corner.ring, index: sidePlace(state.domain, shown.domain, corner) };
+  const added = addCorner(state.domain, shown.domain, side ?? after ?? { ring: 0, index: 0 });
   if (!added) return say("A side needs two intervals to be divided.");
   Object.assign(selection, { corner: added.corner, side: null });
   apply(added.domain);
@@ -128,7 +129,7 @@ export function grab(stage, event, place) {
   }
   const corner = cornerAt(state.domain, shown.domain, stage.frame, place, event.pointerType);
   if (!corner) {
-    const near = sideAt(shown.domain, stage.frame, place);
+    const near = sideAt(state.domain, shown.domain, stage.frame, place);
     if (near) chooseSide(near);
     return false;
   }

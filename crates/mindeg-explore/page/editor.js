@@ -1,6 +1,6 @@
 // Corners and sides on the picture: what is near a pointer, and the handles.
 
-import { corners } from "./domain.js";
+import { corners, isPoints } from "./domain.js";
 
 /** A corner is taken by a pointer that is nearer, in pixels; a finger is less exact than a mouse. */
 const REACH = { mouse: 12, pen: 16, touch: 26 };
@@ -29,14 +29,25 @@ export function sideLine(shown, { ring, start, intervals }) {
   });
 }
 
-/** The side near a place of a stage, `{ring, index}`, or null. */
-export function sideAt(shown, frame, place) {
+/** All sides with their index in their ring. In a ring of points, each edge is a side. */
+export function indexedSides(domain, shown) {
+  const counts = new Map();
+  return shown.sides.flatMap((side) => {
+    const { ring, start, intervals } = side;
+    if (isPoints(domain, ring)) {
+      return Array.from({ length: intervals }, (_, index) => ({ ring, index, start: start + index, intervals: 1 }));
+    }
+    const index = counts.get(ring) ?? 0;
+    counts.set(ring, index + 1);
+    return [{ ...side, index }];
+  });
+}
+
+/** The side near a place of a stage, or null. */
+export function sideAt(domain, shown, frame, place) {
   let nearest = 8;
   let found = null;
-  const counts = new Map();
-  for (const side of shown.sides) {
-    const index = counts.get(side.ring) ?? 0;
-    counts.set(side.ring, index + 1);
+  for (const side of indexedSides(domain, shown)) {
     const line = sideLine(shown, side).map((point) => frame.toScreen(...point));
     for (let i = 0; i + 1 < line.length; i++) {
       const [a, b] = [line[i], line[i + 1]];
@@ -44,7 +55,7 @@ export function sideAt(shown, frame, place) {
       const along = ((place[0] - a[0]) * (b[0] - a[0]) + (place[1] - a[1]) * (b[1] - a[1])) / length;
       const at = Math.min(length, Math.max(0, along)) / length;
       const distance = apart(place, [a[0] + at * (b[0] - a[0]), a[1] + at * (b[1] - a[1])]);
-      if (distance < nearest) [nearest, found] = [distance, { ring: side.ring, index }];
+      if (distance < nearest) [nearest, found] = [distance, side];
     }
   }
   return found;

@@ -163,9 +163,8 @@ function startControls() {
   };
   element("show-limit").addEventListener("click", () => decide(shown.limit.vertices));
   element("show-degree").addEventListener("click", () => {
-    const { vertices, chords, sides } = shown.degree;
-    const starts = sides.map((side) => shown.domain.sides[side]?.start ?? 0);
-    decide([...vertices, ...chords.flat(), ...starts]);
+    const { vertices, chords } = shown.degree;
+    decide([...vertices, ...chords.flat()]);
   });
 }
 

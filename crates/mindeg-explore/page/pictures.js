@@ -2,7 +2,7 @@
 // From the viewer's script: MAX_ZOOM, pageColors.
 
 import { worker } from "./asking.js";
-import { drawHandles } from "./editor.js";
+import { drawHandles, indexedSides } from "./editor.js";
 import { element } from "./show.js";
 import { bounds, isWide, lookAtAll, view, wantsStretch } from "./stage.js";
 import { selection, shown, state } from "./state.js";
@@ -42,7 +42,8 @@ export function redraw(hasMoved = false) {
 /** The chosen side as the server has it now. */
 export function sideNow() {
   const { side } = selection;
-  return side ? shown.domain.sides.filter(({ ring }) => ring === side.ring)[side.index] ?? null : null;
+  if (!side) return null;
+  return indexedSides(state.domain, shown.domain).find(({ ring, index }) => ring === side.ring && index === side.index) ?? null;
 }
 
 export function readLooks() {

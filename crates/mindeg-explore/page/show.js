@@ -95,7 +95,7 @@ function paragraphs(box, words) {
 export function showDegree(degree) {
   shown.degree = degree;
   paragraphs(element("degree-words"), degree.words);
-  element("show-degree").hidden = !(degree.vertices.length || degree.sides.length || degree.chords.length);
+  element("show-degree").hidden = !(degree.vertices.length || degree.chords.length);
 }
 
 export function showLimit(limit) {

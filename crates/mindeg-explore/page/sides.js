@@ -1,6 +1,7 @@
 // The table of the sides: how many intervals, and how they are spaced.
 
 import { changeSide, isPoints, sideOf } from "./domain.js";
+import { indexedSides } from "./editor.js";
 
 /** So many sides stand in the table at once. */
 const ROWS = 12;
@@ -45,13 +46,7 @@ export class SidesTable {
   show(domain, shown, chosen) {
     this.domain = domain;
     this.shown = shown;
-    this.sides = [];
-    const counts = new Map();
-    for (const side of shown.sides) {
-      const index = counts.get(side.ring) ?? 0;
-      counts.set(side.ring, index + 1);
-      if (!isPoints(domain, side.ring)) this.sides.push({ ...side, index });
-    }
+    this.sides = indexedSides(domain, shown).filter(({ ring }) => !isPoints(domain, ring));
     const at = chosen ? this.sides.findIndex(({ ring, index }) => ring === chosen.ring && index === chosen.index) : -1;
     if (at >= 0 && (at < this.first || at >= this.first + ROWS)) this.first = at - (at % ROWS);
     if (this.first >= this.sides.length) this.first = 0;
