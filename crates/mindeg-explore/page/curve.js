@@ -95,7 +95,7 @@ function showRows(rows, { points, is_exact: isExact }, shown, choose) {
     const [name, angle, note] = button.children;
     name.textContent = `degree ${max_degree}`;
     angle.textContent = angleText(min_angle);
-    const more = isExact ? "" : " or more";
+    const more = isExact || share >= 1 ? "" : " or more";
     note.textContent = `${percent(share)}${more} of Delaunay’s`;
   });
 }

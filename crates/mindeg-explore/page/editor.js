@@ -61,9 +61,9 @@ export function sideAt(domain, shown, frame, place) {
   return found;
 }
 
-/** A round step, about a twentieth of the narrow side of a domain. */
+/** A round step, about a fiftieth of the narrow side of a domain. */
 export function gridStep([width, height]) {
-  const raw = Math.max(Math.min(width, height) / 20, Math.max(width, height) / 1000) || 1;
+  const raw = Math.max(Math.min(width, height) / 50, Math.max(width, height) / 2000) || 1;
   const power = 10 ** Math.floor(Math.log10(raw));
   return Number(([5, 2, 1].find((factor) => factor * power <= raw) * power).toPrecision(3));
 }
