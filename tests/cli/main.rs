@@ -5,6 +5,7 @@ mod compare;
 mod convert;
 mod degree;
 mod domain;
+mod explore;
 mod fill;
 mod improve;
 mod inspect;

@@ -1,92 +1,76 @@
 //! `mindeg explore`: a page to edit a boundary on.
 
 use crate::args::ExploreArguments;
+use crate::domain::bytes_of;
 use crate::failure::Failure;
+use crate::interrupt::clean_up_on_interrupt;
+use crate::standard_output::print;
+use crate::terminal::say;
+use crate::threads;
+use mindeg_explore::{KnownFiles, Server, ServerError, Setup, Source, presets, sources};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
 
-/// Without the feature, a sentence says how to get it.
-#[cfg(not(feature = "explore"))]
-pub(crate) fn run(_: &ExploreArguments) -> Result<(), Failure> {
-    let message = "this mindeg was built without explore; build it with \
-                   cargo build --release -p mindeg-cli --features explore";
-    Err(Failure::Input(message.to_owned()))
+pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
+    let mut known = KnownFiles::default();
+    let start = arguments.domain.as_deref().map(|path| start(path, &mut known)).transpose()?;
+    add_presets(&mut known);
+    clean_up_on_interrupt()?;
+    threads::start()?;
+    let setup = Setup { port: arguments.port.unwrap_or(0), start, known };
+    let failed = |error: ServerError| Failure::Io(error.to_string());
+    let server = Server::new(setup).map_err(failed)?;
+    let address = server.address();
+    print(&format!("{address}\n"))?;
+    if !arguments.no_open && !open(&address) {
+        say("No browser was found; open the address yourself.");
+    }
+    say("Ctrl-C ends it.");
+    match server.run().map_err(failed)? {}
 }
 
-#[cfg(feature = "explore")]
-pub(crate) use page::run;
-
-#[cfg(feature = "explore")]
-mod page {
-    use super::{ExploreArguments, Failure};
-    use crate::domain::bytes_of;
-    use crate::interrupt::clean_up_on_interrupt;
-    use crate::standard_output::print;
-    use crate::terminal::say;
-    use crate::threads;
-    use mindeg_explore::{KnownFiles, Server, ServerError, Setup, Source, presets, sources};
-    use std::fs;
-    use std::path::Path;
-    use std::process::{Command, Stdio};
-
-    pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
-        let mut known = KnownFiles::default();
-        let start = arguments.domain.as_deref().map(|path| start(path, &mut known)).transpose()?;
-        add_presets(&mut known);
-        clean_up_on_interrupt()?;
-        threads::start()?;
-        let setup = Setup { port: arguments.port.unwrap_or(0), start, known };
-        let failed = |error: ServerError| Failure::Io(error.to_string());
-        let server = Server::new(setup).map_err(failed)?;
-        let address = server.address();
-        print(&format!("{address}\n"))?;
-        if !arguments.no_open && !open(&address) {
-            say("No browser was found; open the address yourself.");
-        }
-        say("Ctrl-C ends it.");
-        match server.run().map_err(failed)? {}
+/// The domain of the command line, or the first polygon of its file that is one.
+fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
+    let (name, bytes) = bytes_of(path)?;
+    let sources = sources(&name, &bytes).map_err(Failure::Input)?;
+    let count = sources.len();
+    let problem = sources.first().and_then(|source| source.message.clone());
+    let Some(mut source) = sources.into_iter().find(|source| source.domain.is_some()) else {
+        let problem = problem.unwrap_or_else(|| "it holds no polygon".to_owned());
+        return Err(Failure::Input(format!("{name}: {problem}")));
+    };
+    if count > 1 {
+        source.notes.push(format!("{name} has {count} polygons; {} is shown.", source.name));
     }
-
-    /// The domain of the command line, or the first polygon of its file that is one.
-    fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
-        let (name, bytes) = bytes_of(path)?;
-        let sources = sources(&name, &bytes).map_err(Failure::Input)?;
-        let count = sources.len();
-        let problem = sources.first().and_then(|source| source.message.clone());
-        let Some(mut source) = sources.into_iter().find(|source| source.domain.is_some()) else {
-            let problem = problem.unwrap_or_else(|| "it holds no polygon".to_owned());
-            return Err(Failure::Input(format!("{name}: {problem}")));
-        };
-        if count > 1 {
-            source.notes.push(format!("{name} has {count} polygons; {} is shown.", source.name));
-        }
-        if let (Ok(text), true) = (std::str::from_utf8(&bytes), path != Path::new("-")) {
-            known.add(&name, text);
-        }
-        Ok(source)
+    if let (Ok(text), true) = (std::str::from_utf8(&bytes), path != Path::new("-")) {
+        known.add(&name, text);
     }
+    Ok(source)
+}
 
-    /// The files of the presets, where they are: in a folder with mindeg's sources.
-    fn add_presets(known: &mut KnownFiles) {
-        for preset in presets() {
-            let path = format!("assets/domains/{}.json", preset.name);
-            if let Ok(text) = fs::read_to_string(&path) {
-                known.add(&path, &text);
-            }
+/// The files of the presets, where they are: in a folder with mindeg's sources.
+fn add_presets(known: &mut KnownFiles) {
+    for preset in presets() {
+        let path = format!("assets/domains/{}.json", preset.name);
+        if let Ok(text) = fs::read_to_string(&path) {
+            known.add(&path, &text);
         }
     }
+}
 
-    /// Opens an address in the user's browser; false if there is no program for it.
-    fn open(address: &str) -> bool {
-        let mut command = if cfg!(target_os = "macos") {
-            Command::new("open")
-        } else if cfg!(windows) {
-            // `start` takes its first argument in quotes for a title.
-            let mut command = Command::new("cmd");
-            command.args(["/C", "start", ""]);
-            command
-        } else {
-            Command::new("xdg-open")
-        };
-        command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-        command.spawn().is_ok()
-    }
+/// Opens an address in the user's browser; false if there is no program for it.
+fn open(address: &str) -> bool {
+    let mut command = if cfg!(target_os = "macos") {
+        Command::new("open")
+    } else if cfg!(windows) {
+        // `start` takes its first argument in quotes for a title.
+        let mut command = Command::new("cmd");
+        command.args(["/C", "start", ""]);
+        command
+    } else {
+        Command::new("xdg-open")
+    };
+    command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+    command.spawn().is_ok()
 }

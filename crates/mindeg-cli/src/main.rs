@@ -14,6 +14,7 @@ mod convert;
 mod degree;
 mod demands;
 mod domain;
+#[cfg(feature = "explore")]
 mod explore;
 mod failure;
 mod fill;
@@ -27,6 +28,8 @@ mod memory;
 mod mesh;
 mod mesh_file;
 mod named_files;
+#[cfg(not(feature = "explore"))]
+mod no_explore;
 mod output;
 mod polygon_degree;
 mod preset;
@@ -78,7 +81,10 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),
+        #[cfg(feature = "explore")]
         Command::Explore(arguments) => explore::run(arguments),
+        #[cfg(not(feature = "explore"))]
+        Command::Explore(arguments) => no_explore::run(arguments),
         Command::View(arguments) => shared(|| view::run(arguments)),
     }
 }

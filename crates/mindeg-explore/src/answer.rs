@@ -120,7 +120,6 @@ impl Answering<'_> {
                 Err(error) => self.refuse(Part::Degree, error.to_string())?,
             }
         }
-        self.changes()?;
         if self.shows(Part::Curve) {
             match trade_off(self.domain, self.progress) {
                 Ok(found) => {
@@ -130,6 +129,7 @@ impl Answering<'_> {
                 Err(error) => self.refuse(Part::Curve, error.to_string())?,
             }
         }
+        self.changes()?;
         if self.shows(Part::Interior) {
             self.mesh(Part::Interior, View::Interior)?;
         }
@@ -152,7 +152,7 @@ impl Answering<'_> {
         // The formula's mesh of a large domain is the mesh of least degree: once is enough.
         let is_soon = is_asked_for && is_by_formula(self.domain);
         if !is_soon && let Ok(mesh) = BoundaryMesh::least_degree(self.domain) {
-            self.least(&Figure::of(&mesh), false, false);
+            self.least(&Figure::for_now(&mesh), false, false);
             if !is_asked_for {
                 return Ok(());
             }

@@ -42,7 +42,9 @@ pub(crate) fn limit_shown(limit: &AngleLimit, lifted: Option<&Lift>) -> LimitSho
 pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<Suggestion> {
     let mut found = Vec::new();
     if let Some(boundary) = own_boundary(domain) {
-        let changes = mindeg_core::suggestions(boundary).take(MOST);
+        // Fewer than 4 edges at every vertex: only boundaries of 3 or 4 intervals.
+        let changes = mindeg_core::suggestions(boundary);
+        let changes = changes.take_while(|change| change.max_degree >= 4).take(MOST);
         found.extend(changes.filter_map(|suggestion| {
             let change = words::suggestion(&suggestion);
             Some(Suggestion {

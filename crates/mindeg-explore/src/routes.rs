@@ -1,6 +1,7 @@
 //! What is at which address.
 
 use std::convert::Infallible;
+use std::future::poll_fn;
 use std::ops::ControlFlow;
 use std::pin::Pin;
 use std::sync::Arc;
@@ -34,6 +35,9 @@ use crate::work::{TIME_LIMIT, Work, Works};
 
 /// The most bytes of a body.
 pub(crate) const MAX_BYTES: usize = 8 << 20;
+
+/// How long the rest of a body that is too large is taken in.
+const DRAIN_TIME: Duration = Duration::from_secs(2);
 
 /// How long the body of a request may take to come.
 const BODY_TIME: Duration = Duration::from_secs(30);
@@ -135,16 +139,54 @@ async fn start(State(all): State<Arc<All>>) -> Response {
 
 /// The whole body, if it is small enough and comes soon enough.
 async fn body(request: Request) -> Result<Bytes, Response> {
-    let read = axum::body::to_bytes(request.into_body(), MAX_BYTES);
+    let mut body = request.into_body();
+    let mut bytes = Vec::new();
+    let mut is_large = body.size_hint().lower() > MAX_BYTES as u64;
+    let read = async {
+        while !is_large && let Some(data) = next(&mut body).await? {
+            bytes.extend_from_slice(&data);
+            is_large = bytes.len() > MAX_BYTES;
+        }
+        Ok::<(), axum::Error>(())
+    };
     match tokio::time::timeout(BODY_TIME, read).await {
-        Ok(Ok(bytes)) => Ok(bytes),
-        Ok(Err(_)) => Err(refused(
-            StatusCode::PAYLOAD_TOO_LARGE,
-            "the request is cut off or larger than 8 MB; the command line takes larger domains",
-        )),
+        Ok(Ok(())) if !is_large => Ok(bytes.into()),
+        Ok(Ok(())) => {
+            // Who still sends does not read the answer: so some of the rest is taken in.
+            let _ = tokio::time::timeout(DRAIN_TIME, drained(&mut body)).await;
+            Err(refused(
+                StatusCode::PAYLOAD_TOO_LARGE,
+                "the request is larger than 8 MB; the command line takes larger domains",
+            ))
+        }
+        Ok(Err(_)) => Err(refused(StatusCode::BAD_REQUEST, "the request is cut off")),
         Err(_) => {
             Err(refused(StatusCode::REQUEST_TIMEOUT, "the request took more than 30 s to come"))
         }
+    }
+}
+
+/// The next bytes of a body.
+async fn next(body: &mut Body) -> Result<Option<Bytes>, axum::Error> {
+    loop {
+        match poll_fn(|context| Pin::new(&mut *body).poll_frame(context)).await.transpose()? {
+            None => return Ok(None),
+            Some(frame) => {
+                if let Ok(data) = frame.into_data() {
+                    return Ok(Some(data));
+                }
+            }
+        }
+    }
+}
+
+/// Reads on, up to eight times as much as a body may have.
+async fn drained(body: &mut Body) {
+    let mut left = 8 * MAX_BYTES;
+    while let Ok(Some(data)) = next(body).await
+        && let Some(less) = left.checked_sub(data.len())
+    {
+        left = less;
     }
 }
 

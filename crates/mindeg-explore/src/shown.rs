@@ -69,8 +69,15 @@ pub(crate) struct Figure {
 }
 
 impl Figure {
+    /// A mesh of the boundary points, to show until a better one is found.
+    pub(crate) fn for_now(mesh: &BoundaryMesh) -> Self {
+        let figure = Self::of(mesh);
+        let words = figure.in_short() + " A better mesh is looked for.";
+        Self { words, ..figure }
+    }
+
     /// A mesh of the boundary points.
-    pub(crate) fn of(mesh: &BoundaryMesh) -> Self {
+    fn of(mesh: &BoundaryMesh) -> Self {
         Self {
             frame: Frame::of(mesh.domain()),
             interior_points: Vec::new(),
@@ -100,16 +107,9 @@ impl Figure {
             }
             Made::Delaunay(mesh) => {
                 let figure = Self::listed(domain, mesh);
-                let (min, max) = figure.angles();
-                let words = format!(
-                    "{} vertices, {} triangles, maximum degree {}, angles {} to {}. No mesh of these points has \
-                     a larger minimum angle.",
-                    figure.degrees.len(),
-                    figure.triangles.len(),
-                    figure.max_degree(),
-                    steady_angle(min),
-                    steady_angle(max),
-                );
+                let (min, _) = figure.angles();
+                let words =
+                    figure.in_short() + " No mesh of these points has a larger minimum angle.";
                 Self { delaunay_min_angle: Some(min), words, ..figure }
             }
             Made::Interior(mesh, report) => {
@@ -154,6 +154,19 @@ impl Figure {
             delaunay_min_angle: None,
             words: String::new(),
         }
+    }
+
+    /// Size, degree and angles in a sentence.
+    fn in_short(&self) -> String {
+        let (min, max) = self.angles();
+        format!(
+            "{} vertices, {} triangles, maximum degree {}, angles {} to {}.",
+            self.degrees.len(),
+            self.triangles.len(),
+            self.max_degree(),
+            steady_angle(min),
+            steady_angle(max),
+        )
     }
 
     /// The greatest degree.

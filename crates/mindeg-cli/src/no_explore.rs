@@ -1,0 +1,10 @@
+//! `mindeg explore` in a build without the feature: a sentence says how to get it.
+
+use crate::args::ExploreArguments;
+use crate::failure::Failure;
+
+pub(crate) fn run(_: &ExploreArguments) -> Result<(), Failure> {
+    let message = "this mindeg was built without explore; build it with \
+                   cargo build --release -p mindeg-cli --features explore";
+    Err(Failure::Input(message.to_owned()))
+}

@@ -1,0 +1,203 @@
+//! `mindeg explore`: the process, and the commands of its page.
+
+use crate::run::mindeg;
+
+#[cfg(not(feature = "explore"))]
+#[test]
+fn a_build_without_the_feature_says_how_to_get_it() {
+    mindeg(["explore"]).refuses(&["cargo build --release -p mindeg-cli --features explore"]);
+}
+
+#[cfg(feature = "explore")]
+#[test]
+fn a_domain_that_is_none_is_refused_before_anything_listens() {
+    let run = mindeg(["explore", "no-such-file.json"]);
+    assert_eq!(run.code, Some(1), "{run:?}");
+    assert!(run.errors.contains("cannot read no-such-file.json"), "{run:?}");
+    mindeg(["explore", "--port", "0"]).refuses(&["--port", "1..=65535"]);
+    crate::run::mindeg_reading(["explore", "-"], b"{}").refuses(&["standard input"]);
+}
+
+#[cfg(all(feature = "explore", unix))]
+mod page {
+    use crate::run::{Run, Running, hearing_signals, mindeg, shell};
+    use serde_json::{Value, json};
+    use std::fs;
+    use std::io::{BufRead, BufReader, Read, Write};
+    use std::net::TcpStream;
+    use std::os::unix::process::ExitStatusExt;
+    use std::path::Path;
+    use std::process::{Command, Stdio};
+    use std::time::Duration;
+
+    /// A running `mindeg explore` and its address.
+    struct Page {
+        process: Running,
+        host: String,
+        token: String,
+    }
+
+    impl Page {
+        fn open(folder: &Path, arguments: &[&str]) -> Self {
+            let mut command = hearing_signals(env!("CARGO_BIN_EXE_mindeg"));
+            command.args(["explore", "--no-open"]).args(arguments).current_dir(folder);
+            command.stdout(Stdio::piped()).stderr(Stdio::piped()).stdin(Stdio::null());
+            let mut process = Running::start(&mut command);
+            let mut address = String::new();
+            let mut out = BufReader::new(process.take_output());
+            out.read_line(&mut address).expect("an address");
+            let (host, token) = address
+                .trim()
+                .strip_prefix("http://")
+                .and_then(|rest| rest.split_once("/#"))
+                .expect("an address with a token");
+            Self { process, host: host.to_owned(), token: token.to_owned() }
+        }
+
+        /// What comes back after the head.
+        fn ask(&self, line: &str, body: &Value) -> Vec<u8> {
+            let mut stream = TcpStream::connect(&self.host).expect("it listens");
+            stream.set_read_timeout(Some(Duration::from_secs(120))).expect("a time limit");
+            let body = body.to_string();
+            let Self { host, token, .. } = self;
+            let request = format!(
+                "{line} HTTP/1.1\r\nHost: {host}\r\nX-Mindeg-Token: {token}\r\nConnection: close\r\n\
+                 Content-Length: {}\r\n\r\n{body}",
+                body.len()
+            );
+            stream.write_all(request.as_bytes()).expect("a request");
+            let mut answer = Vec::new();
+            stream.read_to_end(&mut answer).expect("an answer");
+            let end = answer.windows(4).position(|four| four == b"\r\n\r\n").expect("a head");
+            assert!(answer.starts_with(b"HTTP/1.1 200"), "{}", String::from_utf8_lossy(&answer));
+            answer.split_off(end + 4)
+        }
+
+        /// The command of the page for a request.
+        fn command(&self, request: &Value) -> String {
+            let answer = self.ask("POST /api/answer?tab=a", request);
+            let answer = String::from_utf8(answer).expect("text");
+            // Each line is in a chunk of its own, between lines with the lengths of chunks.
+            let lines = answer.lines().filter(|line| line.starts_with('{'));
+            let lines = lines.map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
+            let command = lines.filter(|line| line["kind"] == "command").last();
+            command.expect("a command")["text"].as_str().expect("text").to_owned()
+        }
+    }
+
+    /// Runs a command of the page as a user would paste it.
+    fn pasted(folder: &Path, command: &str) -> Run {
+        let programs = Path::new(env!("CARGO_BIN_EXE_mindeg")).parent().expect("a folder");
+        shell(folder, &format!("PATH='{}':$PATH\n{command}\n", programs.display()))
+    }
+
+    fn preset(name: &str) -> Value {
+        let path = format!("{}/../../assets/domains/{name}.json", env!("CARGO_MANIFEST_DIR"));
+        serde_json::from_str(&fs::read_to_string(path).expect("a preset")).expect("JSON")
+    }
+
+    #[test]
+    fn pasted_commands_make_the_bytes_of_the_download() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let page = Page::open(folder.path(), &[]);
+        let quoted = json!({
+            "name": "it's $HOME `x` \\ \"q\"",
+            "polygon": {"corners": [[0, 0], [4, 0], [0.1, 3.3]]},
+            "size": 0.25,
+            "interior": {"target_angle": 10.0}
+        });
+        let channel = preset("boundary-layer-channel");
+        for (domain, goal, view, format, file) in [
+            (&channel, json!({"keep_angle": 0.95}), "wanted", "glb", "boundary-layer-channel.glb"),
+            (
+                &channel,
+                json!({"keep_angle": 1.0 / 3.0}),
+                "wanted",
+                "obj",
+                "boundary-layer-channel.obj",
+            ),
+            (&channel, json!({"max_degree": 6}), "wanted", "msh", "boundary-layer-channel.msh"),
+            (&channel, json!("least_degree"), "least", "fort14", "boundary-layer-channel.14"),
+            (&preset("great-britain"), json!("least_degree"), "wanted", "svg", "great-britain.svg"),
+            (
+                &preset("plate-with-holes"),
+                json!("least_degree"),
+                "interior",
+                "vtu",
+                "plate-with-holes.vtu",
+            ),
+            (&quoted, json!({"keep_angle": 0.9}), "wanted", "2dm", "it-s-home-x-q.2dm"),
+            (&quoted, json!("least_degree"), "interior", "npz", "it-s-home-x-q.npz"),
+        ] {
+            let request = json!({
+                "domain": domain, "goal": goal, "view": view, "format": format, "show": ["command"]
+            });
+            let command = page.command(&request);
+            let run = pasted(folder.path(), &command);
+            assert_eq!(run.code, Some(0), "{command}\n{}", run.errors);
+            let download = page.ask(&format!("POST /api/download?format={format}"), &request);
+            let made = fs::read(folder.path().join(file)).expect(&command);
+            assert!(made == download, "{command}: {} and {} bytes", made.len(), download.len());
+        }
+    }
+
+    #[test]
+    fn the_command_for_delaunay_s_mesh_saves_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let page = Page::open(folder.path(), &[]);
+        let request =
+            json!({"domain": preset("l-bracket"), "view": "delaunay", "show": ["command"]});
+        let command = page.command(&request);
+        let run = pasted(folder.path(), &command);
+        assert_eq!(run.code, Some(0), "{command}\n{}", run.errors);
+        let made = fs::read(folder.path().join("l-bracket-compared/delaunay.obj")).expect("a mesh");
+        let download = page.ask("POST /api/download?format=obj", &request);
+        assert!(made == download, "{command}");
+    }
+
+    #[test]
+    fn a_command_names_the_file_of_a_domain_that_is_as_it_was() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let text = preset("wing-panel").to_string();
+        fs::write(folder.path().join("my wing.json"), &text).expect("a file");
+        fs::create_dir_all(folder.path().join("assets/domains")).expect("a folder");
+        let known = folder.path().join("assets/domains/l-bracket.json");
+        fs::write(known, preset("l-bracket").to_string()).expect("a file");
+        let page = Page::open(folder.path(), &["my wing.json"]);
+        let mut domain = preset("wing-panel");
+        let request = |domain: &Value| json!({"domain": domain, "show": ["command"]});
+        assert_eq!(page.command(&request(&domain)), "mindeg mesh 'my wing.json' -o wing-panel.obj");
+        assert_eq!(
+            page.command(&request(&preset("l-bracket"))),
+            "mindeg mesh assets/domains/l-bracket.json -o l-bracket.obj"
+        );
+        domain["name"] = json!("other");
+        assert!(
+            page.command(&request(&domain)).starts_with("mindeg mesh - -o other.obj <<'END'\n{")
+        );
+    }
+
+    #[test]
+    fn ctrl_c_ends_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for signal in [2, 15] {
+            let mut page = Page::open(folder.path(), &[]);
+            let kill = Command::new("kill")
+                .args([format!("-{signal}"), page.process.id().to_string()])
+                .status();
+            assert!(kill.expect("kill is there").success());
+            assert_eq!(page.process.status().signal(), Some(signal));
+            assert!(TcpStream::connect(&page.host).is_err());
+        }
+    }
+
+    #[test]
+    fn a_port_that_is_taken_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let page = Page::open(folder.path(), &[]);
+        let port = page.host.rsplit_once(':').expect("a port").1;
+        let run = mindeg(["explore", "--no-open", "--port", port]);
+        assert_eq!(run.code, Some(1), "{run:?}");
+        assert!(run.errors.contains(&format!("cannot listen on port {port}")), "{run:?}");
+    }
+}
