@@ -338,7 +338,7 @@ test("what is no domain is refused in a sentence, and the last mesh stays", asyn
   await page.mouse.up();
   await answered(page);
   assert.ok(await page.locator("#trouble").isVisible());
-  assert.ok((await text(page, "#trouble")).length > 20);
+  assert.ok((await text(page, "#trouble-text")).length > 20);
   await page.keyboard.press("Control+z");
   await answered(page);
   assert.ok(await page.locator("#trouble").isHidden());
@@ -575,7 +575,7 @@ test("the process ends with Ctrl-C, and the page says so", async () => {
   const [code, signal] = await server.stop();
   assert.ok(code === 0 || code === 130, `code ${code}, signal ${signal}`);
   await page.getByLabel("One interval more on wall").click();
-  await page.waitForFunction(() => document.querySelector("#trouble").textContent.includes("no longer answers"));
+  await page.waitForFunction(() => document.querySelector("#trouble-text").textContent.includes("no longer answers"));
   await page.context().close();
 });
 

@@ -3,7 +3,6 @@
 import * as server from "./server.js";
 import { showTrouble, showUndo } from "./show.js";
 import { remember, selection, shown, state, step } from "./state.js";
-import { view } from "./stage.js";
 
 export const worker = new Worker("/page/painter.js");
 
@@ -34,8 +33,7 @@ export function keep() {
   clearTimeout(keeping);
   keeping = setTimeout(() => {
     ownState ??= server.newName();
-    const { stretch } = view;
-    server.keepState(ownState, { ...state, stretch }).catch((error) => showTrouble(error.message));
+    server.keepState(ownState, state).catch((error) => showTrouble(error.message));
   }, 400);
 }
 

@@ -1,8 +1,8 @@
 // The curve: the largest minimum angle over the maximum degree, to click on, and the same as buttons.
 
 const NAMESPACE = "http://www.w3.org/2000/svg";
-const [WIDTH, HEIGHT] = [380, 196];
-const [LEFT, RIGHT, TOP, BOTTOM] = [46, 16, 24, 38];
+const [WIDTH, HEIGHT] = [380, 200];
+const [LEFT, RIGHT, TOP, BOTTOM] = [46, 16, 30, 38];
 
 function draw(tag, attributes, text) {
   const made = document.createElementNS(NAMESPACE, tag);
@@ -60,7 +60,7 @@ export function showCurve(box, rows, curve, shown, choose) {
   const ceiling = y(curve.delaunay_min_angle);
   svg.append(draw("path", { class: "ceiling", d: `M${LEFT} ${ceiling}H${WIDTH - RIGHT}` }));
   const degree = curve.delaunay_max_degree ? `, degree ${curve.delaunay_max_degree}` : "";
-  svg.append(draw("text", { class: "tick", x: LEFT + 4, y: ceiling - 9 }, `Delaunay${degree}: ${angleText(curve.delaunay_min_angle)}`));
+  svg.append(draw("text", { class: "tick", x: LEFT + 4, y: ceiling - 15 }, `Delaunay${degree}: ${angleText(curve.delaunay_min_angle)}`));
   const line = points.map((point, i) => (i ? `H${x(point.max_degree)}V` : `M${x(point.max_degree)} `) + y(point.min_angle));
   svg.append(draw("path", { class: "curve", d: `${line.join("")}H${WIDTH - RIGHT}` }));
   for (const { max_degree, min_angle } of points) {

@@ -123,6 +123,8 @@ function placeHole(x, y) {
 /** A pointer goes down on the picture: on a corner, beside a side, or to move the picture. */
 export function grab(stage, event, place) {
   if (event.button || !shown.domain) return false;
+  // A second finger does nothing while a corner is dragged.
+  if (selection.drag) return true;
   if (isPlacing) {
     placeHole(...stage.frame.toDomain(...place));
     return true;

@@ -37,7 +37,10 @@ const take = {
     shown.meshes[mesh.view] = mesh;
     stage.worst = mesh.worst;
     showMesh(stage, mesh);
-    if (mesh.view === "wanted") showCurveNow(chooseDegree);
+    if (mesh.view === "wanted" && mesh.is_last) {
+      shown.wantedDegree = mesh.max_degree;
+      showCurveNow(chooseDegree);
+    }
     laterCharts();
   },
   curve(curve) {
@@ -119,6 +122,7 @@ function showBeside() {
 }
 
 function startControls() {
+  element("trouble-close").addEventListener("click", () => showTrouble(""));
   element("undo").addEventListener("click", () => undo(true));
   element("redo").addEventListener("click", () => undo(false));
   document.addEventListener("keydown", (event) => {
@@ -144,7 +148,7 @@ function startControls() {
   });
   element("dots").addEventListener("change", () => redraw(true));
   element("stretch").addEventListener("change", ({ target }) => {
-    view.stretch = target.checked;
+    state.stretch = view.stretch = target.checked;
     resize();
     keep();
   });
@@ -172,6 +176,9 @@ function startControls() {
 async function open(file) {
   if (!file) return;
   try {
+    if (file.size > facts.max_bytes) {
+      throw new Error(`${file.name} has ${Math.ceil(file.size / 2 ** 20)} MB; the page takes ${facts.max_bytes / 2 ** 20}, the command line any number.`);
+    }
     const sources = await server.readFile(file);
     const usable = sources.filter(({ domain }) => domain);
     if (!usable.length) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
@@ -253,7 +260,7 @@ async function start() {
     worker.postMessage({ kind: "stage", name: stage.view, canvas }, [canvas]);
     stages.push(stage);
   }
-  const { domain: _, stretch, ...choices } = kept ?? {};
+  const { domain: _, ...choices } = kept ?? {};
   Object.assign(state, choices);
 
   element("metric").append(...facts.measures.map(({ name, title }) => new Option(title, name)), new Option("nothing", ""));

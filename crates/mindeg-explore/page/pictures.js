@@ -73,7 +73,7 @@ export function isOff({ center, size }) {
 /** Looks at a domain for the first time. */
 export function fitAnew() {
   lookAtAll(shown.domain);
-  view.stretch = wantsStretch();
+  view.stretch = state.stretch ?? wantsStretch();
   element("stretch").checked = view.stretch;
   resize();
 }

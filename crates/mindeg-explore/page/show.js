@@ -10,7 +10,7 @@ export const element = (id) => document.getElementById(id);
 export const NAMES = { least: "The least degree", delaunay: "Delaunay", interior: "With points inside" };
 
 /** The degree that the reader asks for, or the one that the mesh of the goal has. */
-const wantedDegree = () => state.goal.max_degree ?? shown.meshes.wanted?.max_degree;
+const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
 
 export function showDomain(domain) {
   const { name, vertices, triangles, rings } = domain;
@@ -39,7 +39,7 @@ export function showUndo() {
 /** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
 export function showTrouble(message, isOld = false) {
   element("trouble").hidden = !message;
-  element("trouble").textContent = message;
+  element("trouble-text").textContent = message;
   element("meshes").classList.toggle("old", isOld);
 }
 

@@ -7,6 +7,8 @@ export const state = {
   beside: "least",
   color: "min_angle",
   format: "obj",
+  /** Whether pictures are stretched to fill their places; null for what suits the domain. */
+  stretch: null,
 };
 
 /**
@@ -16,7 +18,7 @@ export const state = {
 export const selection = { corner: null, side: null, drag: null, mustFit: true };
 
 /** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost. */
-export const shown = { domain: null, meshes: {}, curve: null, degree: null, limit: null, decides: [], sourceNotes: [] };
+export const shown = { domain: null, meshes: {}, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [] };
 
 const past = [];
 const future = [];
