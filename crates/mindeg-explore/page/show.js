@@ -7,7 +7,7 @@ import { canRedo, canUndo, shown, state } from "./state.js";
 export const element = (id) => document.getElementById(id);
 
 /** What a mesh beside the wanted one is called. */
-export const NAMES = { least: "The least degree", delaunay: "Delaunay", interior: "With points inside" };
+export const NAMES = { least: "The least", delaunay: "Delaunay", interior: "With points inside" };
 
 /** The degree that the reader asks for, or the one that the mesh of the goal has. */
 const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
@@ -36,6 +36,12 @@ export function showUndo() {
   element("redo").disabled = !canRedo();
 }
 
+/** What is wrong with a domain, and where. The lines and columns of JSON that nobody has seen tell nothing. */
+export function domainTrouble(message, path) {
+  const text = message.replace(/^line \d+, column \d+,? ?/, "");
+  return path && !text.includes(path) ? `${text} (at ${path})` : text;
+}
+
 /** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
 export function showTrouble(message, isOld = false) {
   element("trouble").hidden = !message;
@@ -47,7 +53,7 @@ export function showTrouble(message, isOld = false) {
 export function showMesh(stage, mesh) {
   const { figure } = stage;
   const isWanted = stage.view === "wanted";
-  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : `${NAMES[stage.view]}: ${mesh.max_degree}`;
+  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : `${NAMES[stage.view]}: degree ${mesh.max_degree}`;
   const searching = mesh.is_last ? "" : " …";
   const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
   if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
