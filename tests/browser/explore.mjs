@@ -81,7 +81,7 @@ test("a newcomer sees that degree 5 beats degree 4 on the channel, and leaves wi
   }
   const [wanted, least] = await figures(page);
   assert.match(wanted, /^Degree 5/);
-  assert.match(least, /^The least: degree 4/);
+  assert.match(least, /^Least degree: 4/);
   assert.ok(angleOf(wanted) > 10 * angleOf(least), `${wanted} | ${least}`);
   assert.deepEqual(await pressed(page), ["degree 5"]);
   const { path } = await downloaded(page, "#download");
@@ -238,7 +238,7 @@ test("Delaunay and points inside stand beside the mesh, or nothing does", async 
   const page = await open();
   await choose(page, "plate-with-holes");
   const seen = new Set();
-  for (const [beside, caption] of [["delaunay", /Delaunay/], ["interior", /points inside/i], ["least", /^The least: degree/]]) {
+  for (const [beside, caption] of [["delaunay", /Delaunay/], ["interior", /points inside/i], ["least", /^Least degree: /]]) {
     await page.selectOption("#beside", beside);
     await answered(page);
     assert.match((await figures(page))[1], caption);

@@ -7,7 +7,7 @@ import { canRedo, canUndo, shown, state } from "./state.js";
 export const element = (id) => document.getElementById(id);
 
 /** What a mesh beside the wanted one is called. */
-export const NAMES = { least: "The least", delaunay: "Delaunay", interior: "With points inside" };
+export const NAMES = { least: "Least degree", delaunay: "Delaunay", interior: "With points inside" };
 
 /** The degree that the reader asks for, or the one that the mesh of the goal has. */
 const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
@@ -49,11 +49,13 @@ export function showTrouble(message, isOld = false) {
   element("meshes").classList.toggle("old", isOld);
 }
 
+const captionOf = ({ view, max_degree: degree }) => `${NAMES[view]}: ${view === "least" ? "" : "degree "}${degree}`;
+
 /** The figures of a mesh in its caption. */
 export function showMesh(stage, mesh) {
   const { figure } = stage;
   const isWanted = stage.view === "wanted";
-  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : `${NAMES[stage.view]}: degree ${mesh.max_degree}`;
+  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : captionOf(mesh);
   const searching = mesh.is_last ? "" : " …";
   const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
   if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
