@@ -75,7 +75,7 @@ async function screenPlace(opened, stage, vertex) {
   await opened.locator(".stage").nth(stage).scrollIntoViewIfNeeded();
   return opened.evaluate(([stage, vertex]) => {
     const box = document.querySelectorAll(".stage")[stage].getBoundingClientRect();
-    const [x, y] = pictures[stage].toScreen(points[2 * vertex], points[2 * vertex + 1]);
+    const [x, y] = pictures[stage].frame.toScreen(points[2 * vertex], points[2 * vertex + 1]);
     return [box.left + x, box.top + y];
   }, [stage, vertex]);
 }
@@ -323,7 +323,7 @@ test("zoom and movement are the same in all pictures", async () => {
   const pointer = [Math.round(box.x) + 100, Math.round(box.y) + 80];
   const under = () => opened.evaluate(([x, y]) => {
     const box = document.querySelectorAll(".stage")[0].getBoundingClientRect();
-    return pictures[0].toDomain(x - box.left, y - box.top);
+    return pictures[0].frame.toDomain(x - box.left, y - box.top);
   }, pointer);
   await opened.mouse.move(...pointer);
   const before = await under();
@@ -643,10 +643,10 @@ test("a view shows any mesh as a report does, and a domain", async () => {
 test("a hole is left open", async () => {
   const opened = await open("annulus.html");
   const opacity = await opened.evaluate(() => {
-    const [{ mesh, dots }] = pictures;
+    const [{ mesh, frame: { dots } }] = pictures;
     const { data, width } = mesh.getContext("2d").getImageData(0, 0, mesh.width, mesh.height);
     const at = (x, y) => {
-      const [left, top] = pictures[0].toScreen(x, y).map((place) => Math.round(place * dots));
+      const [left, top] = pictures[0].frame.toScreen(x, y).map((place) => Math.round(place * dots));
       return data[4 * (top * width + left) + 3];
     };
     return [at(0, 0), at(2.4, 0.02), at(0, -1.52)];

@@ -51,7 +51,7 @@ pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
     IndexEntry, MeasureFacts, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint,
-    degree_colors, measure_facts, report_schema, write_html, write_index, write_json,
+    measure_facts, report_schema, viewer_script, viewer_style, write_html, write_index, write_json,
     write_linked_html, write_markdown, write_trade_off_html, write_trade_off_json,
     write_trade_off_svg, write_view,
 };

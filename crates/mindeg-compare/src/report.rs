@@ -16,8 +16,9 @@ mod svg;
 mod tables;
 mod trade_off;
 mod view;
+mod viewer;
 
-pub use facts::{MeasureFacts, degree_colors, measure_facts};
+pub use facts::{MeasureFacts, measure_facts};
 pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;
@@ -25,6 +26,7 @@ pub use trade_off::{
     TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };
 pub use view::write_view;
+pub use viewer::{viewer_script, viewer_style};
 
 use crate::figures::{DomainFigures, MethodFigures};
 use crate::{Advice, InteriorFigures};

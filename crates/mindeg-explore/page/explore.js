@@ -1,4 +1,290 @@
-const [token] = location.hash.slice(1).split("/");
-const headers = { "X-Mindeg-Token": token };
-const start = await (await fetch("/api/start", { headers })).json();
-document.querySelector("#status").textContent = start.name;
+// The page begins here: it takes what the server says, and its controls work.
+// From the viewer's script: make.
+
+import { apply, ask, begin, keep, progress, undo, worker } from "./asking.js";
+import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
+import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
+import * as server from "./server.js";
+import {
+  NAMES, domainTrouble, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused,
+  showSuggestions, showTrouble,
+} from "./show.js";
+import { Stage, view } from "./stage.js";
+import { selection, shown, state } from "./state.js";
+import { offerCopy, offerFiles } from "./take.js";
+
+/** Charts are drawn again after so many milliseconds: they are read, not watched. */
+const CHART_PAUSE = 150;
+
+let facts;
+
+// ---- what the server says
+
+/** What is done with each kind of line of an answer. */
+const take = {
+  domain(domain) {
+    shown.domain = domain;
+    showTrouble("");
+    showDomain(domain);
+    if (selection.mustFit) fitAnew();
+    else if (!selection.drag && isOff(domain)) fit();
+    selection.mustFit = false;
+    if (!selection.drag) updateEditor();
+  },
+  mesh(mesh) {
+    const stage = stages.find(({ view }) => view === mesh.view);
+    if (!stage) return;
+    shown.meshes[mesh.view] = mesh;
+    stage.worst = mesh.worst;
+    showMesh(stage, mesh);
+    if (mesh.view === "wanted" && mesh.is_last) {
+      shown.wantedDegree = mesh.max_degree;
+      showCurveNow(chooseDegree);
+    }
+    laterCharts();
+  },
+  curve(curve) {
+    shown.curve = curve;
+    showCurveNow(chooseDegree);
+  },
+  degree: showDegree,
+  limit: showLimit,
+  suggestions: (line) => showSuggestions(line, apply),
+  command({ text }) {
+    element("command").textContent = text;
+  },
+  refused({ part, message, path }) {
+    if (!part) return showTrouble(domainTrouble(message, path), true);
+    showPartRefused(stages, part, message);
+    laterCharts();
+  },
+};
+
+const heard = {
+  line({ id, line }) {
+    take[line.kind]?.(line);
+    if (line.kind === "done" || (line.kind === "refused" && !line.part)) progress.answered = id;
+    redraw();
+  },
+  found: ({ place, found }) => setFound(place, found),
+  jump: ({ at }) => jumpTo(at),
+};
+
+let charting;
+function laterCharts() {
+  charting ??= setTimeout(() => {
+    charting = undefined;
+    showCharts(stages, facts, looks.colors);
+  }, CHART_PAUSE);
+}
+
+// ---- controls
+
+function chooseDegree(degree) {
+  state.goal = { max_degree: degree };
+  showGoal();
+  ask();
+}
+
+function showGoal() {
+  const kind = typeof state.goal === "string" ? state.goal : Object.keys(state.goal)[0];
+  for (const radio of document.querySelectorAll("[name=goal]")) radio.checked = radio.value === kind;
+  if (state.goal.keep_angle) element("keep").value = String(Number((100 * state.goal.keep_angle).toPrecision(6)));
+  showCurveNow(chooseDegree);
+}
+
+function readGoal() {
+  const chosen = document.querySelector("[name=goal]:checked");
+  const percent = element("keep").valueAsNumber;
+  if (!chosen) return;
+  if (chosen.value === "least_degree") state.goal = chosen.value;
+  else if (percent > 0 && percent <= 100) state.goal = { keep_angle: percent / 100 };
+  ask();
+}
+
+/** The second picture shows what is chosen to stand beside the wanted mesh, or goes. */
+function showBeside() {
+  const stage = stages[1];
+  const wanted = state.beside === "none" ? null : state.beside;
+  element("beside").value = state.beside;
+  element("interior").hidden = state.beside !== "interior";
+  stage.figure.hidden = !wanted;
+  delete shown.meshes[stage.view];
+  if (wanted && stage.view !== wanted) {
+    worker.postMessage({ kind: "rename", from: stage.view, to: wanted });
+    stage.view = wanted;
+    stage.worst = null;
+    stage.figure.querySelector("h3").textContent = NAMES[wanted];
+    stage.figure.querySelector(".words-of").textContent = "";
+    stage.figure.querySelector(".figures").textContent = "Working …";
+  }
+  resize();
+}
+
+function startControls() {
+  element("trouble-close").addEventListener("click", () => showTrouble(""));
+  element("undo").addEventListener("click", () => undo(true));
+  element("redo").addEventListener("click", () => undo(false));
+  document.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.target.matches("input:not([type=checkbox])")) return;
+    const key = event.key.toLowerCase();
+    if (key !== "z" && key !== "y") return;
+    event.preventDefault();
+    undo(key === "z" && !event.shiftKey);
+  });
+  for (const radio of document.querySelectorAll("[name=goal]")) radio.addEventListener("change", readGoal);
+  element("keep").addEventListener("change", () => {
+    document.querySelector("[name=goal][value=keep_angle]").checked = true;
+    readGoal();
+  });
+  element("beside").addEventListener("change", ({ target }) => {
+    state.beside = target.value;
+    showBeside();
+    ask();
+  });
+  element("metric").addEventListener("change", ({ target }) => {
+    state.color = target.value || null;
+    ask();
+  });
+  element("dots").addEventListener("change", () => redraw(true));
+  element("stretch").addEventListener("change", ({ target }) => {
+    state.stretch = view.stretch = target.checked;
+    resize();
+    keep();
+  });
+  element("zoom-in").addEventListener("click", () => zoomBy(1.5));
+  element("zoom-out").addEventListener("click", () => zoomBy(1 / 1.5));
+  element("fit").addEventListener("click", fit);
+  for (const stage of stages) {
+    for (const button of stage.figure.querySelectorAll("[data-jump]")) {
+      button.addEventListener("click", () => worker.postMessage({ kind: "jump", name: stage.view, target: button.dataset.jump }));
+    }
+  }
+  const decide = (vertices) => {
+    shown.decides = vertices.map((vertex) => [shown.domain.points[2 * vertex], shown.domain.points[2 * vertex + 1]]);
+    element("pictures").scrollIntoView({ block: "nearest" });
+    redraw();
+  };
+  element("show-limit").addEventListener("click", () => decide(shown.limit.vertices));
+  element("show-degree").addEventListener("click", () => {
+    const { vertices, chords } = shown.degree;
+    decide([...vertices, ...chords.flat()]);
+  });
+}
+
+/** Opens what a reader has chosen or dropped; a file with several polygons offers them by name. */
+async function open(file) {
+  if (!file) return;
+  try {
+    if (file.size > facts.max_bytes) {
+      throw new Error(`${file.name} has ${Math.ceil(file.size / 2 ** 20)} MB; the page takes ${facts.max_bytes / 2 ** 20}, the command line any number.`);
+    }
+    const sources = await server.readFile(file);
+    const usable = sources.filter(({ domain }) => domain);
+    if (!usable.length) throw new Error(sources[0]?.message ?? `${file.name} has no polygon.`);
+    showTrouble("");
+    beginWith(usable[0]);
+    const box = element("choose");
+    box.hidden = usable.length < 2;
+    box.replaceChildren(...usable.map((source) => {
+      const button = make("button", "", source.name);
+      button.type = "button";
+      button.addEventListener("click", () => beginWith(source));
+      return button;
+    }));
+  } catch (error) {
+    showTrouble(error.message);
+  }
+}
+
+function beginWith({ domain, notes }) {
+  element("presets").value = "";
+  begin(domain, notes);
+}
+
+function startFiles() {
+  element("open").addEventListener("click", () => element("file").click());
+  element("file").addEventListener("change", ({ target }) => {
+    open(target.files[0]);
+    target.value = "";
+  });
+  const dropping = element("dropping");
+  const hasFile = (event) => event.dataTransfer?.types.includes("Files");
+  window.addEventListener("dragover", (event) => {
+    if (!hasFile(event)) return;
+    event.preventDefault();
+    dropping.hidden = false;
+  });
+  window.addEventListener("dragleave", (event) => {
+    if (!event.relatedTarget) dropping.hidden = true;
+  });
+  window.addEventListener("drop", (event) => {
+    if (!hasFile(event)) return;
+    event.preventDefault();
+    dropping.hidden = true;
+    open(event.dataTransfer.files[0]);
+  });
+}
+
+/** What a stage does with its pointers and keys. */
+const hooks = (stage) => ({
+  pointAt: (x, y) => {
+    if (selection.drag) return;
+    setCursor({ x, y, from: stage });
+    hint(stage, x, y);
+  },
+  leave: () => setCursor(null),
+  pointAtCenter: () => { if (!selection.corner) setCursor({ x: view.x, y: view.y, from: stage, centered: true, isSpoken: true }); },
+  moveTo,
+  zoomBy: (factor, place) => zoomBy(factor, stage, place),
+  fit,
+  ...(stage.view === "wanted" && { grab: (event, place) => grab(stage, event, place), handleKey }),
+});
+
+async function start() {
+  worker.onmessage = ({ data }) => heard[data.kind]?.(data);
+  let kept = null;
+  let presets;
+  let source;
+  try {
+    [facts, presets, source] = await Promise.all(["facts", "presets", "start"].map((name) => server.getJson(`/api/${name}`)));
+    if (server.firstState) kept = await server.getJson(`/api/state/${server.firstState}`).catch(() => null);
+  } catch (error) {
+    element("facts").textContent = "";
+    return showTrouble(error.message);
+  }
+  worker.postMessage({ kind: "begin", headers: server.headers, measures: facts.measures });
+  for (const figure of document.querySelectorAll(".mesh")) {
+    const stage = new Stage(figure, hooks);
+    const canvas = stage.mesh.transferControlToOffscreen();
+    worker.postMessage({ kind: "stage", name: stage.view, canvas }, [canvas]);
+    stages.push(stage);
+  }
+  const { domain: _, ...choices } = kept ?? {};
+  Object.assign(state, choices);
+
+  element("metric").append(...facts.measures.map(({ name, title }) => new Option(title, name)), new Option("nothing", ""));
+  element("metric").value = state.color ?? "";
+  element("presets").append(new Option("choose …", ""), ...presets.map(({ name }) => new Option(name, name)));
+  element("presets").value = presets.some(({ name }) => name === source.name) ? source.name : "";
+  element("presets").addEventListener("change", ({ target }) => {
+    const preset = presets.find(({ name }) => name === target.value);
+    if (preset) begin(preset.domain, preset.notes);
+  });
+  startEditing();
+  startControls();
+  startFiles();
+  offerCopy();
+  offerFiles(facts.formats);
+  readLooks();
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    readLooks();
+    laterCharts();
+  });
+  new ResizeObserver(() => resize(false)).observe(element("meshes"));
+  showGoal();
+  showBeside();
+  begin(kept?.domain ?? source.domain, kept ? [] : source.notes);
+}
+
+start();

@@ -108,8 +108,6 @@ pub struct Source {
 pub struct Facts {
     /// The measures of a triangle.
     pub measures: Vec<Measure>,
-    /// The colors of degrees, as `[least degree, "#rrggbb", name]`.
-    pub degree_colors: Vec<(u32, String, String)>,
     /// The formats to download.
     pub formats: Vec<FormatFact>,
     /// The most boundary vertices of a domain.

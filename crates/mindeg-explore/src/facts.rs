@@ -1,6 +1,6 @@
 //! What the page shows but does not work out.
 
-use mindeg_compare::{degree_colors, measure_facts};
+use mindeg_compare::measure_facts;
 
 use crate::answer::MAX_VERTICES;
 use crate::api::{Facts, Measure};
@@ -16,7 +16,6 @@ pub(crate) fn facts(max_bytes: usize) -> Facts {
     });
     Facts {
         measures: measures.collect(),
-        degree_colors: degree_colors(),
         formats: format_facts(),
         max_vertices: MAX_VERTICES,
         max_bytes,

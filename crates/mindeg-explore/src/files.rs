@@ -1,9 +1,11 @@
 //! The page's files, which are part of the program.
 
+use std::borrow::Cow;
+
 /// A file of the page.
 pub(crate) struct File {
     pub(crate) kind: &'static str,
-    pub(crate) text: &'static str,
+    pub(crate) text: Cow<'static, str>,
 }
 
 const HTML: &str = "text/html; charset=utf-8";
@@ -11,14 +13,58 @@ const CSS: &str = "text/css; charset=utf-8";
 const SCRIPT: &str = "text/javascript; charset=utf-8";
 
 /// The page itself.
-pub(crate) const INDEX: File = File { kind: HTML, text: include_str!("../page/index.html") };
+pub(crate) const INDEX: File =
+    File { kind: HTML, text: Cow::Borrowed(include_str!("../page/index.html")) };
 
-/// A file by its name after `/page/`.
+/// A file by its name after `/page/`. The style and the viewer are those of the reports.
 pub(crate) fn named(name: &str) -> Option<File> {
-    let file = |kind, text| Some(File { kind, text });
+    let script = |text| Some(File { kind: SCRIPT, text: Cow::Borrowed(text) });
     match name {
-        "explore.css" => file(CSS, include_str!("../page/explore.css")),
-        "explore.js" => file(SCRIPT, include_str!("../page/explore.js")),
+        "style.css" => Some(File { kind: CSS, text: mindeg_compare::viewer_style().into() }),
+        "explore.css" => {
+            Some(File { kind: CSS, text: Cow::Borrowed(include_str!("../page/explore.css")) })
+        }
+        "viewer.js" => Some(File { kind: SCRIPT, text: mindeg_compare::viewer_script().into() }),
+        "asking.js" => script(include_str!("../page/asking.js")),
+        "curve.js" => script(include_str!("../page/curve.js")),
+        "domain.js" => script(include_str!("../page/domain.js")),
+        "editing.js" => script(include_str!("../page/editing.js")),
+        "editor.js" => script(include_str!("../page/editor.js")),
+        "explore.js" => script(include_str!("../page/explore.js")),
+        "painter.js" => script(include_str!("../page/painter.js")),
+        "pictures.js" => script(include_str!("../page/pictures.js")),
+        "server.js" => script(include_str!("../page/server.js")),
+        "show.js" => script(include_str!("../page/show.js")),
+        "sides.js" => script(include_str!("../page/sides.js")),
+        "stage.js" => script(include_str!("../page/stage.js")),
+        "state.js" => script(include_str!("../page/state.js")),
+        "take.js" => script(include_str!("../page/take.js")),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_that_the_page_asks_for_is_there() {
+        let texts =
+            ["explore.js", "asking.js", "pictures.js", "editing.js", "painter.js", "show.js"]
+                .iter()
+                .filter_map(|name| named(name))
+                .map(|file| file.text)
+                .chain([INDEX.text]);
+        let mut asked = 0;
+        for text in texts {
+            for start in ["\"/page/", " from \"./"] {
+                for after in text.split(start).skip(1) {
+                    let name = after.split('"').next().unwrap_or_default();
+                    assert!(named(name).is_some(), "{name}");
+                    asked += 1;
+                }
+            }
+        }
+        assert!(asked > 20, "{asked} names");
     }
 }

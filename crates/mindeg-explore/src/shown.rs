@@ -231,6 +231,8 @@ impl Figure {
 /// The axis of a measure, and whether it is logarithmic.
 fn axis(metric: &Metric, size: DVec2) -> ([f64; 2], bool) {
     match (metric.unit, metric.best) {
+        // Whether a needle has a tenth of a degree or two degrees matters, as in the reports.
+        ("degrees", Some(best)) if metric.worst == 0.0 => ([0.1, best], true),
         ("degrees", Some(best)) => ([best.min(metric.worst), best.max(metric.worst)], false),
         (_, Some(best)) if metric.worst.is_finite() => ([metric.worst, best], false),
         (_, Some(best)) => ([best, 1e3 * best], true),

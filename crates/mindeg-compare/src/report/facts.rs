@@ -1,7 +1,6 @@
-//! The measures and colors of reports, for pages that draw meshes in the same way.
+//! The measures of reports, for pages that draw meshes in the same way.
 
 use super::metric::SHOWN;
-use super::svg;
 
 /// A measure of a triangle, as reports show it.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,11 +28,4 @@ pub fn measure_facts() -> Vec<MeasureFacts> {
         higher_is_better: measure.higher_is_better(),
     });
     facts.collect()
-}
-
-/// The colors of degrees: the least degree of each as CSS has it, and what a legend calls it.
-#[must_use]
-pub fn degree_colors() -> Vec<(u32, String, String)> {
-    let colors = svg::degree_scale().into_iter();
-    colors.map(|color| (color.from, color.color, color.name)).collect()
 }

@@ -11,6 +11,7 @@
 use super::picture::{self, MAX_DRAWN, thinned};
 use super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::tables::{self, Table};
+use super::viewer::{SCRIPT, STYLE};
 use super::{Provenance, Report};
 use crate::figures::{MethodDefect, MethodFigures};
 use crate::number_format::{angle, count};
@@ -21,17 +22,6 @@ use glam::DVec2;
 use mindeg::exact::TradeOff;
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
-
-/// The style of every page.
-pub(super) const STYLE: &str = include_str!("page.css");
-
-/// One script in parts; later parts use earlier ones.
-pub(super) const SCRIPT: &str = concat!(
-    include_str!("shared.js"),
-    include_str!("picture.js"),
-    include_str!("charts.js"),
-    include_str!("page.js")
-);
 
 /// What is escaped in a link: everything but letters, digits and these.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'/');

@@ -2,7 +2,8 @@
 //!
 //! Limits: the table has what decides between mindeg and Delaunay; the rest is in the reports.
 
-use super::html::{STYLE, link, rendered};
+use super::html::{link, rendered};
+use super::viewer::STYLE;
 use super::{Provenance, Report, svg};
 use crate::number_format::{Column, count, steady_percent};
 use crate::{Advice, Method};

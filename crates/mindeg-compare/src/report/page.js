@@ -1,5 +1,6 @@
 // All pictures together, and the controls of the page.
 
+const meshes = methods.filter((method) => method.triangles.length);
 const pictures = [...document.querySelectorAll(".stage")].map((stage) => new Picture(stage));
 
 let isDrawing = false;
@@ -44,11 +45,11 @@ function moveTo(x, y) {
 
 /** Zooms, keeping the given place of a picture where it is. */
 function zoomBy(factor, picture, place) {
-  const before = picture ? picture.toDomain(...place) : null;
+  const before = place ? picture.frame.toDomain(...place) : null;
   view.zoom = Math.min(MAX_ZOOM, Math.max(1, view.zoom * factor));
-  const after = picture ? picture.toDomain(...place) : null;
-  if (before) moveTo(view.x + before[0] - after[0], view.y + before[1] - after[1]);
-  else redraw(true);
+  if (!before) return redraw(true);
+  const after = picture.frame.toDomain(...place);
+  moveTo(view.x + before[0] - after[0], view.y + before[1] - after[1]);
 }
 
 function fit() {
@@ -66,10 +67,20 @@ function resize() {
 }
 
 function restyle() {
-  readColors();
-  showMetricLegend();
-  showMetricChart();
+  colors = pageColors();
+  showMetricLegend(element("metric-legend"), measure);
+  showMeasure();
   redraw();
+}
+
+/** The chart of the chosen measure; of the first if none is chosen. */
+function showMeasure() {
+  const shown = measure ?? data.metrics[0];
+  const place = data.metrics.indexOf(shown);
+  const rows = meshes.map((method) => ({ name: method.name, counts: method.bars[place] }));
+  element("chart-metric").textContent = shown.title.toLowerCase();
+  element("chart-note").textContent = shown.explanation;
+  showMetricChart(element("metric-chart"), shown, rows, colors);
 }
 
 /** A button that copies the command, if there is one; without a clipboard the command is selected. */
@@ -93,8 +104,8 @@ function start() {
   select.append(...data.metrics.map((measure, place) => new Option(measure.title, String(place))));
   select.append(new Option("nothing", "-1"));
   select.addEventListener("change", () => {
-    metric = Number(select.value);
-    for (const picture of pictures) picture.color();
+    measure = data.metrics[Number(select.value)];
+    for (const picture of pictures) picture.painter.color(measure);
     restyle();
   });
   element("dots").addEventListener("change", () => redraw(false));
@@ -121,8 +132,8 @@ function start() {
   };
   window.addEventListener("beforeprint", print(true));
   window.addEventListener("afterprint", print(false));
-  showDegreeLegend();
-  showDegreeChart();
+  showDegreeLegend(element("degree-legend"), methods.flatMap((method) => [...new Set(method.degrees)]));
+  showDegreeChart(element("degree-chart"), data.degrees, meshes.map((method) => ({ name: method.name, counts: method.degreeBars })));
   restyle();
   const observer = new ResizeObserver(resize);
   for (const meshes of document.querySelectorAll(".meshes")) observer.observe(meshes);

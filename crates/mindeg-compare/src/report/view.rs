@@ -6,11 +6,12 @@
 mod flattened;
 
 use super::Provenance;
-use super::html::{Figure, SCRIPT, STYLE, rendered, script_safe};
+use super::html::{Figure, rendered, script_safe};
 use super::metric::{SHOWN, ShownMetric};
 use super::picture::{self, Scene, thinned};
 use super::svg;
 use super::tables::{self, Named, Table};
+use super::viewer::{SCRIPT, STYLE};
 use crate::figures::{Distribution, MethodFigures};
 use crate::measure;
 use crate::number_format::{Column, angle, count};

@@ -3,9 +3,10 @@
 //! Limits: two dozen meshes at most, evenly chosen.
 
 use super::super::Provenance;
-use super::super::html::{SMALL_CURVE, STYLE, curve_picture, facts, rendered};
+use super::super::html::{SMALL_CURVE, curve_picture, facts, rendered};
 use super::super::svg::{self, CURVE_STYLE, DegreeColor, Marks};
 use super::super::tables::Table;
+use super::super::viewer::STYLE;
 use super::spread;
 use crate::KEPT;
 use crate::number_format::{Column, count, percent, steady_angle, steady_percent};

@@ -7,23 +7,21 @@ function make(tag, className, text) {
   return made;
 }
 
-function showDegreeLegend() {
-  const legend = element("degree-legend");
-  const steps = new Set();
-  for (const method of methods) for (const degree of new Set(method.degrees)) steps.add(degreeStep(degree));
+/** What the colors of some degrees mean. */
+function showDegreeLegend(legend, degrees) {
+  const steps = new Set(degrees.map(degreeStep));
   const items = [...steps].sort((a, b) => a - b).map((step) => {
     const item = make("span", "degree");
     const dot = make("span", "dot");
-    dot.style.background = data.degree_colors[step].color;
-    item.append(dot, data.degree_colors[step].name);
+    dot.style.background = DEGREE_COLORS[step].color;
+    item.append(dot, DEGREE_COLORS[step].name);
     return item;
   });
   legend.replaceChildren(make("strong", "", "Degree"), ...items);
 }
 
-function showMetricLegend() {
-  const legend = element("metric-legend");
-  const measure = data.metrics[metric];
+/** What the colors of a measure mean; nothing for none. */
+function showMetricLegend(legend, measure) {
   if (!measure) return legend.replaceChildren();
   const unit = measure.unit === "degrees" ? "°" : "";
   const [from, to] = measure.range.map((value) => short(value) + unit);
@@ -64,49 +62,52 @@ function showChart(chart, rows, axis, title) {
 }
 
 /** The places of the degree chart, with a gap where degrees are left out. */
-function degreePlaces(place, gap) {
-  return data.degrees.flatMap(([, from], i) => {
-    const skips = i > 0 && data.degrees[i - 1][2] + 1 < from;
+function degreePlaces(ranges, place, gap) {
+  return ranges.flatMap(([, from], i) => {
+    const skips = i > 0 && ranges[i - 1][2] + 1 < from;
     return skips ? [gap(), place(i)] : [place(i)];
   });
 }
 
 const counted = (count, what) => `${count} ${count === 1 ? what : what === "vertex" ? "vertices" : what + "s"}`;
 
-function showDegreeChart() {
-  const most = Math.max(...methods.flatMap((method) => method.degreeBars));
+/**
+ * How many vertices have each degree: `ranges` are the degrees of each bar, as a name, the lowest and the
+ * highest; `rows` the name and the counts of each mesh.
+ */
+function showDegreeChart(chart, ranges, rows) {
+  const most = Math.max(...rows.flatMap(({ counts }) => counts));
   const height = (count) => (count ? (100 * (1 + Math.log2(count))) / (1 + Math.log2(most)) : 0);
-  const rows = methods.filter((method) => method.triangles.length).map((method) => {
-    const named = (i) => `degree ${data.degrees[i][0]}: ${counted(method.degreeBars[i], "vertex")}`;
+  const made = rows.map(({ name, counts }) => {
+    const named = (i) => `degree ${ranges[i][0]}: ${counted(counts[i], "vertex")}`;
     const bar = (i) => {
-      const count = method.degreeBars[i];
-      const made = make("i", count ? "degree-bar" : "");
-      made.style.height = height(count) + "%";
-      made.style.background = degreeColor(data.degrees[i][1]);
-      made.title = `${method.name}, ${named(i)}`;
+      const made = make("i", counts[i] ? "degree-bar" : "");
+      made.style.height = height(counts[i]) + "%";
+      made.style.background = degreeColor(ranges[i][1]);
+      made.title = `${name}, ${named(i)}`;
       return made;
     };
-    const occurring = method.degreeBars.map((count, i) => (count ? named(i) : "")).filter(Boolean);
-    const highest = Math.max(...method.degreeBars);
-    return chartRow(method.name, `tallest bar: ${counted(highest, "vertex")}`,
-      degreePlaces(bar, () => make("i", "gap")), occurring.join(", "));
+    const occurring = counts.map((count, i) => (count ? named(i) : "")).filter(Boolean);
+    return chartRow(name, `tallest bar: ${counted(Math.max(...counts), "vertex")}`,
+      degreePlaces(ranges, bar, () => make("i", "gap")), occurring.join(", "));
   });
   const axis = make("div", "scale");
-  axis.append(...degreePlaces(
-    (i) => make("span", "", data.degrees[i][0].replace(" to ", "–")),
+  axis.append(...degreePlaces(ranges,
+    (i) => make("span", "", ranges[i][0].replace(" to ", "–")),
     () => make("span", "gap", "")));
-  showChart(element("degree-chart"), rows, axis, "degree (edges at a vertex)");
+  showChart(chart, made, axis, "degree (edges at a vertex)");
 }
 
 /** Round numbers on the axis of a measure. */
 function ticks(measure) {
   const [from, to] = measure.range;
   const steps = measure.logarithmic ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 8];
-  const found = [];
-  for (let power = Math.floor(Math.log10(from)); power <= Math.ceil(Math.log10(to)); power++) {
+  const found = from === 0 ? [0] : [];
+  const least = from > 0 ? from : to / 20;
+  for (let power = Math.floor(Math.log10(least)); power <= Math.ceil(Math.log10(to)); power++) {
     for (const step of steps) {
       const value = step * 10 ** power;
-      if (value >= from && value <= to) found.push(value);
+      if (value >= least && value <= to) found.push(value);
     }
   }
   if (found.length < 2) return measure.range;
@@ -114,16 +115,15 @@ function ticks(measure) {
   return found.filter((_, place) => place % apart === 0);
 }
 
-function showMetricChart() {
-  const measure = data.metrics[metric] || data.metrics[0];
-  const place = data.metrics.indexOf(measure);
+/** How many triangles have each value of a measure: `rows` are the name and the counts of each mesh. */
+function showMetricChart(chart, measure, rows, colors) {
   const [from, to] = measure.range;
-  const most = Math.max(...methods.flatMap((method) => method.bars[place]));
+  const most = Math.max(...rows.flatMap(({ counts }) => [...counts]));
   const edge = (share) => short(measure.logarithmic
     ? from * (to / from) ** share
     : from + (to - from) * share);
-  const rows = methods.filter((method) => method.triangles.length).map((method) => {
-    const counts = method.bars[place];
+  const unit = measure.unit === "1" ? "" : ` ${measure.unit}`;
+  const made = rows.map(({ name, counts }) => {
     const bars = counts.map((count, i) => {
       const bar = make("i");
       const share = (i + 0.5) / counts.length;
@@ -131,16 +131,15 @@ function showMetricChart() {
       bar.style.height = (count ? Math.max(2, (100 * count) / most) : 0) + "%";
       bar.style.background = colors.ramp[Math.round(worse * (STEPS - 1))];
       bar.style.boxShadow = count ? "inset 0 0 0 1px " + colors.edge : "none";
-      bar.title = `${method.name}, ${edge(i / counts.length)} to ${edge((i + 1) / counts.length)}: ${counted(count, "triangle")}`;
+      bar.title = `${name}, ${edge(i / counts.length)} to ${edge((i + 1) / counts.length)}: ${counted(count, "triangle")}`;
       return bar;
     });
-    const unit = measure.unit === "1" ? "" : ` ${measure.unit}`;
     const filled = counts.map((count, i) => (count ? i : -1)).filter((i) => i >= 0);
     const range = filled.length
       ? `triangles from ${edge(filled[0] / counts.length)} to ${edge((filled.at(-1) + 1) / counts.length)}${unit}`
       : "no triangles";
     const highest = Math.max(...counts);
-    return chartRow(method.name, `tallest bar: ${counted(highest, "triangle")}`, bars,
+    return chartRow(name, `tallest bar: ${counted(highest, "triangle")}`, bars,
       `${measure.title.toLowerCase()}, ${range}; the tallest of ${counts.length} bars has ` +
       `${counted(highest, "triangle")}, from ${edge(counts.indexOf(highest) / counts.length)}${unit}`);
   });
@@ -150,9 +149,6 @@ function showMetricChart() {
     tick.style.left = 100 * position(measure, value) + "%";
     axis.append(tick);
   }
-  const unit = measure.unit === "1" ? "no unit" : measure.unit;
-  element("chart-metric").textContent = measure.title.toLowerCase();
-  element("chart-note").textContent = measure.explanation;
-  showChart(element("metric-chart"), rows, axis,
-    `${measure.title.toLowerCase()} (${unit})${measure.logarithmic ? ", logarithmic" : ""}`);
+  showChart(chart, made, axis,
+    `${measure.title.toLowerCase()} (${unit.trim() || "no unit"})${measure.logarithmic ? ", logarithmic" : ""}`);
 }

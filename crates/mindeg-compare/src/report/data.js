@@ -1,0 +1,40 @@
+// The data of a report, as scenes.
+
+const data = JSON.parse(document.getElementById("data").textContent);
+const DEGREE_COLORS = data.degree_colors;
+
+const points = unpack(data.points, Float64Array);
+const outlines = data.outlines.map((outline) => unpack(outline, Float64Array));
+const vertexNumbers = data.vertices ? unpack(data.vertices, Uint32Array) : null;
+const methods = data.methods.map((method) => ({
+  name: method.name,
+  bars: method.bars,
+  degreeBars: method.degree_bars,
+  worst: method.worst,
+  busiest: method.busiest,
+  triangles: unpack(method.triangles, Uint32Array),
+  numbers: method.numbers ? unpack(method.numbers, Uint32Array) : null,
+  degrees: unpack(method.degrees, Uint32Array),
+  values: Object.fromEntries(method.values.map((values, i) => [data.metrics[i].name, unpack(values, Float32Array)])),
+  points,
+  outlines,
+  vertexNumbers,
+  isRing: data.is_ring,
+  fillsOutlines: data.fills_outlines,
+  leastDegree: data.optimal_max_degree,
+}));
+
+const size = drawnSize(data.size);
+// Coordinates are relative to the center.
+const high = size.map((length) => length / 2);
+const low = high.map((length) => -length);
+/** Pictures that take longer, in milliseconds, are moved at once and drawn after. */
+const SLOW = 30;
+
+const element = (id) => document.getElementById(id);
+
+// What all pictures share: where they look, and what they show.
+const view = { x: 0, y: 0, zoom: 1, stretch: isSlender(size) };
+let measure = data.metrics[0];
+let cursor = null;
+let colors;

@@ -1,0 +1,60 @@
+//! The viewer of meshes: the style, and the scripts that draw, read off and chart.
+//!
+//! The reports put these into their pages; a program that makes pages of its own takes them from
+//! here, so that all look and work alike.
+
+use super::svg::{self, CURVE_STYLE, DegreeColor};
+
+/// The style of every page.
+pub(super) const STYLE: &str = include_str!("page.css");
+
+/// What draws a scene and reads it off, without a document; later parts use earlier ones.
+macro_rules! viewer {
+    ($($more:literal),*) => {
+        concat!(
+            include_str!("viewer/scene.js"),
+            include_str!("viewer/paint.js"),
+            include_str!("viewer/pick.js"),
+            include_str!("viewer/pointers.js"),
+            include_str!("viewer/charts.js"),
+            $(include_str!($more)),*
+        )
+    };
+}
+
+/// The script of a report: the viewer, then the report's own parts.
+pub(super) const SCRIPT: &str = viewer!("data.js", "picture.js", "page.js");
+
+/// The style sheet of the reports, light and dark, for a page that uses their viewer.
+///
+/// # Example
+///
+/// ```
+/// assert!(mindeg_compare::viewer_style().contains("prefers-color-scheme: dark"));
+/// ```
+pub fn viewer_style() -> String {
+    svg::page_style(&[STYLE, CURVE_STYLE])
+}
+
+/// The script of the reports' viewer, for a page or a worker of its own: a classic script.
+///
+/// It begins with `DEGREE_COLORS`, the colors of degrees from the lowest. What it draws is a scene:
+/// `scene.js` at its beginning says what that is.
+///
+/// # Example
+///
+/// ```
+/// let script = mindeg_compare::viewer_script();
+/// assert!(script.starts_with("const DEGREE_COLORS = [{\"from\":2,"));
+/// assert!(script.contains("class Painter"));
+/// ```
+pub fn viewer_script() -> String {
+    let colors = svg::degree_scale();
+    let listed: Vec<String> = colors
+        .iter()
+        .map(|DegreeColor { from, color, name }| {
+            format!("{{\"from\":{from},\"color\":\"{color}\",\"name\":\"{name}\"}}")
+        })
+        .collect();
+    format!("const DEGREE_COLORS = [{}];\n{}", listed.join(","), viewer!())
+}

@@ -1,0 +1,69 @@
+// Asking the server, by the worker, for what is on screen.
+
+import * as server from "./server.js";
+import { showTrouble, showUndo } from "./show.js";
+import { remember, selection, shown, state, step } from "./state.js";
+
+export const worker = new Worker("/page/painter.js");
+
+/** The number of the last request, and of the last one whose answer is complete. */
+export const progress = { asked: 0, answered: 0 };
+
+const tab = server.newName();
+let ownState = null;
+let keeping;
+
+/** What is asked for: what is on screen, and nothing else. */
+export function request() {
+  const { domain, goal, color, beside, format } = state;
+  const show = ["wanted", "degree", "limit", "curve", "suggestions", "command"];
+  if (beside !== "none") show.splice(1, 0, beside);
+  return { domain, goal, show, color, format, view: "wanted" };
+}
+
+export function ask() {
+  progress.asked += 1;
+  worker.postMessage({ kind: "ask", id: progress.asked, tab, request: request() });
+  showUndo();
+  keep();
+}
+
+/** Keeps the state on the server a moment after the last change. */
+export function keep() {
+  clearTimeout(keeping);
+  keeping = setTimeout(() => {
+    ownState ??= server.newName();
+    server.keepState(ownState, state).catch((error) => showTrouble(error.message));
+  }, 400);
+}
+
+/** Takes a changed domain; the one before can be brought back. */
+export function apply(domain) {
+  remember(state.domain);
+  state.domain = domain;
+  ask();
+}
+
+/** Takes another domain altogether. */
+export function begin(domain, notes = []) {
+  if (state.domain) remember(state.domain);
+  state.domain = domain;
+  startAnew();
+  shown.sourceNotes = notes;
+  ask();
+}
+
+/** Nothing is chosen, and the whole domain will be in sight. */
+export function startAnew() {
+  Object.assign(selection, { corner: null, side: null, mustFit: true });
+  shown.decides = [];
+}
+
+/** Takes one step back, or forth. */
+export function undo(isBack) {
+  const before = state.domain?.name;
+  if (!step(isBack)) return;
+  if (state.domain.name !== before) startAnew();
+  Object.assign(selection, { corner: null, side: null });
+  ask();
+}

@@ -1,0 +1,101 @@
+// The curve: the largest minimum angle over the maximum degree, to click on, and the same as buttons.
+
+const NAMESPACE = "http://www.w3.org/2000/svg";
+const [WIDTH, HEIGHT] = [380, 200];
+const [LEFT, RIGHT, TOP, BOTTOM] = [46, 16, 30, 38];
+
+function draw(tag, attributes, text) {
+  const made = document.createElementNS(NAMESPACE, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  if (text !== undefined) made.textContent = text;
+  return made;
+}
+
+/** An angle as the summaries have it. */
+export function angleText(degrees) {
+  if (degrees >= 0.1 || degrees === 0) return `${degrees.toFixed(3)}°`;
+  return `${Number(degrees.toPrecision(4))}°`;
+}
+
+const percent = (share) => `${Number((100 * share).toPrecision(3))}%`;
+
+/** Round steps of an axis up to `highest`. */
+function steps(highest, most) {
+  const raw = highest / most;
+  const power = 10 ** Math.floor(Math.log10(raw));
+  const step = [1, 2, 5, 10].map((factor) => factor * power).find((step) => step >= raw);
+  return Array.from({ length: Math.floor(highest / step + 1e-9) + 1 }, (_, i) => Number((i * step).toPrecision(6)));
+}
+
+/** `shown` is a degree whose mesh is in the picture; `choose` is called with a degree. */
+export function showCurve(box, rows, curve, shown, choose) {
+  const { points } = curve;
+  if (!points.length) {
+    box.replaceChildren();
+    rows.replaceChildren();
+    return;
+  }
+  showRows(rows, curve, shown, choose);
+  if (points.length < 2) {
+    box.replaceChildren();
+    return;
+  }
+  const [from, to] = [points[0].max_degree, points.at(-1).max_degree];
+  const highest = Math.max(curve.delaunay_min_angle, ...points.map(({ min_angle }) => min_angle)) || 1;
+  const x = (degree) => LEFT + 20 + ((degree - from) / (to - from + 0.35)) * (WIDTH - LEFT - RIGHT - 20);
+  const y = (angle) => HEIGHT - BOTTOM - (angle / highest) * (HEIGHT - TOP - BOTTOM);
+  const told = points.map(({ max_degree, min_angle }) => `degree ${max_degree}: ${angleText(min_angle)}`).join(", ");
+  const svg = draw("svg", { class: "plot small", viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img", "aria-label": `The curve: ${told}` });
+  for (const angle of steps(highest, 4)) {
+    svg.append(draw("path", { class: "grid", d: `M${LEFT} ${y(angle)}H${WIDTH - RIGHT}` }));
+    svg.append(draw("text", { class: "tick", "text-anchor": "end", x: LEFT - 8, y: y(angle) + 4 }, `${angle}°`));
+  }
+  const every = Math.ceil(points.length / 9);
+  points.forEach(({ max_degree }, place) => {
+    if (place % every) return;
+    svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: x(max_degree), y: HEIGHT - BOTTOM + 18 }, String(max_degree)));
+  });
+  svg.append(draw("path", { class: "axis", d: `M${LEFT} ${HEIGHT - BOTTOM}H${WIDTH - RIGHT}` }));
+  svg.append(draw("text", { class: "tick", "text-anchor": "middle", x: (LEFT + WIDTH - RIGHT) / 2, y: HEIGHT - 4 }, "maximum degree"));
+  const ceiling = y(curve.delaunay_min_angle);
+  svg.append(draw("path", { class: "ceiling", d: `M${LEFT} ${ceiling}H${WIDTH - RIGHT}` }));
+  const degree = curve.delaunay_max_degree ? `, degree ${curve.delaunay_max_degree}` : "";
+  svg.append(draw("text", { class: "tick", x: LEFT + 4, y: ceiling - 15 }, `Delaunay${degree}: ${angleText(curve.delaunay_min_angle)}`));
+  const line = points.map((point, i) => (i ? `H${x(point.max_degree)}V` : `M${x(point.max_degree)} `) + y(point.min_angle));
+  svg.append(draw("path", { class: "curve", d: `${line.join("")}H${WIDTH - RIGHT}` }));
+  for (const { max_degree, min_angle } of points) {
+    const group = draw("g", { class: "pick" });
+    group.append(draw("title", {}, `Show degree ${max_degree}: ${angleText(min_angle)}`));
+    const at = { cx: x(max_degree), cy: y(min_angle) };
+    group.append(draw("circle", { class: "target", ...at, r: 16 }));
+    if (max_degree === shown) group.append(draw("circle", { class: "advised", ...at, r: 11 }));
+    group.append(draw("circle", { class: "point ringed", ...at, r: 6 }));
+    group.dataset.degree = max_degree;
+    group.addEventListener("click", () => choose(max_degree));
+    svg.append(group);
+  }
+  box.replaceChildren(svg);
+}
+
+/** One button for each degree, with its angle. */
+function showRows(rows, { points, is_exact: isExact }, shown, choose) {
+  // Buttons are kept, so that the one with the focus keeps it.
+  while (rows.children.length > points.length) rows.lastChild.remove();
+  points.forEach(({ max_degree, min_angle, share }, place) => {
+    let button = rows.children[place];
+    if (!button) {
+      button = document.createElement("button");
+      button.type = "button";
+      button.append(...["b", "span", "small"].map((tag) => document.createElement(tag)));
+      button.addEventListener("click", () => choose(Number(button.dataset.degree)));
+      rows.append(button);
+    }
+    button.dataset.degree = max_degree;
+    button.setAttribute("aria-pressed", String(max_degree === shown));
+    const [name, angle, note] = button.children;
+    name.textContent = `degree ${max_degree}`;
+    angle.textContent = angleText(min_angle);
+    const more = isExact || share >= 1 ? "" : " or more";
+    note.textContent = `${percent(share)}${more} of Delaunay’s`;
+  });
+}

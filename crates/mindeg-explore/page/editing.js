@@ -1,0 +1,266 @@
+// Editing the boundary: by pointer, by keys, and by the fields below the picture.
+// From the viewer's script: make.
+
+import { apply, ask } from "./asking.js";
+import { addCorner, addHole, corners, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
+import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
+import { redraw, setCursor, stages } from "./pictures.js";
+import { element, showUndo } from "./show.js";
+import { SidesTable } from "./sides.js";
+import { bounds, view } from "./stage.js";
+import { remember, selection, shown, state } from "./state.js";
+
+const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+const say = (text) => { element("spoken").textContent = text; };
+const grid = () => gridStep(bounds.size);
+const snap = (place) => snapped(place, grid(), element("snap").checked);
+const isSame = (a, b) => a && b && a.ring === b.ring && a.index === b.index;
+const cornerNow = () => corners(state.domain, shown.domain).find((corner) => isSame(corner, selection.corner));
+
+let table;
+let isPlacing = false;
+
+/** Shows the corners, sides and holes as they are. */
+export function updateEditor() {
+  if (!shown.domain) return;
+  table.show(state.domain, shown.domain, selection.side);
+  element("grid").textContent = String(grid());
+  const all = corners(state.domain, shown.domain);
+  const place = all.findIndex((corner) => isSame(corner, selection.corner));
+  const corner = all[place];
+  element("corner").textContent = corner ? `Corner ${place + 1} of ${all.length}` : `${all.length} corners`;
+  for (const axis of ["x", "y"]) {
+    const input = element(axis);
+    input.disabled = !corner;
+    if (document.activeElement !== input || !corner) input.value = corner ? String(Number(corner[axis].toPrecision(10))) : "";
+  }
+  element("remove").disabled = !corner;
+  updateHoles();
+  const wanted = state.domain.interior ?? {};
+  for (const [id, key] of [["growth", "growth"], ["size-inside", "size_inside"], ["prefer", "prefer"]]) {
+    if (document.activeElement !== element(id)) element(id).value = wanted[key] ?? "";
+  }
+}
+
+/** A button for each hole. Those that are right already stay, and keep the focus. */
+function updateHoles() {
+  const box = element("holes");
+  const count = state.domain.holes?.length ?? 0;
+  while (box.children.length > count) box.lastChild.remove();
+  while (box.children.length < count) {
+    const ring = box.children.length + 1;
+    const button = make("button", "", `Remove hole ${ring}`);
+    button.type = "button";
+    button.addEventListener("click", () => {
+      letGo();
+      apply(removeHole(state.domain, ring));
+    });
+    box.append(button);
+  }
+}
+
+function letGo() {
+  Object.assign(selection, { corner: null, side: null });
+}
+
+function choose(corner) {
+  Object.assign(selection, { corner, side: null });
+  updateEditor();
+  redraw();
+}
+
+function chooseSide({ ring, index }) {
+  Object.assign(selection, { corner: null, side: { ring, index } });
+  updateEditor();
+  redraw();
+}
+
+/** Chooses the next corner, or the one before, and says where it is. */
+function chooseNext(by) {
+  if (!shown.domain) return;
+  const all = corners(state.domain, shown.domain);
+  const place = all.findIndex((corner) => isSame(corner, selection.corner));
+  const { ring, index } = all[place < 0 ? (by > 0 ? 0 : all.length - 1) : (place + by + all.length) % all.length];
+  choose({ ring, index });
+  const { x, y } = cornerNow();
+  say(`${element("corner").textContent}, at ${x}, ${y}`);
+}
+
+/** Adds a corner in the middle of the chosen side, or of the side after the chosen corner. */
+function add() {
+  const { corner, side } = selection;
+  const after = corner && { ring: corner.ring, index: sidePlace(state.domain, shown.domain, corner) };
+  const added = addCorner(state.domain, shown.domain, side ?? after ?? { ring: 0, index: 0 });
+  if (!added) return say("A side needs two intervals to be divided.");
+  Object.assign(selection, { corner: added.corner, side: null });
+  apply(added.domain);
+  say("A corner is added; arrows move it.");
+}
+
+function remove() {
+  if (!selection.corner) return;
+  const changed = removeCorner(state.domain, shown.domain, selection.corner);
+  if (!changed) return say("A ring keeps three corners.");
+  selection.corner = null;
+  apply(changed);
+  say("The corner is removed.");
+}
+
+function setPlacing(isOn) {
+  isPlacing = isOn;
+  element("add-hole").textContent = isOn ? "Click in the picture where it should be" : "Add a hole";
+  element("add-hole").setAttribute("aria-pressed", String(isOn));
+  stages[0].element.classList.toggle("placing", isOn);
+}
+
+function placeHole(x, y) {
+  setPlacing(false);
+  letGo();
+  apply(addHole(state.domain, snapped([x, y], grid(), false), Math.min(...bounds.size) / 8, 3));
+}
+
+/** A pointer goes down on the picture: on a corner, beside a side, or to move the picture. */
+export function grab(stage, event, place) {
+  if (event.button || !shown.domain) return false;
+  // A second finger does nothing while a corner is dragged.
+  if (selection.drag) return true;
+  if (isPlacing) {
+    placeHole(...stage.frame.toDomain(...place));
+    return true;
+  }
+  const corner = cornerAt(state.domain, shown.domain, stage.frame, place, event.pointerType);
+  if (!corner) {
+    const near = sideAt(state.domain, shown.domain, stage.frame, place);
+    if (near) chooseSide(near);
+    return false;
+  }
+  stage.element.setPointerCapture(event.pointerId);
+  hold(true);
+  selection.drag = { pointer: event.pointerId, domain: state.domain, shown: shown.domain, to: null, hasMoved: false };
+  choose(corner);
+  setCursor(null);
+  return true;
+}
+
+/** While a corner is dragged, what stands above the picture keeps its height, so that the picture stays. */
+function hold(isHeld) {
+  const { style, offsetHeight } = element("verdict");
+  style.height = isHeld ? `${offsetHeight}px` : "";
+}
+
+/** Shows that a corner can be taken where the pointer is. */
+export function hint(stage, x, y) {
+  if (!shown.domain || stage !== stages[0]) return;
+  const isNear = cornerAt(state.domain, shown.domain, stage.frame, stage.frame.toScreen(x, y), "mouse");
+  stage.element.classList.toggle("grabbing", Boolean(isNear));
+}
+
+/** A finger on a corner drags it; elsewhere it scrolls the page. */
+function keepFinger(event) {
+  const [touch, ...others] = event.touches;
+  if (others.length || !shown.domain) return;
+  const { left, top } = stages[0].element.getBoundingClientRect();
+  const place = [touch.clientX - left, touch.clientY - top];
+  if (isPlacing || cornerAt(state.domain, shown.domain, stages[0].frame, place, "touch")) event.preventDefault();
+}
+
+/** The corner follows the pointer, once a frame. */
+function dragTo(stage, event) {
+  const { drag } = selection;
+  if (event.pointerId !== drag?.pointer) return;
+  const { left, top } = stage.element.getBoundingClientRect();
+  const isWaiting = drag.to !== null;
+  drag.to = snap(stage.frame.toDomain(event.clientX - left, event.clientY - top));
+  if (!isWaiting) requestAnimationFrame(() => follow(drag));
+}
+
+function follow(drag) {
+  const { to } = drag;
+  drag.to = null;
+  const now = cornerNow();
+  if (!to || !now || (now.x === to[0] && now.y === to[1])) return;
+  state.domain = moveCorner(drag.domain, drag.shown, selection.corner, to);
+  drag.hasMoved = true;
+  ask();
+  redraw();
+}
+
+function drop(event) {
+  const { drag } = selection;
+  if (event.pointerId !== drag?.pointer) return;
+  follow(drag);
+  selection.drag = null;
+  hold(false);
+  if (drag.hasMoved) {
+    remember(drag.domain);
+    showUndo();
+    // With the next answer, what has left the picture is brought back into it.
+    ask();
+  }
+  updateEditor();
+  redraw();
+}
+
+/** Takes the keys that edit; others move the picture. */
+export function handleKey(event) {
+  if (event.ctrlKey || event.metaKey || event.altKey || !shown.domain) return false;
+  const place = () => placeHole(view.x, view.y);
+  const stop = () => {
+    setPlacing(false);
+    letGo();
+    updateEditor();
+    redraw();
+  };
+  const keys = { n: () => chooseNext(1), p: () => chooseNext(-1), Insert: add, Delete: remove, Backspace: remove, Escape: stop };
+  if (isPlacing) keys.Enter = place;
+  const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  if (keys[key]) {
+    keys[key]();
+    return true;
+  }
+  const arrow = ARROWS[event.key];
+  const corner = arrow && selection.corner ? cornerNow() : null;
+  if (!corner) return false;
+  const far = grid() * (event.shiftKey ? 10 : 1);
+  const to = snap([corner.x + arrow[0] * far, corner.y + arrow[1] * far]);
+  apply(moveCorner(state.domain, shown.domain, selection.corner, to));
+  say(`${to[0]}, ${to[1]}`);
+  updateEditor();
+  redraw();
+  return true;
+}
+
+/** Makes the fields work. */
+export function startEditing() {
+  table = new SidesTable(element("sides"), apply, chooseSide);
+  const { element: picture } = stages[0];
+  picture.addEventListener("touchstart", keepFinger, { passive: false });
+  picture.addEventListener("pointermove", (event) => dragTo(stages[0], event));
+  for (const kind of ["pointerup", "pointercancel"]) picture.addEventListener(kind, drop);
+  element("previous").addEventListener("click", () => chooseNext(-1));
+  element("next").addEventListener("click", () => chooseNext(1));
+  element("add").addEventListener("click", add);
+  element("remove").addEventListener("click", remove);
+  element("add-hole").addEventListener("click", () => {
+    setPlacing(!isPlacing);
+    if (isPlacing) stages[0].element.focus();
+  });
+  for (const axis of ["x", "y"]) {
+    element(axis).addEventListener("change", () => {
+      const [x, y] = ["x", "y"].map((id) => element(id).valueAsNumber);
+      if (selection.corner && Number.isFinite(x) && Number.isFinite(y)) {
+        apply(moveCorner(state.domain, shown.domain, selection.corner, [x, y]));
+      }
+    });
+  }
+  for (const [id, key] of [["growth", "growth"], ["size-inside", "size_inside"], ["prefer", "prefer"]]) {
+    element(id).addEventListener("change", () => {
+      const { value, valueAsNumber } = element(id);
+      const { interior, ...others } = state.domain;
+      const { [key]: _, ...kept } = interior ?? {};
+      const wanted = value === "" ? kept : { ...kept, [key]: id === "prefer" ? value : valueAsNumber };
+      apply(Object.keys(wanted).length ? { ...others, interior: wanted } : others);
+    });
+  }
+}

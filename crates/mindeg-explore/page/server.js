@@ -1,0 +1,44 @@
+// Requests to the server that opened this page. Its address ends in #TOKEN or #TOKEN/STATE.
+
+const [token, state] = location.hash.slice(1).split("/");
+
+export const headers = { "X-Mindeg-Token": token };
+/** The name of the state to begin with, if the address has one. */
+export const firstState = state || null;
+
+/** The answer to a request; an error carries the server's sentence. */
+async function ask(path, options = {}) {
+  let response;
+  try {
+    response = await fetch(path, { headers, ...options });
+  } catch {
+    throw new Error("mindeg explore no longer answers: was it ended in its terminal? Start it again and open the address it prints.");
+  }
+  if (response.ok) return response;
+  const { message } = await response.json().catch(() => ({}));
+  throw new Error(message ?? `The server refused the request (${response.status}).`);
+}
+
+export const getJson = async (path) => (await ask(path)).json();
+
+/** The domains in a file of any format that mindeg reads. */
+export async function readFile(file) {
+  const body = await file.arrayBuffer();
+  return (await ask(`/api/read?name=${encodeURIComponent(file.name)}`, { method: "POST", body })).json();
+}
+
+/** One file of a mesh, as a blob. */
+export async function download(request, format, view, file) {
+  const path = `/api/download?format=${encodeURIComponent(format)}&view=${view}&file=${file}`;
+  const response = await ask(path, { method: "POST", body: JSON.stringify(request) });
+  const named = response.headers.get("Content-Disposition")?.match(/filename="([^"]+)"/);
+  return { blob: await response.blob(), name: named?.[1] ?? null };
+}
+
+/** Keeps a state and puts its name into the address. */
+export async function keepState(name, value) {
+  await ask(`/api/state/${name}`, { method: "PUT", body: JSON.stringify(value) });
+  history.replaceState(null, "", `#${token}/${name}`);
+}
+
+export const newName = () => crypto.randomUUID();

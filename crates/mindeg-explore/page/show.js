@@ -1,0 +1,160 @@
+// Puts what the server says into the page.
+// From the viewer's script: DEGREE_COLORS, make and the charts.
+
+import { angleText, showCurve } from "./curve.js";
+import { canRedo, canUndo, shown, state } from "./state.js";
+
+export const element = (id) => document.getElementById(id);
+
+/** What a mesh beside the wanted one is called. */
+export const NAMES = { least: "Least degree", delaunay: "Delaunay", interior: "With points inside" };
+
+/** The degree that the reader asks for, or the one that the mesh of the goal has. */
+const wantedDegree = () => state.goal.max_degree ?? shown.wantedDegree;
+
+export function showDomain(domain) {
+  const { name, vertices, triangles, rings } = domain;
+  const holes = rings.length - 2;
+  element("title").textContent = name ?? "A domain";
+  const counted = [`${vertices} boundary vertices`, `${triangles} triangles without points inside`];
+  if (holes) counted.splice(1, 0, holes === 1 ? "1 hole" : `${holes} holes`);
+  element("facts").textContent = counted.join(" · ");
+  showNotes(domain.notes);
+}
+
+/** What was changed of a domain, when it was read and now; several sentences are folded. */
+function showNotes(notes) {
+  const lines = [...shown.sourceNotes, ...notes].map((text) => make("p", "note", text));
+  if (lines.length < 2) return element("notes").replaceChildren(...lines);
+  const folded = make("details");
+  folded.append(make("summary", "", `${lines.length} notes on this domain`), ...lines);
+  element("notes").replaceChildren(folded);
+}
+
+export function showUndo() {
+  element("undo").disabled = !canUndo();
+  element("redo").disabled = !canRedo();
+}
+
+/** What is wrong with a domain, and where. The lines and columns of JSON that nobody has seen tell nothing. */
+export function domainTrouble(message, path) {
+  const text = message.replace(/^line \d+, column \d+,? ?/, "");
+  return path && !text.includes(path) ? `${text} (at ${path})` : text;
+}
+
+/** What is wrong; nothing if there is no message. With `isOld`, the meshes are of another domain. */
+export function showTrouble(message, isOld = false) {
+  element("trouble").hidden = !message;
+  element("trouble-text").textContent = message;
+  element("meshes").classList.toggle("old", isOld);
+}
+
+const captionOf = ({ view, max_degree: degree }) => `${NAMES[view]}: ${view === "least" ? "" : "degree "}${degree}`;
+
+/** The figures of a mesh in its caption. */
+export function showMesh(stage, mesh) {
+  const { figure } = stage;
+  const isWanted = stage.view === "wanted";
+  figure.querySelector("h3").textContent = isWanted ? `Degree ${mesh.max_degree}` : captionOf(mesh);
+  const searching = mesh.is_last ? "" : " …";
+  const parts = [make("span", "", "minimum angle "), make("strong", "", angleText(mesh.min_angle) + searching)];
+  if (mesh.share_of_delaunay !== null && stage.view !== "delaunay" && stage.view !== "interior") {
+    parts.push(make("span", "", ` · ${Number((100 * mesh.share_of_delaunay).toPrecision(3))}% of Delaunay’s`));
+  }
+  figure.querySelector(".figures").replaceChildren(...parts);
+  figure.querySelector(".words-of").textContent = mesh.words;
+}
+
+/** Why a part has no answer, where its answer would stand. */
+export function showPartRefused(stages, part, message) {
+  const stage = stages.find(({ view }) => view === part);
+  if (stage) {
+    stage.worst = null;
+    delete shown.meshes[part];
+    stage.figure.querySelector("h3").textContent = part === "wanted" ? "No such mesh" : NAMES[part];
+    stage.figure.querySelector(".figures").textContent = "";
+    stage.figure.querySelector(".words-of").textContent = message;
+  } else if (part === "curve") {
+    shown.curve = null;
+    element("curve").replaceChildren();
+    element("degrees").replaceChildren();
+    element("advice").textContent = "";
+    element("curve-note").textContent = message;
+  } else if (part === "degree") element("degree-words").textContent = message;
+  else if (part === "limit") element("limit-words").textContent = message;
+  else if (part === "suggestions") element("suggestions").replaceChildren(make("p", "", message));
+  else if (part === "command") element("command").textContent = message;
+}
+
+export function showCurveNow(choose) {
+  const { curve } = shown;
+  if (!curve) return;
+  showCurve(element("curve"), element("degrees"), curve, wantedDegree(), choose);
+  element("advice").textContent = curve.words;
+  element("curve-note").textContent = curve.is_exact ? "" : "The angles are what was reached; larger ones may be possible.";
+}
+
+/** Sentences of the server, a paragraph for each line. */
+function paragraphs(box, words) {
+  const text = words.split("\n").map((line) => line.trim()).filter(Boolean).join(" ");
+  box.textContent = text;
+}
+
+export function showDegree(degree) {
+  shown.degree = degree;
+  paragraphs(element("degree-words"), degree.words);
+  element("show-degree").hidden = !(degree.vertices.length || degree.chords.length);
+}
+
+export function showLimit(limit) {
+  shown.limit = limit;
+  paragraphs(element("limit-words"), limit.words);
+  element("show-limit").hidden = !limit.vertices.length;
+}
+
+export function showSuggestions({ suggestions }, apply) {
+  const box = element("suggestions");
+  if (!suggestions.length) {
+    box.replaceChildren(make("p", "", "No small change of the counts makes it better."));
+    return;
+  }
+  box.replaceChildren(...suggestions.map(({ words, domain }) => {
+    const button = make("button", "suggestion", words);
+    button.type = "button";
+    button.addEventListener("click", () => apply(domain));
+    return button;
+  }));
+}
+
+/** Legends and charts of the meshes on screen. */
+export function showCharts(stages, facts, colors) {
+  const meshes = stages.map(({ view }) => shown.meshes[view]).filter(Boolean);
+  const name = (mesh) => (mesh.view === "wanted" ? "Your mesh" : NAMES[mesh.view]);
+  const degrees = [...new Set(meshes.flatMap(({ degree_bars }) => degree_bars.map(([degree]) => degree)))].sort((a, b) => a - b);
+  showDegreeLegend(element("degree-legend"), degrees);
+  const ranges = rangesOf(degrees);
+  showDegreeChart(element("degree-chart"), ranges, meshes.map((mesh) => ({
+    name: name(mesh),
+    counts: ranges.map(([, from, to]) => mesh.degree_bars.reduce((sum, [degree, count]) => (degree >= from && degree <= to ? sum + count : sum), 0)),
+  })));
+  const charted = meshes.filter(({ bars }) => bars);
+  const measure = facts.measures.find((measure) => measure.name === charted[0]?.bars.measure);
+  const section = element("metric-chart").closest("section");
+  section.hidden = !measure;
+  if (!measure) return showMetricLegend(element("metric-legend"));
+  const all = charted.map(({ bars }) => bars);
+  const { range, is_logarithmic: logarithmic } = all[0];
+  const goesBeyond = [all.some(({ min }) => min < range[0]), all.some(({ max }) => max > range[1])];
+  const drawn = { ...measure, range, logarithmic, goes_beyond: goesBeyond };
+  element("chart-metric").textContent = measure.title.toLowerCase();
+  element("chart-note").textContent = measure.explanation;
+  showMetricLegend(element("metric-legend"), drawn);
+  showMetricChart(element("metric-chart"), drawn, charted.map((mesh) => ({ name: name(mesh), counts: mesh.bars.counts })), colors);
+}
+
+/** The bars of the degree chart: one for each degree, or for ranges of them where they are many. */
+function rangesOf(degrees) {
+  if (degrees.length <= 14) return degrees.map((degree) => [String(degree), degree, degree]);
+  return DEGREE_COLORS.map(({ from, name }, i) => [name, from, (DEGREE_COLORS[i + 1]?.from ?? Infinity) - 1])
+    .filter(([, from, to]) => degrees.some((degree) => degree >= from && degree <= to));
+}

@@ -1,0 +1,151 @@
+// The table of the sides: how many intervals, and how they are spaced.
+
+import { changeSide, isPoints, sideOf } from "./domain.js";
+import { indexedSides } from "./editor.js";
+
+/** So many sides stand in the table at once. */
+const ROWS = 12;
+
+/** The spacing laws: what they are called, the name of their number in JSON, and one to begin with. */
+const LAWS = {
+  uniform: { title: "equal" },
+  geometric: { title: "geometric", key: "ratio", label: "ratio", first: 1.1 },
+  bump: { title: "bump", key: "ratio", label: "ratio", first: 0.5 },
+  beta: { title: "beta", key: "beta", label: "beta", first: 1.1 },
+  first_length: { title: "first length", label: "length" },
+  last_length: { title: "last length", label: "length" },
+  parameters: { title: "as given" },
+};
+
+/** The law of a side, with its number. */
+function lawOf({ spacing }) {
+  if (!spacing || spacing === "uniform") return { law: "uniform", value: null };
+  const [law] = Object.keys(spacing);
+  const value = LAWS[law]?.key ? spacing[law][LAWS[law].key] : spacing[law];
+  return { law, value: typeof value === "number" ? value : null };
+}
+
+function spacingOf(law, value) {
+  if (law === "uniform") return undefined;
+  return { [law]: LAWS[law].key ? { [LAWS[law].key]: value } : value };
+}
+
+const make = (tag, properties = {}, ...children) => {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+};
+
+export class SidesTable {
+  /** `apply(domain)` takes a changed domain, `choose(side)` a side that is clicked. */
+  constructor(box, apply, choose) {
+    Object.assign(this, { box, apply, choose, rows: [], first: 0, key: "" });
+  }
+
+  /** Shows the sides; `chosen` is one, `{ring, index}`, or null. */
+  show(domain, shown, chosen) {
+    this.domain = domain;
+    this.shown = shown;
+    this.sides = indexedSides(domain, shown).filter(({ ring }) => !isPoints(domain, ring));
+    const at = chosen ? this.sides.findIndex(({ ring, index }) => ring === chosen.ring && index === chosen.index) : -1;
+    if (at >= 0 && (at < this.first || at >= this.first + ROWS)) this.first = at - (at % ROWS);
+    if (this.first >= this.sides.length) this.first = 0;
+    const listed = this.sides.slice(this.first, this.first + ROWS);
+    const key = [this.first, this.sides.length, ...listed.map(({ ring, index }) => `${ring}.${index}`)].join(" ");
+    if (key !== this.key) this.build(listed);
+    this.key = key;
+    listed.forEach((side, row) => this.fill(this.rows[row], side, this.first + row === at));
+  }
+
+  build(listed) {
+    this.rows = listed.map(() => this.row());
+    if (!listed.length) {
+      this.box.replaceChildren(make("p", { className: "note", textContent:
+        "This boundary is a list of points, which come back as they are: it has no counts. Its points can be dragged, added and removed." }));
+      return;
+    }
+    const headings = ["Side", "Intervals", "Spacing"].map((text) => make("th", { scope: "col", textContent: text }));
+    const table = make("table", {}, make("thead", {}, make("tr", {}, ...headings)), make("tbody", {}, ...this.rows.map(({ line }) => line)));
+    const parts = [make("div", { className: "scroll" }, table)];
+    if (this.sides.length > ROWS) {
+      const to = Math.min(this.first + ROWS, this.sides.length);
+      const turn = (by, label, text) => make("button", { type: "button", ariaLabel: label, textContent: text, onclick: () => {
+        this.first = Math.max(0, Math.min(this.sides.length - 1, this.first + by));
+        this.show(this.domain, this.shown, null);
+      } });
+      parts.push(make("p", { className: "take" }, turn(-ROWS, "Sides before", "‹"),
+        `Sides ${this.first + 1} to ${to} of ${this.sides.length}`, turn(ROWS, "Sides after", "›")));
+    }
+    this.box.replaceChildren(...parts);
+  }
+
+  row() {
+    const name = make("button", { type: "button", className: "side-name" });
+    const intervals = make("input", { type: "number", min: 1, step: 1, className: "count" });
+    const fewer = make("button", { type: "button", textContent: "−" });
+    const more = make("button", { type: "button", textContent: "+" });
+    const law = make("select");
+    law.append(...Object.entries(LAWS).map(([value, { title }]) => new Option(title, value)));
+    const value = make("input", { type: "number", step: "any", className: "count" });
+    const line = make("tr", {}, make("th", { scope: "row" }, name),
+      make("td", {}, make("span", { className: "stepper" }, fewer, intervals, more)),
+      make("td", {}, make("span", { className: "law" }, law, value)));
+    const row = { line, name, intervals, fewer, more, law, value, side: null };
+    name.addEventListener("click", () => this.choose(row.side));
+    const count = (wanted) => {
+      const intervals = Math.max(1, Math.round(wanted));
+      if (!Number.isFinite(intervals)) return;
+      const change = { intervals, size: undefined };
+      if (lawOf(sideOf(this.domain, this.shown, row.side)).law === "parameters") change.spacing = undefined;
+      this.change(row.side, change);
+    };
+    intervals.addEventListener("change", () => count(intervals.valueAsNumber));
+    fewer.addEventListener("click", () => count(row.side.intervals - 1));
+    more.addEventListener("click", () => count(row.side.intervals + 1));
+    law.addEventListener("change", () => {
+      const { first } = LAWS[law.value];
+      this.change(row.side, { spacing: spacingOf(law.value, first ?? this.meanLength(row.side)) });
+    });
+    value.addEventListener("change", () => {
+      if (Number.isFinite(value.valueAsNumber)) this.change(row.side, { spacing: spacingOf(law.value, value.valueAsNumber) });
+    });
+    return row;
+  }
+
+  /** The length of a side's first interval as it is drawn: a law that begins with a length begins with this. */
+  meanLength({ start }) {
+    const { points } = this.shown;
+    const length = Math.hypot(points[2 * start + 2] - points[2 * start], points[2 * start + 3] - points[2 * start + 1]);
+    return Number(length.toPrecision(3));
+  }
+
+  change(side, change) {
+    this.apply(changeSide(this.domain, this.shown, side, change));
+  }
+
+  fill(row, side, isChosen) {
+    const told = sideOf(this.domain, this.shown, side);
+    const { law, value } = lawOf(told);
+    const isFixed = Boolean(told.points);
+    row.side = side;
+    row.line.classList.toggle("chosen", isChosen);
+    row.name.textContent = side.name;
+    row.name.setAttribute("aria-pressed", String(isChosen));
+    const set = (input, wanted) => {
+      if (document.activeElement !== input) input.value = wanted;
+    };
+    set(row.intervals, String(side.intervals));
+    set(row.law, law);
+    set(row.value, value === null ? "" : String(value));
+    const { label } = LAWS[law] ?? {};
+    row.value.hidden = !label;
+    row.law.options[Object.keys(LAWS).indexOf("parameters")].hidden = law !== "parameters";
+    for (const control of [row.intervals, row.fewer, row.law, row.more, row.value]) control.disabled = isFixed;
+    row.fewer.disabled ||= side.intervals < 2;
+    row.intervals.ariaLabel = `Intervals of ${side.name}`;
+    row.fewer.ariaLabel = `One interval less on ${side.name}`;
+    row.more.ariaLabel = `One interval more on ${side.name}`;
+    row.law.ariaLabel = `Spacing of ${side.name}`;
+    row.value.ariaLabel = `${label ?? "number"} of the spacing of ${side.name}`;
+  }
+}

@@ -1,0 +1,44 @@
+// What the reader has chosen, what can be undone, and what the server said last.
+
+/** What a page begins with: the mesh that a reader should probably take, beside the one of least degree. */
+export const state = {
+  domain: null,
+  goal: { keep_angle: 0.95 },
+  beside: "least",
+  color: "min_angle",
+  format: "obj",
+  /** Whether pictures are stretched to fill their places; null for what suits the domain. */
+  stretch: null,
+};
+
+/**
+ * `corner` or `side` is chosen, as `{ring, index}`: a corner as the JSON counts, a side as the server does.
+ * `drag` is a corner on its way; with `mustFit`, the next domain is brought into sight.
+ */
+export const selection = { corner: null, side: null, drag: null, mustFit: true };
+
+/** The last answers; `decides` are places that were asked for, `sourceNotes` tell what a file lost. */
+export const shown = { domain: null, meshes: {}, curve: null, degree: null, limit: null, wantedDegree: null, decides: [], sourceNotes: [] };
+
+const past = [];
+const future = [];
+const MOST = 200;
+
+/** Remembers a domain that another one replaces. */
+export function remember(domain) {
+  past.push(domain);
+  if (past.length > MOST) past.shift();
+  future.length = 0;
+}
+
+/** Takes a step back, or forth; false if there is none. */
+export function step(isBack) {
+  const [from, to] = isBack ? [past, future] : [future, past];
+  if (!from.length) return false;
+  to.push(state.domain);
+  state.domain = from.pop();
+  return true;
+}
+
+export const canUndo = () => past.length > 0;
+export const canRedo = () => future.length > 0;

@@ -1,0 +1,587 @@
+// What a reader does with `mindeg explore`, in headless Chromium.
+
+import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
+import { createServer, request as httpRequest } from "node:http";
+import { mkdirSync, readFileSync, rmSync, symlinkSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { chromium } from "playwright-core";
+import { answered, cornerPlaces, explore } from "./explore-server.mjs";
+import { run, test } from "./harness.mjs";
+
+const [binary, domains, executablePath] = process.argv.slice(2);
+const work = resolve("explored");
+rmSync(work, { recursive: true, force: true });
+mkdirSync(work);
+
+const bundled = (name) => join(domains, `${name}.json`);
+const mindeg = (...args) => spawnSync(binary, args, { cwd: work, encoding: "utf8" });
+
+const axe = readFileSync("node_modules/axe-core/axe.min.js", "utf8");
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox"] });
+const server = await explore(binary, bundled("boundary-layer-channel"));
+const origin = new URL(server.address).origin;
+const noise = [];
+const errors = [];
+
+/** The page in a context of its own. What goes wrong on it is kept in `errors`, foreign requests in `noise`. */
+async function open(options = {}, address = server.address) {
+  const context = await browser.newContext({ viewport: { width: 1400, height: 900 }, acceptDownloads: true, ...options });
+  return openIn(context, address);
+}
+
+async function openIn(context, address = server.address) {
+  const page = await context.newPage();
+  page.on("console", (message) => { if (message.type() === "error") errors.push(message.text()); });
+  page.on("pageerror", (error) => errors.push(error.message));
+  page.on("request", (request) => {
+    if (!request.url().startsWith(origin) && !/^(data|blob):/.test(request.url())) noise.push(request.url());
+  });
+  await page.goto(address);
+  await page.waitForFunction(() => document.querySelector("#facts").textContent.includes("vertices"));
+  await answered(page);
+  return page;
+}
+
+const text = (page, selector) => page.locator(selector).textContent();
+const facts = (page) => text(page, "#facts");
+const pressed = (page) => page.locator("#degrees [aria-pressed=true] b").allTextContents();
+const figures = (page) => page.locator(".mesh:visible").evaluateAll((all) => all.map((mesh) => mesh.querySelector("figcaption").textContent));
+const angleOf = (caption) => Number(caption.match(/angle ([\d.e-]+)°/)[1]);
+
+/** Chooses an example and waits for its answer. */
+async function choose(page, name) {
+  await page.selectOption("#presets", name);
+  await page.waitForFunction((name) => document.querySelector("#title").textContent === name, name);
+  await answered(page);
+}
+
+/** What is drawn: meshes are drawn by a worker, so only a picture of the screen shows them. */
+const picture = async (page, place = 0) => (await page.locator(".stage").nth(place).screenshot()).toString("base64");
+
+/** The bytes of the file that a button downloads. */
+async function downloaded(page, button) {
+  const waiting = page.waitForEvent("download");
+  await page.locator(button).click();
+  const download = await waiting;
+  const path = join(work, download.suggestedFilename());
+  await download.saveAs(path);
+  return { path, bytes: readFileSync(path) };
+}
+
+test("a newcomer sees that degree 5 beats degree 4 on the channel, and leaves with a file", async () => {
+  const page = await open();
+  assert.equal(await text(page, "#title"), "boundary-layer-channel");
+  assert.match(await facts(page), /112 boundary vertices/);
+  // The advice is above the fold, and so are both meshes with their angles.
+  assert.match(await text(page, "#advice"), /degree 5/i);
+  for (const selector of ["#advice", "#degrees", "#name-wanted", "#name-beside"]) {
+    const box = await page.locator(selector).boundingBox();
+    assert.ok(box.y + box.height < 900, `${selector} ends ${box.y + box.height} pixels down`);
+  }
+  const [wanted, least] = await figures(page);
+  assert.match(wanted, /^Degree 5/);
+  assert.match(least, /^Least degree: 4/);
+  assert.ok(angleOf(wanted) > 10 * angleOf(least), `${wanted} | ${least}`);
+  assert.deepEqual(await pressed(page), ["degree 5"]);
+  const { path } = await downloaded(page, "#download");
+  const { stdout, status } = mindeg("inspect", path);
+  assert.equal(status, 0);
+  assert.match(stdout, /maximum degree 5/);
+  await page.context().close();
+});
+
+test("a corner is dragged, and the meshes follow; undo brings them back", async () => {
+  const page = await open();
+  const before = await figures(page);
+  const [, , corner] = await cornerPlaces(page);
+  await page.mouse.move(...corner);
+  await page.mouse.down();
+  const pictures = new Set();
+  for (let step = 1; step <= 6; step++) {
+    await page.mouse.move(corner[0] - 20 * step, corner[1] + 5 * step);
+    await page.waitForTimeout(150);
+    pictures.add(await picture(page));
+  }
+  assert.ok(pictures.size > 3, "the mesh follows while the pointer is down");
+  await page.mouse.up();
+  await answered(page);
+  assert.match(await text(page, "#corner"), /^Corner 3 of 4$/);
+  const x = Number(await page.locator("#x").inputValue());
+  assert.ok(x < 0.4 && x > 0.2, `x is ${x}`);
+  const after = await figures(page);
+  assert.notDeepEqual(after, before);
+  // The server has the same of the changed domain as the command line.
+  const { path } = await downloaded(page, "#save");
+  const { stderr } = mindeg("mesh", path, "--keep-angle", "95%", "-o", "dragged.obj");
+  assert.ok(stderr.includes(`angles ${angleOf(after[0]).toFixed(3)}°`), `${stderr} ${after[0]}`);
+  await page.keyboard.press("Control+z");
+  await answered(page);
+  assert.deepEqual(await figures(page), before);
+  await page.locator("#redo").click();
+  await answered(page);
+  assert.deepEqual(await figures(page), after);
+  await page.context().close();
+});
+
+test("corners snap to a grid, or not", async () => {
+  const page = await open();
+  await choose(page, "figure-1");
+  const grid = Number(await text(page, "#grid"));
+  const dragTo = async (dx, dy) => {
+    const [[left, top]] = await cornerPlaces(page);
+    await page.mouse.move(left, top);
+    await page.mouse.down();
+    await page.mouse.move(left + dx, top + dy, { steps: 3 });
+    await page.mouse.up();
+    await answered(page);
+    return [Number(await page.locator("#x").inputValue()), Number(await page.locator("#y").inputValue())];
+  };
+  const isOnGrid = (value) => Math.abs(value / grid - Math.round(value / grid)) < 1e-6;
+  assert.ok((await dragTo(37, -23)).every(isOnGrid));
+  await page.locator("#snap").uncheck();
+  assert.ok(!(await dragTo(11.3, -7.7)).every(isOnGrid));
+  await page.context().close();
+});
+
+test("everything can be edited from the keyboard", async () => {
+  const page = await open();
+  await choose(page, "unequal-hexagon");
+  await page.locator(".stage").first().focus();
+  await page.keyboard.press("n");
+  assert.match(await text(page, "#spoken"), /^Corner 1 of 6, at 0, 0$/);
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("Shift+ArrowDown");
+  await answered(page);
+  const grid = Number(await text(page, "#grid"));
+  assert.equal(Number(await page.locator("#x").inputValue()), -grid);
+  assert.equal(Number(await page.locator("#y").inputValue()), -10 * grid);
+  await page.keyboard.press("Insert");
+  await answered(page);
+  assert.match(await text(page, "#corner"), /of 7$/);
+  await page.keyboard.press("Delete");
+  await answered(page);
+  assert.match(await text(page, "#corner"), /^6 corners$/);
+  assert.match(await facts(page), /38 boundary vertices/);
+  for (let step = 0; step < 4; step++) await page.keyboard.press("Control+z");
+  await answered(page);
+  assert.match(await facts(page), /38 boundary vertices/);
+  // Without a chosen corner, the arrows and + move the picture.
+  await page.keyboard.press("Escape");
+  const first = await picture(page);
+  await page.keyboard.press("+");
+  await page.waitForTimeout(200);
+  assert.notEqual(await picture(page), first);
+  // All controls are reached by the Tab key, and none keeps it.
+  await page.locator("#presets").focus();
+  const reached = new Set();
+  for (let step = 0; step < 200; step++) {
+    await page.keyboard.press("Tab");
+    const id = await page.evaluate(() => document.activeElement === document.body ? null : document.activeElement.id || document.activeElement.className);
+    if (id === null) break;
+    reached.add(id);
+  }
+  for (const id of ["open", "format", "download", "copy", "beside", "metric", "fit", "stage", "next", "add", "snap", "add-hole"]) {
+    assert.ok(reached.has(id), `${id} is not reached: ${[...reached].join(" ")}`);
+  }
+  await page.context().close();
+});
+
+test("a count and a spacing law are changed", async () => {
+  const page = await open();
+  const before = await figures(page);
+  await page.getByLabel("One interval more on wall").click();
+  await answered(page);
+  assert.match(await facts(page), /113 boundary vertices/);
+  assert.equal(await page.getByLabel("Intervals of wall", { exact: true }).inputValue(), "41");
+  await page.getByLabel("Intervals of wall", { exact: true }).fill("40");
+  await page.keyboard.press("Enter");
+  await answered(page);
+  assert.deepEqual(await figures(page), before);
+  await page.getByLabel("Spacing of outlet", { exact: true }).selectOption("uniform");
+  await page.getByLabel("Spacing of inlet", { exact: true }).selectOption("uniform");
+  await answered(page);
+  assert.notDeepEqual(await figures(page), before);
+  await page.getByLabel("Spacing of outlet", { exact: true }).selectOption("geometric");
+  await page.getByLabel("ratio of the spacing of outlet", { exact: true }).fill("1.25");
+  await page.keyboard.press("Enter");
+  await page.getByLabel("Spacing of inlet", { exact: true }).selectOption("geometric");
+  await page.getByLabel("ratio of the spacing of inlet", { exact: true }).fill("0.8");
+  await page.keyboard.press("Enter");
+  await answered(page);
+  assert.deepEqual(await figures(page), before);
+  await page.context().close();
+});
+
+test("a point of the curve is picked, and a degree by its button", async () => {
+  const page = await open();
+  assert.equal(await page.locator("#curve .pick").count(), await page.locator("#degrees button").count());
+  await page.locator("#curve .pick").first().click();
+  await answered(page);
+  assert.deepEqual(await pressed(page), ["degree 4"]);
+  assert.match((await figures(page))[0], /^Degree 4/);
+  assert.match(await text(page, "#command"), /--max-degree 4/);
+  await page.locator("#degrees button").nth(2).click();
+  await answered(page);
+  assert.match((await figures(page))[0], /^Degree 6/);
+  await page.getByLabel("the least degree", { exact: true }).check();
+  await answered(page);
+  assert.match((await figures(page))[0], /^Degree 4/);
+  await page.locator("#keep").fill("96");
+  await page.keyboard.press("Enter");
+  await answered(page);
+  assert.match((await figures(page))[0], /^Degree 5/);
+  await page.context().close();
+});
+
+test("Delaunay and points inside stand beside the mesh, or nothing does", async () => {
+  const page = await open();
+  await choose(page, "plate-with-holes");
+  const seen = new Set();
+  for (const [beside, caption] of [["delaunay", /Delaunay/], ["interior", /points inside/i], ["least", /^Least degree: /]]) {
+    await page.selectOption("#beside", beside);
+    await answered(page);
+    assert.match((await figures(page))[1], caption);
+    await page.waitForTimeout(300);
+    seen.add(await picture(page, 1));
+    assert.equal(await page.locator("#interior").isVisible(), beside === "interior");
+  }
+  assert.equal(seen.size, 3);
+  await page.selectOption("#beside", "interior");
+  await answered(page);
+  const { path } = await downloaded(page, "#download-beside");
+  assert.match(mindeg("inspect", path).stdout, /nothing wrong found/);
+  await page.selectOption("#beside", "none");
+  await answered(page);
+  assert.equal((await figures(page)).length, 1);
+  await page.context().close();
+});
+
+test("every measure colors the triangles, and has a chart of all of them", async () => {
+  const page = await open();
+  const seen = new Set();
+  const options = await page.locator("#metric option").evaluateAll((all) => all.map(({ value }) => value));
+  assert.ok(options.length >= 7, options.join(" "));
+  for (const value of options) {
+    await page.selectOption("#metric", value);
+    await answered(page);
+    await page.waitForTimeout(400);
+    seen.add(await picture(page, 1));
+    if (!value) continue;
+    const bars = await page.$$eval("#metric-chart .bars", (rows) =>
+      rows.map((row) => [...row.children].reduce((sum, bar) => sum + Number(bar.title.match(/: (\d+)/)[1]), 0)));
+    assert.deepEqual(bars, [110, 110], value);
+  }
+  assert.ok(seen.size >= options.length - 2, `${seen.size} pictures of ${options.length} measures`);
+  const vertices = await page.$$eval("#degree-chart .bars", (rows) =>
+    rows.map((row) => [...row.children].reduce((sum, bar) => sum + Number(bar.title.match(/: (\d+)/)?.[1] ?? 0), 0)));
+  assert.deepEqual(vertices, [112, 112]);
+  await page.context().close();
+});
+
+test("the degree and the limit of the angle are told in words, with the vertex that decides", async () => {
+  const page = await open();
+  const degree = mindeg("degree", bundled("unequal-hexagon")).stdout;
+  await choose(page, "unequal-hexagon");
+  const words = (await text(page, "#degree-words")).replace(/\s+/g, " ");
+  assert.ok(degree.replace(/\s+/g, " ").includes(words.slice(0, 40)), `${words} | ${degree}`);
+  assert.match(await text(page, "#limit-words"), /angle of at most [\d.]+°/);
+  const before = await picture(page);
+  await page.locator("#show-limit").click();
+  await page.waitForTimeout(200);
+  assert.notEqual(await picture(page), before);
+  await page.context().close();
+});
+
+test("a suggestion is applied by its button", async () => {
+  const page = await open();
+  await choose(page, "unequal-hexagon");
+  const [least] = await page.locator("#degrees b").allTextContents();
+  const before = await facts(page);
+  await page.locator(".suggestion").first().click();
+  await answered(page);
+  assert.notEqual(await facts(page), before);
+  await page.keyboard.press("Control+z");
+  await answered(page);
+  assert.equal(await facts(page), before);
+  assert.equal((await page.locator("#degrees b").allTextContents())[0], least);
+  await page.context().close();
+});
+
+test("a hole is added where the reader clicks, and removed", async () => {
+  const page = await open();
+  await choose(page, "figure-1");
+  await page.locator("#add-hole").click();
+  const box = await page.locator(".stage").first().boundingBox();
+  await page.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  await answered(page);
+  assert.match(await facts(page), /1 hole/);
+  await page.locator(".stage").first().focus();
+  await page.keyboard.press("p");
+  assert.match(await text(page, "#corner"), /^Corner 8 of 8$/);
+  await page.keyboard.press("ArrowUp");
+  await answered(page);
+  assert.ok(await page.locator("#trouble").isHidden());
+  await page.getByRole("button", { name: "Remove hole 1" }).click();
+  await answered(page);
+  assert.ok(!(await facts(page)).includes("hole"));
+  await page.context().close();
+});
+
+test("what is no domain is refused in a sentence, and the last mesh stays", async () => {
+  const page = await open();
+  await choose(page, "figure-1");
+  const [[left, top], , [right, high]] = await cornerPlaces(page);
+  await page.mouse.move(left, top);
+  await page.mouse.down();
+  await page.mouse.move(right + 10, high + (top - high) / 2, { steps: 5 });
+  await page.mouse.up();
+  await answered(page);
+  assert.ok(await page.locator("#trouble").isVisible());
+  assert.ok((await text(page, "#trouble-text")).length > 20);
+  await page.keyboard.press("Control+z");
+  await answered(page);
+  assert.ok(await page.locator("#trouble").isHidden());
+  await page.context().close();
+});
+
+/** Drops a file on the page, as a hand does. */
+async function dropFile(page, name, bytes) {
+  const transfer = await page.evaluateHandle(([name, base64]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([Uint8Array.from(atob(base64), (c) => c.charCodeAt(0))], name));
+    return transfer;
+  }, [name, Buffer.from(bytes).toString("base64")]);
+  for (const kind of ["dragenter", "dragover", "drop"]) await page.dispatchEvent("body", kind, { dataTransfer: transfer });
+}
+
+test("a Gmsh file is dropped and meshed", async () => {
+  assert.equal(mindeg("mesh", bundled("wing-panel"), "--ascii", "-o", "wing.msh").status, 0);
+  const page = await open();
+  await dropFile(page, "wing.msh", readFileSync(join(work, "wing.msh")));
+  await page.waitForFunction(() => document.querySelector("#facts").textContent.startsWith("72 boundary vertices"));
+  await answered(page);
+  assert.equal(await page.locator("#presets").inputValue(), "");
+  await dropFile(page, "notes.txt", Buffer.from("no domain at all"));
+  await page.waitForFunction(() => !document.querySelector("#trouble").hidden);
+  assert.match(await facts(page), /^72 boundary vertices/);
+  await page.context().close();
+});
+
+test("a file of several polygons offers each", async () => {
+  const square = (x) => [[x, 0], [x + 1, 0], [x + 1, 1], [x, 1], [x, 0]];
+  const feature = (name, x) => ({ type: "Feature", properties: { name }, geometry: { type: "Polygon", coordinates: [square(x)] } });
+  const json = { type: "FeatureCollection", features: [feature("one", 0), feature("two", 3)] };
+  const page = await open();
+  await dropFile(page, "two.geojson", Buffer.from(JSON.stringify(json)));
+  await page.waitForFunction(() => document.querySelectorAll("#choose button").length === 2);
+  await answered(page);
+  await page.locator("#choose button").nth(1).click();
+  await answered(page);
+  assert.equal(await text(page, "#title"), await page.locator("#choose button").nth(1).textContent());
+  await page.context().close();
+});
+
+test("every format is downloaded, and GLB is read back", async () => {
+  const page = await open();
+  const formats = await page.locator("#format option").evaluateAll((all) => all.map(({ value }) => value));
+  assert.ok(formats.length >= 8, formats.join(" "));
+  for (const format of formats) {
+    await page.selectOption("#format", format);
+    const { bytes } = await downloaded(page, "#download");
+    assert.ok(bytes.length > 100, `${format}: ${bytes.length} bytes`);
+    await page.waitForTimeout(100);
+  }
+  await page.selectOption("#format", "glb");
+  const { path, bytes } = await downloaded(page, "#download");
+  assert.equal(bytes.subarray(0, 4).toString(), "glTF");
+  const { stdout } = mindeg("inspect", path);
+  assert.match(stdout, /nothing wrong found; maximum degree 5/);
+  await page.context().close();
+});
+
+test("the copied command makes the same mesh in a shell", async () => {
+  const page = await open({ permissions: ["clipboard-read", "clipboard-write"] });
+  await page.selectOption("#format", "obj");
+  for (const change of ["none", "drag"]) {
+    if (change === "drag") {
+      const [, corner] = await cornerPlaces(page);
+      await page.mouse.move(...corner);
+      await page.mouse.down();
+      await page.mouse.move(corner[0] - 60, corner[1] - 10, { steps: 4 });
+      await page.mouse.up();
+      await answered(page);
+    }
+    await page.locator("#copy").click();
+    const command = await page.evaluate(() => navigator.clipboard.readText());
+    assert.equal(command, await text(page, "#command"));
+    const { bytes } = await downloaded(page, "#download");
+    // A command for an example names it as it lies in the repository.
+    const shell = join(work, `shell-${change}`);
+    mkdirSync(shell);
+    symlinkSync(resolve(domains, ".."), join(shell, "assets"));
+    const path = `${resolve(binary, "..")}:${process.env.PATH}`;
+    const ran = spawnSync("sh", ["-c", command], { cwd: shell, encoding: "utf8", env: { ...process.env, PATH: path } });
+    assert.equal(ran.status, 0, `${command}\n${ran.stderr}`);
+    const same = readFileSync(join(shell, command.match(/-o (\S+)/)[1])).equals(bytes);
+    assert.ok(same, command);
+  }
+  await page.context().close();
+});
+
+test("the address brings the domain and the choices back", async () => {
+  const page = await open();
+  await choose(page, "wing-panel");
+  await page.selectOption("#beside", "delaunay");
+  await page.locator("#degrees button").first().click();
+  await page.getByLabel("One interval more on root-rib").click();
+  await answered(page);
+  await page.waitForFunction(() => location.hash.includes("/"));
+  await page.waitForTimeout(700);
+  const [before, caption] = [await facts(page), await figures(page)];
+  const other = await openIn(page.context(), page.url());
+  for (const restored of [other, page]) {
+    if (restored === page) {
+      await page.reload();
+      await page.waitForFunction(() => document.querySelector("#facts").textContent.includes("vertices"));
+      await answered(page);
+    }
+    assert.equal(await facts(restored), before);
+    assert.deepEqual(await figures(restored), caption);
+    assert.equal(await restored.locator("#beside").inputValue(), "delaunay");
+  }
+  await page.context().close();
+});
+
+test("two tabs do not disturb each other", async () => {
+  const one = await open();
+  const two = await openIn(one.context());
+  await Promise.all([choose(one, "wing-panel"), choose(two, "great-britain")]);
+  assert.equal(await text(one, "#title"), "wing-panel");
+  assert.equal(await text(two, "#title"), "great-britain");
+  for (const page of [one, two]) assert.equal((await figures(page)).length, 2);
+  await one.context().close();
+});
+
+/** The status of a request that no page of ours would send. */
+const status = (path, { method = "GET", headers = {}, body } = {}) => new Promise((done, failed) => {
+  const { hostname, port } = new URL(origin);
+  const sent = httpRequest({ hostname, port, path, method, headers, agent: false }, (response) => {
+    response.resume();
+    done(response.statusCode);
+  });
+  sent.on("socket", (socket) => socket.on("error", () => {}));
+  sent.on("error", (error) => (["ECONNRESET", "EPIPE"].includes(error.code) ? done("closed") : failed(error)));
+  if (body) sent.write(body);
+  sent.end();
+});
+
+test("hostile requests are refused", async () => {
+  const token = new URL(server.address).hash.slice(1).split("/")[0];
+  const good = { "X-Mindeg-Token": token };
+  assert.equal(await status("/api/start", { headers: good }), 200);
+  assert.equal(await status("/api/start"), 403);
+  assert.equal(await status("/api/start", { headers: { "X-Mindeg-Token": token.replace(/./g, "0") } }), 403);
+  assert.equal(await status("/api/start", { headers: { ...good, Host: "evil.example" } }), 403);
+  assert.equal(await status("/", { headers: { Host: "evil.example" } }), 403);
+  assert.equal(await status("/api/start", { headers: { ...good, Origin: "http://evil.example" } }), 403);
+  assert.equal(await status("/api/start", { headers: { ...good, "Sec-Fetch-Site": "cross-site" } }), 403);
+  const huge = await status("/api/answer?tab=x", { method: "POST", headers: good, body: Buffer.alloc(20_000_000, 32) });
+  assert.ok(huge === 413 || huge === "closed", String(huge));
+
+  // A page of another origin, even with the token, can neither read nor embed.
+  const foreign = createServer((_, response) => response.end("<!doctype html><title>evil</title>"));
+  await new Promise((done) => foreign.listen(0, "127.0.0.1", done));
+  const context = await browser.newContext();
+  const page = await context.newPage();
+  await page.goto(`http://127.0.0.1:${foreign.address().port}/`);
+  const outcome = await page.evaluate(async ([origin, token]) => {
+    const read = await fetch(`${origin}/api/start`, { headers: { "X-Mindeg-Token": token } }).then(() => "read", () => "refused");
+    const frame = document.createElement("iframe");
+    frame.src = `${origin}/#${token}`;
+    document.body.append(frame);
+    await new Promise((done) => { frame.onload = done; setTimeout(done, 2000); });
+    let inside = "hidden";
+    try { inside = frame.contentDocument ? "blank" : "hidden"; } catch { inside = "hidden"; }
+    return { read, inside };
+  }, [origin, token]);
+  assert.equal(outcome.read, "refused");
+  assert.ok(!page.frames().some((frame) => frame !== page.mainFrame() && frame.url().startsWith(origin)), "it is not framed");
+  await context.close();
+  await new Promise((done) => foreign.close(done));
+});
+
+const SCREENS = [390, 800, 1400].flatMap((width) => ["light", "dark"].map((colorScheme) => ({ width, colorScheme })));
+
+test("axe finds nothing serious and nothing is cut off, on any screen, light and dark", async () => {
+  for (const { width, colorScheme } of SCREENS) {
+    // The page's own policy keeps scripts of others out, and axe is one.
+    const page = await open({ viewport: { width, height: 900 }, colorScheme, bypassCSP: true });
+    for (const name of ["boundary-layer-channel", "plate-with-holes", "great-britain"]) {
+      if (name !== "boundary-layer-channel") await choose(page, name);
+      await page.waitForTimeout(300);
+      assert.equal(await page.evaluate(() => document.scrollingElement.scrollWidth), width, `${name} at ${width} pixels`);
+      await page.evaluate(axe);
+      const { violations } = await page.evaluate(() => window.axe.run());
+      const serious = violations.filter(({ impact }) => ["serious", "critical"].includes(impact));
+      assert.deepEqual(serious.map(({ id, nodes }) => `${id}: ${nodes[0].html}`), [], `${name} at ${width} pixels, ${colorScheme}`);
+    }
+    await page.screenshot({ path: join(work, `${width}-${colorScheme}.png`), fullPage: true });
+    await page.context().close();
+  }
+});
+
+test("on a phone a corner is dragged by a finger", async () => {
+  const page = await open({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await choose(page, "figure-1");
+  await page.locator(".stage").first().scrollIntoViewIfNeeded();
+  const [, corner] = await cornerPlaces(page);
+  const client = await page.context().newCDPSession(page);
+  const touch = (type, points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y]) => ({ x, y })) });
+  await touch("touchStart", [corner]);
+  for (let step = 1; step <= 4; step++) await touch("touchMove", [[corner[0] - 8 * step, corner[1] - 6 * step]]);
+  await touch("touchEnd", []);
+  await answered(page);
+  assert.match(await text(page, "#corner"), /^Corner 2 of 4$/);
+  assert.ok(Number(await page.locator("#x").inputValue()) < 3);
+  await page.context().close();
+});
+
+test("light and dark follow the reader's system, also while the page is open", async () => {
+  const page = await open({ colorScheme: "light" });
+  const light = await picture(page);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.waitForTimeout(300);
+  assert.notEqual(await picture(page), light);
+  await page.context().close();
+});
+
+test("a picture for the README", async () => {
+  const page = await open({ viewport: { width: 1400, height: 860 } });
+  await page.mouse.move(0, 0);
+  await page.waitForTimeout(500);
+  await page.screenshot({ path: resolve("explore.png") });
+  await page.context().close();
+});
+
+test("no page has reported an error or asked anybody else for anything", () => {
+  assert.deepEqual(noise, []);
+  // A file that is no domain is refused with a status, which Chromium lists.
+  assert.deepEqual(errors.filter((message) => !/status of 4\d\d/.test(message)), []);
+});
+
+test("the process ends with Ctrl-C, and the page says so", async () => {
+  const page = await open();
+  const [code, signal] = await server.stop();
+  assert.ok(code === 0 || code === 130, `code ${code}, signal ${signal}`);
+  await page.getByLabel("One interval more on wall").click();
+  await page.waitForFunction(() => document.querySelector("#trouble-text").textContent.includes("no longer answers"));
+  await page.context().close();
+});
+
+try {
+  await run();
+} finally {
+  await server.stop("SIGKILL");
+  await browser.close();
+}
