@@ -3,7 +3,7 @@
 pub(crate) mod describe;
 mod file;
 
-pub(crate) use file::{Content, Polygon, Polygons};
+pub(crate) use file::{Content, Polygons};
 
 use crate::args::{Counts, DomainArguments, DomainOptions, FileOptions};
 use crate::failure::Failure;
