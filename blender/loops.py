@@ -50,14 +50,45 @@ def plane_of(points):
     return center, axes, np.abs(around @ normal).max()
 
 
-def fill(points, *, external=None, excluded=(), max_degree=None, keep_angle=None, interior=False):
-    """Triangles for a loop of points in space: new points, triangles, and a line that says what was reached.
+def nested(rings):
+    """The rings in groups, by their numbers: an outer one, then those in its plane and inside it, which are its holes."""
+    rings = [np.asarray(ring, dtype=float) for ring in rings]
+    planes = [plane_of(ring) for ring in rings]
+    inside = [
+        {outer for outer in range(len(rings)) if outer != ring and _holds(rings[outer], planes[outer], rings[ring])}
+        for ring in range(len(rings))
+    ]
+    groups = {ring: [ring] for ring in range(len(rings)) if len(inside[ring]) % 2 == 0}
+    for ring, outers in enumerate(inside):
+        if ring not in groups:
+            # The ring around it that most others are around.
+            groups[max(outers & groups.keys(), key=lambda outer: len(inside[outer]))].append(ring)
+    return list(groups.values())
 
-    A planar loop is meshed as a polygon, any other as a loop in space. ``external`` are the edges at each vertex without those
-    of the filling, and then the limit counts them.
+
+def _holds(outer, plane, ring):
+    """Whether a ring lies in the plane of another and its first point inside."""
+    center, axes, off = plane
+    size = np.ptp(outer, axis=0).max()
+    if max(off, np.abs((ring - center) @ np.cross(*axes)).max()) > PLANAR * size:
+        return False
+    x, y = (ring[0] - center) @ axes.T
+    ax, ay = ((outer - center) @ axes.T).T
+    bx, by = np.roll(ax, -1), np.roll(ay, -1)
+    crosses = (ay > y) != (by > y)
+    right = ax[crosses] + (y - ay[crosses]) / (by - ay)[crosses] * (bx - ax)[crosses] > x
+    return bool(right.sum() % 2)
+
+
+def fill(rings, *, external=None, excluded=(), max_degree=None, keep_angle=None, interior=False):
+    """Triangles for a ring of points in space and its holes: new points, triangles, and a line that says what was reached.
+
+    A planar ring is meshed as a polygon, any other as a loop in space. ``external`` are the edges at each vertex without those
+    of the filling; limits count them.
     """
-    points = np.asarray(points, dtype=float)
-    center, axes, off = plane_of(points)
+    rings = [np.asarray(ring, dtype=float) for ring in rings]
+    points = np.concatenate(rings)
+    center, axes, off = plane_of(rings[0])
     size = np.ptp(points, axis=0).max()
     if off > PLANAR * size:
         if interior or keep_angle is not None:
@@ -68,23 +99,38 @@ def fill(points, *, external=None, excluded=(), max_degree=None, keep_angle=None
             points, external=external, excluded=list(excluded), max_degree=max_degree
         )
         return [], triangles.tolist(), f"degree {facts['max_degree']} (limit {facts['limit']})"
-    ring = (points - center) @ axes.T
-    domain = mindeg.Domain(ring)
+    outside = np.zeros(len(points), dtype=int) if external is None else np.maximum(np.asarray(external) - 2, 0)
+    outer, *holes = [((ring - center) @ axes.T).tolist() for ring in rings]
+    source = {"ring": outer, "holes": [{"ring": hole} for hole in holes]}
+    source["vertices"] = [
+        {"vertex": int(vertex), "outside_degree": int(outside[vertex])} for vertex in np.flatnonzero(outside)
+    ]
+    domain = mindeg.Domain({key: value for key, value in source.items() if value})
+    # A ring that runs the other way round is turned: what its vertices are called here.
+    names = _names(domain.points, np.concatenate([outer, *holes]))
     if interior:
         mesh = domain.interior()
         new = center + mesh.points[len(points) :] @ axes
+        names = [*names, *range(len(points), len(mesh.points))]
         reached = mesh.report
         words = (
             f"minimum angle {reached['min_angle']:.1f}°, at most {reached['angle_limit']:.1f}° possible; "
             f"{len(reached['violations'])} vertices outside 5 to 7 edges"
         )
-        return new.tolist(), mesh.triangles.tolist(), words
+        return new.tolist(), np.array(names)[mesh.triangles].tolist(), words
     mesh = domain.mesh(max_degree=max_degree, keep_angle=keep_angle)
     least = mesh.least_max_degree
     bound = f"least possible {least}" if least is not None else "least possible unknown"
-    return [], mesh.triangles.tolist(), (
-        f"degree {mesh.max_degree} ({bound}), minimum angle {mesh.min_angle:.1f}°"
+    degree = (mesh.degrees + outside[names]).max()
+    return [], np.array(names)[mesh.triangles].tolist(), (
+        f"degree {degree} ({bound}), minimum angle {mesh.min_angle:.1f}°"
     )
+
+
+def _names(points, given):
+    """The number that each point was given with; they come back bit for bit."""
+    number = {tuple(point): place for place, point in enumerate(given.tolist())}
+    return [number[tuple(point)] for point in points.tolist()]
 
 
 def bridge(first, second, *, external=None, max_degree=None):

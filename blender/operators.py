@@ -90,7 +90,14 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
         faces = [face for face in bm.faces if face.select and len(face.verts) > 3]
         done = [self.fill_face(bm, face) for face in faces]
         if not faces:
-            done = [self.fill_loop(bm, loop) for loop in _selected_loops(bm)]
+            found = _selected_loops(bm)
+            rings = [[bm.verts[vertex].co for vertex in loop] for loop in found]
+            # Vertices are made on the way, so no index counts after that.
+            groups = [
+                [[bm.verts[vertex] for vertex in _oriented(bm, found[ring])] for ring in group]
+                for group in loops.nested(rings)
+            ]
+            done = [self.fill_rings(bm, group) for group in groups]
         return "; ".join(done)
 
     def wanted(self):
@@ -102,7 +109,9 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
 
     def fill_face(self, bm, face):
         names = list(face.verts)
-        new, triangles, words = loops.fill([vertex.co for vertex in names], **self.wanted())
+        external = [len(vertex.link_edges) for vertex in names]
+        rings = [[vertex.co for vertex in names]]
+        new, triangles, words = loops.fill(rings, external=external, **self.wanted())
         like = face
         names += [bm.verts.new(point) for point in new]
         made = _add_faces(bm, names, triangles, like)
@@ -110,19 +119,17 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
         bm.normal_update()
         return f"{len(made)} triangles, {words}"
 
-    def fill_loop(self, bm, loop):
-        loop = _oriented(bm, loop)
-        names = [bm.verts[index] for index in loop]
-        index = {vertex.index: position for position, vertex in enumerate(names)}
+    def fill_rings(self, bm, rings):
+        names = [vertex for ring in rings for vertex in ring]
+        index = {vertex: position for position, vertex in enumerate(names)}
         external = [len(vertex.link_edges) for vertex in names]
         excluded = [
-            [index[vertex.index] for vertex in edge.verts]
+            [index[vertex] for vertex in edge.verts]
             for edge in {edge for vertex in names for edge in vertex.link_edges}
-            if all(vertex.index in index for vertex in edge.verts)
+            if all(vertex in index for vertex in edge.verts)
         ]
-        new, triangles, words = loops.fill(
-            [vertex.co for vertex in names], external=external, excluded=excluded, **self.wanted()
-        )
+        points = [[vertex.co for vertex in ring] for ring in rings]
+        new, triangles, words = loops.fill(points, external=external, excluded=excluded, **self.wanted())
         names += [bm.verts.new(point) for point in new]
         made = _add_faces(bm, names, triangles)
         bm.normal_update()

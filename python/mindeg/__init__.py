@@ -39,9 +39,9 @@ __all__ = [
 ]
 
 
-def _restored(points, triangles, name, lines, facts):
+def _restored(points, triangles, name, lines, *rest):
     """A mesh that was pickled."""
-    return Mesh._of_parts(points, triangles, name, [(n, s.tolist()) for n, s in lines], facts)
+    return Mesh._of_parts(points, triangles, name, [(n, s.tolist()) for n, s in lines], *rest)
 
 
 def _add_conversions():

@@ -31,7 +31,7 @@ class TradeOffPoint:
 @final
 class Mesh:
     def __new__(
-        cls, points: npt.NDArray[np.float64], triangles: npt.ArrayLike, name: str | None = None
+        cls, points: npt.ArrayLike, triangles: npt.ArrayLike, name: str | None = None
     ) -> Mesh: ...
     @property
     def points(self) -> npt.NDArray[np.float64]: ...
@@ -71,7 +71,16 @@ class Mesh:
     def to_pyvista(self) -> Any: ...
 
 class Domain:
-    def __new__(cls, source: _Source, *, name: str | None = None) -> Domain: ...
+    def __new__(
+        cls,
+        source: _Source,
+        *,
+        name: str | None = None,
+        size: float | None = None,
+        corner_angle: float = 30.0,
+        feature: str | int | None = None,
+        repair: bool = False,
+    ) -> Domain: ...
     @property
     def name(self) -> str | None: ...
     @property
@@ -104,23 +113,24 @@ def polygon(
 ) -> Domain: ...
 def read(path: str | os.PathLike[str]) -> Mesh: ...
 def inspect(
-    points: npt.NDArray[np.float64],
+    points: npt.ArrayLike,
     triangles: npt.ArrayLike,
     *,
-    weld: float | None = ...,
+    weld: float | None = 0.0,
     corner_angle: float = 1.0,
+    poles_above: int = 8,
 ) -> dict[str, Any]: ...
-def improve(points: npt.NDArray[np.float64], triangles: npt.ArrayLike, **options: Any) -> Mesh: ...
+def improve(points: npt.ArrayLike, triangles: npt.ArrayLike, **options: Any) -> Mesh: ...
 def fill_loop(
-    points: npt.NDArray[np.float64],
+    points: npt.ArrayLike,
     *,
     external: Sequence[int] | None = None,
     excluded: Sequence[tuple[int, int]] = ...,
     max_degree: int | None = None,
 ) -> tuple[npt.NDArray[np.uint32], dict[str, Any]]: ...
 def bridge_loops(
-    first: npt.NDArray[np.float64],
-    second: npt.NDArray[np.float64],
+    first: npt.ArrayLike,
+    second: npt.ArrayLike,
     *,
     external: Sequence[int] | None = None,
     excluded: Sequence[tuple[int, int]] = ...,

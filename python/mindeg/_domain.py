@@ -2,6 +2,7 @@
 
 import json
 import os
+import warnings
 from collections.abc import Mapping
 
 import numpy as np
@@ -14,20 +15,25 @@ class Domain(_mindeg._Domain):
 
     ``source`` is one of
 
-    - a dict, a JSON text or a path to a file, as ``docs/domains.md`` describes them;
+    - a dict or a JSON text, as ``docs/domains.md`` describes them;
+    - a path to a file: JSON, or Gmsh's MSH with lines, Triangle's .poly, SVG, DXF, GeoJSON, WKT, OBJ lines
+      or a CSV of points, as ``docs/outlines.md`` describes them;
     - an (n, 2) array, which is one ring of points, or a list of such rings: the outer one, then holes;
     - anything with ``__geo_interface__`` that is a polygon, such as one of shapely's.
 
-    Points of arrays and polygons are the boundary points and come back bit for bit.
+    Points of arrays and polygons are the boundary points and come back bit for bit; so do those of a file,
+    unless ``size`` gives the length of the intervals instead. A side ends where its file begins another or
+    where the boundary turns by more than ``corner_angle`` degrees. ``feature`` is the name or the number,
+    from 1, of one polygon of several; ``repair`` parts rings that touch themselves.
     """
 
-    def __new__(cls, source, *, name=None):
-        text = _json_of(source)
+    def __new__(cls, source, *, name=None, **options):
+        text = _json_of(source, options)
         if name is not None:
             text = json.dumps({**json.loads(text), "name": name})
         return super().__new__(cls, text)
 
-    def __init__(self, source, *, name=None):
+    def __init__(self, source, *, name=None, **options):
         pass
 
     def __reduce__(self):
@@ -90,26 +96,43 @@ def _with_sides(outline, count, intervals, size, names, name):
     return Domain(outline)
 
 
-def _json_of(source):
+def _json_of(source, options):
+    if isinstance(source, os.PathLike) or isinstance(source, str) and source.lstrip()[:1] != "{":
+        return _file(source, **options)
+    if options:
+        raise ValueError(f"{', '.join(options)}: for a path to a file only")
     if isinstance(source, _mindeg._Domain):
         return source.to_json()
+    if isinstance(source, str):
+        return source
     if isinstance(source, Mapping) and "type" not in source:
         return json.dumps(source, default=_plain)
-    if isinstance(source, os.PathLike):
-        return _file(source)
-    if isinstance(source, str):
-        return source if source.lstrip().startswith("{") else _file(source)
     geometry = source if isinstance(source, Mapping) else getattr(source, "__geo_interface__", None)
     if geometry is not None:
         return _rings_json(_rings_of(geometry))
-    if np.ndim(source[0]) == 1:
-        return _rings_json([source])
-    return _rings_json(source)
+    return _rings_json(_rings_of_arrays(source))
 
 
-def _file(path):
-    with open(path, encoding="utf-8") as file:
-        return file.read()
+def _file(path, *, size=None, corner_angle=30.0, feature=None, repair=False):
+    feature = None if feature is None else str(feature)
+    text, notes = _mindeg._domain_of_file(path, size, corner_angle, feature, repair)
+    for note in notes:
+        warnings.warn(note, stacklevel=4)
+    return text
+
+
+def _rings_of_arrays(source):
+    """One ring of points, or a list of rings."""
+    if hasattr(source, "__array__"):
+        source = np.asarray(source)
+    try:
+        is_ring = np.ndim(source[0]) == 1 and np.ndim(source[0][0]) == 0
+    except (IndexError, KeyError):
+        raise ValueError("no points; give (n, 2)") from None
+    except TypeError:
+        kind = type(source).__name__
+        raise TypeError(f"{kind} is no domain; give a dict, a path, points or a polygon") from None
+    return [source] if is_ring else source
 
 
 def _rings_of(geometry):
@@ -137,7 +160,10 @@ def _rings_json(rings):
 
 def _rows(points):
     """Rows of two numbers; a float stays the float it is."""
-    rows = np.asarray(points, dtype=float)
+    rows = np.asarray(points)
+    if rows.dtype.kind not in "iuf":
+        raise ValueError(f"found points of the type {rows.dtype}; give real numbers")
+    rows = rows.astype(float)
     if rows.ndim != 2 or rows.shape[1] != 2:
         raise ValueError(f"found points of shape {rows.shape}; give (n, 2)")
     return rows.tolist()

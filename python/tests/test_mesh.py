@@ -40,6 +40,26 @@ def test_a_mesh_survives_pickling(mesh):
     assert other.least_max_degree == mesh.least_max_degree
 
 
+def test_pickling_keeps_groups_depths_and_kinds(tmp_path):
+    """What only some files have: written again, they are the same."""
+    path, again = tmp_path / "coast.14", tmp_path / "again.14"
+    path.write_text(
+        "coast\n2 4\n1 0 0 1.5\n2 4 0 2.5\n3 4 3 2\n4 0 3 1\n1 3 1 2 3\n2 3 1 3 4\n"
+        "1\n2\n2 0\n1\n2\n1\n4\n4 0\n2\n3\n4\n1\n"
+    )
+    mesh = mindeg.read(path)
+    pickle.loads(pickle.dumps(mesh)).save(again)
+    mesh.save(path)
+    assert again.read_text() == path.read_text()
+    assert " 2.5\n" in again.read_text()
+    path, again = tmp_path / "two.obj", tmp_path / "again.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no left\nf 1 2 3\no right\nf 1 3 4\n")
+    mesh = mindeg.read(path)
+    pickle.loads(pickle.dumps(mesh)).save(again)
+    mesh.save(path)
+    assert again.read_text() == path.read_text() and "right" in again.read_text()
+
+
 @pytest.mark.parametrize("extension", ["obj", "glb", "gltf", "msh", "vtu", "vtk", "ply", "npz"])
 def test_every_format_brings_the_triangles_back(mesh, tmp_path, extension):
     path = tmp_path / f"plate.{extension}"
@@ -67,6 +87,17 @@ def test_inspecting_arrays_finds_what_is_wrong():
     found = mindeg.inspect(points, [[0, 1, 4], [1, 2, 4], [4, 2, 3], [3, 4, 0]])
     assert found["inconsistent_edges"] == [[0, 4], [3, 4]]
     assert (found["max_degree"], found["euler_characteristic"]) == (4, 1)
+    # The keys are those of the command line.
+    keys = ["vertices", "faces", "degree_histogram", "metrics", "worst_triangles", "outline", "polygon"]
+    assert set(keys) <= set(found)
+    assert found["degree_histogram"] == {"boundary": {"3": 4}, "interior": {"4": 1}}
+    assert found["metrics"]["min_angle"]["median"] == pytest.approx(45)
+    assert mindeg.inspect(points, [[0, 1, 4]], poles_above=1)["poles"][0]["degree"] == 2
+
+
+def test_the_least_degree_of_an_outline_is_told():
+    mesh = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4]).mesh(max_degree=7)
+    assert mindeg.inspect(mesh.points, mesh.triangles)["outline"]["least_max_degree"] == 5
 
 
 @pytest.mark.parametrize("triangles", [[[0, 1, 9]], [[0, 1]], [[0.5, 1, 2]], [[-1, 0, 1]]])

@@ -96,6 +96,88 @@ def test_interior_points_are_added_on_request():
     assert len(bm.verts) > 32 and degree <= 7
 
 
+def test_loops_inside_others_are_holes():
+    # An island in the hole is a piece of its own, and a loop of another plane is no hole.
+    rings = [circle(32, radius=4), circle(16, radius=2), circle(8), circle(8, height=1)]
+    edges, first = [], 0
+    for ring in rings:
+        edges += ring_edges(len(ring), first)
+        first += len(ring)
+    thing = edit([point for ring in rings for point in ring], edges)
+    assert bpy.ops.mesh.mindeg_fill() == {"FINISHED"}
+    _, faces, area, bm = measured(thing)
+    # A polygon with h holes has n + 2 h - 2 triangles.
+    assert faces == (32 + 16 + 2 - 2) + (8 - 2) + (8 - 2)
+    disk = lambda count, radius: count / 2 * math.sin(2 * math.pi / count) * radius**2
+    assert area == pytest.approx(disk(32, 4) - disk(16, 2) + 2 * disk(8, 1), rel=1e-5)
+    assert all(edge.is_boundary or edge.is_contiguous for edge in bm.edges)
+
+
+@pytest.mark.parametrize("options", [{}, {"max_degree": 6}, {"keep_angle": 0.95}, {"interior": True}])
+def test_every_option_fills_a_hole_beside_faces(options):
+    # A square frame of quads around a square hole of 8 vertices: two edges of the frame at each outside.
+    side = [-2, -1, 0, 1, 2]
+    points = [(x, y, 0) for y in side for x in side if not x == y == 0]
+    at = {point[:2]: place for place, point in enumerate(points)}
+    quads = [
+        [at[corner] for corner in ((x, y), (x + 1, y), (x + 1, y + 1), (x, y + 1))]
+        for y in side[:-1]
+        for x in side[:-1]
+        if not (-1 <= x < 1 and -1 <= y < 1)
+    ]
+    thing = edit(points, faces=quads)
+    bm = bmesh.from_edit_mesh(thing.data)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    for edge in bm.edges:
+        edge.select = edge.is_boundary and all(max(map(abs, vertex.co)) < 1.5 for vertex in edge.verts)
+    assert bpy.ops.mesh.mindeg_fill(**options) == {"FINISHED"}
+    degree, _, area, bm = measured(thing)
+    assert area == pytest.approx(16)
+    assert all(edge.is_boundary or edge.is_contiguous for edge in bm.edges)
+    if "max_degree" in options:
+        assert degree <= 6
+    # Each angle is 45 or 90 degrees without a point inside, so none is added.
+    assert len(bm.verts) == 24
+
+
+def test_the_edges_beside_a_hole_count():
+    # Of 8 points alone, triangles with degree 4 exist; with an edge out from each of them, none.
+    frame = [(x, y, 0) for x, y in [(-1, -1), (0, -1), (1, -1), (1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)]]
+    edit(frame, ring_edges(8))
+    assert bpy.ops.mesh.mindeg_fill(max_degree=4) == {"FINISHED"}
+    outer = [(2 * x, 2 * y, 0) for x, y, _ in frame]
+    quads = [(8 + i, 8 + (i + 1) % 8, (i + 1) % 8, i) for i in range(8)]
+    thing = edit(frame + outer, faces=quads)
+    bm = bmesh.from_edit_mesh(thing.data)
+    bpy.ops.mesh.select_all(action="DESELECT")
+    for edge in bm.edges:
+        edge.select = all(vertex.index < 8 for vertex in edge.verts)
+    with pytest.raises(RuntimeError, match="the least is 5"):
+        bpy.ops.mesh.mindeg_fill(max_degree=4)
+    assert bpy.ops.mesh.mindeg_fill(max_degree=5) == {"FINISHED"}
+    assert measured(thing)[0] == 5
+
+
+def test_an_n_gon_off_its_plane_is_filled_as_a_loop_in_space():
+    saddle = circle(20, wave=0.3)
+    thing = edit(saddle, faces=[range(20)])
+    with pytest.raises(RuntimeError, match="off its plane; interior points and kept angles need a planar loop"):
+        bpy.ops.mesh.mindeg_fill(keep_angle=0.9)
+    assert measured(thing)[1] == 1
+    assert bpy.ops.mesh.mindeg_fill(max_degree=6) == {"FINISHED"}
+    degree, faces, _, _ = measured(thing)
+    assert faces == 18 and degree <= 6
+
+
+def test_a_bridge_keeps_a_limit_or_says_what_is_possible():
+    edges = ring_edges(12) + ring_edges(5, 12)
+    thing = edit(circle(12, height=1) + circle(5), edges)
+    with pytest.raises(RuntimeError, match="6"):
+        bpy.ops.mesh.mindeg_bridge(max_degree=5)
+    assert bpy.ops.mesh.mindeg_bridge(max_degree=7) == {"FINISHED"}
+    assert measured(thing)[0] <= 7
+
+
 def test_a_loop_in_space_is_filled_within_the_limit_and_agrees_with_the_faces_beside_it():
     # A tube without its lower end: the rim is bent.
     top, rim = circle(24, height=2), circle(24, wave=0.4)

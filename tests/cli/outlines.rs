@@ -155,7 +155,7 @@ fn several_polygons_are_listed_chosen_or_written_to_a_folder() {
     let one_file = folder.path().join("x.obj");
     let one_file = one_file.to_str().expect("a name");
     mindeg(["mesh", map, "--feature", "4", "-o", one_file]).refuses(&[
-        "has no polygon \"4\"; give a name, or an index from 1 to 3: 1 (Isles 1), 2 (Isles 2), 3",
+        "no polygon is \"4\"; give a name, or an index from 1 to 3: 1 (Isles 1), 2 (Isles 2), 3",
     ]);
     mindeg(["mesh", map, "-o", one_file])
         .refuses(&["has 3 polygons, and", "x.obj is one file; give a folder, such as -o meshes/"]);
@@ -319,4 +319,36 @@ fn mistakes_are_named_with_what_to_do() {
     mindeg(["degree".as_ref(), mesh.as_os_str()]).refuses(&[
         "mesh.obj: line 4: the file has faces, so it is a mesh; mindeg view, inspect and convert take meshes",
     ]);
+}
+
+#[test]
+fn the_boundary_of_a_mesh_becomes_a_domain() {
+    let folder = folder(&[]);
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let domain = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/domains/plate-with-holes.json");
+    let run = |arguments: &[&str]| {
+        let run = mindeg(arguments);
+        assert_eq!(run.code, Some(0), "{arguments:?}: {}", run.errors);
+        run
+    };
+    run(&["mesh", domain, "-q", "--interior", "-o", &at("a.node"), "-o", &at("a.14")]);
+    for mesh in ["a.node", "a.ele", "a.14"] {
+        mindeg(&["mesh", &at(mesh), "-o", &at("x.obj")]).refuses(&[
+            mesh,
+            "a domain is expected",
+            "mindeg convert FILE -o outline.poly",
+        ]);
+    }
+    run(&["convert", &at("a.14"), "-q", "-o", &at("b.poly")]);
+    let sorted = |name: &str| {
+        let mut points = points(&text(&folder.path().join(name)));
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        points
+    };
+    run(&["mesh", domain, "-q", "-o", &at("c.obj")]);
+    for (poly, obj) in [("a.poly", "a.obj"), ("b.poly", "b.obj")] {
+        run(&["mesh", &at(poly), "-q", "-o", &at(obj)]);
+        assert_eq!(sorted(obj), sorted("c.obj"), "{poly}");
+        assert!(run(&["domain", &at(poly), "-o", "-"]).text().contains("left bore"), "{poly}");
+    }
 }

@@ -63,7 +63,7 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
     (
         "mesh a.stl -o b.obj",
-        "a.stl is a mesh, not a domain; mindeg view, inspect and convert take meshes",
+        "a.stl: the name of the file: it ends as a mesh does, and a domain is expected",
     ),
     (
         "mesh a.json b.json -o x.obj",

@@ -98,7 +98,7 @@ class Seen:
         self.points, self.triangles, self.segments = map(numpy.asarray, (points, triangles, segments))
         # Names of sides, each with its number of segments; of vertices where they are node sets.
         self.sides, self.degrees, self.min_angles = sides, degrees, min_angles
-        self.are_node_sets = False
+        self.are_node_sets = self.have_labels = False
 
     def checks(self, expected):
         """A name and whether it is as expected, one at a time."""
@@ -117,10 +117,12 @@ class Seen:
             found = set(map(tuple, numpy.sort(self.segments, axis=1).tolist()))
             yield "boundary", found == outer and len(self.segments) == len(outer)
         if self.sides is not None:
-            # Labels of Abaqus have no blanks.
+            # Labels of Abaqus and markers of SU2 have no blanks.
             label = lambda name: re.sub(r"[^A-Za-z0-9_-]", "_", name)
-            sets = {label(name): count for name, count in expected.vertices.items()}
-            yield "sides", self.sides == (sets if self.are_node_sets else expected.sides)
+            wanted = expected.vertices if self.are_node_sets else expected.sides
+            if self.have_labels:
+                wanted = {label(name): count for name, count in wanted.items()}
+            yield "sides", self.sides == wanted
         if self.degrees is not None:
             yield "degrees", numpy.array_equal(self.degrees, expected.degrees)
         if self.min_angles is not None:
@@ -176,6 +178,11 @@ def meshio_sees(path, package="meshio"):
         names = bytes(mesh.field_data["side_names"]).decode().split("\0")[:-1]
         (line,) = of_kind("line")
         sides = dict(Counter(names[side] for side in mesh.cell_data["side"][line]))
+    elif path.suffix == ".su2":
+        # The names have become numbers from 1, in the order of the file.
+        names = re.findall(r"^MARKER_TAG= *(.+)$", path.read_text(), re.MULTILINE)
+        tags = numpy.concatenate([mesh.cell_data["su2:tag"][i] for i in of_kind("line")])
+        sides = dict(Counter(names[tag - 1] for tag in tags))
     elif path.suffix == ".inp":
         sides = {name: len(set(nodes)) for name, nodes in mesh.point_sets.items()}
     angles = mesh.cell_data.get("min_angle")
@@ -184,6 +191,7 @@ def meshio_sees(path, package="meshio"):
     degrees = None if degrees is None else degrees.ravel()
     seen = Seen(mesh.points, triangles, segments, sides, degrees, angles)
     seen.are_node_sets = path.suffix == ".inp"
+    seen.have_labels = path.suffix in (".inp", ".su2")
     return seen
 
 
@@ -222,7 +230,7 @@ def vtk_sees(path):
     return Seen(vtk_to_numpy(grid.GetPoints().GetData()), triangles, segments, sides, degrees, angles)
 
 
-# Which files each program reads. Gmsh reads no binary .vtk, also not of others.
+# Which files each program reads. Gmsh 4.15.2 reads no binary .vtk, also not its own.
 PROGRAMS = {
     "Gmsh": (gmsh_sees, ("-4.msh", "-4a.msh", "-2.msh", "-2a.msh", "-a.vtk")),
     "meshio": (meshio_sees, tuple(FILES)),

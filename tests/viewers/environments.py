@@ -8,6 +8,7 @@ import ctypes
 import os
 import shutil
 import subprocess
+import sys
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -29,6 +30,14 @@ SYSTEM_LIBRARIES = {
     "libXrender.so.1": "libxrender1",
     "libXt.so.6": "libxt6",
     "libxkbcommon.so.0": "libxkbcommon0",
+}
+# What Gmsh loads besides.
+GMSH_LIBRARIES = {
+    "libGLU.so.1": "libglu1-mesa",
+    "libXcursor.so.1": "libxcursor1",
+    "libXft.so.2": "libxft2",
+    "libXinerama.so.1": "libxinerama1",
+    "libgomp.so.1": "libgomp1",
 }
 
 
@@ -65,8 +74,9 @@ def find_python():
     raise SetupError("the viewers need Python 3.11, as python3.11 or python3 on the PATH")
 
 
-def install_system_packages(python):
-    packages = [name for library, name in SYSTEM_LIBRARIES.items() if not loads(library)]
+def install_system_packages(python, more_libraries=None):
+    libraries = {**SYSTEM_LIBRARIES, **(more_libraries or {})}
+    packages = [name for library, name in libraries.items() if not loads(library)]
     # Debian ships Python without the part that puts pip into a new environment.
     if subprocess.run([python, "-c", "import ensurepip"], capture_output=True).returncode:
         packages.append("python3.11-venv")
@@ -130,3 +140,8 @@ def run(command, **options):
     if finished.returncode:
         shown = " ".join(map(str, command))
         raise SetupError(f"{shown} failed:\n{finished.stdout.strip()[-3000:]}")
+
+
+if __name__ == "__main__":
+    # For tests that make an environment of their own: the libraries of all viewers.
+    install_system_packages(sys.executable, GMSH_LIBRARIES)

@@ -5,7 +5,7 @@ mod file;
 
 #[cfg(feature = "explore")]
 pub(crate) use file::bytes_of;
-pub(crate) use file::{Content, Polygon, Polygons};
+pub(crate) use file::{Content, Polygons};
 
 use crate::args::{Counts, DomainArguments, DomainOptions, FileOptions};
 use crate::failure::Failure;

@@ -1,7 +1,5 @@
 //! `mindeg inspect`: what is in a mesh, whatever program wrote it.
 
-mod polygon;
-mod report;
 mod standard_input;
 mod text;
 
@@ -13,7 +11,7 @@ use crate::memory;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::inspection::{Inspection, InspectionOptions};
-use report::Report;
+use mindeg_compare::inspected::InspectionReport;
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);
@@ -38,11 +36,10 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         memory::require_to_inspect(&arguments.file, vertices, triangles)?;
         Ok(Inspection::of(&mesh, &options))
     })?;
-    let polygon = bar.waiting("the least degree of its outline", || {
-        polygon::polygon(&mesh, &inspection, &options)
+    let report = bar.waiting("the least degree of its outline", || {
+        InspectionReport::new(Some(name), &mesh, &inspection, &options)
     });
     drop(bar);
-    let report = Report::new(name, &mesh, &inspection, polygon);
     let printed = if arguments.json {
         print_json(&report)
     } else {

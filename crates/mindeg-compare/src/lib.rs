@@ -21,7 +21,7 @@
 //! [`mindeg::exact`] has what lies between the least degree and Delaunay's angle: the best mesh for every
 //! maximum degree.
 //!
-//! [`write_view`] is for a single mesh of any program: the pictures and charts of the reports.
+//! [`inspected`] is what `mindeg inspect` prints as JSON. [`write_view`] is for a single mesh of any program: the pictures and charts of the reports.
 //!
 //! # Limits
 //!
@@ -31,6 +31,7 @@
 mod advice;
 mod comparison;
 mod figures;
+pub mod inspected;
 mod interior;
 mod measure;
 mod method;

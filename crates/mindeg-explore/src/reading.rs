@@ -1,9 +1,10 @@
 //! Domains in files of any format that mindeg takes.
 
+use std::io;
 use std::path::Path;
 
 use mindeg::Domain;
-use mindeg_outlines::{Division, Labelled, Outlines, format_or_domain, labelled, read};
+use mindeg_outlines::{Division, Outlines, Polygon, format_of, labelled, read};
 use serde_json::value::RawValue;
 
 use crate::answer::MAX_VERTICES;
@@ -31,7 +32,7 @@ pub fn sources(name: &str, bytes: &[u8]) -> Result<Vec<Source>, String> {
     if bytes.trim_ascii().is_empty() {
         return Err(failed("the file is empty; a domain is expected".to_owned()));
     }
-    let format = format_or_domain(Some(Path::new(name)), bytes);
+    let format = format_of(Some(Path::new(name)), bytes);
     let Some(format) = format.map_err(|error| failed(error.to_string()))? else {
         let text = std::str::from_utf8(bytes)
             .map_err(|error| failed(format!("the file is not UTF-8 text: {error}")))?;
@@ -42,27 +43,26 @@ pub fn sources(name: &str, bytes: &[u8]) -> Result<Vec<Source>, String> {
         let domain = RawValue::from_string(text.trim().to_owned()).ok();
         return Ok(vec![Source { name, domain, notes: Vec::new(), message: None }]);
     };
-    let outlines = read(bytes, format).map_err(|error| failed(error.to_string()))?;
+    // A page gives one file at a time.
+    let alone = |_: &str| Err(io::Error::other("the page takes one file; mindeg mesh reads both"));
+    let outlines = read(bytes, format, alone).map_err(|error| failed(error.to_string()))?;
     let Outlines { features, mut notes } = outlines;
     let count = features.len();
     if count > MOST {
         notes.push(format!("The first {MOST} of {count} polygons are given."));
     }
-    let polygons = labelled(features).into_iter().take(MOST).enumerate();
-    Ok(polygons.map(|(index, polygon)| source(index, &polygon, &notes)).collect())
+    let polygons = labelled(features).into_iter().take(MOST);
+    Ok(polygons.map(|polygon| source(&polygon, &notes)).collect())
 }
 
-fn source(index: usize, polygon: &Labelled, notes: &[String]) -> Source {
-    let name = match polygon.label.as_str() {
-        "" => format!("polygon {}", index + 1),
-        label => label.to_owned(),
-    };
+fn source(polygon: &Polygon, notes: &[String]) -> Source {
+    let name = polygon.name();
     let notes = notes.to_vec();
     let points: usize = polygon.feature.rings.iter().map(|ring| ring.pieces.len()).sum();
     let domain = if points > MAX_VERTICES as usize {
         Err(format!("the outline has {points} points; the page takes up to {MAX_VERTICES}"))
     } else {
-        polygon.feature().domain(&Division::default()).map_err(|error| error.to_string())
+        polygon.domain(&Division::default()).map_err(|error| error.to_string())
     };
     match domain {
         Ok(domain) => {

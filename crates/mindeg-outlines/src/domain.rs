@@ -115,8 +115,13 @@ mod tests {
     use super::super::{OutlineFormat, read};
     use super::*;
 
+    /// No file stands beside these.
+    fn alone(_: &str) -> std::io::Result<Vec<u8>> {
+        Err(std::io::ErrorKind::NotFound.into())
+    }
+
     fn domain(text: &str, format: OutlineFormat, size: Option<f64>) -> Domain {
-        let outlines = read(text.as_bytes(), format).unwrap();
+        let outlines = read(text.as_bytes(), format, alone).unwrap();
         outlines.features[0].domain(&Division { size, ..Division::default() }).unwrap()
     }
 
@@ -189,7 +194,7 @@ mod tests {
             ("POLYGON((0 0,0 0,4 4,4 0))", true),
             ("POLYGON((0 0,4 0))", false),
         ] {
-            let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt).unwrap();
+            let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
             let error = outlines.features[0].domain(&Division::default()).unwrap_err();
             assert_eq!(error.is_touch(), is_touch, "{error}");
         }

@@ -1,9 +1,9 @@
 //! The formats of outlines, and which of them a file has.
 
+use std::io;
 use std::path::Path;
 
 use super::outline::Outlines;
-use super::text::quoted;
 use super::{csv, dxf, geojson, msh, obj_lines, poly, svg, wkt};
 use crate::error::ReadError;
 
@@ -126,7 +126,8 @@ impl OutlineFormat {
 
 /// Reads the outlines of a file whose content is of a format.
 ///
-/// Memory is proportional to the length of the file. The whole text is given at once.
+/// Memory is proportional to the length of the file. The whole text is given at once. `beside` gives the
+/// bytes of the file of the same name with another extension: a .poly may have its vertices in a .node.
 ///
 /// # Errors
 ///
@@ -139,14 +140,19 @@ impl OutlineFormat {
 ///
 /// let text = b"POLYGON((0 0, 4 0, 4 3, 0 3), (1 1, 1 2, 2 2, 2 1))";
 /// assert_eq!(OutlineFormat::of_content(text), Some(OutlineFormat::Wkt));
-/// let outlines = mindeg_outlines::read(text, OutlineFormat::Wkt)?;
+/// let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+/// let outlines = mindeg_outlines::read(text, OutlineFormat::Wkt, alone)?;
 /// assert_eq!(outlines.features[0].rings.len(), 2);
 ///
-/// let error = mindeg_outlines::read(b"POLYGON((0 0, 4 x))", OutlineFormat::Wkt).unwrap_err();
+/// let error = mindeg_outlines::read(b"POLYGON((0 0, 4 x))", OutlineFormat::Wkt, alone).unwrap_err();
 /// assert!(error.to_string().starts_with("line 1, column 17: found \"x))\""));
 /// # Ok::<(), mindeg_outlines::ReadError>(())
 /// ```
-pub fn read(bytes: &[u8], format: OutlineFormat) -> Result<Outlines, ReadError> {
+pub fn read(
+    bytes: &[u8],
+    format: OutlineFormat,
+    beside: impl Fn(&str) -> io::Result<Vec<u8>>,
+) -> Result<Outlines, ReadError> {
     match format {
         GeoJson => geojson::read(bytes),
         Wkt => wkt::read(bytes),
@@ -154,79 +160,65 @@ pub fn read(bytes: &[u8], format: OutlineFormat) -> Result<Outlines, ReadError> 
         Csv => csv::read(bytes),
         Obj => obj_lines::read(bytes),
         Msh => msh::read(bytes),
-        Poly => poly::read(bytes),
+        Poly => poly::read(bytes, beside),
         Dxf => dxf::read(bytes),
     }
 }
 
-/// The format of a file: that of its extension, if its content does not look like another one;
-/// without a known extension that of its content.
+/// The format of the outlines in a file; none if it is, or should be, a domain in JSON.
+///
+/// The extension tells, if the content does not look like another format; without a known extension
+/// the content does. Where neither tells, it counts as JSON, whose reader says best what is wrong.
 ///
 /// # Errors
 ///
-/// An extension and a content that tell different formats; neither tells one.
-pub fn format_of(path: Option<&Path>, bytes: &[u8]) -> Result<OutlineFormat, ReadError> {
-    let told = path.and_then(OutlineFormat::of_path);
-    let looks_like = OutlineFormat::of_content(bytes);
-    match (told, looks_like) {
-        // Tables of points have many names.
-        (None | Some(Csv), Some(format)) | (Some(format), None) => Ok(format),
-        (Some(told), Some(looks_like)) if told == looks_like => Ok(told),
-        (Some(told), Some(looks_like)) => Err(ReadError::place(
-            "the name of the file",
-            format!(
-                "it ends as {} does, and the content looks like {}; rename the file to end in .{}",
-                told.name(),
-                looks_like.name(),
-                looks_like.extensions()[0],
-            ),
-        )),
-        (None, None) => {
-            let start = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]);
-            let start = start.lines().next().unwrap_or_default();
-            Err(ReadError::place(
-                "the first line",
-                format!(
-                    "found {}, which begins no known format; domains are JSON, GeoJSON, WKT, SVG, \
-                     CSV, OBJ lines, MSH, .poly or DXF",
-                    quoted(start.trim())
-                ),
-            ))
-        }
+/// An extension and a content that tell different formats; meshes.
+pub fn format_of(path: Option<&Path>, bytes: &[u8]) -> Result<Option<OutlineFormat>, ReadError> {
+    let extension = path.and_then(Path::extension).unwrap_or_default().to_string_lossy();
+    let extension = extension.to_ascii_lowercase();
+    if MESHES.contains(&&*extension) {
+        return Err(wrong_name(
+            "it ends as a mesh does, and a domain is expected; of a mesh in the plane, mindeg convert \
+             FILE -o outline.poly writes the boundary, which is a domain"
+                .to_owned(),
+        ));
     }
-}
-
-/// The format of outlines in a file; none if it is, or should be, a domain in JSON.
-///
-/// # Errors
-///
-/// An extension and a content that tell different formats.
-pub fn format_or_domain(
-    path: Option<&Path>,
-    bytes: &[u8],
-) -> Result<Option<OutlineFormat>, ReadError> {
     let told = path.and_then(OutlineFormat::of_path);
     let looks_like = OutlineFormat::of_content(bytes);
     let is_json = bytes.trim_ascii_start().starts_with(b"{") && looks_like.is_none();
-    let ends_as_json = path.is_some_and(|path| {
-        path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("json"))
-    });
-    let of_name = |problem| Err(ReadError::place("the name of the file", problem));
     match (told, looks_like) {
-        (None, Some(GeoJson)) if ends_as_json => Ok(looks_like),
-        (None, Some(format)) if ends_as_json => of_name(format!(
-            "it ends in .json, and the content looks like {}; rename the file to end in .{}",
-            format.name(),
-            format.extensions()[0]
-        )),
-        (Some(format), None) if is_json && format != GeoJson => of_name(format!(
+        (None, Some(format)) if extension == "json" && format != GeoJson => {
+            Err(wrong_name(format!(
+                "it ends in .json, and the content looks like {}; rename the file to end in .{}",
+                format.name(),
+                format.extensions()[0]
+            )))
+        }
+        (Some(told), None) if is_json && told != GeoJson => Err(wrong_name(format!(
             "it ends as {} does, and the content is JSON; rename the file to end in .json",
-            format.name()
-        )),
-        // The reader of domains says best what is wrong with other text.
+            told.name()
+        ))),
+        // Tables of points have many names.
+        (None | Some(Csv), Some(format)) | (Some(format), None) => Ok(Some(format)),
+        (Some(told), Some(looks_like)) if told == looks_like => Ok(Some(told)),
+        (Some(told), Some(looks_like)) => Err(wrong_name(format!(
+            "it ends as {} does, and the content looks like {}; rename the file to end in .{}",
+            told.name(),
+            looks_like.name(),
+            looks_like.extensions()[0],
+        ))),
         (None, None) => Ok(None),
-        _ => format_of(path, bytes).map(Some),
     }
+}
+
+/// Extensions of meshes, which are no domains.
+const MESHES: [&str; 16] = [
+    "14", "2dm", "ele", "fbx", "glb", "gltf", "grd", "inp", "node", "npz", "off", "ply", "stl",
+    "su2", "vtk", "vtu",
+];
+
+fn wrong_name(problem: String) -> ReadError {
+    ReadError::place("the name of the file", problem)
 }
 
 #[cfg(test)]
@@ -267,17 +259,33 @@ mod tests {
         let told = |path: Option<&str>, text: &str| {
             format_of(path.map(Path::new), text.as_bytes()).map_err(|error| error.to_string())
         };
-        assert_eq!(told(Some("a.WKT"), "POLYGON((0 0"), Ok(Wkt));
-        assert_eq!(told(Some("a.svg"), "half a file"), Ok(Svg));
-        assert_eq!(told(Some("a.txt"), "POLYGON((0 0"), Ok(Wkt));
-        assert_eq!(told(None, "0 0\n1 1"), Ok(Csv));
-        assert_eq!(
-            told(Some("a.svg"), "POLYGON((0 0").unwrap_err(),
-            "the name of the file: it ends as SVG does, and the content looks like WKT; rename the file to end in .wkt"
-        );
-        assert_eq!(
-            told(Some("a.bin"), "hello\nworld").unwrap_err(),
-            "the first line: found \"hello\", which begins no known format; domains are JSON, GeoJSON, WKT, SVG, CSV, OBJ lines, MSH, .poly or DXF"
-        );
+        assert_eq!(told(Some("a.WKT"), "POLYGON((0 0"), Ok(Some(Wkt)));
+        assert_eq!(told(Some("a.svg"), "half a file"), Ok(Some(Svg)));
+        assert_eq!(told(Some("a.txt"), "POLYGON((0 0"), Ok(Some(Wkt)));
+        assert_eq!(told(Some("a.json"), "{\"type\": \"Feature\"}"), Ok(Some(GeoJson)));
+        assert_eq!(told(None, "0 0\n1 1"), Ok(Some(Csv)));
+        assert_eq!(told(Some("a.json"), "{\"size\": 1}"), Ok(None));
+        assert_eq!(told(Some("a.bin"), "hello"), Ok(None));
+        for (path, text, message) in [
+            (
+                "a.svg",
+                "POLYGON((0 0",
+                "it ends as SVG does, and the content looks like WKT; rename the file to end in .wkt",
+            ),
+            (
+                "a.json",
+                "POLYGON((0 0",
+                "it ends in .json, and the content looks like WKT; rename the file to end in .wkt",
+            ),
+            (
+                "a.wkt",
+                "{\"size\": 1}",
+                "it ends as WKT does, and the content is JSON; rename the file to end in .json",
+            ),
+            ("a.14", "grid\n3 3", "it ends as a mesh does, and a domain is expected"),
+        ] {
+            let error = told(Some(path), text).unwrap_err();
+            assert!(error.starts_with(&format!("the name of the file: {message}")), "{error}");
+        }
     }
 }

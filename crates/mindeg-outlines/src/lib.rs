@@ -8,11 +8,15 @@
 //! use mindeg_outlines::{Division, OutlineFormat, read};
 //!
 //! let svg = b"<svg><circle cx='5' cy='5' r='2'/></svg>";
-//! let outlines = read(svg, OutlineFormat::Svg)?;
+//! let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+//! let outlines = read(svg, OutlineFormat::Svg, alone)?;
 //! let domain = outlines.features[0].domain(&Division { size: Some(0.5), ..Division::default() })?;
 //! assert_eq!(domain.rings().vertex_count(), 25);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Of a file with several polygons, [`labelled`] gives each a name of its own, and [`chosen`] takes those
+//! that somebody names.
 //!
 //! Readers take the bytes of a whole file and use memory in proportion to them. A malformed file is
 //! an error that says what is wrong and where, never a panic. Paths are the caller's. The same file
@@ -21,6 +25,7 @@
 //! To read a further format, add a module with a function `read`, a variant of [`OutlineFormat`],
 //! and the first lines that tell it.
 
+mod choice;
 mod csv;
 mod curve;
 mod domain;
@@ -28,7 +33,6 @@ mod dxf;
 mod error;
 mod format;
 mod geojson;
-mod labelled;
 mod loops;
 mod msh;
 mod nesting;
@@ -42,10 +46,10 @@ mod svg;
 mod text;
 mod wkt;
 
+pub use choice::{Listed, NoSuchPolygon, Polygon, chosen, labelled};
 pub use curve::{Arc, Curve, Segment};
 pub use domain::FeatureError;
 pub use error::ReadError;
-pub use format::{OutlineFormat, format_of, format_or_domain, read};
-pub use labelled::{Labelled, labelled};
+pub use format::{OutlineFormat, format_of, read};
 pub use outline::{Feature, Outlines, Piece, Ring};
 pub use sides::{DividedSide, Division, SizeTooSmall};

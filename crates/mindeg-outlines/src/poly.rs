@@ -1,13 +1,15 @@
 //! Triangle's .poly: vertices, segments, and points in holes.
 //!
-//! A segment's marker names its side (`marker 3`), unless all segments have the same. The closed
-//! loops of the segments are rings, and one inside another is a hole. As for Triangle, a point of the
-//! file's list of holes must lie in it; without one the loop would be a line inside the mesh, and is
-//! refused.
+//! A segment's marker names its side: `inlet` after a comment `# marker 3: inlet`, else `marker 3`,
+//! unless all segments have the same marker. The closed loops of the segments are rings, and one inside
+//! another is a hole. As for Triangle, a point of the file's list of holes must lie in it; without one
+//! the loop would be a line inside the mesh, and is refused. A .poly with 0 vertices has them in the
+//! .node beside it; vertices that no segment names are left out.
 //!
-//! Limits: a .poly without vertices refers to a .node file, which is not looked for; attributes
-//! and regional constraints are left out.
+//! Limits: attributes and regional constraints are left out.
 
+use std::collections::BTreeMap;
+use std::io;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
@@ -19,16 +21,24 @@ use super::outline::{Feature, Outlines};
 use super::text::{at_line, counted, lines, number_at, quoted, shown, text_of, whole_at};
 use crate::error::ReadError;
 
-/// Reads a .poly.
+/// Reads a .poly. `beside` gives the file of its name with another extension.
 ///
 /// # Errors
 ///
 /// A line that is not as the format has it, with its number; segments that close no ring; hole
-/// points that no hole contains, and rings in others that no hole point marks.
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
-    let mut rows = Rows::new(text_of(bytes)?);
-    let (points, first) = vertices(&mut rows)?;
-    let links = segments(&mut rows, points.len(), first)?;
+/// points that no hole contains, and rings in others that no hole point marks; a .node that is
+/// needed and not there.
+pub(super) fn read(
+    bytes: &[u8],
+    beside: impl Fn(&str) -> io::Result<Vec<u8>>,
+) -> Result<Outlines, ReadError> {
+    let text = text_of(bytes)?;
+    let mut rows = Rows::new(text);
+    let (points, first) = match vertices(&mut rows)? {
+        Some(vertices) => vertices,
+        None => vertices_beside(beside)?,
+    };
+    let links = segments(&mut rows, points.len(), first, &names(text))?;
     let holes = hole_points(&mut rows)?;
     let (rings, note) =
         loops::rings(&points, &links, |point| format!("vertex {}", u64::from(point) + first))?;
@@ -72,8 +82,34 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// The vertices, and the number of the first one, 0 or 1.
-fn vertices(rows: &mut Rows<'_>) -> Result<(Vec<DVec2>, u64), ReadError> {
+/// The vertices of the .node beside.
+fn vertices_beside(
+    beside: impl Fn(&str) -> io::Result<Vec<u8>>,
+) -> Result<(Vec<DVec2>, u64), ReadError> {
+    let bad = |problem: String| ReadError::place("the .node beside the .poly", problem);
+    let bytes = beside("node").map_err(|error| {
+        bad(format!(
+            "the .poly has no vertices of its own, and the .node that has them cannot be read: {error}"
+        ))
+    })?;
+    let node = text_of(&bytes).and_then(|text| vertices(&mut Rows::new(text)));
+    node.map_err(|error| bad(error.to_string()))?
+        .ok_or_else(|| bad("it has no vertices".to_owned()))
+}
+
+/// The names that comments such as `# marker 3: inlet` give to markers.
+fn names(text: &str) -> BTreeMap<i64, Shared<str>> {
+    let comments = text.lines().filter_map(|line| line.trim().strip_prefix('#'));
+    let named = |comment: &str| {
+        let (marker, name) = comment.trim().strip_prefix("marker ")?.split_once(':')?;
+        let name = name.trim();
+        (!name.is_empty()).then_some((marker.trim().parse().ok()?, Shared::from(name)))
+    };
+    comments.filter_map(named).collect()
+}
+
+/// The vertices, and the number of the first one, 0 or 1; none where the file has 0 vertices.
+fn vertices(rows: &mut Rows<'_>) -> Result<Option<(Vec<DVec2>, u64)>, ReadError> {
     let (line, mut words) = rows.next("the number of vertices")?;
     let count = whole_at(line, words.next(), "number of vertices")?;
     let dimension = words.next().map_or(Ok(2), |word| whole_at(line, Some(word), "dimension"))?;
@@ -81,10 +117,7 @@ fn vertices(rows: &mut Rows<'_>) -> Result<(Vec<DVec2>, u64), ReadError> {
         return Err(at_line(line, format!("the dimension is {dimension}; expected 2")));
     }
     if count == 0 {
-        return Err(at_line(
-            line,
-            "the file has no vertices of its own but those of a .node file; put them into the .poly",
-        ));
+        return Ok(None);
     }
     let mut points = Vec::new();
     let mut first = 0;
@@ -106,10 +139,15 @@ fn vertices(rows: &mut Rows<'_>) -> Result<(Vec<DVec2>, u64), ReadError> {
         let mut next = |what| number_at(line, words.next(), what);
         points.push(DVec2::new(next("x coordinate")?, next("y coordinate")?));
     }
-    Ok((points, first))
+    Ok(Some((points, first)))
 }
 
-fn segments(rows: &mut Rows<'_>, vertices: usize, first: u64) -> Result<Vec<Link>, ReadError> {
+fn segments(
+    rows: &mut Rows<'_>,
+    vertices: usize,
+    first: u64,
+    names: &BTreeMap<i64, Shared<str>>,
+) -> Result<Vec<Link>, ReadError> {
     let (line, mut words) = rows.next("the number of segments")?;
     let count = whole_at(line, words.next(), "number of segments")?;
     let mut links = Vec::new();
@@ -130,14 +168,16 @@ fn segments(rows: &mut Rows<'_>, vertices: usize, first: u64) -> Result<Vec<Link
         };
         let ends = [end()?, end()?];
         let marker = words.next().unwrap_or("0");
-        if marker.parse::<i64>().is_err() {
-            return Err(at_line(line, format!("found {}, expected a marker", quoted(marker))));
-        }
+        let marker: i64 = marker
+            .parse()
+            .map_err(|_| at_line(line, format!("found {}, expected a marker", quoted(marker))))?;
         markers.push(marker);
-        let side = (marker != "0").then(|| Shared::from(format!("marker {marker}")));
+        let unnamed = || (marker != 0).then(|| Shared::from(format!("marker {marker}")));
+        let side = names.get(&marker).cloned().or_else(unnamed);
         links.push(Link { ends, curve: Curve::Line, side, part_of: 0 });
     }
-    if markers.iter().all(|marker| *marker == markers[0]) {
+    let is_unnamed = |marker: &i64| *marker == markers[0] && !names.contains_key(marker);
+    if markers.iter().all(is_unnamed) {
         links.iter_mut().for_each(|link| link.side = None);
     }
     Ok(links)
@@ -194,7 +234,35 @@ mod tests {
 7 1\n1 1 2 1\n2 2 3 9\n3 3 4 1\n4 4 1 1\n5 5 6 2 # hole\n6 6 7 2\n7 7 5 2\n1\n1 1.25 1.25\n0\n";
 
     fn read(text: &str) -> Result<Outlines, String> {
-        super::read(text.as_bytes()).map_err(|error| error.to_string())
+        let beside = |_: &str| Err(io::Error::other("not there"));
+        super::read(text.as_bytes(), beside).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn vertices_may_be_in_the_file_beside() {
+        let poly = "# marker 2: in let\n0 2 0 1\n3 1\n1 1 2 2\n2 2 3 2\n3 3 1 1\n0\n";
+        let read = |node: &str| {
+            let beside = |extension: &str| {
+                assert_eq!(extension, "node");
+                Ok(node.as_bytes().to_vec())
+            };
+            super::read(poly.as_bytes(), beside).map_err(|error| error.to_string())
+        };
+        // The fourth vertex is inside: no segment names it.
+        let outlines = read("# x\n4 2 0 1\n1 0 0 1\n2 4 0 1\n3 0 4 1\n4 1 1 0\n").unwrap();
+        let pieces = &outlines.features[0].rings[0].pieces;
+        let sides: Vec<&str> = pieces.iter().map(|it| it.side.as_deref().unwrap()).collect();
+        assert_eq!(sides, ["in let", "in let", "marker 1"]);
+        let starts: Vec<[f64; 2]> = pieces.iter().map(|it| it.start.to_array()).collect();
+        assert_eq!(starts, [[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]);
+        for (node, message) in [
+            ("0 2 0 0\n", "the .node beside the .poly: it has no vertices"),
+            ("1 2 0 0\n1 x 0\n", "the .node beside the .poly: line 2: found \"x\""),
+            ("1 2 0 0\n1 0 0\n", "line 4: the segment goes to vertex 2"),
+        ] {
+            let error = read(node).unwrap_err();
+            assert!(error.starts_with(message), "{error}");
+        }
     }
 
     #[test]
@@ -217,7 +285,12 @@ mod tests {
     fn errors_say_where_and_what() {
         for (from, to, message) in [
             ("7 2 0 1", "7 3 0 1", "line 2: the dimension is 3; expected 2"),
-            ("7 2 0 1", "0 2 0 1", "line 2: the file has no vertices of its own"),
+            (
+                "7 2 0 1",
+                "0 2 0 1",
+                "the .node beside the .poly: the .poly has no vertices of its own, and the .node that \
+                 has them cannot be read: not there",
+            ),
             (
                 "1 0 0 1\n",
                 "2 0 0 1\n",

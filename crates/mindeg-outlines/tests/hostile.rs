@@ -46,9 +46,14 @@ const FILES: [(OutlineFormat, &str); 14] = [
     (OutlineFormat::Csv, "0 0\n4 0\n4 0\n2 0\n0 0\n0 0\n\n1 1\n\n2 2\n3 3\n"),
 ];
 
+/// No file stands beside these.
+fn alone(_: &str) -> std::io::Result<Vec<u8>> {
+    Err(std::io::ErrorKind::NotFound.into())
+}
+
 /// Reads, repairs and divides as the command line does, whatever comes of it.
 fn use_all(bytes: &[u8], format: OutlineFormat) {
-    let Ok(outlines) = outlines::read(bytes, format) else { return };
+    let Ok(outlines) = outlines::read(bytes, format, alone) else { return };
     // What is read is proportional to the file.
     let rings = outlines.features.iter().flat_map(|feature| &feature.rings);
     let pieces: usize = rings.map(|ring| ring.pieces.len()).sum();
@@ -67,7 +72,7 @@ fn use_all(bytes: &[u8], format: OutlineFormat) {
 #[test]
 fn the_files_are_valid() {
     for (format, text) in FILES {
-        let outlines = outlines::read(text.as_bytes(), format).unwrap();
+        let outlines = outlines::read(text.as_bytes(), format, alone).unwrap();
         assert!(!outlines.features.is_empty(), "{text}");
         assert_eq!(OutlineFormat::of_content(text.as_bytes()), Some(format), "{text}");
         use_all(text.as_bytes(), format);
@@ -189,7 +194,7 @@ fn deep_and_long_files_end() {
     let squares: String =
         (1..20_000).map(|i| format!("-{i} -{i}\n{i} -{i}\n{i} {i}\n-{i} {i}\n\n")).collect();
     assert_eq!(
-        outlines::read(squares.as_bytes(), OutlineFormat::Csv).unwrap().features.len(),
+        outlines::read(squares.as_bytes(), OutlineFormat::Csv, alone).unwrap().features.len(),
         10_000
     );
     let spikes: String =

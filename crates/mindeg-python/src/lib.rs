@@ -9,6 +9,7 @@ mod domain;
 mod interior;
 mod loops;
 mod mesh;
+mod outlines;
 mod save;
 mod work;
 
@@ -24,4 +25,6 @@ mod _mindeg {
     use super::loops::{bridge_loops, fill_loop};
     #[pymodule_export]
     use super::mesh::{Mesh, improve, inspect, read};
+    #[pymodule_export]
+    use super::outlines::domain_of_file;
 }

@@ -2,7 +2,7 @@
 
 use mindeg::glam::DVec3;
 use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
-use numpy::{PyArray2, PyReadonlyArray2};
+use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -22,12 +22,12 @@ type Answer<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyDict>);
 #[pyo3(signature = (points, *, external=None, excluded=Vec::new(), max_degree=None))]
 pub(crate) fn fill_loop<'py>(
     py: Python<'py>,
-    points: PyReadonlyArray2<'py, f64>,
+    points: &Bound<'py, PyAny>,
     external: Option<Vec<u32>>,
     excluded: Vec<[u32; 2]>,
     max_degree: Option<u32>,
 ) -> PyResult<Answer<'py>> {
-    let points = ring(&points)?;
+    let points = ring(points)?;
     let external = degrees(external, points.len())?;
     check_pairs(&excluded, [points.len(); 2])?;
     let problem = LoopProblem::new(&points, &external, excluded).map_err(value_error)?;
@@ -50,13 +50,13 @@ pub(crate) fn fill_loop<'py>(
 #[pyo3(signature = (first, second, *, external=None, excluded=Vec::new(), max_degree=None))]
 pub(crate) fn bridge_loops<'py>(
     py: Python<'py>,
-    first: PyReadonlyArray2<'py, f64>,
-    second: PyReadonlyArray2<'py, f64>,
+    first: &Bound<'py, PyAny>,
+    second: &Bound<'py, PyAny>,
     external: Option<Vec<u32>>,
     excluded: Vec<[u32; 2]>,
     max_degree: Option<u32>,
 ) -> PyResult<Answer<'py>> {
-    let (x, y) = (ring(&first)?, ring(&second)?);
+    let (x, y) = (ring(first)?, ring(second)?);
     let external = degrees(external, x.len() + y.len())?;
     check_pairs(&excluded, [x.len(), y.len()])?;
     let external = external.split_at(x.len());
@@ -71,18 +71,13 @@ pub(crate) fn bridge_loops<'py>(
     Ok((arrays::triangles(py, found.triangles)?, facts))
 }
 
-fn ring(points: &PyReadonlyArray2<'_, f64>) -> PyResult<Vec<DVec3>> {
+fn ring(points: &Bound<'_, PyAny>) -> PyResult<Vec<DVec3>> {
     let points = arrays::positions(points)?;
     if points.len() < 3 {
         let problem = format!("found {} points; a loop has at least 3", points.len());
         return Err(PyValueError::new_err(problem));
     }
-    match points.iter().position(|point| !point.is_finite()) {
-        None => Ok(points),
-        Some(index) => {
-            Err(PyValueError::new_err(format!("point {index} is not finite; give finite numbers")))
-        }
-    }
+    Ok(points)
 }
 
 fn degrees(given: Option<Vec<u32>>, count: usize) -> PyResult<Vec<u32>> {
@@ -91,6 +86,15 @@ fn degrees(given: Option<Vec<u32>>, count: usize) -> PyResult<Vec<u32>> {
         let problem = format!(
             "found {} external degrees for {count} vertices; give one for each",
             degrees.len()
+        );
+        return Err(PyValueError::new_err(problem));
+    }
+    /// More than any vertex of a mesh has; limits up to the greatest degree are tried one by one.
+    const MOST: u32 = 1_000_000;
+    if let Some(vertex) = degrees.iter().position(|&degree| degree > MOST) {
+        let problem = format!(
+            "the external degree of vertex {vertex} is {}; give at most {MOST}",
+            degrees[vertex]
         );
         return Err(PyValueError::new_err(problem));
     }

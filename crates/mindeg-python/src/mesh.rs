@@ -8,9 +8,10 @@ use mindeg::glam::DVec3;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Mesh as AnyMesh, TriMesh};
+use mindeg_compare::inspected::InspectionReport;
 use mindeg_formats::svg;
-use mindeg_mesh::filled;
-use numpy::{PyArray1, PyArray2, PyReadonlyArray2};
+use mindeg_mesh::{LineKind, filled};
+use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -82,11 +83,11 @@ impl Mesh {
     #[new]
     #[pyo3(signature = (points, triangles, name=None))]
     fn from_arrays(
-        points: PyReadonlyArray2<'_, f64>,
+        points: &Bound<'_, PyAny>,
         triangles: &Bound<'_, PyAny>,
         name: Option<String>,
     ) -> PyResult<Self> {
-        let mesh = tri_mesh(&points, triangles)?;
+        let mesh = arrays::tri_mesh(points, triangles)?;
         let mesh = if let Some(name) = name { mesh.named(name) } else { mesh };
         Ok(Self::new(mesh, Facts::default()))
     }
@@ -214,42 +215,99 @@ impl Mesh {
         )
     }
 
-    /// Pickles the arrays, the lines and the facts.
+    /// Pickles the arrays, and what names parts of them.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let module = py.import("mindeg")?;
+        let mesh = &self.mesh;
+        let groups: Vec<(&str, [u32; 2])> = mesh
+            .groups()
+            .iter()
+            .map(|group| (&*group.name, [group.triangles.start, group.triangles.end]))
+            .collect();
+        let lines = mesh.lines();
+        let kinds: Vec<Option<&str>> =
+            (0..lines.len()).map(|line| mesh.line_kind(line).map(kind_name)).collect();
+        let straight: Vec<bool> = lines.iter().map(|line| line.is_straight).collect();
+        let depths = filled(0..mesh.vertex_count(), 0.0, |first, out| mesh.fill_depths(first, out));
+        let depths = depths.iter().any(|&depth| depth != 0.0).then_some(depths);
         let facts = (self.facts.least_max_degree, self.facts.found_by.clone(), self.report(py));
-        let state =
-            (self.points(py)?, self.triangles(py)?, self.mesh.name(), self.lines(py)?, facts);
-        (module.getattr("_restored")?, state).into_pyobject(py).map(|pair| pair.into_any())
+        let state = (
+            self.points(py)?,
+            self.triangles(py)?,
+            mesh.name(),
+            self.lines(py)?,
+            (straight, kinds),
+            (groups, depths),
+            facts,
+        );
+        let restored = py.import("mindeg")?.getattr("_restored")?;
+        (restored, state).into_pyobject(py).map(|pair| pair.into_any())
     }
 
     /// A mesh as `__reduce__` describes it.
     #[staticmethod]
     fn _of_parts(
-        points: PyReadonlyArray2<'_, f64>,
+        points: &Bound<'_, PyAny>,
         triangles: &Bound<'_, PyAny>,
         name: Option<String>,
         lines: Vec<(String, Vec<[u32; 2]>)>,
+        of_lines: (Vec<bool>, Vec<Option<String>>),
+        of_mesh: (Vec<(String, [u32; 2])>, Option<Vec<f64>>),
         facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
-        let mut mesh = tri_mesh(&points, triangles)?;
+        let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
+        let mut mesh = arrays::tri_mesh(points, triangles)?;
+        let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
         if let Some(name) = name {
             mesh = mesh.named(name);
         }
+        let (straight, kinds) = of_lines;
+        if [straight.len(), kinds.len()] != [lines.len(); 2] {
+            return Err(wrong("lines"));
+        }
         let (mut all, mut segments) = (Vec::new(), Vec::new());
-        for (name, line) in lines {
+        for ((name, line), is_straight) in lines.into_iter().zip(straight) {
             let start = segments.len() as u32;
             segments.extend(line);
-            all.push(mindeg::Line {
-                name,
-                segments: start..segments.len() as u32,
-                is_straight: false,
-            });
+            all.push(mindeg::Line { name, segments: start..segments.len() as u32, is_straight });
         }
-        let mesh = mesh.with_lines(all, segments).map_err(value_error)?;
+        mesh = mesh.with_lines(all, segments).map_err(value_error)?;
+        let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(kind_of));
+        mesh = mesh.with_line_kinds(kinds.collect());
+        let (groups, depths) = of_mesh;
+        let mut at = 0;
+        let mut all = Vec::new();
+        for (name, [start, end]) in groups {
+            if start != at || end <= start || end as usize > triangles {
+                return Err(wrong("groups"));
+            }
+            at = end;
+            all.push(mindeg::Group { name, triangles: start..end });
+        }
+        if at as usize == triangles {
+            mesh = mesh.with_groups(all);
+        } else if at > 0 {
+            return Err(wrong("groups"));
+        }
+        if let Some(depths) = depths {
+            if depths.len() != vertices || !depths.iter().all(|depth| depth.is_finite()) {
+                return Err(wrong("depths"));
+            }
+            mesh = mesh.with_depths(depths);
+        }
         let (least_max_degree, found_by, report) = facts;
         Ok(Self::new(mesh, Facts { least_max_degree, found_by, report }))
     }
+}
+
+const KINDS: [(LineKind, &str); 3] =
+    [(LineKind::Open, "open"), (LineKind::Land, "land"), (LineKind::Island, "island")];
+
+fn kind_name(kind: LineKind) -> &'static str {
+    KINDS.iter().find(|(one, _)| *one == kind).map_or("", |(_, name)| name)
+}
+
+fn kind_of(name: &str) -> Option<LineKind> {
+    KINDS.iter().find(|(_, one)| *one == name).map(|(kind, _)| *kind)
 }
 
 /// Read a mesh from a file of any format that mindeg reads.
@@ -265,41 +323,33 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
     Ok(Mesh::new(py.detach(read)?, Facts::default()))
 }
 
-/// What is wrong with a mesh, and how good it is: a dict.
+/// What is wrong with a mesh, and how good it is: a dict with the keys of `mindeg inspect --json`, which
+/// `docs/inspect.md` explains.
 #[pyfunction]
-#[pyo3(signature = (points, triangles, *, weld=Some(0.0), corner_angle=1.0))]
+#[pyo3(signature = (points, triangles, *, weld=Some(0.0), corner_angle=1.0, poles_above=8))]
 pub(crate) fn inspect<'py>(
     py: Python<'py>,
-    points: PyReadonlyArray2<'py, f64>,
+    points: &Bound<'py, PyAny>,
     triangles: &Bound<'py, PyAny>,
     weld: Option<f64>,
     corner_angle: f64,
-) -> PyResult<Bound<'py, PyDict>> {
-    let mesh = tri_mesh(&points, triangles)?;
-    let options = InspectionOptions { weld, corner_angle, ..InspectionOptions::default() };
-    let found = done(py, |_| Ok::<_, String>(Inspection::of(&mesh, &options)))?;
-    let dict = PyDict::new(py);
-    dict.set_item("vertices", found.vertex_count)?;
-    dict.set_item("triangles", found.triangle_count)?;
-    dict.set_item("edges", found.edge_count)?;
-    dict.set_item("boundary_edges", found.boundary_edge_count)?;
-    dict.set_item("boundary_loops", found.boundary_loop_count)?;
-    dict.set_item("components", found.component_count)?;
-    dict.set_item("euler_characteristic", found.euler_characteristic)?;
-    dict.set_item("welded_vertices", found.welded_count)?;
-    dict.set_item("non_manifold_edges", found.non_manifold_edges.clone())?;
-    dict.set_item("non_manifold_vertices", found.non_manifold_vertices.clone())?;
-    dict.set_item("inconsistent_edges", found.inconsistent_edges.clone())?;
-    dict.set_item("duplicate_faces", found.duplicate_faces.clone())?;
-    dict.set_item("zero_area_triangles", found.zero_area_triangles.clone())?;
-    dict.set_item("unreferenced_vertices", found.unreferenced_vertices.clone())?;
-    dict.set_item("max_degree", found.max_degree())?;
-    for (key, metric) in [("min_angle", "min_angle"), ("max_angle", "max_angle")] {
-        let spread = found.quality.metric(metric);
-        let value = spread.map(|spread| if key == "min_angle" { spread.min } else { spread.max });
-        dict.set_item(key, value)?;
+    poles_above: u32,
+) -> PyResult<Bound<'py, PyAny>> {
+    if let Some(weld) = weld.filter(|weld| !(weld.is_finite() && *weld >= 0.0)) {
+        let problem = format!("weld is {weld}; give a length of 0 or more, or None");
+        return Err(PyValueError::new_err(problem));
     }
-    Ok(dict)
+    if !(0.0..=180.0).contains(&corner_angle) {
+        let problem = format!("corner_angle is {corner_angle}; give degrees from 0 to 180");
+        return Err(PyValueError::new_err(problem));
+    }
+    let mesh = arrays::tri_mesh(points, triangles)?;
+    let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
+    let json = done(py, |_| {
+        let found = Inspection::of(&mesh, &options);
+        serde_json::to_string(&InspectionReport::new(None, &mesh, &found, &options))
+    })?;
+    py.import("json")?.call_method1("loads", (json,))
 }
 
 /// The optimiser alone on a planar mesh: the boundary stays. Options as for `Domain.interior`.
@@ -307,50 +357,14 @@ pub(crate) fn inspect<'py>(
 #[pyo3(signature = (points, triangles, **options))]
 pub(crate) fn improve(
     py: Python<'_>,
-    points: PyReadonlyArray2<'_, f64>,
+    points: &Bound<'_, PyAny>,
     triangles: &Bound<'_, PyAny>,
     options: Option<&Bound<'_, PyDict>>,
 ) -> PyResult<Mesh> {
-    let mesh = tri_mesh(&points, triangles)?;
+    let mesh = arrays::tri_mesh(points, triangles)?;
     let wanted = interior::wanted(options, mindeg::Interior::default())?;
     let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
     let report = interior::reached(py, &found.after)?;
     report.set_item("before", interior::reached(py, &found.before)?)?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
-}
-
-/// Numpy's arrays, or what numpy makes one of, as a mesh.
-fn tri_mesh(points: &PyReadonlyArray2<'_, f64>, triangles: &Bound<'_, PyAny>) -> PyResult<TriMesh> {
-    let positions = arrays::positions(points)?;
-    TriMesh::new(positions, index_rows(triangles)?).map_err(value_error)
-}
-
-/// The rows of an (m, 3) array of integers of any type.
-fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
-    let wrong = || PyValueError::new_err("triangles must be an (m, 3) array of indices from 0");
-    let rows = |view: numpy::ndarray::ArrayView2<'_, i64>| {
-        if view.ncols() != 3 {
-            return Err(wrong());
-        }
-        let index = |value: i64| u32::try_from(value).map_err(|_| wrong());
-        let row = |row: numpy::ndarray::ArrayView1<'_, i64>| {
-            Ok([index(row[0])?, index(row[1])?, index(row[2])?])
-        };
-        view.rows().into_iter().map(row).collect()
-    };
-    if let Ok(array) = triangles.extract::<PyReadonlyArray2<'_, u32>>() {
-        let view = array.as_array();
-        if view.ncols() != 3 {
-            return Err(wrong());
-        }
-        return Ok(view.rows().into_iter().map(|row| [row[0], row[1], row[2]]).collect());
-    }
-    let numpy = triangles.py().import("numpy")?;
-    let array = numpy.call_method1("asarray", (triangles,))?;
-    if !array.getattr("dtype")?.getattr("kind")?.extract::<String>()?.starts_with(['i', 'u']) {
-        return Err(wrong());
-    }
-    let array = array.call_method1("astype", ("int64",))?;
-    let array: PyReadonlyArray2<'_, i64> = array.extract().map_err(|_| wrong())?;
-    rows(array.as_array())
 }

@@ -7,7 +7,7 @@ use mindeg::Mesh;
 use mindeg_formats::{
     Encoding, Format, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
 };
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use tempfile::NamedTempFile;
 
@@ -98,7 +98,7 @@ pub(crate) fn save(mesh: &dyn Mesh, path: &Path, wanted: &Wanted<'_>) -> PyResul
     Ok(())
 }
 
-/// An `OSError` that names the file.
+/// An `OSError`, such as a `FileNotFoundError`, that names the file.
 pub(crate) fn os_error(path: &Path, error: &io::Error) -> PyErr {
-    PyOSError::new_err(format!("{}: {error}", path.display()))
+    io::Error::new(error.kind(), format!("{}: {error}", path.display())).into()
 }

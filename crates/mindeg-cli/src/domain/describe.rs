@@ -1,6 +1,6 @@
 //! `mindeg domain`: what was understood of a file, and the domain in JSON.
 
-use super::{Content, Polygon, Polygons, subject};
+use super::{Content, Polygons, subject};
 use crate::args::DescribeArguments;
 use crate::failure::Failure;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
@@ -8,6 +8,7 @@ use crate::output::{Outputs, is_standard_output, write_to};
 use crate::standard_output::{print, print_json};
 use crate::terminal::say;
 use mindeg::Domain;
+use mindeg_outlines::Polygon;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::path::Path;

@@ -5,13 +5,12 @@ use crate::failure::{Failure, plainly};
 use crate::input;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_outlines::{self as outlines, Division, Labelled, OutlineFormat, Outlines, labelled};
+use mindeg_outlines::{
+    self as outlines, Division, Listed, OutlineFormat, Outlines, Polygon, ReadError,
+};
 use std::fs;
 use std::io::{self, Read};
 use std::path::Path;
-
-/// Extensions of meshes, which are no domains.
-const MESHES: [&str; 8] = ["glb", "gltf", "stl", "ply", "off", "vtk", "vtu", "fbx"];
 
 /// What a file holds.
 pub(crate) enum Content {
@@ -32,25 +31,10 @@ pub(crate) struct Polygons {
     is_repaired: bool,
 }
 
-/// One polygon of a file.
-pub(crate) struct Polygon {
-    pub(crate) index: usize,
-    /// Its name, with a number if several polygons have it; empty if it has none.
-    pub(crate) label: String,
-    labelled: Labelled,
-}
-
-impl Polygon {
-    /// What messages and files call it.
-    pub(crate) fn name(&self) -> String {
-        if self.label.is_empty() { format!("polygon {}", self.index) } else { self.label.clone() }
-    }
-}
-
 impl Polygons {
     /// The domain of one of them.
     pub(crate) fn domain(&self, polygon: &Polygon) -> Result<Domain, Failure> {
-        polygon.labelled.feature().domain(&self.division).map_err(|error| {
+        polygon.domain(&self.division).map_err(|error| {
             let hint = if error.is_touch() && !self.is_repaired {
                 "; --repair parts rings that touch themselves"
             } else {
@@ -68,22 +52,10 @@ impl Polygons {
                 "{} has {} polygons; choose one with --feature, by its name or index: {}",
                 self.file,
                 polygons.len(),
-                listed(polygons)
+                Listed(polygons)
             ))),
         }
     }
-}
-
-/// The first polygons in a few words.
-fn listed(polygons: &[Polygon]) -> String {
-    const SHOWN: usize = 5;
-    let one = |polygon: &Polygon| match &*polygon.label {
-        "" => polygon.index.to_string(),
-        label => format!("{} ({label})", polygon.index),
-    };
-    let shown: Vec<String> = polygons.iter().take(SHOWN).map(one).collect();
-    let more = if polygons.len() > SHOWN { ", …; mindeg domain lists all" } else { "" };
-    format!("{}{more}", shown.join(", "))
 }
 
 /// Reads a file, or standard input where the path is `-`.
@@ -97,9 +69,8 @@ pub(crate) fn read(
         return Err(Failure::Input(format!("{name} is empty; a domain is expected")));
     }
     let path = (path != Path::new("-")).then_some(path);
-    let format = outlines::format_or_domain(path, &bytes)
-        .map_err(|error| Failure::Input(format!("{name}: {error}")))?;
-    let Some(format) = format else {
+    let bad = |error: ReadError| Failure::Input(format!("{name}: {error}"));
+    let Some(format) = outlines::format_of(path, &bytes).map_err(bad)? else {
         options.refuse_for_json(&name)?;
         let text = String::from_utf8(bytes)
             .map_err(|error| Failure::Input(format!("{name} is not UTF-8 text: {error}")))?;
@@ -107,20 +78,22 @@ pub(crate) fn read(
             Domain::from_json(&text).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
         return Ok(Content::Domain(Box::new(domain)));
     };
-    let bad = |error| Failure::Input(format!("{name}: {error}"));
-    let mut outlines = outlines::read(&bytes, format).map_err(bad)?;
+    let beside = |extension: &str| match path {
+        Some(path) => fs::read(path.with_extension(extension)),
+        None => Err(io::Error::other("standard input has no file beside it")),
+    };
+    let mut outlines = outlines::read(&bytes, format, beside).map_err(bad)?;
     drop(bytes);
     if options.repair {
         outlines = outlines.repaired().map_err(bad)?;
     }
     let Outlines { features, notes } = outlines;
     notes.iter().for_each(|note| say(&format!("{name}: {note}")));
-    let polygons = (1..).zip(labelled(features)).map(|(index, labelled)| Polygon {
-        index,
-        label: labelled.label.clone(),
-        labelled,
-    });
-    let polygons = chosen(polygons.collect(), options, &name)?;
+    let mut polygons = outlines::labelled(features);
+    if let Some(wanted) = &options.feature {
+        let chosen = outlines::chosen(polygons, wanted);
+        polygons = chosen.map_err(|error| Failure::Input(format!("{name}: {error}")))?;
+    }
     let corner_angle = options.corner_angle;
     let division = Division { corner_angle, size };
     let is_repaired = options.repair;
@@ -135,7 +108,6 @@ pub(crate) fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
         let read = io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes);
         ("standard input".to_owned(), read)
     } else {
-        refuse_mesh(path)?;
         input::note(path, "domain");
         (path.display().to_string(), fs::read(path))
     };
@@ -143,40 +115,4 @@ pub(crate) fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
         Ok(bytes) => Ok((name, bytes)),
         Err(error) => Err(Failure::Io(format!("cannot read {name}: {}", plainly(&error)))),
     }
-}
-
-fn refuse_mesh(path: &Path) -> Result<(), Failure> {
-    let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    if extension.is_some_and(|extension| MESHES.contains(&extension.as_str())) {
-        return Err(Failure::Input(format!(
-            "{} is a mesh, not a domain; mindeg view, inspect and convert take meshes",
-            path.display()
-        )));
-    }
-    Ok(())
-}
-
-/// The polygons that `--feature` names: one by its label or index, or all of one name.
-fn chosen(
-    polygons: Vec<Polygon>,
-    options: &OutlineOptions,
-    file: &str,
-) -> Result<Vec<Polygon>, Failure> {
-    let Some(wanted) = &options.feature else { return Ok(polygons) };
-    let of_name = |polygon: &Polygon| polygon.labelled.feature.name.as_ref() == Some(wanted);
-    let by_label = polygons.iter().any(|polygon| polygon.label == *wanted);
-    let by_name = !by_label && polygons.iter().any(of_name);
-    let index = wanted.parse::<usize>().ok();
-    let problem = format!(
-        "{file} has no polygon {wanted:?}; give a name, or an index from 1 to {}: {}",
-        polygons.len(),
-        listed(&polygons)
-    );
-    let is_chosen = |polygon: &Polygon| match (by_label, by_name) {
-        (true, _) => polygon.label == *wanted,
-        (_, true) => of_name(polygon),
-        _ => Some(polygon.index) == index,
-    };
-    let chosen: Vec<Polygon> = polygons.into_iter().filter(|it| is_chosen(it)).collect();
-    if chosen.is_empty() { Err(Failure::Input(problem)) } else { Ok(chosen) }
 }

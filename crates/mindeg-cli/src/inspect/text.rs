@@ -1,8 +1,8 @@
 //! The findings as text for people: what is wrong first.
 
-use super::report::{Report, Spread};
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::quality::METRICS;
+use mindeg_compare::inspected::{InspectionReport, Spread};
 use mindeg_compare::number_format::four_digits;
 use std::fmt::{Display, Write};
 
@@ -12,7 +12,7 @@ const NAMED: usize = 5;
 const ROWS: usize = 16;
 
 pub(super) fn text(
-    report: &Report,
+    report: &InspectionReport,
     inspection: &Inspection,
     options: &InspectionOptions,
 ) -> String {
@@ -24,7 +24,7 @@ pub(super) fn text(
 
 fn write_text(
     text: &mut String,
-    report: &Report,
+    report: &InspectionReport,
     inspection: &Inspection,
     options: &InspectionOptions,
 ) -> std::fmt::Result {
@@ -39,7 +39,7 @@ fn write_text(
     writeln!(text, "\nVertices, faces and triangles are numbered from 0, in the order of the file.")
 }
 
-fn write_defects(text: &mut String, report: &Report) -> std::fmt::Result {
+fn write_defects(text: &mut String, report: &InspectionReport) -> std::fmt::Result {
     let edge = |[a, b]: &[u32; 2]| format!("{a}-{b}");
     let defects = [
         ("non-manifold edges", named(&report.non_manifold_edges, edge)),
@@ -59,7 +59,8 @@ fn write_defects(text: &mut String, report: &Report) -> std::fmt::Result {
     writeln!(
         text,
         "{}: {verdict}; maximum degree {}, angles from {min}° to {max}°",
-        report.file, report.max_degree
+        report.file.as_deref().unwrap_or_default(),
+        report.max_degree
     )?;
     for (name, (count, names)) in found {
         writeln!(text, "  {name:<32}{count:>9}  {names}")?;
@@ -76,7 +77,7 @@ fn named<T>(things: &[T], name: impl Fn(&T) -> String) -> (usize, String) {
     (things.len(), names)
 }
 
-fn write_counts(text: &mut String, report: &Report) -> std::fmt::Result {
+fn write_counts(text: &mut String, report: &InspectionReport) -> std::fmt::Result {
     let mut row = |name: &str, count: &dyn Display, note: String| {
         let line = format!("{name:<21}{count:>9}  {note}");
         writeln!(text, "{}", line.trim_end())
@@ -122,7 +123,7 @@ fn write_counts(text: &mut String, report: &Report) -> std::fmt::Result {
 
 fn write_degrees(
     text: &mut String,
-    report: &Report,
+    report: &InspectionReport,
     options: &InspectionOptions,
 ) -> std::fmt::Result {
     writeln!(text, "degree     boundary  interior")?;
@@ -157,7 +158,11 @@ fn write_degrees(
     if report.poles.len() > NAMED { writeln!(text, "  …") } else { Ok(()) }
 }
 
-fn write_outline(text: &mut String, report: &Report, inspection: &Inspection) -> std::fmt::Result {
+fn write_outline(
+    text: &mut String,
+    report: &InspectionReport,
+    inspection: &Inspection,
+) -> std::fmt::Result {
     match (&report.outline, &inspection.outline) {
         (Some(outline), _) => {
             let mut counts: Vec<String> =
@@ -191,7 +196,7 @@ fn write_outline(text: &mut String, report: &Report, inspection: &Inspection) ->
     }
 }
 
-fn write_quality(text: &mut String, report: &Report) -> std::fmt::Result {
+fn write_quality(text: &mut String, report: &InspectionReport) -> std::fmt::Result {
     let row = |name: &str, cells: [&str; 6], unit: &str| {
         let cells: String = cells.iter().map(|cell| format!("{cell:>11}")).collect();
         format!("{name:<16}{cells}  {unit}").trim_end().to_owned()

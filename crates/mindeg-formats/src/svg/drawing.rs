@@ -1,6 +1,7 @@
 //! The mesh itself: faces, edges, outline, dots and labels.
 
 use super::frame::Frame;
+use super::solid;
 use super::style::{LARGEST_DOT, MAX_DOTS, escaped, hex};
 use super::view::View;
 use crate::degree_color;
@@ -14,6 +15,8 @@ pub(super) struct Drawing<'a> {
     frame: &'a Frame,
     /// The points in the picture.
     points: Vec<DVec2>,
+    /// Of a mesh that hides a part of itself, what is seen of it.
+    solid: Option<solid::Order>,
     triangles: Vec<[u32; 3]>,
     /// The colored degree of each vertex; empty if there are too many for dots.
     classes: Vec<u32>,
@@ -35,13 +38,16 @@ impl<'a> Drawing<'a> {
             classes = filled(vertices, 0, |first, out| mesh.fill_degrees(first, out));
             classes.iter_mut().for_each(|degree| *degree = degree_class(*degree));
         }
+        let boundary = boundary(&triangles);
+        let solid = solid::Order::of(&points, &triangles, view, boundary.is_empty());
         let lines = mesh.lines().into_owned();
         let segment_count = lines.last().map_or(0, |line| line.segments.end);
         let fill = |first, out: &mut [[u32; 2]]| mesh.fill_segments(first, out);
         Self {
             frame,
             points: points.into_iter().map(|point| frame.place(view.of_point(point))).collect(),
-            boundary: boundary(&triangles),
+            solid,
+            boundary,
             triangles,
             classes,
             lines,
@@ -50,6 +56,9 @@ impl<'a> Drawing<'a> {
     }
 
     pub(super) fn write(&self, out: &mut impl Write) -> io::Result<()> {
+        if let Some(solid) = &self.solid {
+            return self.write_solid(solid, out);
+        }
         let outline = self.outline();
         write_outline(&outline, "face", out)?;
         if !self.classes.is_empty() {
@@ -61,6 +70,36 @@ impl<'a> Drawing<'a> {
             self.write_dots(class, out)?;
         }
         Ok(())
+    }
+
+    /// Triangles from the farthest to the nearest, each over those before it, and each dot over the
+    /// nearest triangle of its vertex.
+    fn write_solid(&self, solid: &solid::Order, out: &mut impl Write) -> io::Result<()> {
+        let width = self.edge_width();
+        writeln!(out, "<g stroke-width=\"{width:.2}\" stroke-linejoin=\"round\">")?;
+        let radii = self.radii();
+        let mut buffer = Vec::new();
+        for seen in &solid.triangles {
+            let class = if seen.is_front { "solid" } else { "solid inside" };
+            buffer.extend_from_slice(format!("<path class=\"{class}\" d=\"").as_bytes());
+            let corners = self.triangles[seen.triangle as usize];
+            for (vertex, command) in corners.into_iter().zip(*b"MLL") {
+                buffer.push(command);
+                push_point(&mut buffer, self.point(vertex));
+            }
+            buffer.extend_from_slice(b"Z\"/>\n");
+            for vertex in corners {
+                let is_last = solid.last_of_vertex[vertex as usize] == seen.triangle;
+                if let (true, Some(&class)) = (is_last, self.classes.get(vertex as usize)) {
+                    let color = format!("<g fill=\"{}\">", hex(class));
+                    buffer.extend_from_slice(color.as_bytes());
+                    push_dot(&mut buffer, self.point(vertex), radii[vertex as usize]);
+                    buffer.extend_from_slice(b"</g>\n");
+                }
+            }
+        }
+        buffer.extend_from_slice(b"</g>\n");
+        out.write_all(&buffer)
     }
 
     /// The loops of the boundary, without the points inside straight lines.
@@ -114,7 +153,7 @@ impl<'a> Drawing<'a> {
     /// Every interior edge once. A triangulation has each of them in two triangles, which run
     /// through it in opposite directions, and each boundary edge in one.
     fn write_edges(&self, out: &mut impl Write) -> io::Result<()> {
-        let width = (0.06 * self.spacing()).clamp(0.3, 1.6);
+        let width = self.edge_width();
         let mut buffer =
             format!("<path class=\"edge\" stroke-width=\"{width:.2}\" d=\"").into_bytes();
         for &[a, b, c] in &self.triangles {
@@ -131,10 +170,24 @@ impl<'a> Drawing<'a> {
         out.write_all(&buffer)
     }
 
-    /// The mean length of the boundary edges, in pixels.
+    fn edge_width(&self) -> f64 {
+        (0.06 * self.spacing()).clamp(0.3, 1.6)
+    }
+
+    /// The mean length of the boundary edges, or of all where there are none, in pixels.
     fn spacing(&self) -> f64 {
-        let length = |&[from, to]: &[u32; 2]| self.point(from).distance(self.point(to));
-        self.boundary.iter().map(length).sum::<f64>() / self.boundary.len().max(1) as f64
+        let length = |[from, to]: [u32; 2]| self.point(from).distance(self.point(to));
+        let mean = |edges: &mut dyn Iterator<Item = [u32; 2]>| {
+            let (sum, count) =
+                edges.fold((0.0, 0), |(sum, count), it| (sum + length(it), count + 1));
+            sum / f64::from(count.max(1))
+        };
+        if self.boundary.is_empty() {
+            return mean(
+                &mut self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]),
+            );
+        }
+        mean(&mut self.boundary.iter().copied())
     }
 
     /// The degrees with a color that occur, in ascending order, with the number of vertices; none
@@ -148,18 +201,24 @@ impl<'a> Drawing<'a> {
 
     /// The vertices that have the color of `class`.
     fn write_dots(&self, class: u32, out: &mut impl Write) -> io::Result<()> {
-        let size = self.frame.size;
-        let largest = (0.2 * size.min_element()).min(LARGEST_DOT * size.max_element());
-        let largest = largest.clamp(0.6, 8.0);
-        let nearest = self.nearest();
         let mut buffer = format!("<g fill=\"{}\">\n", hex(class)).into_bytes();
-        for ((&point, &of_vertex), nearest) in self.points.iter().zip(&self.classes).zip(nearest) {
+        for ((&point, &of_vertex), radius) in
+            self.points.iter().zip(&self.classes).zip(self.radii())
+        {
             if of_vertex == class {
-                push_dot(&mut buffer, point, (0.3 * nearest).clamp(0.6, largest));
+                push_dot(&mut buffer, point, radius);
             }
         }
         buffer.extend_from_slice(b"</g>\n");
         out.write_all(&buffer)
+    }
+
+    /// The radius of the dot of each vertex.
+    fn radii(&self) -> Vec<f64> {
+        let size = self.frame.size;
+        let largest = (0.2 * size.min_element()).min(LARGEST_DOT * size.max_element());
+        let largest = largest.clamp(0.6, 8.0);
+        self.nearest().into_iter().map(|nearest| (0.3 * nearest).clamp(0.6, largest)).collect()
     }
 
     /// The length of the shortest boundary edge at each vertex, or of the shortest edge if it has
@@ -284,7 +343,9 @@ fn push_point(buffer: &mut Vec<u8>, point: DVec2) {
 
 /// A length in pixels, to a hundredth.
 fn push_pixels(buffer: &mut Vec<u8>, pixels: f64) {
-    let hundredths = (pixels * 100.0).round();
+    // Far outside of any picture; of coordinates too large to draw.
+    const FAR: f64 = 1e9;
+    let hundredths = (pixels.clamp(-FAR, FAR) * 100.0).round();
     let mut digits = zmij::Buffer::new();
     let number = digits.format_finite(hundredths / 100.0);
     buffer.extend_from_slice(number.strip_suffix(".0").unwrap_or(number).as_bytes());

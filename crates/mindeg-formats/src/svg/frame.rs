@@ -23,11 +23,15 @@ impl Frame {
     }
 
     pub(super) fn new(bounds: Bounds, room: Bounds) -> Self {
-        let length = bounds.size();
+        // What is one point, or too large or small for numbers, is drawn as of size 1.
+        let mut length = bounds.size();
+        if !(1e-300..=1e300).contains(&length.max_element()) {
+            length = DVec2::ONE;
+        }
         let thinnest = length.max_element() / MAX_SLENDERNESS;
         let drawn = length.max(DVec2::splat(thinnest));
         let size = drawn * (room.size() / drawn).min_element();
-        let scale = size / length;
+        let scale = (size / length).map(|scale| if scale.is_finite() { scale } else { 1.0 });
         let to = DVec2::new(room.center().x - size.x / 2.0, room.min.y);
         Self { scale, from: DVec2::new(bounds.min.x, bounds.max.y), to, size }
     }
@@ -46,5 +50,33 @@ impl Frame {
 
     pub(super) fn height(&self) -> f64 {
         TOP + self.size.y + BOTTOM
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_box_has_a_place() {
+        let room = Bounds { min: DVec2::ZERO, max: DVec2::new(100.0, 80.0) };
+        for size in [
+            [0.0, 0.0],
+            [0.0, 2.0],
+            [2.0, 0.0],
+            [5e-324, 5e-324],
+            [5e-324, 1.0],
+            [1e308, 1.0],
+            [f64::MAX, f64::MAX],
+        ] {
+            let max = DVec2::from(size);
+            // The second box is too wide for a difference.
+            for min in [DVec2::ZERO, -max] {
+                let frame = Frame::new(Bounds { min, max }, room);
+                assert!(frame.size.is_finite() && frame.size.max_element() > 0.0, "{size:?}");
+                let at = frame.place(min.midpoint(max));
+                assert!(!at.is_nan(), "{size:?}: {at}");
+            }
+        }
     }
 }

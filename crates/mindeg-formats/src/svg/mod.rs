@@ -7,14 +7,17 @@
 //! distance between vertices.
 //!
 //! A mesh in space is seen along the axis that its triangles face most: the one in which their
-//! normals are largest on average, weighted by area.
+//! normals are largest on average, weighted by area. Where some triangles then face the eye and others
+//! do not, nearer ones are drawn over farther ones, and of a closed solid only those that face the eye.
 //!
 //! Limits: a mesh of more than [`MAX_VERTICES`] vertices is refused, since its edges would
 //! run into one another. Above [`MAX_DOTS`] vertices, edges are drawn without dots. A side
-//! too short for its label goes without. Coordinates are rounded to a hundredth of a pixel.
+//! too short for its label goes without. Triangles that pass through each other, or lie round each other
+//! in a circle, hide each other as a whole. Coordinates are rounded to a hundredth of a pixel.
 
 mod drawing;
 mod frame;
+mod solid;
 mod style;
 mod view;
 

@@ -31,12 +31,13 @@ fill:#1f2328}\
 .key{font-size:15px;font-weight:600}\
 .label{font-size:14px;fill:#59636e;text-anchor:middle}\
 .face{fill:#eef2fb}.shade{fill:#e0e7f5}\
+.solid{fill:#eef2fb;stroke:#7f8ca3}.inside{fill:#cfd8ea}\
 .edge{fill:none;stroke:#7f8ca3;stroke-linecap:round}\
 .outline{fill:none;stroke:#2b3440;stroke-width:2;stroke-linejoin:round}\
 .ring{stroke:#fff}\
 @media(prefers-color-scheme:dark){\
 text{fill:#f0f6fc}.card{fill:#0d1117;stroke:#3d444d}.muted,.label{fill:#9198a1}\
-.face{fill:#171e2b}.shade{fill:#1f2838}.edge{stroke:#66738a}.outline{stroke:#c3ccd8}.ring{stroke:#f0f6fc}}";
+.solid{fill:#171e2b;stroke:#66738a}.inside{fill:#2b364a}.face{fill:#171e2b}.shade{fill:#1f2838}.edge{stroke:#66738a}.outline{stroke:#c3ccd8}.ring{stroke:#f0f6fc}}";
 
 pub(super) fn hex(degree: u32) -> String {
     let [red, green, blue] = degree_color::srgb(degree);

@@ -50,6 +50,16 @@ impl View {
         }
     }
 
+    /// How near to the eye a point is.
+    pub(super) fn nearness(self, point: DVec3) -> f64 {
+        match self {
+            Self::X => point.x,
+            // With x to the right and z upwards, y points away.
+            Self::Y => -point.y,
+            Self::Z => point.z,
+        }
+    }
+
     pub(super) fn of_box(self, bounds: Bounds<DVec3>) -> Bounds {
         Bounds { min: self.of_point(bounds.min), max: self.of_point(bounds.max) }
     }

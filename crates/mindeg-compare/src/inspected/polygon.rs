@@ -20,20 +20,25 @@ const MOST_TRIPLES: u64 = 100_000_000;
 /// How many times longer than rounding the shortest edge must be.
 const CLEAR: f64 = 1000.0;
 
-/// What is known of the outline.
-#[derive(Serialize)]
-pub(super) struct Polygon {
-    vertices: usize,
-    holes: usize,
+/// What is known of a planar mesh's outline that is not convex.
+#[derive(Debug, Serialize)]
+pub struct OutlinePolygon {
+    /// Vertices, all of them on its boundary.
+    pub vertices: usize,
+    /// Holes.
+    pub holes: usize,
     /// Null where it is not known: then it is between the next two.
-    least_max_degree: Option<u32>,
-    at_least: u32,
-    reached: u32,
+    pub least_max_degree: Option<u32>,
+    /// No triangulation has less.
+    pub at_least: u32,
+    /// One has this.
+    pub reached: u32,
 }
 
-impl Polygon {
-    /// What is known, beside the degree of the mesh.
-    pub(super) fn text(&self, found: u32) -> String {
+impl OutlinePolygon {
+    /// A sentence on what is known, beside the degree of the mesh.
+    #[must_use]
+    pub fn text(&self, found: u32) -> String {
         let Self { vertices, holes, at_least, reached, .. } = self;
         let holes = match holes {
             0 => String::new(),
@@ -57,7 +62,7 @@ pub(super) fn polygon(
     mesh: &TriMesh,
     inspection: &Inspection,
     options: &InspectionOptions,
-) -> Option<Polygon> {
+) -> Option<OutlinePolygon> {
     let is_surface = inspection.component_count == 1
         && inspection.open_boundary_count == 0
         && inspection.non_manifold_edges.is_empty()
@@ -72,7 +77,7 @@ pub(super) fn polygon(
     let side_of = straight_runs(&points, &rings, mesh.rounding())?;
     let answer = degree_of_rings(&points, &rings, &side_of, MOST_TRIPLES, Progress::NONE).ok()?;
     let DegreeAnswer { reached, at_least, .. } = answer;
-    Some(Polygon {
+    Some(OutlinePolygon {
         vertices: points.len(),
         holes: rings.len() - 1,
         least_max_degree: answer.least_max_degree(),

@@ -1,0 +1,275 @@
+//! What an inspection found, in the words of its JSON, which `docs/inspect.md` explains.
+
+mod polygon;
+
+pub use polygon::OutlinePolygon;
+
+use mindeg::inspection::{Inspection, InspectionOptions};
+use mindeg::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
+use mindeg_core::{Boundary, least_max_degree};
+use mindeg_mesh::TriMesh;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// What `mindeg inspect --json` prints, and what `mindeg.inspect` gives in Python. Angles are in degrees; vertices,
+/// faces and triangles have indices from 0.
+#[derive(Debug, Serialize)]
+pub struct InspectionReport {
+    /// The file, or null for a mesh from memory.
+    pub file: Option<String>,
+    /// Vertices of the mesh.
+    pub vertices: usize,
+    /// Vertices at the place of one before them, taken as that one.
+    pub welded_vertices: usize,
+    /// Triangles, those that polygons were cut into among them.
+    pub triangles: usize,
+    /// Faces with four corners.
+    pub quads: u64,
+    /// Faces with more corners.
+    pub polygons: u64,
+    /// Line segments.
+    pub line_segments: u64,
+    /// Points that stand alone.
+    pub points: u64,
+    /// What was left out when the mesh was read.
+    pub not_read: Vec<String>,
+    /// Faces: a polygon is one.
+    pub faces: usize,
+    /// Edges of faces.
+    pub edges: usize,
+    /// Edges with a face on one side alone.
+    pub boundary_edges: usize,
+    /// Closed loops of boundary edges.
+    pub boundary_loops: usize,
+    /// Runs of boundary edges that do not close.
+    pub open_boundaries: usize,
+    /// Pieces that share no vertex.
+    pub components: usize,
+    /// Vertices - edges + faces.
+    pub euler_characteristic: i64,
+    /// Whether every edge has a face on either side.
+    pub closed: bool,
+    /// Whether no edge has three faces, and the faces at every vertex are one fan.
+    pub manifold: bool,
+    /// The number of handles of a mesh that is closed, manifold and consistently wound; null of any other.
+    pub genus: Option<u64>,
+    /// The volume inside; null where `genus` is.
+    pub volume: Option<f64>,
+    /// Edges with more than two faces.
+    pub non_manifold_edges: Vec<[u32; 2]>,
+    /// Vertices whose faces are several fans.
+    pub non_manifold_vertices: Vec<u32>,
+    /// Edges that both of their faces run along in the same direction.
+    pub inconsistent_edges: Vec<[u32; 2]>,
+    /// Faces with the vertices of one before them.
+    pub duplicate_faces: Vec<u32>,
+    /// The first triangle of each of these.
+    pub duplicate_triangles: Vec<u32>,
+    /// Triangles without an area.
+    pub zero_area_triangles: Vec<u32>,
+    /// Vertices that no face has.
+    pub unreferenced_vertices: Vec<u32>,
+    /// The greatest number of edges at a vertex.
+    pub max_degree: u32,
+    /// How many vertices have each degree.
+    pub degree_histogram: DegreeCounts,
+    /// Vertices of a degree above a limit.
+    pub poles: Vec<Pole>,
+    /// The sum of the areas.
+    pub area: f64,
+    /// The least angle.
+    pub min_angle: f64,
+    /// The greatest angle.
+    pub max_angle: f64,
+    /// How each measure of quality is distributed.
+    pub metrics: BTreeMap<&'static str, Spread>,
+    /// The share of triangles with an angle below so many degrees.
+    pub share_below_degrees: BTreeMap<u32, f64>,
+    /// The triangles of the least angles.
+    pub worst_triangles: Vec<ThinTriangle>,
+    /// The convex outline of a mesh of its vertices.
+    pub outline: Option<ConvexOutline>,
+    /// Why there is none.
+    pub no_outline: Option<String>,
+    /// Of a planar mesh of boundary vertices alone that has no convex outline.
+    pub polygon: Option<OutlinePolygon>,
+}
+
+/// The number of vertices of each degree.
+#[derive(Debug, Serialize)]
+pub struct DegreeCounts {
+    /// Of vertices on the boundary.
+    pub boundary: BTreeMap<u32, u64>,
+    /// Of the others.
+    pub interior: BTreeMap<u32, u64>,
+}
+
+/// A vertex of high degree.
+#[derive(Debug, Serialize)]
+pub struct Pole {
+    /// Its index.
+    pub vertex: u32,
+    /// The number of its edges.
+    pub degree: u32,
+    /// Whether it is on the boundary.
+    pub on_boundary: bool,
+    /// Where it is.
+    pub position: [f64; 3],
+}
+
+/// A distribution; what is infinite is null.
+#[derive(Debug, Serialize)]
+pub struct Spread {
+    /// The least value.
+    pub min: f64,
+    /// The value that a hundredth lies below.
+    pub p01: f64,
+    /// The value in the middle.
+    pub median: f64,
+    /// The mean.
+    pub mean: f64,
+    /// The value that a hundredth lies above.
+    pub p99: f64,
+    /// The greatest value.
+    pub max: f64,
+}
+
+/// A triangle with a small angle.
+#[derive(Debug, Serialize)]
+pub struct ThinTriangle {
+    /// Its index.
+    pub triangle: u32,
+    /// Its vertices.
+    pub vertices: [u32; 3],
+    /// Its least angle.
+    pub min_angle: f64,
+    /// Its greatest angle.
+    pub max_angle: f64,
+}
+
+/// A convex outline.
+#[derive(Debug, Serialize)]
+pub struct ConvexOutline {
+    /// Its corners, counter-clockwise.
+    pub corners: Vec<u32>,
+    /// The intervals of the side from each corner on.
+    pub intervals: Vec<u32>,
+    /// The least maximum degree of a mesh of its points.
+    pub least_max_degree: u32,
+}
+
+impl InspectionReport {
+    /// What `inspection` found in `mesh` under `options`, and the least degree of its outline.
+    ///
+    /// O(n) for the report. The least degree of an outline that is not convex takes about a second
+    /// at most; where it would take more, it is left out.
+    #[must_use]
+    pub fn new(
+        file: Option<String>,
+        mesh: &TriMesh,
+        inspection: &Inspection,
+        options: &InspectionOptions,
+    ) -> Self {
+        let others = mesh.non_triangles();
+        let quality = &inspection.quality;
+        let [min_angle, max_angle] = ["min_angle", "max_angle"].map(|name| quality.metric(name));
+        let outline = inspection.outline.as_ref();
+        Self {
+            file,
+            vertices: inspection.vertex_count,
+            welded_vertices: inspection.welded_count,
+            triangles: inspection.triangle_count,
+            quads: others.quads,
+            polygons: others.polygons,
+            line_segments: others.line_segments,
+            points: others.points,
+            not_read: mesh.notes().to_vec(),
+            faces: inspection.face_count,
+            edges: inspection.edge_count,
+            boundary_edges: inspection.boundary_edge_count,
+            boundary_loops: inspection.boundary_loop_count,
+            open_boundaries: inspection.open_boundary_count,
+            components: inspection.component_count,
+            euler_characteristic: inspection.euler_characteristic,
+            closed: inspection.is_closed(),
+            manifold: inspection.is_manifold(),
+            genus: inspection.genus(),
+            volume: inspection.volume,
+            non_manifold_edges: inspection.non_manifold_edges.clone(),
+            non_manifold_vertices: inspection.non_manifold_vertices.clone(),
+            inconsistent_edges: inspection.inconsistent_edges.clone(),
+            duplicate_faces: inspection.duplicate_faces.clone(),
+            duplicate_triangles: inspection
+                .duplicate_faces
+                .iter()
+                .map(|&face| first_triangle(mesh, face))
+                .collect(),
+            zero_area_triangles: inspection.zero_area_triangles.clone(),
+            unreferenced_vertices: inspection.unreferenced_vertices.clone(),
+            max_degree: inspection.max_degree(),
+            degree_histogram: DegreeCounts {
+                boundary: histogram(&inspection.boundary_degrees),
+                interior: histogram(&inspection.interior_degrees),
+            },
+            poles: inspection
+                .poles
+                .iter()
+                .map(|pole| Pole {
+                    vertex: pole.vertex,
+                    degree: pole.degree,
+                    on_boundary: pole.on_boundary,
+                    position: mesh.positions()[pole.vertex as usize].to_array(),
+                })
+                .collect(),
+            area: quality.area,
+            min_angle: min_angle.map_or(0.0, |spread| spread.min),
+            max_angle: max_angle.map_or(180.0, |spread| spread.max),
+            metrics: METRICS
+                .iter()
+                .zip(&quality.metrics)
+                .map(|(metric, spread)| (metric.name, Spread::from(spread)))
+                .collect(),
+            share_below_degrees: ANGLES
+                .iter()
+                .zip(quality.shares_below)
+                .map(|(&angle, share)| (angle as u32, share))
+                .collect(),
+            worst_triangles: inspection
+                .worst_triangles
+                .iter()
+                .map(|worst| ThinTriangle {
+                    triangle: worst.triangle,
+                    vertices: mesh.triangles()[worst.triangle as usize],
+                    min_angle: worst.quality.min_angle,
+                    max_angle: worst.quality.max_angle,
+                })
+                .collect(),
+            outline: outline.ok().and_then(|outline| {
+                let counts: Vec<u64> = outline.intervals.iter().copied().map(u64::from).collect();
+                Some(ConvexOutline {
+                    corners: outline.corners.clone(),
+                    intervals: outline.intervals.clone(),
+                    least_max_degree: least_max_degree(&Boundary::new(&counts).ok()?),
+                })
+            }),
+            no_outline: outline.err().map(ToString::to_string),
+            polygon: polygon::polygon(mesh, inspection, options),
+        }
+    }
+}
+
+/// The first of the triangles that a face was cut into.
+fn first_triangle(mesh: &TriMesh, face: u32) -> u32 {
+    mesh.polygons().map_or(face, |polygons| polygons.triangle_starts[face as usize])
+}
+
+fn histogram(degrees: &DegreeHistogram) -> BTreeMap<u32, u64> {
+    degrees.iter().collect()
+}
+
+impl From<&Distribution> for Spread {
+    fn from(spread: &Distribution) -> Self {
+        let Distribution { min, p01, median, mean, p99, max } = *spread;
+        Self { min, p01, median, mean, p99, max }
+    }
+}

@@ -1,0 +1,144 @@
+//! Choosing among the polygons of a file.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use mindeg_domain::Domain;
+use thiserror::Error;
+
+use super::domain::FeatureError;
+use super::outline::Feature;
+use super::sides::Division;
+
+/// One polygon of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Polygon {
+    /// Its number among all polygons of the file, from 1.
+    pub index: usize,
+    /// Its name, with a number if several polygons have it; empty if it has none.
+    pub label: String,
+    /// The rings, under the name that the file gives.
+    pub feature: Feature,
+}
+
+impl Polygon {
+    /// What messages and files call it.
+    #[must_use]
+    pub fn name(&self) -> String {
+        if self.label.is_empty() { format!("polygon {}", self.index) } else { self.label.clone() }
+    }
+
+    /// The domain inside the outer ring and outside the holes, named by the label.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Feature::domain`].
+    pub fn domain(&self, division: &Division) -> Result<Domain, FeatureError> {
+        let name = (!self.label.is_empty()).then(|| self.label.clone());
+        Feature { name, rings: self.feature.rings.clone() }.domain(division)
+    }
+}
+
+/// The polygons with labels that differ: of two named lake the second is `lake 2`.
+#[must_use]
+pub fn labelled(features: Vec<Feature>) -> Vec<Polygon> {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for name in features.iter().filter_map(|feature| feature.name.as_ref()) {
+        *counts.entry(name.clone()).or_default() += 1;
+    }
+    let mut numbers: BTreeMap<String, usize> = BTreeMap::new();
+    let polygon = |(index, feature): (usize, Feature)| {
+        let label = match &feature.name {
+            None => String::new(),
+            Some(name) if counts[name] == 1 => name.clone(),
+            Some(name) => {
+                let number = numbers.entry(name.clone()).or_default();
+                *number += 1;
+                format!("{name} {number}")
+            }
+        };
+        Polygon { index: index + 1, label, feature }
+    };
+    features.into_iter().enumerate().map(polygon).collect()
+}
+
+/// A name or index that no polygon has.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("no polygon is {wanted:?}; give a name, or an index from 1 to {count}: {polygons}")]
+pub struct NoSuchPolygon {
+    wanted: String,
+    count: usize,
+    polygons: String,
+}
+
+/// The polygons that a text names: one by its label or index, or all of one name.
+///
+/// # Errors
+///
+/// [`NoSuchPolygon`], with those that there are.
+pub fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, NoSuchPolygon> {
+    let of_name = |polygon: &Polygon| polygon.feature.name.as_deref() == Some(wanted);
+    let by_label = polygons.iter().any(|polygon| polygon.label == wanted);
+    let by_name = !by_label && polygons.iter().any(of_name);
+    let index = wanted.parse::<usize>().ok();
+    let is_chosen = |polygon: &Polygon| match (by_label, by_name) {
+        (true, _) => polygon.label == wanted,
+        (_, true) => of_name(polygon),
+        _ => Some(polygon.index) == index,
+    };
+    if !polygons.iter().any(is_chosen) {
+        let listed = Listed(&polygons).to_string();
+        let count = polygons.len();
+        return Err(NoSuchPolygon { wanted: wanted.to_owned(), count, polygons: listed });
+    }
+    Ok(polygons.into_iter().filter(|it| is_chosen(it)).collect())
+}
+
+/// The first polygons in a few words, such as `1 (lake), 2 (lake 2)`.
+#[derive(Clone, Copy, Debug)]
+pub struct Listed<'a>(pub &'a [Polygon]);
+
+impl fmt::Display for Listed<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        const SHOWN: usize = 5;
+        for (place, polygon) in self.0.iter().take(SHOWN).enumerate() {
+            let comma = if place > 0 { ", " } else { "" };
+            write!(f, "{comma}{}", polygon.index)?;
+            if !polygon.label.is_empty() {
+                write!(f, " ({})", polygon.label)?;
+            }
+        }
+        if self.0.len() > SHOWN {
+            f.write_str(", …; mindeg domain lists all")?;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn polygons() -> Vec<Polygon> {
+        let names = [Some("lake"), None, Some("lake"), Some("2")];
+        let feature =
+            |name: Option<&str>| Feature { name: name.map(str::to_owned), ..Feature::default() };
+        labelled(names.map(feature).to_vec())
+    }
+
+    #[test]
+    fn polygons_are_chosen_by_label_name_and_index() {
+        let indices = |wanted: &str| -> Vec<usize> {
+            chosen(polygons(), wanted).unwrap().iter().map(|polygon| polygon.index).collect()
+        };
+        assert_eq!(indices("lake"), [1, 3]);
+        assert_eq!(indices("lake 2"), [3]);
+        assert_eq!(indices("1"), [1]);
+        // A name comes before an index.
+        assert_eq!(indices("2"), [4]);
+        assert_eq!(
+            chosen(polygons(), "sea").unwrap_err().to_string(),
+            "no polygon is \"sea\"; give a name, or an index from 1 to 4: 1 (lake 1), 2, 3 (lake 2), 4 (2)"
+        );
+    }
+}

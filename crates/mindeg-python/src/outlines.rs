@@ -1,0 +1,88 @@
+//! Domains from files: JSON, or outlines that other programs drew.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use mindeg_outlines::{self as outlines, Division, Listed, Outlines};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::save::os_error;
+
+/// What is taken of a file of outlines, and how it is divided.
+struct Options<'a> {
+    division: Division,
+    feature: Option<&'a str>,
+    repair: bool,
+}
+
+/// The domain in a file as JSON, and what its reader left out.
+#[pyfunction]
+#[pyo3(name = "_domain_of_file")]
+pub(crate) fn domain_of_file(
+    py: Python<'_>,
+    path: PathBuf,
+    size: Option<f64>,
+    corner_angle: f64,
+    feature: Option<&str>,
+    repair: bool,
+) -> PyResult<(String, Vec<String>)> {
+    if let Some(size) = size.filter(|size| !(size.is_finite() && *size > 0.0)) {
+        let problem = format!("size is {size}; give a length above 0");
+        return Err(PyValueError::new_err(problem));
+    }
+    if !(0.0..=180.0).contains(&corner_angle) {
+        let problem = format!("corner_angle is {corner_angle}; give degrees from 0 to 180");
+        return Err(PyValueError::new_err(problem));
+    }
+    let options = Options { division: Division { corner_angle, size }, feature, repair };
+    py.detach(|| {
+        let bytes = fs::read(&path).map_err(|error| os_error(&path, &error))?;
+        let bad = |problem| PyValueError::new_err(format!("{}: {problem}", path.display()));
+        domain(&path, bytes, &options).map_err(bad)
+    })
+}
+
+fn domain(
+    path: &Path,
+    bytes: Vec<u8>,
+    options: &Options<'_>,
+) -> Result<(String, Vec<String>), String> {
+    let text = |error: &dyn ToString| error.to_string();
+    let Some(format) = outlines::format_of(Some(path), &bytes).map_err(|error| text(&error))?
+    else {
+        if options.feature.is_some() || options.repair || options.division.size.is_some() {
+            let problem = "size, feature and repair are for outlines such as GeoJSON or SVG; this is \
+                           a domain in JSON";
+            return Err(problem.to_owned());
+        }
+        let json = String::from_utf8(bytes).map_err(|error| format!("no UTF-8 text: {error}"))?;
+        return Ok((json, Vec::new()));
+    };
+    let beside = |extension: &str| fs::read(path.with_extension(extension));
+    let mut read = outlines::read(&bytes, format, beside).map_err(|error| text(&error))?;
+    if options.repair {
+        read = read.repaired().map_err(|error| text(&error))?;
+    }
+    let Outlines { features, notes } = read;
+    let mut polygons = outlines::labelled(features);
+    if let Some(wanted) = options.feature {
+        polygons = outlines::chosen(polygons, wanted).map_err(|error| text(&error))?;
+    }
+    let [polygon] = &polygons[..] else {
+        return Err(format!(
+            "{} polygons; choose one with feature, by its name or index: {}",
+            polygons.len(),
+            Listed(&polygons)
+        ));
+    };
+    let domain = polygon.domain(&options.division).map_err(|error| {
+        let hint = if error.is_touch() && !options.repair {
+            "; repair=True parts rings that touch themselves"
+        } else {
+            ""
+        };
+        format!("{}: {error}{hint}", polygon.name())
+    })?;
+    Ok((domain.to_json(), notes))
+}
