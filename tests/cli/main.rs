@@ -30,4 +30,5 @@ mod slips;
 mod suggest;
 mod terminal;
 mod tradeoff;
+mod verify;
 mod view;

@@ -37,6 +37,7 @@ mod targets;
 mod terminal;
 mod threads;
 mod tradeoff;
+mod verify;
 mod view;
 
 use args::{Arguments, Command};
@@ -77,6 +78,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Mesh(arguments) => shared(|| mesh::run(arguments)),
         Command::Tradeoff(arguments) => shared(|| tradeoff::run(arguments)),
         Command::Compare(arguments) => shared(|| compare::run(arguments)),
+        Command::Verify(arguments) => shared(|| verify::run(arguments)),
         Command::View(arguments) => shared(|| view::run(arguments)),
     }
 }
