@@ -4,6 +4,8 @@ mod bridge;
 mod compare;
 mod convert;
 mod degree;
+#[cfg(target_os = "linux")]
+mod determinism;
 mod domain;
 mod fill;
 mod improve;
