@@ -20,6 +20,7 @@ mod memory;
 mod mesh;
 #[cfg(unix)]
 mod mesh_files;
+mod mistakes;
 mod models;
 mod outlines;
 #[cfg(unix)]
