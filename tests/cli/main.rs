@@ -4,6 +4,8 @@ mod bridge;
 mod compare;
 mod convert;
 mod degree;
+#[cfg(target_os = "linux")]
+mod determinism;
 mod domain;
 mod explore;
 mod fill;
@@ -19,6 +21,7 @@ mod memory;
 mod mesh;
 #[cfg(unix)]
 mod mesh_files;
+mod mistakes;
 mod models;
 mod outlines;
 #[cfg(unix)]
@@ -31,4 +34,5 @@ mod slips;
 mod suggest;
 mod terminal;
 mod tradeoff;
+mod verify;
 mod view;

@@ -62,14 +62,40 @@ fn codes(folder: &std::path::Path, arguments: &str, what: &str) -> [Option<i32>;
     })
 }
 
+/// A tube that is open at both ends, as an OBJ of 30,000 vertices, from this height up.
+fn tube(height: u32) -> String {
+    const AROUND: u32 = 100;
+    const RINGS: u32 = 300;
+    let mut obj = String::new();
+    for ring in 0..RINGS {
+        for i in 0..AROUND {
+            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(AROUND);
+            let z = f64::from(height) + 0.01 * f64::from(ring);
+            obj.push_str(&format!("v {:.9} {:.9} {z:.4}\n", angle.cos(), angle.sin()));
+        }
+    }
+    for ring in 1..RINGS {
+        for i in 0..AROUND {
+            let [a, b] = [i, (i + 1) % AROUND].map(|i| (ring - 1) * AROUND + i + 1);
+            let (c, d) = (a + AROUND, b + AROUND);
+            obj.push_str(&format!("f {a} {b} {d}\nf {a} {d} {c}\n"));
+        }
+    }
+    obj
+}
+
 #[test]
 fn too_little_memory_ends_every_command_with_what_it_was_for() {
     let folder = tempfile::tempdir().expect("a folder");
     let codes = |arguments: &str, what: &str| codes(folder.path(), arguments, what);
     let made = "\"$MINDEG\" mesh --rectangle 4x3 --size 2e-5 -q -o m.obj -o m.glb -o m.gltf; \
                 echo '{\"name\": \"plate\", \"rectangle\": {\"width\": 4, \"height\": 3}, \
-                \"size\": 0.01}' > plate.json";
+                \"size\": 0.01}' > plate.json; \
+                \"$MINDEG\" mesh plate.json --size 0.03 --interior -q -o plate.obj";
     assert_eq!(shell(folder.path(), made).code, Some(0));
+    for (name, height) in [("open.obj", 0), ("lid.obj", 5)] {
+        fs::write(folder.path().join(name), tube(height)).expect("a file");
+    }
     let (result, refusal) = (Some(0), Some(1));
 
     // What takes next to nothing is done at any of these limits.
@@ -78,6 +104,9 @@ fn too_little_memory_ends_every_command_with_what_it_was_for() {
         "suggest 30,2,4,2",
         "suggest 1000000000,1,1,1 --target 100000",
         "completions bash",
+        "domain plate.json",
+        "degree plate.json",
+        "suggest plate.json",
     ] {
         assert_eq!(codes(small, ""), [result; 5], "{small}");
     }
@@ -99,6 +128,12 @@ fn too_little_memory_ends_every_command_with_what_it_was_for() {
         ("inspect m.glb --json", "m.glb"),
         ("convert m.obj -q -o x.glb", "reading m.obj"),
         ("convert m.glb -q -o x.obj", "reading m.glb"),
+        ("view m.obj -q -o v.html", "m.obj"),
+        ("verify m.obj --rectangle 4x3 --size 2e-5 -q", "m.obj"),
+        ("improve plate.obj -q -o i.obj --write-anyway", "plate.obj"),
+        ("mesh plate.json --size 0.03 --interior -q -o p.obj", "plate"),
+        ("fill open.obj -q -o closed.obj", "open.obj"),
+        ("bridge open.obj lid.obj --from 2 --to 1 -q -o joined.obj", "open.obj"),
     ] {
         let codes = codes(arguments, what);
         assert_eq!((codes[0], codes[4]), (refusal, result), "{arguments}: {codes:?}");

@@ -5,6 +5,7 @@
 mod claims;
 mod modules;
 
+use claims::Named;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -179,14 +180,27 @@ fn documents_name_tests_that_exist() {
         .map(|path| fs::read_to_string(path).unwrap())
         .collect();
     for page in files(&root.join("docs"), &[".md"]) {
-        for name in claims::named_tests(&fs::read_to_string(&page).unwrap()) {
-            let exists = if name.contains('/') {
-                root.join(&name).exists()
-            } else {
-                sources.iter().any(|source| claims::has_test(source, &name))
+        let text = fs::read_to_string(&page).unwrap();
+        let named = page.strip_prefix(&root).unwrap().display();
+        for row in claims::rows_without_a_test(&text) {
+            faults.push(format!("{named}: no test in {row}"));
+        }
+        for name in claims::named_tests(&text) {
+            let exists = match Named::new(&name) {
+                Named::Script(path) => root.join(path).exists(),
+                Named::InFile { file, test } => [root.clone(), root.join("crates")]
+                    .iter()
+                    .filter_map(|folder| fs::read_to_string(folder.join(file)).ok())
+                    // A page whose examples are compiled is named by its file.
+                    .any(|text| {
+                        claims::has_test(&text, test) || text.contains(&format!("/{test}\")"))
+                    }),
+                Named::Anywhere(test) => {
+                    sources.iter().any(|source| claims::has_test(source, test))
+                }
             };
             if !exists {
-                faults.push(format!("{}: {name}", page.strip_prefix(&root).unwrap().display()));
+                faults.push(format!("{named}: {name}"));
             }
         }
     }

@@ -17,6 +17,7 @@ mod mesh;
 mod surface;
 mod tradeoff;
 mod values;
+mod verify;
 mod view;
 
 pub(crate) use bridge::BridgeArguments;
@@ -34,6 +35,7 @@ pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, Optimize};
 pub(crate) use tradeoff::TradeoffArguments;
 pub(crate) use values::point;
+pub(crate) use verify::VerifyArguments;
 pub(crate) use view::ViewArguments;
 
 use clap::{Args, ColorChoice, Parser, Subcommand};
@@ -45,8 +47,9 @@ Exit codes:
   1  something could not be read or written, or does not fit where it is to go
   2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, degree
      limits that cannot be kept, a broken file
-  3  a mesh fails a gate (--fail-above-degree, --fail-below-angle, --preset), or is not what was
-     demanded of it (--target-angle, --interior-degree, --boundary-degree)";
+  3  a mesh fails a gate (--fail-above-degree, --fail-below-angle, --preset), is not what was
+     demanded of it (--target-angle, --interior-degree, --boundary-degree), or does not pass
+     mindeg verify";
 
 /// Examples, and the exit codes below them, for `--help`.
 fn with_exit_codes(examples: &str) -> String {
@@ -83,6 +86,7 @@ pub(crate) enum Command {
     Tradeoff(TradeoffArguments),
     Compare(CompareArguments),
     Inspect(InspectArguments),
+    Verify(VerifyArguments),
     Improve(ImproveArguments),
     View(ViewArguments),
     Explore(ExploreArguments),

@@ -36,7 +36,7 @@ fn parse_angle(text: &str) -> Result<f64, String> {
 }
 
 /// As [`steady_angle`] has it, with all digits where rounding would hide that the angle is below `limit`.
-fn degrees_below(angle: f64, limit: f64) -> String {
+pub(crate) fn degrees_below(angle: f64, limit: f64) -> String {
     let rounded = steady_angle(angle);
     let hides = rounded.trim_end_matches('°').parse().is_ok_and(|shown: f64| shown >= limit);
     if hides { format!("{angle}°") } else { rounded }

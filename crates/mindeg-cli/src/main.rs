@@ -41,6 +41,7 @@ mod targets;
 mod terminal;
 mod threads;
 mod tradeoff;
+mod verify;
 mod view;
 
 use args::{Arguments, Command};
@@ -85,6 +86,7 @@ fn run(command: &Command) -> Result<(), Failure> {
         Command::Explore(arguments) => explore::run(arguments),
         #[cfg(not(feature = "explore"))]
         Command::Explore(arguments) => no_explore::run(arguments),
+        Command::Verify(arguments) => shared(|| verify::run(arguments)),
         Command::View(arguments) => shared(|| view::run(arguments)),
     }
 }

@@ -71,12 +71,14 @@ pub(crate) fn require_to_stream(vertices: u32, what: &str) -> Result<(), Failure
     require((u64::from(vertices) * PER_VERTEX).min(MOST), &format!("meshing {what}"))
 }
 
-/// The greatest number of points that a mesh with interior points may have: 20 million, or what there is
-/// memory for.
+/// The greatest number of points that a mesh with interior points may have, where there is memory for them.
+pub(crate) const MOST_POINTS: u64 = 20_000_000;
+
+/// The greatest number of points that a mesh with interior points may have: [`MOST_POINTS`], or what there
+/// is memory for.
 pub(crate) fn most_points(what: &str) -> Result<usize, Failure> {
-    const MOST: u64 = 20_000_000;
     const LEAST: u64 = 20_000;
-    let mut points = MOST;
+    let mut points = MOST_POINTS;
     while points > LEAST && require(points * PER_INTERIOR_POINT, what).is_err() {
         points /= 2;
     }
@@ -116,6 +118,17 @@ pub(crate) fn require_to_view(
     const PER_ELEMENT: u64 = 250;
     let bytes = (vertices as u64 + triangles as u64).saturating_mul(PER_ELEMENT);
     require(bytes, &format!("a view of {what}"))
+}
+
+/// Asks for the memory of matching a mesh to a domain and checking it.
+pub(crate) fn require_to_verify(
+    what: &str,
+    vertices: usize,
+    triangles: usize,
+) -> Result<(), Failure> {
+    const PER_ELEMENT: u64 = 200;
+    let bytes = (vertices as u64 + triangles as u64).saturating_mul(PER_ELEMENT);
+    require(bytes, &format!("verifying {what}"))
 }
 
 /// Asks for the memory of inspecting the mesh of a file.

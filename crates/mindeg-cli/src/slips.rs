@@ -32,7 +32,7 @@ fn output_missing(command: &str, error: &clap::Error) -> Option<String> {
         return None;
     };
     let example = match command {
-        "mesh" | "convert" | "fill" | "bridge" => "-o mesh.obj",
+        "mesh" | "convert" | "fill" | "bridge" | "improve" => "-o mesh.obj",
         "compare" => "-o report.html, or give --json",
         "view" => "-o view.html",
         _ => return None,
@@ -137,6 +137,7 @@ fn one_too_many(command: &str, word: &str) -> Option<String> {
         ("convert", Some(_)) | ("tradeoff" | "view", Some("html" | "svg")) => {
             Some(format!("give every output with -o: -o {word}"))
         }
+        ("verify", Some("json")) => Some(format!("one domain at a time: {word} is a second one")),
         ("inspect" | "view", Some(_)) => {
             Some(format!("one mesh at a time: {word} is a second one"))
         }

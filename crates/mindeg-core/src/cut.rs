@@ -124,6 +124,47 @@ mod tests {
             .collect()
     }
 
+    /// Small, middling and huge sides in every order, with the largest sums there are.
+    #[test]
+    fn the_best_cuts_of_the_largest_boundaries_do_not_overflow() {
+        const MOST: u64 = crate::MAX_VERTICES as u64;
+        let sizes = [1, 2, 3, 1 << 16, MOST / 4, MOST / 3, MOST / 2 - 1, MOST / 2, MOST / 2 + 1];
+        let mut tried = 0;
+        for a in sizes {
+            for b in sizes {
+                for c in sizes {
+                    for total in MOST - 2..=MOST {
+                        let Some(rest) = total.checked_sub(a + b + c).filter(|&rest| rest > 0)
+                        else {
+                            continue;
+                        };
+                        for sides in [[a, b, c, rest], [a, rest, b, c], [rest, a, b, c]] {
+                            check_largest(&sides);
+                            tried += 1;
+                        }
+                    }
+                }
+            }
+        }
+        assert!(tried > 4000, "{tried}");
+    }
+
+    fn check_largest(sides: &[u64; 4]) {
+        let boundary = Boundary::new(sides).unwrap();
+        let total: u64 = sides.iter().sum();
+        let runs = (0..4).flat_map(|from| (1..4).map(move |count| (from, count)));
+        let sum = |(from, count): (usize, usize)| -> u64 {
+            (from..from + count).map(|side| sides[side % 4]).sum()
+        };
+        let least = runs.clone().map(|run| (2 * sum(run)).abs_diff(total)).min().unwrap();
+        assert_eq!(u64::from(least_imbalance(&boundary)), least, "{sides:?}");
+        for cut in best_cuts(&boundary) {
+            let larger = sum((cut.first_side, cut.side_count));
+            assert_eq!((u64::from(cut.larger), u64::from(cut.smaller)), (larger, total - larger));
+            assert!(cut.larger >= cut.smaller);
+        }
+    }
+
     #[test]
     fn a_cut_names_its_larger_run() {
         let boundary = Boundary::new(&[1, 2, 3, 4]).unwrap();

@@ -71,4 +71,22 @@ mod tests {
         assert_eq!(ring.backward(0, 1), last);
         assert_eq!(ring.steps(last, 0), 1);
     }
+
+    /// In 64 bits, for the vertices and steps at either end of the largest rings.
+    #[test]
+    fn the_largest_rings_wrap_as_in_64_bits() {
+        for len in crate::MAX_VERTICES - 2..=crate::MAX_VERTICES {
+            let ring = Ring::new(len);
+            let (middle, wide) = (len / 2, u64::from(len));
+            let ends = || (0..60).chain(middle - 30..middle + 30).chain(len - 60..len);
+            for (vertex, steps) in
+                ends().flat_map(|vertex| ends().map(move |steps| (vertex, steps)))
+            {
+                let ahead = ring.forward(vertex, steps);
+                assert_eq!(u64::from(ahead), (u64::from(vertex) + u64::from(steps)) % wide);
+                assert_eq!(ring.backward(ahead, steps), vertex);
+                assert_eq!(ring.steps(vertex, ahead), steps);
+            }
+        }
+    }
 }

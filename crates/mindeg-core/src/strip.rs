@@ -315,6 +315,47 @@ mod tests {
     use alloc::vec::Vec;
 
     #[test]
+    fn the_longest_chains_walk_the_largest_rings() {
+        for len in crate::MAX_VERTICES - 2..=crate::MAX_VERTICES {
+            let ring = Ring::new(len);
+            for first in [0, 1, len / 2, len - 2, len - 1] {
+                for direction in [Direction::CounterClockwise, Direction::Clockwise] {
+                    let chain = Chain::new(first, len - 9, direction, ring);
+                    for after in [0, 1, len / 2, len - 11, len - 10] {
+                        for skipped in 0..7 {
+                            let chain = chain.with_jump(Jump { after, skipped });
+                            check_chain(&chain, u64::from(len), after, skipped);
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// In 64 bits, at the ends of the chain and at its jump.
+    fn check_chain(chain: &Chain, ring: u64, after: u32, skipped: u32) {
+        let near_jump = after.saturating_sub(20)..after.saturating_add(20).min(chain.len());
+        let ends = (0..20).chain(chain.len() - 20..chain.len());
+        for index in ends.chain(near_jump) {
+            let steps = u64::from(index) + if index > after { u64::from(skipped) } else { 0 };
+            let first = u64::from(chain.first);
+            let vertex = match chain.direction {
+                Direction::CounterClockwise => (first + steps) % ring,
+                Direction::Clockwise => (first + ring - steps) % ring,
+            };
+            assert_eq!(u64::from(chain.vertex(index)), vertex, "{chain:?}, {index}");
+            assert_eq!(chain.index_of(vertex as u32), Some(index), "{chain:?}");
+        }
+        for step in 1..=skipped {
+            let passed = match chain.direction {
+                Direction::CounterClockwise => chain.ring.forward(chain.vertex(after), step),
+                Direction::Clockwise => chain.ring.backward(chain.vertex(after), step),
+            };
+            assert_eq!(chain.index_of(passed), None, "{chain:?}");
+        }
+    }
+
+    #[test]
     fn a_chain_walks_the_ring_both_ways_and_jumps() {
         let ring = Ring::new(10);
         let jump = Jump { after: 1, skipped: 3 };

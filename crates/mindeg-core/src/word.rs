@@ -284,6 +284,70 @@ mod tests {
         }
     }
 
+    /// The letters at these indices, one after the other, agree with every closed form.
+    fn check_window(word: Word, window: core::ops::Range<u32>) {
+        let mut xs = word.xs_before(window.start);
+        let mut ys = window.start - xs;
+        for index in window {
+            assert_eq!(word.xs_before(index), xs, "{word:?}, {index}");
+            if word.letter(index) == Letter::X {
+                assert_eq!(word.index_of_x(xs), Some(index), "{word:?}");
+                xs += 1;
+            } else {
+                assert_eq!(word.index_of_y(ys), Some(index), "{word:?}");
+                ys += 1;
+            }
+        }
+    }
+
+    /// Windows at both ends, in the middle and around an index.
+    fn check_windows(word: Word, around: u32) {
+        const WIDTH: u32 = 500;
+        let len = word.len();
+        for at in [0, around, len / 2, len] {
+            check_window(word, at.saturating_sub(WIDTH)..at.saturating_add(WIDTH).min(len));
+        }
+        assert_eq!(word.xs_before(len), word.xs());
+        assert_eq!([word.index_of_x(word.xs()), word.index_of_y(word.ys())], [None, None]);
+    }
+
+    #[test]
+    fn the_longest_words_do_not_overflow() {
+        // A strip of n vertices has n - 4 letters.
+        for len in crate::MAX_VERTICES - 8..=crate::MAX_VERTICES - 4 {
+            let (less, more) = (len / 2, len - len / 2);
+            for first in [Letter::X, Letter::Y] {
+                let (xs, ys) = if first == Letter::X { (more, less) } else { (less, more) };
+                let word = Word::alternating(first, xs, ys);
+                check_windows(word, 0);
+                for swap in [0, 1, 2, len / 2, len / 2 + 1, len - 3, len - 2] {
+                    check_windows(word.with_swap(swap), swap);
+                }
+            }
+            for ys in [0, 1, 2, 3, 1000, 65_535, 65_536, 1 << 30, less - 2, less - 1] {
+                for shift in [0, 1, ys / 2, ys] {
+                    let word = Word::balanced(len - ys, ys, shift.min(ys));
+                    check_windows(word, word.index_of_y(ys / 2).unwrap_or(0));
+                    check_runs(word);
+                }
+            }
+        }
+    }
+
+    /// The runs of a balanced word, by additions, are those of the quotients.
+    fn check_runs(word: Word) {
+        let last = word.ys().saturating_sub(50);
+        for start in [0, last] {
+            let index = if start == 0 { 0 } else { word.xs_before_y(start - 1) + start };
+            let mut runs = word.runs_from(index).unwrap();
+            for y in start..word.ys().min(start + 50) {
+                let before = if y == 0 { 0 } else { word.xs_before_y(y - 1) };
+                assert_eq!(runs.left, word.xs_before_y(y) - before, "{word:?}, run {y}");
+                runs.advance();
+            }
+        }
+    }
+
     fn words() -> impl Strategy<Value = Word> {
         let first = prop_oneof![Just(Letter::X), Just(Letter::Y)];
         let alternating = (first, 0_u32..20, prop::bool::ANY, any::<Option<u32>>()).prop_map(

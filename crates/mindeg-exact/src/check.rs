@@ -5,7 +5,10 @@
 //! A chord is admissible if it lies inside, touches no vertex on its way, and no straight side has both
 //! of its ends. The checkers test that against every boundary edge.
 //!
-//! Limits: an exhaustive search leaves nothing to check but its repetition.
+//! Limits: an exhaustive search leaves nothing to check but its repetition
+//! ([`Outline::has_triangulation`]), which is for hundreds of vertices.
+
+mod search;
 
 use crate::apex::ApexBound;
 use glam::DVec2;
@@ -88,6 +91,40 @@ impl Outline<'_> {
                         .filter(|&v| v != from && v != to)
                         .all(|v| !joins(v, from) || !joins(v, to))
             })
+    }
+
+    /// The maximum degree that counting proves to be necessary, where vertices have external edges
+    /// besides: Theorems 3 and 15 of docs/theory.md, and two edges more than the external ones of any
+    /// vertex. O(n).
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// # use glam::DVec2;
+    /// # use mindeg_exact::check::Outline;
+    /// # let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
+    /// # let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
+    /// let outline = Outline { points: &points, rings: &[0..6], side_of: &[0, 1, 2, 3, 4, 5] };
+    /// assert_eq!(outline.counting_bound(|_| 0), 4);
+    /// assert_eq!(outline.counting_bound(|vertex| if vertex == 2 { 7 } else { 0 }), 9);
+    /// ```
+    #[must_use]
+    pub fn counting_bound(&self, external: impl Fn(u32) -> u32) -> u32 {
+        let n = self.points.len() as u64;
+        let holes = self.rings.len().saturating_sub(1) as u64;
+        let triangles = (n + 2 * holes).saturating_sub(2);
+        let (mut ends, mut most) = (3 * triangles + n, 0);
+        for vertex in 0..n as u32 {
+            ends += u64::from(external(vertex));
+            most = most.max(external(vertex));
+        }
+        let small = match (holes, n) {
+            (0, 3) => 2,
+            (0, 4) => 3,
+            (0, _) => 4,
+            _ => 2,
+        };
+        (ends.div_ceil(n.max(1)) as u32).max(most + 2).max(small)
     }
 
     /// Whether a triangulation may have this chord. O(n).

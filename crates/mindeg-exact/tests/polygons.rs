@@ -327,3 +327,37 @@ fn other_triangles_than_a_triangulation_are_refused() {
     let problem = Problem::triangulated(&turned, &[0, 1, 2, 3], &[[0, 2, 1], [0, 1, 3]]).unwrap();
     assert_eq!(trade_off(&problem, Progress::NONE), Err(Unsolved::NotAPolygon));
 }
+
+/// Counting and searching as the checker does it, against every triangulation.
+#[test]
+fn the_checkers_bounds_are_those_of_all_triangulations() {
+    for_random(11, 300, 10, |outline, random| {
+        let n = outline.len() as u32;
+        let rings = slice::from_ref(&(0..n)).to_vec();
+        let problem = outline.problem();
+        let checker = Rings { points: &outline.points, rings: &rings, side_of: &outline.side_of };
+        let external: Vec<u32> = (0..n).map(|_| random.below(3) as u32).collect();
+        let all = outline.triangulations();
+        let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
+        let total = |measured: &Measured| {
+            measured
+                .degrees
+                .iter()
+                .zip(&external)
+                .map(|(degree, more)| degree + more)
+                .max()
+                .unwrap()
+        };
+        let least = all.iter().map(total).min().unwrap();
+        assert!(checker.counting_bound(|vertex| external[vertex as usize]) <= least);
+        let chords = |limit: u32| -> Option<Vec<u32>> {
+            external.iter().map(|&external| limit.checked_sub(external + 2)).collect()
+        };
+        let is_possible = |limit: u32| match chords(limit) {
+            Some(chords) => checker.has_triangulation(&chords, 1 << 30).unwrap(),
+            None => false,
+        };
+        assert!(is_possible(least) && !is_possible(least - 1), "{outline:?}, {external:?}");
+        assert_eq!(problem.points().len(), n as usize);
+    });
+}

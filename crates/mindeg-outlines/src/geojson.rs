@@ -62,6 +62,8 @@ struct Reader {
     features: Vec<Feature>,
     skipped: BTreeMap<String, usize>,
     heights: bool,
+    /// The largest absolute values of the first and the second coordinate.
+    largest: [f64; 2],
 }
 
 /// Where a value is in the document.
@@ -201,7 +203,9 @@ impl Reader {
                 path.error(format!("found {} in a position, expected a number", kind(value)))
             })
         };
-        Ok(DVec2::new(number(x)?, number(y)?))
+        let point = DVec2::new(number(x)?, number(y)?);
+        self.largest = [self.largest[0].max(point.x.abs()), self.largest[1].max(point.y.abs())];
+        Ok(point)
     }
 
     fn end(self) -> Result<Outlines, ReadError> {
@@ -217,6 +221,12 @@ impl Reader {
         }
         if self.heights {
             notes.push("left out the heights of positions".to_owned());
+        }
+        if self.largest[0] <= 90.0 && (90.0..=180.0).contains(&self.largest[1]) {
+            notes.push(format!(
+                "the second coordinates go up to {}, and latitudes to 90: GeoJSON has longitude first",
+                self.largest[1]
+            ));
         }
         if self.features.is_empty() {
             return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));

@@ -117,8 +117,8 @@ impl BoundaryMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_triangles(domain: &Domain, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
-        if let Some(triangle) = first_flat(domain, &triangles) {
-            return Err(MeshError::Flat { triangle });
+        if let Some(index) = first_flat(domain, &triangles) {
+            return Err(MeshError::Flat { triangle: triangles[index as usize] });
         }
         let rings: Vec<Range<u32>> = domain.rings().rings().collect();
         let checked = match check::triangulation(&points_of(domain), &rings, &triangles) {
@@ -376,7 +376,7 @@ pub(crate) fn points_of(domain: &Domain) -> Vec<DVec2> {
 }
 
 /// The first triangle whose vertices are all on one straight run of the domain's boundary.
-fn first_flat(domain: &Domain, triangles: &[[u32; 3]]) -> Option<[u32; 3]> {
+pub(crate) fn first_flat(domain: &Domain, triangles: &[[u32; 3]]) -> Option<u32> {
     let (rings, after) = (domain.rings(), domain.straight_runs());
     // The runs that end and begin at each vertex.
     let mut runs: Vec<[u32; 2]> = after.iter().map(|&run| [run; 2]).collect();
@@ -387,8 +387,9 @@ fn first_flat(domain: &Domain, triangles: &[[u32; 3]]) -> Option<[u32; 3]> {
     }
     let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
     first_of_blocks(count, |range| {
-        range.map(|triangle| triangles[triangle as usize]).find(|corners| {
-            // Triangles with vertices that do not exist are the checker's.
+        range.into_iter().find(|&index| {
+            let corners = triangles[index as usize];
+            // Other vertices are interior points, or the checker's.
             let of = |corner: usize| runs.get(corners[corner] as usize).copied();
             let (Some(a), Some(b), Some(c)) = (of(0), of(1), of(2)) else { return false };
             a.iter().any(|run| b.contains(run) && c.contains(run))

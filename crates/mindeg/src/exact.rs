@@ -100,6 +100,27 @@ pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, 
     if reached == at_least { Ok(reached) } else { Err(ExactError::Gap { reached, at_least }) }
 }
 
+/// The largest minimum angle of all meshes of a domain's boundary points, in degrees: that of a Delaunay
+/// triangulation. O(n log n).
+///
+/// # Errors
+///
+/// Points without a Delaunay triangulation, and a cancelled `progress`.
+///
+/// # Example
+///
+/// ```
+/// use mindeg::{Domain, Progress, Side, exact};
+///
+/// let square = Domain::rectangle(1.0, 1.0, vec![Side::count(1); 4])?;
+/// assert!((exact::delaunay_min_angle(&square, Progress::NONE)? - 45.0).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn delaunay_min_angle(domain: &Domain, progress: Progress<'_>) -> Result<f64, ExactError> {
+    let posed = Posed::triangulated(domain, progress)?;
+    Ok(posed.delaunay_min_angle.unwrap_or(0.0))
+}
+
 /// The mesh with the largest minimum angle in which no total degree is above `max_degree`, nor
 /// above the degree limits of the domain.
 ///

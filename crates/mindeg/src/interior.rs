@@ -112,12 +112,10 @@ fn free_name(lines: &[Line], wanted: &str) -> String {
 /// The sides of a domain as lines, with the boundary's edges.
 fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
     let rings = domain.rings();
-    let runs = domain.straight_runs();
-    let line = |side| {
-        let start = rings.corner(side);
-        let edges = start..start + rings.intervals(side);
-        let is_straight = runs[start as usize] == runs[edges.end as usize - 1];
-        Line { name: domain.side_name(side), segments: edges, is_straight }
+    let line = |side| Line {
+        name: domain.side_name(side),
+        segments: rings.corner(side)..rings.corner(side) + rings.intervals(side),
+        is_straight: domain.is_straight(side),
     };
     let edges = (0..rings.vertex_count()).map(|vertex| [vertex, rings.next(vertex)]).collect();
     ((0..rings.side_count()).map(line).collect(), edges)
@@ -158,4 +156,36 @@ fn options(domain: &Domain, wanted: &Interior) -> Options {
         }
     }
     options
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_domain::{Arc, Curve, Outline, Side};
+    use mindeg_mesh::Triangles;
+
+    /// The points of a curved side of one interval are on a line, whichever mesh of the domain has it.
+    #[test]
+    fn sides_are_straight_in_both_kinds_of_meshes_alike() {
+        let arc = |intervals| {
+            let curve = Curve::Arc(Arc::Through([1.0, -0.5].into()));
+            let sides = vec![Side::count(intervals).along(curve), Side::count(2), Side::count(2)];
+            Domain::new(
+                Outline::Polygon([[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]].map(Into::into).into()),
+                sides,
+            )
+            .unwrap()
+        };
+        for intervals in [1, 2, 5] {
+            let domain = arc(intervals);
+            let boundary = crate::mesh(&domain, crate::Goal::LeastDegree, Progress::NONE).unwrap();
+            let filled = mesh(&domain, &Interior::default(), Progress::NONE).unwrap();
+            let straight = |lines: &[Line]| -> Vec<bool> {
+                lines.iter().map(|line| line.is_straight).collect()
+            };
+            let expected = [intervals == 1, true, true];
+            assert_eq!(straight(&boundary.mesh.lines()), expected, "{intervals}");
+            assert_eq!(straight(&filled.mesh.lines()), expected, "{intervals}");
+        }
+    }
 }

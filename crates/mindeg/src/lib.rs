@@ -64,6 +64,8 @@ mod meshed;
 pub mod model;
 #[cfg(feature = "exact")]
 mod posed;
+#[cfg(feature = "exact")]
+pub mod verify;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;

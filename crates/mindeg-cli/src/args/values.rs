@@ -18,7 +18,14 @@ impl FromStr for RectangleSize {
         let sizes = text.split_once(['x', 'X', '×']).and_then(|(width, height)| {
             Some(Self { width: width.trim().parse().ok()?, height: height.trim().parse().ok()? })
         });
-        sizes.ok_or_else(|| "give a width and a height with an x between, such as 4x3".to_owned())
+        sizes.ok_or_else(|| {
+            let example = "give a width and a height with an x between, such as 4x3";
+            if text.contains(['x', 'X', '×']) {
+                with_decimal_hint(text, example)
+            } else {
+                example.to_owned()
+            }
+        })
     }
 }
 
@@ -85,12 +92,21 @@ pub(crate) fn whole_number(text: &str) -> Result<u32, String> {
     number.map_err(|_| "give a whole number of 0 or more, such as 5".to_owned())
 }
 
+/// What to write, and that decimals have a point, if digits round a comma look like one.
+fn with_decimal_hint(text: &str, example: &str) -> String {
+    let bytes = text.as_bytes();
+    let is_decimal =
+        |three: &[u8]| three[0].is_ascii_digit() && three[1] == b',' && three[2].is_ascii_digit();
+    let hint = if bytes.windows(3).any(is_decimal) { "; decimals have a point" } else { "" };
+    format!("{example}{hint}")
+}
+
 /// A length above 0.
 pub(crate) fn length(text: &str) -> Result<f64, String> {
     let length = text.trim().parse().ok().filter(|&length: &f64| length > 0.0);
     length
         .filter(|length| length.is_finite())
-        .ok_or_else(|| "give a length above 0, such as 0.5".to_owned())
+        .ok_or_else(|| with_decimal_hint(text, "give a length above 0, such as 0.5"))
 }
 
 /// One of some formats, by name.
@@ -110,7 +126,15 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
         Some(number) => (number, 100.0),
         None => (text, 1.0),
     };
-    let share = number.trim().parse::<f64>().ok().map(|number| number / unit);
+    let number = number.trim().parse::<f64>().ok();
+    if let Some(number) =
+        number.filter(|number| unit == 1.0 && (1.0..=100.0).contains(number) && *number > 1.0)
+    {
+        return Err(format!(
+            "{number} is more than all of it; for {number} percent write {number}%"
+        ));
+    }
+    let share = number.map(|number| number / unit);
     let share = share.filter(|share| (0.0..=1.0).contains(share));
     share.ok_or_else(|| "give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned())
 }

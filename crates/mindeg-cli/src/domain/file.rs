@@ -72,8 +72,12 @@ pub(crate) fn read(
     let bad = |error: ReadError| Failure::Input(format!("{name}: {error}"));
     let Some(format) = outlines::format_of(path, &bytes).map_err(bad)? else {
         options.refuse_for_json(&name)?;
-        let text = String::from_utf8(bytes)
-            .map_err(|error| Failure::Input(format!("{name} is not UTF-8 text: {error}")))?;
+        let text = String::from_utf8(bytes).map_err(|error| {
+            let byte = error.utf8_error().valid_up_to();
+            Failure::Input(format!(
+                "{name}: byte {byte}: this is not UTF-8 text; save the file as UTF-8"
+            ))
+        })?;
         let domain =
             Domain::from_json(&text).map_err(|error| Failure::Input(format!("{name}: {error}")))?;
         return Ok(Content::Domain(Box::new(domain)));

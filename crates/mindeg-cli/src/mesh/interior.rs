@@ -141,7 +141,16 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
         let words = words::limit(&limit, lift.as_ref());
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
-    input(error)
+    match error {
+        InteriorError::TooManyPoints { max } if (*max as u64) < memory::MOST_POINTS => {
+            Failure::Io(format!(
+                "out of memory: {} needs more than {max} points, for which there is memory; raise the \
+                 limit on memory, or the size inside",
+                name_in_text(domain)
+            ))
+        }
+        error => input(error),
+    }
 }
 
 fn input(error: &InteriorError) -> Failure {

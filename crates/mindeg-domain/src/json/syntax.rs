@@ -24,11 +24,13 @@ pub(super) fn no_json(text: &str, error: &serde_json::Error) -> DomainJsonError 
             format!("this looks like {format}; give a domain in JSON, such as {EXAMPLE}"),
         );
     }
-    at(error.line(), error.column(), words(error))
+    let line = text.split('\n').nth(error.line().saturating_sub(1)).unwrap_or_default();
+    let found = line.as_bytes().get(error.column().saturating_sub(1)).copied();
+    at(error.line(), error.column(), words(error, found))
 }
 
-/// What the parser says, in our words: its own are for programmers.
-fn words(error: &serde_json::Error) -> String {
+/// What the parser says of the byte that it found, in our words: its own are for programmers.
+fn words(error: &serde_json::Error, found: Option<u8>) -> String {
     if error.classify() == Category::Eof {
         return "the JSON text ends too early; close every {, [ and \" that is open".to_owned();
     }
@@ -36,7 +38,16 @@ fn words(error: &serde_json::Error) -> String {
     let words = [
         ("trailing comma", "a comma without a value after it; remove it"),
         ("trailing characters", "text after the end of the domain; remove it"),
-        ("key must be a string", "a key must stand in double quotes"),
+        (
+            "key must be a string",
+            match found {
+                Some(b'}') => "a comma without a value after it; remove it",
+                Some(b'0'..=b'9') => {
+                    "a number after a comma, where a key is expected; write decimals with a point"
+                }
+                _ => "a key must stand in double quotes",
+            },
+        ),
         ("expected `:`", "a key must be followed by : and a value"),
         ("expected `,` or `}`", "a value must be followed by , or }"),
         ("expected `,` or `]`", "a value must be followed by , or ]"),

@@ -1,0 +1,201 @@
+//! `mindeg verify`: whether a mesh is a triangulation of a domain, and how good it is.
+
+mod report;
+
+use crate::args::VerifyArguments;
+use crate::bar::Bar;
+use crate::domain::{from_file, from_options, name_in_text};
+use crate::failure::Failure;
+use crate::gates::degrees_below;
+use crate::interrupt::clean_up_on_interrupt;
+use crate::memory;
+use crate::mesh::{require_for_exact_work, unsolved};
+use crate::mesh_file;
+use crate::standard_output::{print, print_json};
+use mindeg::quality::TriangleQuality;
+use mindeg::verify::{self, Defect, Optimality, Verified};
+use mindeg::{Domain, Interior, Progress, exact, interior};
+use mindeg_compare::number_format::{percent, steady_angle};
+use mindeg_mesh::TriMesh;
+use report::{Angles, Report};
+use std::path::Path;
+
+/// Up to this many boundary points the largest possible angle is worked out.
+const MOST_VERTICES: u32 = 1_000_000;
+
+pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
+    clean_up_on_interrupt()?;
+    check_order(arguments)?;
+    let domain = match &arguments.domain {
+        Some(path) => from_file(path, &arguments.options)?,
+        None => from_options(&arguments.options)?,
+    };
+    let bar = Bar::new(arguments.quiet);
+    memory::require_to_read(&arguments.file)?;
+    let mesh = mesh_file::read(&arguments.file, &bar)?;
+    let file = arguments.file.display().to_string();
+    let points = mesh.positions().len() + domain.rings().vertex_count() as usize;
+    memory::require_to_verify(&file, points, mesh.triangles().len())?;
+    let checked = bar.waiting("matching the mesh to the domain", || {
+        verify::triangulation(&mesh, &domain, arguments.tolerance)
+    });
+    let verified = match checked {
+        Ok(verified) => verified,
+        Err(defect @ Defect::ToleranceTooLarge { .. }) => {
+            return Err(Failure::Input(defect.to_string()));
+        }
+        Err(defect) => {
+            drop(bar);
+            let message =
+                format!("{file} is no triangulation of {}: {defect}", name_in_text(&domain));
+            if arguments.json {
+                print_json(&Report::invalid(&file, &domain, &defect))?;
+            }
+            return Err(Failure::Gate(message));
+        }
+    };
+    let callback = bar.callback();
+    let progress = Progress::new(&callback);
+    let has_formula = domain.convex().is_some() && !domain.is_constrained();
+    if !has_formula && verified.interior_points == 0 {
+        require_for_exact_work(&domain)?;
+    }
+    let optimality = verify::optimality(&verified, &domain, progress)
+        .map_err(|error| unsolved(&error, "leave out --optimal"))?;
+    let angles = angles(&verified, &domain, progress);
+    drop(callback);
+    drop(bar);
+
+    let mut failed = failed(arguments, &verified, &optimality, &angles);
+    if let Some(preset) = arguments.preset {
+        match preset.check(&unified(&mesh, &verified)) {
+            Err(Failure::Gate(message)) => failed.push(message),
+            other => other?,
+        }
+    }
+    let report = Report::of(&file, &domain, &verified, &optimality, angles, &failed);
+    if arguments.json { print_json(&report) } else { print(&report.text()) }?;
+    if failed.is_empty() { Ok(()) } else { Err(Failure::Gate(failed.join("; "))) }
+}
+
+/// Refuses a domain where the mesh is expected.
+fn check_order(arguments: &VerifyArguments) -> Result<(), Failure> {
+    let extension =
+        |path: &Path| path.extension().map(|name| name.to_string_lossy().to_lowercase());
+    if extension(&arguments.file).as_deref() != Some("json") {
+        return Ok(());
+    }
+    let file = arguments.file.display();
+    Err(Failure::Input(match &arguments.domain {
+        Some(mesh) => {
+            let mesh = mesh.display();
+            format!("{file} is a domain; the mesh comes first: mindeg verify {mesh} {file}")
+        }
+        None => {
+            format!("{file} is a domain; give the mesh before it: mindeg verify mesh.obj {file}")
+        }
+    }))
+}
+
+/// The angles of a mesh, and the largest minimum angle that one could have.
+fn angles(verified: &Verified, domain: &Domain, progress: Progress<'_>) -> Angles {
+    let quality = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|v| verified.points[v as usize]);
+        TriangleQuality::of(a, b, c)
+    };
+    let mut found = Angles { min: f64::INFINITY, triangle: 0, max: 0.0, limit: None };
+    for (index, quality) in verified.triangles.iter().map(quality).enumerate() {
+        if quality.min_angle < found.min {
+            (found.min, found.triangle) = (quality.min_angle, index);
+        }
+        found.max = found.max.max(quality.max_angle);
+    }
+    let boundary_points = domain.rings().vertex_count();
+    if boundary_points > MOST_VERTICES {
+        return found;
+    }
+    found.limit = if verified.interior_points == 0 {
+        exact::delaunay_min_angle(domain, progress).ok()
+    } else {
+        // As many edges as some boundary vertex of this mesh has, no mesh of its kind has more.
+        let inside = |vertex: u32| {
+            verified.degrees[vertex as usize].saturating_sub(domain.external_degree(vertex))
+        };
+        let boundary_degree = (0..boundary_points).map(inside).max();
+        let wanted = Interior { boundary_degree, ..Interior::default() };
+        interior::angle_limit(domain, &wanted).ok().map(|limit| limit.min_angle)
+    };
+    found
+}
+
+/// The limits that the mesh fails, in words.
+fn failed(
+    arguments: &VerifyArguments,
+    verified: &Verified,
+    optimality: &Optimality,
+    angles: &Angles,
+) -> Vec<String> {
+    let mut failed = Vec::new();
+    let vertex_of = |point: u32| verified.vertex_of[point as usize];
+    if let Some(&point) = verified.above_limit.first() {
+        let (vertex, degree) = (vertex_of(point), verified.degrees[point as usize]);
+        let more = match verified.above_limit.len() - 1 {
+            0 => String::new(),
+            1 => ", and 1 vertex more does".to_owned(),
+            more => format!(", and {more} vertices more do"),
+        };
+        failed.push(format!(
+            "vertex {vertex} has {degree} edges, more than the domain allows at boundary point \
+             {point}{more}"
+        ));
+    }
+    if let Some(limit) = arguments.max_degree.filter(|&limit| verified.max_degree > limit) {
+        let vertex = report::highest_vertex(verified);
+        let degree = verified.max_degree;
+        failed.push(format!("vertex {vertex} has {degree} edges; --max-degree allows {limit}"));
+    }
+    let triangle = angles.triangle;
+    if let Some(limit) = arguments.min_angle.filter(|&limit| angles.min < limit) {
+        failed.push(format!(
+            "triangle {triangle} has an angle of {}; --min-angle asks for {limit}°",
+            degrees_below(angles.min, limit)
+        ));
+    }
+    if let Some(share) = arguments.keep_angle {
+        match angles.share() {
+            Some(found) if found >= share => {}
+            Some(found) => failed.push(format!(
+                "triangle {triangle} has an angle of {}, {} of the largest possible minimum; \
+                 --keep-angle asks for {}",
+                steady_angle(angles.min),
+                percent(found),
+                percent(share)
+            )),
+            None => failed.push(
+                "the largest possible minimum angle is not known, which --keep-angle asks for"
+                    .to_owned(),
+            ),
+        }
+    }
+    if arguments.optimal {
+        match optimality {
+            Optimality::Optimal { .. } => {}
+            Optimality::Improvable { reached, .. } => failed.push(format!(
+                "its maximum degree is {}, and a mesh with {reached} exists; --optimal asks for the \
+                 least",
+                verified.max_degree
+            )),
+            Optimality::Unknown { reason } => failed
+                .push(format!("--optimal asks for a proof, and whether it is optimal is unknown: {reason}")),
+        }
+    }
+    failed
+}
+
+/// The mesh with one vertex at each point, under the mesh's own indices.
+fn unified(mesh: &TriMesh, verified: &Verified) -> TriMesh {
+    let triangles =
+        verified.triangles.iter().map(|corners| corners.map(|v| verified.vertex_of[v as usize]));
+    TriMesh::new(mesh.positions().to_vec(), triangles.collect())
+        .expect("positions and triangles are those of a mesh")
+}

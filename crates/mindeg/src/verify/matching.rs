@@ -1,0 +1,185 @@
+//! Which vertices of a mesh are the boundary points of a domain.
+
+use glam::{DVec2, DVec3};
+use mindeg_domain::Domain;
+use mindeg_mesh::TriMesh;
+use mindeg_mesh::inspection::weld;
+
+use super::defect::{Change, Defect};
+use super::near::Near;
+use crate::boundary_mesh::points_of;
+
+/// How far a vertex may be from its boundary point: this share of a domain's extent, and as much in units of
+/// length, since many programs write six digits behind the point.
+pub const DEFAULT_TOLERANCE: f64 = 1e-6;
+
+/// How a planar mesh lies in space: where the domain's x and y are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Plane {
+    /// Upright: (x, y, constant).
+    Xy,
+    /// On the floor, as files with y up have it: (x, constant, -y).
+    Floor,
+    /// On a floor with z up, as Blender turns what has y up: (x, constant, y).
+    Xz,
+}
+
+impl Plane {
+    pub(super) const ALL: [Self; 3] = [Self::Xy, Self::Floor, Self::Xz];
+
+    /// The point in the domain's plane, and the height above it.
+    fn place(self, position: DVec3) -> (DVec2, f64) {
+        let DVec3 { x, y, z } = position;
+        match self {
+            Self::Xy => (DVec2::new(x, y), z),
+            Self::Floor => (DVec2::new(x, -z), y),
+            Self::Xz => (DVec2::new(x, z), -y),
+        }
+    }
+}
+
+/// A mesh by the points of a domain.
+pub(super) struct Matched {
+    /// The boundary points, then the others.
+    pub(super) points: Vec<DVec2>,
+    pub(super) vertex_of: Vec<u32>,
+    pub(super) triangles: Vec<[u32; 3]>,
+    pub(super) unused_vertices: usize,
+    pub(super) plane: Plane,
+    pub(super) tolerance: f64,
+    pub(super) farthest: f64,
+}
+
+/// How far a vertex may be from its boundary point.
+pub(super) fn tolerance_of(
+    mesh: &TriMesh,
+    domain: &Domain,
+    wanted: Option<f64>,
+) -> Result<f64, Defect> {
+    let shortest = shortest_interval(domain);
+    if let Some(tolerance) = wanted {
+        return if tolerance < shortest / 2.0 {
+            Ok(tolerance)
+        } else {
+            Err(Defect::ToleranceTooLarge { tolerance, shortest })
+        };
+    }
+    let bounds = domain.placement().bounds();
+    let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
+    // 32-bit floats round by 2^-24 of a number; twice, if it is written once more.
+    let rounding = (2.0 * mesh.rounding()).max(largest / f64::from(1 << 23));
+    let extent = bounds.size().max_element().max(1.0);
+    Ok((DEFAULT_TOLERANCE * extent).max(rounding).min(shortest / 4.0))
+}
+
+fn shortest_interval(domain: &Domain) -> f64 {
+    let points = points_of(domain);
+    let length = |vertex: u32| {
+        points[vertex as usize].distance(points[domain.rings().next(vertex) as usize])
+    };
+    (0..domain.rings().vertex_count()).map(length).fold(f64::INFINITY, f64::min)
+}
+
+/// The mesh by the domain's points, if it lies in this plane and has a vertex at each.
+pub(super) fn matched(
+    mesh: &TriMesh,
+    domain: &Domain,
+    plane: Plane,
+    tolerance: f64,
+) -> Result<Matched, Defect> {
+    const NONE: u32 = u32::MAX;
+    let positions = mesh.positions();
+    let mut points = points_of(domain);
+    let boundary_count = points.len();
+    let extent = domain.placement().bounds().size().max_element();
+
+    let first = weld(positions, 0.0);
+    let mut is_used = vec![false; positions.len()];
+    mesh.triangles().as_flattened().iter().for_each(|&v| is_used[v as usize] = true);
+    let used = || (0_u32..).zip(&is_used).filter(|(_, is_used)| **is_used).map(|(v, _)| v);
+    let height = |vertex: u32| plane.place(positions[vertex as usize]).1;
+    let floor = used().next().map_or(0.0, height);
+    if let Some(vertex) = used().find(|&vertex| (height(vertex) - floor).abs() > tolerance) {
+        let off = (height(vertex) - floor).abs();
+        return Err(Defect::NotPlanar { vertex, off });
+    }
+
+    let mut vertex_of = vec![NONE; boundary_count];
+    let mut point_of = vec![NONE; positions.len()];
+    let mut farthest = 0.0_f64;
+    let boundary = points.clone();
+    let near = Near::new(&boundary, tolerance, extent);
+    for vertex in used() {
+        let same = first[vertex as usize] as usize;
+        if point_of[same] == NONE {
+            let (point, _) = plane.place(positions[vertex as usize]);
+            point_of[same] = match near.nearest(point) {
+                Some((index, distance)) => {
+                    farthest = farthest.max(distance);
+                    index
+                }
+                None => {
+                    points.push(point);
+                    points.len() as u32 - 1
+                }
+            };
+            let point = point_of[same] as usize;
+            if point == vertex_of.len() {
+                vertex_of.push(vertex);
+            } else if vertex_of[point] == NONE {
+                vertex_of[point] = vertex;
+            }
+        }
+        point_of[vertex as usize] = point_of[same];
+    }
+    if let Some(missing) = vertex_of.iter().position(|&vertex| vertex == NONE) {
+        let places = used().map(|vertex| (vertex, plane.place(positions[vertex as usize]).0));
+        return Err(no_vertex(domain, &boundary, missing, places, tolerance));
+    }
+    let triangles = mesh.triangles().iter().map(|corners| corners.map(|v| point_of[v as usize]));
+    let triangles = triangles.collect();
+    let unused_vertices = is_used.iter().filter(|is_used| !**is_used).count();
+    Ok(Matched { points, vertex_of, triangles, unused_vertices, plane, tolerance, farthest })
+}
+
+/// Why no vertex is at a boundary point.
+fn no_vertex(
+    domain: &Domain,
+    boundary: &[DVec2],
+    missing: usize,
+    places: impl Iterator<Item = (u32, DVec2)> + Clone,
+    tolerance: f64,
+) -> Defect {
+    let at = boundary[missing];
+    let distances = places.clone().map(|(vertex, place)| (vertex, place.distance(at)));
+    let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY));
+    let bounds = |points: &mut dyn Iterator<Item = DVec2>| {
+        mindeg_mesh::Bounds::of(points).map(|bounds| (bounds.min, bounds.size()))
+    };
+    let change = bounds(&mut boundary.iter().copied())
+        .zip(bounds(&mut places.map(|(_, place)| place)))
+        .and_then(|(domain, mesh)| Change::between(domain, mesh, tolerance));
+    Defect::NoVertex {
+        point: missing as u32,
+        side: domain.side_name(domain.rings().side_of(missing as u32)),
+        at,
+        nearest: nearest.0,
+        distance: nearest.1,
+        tolerance,
+        change,
+    }
+}
+
+impl Change {
+    /// From the least corner and the size of a domain to those of a mesh.
+    fn between(domain: (DVec2, DVec2), mesh: (DVec2, DVec2), tolerance: f64) -> Option<Self> {
+        let ratio = mesh.1 / domain.1;
+        let is_scaled = (ratio.x - ratio.y).abs() <= 1e-3 * ratio.x;
+        let is_same = (ratio - 1.0).abs().max_element() <= 1e-3;
+        if is_scaled && !is_same {
+            return Some(Self::Scaled(ratio.x));
+        }
+        let moved = mesh.0 - domain.0;
+        (is_same && moved.length() > 2.0 * tolerance).then_some(Self::Moved(moved))
+    }
+}

@@ -1,0 +1,227 @@
+//! Whether no mesh of the same boundary points has a smaller maximum degree.
+//!
+//! The solver says what the least is and why. None of that is taken for granted: a bound counts if its
+//! proof holds for a checker that shares nothing with the solver, and a smaller degree if a mesh that has
+//! it passes.
+//!
+//! Limits: the search over all triangulations is repeated for some hundred vertices; holes often leave a
+//! gap.
+
+use std::ops::Range;
+
+use mindeg_core::{certificate, least_degree_triangulation};
+use mindeg_domain::{ConvexForm, Domain};
+use mindeg_exact::LowerBound;
+use mindeg_exact::check::Outline;
+use mindeg_mesh::{Progress, check};
+
+use super::triangulation::Verified;
+use crate::exact::{self, DegreeAnswer};
+use crate::exact_error::ExactError;
+use crate::goal::{Goal, mesh};
+
+/// The steps of a search that is repeated: some seconds.
+const MOST_STEPS: u64 = 2_000_000_000;
+
+/// Whether the maximum degree of a mesh is the least possible.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Optimality {
+    /// It is; the proof has been checked.
+    Optimal {
+        /// Why no mesh has less.
+        proof: Proof,
+    },
+    /// It is not: a mesh of a smaller maximum degree has been checked.
+    Improvable {
+        /// The maximum degree of that mesh.
+        reached: u32,
+        /// No mesh has less than this, as far as was checked; none if nothing was.
+        at_least: Option<u32>,
+    },
+    /// Neither is known.
+    Unknown {
+        /// Why.
+        reason: String,
+    },
+}
+
+/// Why no mesh has a smaller maximum degree; docs/theory.md has the theorems.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Proof {
+    /// The certificate of a convex domain, from its interval counts.
+    Certificate(mindeg_core::Certificate),
+    /// The sum of the degrees.
+    Counting,
+    /// So many chords, none of which lies inside, block every zig-zag.
+    BlockedZigZags {
+        /// Their number.
+        chords: usize,
+    },
+    /// So many boundary edges have so few apexes.
+    Apexes {
+        /// The number of edges.
+        edges: usize,
+        /// The number of apexes.
+        apexes: usize,
+    },
+    /// A search over all triangulations, done twice by different code.
+    Search,
+}
+
+impl Proof {
+    /// A name of the kind, which stays the same over versions.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        use mindeg_core::Certificate;
+        match self {
+            Self::Certificate(Certificate::BalancedCut { .. }) => "balanced_cut",
+            Self::Certificate(Certificate::MedialTriangle) => "medial_triangle",
+            Self::Certificate(Certificate::LongSide { .. }) => "long_side",
+            Self::Certificate(Certificate::NoBalancedCut { .. }) => "no_balanced_cut",
+            Self::Counting => "counting",
+            Self::BlockedZigZags { .. } => "blocked_zig_zags",
+            Self::Apexes { .. } => "apexes",
+            Self::Search => "search",
+        }
+    }
+}
+
+/// Whether no mesh of a domain's boundary points has a smaller maximum degree than this one. External
+/// degrees count, and the domain's degree limits hold.
+///
+/// O(n) for a convex domain without constraints; else what [`exact::degree`] takes.
+///
+/// # Errors
+///
+/// Those of [`exact::degree`].
+pub fn optimality(
+    verified: &Verified,
+    domain: &Domain,
+    progress: Progress<'_>,
+) -> Result<Optimality, ExactError> {
+    let unknown = |reason: &str| Ok(Optimality::Unknown { reason: reason.to_owned() });
+    if verified.interior_points > 0 {
+        return unknown("it has interior points, and the least degree is that of meshes without");
+    }
+    if !verified.above_limit.is_empty() {
+        return unknown("it breaks the degree limits of the domain");
+    }
+    match domain.convex() {
+        Some(form) if !domain.is_constrained() => Ok(of_convex(form, verified.max_degree)),
+        _ => of_any(verified, domain, progress),
+    }
+}
+
+fn of_convex(form: &ConvexForm, max_degree: u32) -> Optimality {
+    let boundary = form.boundary();
+    let intervals: Vec<u64> = boundary.sides().map(u64::from).collect();
+    let certificate = certificate(boundary);
+    let bound = certificate.check(&intervals).ok();
+    if bound == Some(max_degree) {
+        return Optimality::Optimal { proof: Proof::Certificate(certificate) };
+    }
+    let least = least_degree_triangulation(boundary);
+    match mindeg_core::verify(&intervals, least.triangles()) {
+        Ok(checked) if checked.max_degree < max_degree => {
+            Optimality::Improvable { reached: checked.max_degree, at_least: bound }
+        }
+        _ => fault(),
+    }
+}
+
+/// What to say where a mesh and a proof contradict each other.
+fn fault() -> Optimality {
+    let reason =
+        "the mesh contradicts a proof of mindeg, which is a fault in mindeg; please report it";
+    Optimality::Unknown { reason: reason.to_owned() }
+}
+
+fn of_any(
+    verified: &Verified,
+    domain: &Domain,
+    progress: Progress<'_>,
+) -> Result<Optimality, ExactError> {
+    let answer = exact::degree(domain, progress)?;
+    let max_degree = verified.max_degree;
+    let rings: Vec<Range<u32>> = domain.rings().rings().collect();
+    let side_of = domain.straight_runs();
+    let outline = Outline { points: &verified.points, rings: &rings, side_of: &side_of };
+    if answer.reached < max_degree {
+        let least = mesh(domain, Goal::LeastDegree, progress)?.mesh;
+        let triangles: Vec<[u32; 3]> = least.triangles().collect();
+        let reached = check::triangulation(&verified.points, &rings, &triangles)
+            .ok()
+            .and_then(|checked| total_degree(domain, &checked.degrees));
+        if let Some(reached) = reached.filter(|&reached| reached < max_degree) {
+            let proof = proof(&answer, &outline, domain);
+            let at_least = proof.map(|_| answer.at_least);
+            return Ok(Optimality::Improvable { reached, at_least });
+        }
+        return Ok(fault());
+    }
+    if answer.at_least > max_degree {
+        return Ok(fault());
+    }
+    if answer.at_least < max_degree {
+        let reason = format!(
+            "no mesh has less than {}, and none with less than {max_degree} was found",
+            answer.at_least
+        );
+        return Ok(Optimality::Unknown { reason });
+    }
+    Ok(match proof(&answer, &outline, domain) {
+        Some(proof) => Optimality::Optimal { proof },
+        None if answer.bounded_by == LowerBound::Exhaustive => {
+            let reason = format!(
+                "a search finds no mesh with less than {max_degree}, and is too long to be repeated here"
+            );
+            Optimality::Unknown { reason }
+        }
+        None => fault(),
+    })
+}
+
+/// The largest total degree, if the domain's limits are kept.
+fn total_degree(domain: &Domain, degrees: &[u32]) -> Option<u32> {
+    let total = |(vertex, degree): (u32, &u32)| {
+        let total = degree.saturating_add(domain.external_degree(vertex));
+        domain.degree_limit(vertex).is_none_or(|limit| total <= limit).then_some(total)
+    };
+    (0..).zip(degrees).map(total).try_fold(0, |most, total| Some(most.max(total?)))
+}
+
+/// The proof of an answer's lower bound, if it holds.
+fn proof(answer: &DegreeAnswer, outline: &Outline<'_>, domain: &Domain) -> Option<Proof> {
+    let bound = answer.at_least;
+    match &answer.bounded_by {
+        LowerBound::Counting => {
+            let counted = outline.counting_bound(|vertex| domain.external_degree(vertex));
+            (counted >= bound).then_some(Proof::Counting)
+        }
+        LowerBound::BlockedZigZags(chords) => {
+            let holds = bound == 5 && outline.blocks_all_zigzags(chords);
+            holds.then_some(Proof::BlockedZigZags { chords: chords.len() })
+        }
+        LowerBound::Apexes(apexes) => {
+            let holds = apexes.max_degree() == bound && outline.bounds_apexes(apexes);
+            let (edges, apexes) = (apexes.edges.len(), apexes.apexes.len());
+            holds.then_some(Proof::Apexes { edges, apexes })
+        }
+        LowerBound::Exhaustive => {
+            let below = bound.checked_sub(1)?;
+            let chords = |vertex: u32| {
+                let limit = domain.degree_limit(vertex).map_or(below, |limit| limit.min(below));
+                limit.checked_sub(domain.external_degree(vertex).saturating_add(2))
+            };
+            let most: Option<Vec<u32>> = (0..domain.rings().vertex_count()).map(chords).collect();
+            let is_possible = match most {
+                Some(most) => outline.has_triangulation(&most, MOST_STEPS)?,
+                // The boundary edges alone are too many.
+                None => false,
+            };
+            (!is_possible).then_some(Proof::Search)
+        }
+        _ => None,
+    }
+}

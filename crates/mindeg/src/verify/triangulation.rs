@@ -1,0 +1,126 @@
+//! The check of a mesh against a domain.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use mindeg_domain::Domain;
+use mindeg_mesh::TriMesh;
+use mindeg_mesh::check::{self, Checked};
+
+use super::defect::Defect;
+use super::fault;
+use super::matching::{Matched, Plane, matched, tolerance_of};
+
+/// A mesh that is a triangulation of a domain.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Verified {
+    /// The domain's boundary points as the domain has them, then the others as the mesh has them.
+    pub points: Vec<DVec2>,
+    /// The vertex of the mesh at each of these: the first, if several are there.
+    pub vertex_of: Vec<u32>,
+    /// The triangles of the mesh, in its order, by these points and counter-clockwise.
+    pub triangles: Vec<[u32; 3]>,
+    /// How many points are not on the boundary.
+    pub interior_points: usize,
+    /// How many vertices of the mesh no triangle uses.
+    pub unused_vertices: usize,
+    /// The number of edges at each point, the domain's external degrees included.
+    pub degrees: Vec<u32>,
+    /// The largest of them.
+    pub max_degree: u32,
+    /// The boundary points with more edges than the domain allows there.
+    pub above_limit: Vec<u32>,
+    /// How the mesh lies in space.
+    pub plane: Plane,
+    /// Whether all triangles of the mesh are clockwise.
+    pub is_reversed: bool,
+    /// How far a vertex may be from its boundary point, in units of length.
+    pub tolerance: f64,
+    /// How far the farthest one is.
+    pub farthest: f64,
+}
+
+/// Checks that a mesh is a triangulation of a domain: that it has a vertex at every boundary point, and
+/// that its triangles cover the domain once and lie edge to edge. Other vertices are interior points.
+/// O(n log n).
+///
+/// Vertices count as one if they are in one place or belong to one boundary point. A vertex belongs to the
+/// nearest boundary point that is no farther than `tolerance`, in units of length; without one,
+/// [`DEFAULT_TOLERANCE`](super::DEFAULT_TOLERANCE) of the domain's extent or of 1, or what 32-bit floats
+/// round its coordinates by, whichever is the largest, but no more than a quarter of the shortest interval.
+///
+/// # Errors
+///
+/// The first defect, in the order of [`Defect`].
+pub fn triangulation(
+    mesh: &TriMesh,
+    domain: &Domain,
+    tolerance: Option<f64>,
+) -> Result<Verified, Defect> {
+    let larger = mesh.non_triangles();
+    let larger_faces = larger.quads + larger.polygons;
+    if larger_faces > 0 {
+        return Err(Defect::LargerFaces { count: larger_faces as usize });
+    }
+    let tolerance = tolerance_of(mesh, domain, tolerance)?;
+    let mut first_defect = None;
+    for plane in Plane::ALL {
+        match matched(mesh, domain, plane, tolerance).and_then(|found| checked(found, domain)) {
+            Ok(verified) => return Ok(verified),
+            Err(defect) => {
+                // The plane in which the mesh comes nearest to the domain has the defect that matters.
+                let is_nearer = |other: &Defect| defect.step() > other.step();
+                if first_defect.as_ref().is_none_or(is_nearer) {
+                    first_defect = Some(defect);
+                }
+            }
+        }
+    }
+    Err(first_defect.expect("there are planes"))
+}
+
+fn checked(found: Matched, domain: &Domain) -> Result<Verified, Defect> {
+    let Matched { points, vertex_of, mut triangles, unused_vertices, plane, tolerance, farthest } =
+        found;
+    let is_reversed = fault::all_clockwise(&points, &triangles);
+    if is_reversed {
+        triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
+    }
+    let rings: Vec<Range<u32>> = domain.rings().rings().collect();
+    let is_flat = fault::flat_triangle(domain, &triangles).is_some();
+    let Checked { mut degrees, .. } = match check::triangulation(&points, &rings, &triangles) {
+        Ok(checked) if !is_flat => checked,
+        failed => {
+            let search = fault::Search { domain, points: &points, vertex_of: &vertex_of };
+            return Err(search.first_defect(&triangles, failed.err()));
+        }
+    };
+    let boundary_points = domain.rings().vertex_count();
+    let mut above_limit = Vec::new();
+    if domain.is_constrained() {
+        for vertex in 0..boundary_points {
+            let degree = &mut degrees[vertex as usize];
+            *degree = degree.saturating_add(domain.external_degree(vertex));
+            if domain.degree_limit(vertex).is_some_and(|limit| *degree > limit) {
+                above_limit.push(vertex);
+            }
+        }
+    }
+    let max_degree = degrees.iter().copied().max().unwrap_or(0);
+    let interior_points = points.len() - boundary_points as usize;
+    Ok(Verified {
+        points,
+        vertex_of,
+        triangles,
+        interior_points,
+        unused_vertices,
+        degrees,
+        max_degree,
+        above_limit,
+        plane,
+        is_reversed,
+        tolerance,
+        farthest,
+    })
+}

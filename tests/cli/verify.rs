@@ -1,0 +1,286 @@
+//! `mindeg verify`: meshes that are right, meshes that are not, limits, and what a script gets.
+
+use crate::mesh::text;
+use crate::run::{Run, mindeg, mindeg_reading};
+use std::cell::Cell;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// Every format that mindeg reads, by extension.
+const READ: [&str; 12] =
+    ["obj", "glb", "gltf", "msh", "vtu", "vtk", "ply", "stl", "off", "node", "14", "2dm"];
+
+fn asset(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assets/domains");
+    folder.join(format!("{name}.json")).to_string_lossy().into_owned()
+}
+
+/// A mesh of the 4 by 3 plate at size 1, as an OBJ whose lines a test can change.
+struct Plate {
+    folder: TempDir,
+    file: PathBuf,
+    /// How many files with changes there are.
+    changed: Cell<u32>,
+}
+
+const PLATE: [&str; 4] = ["--rectangle", "4x3", "--size", "1"];
+
+impl Plate {
+    fn new() -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("plate.obj");
+        let run = mindeg(["mesh"].into_iter().chain(PLATE).chain(["-q", "-o", text(&file)]));
+        assert_eq!(run.code, Some(0), "{run:?}");
+        Self { folder, file, changed: Cell::new(0) }
+    }
+
+    /// The mesh with some lines changed.
+    fn with(&self, change: impl Fn(usize, &str) -> Option<String>) -> PathBuf {
+        let lines = fs::read_to_string(&self.file).expect("it was written");
+        let changed = lines.lines().enumerate().filter_map(|(index, line)| change(index, line));
+        self.changed.set(self.changed.get() + 1);
+        let file = self.folder.path().join(format!("changed-{}.obj", self.changed.get()));
+        let text: String = changed.flat_map(|line| [line, "\n".to_owned()]).collect();
+        fs::write(&file, text).expect("a file");
+        file
+    }
+
+    #[track_caller]
+    fn verify(&self, file: &Path, options: &[&str]) -> Run {
+        let arguments = ["verify", text(file)].into_iter().chain(PLATE);
+        mindeg(arguments.chain(["-q"]).chain(options.iter().copied()))
+    }
+}
+
+#[test]
+fn a_mesh_in_any_format_passes_with_its_proof() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let stem = folder.path().join("channel");
+    let files: Vec<PathBuf> = READ.iter().map(|end| stem.with_extension(end)).collect();
+    let domain = asset("step-channel");
+    let outputs = files.iter().flat_map(|file| ["-o", text(file)]);
+    let made = mindeg(["mesh", &domain, "-q"].into_iter().chain(outputs));
+    assert_eq!(made.code, Some(0), "{made:?}");
+    for file in &files {
+        let found = mindeg(["verify", text(file), &domain, "-q", "--optimal", "--json"]).json();
+        assert_eq!(found["valid"], true, "{found}");
+        assert_eq!(found["max_degree"], 5);
+        assert_eq!(found["optimal"], "yes");
+        assert_eq!(found["proof"]["kind"], "blocked_zig_zags");
+        assert_eq!(found["boundary_points"], 197);
+        assert_eq!(found["interior_points"], 0);
+        assert_eq!(found["passed"], true);
+    }
+}
+
+#[test]
+fn the_report_says_what_was_checked() {
+    let plate = Plate::new();
+    let run = plate.verify(&plate.file, &[]);
+    let name = text(&plate.file);
+    assert_eq!(
+        run.text(),
+        format!(
+            "{name} is a triangulation of the domain\n\
+             boundary points   14; the farthest vertex is 0 off (tolerance 4.000e-6)\n\
+             interior points   0\n\
+             triangles         12\n\
+             maximum degree    4, at vertex 1\n\
+             optimal           yes, checked: the edges are too many for 3 at every vertex (theorems 3 and 15)\n\
+             minimum angle     11.310°, in triangle 3; 61.4% of the largest possible, 18.435°\n"
+        )
+    );
+    assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
+}
+
+#[test]
+fn interior_points_are_accepted_and_share_the_boundarys_limit() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("x.stl");
+    let domain = asset("plate-with-holes");
+    let made = mindeg(["mesh", &domain, "--interior", "-q", "-o", text(&file)]);
+    assert_eq!(made.code, Some(0), "{made:?}");
+    let run = mindeg(["verify", text(&file), &domain, "--keep-angle", "85%", "--json"]);
+    let found = run.json();
+    assert!(found["interior_points"].as_u64() > Some(100), "{found}");
+    assert_eq!((&found["optimal"], &found["proof"]), (&"unknown".into(), &None::<bool>.into()));
+    let [angle, limit, share] = ["min_angle", "angle_limit", "share_of_limit"]
+        .map(|key| found[key].as_f64().expect("a number"));
+    assert!((angle / limit - share).abs() < 1e-12 && share > 0.85, "{found}");
+}
+
+#[test]
+fn a_defect_is_named_and_ends_with_3() {
+    let plate = Plate::new();
+    let faces = |line: &str| line.starts_with("f ");
+    let lines = fs::read_to_string(&plate.file).expect("it was written");
+    let first_face = lines.lines().position(faces).expect("faces");
+    for (file, message) in [
+        (
+            plate.with(|index, line| (index != first_face + 5).then(|| line.to_owned())),
+            "the edge from vertex",
+        ),
+        (
+            plate.with(|index, line| {
+                let mut words: Vec<&str> = line.split(' ').collect();
+                if index == first_face {
+                    words.swap(1, 2);
+                }
+                Some(words.join(" "))
+            }),
+            "is turned over",
+        ),
+        (
+            plate.with(|index, line| {
+                let twice =
+                    if index == first_face { format!("{line}\n{line}") } else { line.to_owned() };
+                Some(twice)
+            }),
+            "has the same vertices as triangle 0",
+        ),
+        (
+            plate.with(|_, line| Some(line.replace("v 4 ", "v 4.1 "))),
+            "no vertex is at boundary point",
+        ),
+        (
+            plate.with(|index, line| {
+                let is_second = index == first_face + 1;
+                Some(if is_second { "f 1 2 3 4".to_owned() } else { line.to_owned() })
+            }),
+            "1 face has more than three corners; cut it into triangles first",
+        ),
+    ] {
+        let run = plate.verify(&file, &[]);
+        assert_eq!(run.code, Some(3), "{message}: {run:?}");
+        assert!(run.output.is_empty(), "{run:?}");
+        let start = format!("error: {} is no triangulation of the domain: ", text(&file));
+        assert!(
+            run.errors.starts_with(&start) && run.errors.contains(message),
+            "{message}: {run:?}"
+        );
+
+        let run = plate.verify(&file, &["--json"]);
+        assert_eq!(run.code, Some(3), "{run:?}");
+        let report: serde_json::Value = serde_json::from_str(run.text()).expect("JSON");
+        assert_eq!((&report["valid"], &report["passed"]), (&false.into(), &false.into()));
+        assert!(report["defect"]["message"].as_str().is_some_and(|it| it.contains(message)));
+    }
+}
+
+#[test]
+fn named_limits_pass_or_say_what_fails() {
+    let plate = Plate::new();
+    for (options, message) in [
+        (&["--max-degree", "4", "--min-angle", "11.3", "--keep-angle", "61%", "--optimal"][..], ""),
+        (&["--max-degree", "3"], "vertex 1 has 4 edges; --max-degree allows 3"),
+        (&["--min-angle", "12"], "triangle 3 has an angle of 11.310°; --min-angle asks for 12°"),
+        (
+            &["--keep-angle", "70%"],
+            "triangle 3 has an angle of 11.310°, 61.4% of the largest possible minimum; --keep-angle \
+             asks for 70%",
+        ),
+        (&["--preset", "fvcom"], ""),
+    ] {
+        let run = plate.verify(&plate.file, options);
+        assert_eq!(run.code, Some(if message.is_empty() { 0 } else { 3 }), "{run:?}");
+        let said = if message.is_empty() { String::new() } else { format!("error: {message}\n") };
+        assert_eq!(run.errors, said);
+        assert!(run.text().starts_with(text(&plate.file)), "{run:?}");
+    }
+
+    // A mesh with the best angle has a larger degree, and is told so.
+    let best = plate.folder.path().join("best.obj");
+    let made =
+        ["mesh"].into_iter().chain(PLATE).chain(["--keep-angle", "100%", "-q", "-o", text(&best)]);
+    assert_eq!(mindeg(made).code, Some(0));
+    let run = plate.verify(&best, &["--optimal", "--keep-angle", "100%"]);
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(
+        run.errors.contains("and a mesh with 4 exists; --optimal asks for the least"),
+        "{run:?}"
+    );
+    assert!(run.text().contains("100% of the largest possible"), "{run:?}");
+}
+
+#[test]
+fn limits_of_the_domain_hold() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("x.obj");
+    let domain = |limit: &str| {
+        format!(
+            r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 1, "sides": [
+                {limit}, {{}}, {{"outside_degree": 3}}, {{}}]}}"#
+        )
+    };
+    let made = mindeg_reading(["mesh", "-", "-q", "-o", text(&file)], domain("{}").as_bytes());
+    assert_eq!(made.code, Some(0), "{made:?}");
+    let verify = |limit: &str| {
+        mindeg_reading(["verify", text(&file), "-", "--json"], domain(limit).as_bytes())
+    };
+    let found = verify("{}").json();
+    assert_eq!((&found["max_degree"], &found["optimal"]), (&6.into(), &"yes".into()), "{found}");
+    let run = verify(r#"{"max_degree": 3}"#);
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(run.errors.contains("more than the domain allows at boundary point"), "{run:?}");
+}
+
+#[test]
+fn rounded_meshes_pass_within_the_tolerance() {
+    let plate = Plate::new();
+    let shifted = plate.with(|_, line| Some(line.replace("v 4 ", "v 4.001 ")));
+    let run = plate.verify(&shifted, &[]);
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(run.errors.contains("if the mesh was rounded, give a larger --tolerance"), "{run:?}");
+    assert_eq!(plate.verify(&shifted, &["--tolerance", "0.01"]).code, Some(0));
+    plate.verify(&shifted, &["--tolerance", "1"]).refuses(&[
+        "a tolerance of 1 is too large: the shortest interval is 1 long; give less than half of that",
+    ]);
+}
+
+/// docs/verify.md has a row for every key.
+#[test]
+fn every_key_of_the_report_is_documented() {
+    let page =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/verify.md"))
+            .expect("the page");
+    let plate = Plate::new();
+    let found = plate.verify(&plate.file, &["--json"]).json();
+    let keys: Vec<&str> =
+        found.as_object().expect("an object").keys().map(String::as_str).collect();
+    let help = mindeg(["verify", "--help"]);
+    let help = help.text().split_whitespace().collect::<Vec<_>>().join(" ");
+    for key in &keys {
+        assert!(page.contains(&format!("| `{key}` |")), "{key}");
+        assert!(help.contains(key), "{key}");
+    }
+    assert_eq!(page.matches("\n| `").count(), keys.len() + KINDS.len() + PROOFS.len());
+    for kind in KINDS.iter().chain(&PROOFS) {
+        assert!(page.contains(&format!("| `{kind}` |")), "{kind}");
+    }
+}
+
+const KINDS: [&str; 11] = [
+    "larger_faces",
+    "not_planar",
+    "no_vertex",
+    "repeated_vertex",
+    "repeated_triangle",
+    "no_area",
+    "turned_over",
+    "overlap",
+    "outside",
+    "open_boundary",
+    "open_edge",
+];
+
+const PROOFS: [&str; 8] = [
+    "balanced_cut",
+    "medial_triangle",
+    "long_side",
+    "no_balanced_cut",
+    "counting",
+    "blocked_zig_zags",
+    "apexes",
+    "search",
+];
