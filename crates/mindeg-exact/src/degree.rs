@@ -97,8 +97,8 @@ pub enum LowerBound {
 /// 1. The n zig-zags decide whether degree 4 is possible.
 /// 2. [`windows()`] give an upper bound; 5 is then proven.
 /// 3. A matching of boundary edges to apexes gives a lower bound.
-/// 4. The dynamic program goes down from the upper bound to the lower one, if the triples of
-///    vertices that see each other are within the problem's limit.
+/// 4. The dynamic program halves what is left between the bounds, if the triples of vertices that
+///    see each other are within the problem's limit.
 ///
 /// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one.
 ///
@@ -232,7 +232,8 @@ fn polygon(
     let shares: &[f64] = if triples <= FEW_TRIPLES { &SEARCHED_SHARES } else { &[0.0] };
     let start = least_tangent(mesh, problem.points(), problem.sides());
     while !range.is_proven() {
-        let max_degree = range.max_degree - 1;
+        // The lower half first: a smaller limit takes less time, and windows are seldom far off.
+        let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
         let mut found = None;
         for share in shares {
             found = any_triangulation(problem, &chords, max_degree, share * start, progress)?;
@@ -246,7 +247,7 @@ fn polygon(
                 range.triangles = triangles;
             }
             None => {
-                range.lower_bound = range.max_degree;
+                range.lower_bound = max_degree + 1;
                 range.bounded_by = LowerBound::Exhaustive;
             }
         }
