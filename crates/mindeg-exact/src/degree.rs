@@ -19,10 +19,7 @@ const ZIGZAG_STEPS: u64 = 50_000_000;
 /// The shares of the given triangulation's minimum tangent that windows keep, one after the other.
 const SHARES: [f64; 3] = [0.9, 0.5, 0.0];
 
-/// Up to this many triples of vertices that see each other, a pass takes about a second.
-const FEW_TRIPLES: u64 = 100_000_000;
-
-/// Those that the dynamic program keeps then.
+/// Those that the dynamic program keeps.
 const SEARCHED_SHARES: [f64; 2] = [0.5, 0.0];
 
 /// A triangulation, its maximum degree, and a lower bound on the maximum degree of all.
@@ -224,18 +221,16 @@ fn polygon(
     if range.is_proven() {
         return Ok(range);
     }
-    let triples = match problem.require_triples(&chords, progress) {
+    match problem.require_triples(&chords, progress) {
         Err(Unsolved::TooLarge { .. }) => return Ok(range),
         within => within?,
-    };
-    // A triangulation with large angles is welcome where it costs little.
-    let shares: &[f64] = if triples <= FEW_TRIPLES { &SEARCHED_SHARES } else { &[0.0] };
+    }
     let start = least_tangent(mesh, problem.points(), problem.sides());
     while !range.is_proven() {
         // The lower half first: a smaller limit takes less time, and windows are seldom far off.
         let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
         let mut found = None;
-        for share in shares {
+        for share in SEARCHED_SHARES {
             found = any_triangulation(problem, &chords, max_degree, share * start, progress)?;
             if found.is_some() {
                 break;

@@ -154,7 +154,20 @@ impl<'a, M: Merit> Pieces<'a, M> {
         grid.clear(most_at_i, most_at_j);
         let mut left_out = f64::NEG_INFINITY;
         let mut visit = |apex: usize, left: Front, right: Front| {
-            let corners = self.corners([i, apex, j]);
+            let triangle = [i, apex, j];
+            let pieces = [self.states(left), self.states(right)];
+            let fits = |state: State<M>| state.at_i <= most_at_i && state.at_j <= most_at_j;
+            if M::ALL_EQUAL {
+                // Few triangles add anything, and only these are measured.
+                let mut is_new = false;
+                self.join(triangle, pieces, |_, _, state| {
+                    is_new |= fits(state) && !grid.has(state.at_i, state.at_j);
+                });
+                if !is_new {
+                    return false;
+                }
+            }
+            let corners = self.corners(triangle);
             if self.rules.threshold > 0.0 {
                 let tangent = min_angle_tangent(corners);
                 if tangent < self.rules.threshold {
@@ -163,9 +176,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
                 }
             }
             let own = M::of_triangle(corners);
-            let pieces = [self.states(left), self.states(right)];
-            self.join([i, apex, j], pieces, |_, _, state| {
-                if state.at_i <= most_at_i && state.at_j <= most_at_j {
+            self.join(triangle, pieces, |_, _, state| {
+                if fits(state) {
                     grid.offer(State { merit: state.merit.plus(own), ..state });
                 }
             });
@@ -295,9 +307,9 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// triangulation, then none of these chords and capacities has a larger minimum tangent.
     ///
     /// Proof: take a triangulation and, of its triangles below the threshold, one with none
-    /// beneath it. The fronts of the pieces beneath are as good, so `fill` visited the triangle; or
-    /// it had settled the piece before, with as few chords at the ends. Then that triangulation of
-    /// the piece may replace this one, and fewer triangles are below the threshold.
+    /// beneath it. The fronts of the pieces beneath are as good, so `fill` measured the triangle; or
+    /// it had a triangulation of the piece before, with as few chords at the ends. Then that one may
+    /// replace this one, and fewer triangles are below the threshold.
     pub(crate) fn left_out(&self) -> f64 {
         self.left_out
     }
