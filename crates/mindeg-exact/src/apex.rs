@@ -11,7 +11,6 @@
 //! and apexes that alternating paths reach from it are S and A (Hall).
 
 use crate::chords::Lists;
-use mindeg_mesh::parallel::sort_all;
 use std::cmp::Ordering;
 use std::collections::VecDeque;
 
@@ -50,7 +49,10 @@ struct Matching {
 /// The best bound of this kind above degree 4, from the next vertex of each on its ring and all edges
 /// that a triangulation may have. At most O(edges * sqrt(vertices)) times the bound, by Hopcroft and
 /// Karp's phases.
-pub(crate) fn apex_bound(next: &[u32], edges: impl Iterator<Item = [u32; 2]>) -> Option<ApexBound> {
+pub(crate) fn apex_bound(
+    next: &[u32],
+    edges: impl Iterator<Item = [u32; 2]> + Clone,
+) -> Option<ApexBound> {
     let mut matching = Matching::new(next, edges);
     let mut best = None;
     let mut capacity = 1;
@@ -71,14 +73,16 @@ pub(crate) fn apex_bound(next: &[u32], edges: impl Iterator<Item = [u32; 2]>) ->
 }
 
 impl Matching {
-    fn new(next: &[u32], edges: impl Iterator<Item = [u32; 2]>) -> Self {
+    fn new(next: &[u32], edges: impl Iterator<Item = [u32; 2]> + Clone) -> Self {
         let n = next.len() as u32;
-        let mut pairs: Vec<[u32; 2]> = edges.flat_map(|[i, j]| [[i, j], [j, i]]).collect();
-        sort_all(&mut pairs);
         let mut counts = vec![0; next.len()];
-        pairs.iter().for_each(|&[from, _]| counts[from as usize] += 1);
+        edges.clone().flatten().for_each(|vertex| counts[vertex as usize] += 1);
         let mut neighbours = Lists::new(&counts);
-        pairs.iter().for_each(|&[from, to]| neighbours.push(from, to));
+        for [i, j] in edges {
+            neighbours.push(i, j);
+            neighbours.push(j, i);
+        }
+        neighbours.sort();
         let mut previous = vec![0; next.len()];
         (0..n).zip(next).for_each(|(from, &to)| previous[to as usize] = from);
         let joins = |a: u32, b: u32| neighbours.of(a).binary_search(&b).is_ok();

@@ -96,7 +96,7 @@ impl Chords {
     }
 
     /// The ends of all edges, in order.
-    pub(crate) fn ends(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+    pub(crate) fn ends(&self) -> impl Iterator<Item = [u32; 2]> + Clone + '_ {
         (1..self.vertices)
             .flat_map(|span| self.of_span(span).iter().map(move |&i| [i, i + span as u32]))
     }
@@ -197,29 +197,20 @@ impl<T: Copy + Default> Lists<T> {
         &self.entries[self.offsets[vertex as usize] as usize..]
             [..self.lens[vertex as usize] as usize]
     }
-}
 
-/// Visits the entries of equal vertex of two lists, one by ascending and one by descending vertex,
-/// in ascending order, until `visit` breaks.
-pub(crate) fn meet<T>(
-    ascending: &[T],
-    descending: &[T],
-    vertex: impl Fn(&T) -> u32,
-    mut visit: impl FnMut(&T, &T) -> std::ops::ControlFlow<()>,
-) {
-    let (mut up, mut down) = (ascending.iter(), descending.iter().rev());
-    let (mut first, mut second) = (up.next(), down.next());
-    while let (Some(a), Some(b)) = (first, second) {
-        let (low, high) = (vertex(a), vertex(b));
-        if low == high && visit(a, b).is_break() {
-            return;
+    /// Puts the entries of every vertex in ascending order.
+    pub(crate) fn sort(&mut self)
+    where
+        T: Ord,
+    {
+        for (&start, &len) in self.offsets.iter().zip(&self.lens) {
+            self.entries[start as usize..][..len as usize].sort_unstable();
         }
-        if low <= high {
-            first = up.next();
-        }
-        if high <= low {
-            second = down.next();
-        }
+    }
+
+    pub(crate) fn last_mut(&mut self, vertex: u32) -> Option<&mut T> {
+        let last = self.lens[vertex as usize].checked_sub(1)?;
+        self.entries.get_mut((self.offsets[vertex as usize] + last) as usize)
     }
 }
 
@@ -261,7 +252,6 @@ impl Sides {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::ops::ControlFlow;
 
     #[test]
     fn chords_join_different_sides_and_make_no_flat_triangle() {
@@ -291,30 +281,5 @@ mod tests {
             let is_kept = |i, j| i > 0 || j == 1 || j == n - 1;
             assert!(chords.ends().all(|[i, j]| kept.has(i, j) == is_kept(i, j)));
         }
-    }
-
-    #[test]
-    fn lists_meet_where_they_are_equal() {
-        let mut met = Vec::new();
-        let mut collect = |a: &[u32], b: &[u32], most| {
-            met.clear();
-            meet(
-                a,
-                b,
-                |&v| v,
-                |a, _| {
-                    met.push(*a);
-                    if met.len() == most {
-                        ControlFlow::Break(())
-                    } else {
-                        ControlFlow::Continue(())
-                    }
-                },
-            );
-            met.clone()
-        };
-        assert_eq!(collect(&[1, 3, 4, 7, 9], &[10, 9, 4, 3, 2], 9), [3, 4, 9]);
-        assert_eq!(collect(&[1, 3, 4, 7, 9], &[10, 9, 4, 3, 2], 2), [3, 4]);
-        assert_eq!(collect(&[], &[1], 9), []);
     }
 }

@@ -19,10 +19,7 @@ const ZIGZAG_STEPS: u64 = 50_000_000;
 /// The shares of the given triangulation's minimum tangent that windows keep, one after the other.
 const SHARES: [f64; 3] = [0.9, 0.5, 0.0];
 
-/// Up to this many triples of vertices that see each other, a pass takes about a second.
-const FEW_TRIPLES: u64 = 100_000_000;
-
-/// Those that the dynamic program keeps then.
+/// Those that the dynamic program keeps.
 const SEARCHED_SHARES: [f64; 2] = [0.5, 0.0];
 
 /// A triangulation, its maximum degree, and a lower bound on the maximum degree of all.
@@ -97,8 +94,8 @@ pub enum LowerBound {
 /// 1. The n zig-zags decide whether degree 4 is possible.
 /// 2. [`windows()`] give an upper bound; 5 is then proven.
 /// 3. A matching of boundary edges to apexes gives a lower bound.
-/// 4. The dynamic program goes down from the upper bound to the lower one, if the triples of
-///    vertices that see each other are within the problem's limit.
+/// 4. The dynamic program halves what is left between the bounds, if the triples of vertices that
+///    see each other are within the problem's limit.
 ///
 /// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one.
 ///
@@ -224,17 +221,16 @@ fn polygon(
     if range.is_proven() {
         return Ok(range);
     }
-    let triples = match problem.require_triples(&chords, progress) {
+    match problem.require_triples(&chords, progress) {
         Err(Unsolved::TooLarge { .. }) => return Ok(range),
         within => within?,
-    };
-    // A triangulation with large angles is welcome where it costs little.
-    let shares: &[f64] = if triples <= FEW_TRIPLES { &SEARCHED_SHARES } else { &[0.0] };
+    }
     let start = least_tangent(mesh, problem.points(), problem.sides());
     while !range.is_proven() {
-        let max_degree = range.max_degree - 1;
+        // The lower half first: a smaller limit takes less time, and windows are seldom far off.
+        let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
         let mut found = None;
-        for share in shares {
+        for share in SEARCHED_SHARES {
             found = any_triangulation(problem, &chords, max_degree, share * start, progress)?;
             if found.is_some() {
                 break;
@@ -246,7 +242,7 @@ fn polygon(
                 range.triangles = triangles;
             }
             None => {
-                range.lower_bound = range.max_degree;
+                range.lower_bound = max_degree + 1;
                 range.bounded_by = LowerBound::Exhaustive;
             }
         }

@@ -32,10 +32,20 @@ impl<M: Merit> Grid<M> {
     }
 
     pub(crate) fn offer(&mut self, state: State<M>) {
-        let cell = &mut self.cells[usize::from(state.at_i) * self.width + usize::from(state.at_j)];
-        *cell = (*cell).max(Some(state.merit));
+        let (at_i, at_j) = (usize::from(state.at_i), usize::from(state.at_j));
+        if !M::ALL_EQUAL {
+            let cell = &mut self.cells[at_i * self.width + at_j];
+            *cell = (*cell).max(Some(state.merit));
+        } else if !self.has(state.at_i, state.at_j) {
+            // All that it beats, too, so that nobody offers that again.
+            for row in self.cells.chunks_mut(self.width).skip(at_i) {
+                row[at_j..].fill(Some(state.merit));
+            }
+        }
     }
 
+    /// Whether the piece has a triangulation with these chords at the ends, or, where all are equal,
+    /// with no more.
     pub(crate) fn has(&self, at_i: u16, at_j: u16) -> bool {
         let (at_i, at_j) = (usize::from(at_i), usize::from(at_j));
         at_j < self.width && self.cells.get(at_i * self.width + at_j).is_some_and(Option::is_some)
@@ -67,6 +77,23 @@ mod tests {
     use super::*;
     use crate::merit::TieBreak;
 
+    /// Where all triangulations are equal, the front has those with the fewest chords.
+    fn check_equal(offers: &[(u16, u16, u64)]) {
+        let mut grid = Grid::<()>::new();
+        grid.clear(2, 2);
+        offers.iter().for_each(|&(at_i, at_j, _)| grid.offer(State { at_i, at_j, merit: () }));
+        let mut front = Vec::new();
+        grid.append_front(&mut front);
+        for (at_i, at_j) in (0..3).flat_map(|a| (0..3).map(move |b| (a, b))) {
+            let beats = |a: u16, b: u16| a <= at_i && b <= at_j;
+            let is_beaten = offers.iter().any(|&(a, b, _)| beats(a, b) && (a, b) != (at_i, at_j));
+            let is_offered = offers.iter().any(|&(a, b, _)| (a, b) == (at_i, at_j));
+            let state = State { at_i, at_j, merit: () };
+            assert_eq!(front.contains(&state), is_offered && !is_beaten, "{offers:?}");
+            assert_eq!(grid.has(at_i, at_j), is_offered || is_beaten, "{offers:?}");
+        }
+    }
+
     #[test]
     fn a_front_has_only_what_nothing_beats() {
         let merit = |shape| TieBreak { full_vertices: 0, shape };
@@ -80,6 +107,7 @@ mod tests {
             (&[(0, 1, 5), (1, 0, 6), (1, 1, 6), (2, 2, 7)], &[(0, 1, 5), (1, 0, 6), (2, 2, 7)]),
             (&[(0, 0, 5), (0, 0, 6), (0, 0, 4)], &[(0, 0, 6)]),
         ] {
+            check_equal(offers);
             grid.clear(2, 2);
             offers.iter().for_each(|&offer| grid.offer(state(offer)));
             front.clear();

@@ -7,7 +7,8 @@
 //! both numbers and in cost are left out, which is exact, since no vertex costs less for more
 //! chords; so are states that cannot end at or below a known cost.
 
-use crate::chords::{Chords, Lists, meet};
+use crate::chords::Chords;
+use crate::rows::Rows;
 use glam::DVec2;
 use std::ops::ControlFlow;
 
@@ -51,14 +52,6 @@ struct State {
     cost: u32,
 }
 
-/// The states of the piece between a vertex and `other`.
-#[derive(Clone, Copy, Default)]
-struct Front {
-    other: u32,
-    start: u32,
-    len: u32,
-}
-
 /// What a triangle costs; none if it is not allowed.
 pub(crate) type TriangleCost<'a> = &'a dyn Fn([DVec2; 3]) -> Option<u32>;
 
@@ -68,8 +61,8 @@ struct Pieces<'a> {
     costs: &'a Costs,
     triangle_cost: TriangleCost<'a>,
     states: Vec<State>,
-    up: Lists<Front>,
-    down: Lists<Front>,
+    /// Where the states of a piece begin, and their number.
+    fronts: Rows<[u32; 2]>,
     /// Pairs of states that were joined: the measure of work.
     steps: u64,
 }
@@ -87,11 +80,11 @@ pub(crate) fn least_cost(
     steps: &mut u64,
 ) -> Option<(Vec<[u32; 3]>, u32)> {
     let n = chords.vertex_count();
-    let [up, down] = chords.end_counts().map(|counts| Lists::new(&counts));
     let states = vec![State { at_i: 0, at_j: 0, cost: 0 }];
-    let mut pieces = Pieces { points, costs, triangle_cost, states, up, down, steps: 0 };
+    let fronts = Rows::new(chords);
+    let mut pieces = Pieces { points, costs, triangle_cost, states, fronts, steps: 0 };
     for i in 0..n as u32 - 1 {
-        pieces.put_front(i, i + 1, 0, 1);
+        pieces.fronts.put(i, i + 1, [0, 1]);
     }
     let mut grid = Vec::new();
     for span in 2..n {
@@ -104,13 +97,8 @@ pub(crate) fn least_cost(
 }
 
 impl Pieces<'_> {
-    fn put_front(&mut self, i: u32, j: u32, start: u32, len: u32) {
-        self.up.push(i, Front { other: j, start, len });
-        self.down.push(j, Front { other: i, start, len });
-    }
-
-    fn of(&self, front: &Front) -> &[State] {
-        &self.states[front.start as usize..][..front.len as usize]
+    fn of(&self, [start, len]: [u32; 2]) -> &[State] {
+        &self.states[start as usize..][..len as usize]
     }
 
     /// Visits every state of the piece (i, j) with the two states that it is joined from and the
@@ -121,42 +109,34 @@ impl Pieces<'_> {
         mut visit: impl FnMut(usize, [State; 2], State) -> ControlFlow<()>,
     ) -> u64 {
         let mut steps = 0;
-        // Once all is solved, the lists have pieces of larger spans, too.
-        let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
-        let up = &up[..up.partition_point(|front| (front.other as usize) < j)];
-        let down = &down[..down.partition_point(|front| front.other as usize > i)];
-        meet(
-            up,
-            down,
-            |front| front.other,
-            |left_front, right_front| {
-                let apex = left_front.other as usize;
-                let corners = [i, apex, j].map(|vertex| self.points[vertex]);
-                let Some(own) = (self.triangle_cost)(corners) else {
-                    return ControlFlow::Continue(());
-                };
-                let [is_left, is_right] = [apex > i + 1, j > apex + 1].map(u16::from);
-                let at_apex = self.costs.of(apex);
-                for &left in self.of(left_front) {
-                    let before = left.cost.saturating_add(own);
-                    for &right in self.of(right_front) {
-                        steps += 1;
-                        let chords = left.at_j + right.at_i + is_left + is_right;
-                        let Some(cost) = at_apex.get(usize::from(chords)) else {
-                            // The states are sorted by their chords at the apex.
-                            break;
-                        };
-                        let cost = before.saturating_add(right.cost).saturating_add(*cost);
-                        let (at_i, at_j) = (left.at_i + is_left, right.at_j + is_right);
-                        let state = State { at_i, at_j, cost };
-                        if cost <= self.costs.bound {
-                            visit(apex, [left, right], state)?;
-                        }
+        // The number of steps is wanted, whether it breaks or not.
+        let _ = self.fronts.meet(i as u32, j as u32, |apex, left_front, right_front| {
+            let apex = apex as usize;
+            let corners = [i, apex, j].map(|vertex| self.points[vertex]);
+            let Some(own) = (self.triangle_cost)(corners) else {
+                return ControlFlow::Continue(());
+            };
+            let [is_left, is_right] = [apex > i + 1, j > apex + 1].map(u16::from);
+            let at_apex = self.costs.of(apex);
+            for &left in self.of(left_front) {
+                let before = left.cost.saturating_add(own);
+                for &right in self.of(right_front) {
+                    steps += 1;
+                    let chords = left.at_j + right.at_i + is_left + is_right;
+                    let Some(cost) = at_apex.get(usize::from(chords)) else {
+                        // The states are sorted by their chords at the apex.
+                        break;
+                    };
+                    let cost = before.saturating_add(right.cost).saturating_add(*cost);
+                    let (at_i, at_j) = (left.at_i + is_left, right.at_j + is_right);
+                    let state = State { at_i, at_j, cost };
+                    if cost <= self.costs.bound {
+                        visit(apex, [left, right], state)?;
                     }
                 }
-                ControlFlow::Continue(())
-            },
-        );
+            }
+            ControlFlow::Continue(())
+        });
         steps
     }
 
@@ -203,13 +183,13 @@ impl Pieces<'_> {
         }
         let len = self.states.len() - start;
         if len > 0 {
-            self.put_front(i as u32, j as u32, start as u32, len as u32);
+            self.fronts.put(i as u32, j as u32, [start as u32, len as u32]);
         }
     }
 
     fn triangles(&self, n: usize) -> Option<(Vec<[u32; 3]>, u32)> {
         let last = n - 1;
-        let whole = self.up.of(0).last().filter(|front| front.other as usize == last)?;
+        let (_, whole) = self.fronts.longest(0).filter(|&(end, _)| end as usize == last)?;
         let total = |state: &State| {
             let (at_first, at_last) = (self.costs.of(0), self.costs.of(last));
             state

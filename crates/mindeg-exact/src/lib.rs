@@ -95,6 +95,7 @@ mod problem;
 mod problem_error;
 mod progress;
 mod reach;
+mod rows;
 mod search;
 mod size;
 mod space;

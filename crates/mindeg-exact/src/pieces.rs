@@ -14,12 +14,13 @@
 //!
 //! A piece does not count the edge of its own chord; the pieces that contain it do.
 
-use crate::chords::{Chords, Lists, meet};
+use crate::chords::Chords;
 use crate::front::{Grid, State};
 use crate::limits::Capacity;
 use crate::measure::min_angle_tangent;
 use crate::merit::Merit;
 use crate::parallel::map_chunks;
+use crate::rows::Rows;
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
 use std::ops::{ControlFlow, Range};
@@ -34,23 +35,16 @@ pub(crate) struct Rules<'a> {
     pub(crate) capacities: Vec<Capacity>,
 }
 
-/// The front of the piece between a vertex and `other`, as a range of the list of all states.
-#[derive(Clone, Copy, Default)]
-struct Front {
-    other: u32,
-    start: u32,
-    len: u32,
-}
+/// Where the front of a piece is in the list of all states: its start and its length.
+type Front = [u32; 2];
 
 /// The fronts of all pieces.
 pub(crate) struct Pieces<'a, M> {
     rules: Rules<'a>,
     vertices: usize,
     states: Vec<State<M>>,
-    /// For each vertex the pieces that begin there and have a triangulation, by ascending end.
-    up: Lists<Front>,
-    /// For each vertex the pieces that end there and have a triangulation, by descending begin.
-    down: Lists<Front>,
+    /// The fronts of the pieces that have a triangulation.
+    fronts: Rows<Front>,
     /// The largest tangent of a triangle that the threshold left out.
     left_out: f64,
 }
@@ -80,10 +74,10 @@ impl<'a, M: Merit> Pieces<'a, M> {
     ) -> Result<Self, Cancelled> {
         let vertices = chords.vertex_count();
         let states = vec![State { at_i: 0, at_j: 0, merit: M::EMPTY }];
-        let [up, down] = chords.end_counts().map(|counts| Lists::new(&counts));
-        let mut pieces = Self { rules, vertices, states, up, down, left_out: f64::NEG_INFINITY };
+        let fronts = Rows::new(chords);
+        let mut pieces = Self { rules, vertices, states, fronts, left_out: f64::NEG_INFINITY };
         for i in 0..vertices as u32 - 1 {
-            pieces.put_front(i, i + 1, 0, 1);
+            pieces.fronts.put(i, i + 1, [0, 1]);
         }
         let are_few = chords.len() < FEW;
         let mut grid = Grid::new();
@@ -102,7 +96,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
                     grid.append_front(&mut pieces.states);
                     let len = pieces.states.len() - start;
                     if len > 0 {
-                        pieces.put_front(i, j, start as u32, len as u32);
+                        pieces.fronts.put(i, j, [start as u32, len as u32]);
                     }
                 }
                 continue;
@@ -134,7 +128,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         let mut start = self.states.len() as u32;
         for (&i, len) in starts.iter().zip(batch.lens) {
             if len > 0 {
-                self.put_front(i, i + span as u32, start, len);
+                self.fronts.put(i, i + span as u32, [start, len]);
             }
             start += len;
         }
@@ -142,13 +136,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
         self.left_out = self.left_out.max(batch.left_out);
     }
 
-    fn put_front(&mut self, i: u32, j: u32, start: u32, len: u32) {
-        self.up.push(i, Front { other: j, start, len });
-        self.down.push(j, Front { other: i, start, len });
-    }
-
-    fn states(&self, front: &Front) -> &[State<M>] {
-        &self.states[front.start as usize..][..front.len as usize]
+    fn states(&self, [start, len]: Front) -> &[State<M>] {
+        &self.states[start as usize..][..len as usize]
     }
 
     /// Puts the best merits of the piece from `i` to `j` on the grid of end degrees, and returns
@@ -164,43 +153,53 @@ impl<'a, M: Merit> Pieces<'a, M> {
         };
         grid.clear(most_at_i, most_at_j);
         let mut left_out = f64::NEG_INFINITY;
-        let mut visit = |left: &Front, right: &Front| {
-            let apex = left.other as usize;
-            let corners = self.corners([i, apex, j]);
-            let tangent = min_angle_tangent(corners);
-            if tangent < self.rules.threshold {
-                left_out = left_out.max(tangent);
-                return false;
+        let mut visit = |apex: usize, left: Front, right: Front| {
+            let triangle = [i, apex, j];
+            let pieces = [self.states(left), self.states(right)];
+            let fits = |state: State<M>| state.at_i <= most_at_i && state.at_j <= most_at_j;
+            if M::ALL_EQUAL {
+                // Few triangles add anything, and only these are measured.
+                let mut is_new = false;
+                self.join(triangle, pieces, |_, _, state| {
+                    is_new |= fits(state) && !grid.has(state.at_i, state.at_j);
+                });
+                if !is_new {
+                    return false;
+                }
+            }
+            let corners = self.corners(triangle);
+            if self.rules.threshold > 0.0 {
+                let tangent = min_angle_tangent(corners);
+                if tangent < self.rules.threshold {
+                    left_out = left_out.max(tangent);
+                    return false;
+                }
             }
             let own = M::of_triangle(corners);
-            let pieces = [self.states(left), self.states(right)];
-            self.join([i, apex, j], pieces, |_, _, state| {
-                if state.at_i <= most_at_i && state.at_j <= most_at_j {
+            self.join(triangle, pieces, |_, _, state| {
+                if fits(state) {
                     grid.offer(State { merit: state.merit.plus(own), ..state });
                 }
             });
             // Between the first apex and the last both ends take a chord, and no more is best.
             M::ALL_EQUAL && grid.has(capacity_i.step(), capacity_j.step())
         };
-        let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
         let mut last_seen = i;
-        let mut is_settled = false;
-        meet(
-            up,
-            down,
-            |front| front.other,
-            |left, right| {
-                last_seen = left.other as usize;
-                is_settled = visit(left, right);
-                if is_settled { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            },
-        );
-        if is_settled
+        let flow = self.fronts.meet(i as u32, j as u32, |apex, left, right| {
+            last_seen = apex as usize;
+            if visit(last_seen, left, right) {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        if flow.is_break()
             && last_seen < j - 1
-            && let (Some(left), Some(right)) = (up.last(), down.first())
-            && left.other as usize == j - 1
+            && let (Some((apex, left)), Some(right)) =
+                (self.fronts.longest(i as u32), self.fronts.shortest_to(j as u32))
+            && apex as usize == j - 1
         {
-            visit(left, right);
+            visit(j - 1, left, right);
         }
         left_out
     }
@@ -247,7 +246,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// its merit; of equals, that with the fewest edges at the ends.
     fn best(&self) -> Option<(State<M>, M)> {
         let last = self.vertices - 1;
-        let whole = self.up.of(0).last().filter(|front| front.other as usize == last)?;
+        let (_, whole) = self.fronts.longest(0).filter(|&(end, _)| end as usize == last)?;
         let mut best: Option<(State<M>, M)> = None;
         for &state in self.states(whole) {
             let mut merit = state.merit;
@@ -285,31 +284,22 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// The first apex of the piece from `i` to `j`, and the states beside it, that make up `whole`.
     fn split(&self, i: usize, j: usize, whole: State<M>) -> Option<(usize, State<M>, State<M>)> {
         let mut found = None;
-        let (up, down) = (self.up.of(i as u32), self.down.of(j as u32));
-        // The lists have pieces of larger spans, too, by now.
-        let up = &up[..up.partition_point(|front| (front.other as usize) < j)];
-        let down = &down[..down.partition_point(|front| front.other as usize > i)];
-        meet(
-            up,
-            down,
-            |front| front.other,
-            |left, right| {
-                let triangle = [i, left.other as usize, j];
-                let corners = self.corners(triangle);
-                if min_angle_tangent(corners) < self.rules.threshold {
-                    return ControlFlow::Continue(());
+        // It breaks where it has found something.
+        let _ = self.fronts.meet(i as u32, j as u32, |apex, left, right| {
+            let triangle = [i, apex as usize, j];
+            let corners = self.corners(triangle);
+            if min_angle_tangent(corners) < self.rules.threshold {
+                return ControlFlow::Continue(());
+            }
+            let own = M::of_triangle(corners);
+            let pieces = [self.states(left), self.states(right)];
+            self.join(triangle, pieces, |left, right, state| {
+                if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole {
+                    found = Some((triangle[1], left, right));
                 }
-                let own = M::of_triangle(corners);
-                let pieces = [self.states(left), self.states(right)];
-                self.join(triangle, pieces, |left, right, state| {
-                    if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole
-                    {
-                        found = Some((triangle[1], left, right));
-                    }
-                });
-                if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
-            },
-        );
+            });
+            if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        });
         found
     }
 
@@ -317,9 +307,9 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// triangulation, then none of these chords and capacities has a larger minimum tangent.
     ///
     /// Proof: take a triangulation and, of its triangles below the threshold, one with none
-    /// beneath it. The fronts of the pieces beneath are as good, so `fill` visited the triangle; or
-    /// it had settled the piece before, with as few chords at the ends. Then that triangulation of
-    /// the piece may replace this one, and fewer triangles are below the threshold.
+    /// beneath it. The fronts of the pieces beneath are as good, so `fill` measured the triangle; or
+    /// it had a triangulation of the piece before, with as few chords at the ends. Then that one may
+    /// replace this one, and fewer triangles are below the threshold.
     pub(crate) fn left_out(&self) -> f64 {
         self.left_out
     }

@@ -281,19 +281,18 @@ impl Problem {
         }
     }
 
-    /// Refuses chords of another polygon than a convex one if they have too many triples, and counts
-    /// them.
+    /// Refuses chords of another polygon than a convex one if they have too many triples.
     pub(crate) fn require_triples(
         &self,
         chords: &Chords,
         progress: Progress<'_>,
-    ) -> Result<u64, Unsolved> {
+    ) -> Result<(), Unsolved> {
         if let Domain::Convex(_) = self.domain {
-            return Ok(0);
+            return Ok(());
         }
         let stage = Stage::new(progress, "counting triples of vertices");
         let triples = chords.count_triples(self.max_triples, &stage)?;
-        triples.ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
+        triples.map(|_| ()).ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
     }
 
     /// The number of triples of vertices that see each other, the work of one pass of the dynamic

@@ -68,7 +68,7 @@ impl Triangulation {
     }
 
     /// The edges without a triangle beyond, as (from, to), in the order of the triangles.
-    pub(crate) fn boundary_edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+    pub(crate) fn boundary_edges(&self) -> impl Iterator<Item = [u32; 2]> + Clone + '_ {
         self.triangles.iter().zip(&self.neighbours).flat_map(|(corners, neighbours)| {
             (0..3)
                 .filter(|&edge| neighbours[edge] == NONE)

@@ -175,7 +175,10 @@ proptest! {
         if let Some(next) = default.next_area {
             let expected = (expected.unwrap() + 1..)
                 .find_map(|limit| least(limit, Some(fewest_flat)));
-            prop_assert!(is_least(next, expected.unwrap()) && next <= default.area);
+            let expected = expected.unwrap();
+            prop_assert!(is_least(next, expected), "{next} {expected}");
+            // Equal areas of other triangles differ in the last digit of their sum.
+            prop_assert!(next <= default.area * (1.0 + 1e-12), "{next} {}", default.area);
         }
     }
 }
