@@ -6,6 +6,8 @@ mod convert;
 mod degree;
 mod domain;
 mod fill;
+#[cfg(target_os = "linux")]
+mod hostile_files;
 mod improve;
 mod inspect;
 mod interior;
@@ -25,6 +27,8 @@ mod outputs_that_are_inputs;
 mod polygons;
 #[cfg(target_os = "linux")]
 mod progress;
+#[cfg(target_os = "linux")]
+mod refused_outputs;
 mod run;
 mod slips;
 mod suggest;
