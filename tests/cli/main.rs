@@ -9,6 +9,8 @@ mod determinism;
 mod domain;
 mod explore;
 mod fill;
+#[cfg(target_os = "linux")]
+mod hostile_files;
 mod improve;
 mod inspect;
 mod interior;
@@ -29,6 +31,8 @@ mod outputs_that_are_inputs;
 mod polygons;
 #[cfg(target_os = "linux")]
 mod progress;
+#[cfg(target_os = "linux")]
+mod refused_outputs;
 mod run;
 mod slips;
 mod suggest;

@@ -5,7 +5,8 @@
 //! neither a target touched nor a temporary file behind.
 //!
 //! What is not a regular file (a device, a pipe) cannot be replaced and is written to directly, and
-//! so is what was opened for this process by others.
+//! so is what was opened for this process by others. Links are refused: replacing a link, or one of a
+//! file's names, would leave a second file with the old content.
 //!
 //! Limits: a rename that fails leaves the files renamed before it. A process that runs out of
 //! memory cleans nothing up.
@@ -54,13 +55,22 @@ impl Outputs {
         if names_descriptor(path) {
             return File::options().append(true).open(path).map_err(failed);
         }
-        let (target, permissions) = match fs::metadata(path) {
+        let (target, permissions) = match fs::symlink_metadata(path) {
+            // Whether the link is meant or what it leads to is for the user to say.
+            Ok(metadata) if metadata.is_symlink() => {
+                return Err(refused("a link; name the file that it leads to, or remove the link"));
+            }
             Ok(metadata) if metadata.is_dir() => return Err(refused("a folder")),
             Ok(metadata) if !metadata.is_file() => {
                 return File::options().write(true).open(path).map_err(failed);
             }
             Ok(metadata) if metadata.permissions().readonly() => return Err(refused("read-only")),
-            // A link is followed, so that what it points to is replaced and not the link.
+            Ok(metadata) if has_other_names(&metadata) => {
+                return Err(refused(
+                    "a file with a second name, a hard link, which would keep the old content; \
+                     remove this name, or give another output",
+                ));
+            }
             Ok(metadata) => (fs::canonicalize(path).map_err(failed)?, Some(metadata.permissions())),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 (new_file(path).map_err(|error| cannot_create(path, &error))?, None)
@@ -118,15 +128,23 @@ fn names_descriptor(path: &Path) -> bool {
         || path.starts_with("/proc/self/fd")
 }
 
-/// Where a file is made under a name that does not exist, or is a link to one that does not.
+/// Where a file is made under a name that does not exist.
 fn new_file(path: &Path) -> io::Result<PathBuf> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = fs::canonicalize(folder.unwrap_or(Path::new(".")))?;
-    let target = folder.join(path.file_name().ok_or(io::ErrorKind::NotFound)?);
-    match fs::read_link(&target) {
-        Ok(link) => new_file(&folder.join(link)),
-        Err(_) => Ok(target),
-    }
+    Ok(folder.join(path.file_name().ok_or(io::ErrorKind::NotFound)?))
+}
+
+/// Whether a file has hard links.
+#[cfg(unix)]
+fn has_other_names(metadata: &fs::Metadata) -> bool {
+    std::os::unix::fs::MetadataExt::nlink(metadata) > 1
+}
+
+/// Nothing tells.
+#[cfg(not(unix))]
+fn has_other_names(_: &fs::Metadata) -> bool {
+    false
 }
 
 /// A temporary file beside `target`, with the permissions of the file that it replaces.

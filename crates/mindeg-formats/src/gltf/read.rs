@@ -25,7 +25,8 @@ use std::ops::Range;
 /// relative to the document, and to be trusted no more than the document is. Data in the
 /// document itself is not asked for, and URIs with a scheme such as `http:` are refused.
 ///
-/// O(n) time; memory for the file and the mesh.
+/// O(n) time; memory for the file and the mesh, which has no more vertices, triangles and lines than 100
+/// for each byte of the file and its buffers.
 ///
 /// Limits: triangles compressed by Draco or meshopt are refused by name, as is any extension that
 /// a file requires unless it is known not to touch triangles. Skins and morph targets are left at
@@ -68,7 +69,8 @@ pub fn read(
     let document = Document::parse(json)?;
     let buffers = container::buffers(&document, binary, resolve)?;
     let nodes = placed_nodes(&document)?;
-    let mut surface = Surface::new(Arrays { document: &document, buffers: &buffers });
+    let bytes = file.len() + buffers.iter().flatten().map(|buffer| buffer.len()).sum::<usize>();
+    let mut surface = Surface::new(Arrays { document: &document, buffers: &buffers }, bytes);
     for &(index, to_scene) in &nodes {
         surface.add_triangles_of(index, to_scene)?;
     }
@@ -110,9 +112,16 @@ impl Notes {
 /// Positions in a place: an accessor, and the bits of what moves it there.
 type PlacedPositions = (usize, [u64; 16]);
 
+/// How many vertices, triangles and lines a file may have for each of its bytes. One that says each of
+/// them has 10 bytes and more; but an accessor without bytes is as long as it says, and a mesh has as many
+/// copies as nodes.
+const MOST_PER_BYTE: u64 = 100;
+
 /// A mesh as it is put together, node by node.
 struct Surface<'a> {
     arrays: Arrays<'a>,
+    /// How many vertices, triangles and lines there may still be.
+    room: u64,
     positions: Vec<DVec3>,
     /// The vertices that positions have become.
     vertices: HashMap<PlacedPositions, Range<usize>>,
@@ -126,9 +135,11 @@ struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    fn new(arrays: Arrays<'a>) -> Self {
+    /// An empty one, of a file of so many bytes.
+    fn new(arrays: Arrays<'a>, bytes: usize) -> Self {
         Self {
             arrays,
+            room: MOST_PER_BYTE.saturating_mul(bytes as u64),
             positions: Vec::new(),
             vertices: HashMap::new(),
             triangles: Vec::new(),
@@ -139,6 +150,19 @@ impl<'a> Surface<'a> {
             notes: Notes::default(),
             rounding: 0.0,
         }
+    }
+
+    /// Takes room for so many items, before there is memory for them.
+    fn take_room(&mut self, count: u64, place: impl FnOnce() -> String) -> Result<(), ReadError> {
+        let Some(room) = self.room.checked_sub(count) else {
+            let problem = format!(
+                "makes more vertices, triangles and lines than {MOST_PER_BYTE} for each byte of the \
+                 file and its buffers; export fewer copies of the mesh"
+            );
+            return Err(ReadError::place(place(), problem));
+        };
+        self.room = room;
+        Ok(())
     }
 
     /// A node, and its mesh with its index.
@@ -162,6 +186,7 @@ impl<'a> Surface<'a> {
             let part = part?;
             if let Mode::Triangles(layout) = part.mode {
                 let vertices = self.placed(part.positions, to_scene)?;
+                self.take_room(part.count(self.arrays), || format!("nodes[{index}]"))?;
                 part.push_triangles(layout, &vertices, self.arrays, &mut self.triangles)?;
             }
         }
@@ -195,8 +220,10 @@ impl<'a> Surface<'a> {
                 Lines::Strip => count.saturating_sub(1),
                 Lines::Loop => count,
             };
-            if let Some(vertices) = self.vertices.get(&(part.positions, bits(to_scene))) {
-                part.push_segments(lines, vertices, self.arrays, &mut self.segments)?;
+            let vertices = self.vertices.get(&(part.positions, bits(to_scene))).cloned();
+            if let Some(vertices) = vertices {
+                self.take_room(count, || format!("nodes[{index}]"))?;
+                part.push_segments(lines, &vertices, self.arrays, &mut self.segments)?;
             }
         }
         let Ok(end) = u32::try_from(self.segments.len()) else {
@@ -217,6 +244,8 @@ impl<'a> Surface<'a> {
         if let Some(vertices) = self.vertices.get(&placed) {
             return Ok(vertices.clone());
         }
+        let count = self.arrays.document.accessors[accessor].count.0;
+        self.take_room(count, || format!("accessors[{accessor}]"))?;
         let (mut positions, rounding) = self.arrays.positions(accessor)?;
         let axes = [to_scene.x_axis, to_scene.y_axis, to_scene.z_axis];
         let scale = axes.map(|axis| axis.truncate().length()).into_iter().fold(0.0, f64::max);
