@@ -37,6 +37,7 @@ mod loops;
 mod msh;
 mod nesting;
 mod obj_lines;
+mod orientation;
 mod outline;
 mod plane;
 mod poly;

@@ -8,8 +8,8 @@
 //! compared by their points every 15 degrees.
 
 use glam::DVec2;
-use robust::{Coord, orient2d};
 
+use super::orientation::orientation;
 use super::outline::{Feature, Ring, doubled_area};
 use crate::error::ReadError;
 
@@ -144,7 +144,6 @@ pub(super) fn contains(ring: &[DVec2], other: &[DVec2]) -> bool {
 
 /// Whether a point is inside a ring; none if it lies on it. O(n), exact.
 fn side(ring: &[DVec2], point: DVec2) -> Option<bool> {
-    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
     let mut inside = false;
     let next = ring.iter().cycle().skip(1);
     for (&a, &b) in ring.iter().zip(next) {
@@ -155,7 +154,7 @@ fn side(ring: &[DVec2], point: DVec2) -> Option<bool> {
             }
             continue;
         }
-        let turn = orient2d(coord(a), coord(b), coord(point));
+        let turn = orientation(a, b, point);
         if turn == 0.0 {
             return None;
         }

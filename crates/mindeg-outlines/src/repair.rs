@@ -14,10 +14,10 @@ mod crossings;
 use std::collections::BTreeMap;
 
 use glam::DVec2;
-use robust::{Coord, orient2d};
 
 use super::curve::{Curve, norm};
 use super::nesting::{FillRule, contains, polygons};
+use super::orientation::orientation;
 use super::outline::{Feature, Outlines, Piece, Ring};
 use super::text::counted;
 use crate::error::ReadError;
@@ -221,13 +221,12 @@ fn without_spikes(pieces: Vec<Piece>) -> (Vec<Piece>, usize) {
 
 /// Whether the ring runs straight to the start of `tip` and straight back towards `after`.
 fn is_spike(before: &Piece, tip: &Piece, after: DVec2) -> bool {
-    let [a, b, c] = [before.start, tip.start, after].map(|p| Coord { x: p.x, y: p.y });
     before.curve == Curve::Line
         && tip.curve == Curve::Line
         && before.start != after
         && before.start != tip.start
         && tip.start != after
-        && orient2d(a, b, c) == 0.0
+        && orientation(before.start, tip.start, after) == 0.0
         && (tip.start - before.start).dot(after - tip.start) < 0.0
 }
 

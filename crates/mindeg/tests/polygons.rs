@@ -148,10 +148,15 @@ fn known_least_degrees() {
         (l([13, 6, 6, 6, 6, 13]), 5),
         (l([25, 13, 13, 13, 13, 25]), 5),
         (l([50, 25, 25, 25, 25, 50]), 4),
+        (l([100, 50, 50, 50, 50, 100]), 4),
+        (l([250, 125, 125, 125, 125, 250]), 4),
+        (l([500, 250, 250, 250, 250, 500]), 4),
         (l([60, 2, 2, 2, 2, 2]), 11),
         (u([2, 2, 2, 2, 60, 2, 2, 2]), 23),
         (u([90, 2, 2, 2, 2, 2, 2, 2]), 14),
         (domain(&Outline::comb(8, 200, 1)), 11),
+        (domain(&Outline::comb(8, 50, 11)), 5),
+        (domain(&Outline::gear(12, 8)), 5),
         (domain(&Outline::spiral(5)), 4),
         (rectangle([30, 2, 4, 2]), 7),
         (rectangle([12, 9, 4, 4]), 5),
@@ -220,6 +225,7 @@ fn domains_with_holes_have_a_gap_that_holds() {
         (plate(2, 8), 5, 5),
         (plate(3, 12), 5, 5),
         (plate(5, 24), 5, 5),
+        (frame(100, 50), 5, 4),
     ] {
         let meshed = mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap();
         let rings = domain.rings();
@@ -353,6 +359,44 @@ fn the_gap_of_a_hole_holds_the_least_degree_of_all_triangulations() {
         let answer = exact::degree(&domain, Progress::NONE).unwrap();
         assert!((answer.at_least..=answer.reached).contains(&least), "{answer:?}: {least}");
         assert!(answer.reached <= least + 1, "{answer:?}: {least}");
+    }
+}
+
+/// A regular polygon with a smaller one, turned by half a step, as its hole.
+fn ring_of(outer: u32, inner: u32) -> Domain {
+    let regular = |corners: u32, radius: f64, turn: f64| {
+        (0..corners).map(move |corner| {
+            let angle = std::f64::consts::TAU * (f64::from(corner) + turn) / f64::from(corners);
+            radius * DVec2::new(libm::cos(angle), libm::sin(angle))
+        })
+    };
+    let counts = |corners: u32| vec![Side::count(1); corners as usize];
+    Domain::builder(Shape::Polygon(regular(outer, 6.0, 0.0).collect()), counts(outer))
+        .hole(Ring::new(regular(inner, 2.0, 0.5), counts(inner)))
+        .build()
+        .unwrap()
+}
+
+/// With one hole, degree 4 needs four edges at every vertex.
+#[test]
+fn one_hole_allows_degree_4_or_excludes_it() {
+    for (domain, least) in [
+        (ring_of(3, 3), 4),
+        (ring_of(4, 4), 4),
+        (ring_of(5, 5), 4),
+        (ring_of(4, 3), 5),
+        (ring_of(3, 4), 5),
+        (ring_of(6, 3), 5),
+        (ring_of(7, 3), 5),
+        (frame(1, 1), 4),
+    ] {
+        let points: Vec<DVec2> = domain.placement().points().collect();
+        let all = all_of_rings(&domain);
+        let of_all = all.iter().map(|t| largest(&Measured::new(&points, t).degrees)).min();
+        assert_eq!(of_all, Some(least), "{domain:?}");
+        let answer = exact::degree(&domain, Progress::NONE).unwrap();
+        assert_eq!(answer.reached, least, "{domain:?}");
+        assert!((4..=least).contains(&answer.at_least), "{domain:?}");
     }
 }
 

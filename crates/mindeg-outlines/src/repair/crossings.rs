@@ -8,9 +8,9 @@
 use std::collections::BTreeMap;
 
 use glam::DVec2;
-use robust::{Coord, orient2d};
 
 use super::super::curve::Curve;
+use super::super::orientation::orientation;
 use super::super::outline::{Piece, Ring};
 
 /// The most comparisons of two edges, which take about a second.
@@ -76,8 +76,7 @@ fn meeting(one: [DVec2; 2], other: [DVec2; 2]) -> Vec<(usize, DVec2)> {
     if lowest(one) > highest(other) || lowest(other) > highest(one) {
         return Vec::new();
     }
-    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
-    let side = |[a, b]: [DVec2; 2], p: DVec2| orient2d(coord(a), coord(b), coord(p));
+    let side = |[a, b]: [DVec2; 2], p: DVec2| orientation(a, b, p);
     let of_other = other.map(|end| side(one, end));
     let of_one = one.map(|end| side(other, end));
     let mut found = Vec::new();
