@@ -557,7 +557,7 @@ test("light and dark follow the reader's system, also while the page is open", a
 });
 
 test("a picture for the README", async () => {
-  const page = await open({ viewport: { width: 1400, height: 860 } });
+  const page = await open({ viewport: { width: 1400, height: 876 } });
   await page.mouse.move(0, 0);
   await page.waitForTimeout(500);
   await page.screenshot({ path: resolve("explore.png") });
