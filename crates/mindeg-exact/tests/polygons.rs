@@ -327,3 +327,12 @@ fn other_triangles_than_a_triangulation_are_refused() {
     let problem = Problem::triangulated(&turned, &[0, 1, 2, 3], &[[0, 2, 1], [0, 1, 3]]).unwrap();
     assert_eq!(trade_off(&problem, Progress::NONE), Err(Unsolved::NotAPolygon));
 }
+
+/// Found by fuzzing: runs of sides that leave no chord between different ones.
+#[test]
+fn a_polygon_that_only_chords_along_sides_triangulate_is_refused() {
+    let points = [(4.0, 4.0), (4.0, 5.0), (0.0, 30.0), (0.0, 0.0)].map(DVec2::from);
+    let problem = Problem::triangulated(&points, &[0, 0, 1, 0], &[[0, 1, 3], [1, 2, 3]]).unwrap();
+    assert_eq!(trade_off(&problem, Progress::NONE).unwrap_err(), Unsolved::OnlyAlongSides);
+    assert!(best_angle(&problem, 9, Progress::NONE).is_err());
+}
