@@ -54,6 +54,9 @@ impl ConvexForm {
     }
 }
 
+/// The largest turn, in radians, that counts as made by rounding.
+const MOST_ROUNDED: f64 = 1e-3;
+
 /// How the boundary turns at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Turn {
@@ -84,7 +87,8 @@ fn turn(incoming: Piece, outgoing: Piece) -> Turn {
         .into_iter()
         .fold(0.0, f64::max);
     let rounding = f64::EPSILON * coordinate * (1.0 / before.length() + 1.0 / after.length());
-    if angle.abs() < LEAST_TURN.max(rounding) {
+    // Beside an edge of a few roundings, any turn could be one; a corner must not pass for it.
+    if angle.abs() < LEAST_TURN.max(rounding.min(MOST_ROUNDED)) {
         Turn::Straight
     } else if angle.abs() > PI - LEAST_TURN {
         Turn::Back
@@ -272,5 +276,15 @@ mod tests {
             [5e5, 4_650_009.0],
         ];
         assert_eq!(polygon(&corners, &[1; 4]).straight_runs(), [0, 0, 1, 2]);
+    }
+
+    /// Found by fuzzing: every corner beside such an edge passed for straight, and no chord was left.
+    #[test]
+    fn a_corner_beside_an_edge_of_one_unit_in_the_last_place_is_one() {
+        let near = 31.0_f64 / 7.0;
+        let corners = [[near, near], [near, near.next_up()], [0.0, 30.0], [0.0, 0.0]];
+        let domain = Domain::from_rings([corners.map(DVec2::from).to_vec()]).unwrap();
+        assert_eq!(domain.straight_runs(), [0, 1, 2, 3]);
+        assert!(domain.convex().is_some());
     }
 }

@@ -9,6 +9,7 @@ use crate::pieces::{Pieces, Rules};
 use crate::problem::Problem;
 use crate::progress::{Passes, Stage};
 use crate::reach::reaching;
+use crate::unsolved::Unsolved;
 use glam::DVec2;
 use mindeg_mesh::{Cancelled, Progress};
 
@@ -62,7 +63,7 @@ impl<'a> Search<'a> {
         problem: &'a Problem,
         all: &'a Chords,
         progress: Progress<'a>,
-    ) -> Result<Self, Cancelled> {
+    ) -> Result<Self, Unsolved> {
         let mut mesh = problem.triangulation();
         make_delaunay(&mut mesh, problem.points(), problem.sides());
         let known = least_tangent(&mesh, problem.points(), problem.sides());
@@ -76,7 +77,9 @@ impl<'a> Search<'a> {
             bounds: Stage::new(progress, "bounding the angles"),
             passes: Passes::new(),
         };
-        search.raise_floor(known)?;
+        // The known triangulation may have chords along sides, which are none of these.
+        (search.chords, search.floor) =
+            (search.reaching(known)?.ok_or(Unsolved::OnlyAlongSides)?, known);
         // Usually the first pass ends it: nothing is above the known tangent.
         let (mut possible, mut bound) = (known, LARGEST_TANGENT);
         let mut threshold = possible.next_up();

@@ -22,6 +22,12 @@ pub enum Unsolved {
          degree; raise these limits"
     )]
     VertexLimits,
+    /// Every triangulation joins two points of one straight side that are not neighbours.
+    #[error(
+        "every triangulation joins points of one straight side; the boundary bends too little there, \
+         or its points are too close together: move them apart"
+    )]
+    OnlyAlongSides,
     /// More triples of vertices see each other than the problem allows.
     #[error(
         "more than {max_triples} triples of vertices see each other, the limit of exact work; \

@@ -361,3 +361,12 @@ fn the_checkers_bounds_are_those_of_all_triangulations() {
         assert_eq!(problem.points().len(), n as usize);
     });
 }
+
+/// Found by fuzzing: runs of sides that leave no chord between different ones.
+#[test]
+fn a_polygon_that_only_chords_along_sides_triangulate_is_refused() {
+    let points = [(4.0, 4.0), (4.0, 5.0), (0.0, 30.0), (0.0, 0.0)].map(DVec2::from);
+    let problem = Problem::triangulated(&points, &[0, 0, 1, 0], &[[0, 1, 3], [1, 2, 3]]).unwrap();
+    assert_eq!(trade_off(&problem, Progress::NONE).unwrap_err(), Unsolved::OnlyAlongSides);
+    assert!(best_angle(&problem, 9, Progress::NONE).is_err());
+}

@@ -1,0 +1,73 @@
+//! Interior points: the boundary stays bit for bit, and the triangles fill it.
+#![no_main]
+
+use arbitrary::Arbitrary;
+use glam::DVec2;
+use libfuzzer_sys::fuzz_target;
+use mindeg_fuzz::{GridPoint, Hostile, assert_fills, star};
+use mindeg_interior::{Fixed, Options, Outline, Prefer, SizeAt, generate};
+use mindeg_mesh::Progress;
+
+#[derive(Arbitrary, Debug)]
+struct Input {
+    radii: Vec<u8>,
+    /// Points of a ring that need not be one.
+    ring: Option<Vec<GridPoint>>,
+    hole: Option<Vec<u8>>,
+    growth: Option<Hostile>,
+    size_inside: Option<Hostile>,
+    sizes: Vec<([Hostile; 2], Hostile)>,
+    degrees: Option<(u8, u8, u8)>,
+    limits: Vec<(u8, u8)>,
+    target: Option<Hostile>,
+    prefer_angle: bool,
+    fixed: Vec<([Hostile; 2], u8, u8)>,
+}
+
+fuzz_target!(|input: Input| {
+    let outer: Vec<DVec2> = match &input.ring {
+        Some(ring) => ring.iter().take(30).map(|point| point.0).collect(),
+        None => star(&input.radii[..input.radii.len().min(40)], DVec2::ZERO),
+    };
+    let mut rings = vec![outer];
+    if let Some(hole) = &input.hole {
+        let hole = &hole[..hole.len().min(8)];
+        let mut ring: Vec<DVec2> = star(hole, DVec2::ZERO).into_iter().map(|p| p / 40.0).collect();
+        ring.reverse();
+        rings.push(ring);
+    }
+    let Ok(outline) = Outline::new(&rings) else { return };
+    let n = outline.points().len() as u32;
+    let mut options = Options { max_points: 3_000, ..Options::default() };
+    options.growth = input.growth.map_or(options.growth, |growth| growth.0);
+    options.size_inside = input.size_inside.map(|size| size.0);
+    let place = |[x, y]: [Hostile; 2]| DVec2::new(x.0, y.0);
+    let size = |&(at, size): &([Hostile; 2], Hostile)| SizeAt { at: place(at), size: size.0 };
+    options.sizes = input.sizes.iter().take(3).map(size).collect();
+    if let Some((low, high, boundary)) = input.degrees {
+        options.interior_degree = u32::from(low % 8)..=u32::from(high % 12);
+        options.boundary_degree = u32::from(boundary % 8);
+    }
+    let limit = |&(vertex, limit): &(u8, u8)| (u32::from(vertex) % (n + 1), u32::from(limit % 8));
+    options.degree_limits = input.limits.iter().take(4).map(limit).collect();
+    options.target_angle = input.target.map(|target| target.0);
+    options.prefer = if input.prefer_angle { Prefer::Angle } else { Prefer::Degree };
+    let fixed = Fixed {
+        points: input.fixed.iter().take(4).map(|(at, ..)| place(*at)).collect(),
+        segments: input
+            .fixed
+            .iter()
+            .take(4)
+            .map(|(_, a, b)| [u32::from(*a) % (n + 5), u32::from(*b) % (n + 5)])
+            .collect(),
+    };
+    let found = match generate(&outline, &fixed, &options, Progress::NONE) {
+        Ok(found) => found,
+        Err(error) => return assert!(!error.to_string().is_empty()),
+    };
+    assert_eq!(&found.points[..n as usize], outline.points());
+    assert_eq!(&found.points[n as usize..][..fixed.points.len()], &fixed.points[..]);
+    let boundary: Vec<_> = outline.edges().collect();
+    assert_fills(&found.points, &found.triangles, &boundary);
+    assert!(found.points.len() <= options.max_points);
+});

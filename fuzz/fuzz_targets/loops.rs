@@ -1,0 +1,77 @@
+//! Loops of meshes in space: filled and joined, with triangles that name the mesh's vertices and
+//! degrees within the limit.
+#![no_main]
+
+use arbitrary::Arbitrary;
+use glam::DVec3;
+use libfuzzer_sys::fuzz_target;
+use mindeg::bridge::bridge;
+use mindeg::fill::{FillOptions, fill};
+use mindeg::{Loops, Progress, TriMesh};
+
+#[derive(Arbitrary, Debug)]
+struct Input {
+    /// Two bands of triangles, or any triangles.
+    bands: Option<[Vec<(i8, i8)>; 2]>,
+    points: Vec<[i8; 3]>,
+    triangles: Vec<[u8; 3]>,
+    max_degree: Option<u8>,
+    ends: [u8; 2],
+}
+
+fuzz_target!(|input: Input| {
+    let meshes: Vec<TriMesh> = match &input.bands {
+        Some(bands) => bands.iter().filter_map(|band| self::band(band)).collect(),
+        None => any(&input).into_iter().collect(),
+    };
+    let [a, rest @ ..] = &meshes[..] else { return };
+    let max_degree = input.max_degree.map(|limit| u32::from(limit % 16));
+    let options = FillOptions { max_degree, max_loop: 60, only: None };
+    if let Ok(filled) = fill(a.clone(), &options, Progress::NONE) {
+        let before = a.triangles().len();
+        assert_eq!(filled.mesh.triangles()[..before], *a.triangles());
+        assert_eq!(filled.mesh.positions(), a.positions());
+        // Vertices that had more edges before get none.
+        let (old, new) = (a.degrees(), filled.mesh.degrees());
+        let limit = filled.filled.iter().map(|done| done.limit).max().unwrap_or(0);
+        assert!(old.iter().zip(new).all(|(old, new)| *new <= limit.max(*old)));
+    }
+    let pick = |mesh: &TriMesh, index: u8| usize::from(index) % (Loops::of(mesh).list().len() + 1);
+    let other = rest.first();
+    let ends = [pick(a, input.ends[0]), pick(other.unwrap_or(a), input.ends[1])];
+    if let Ok(joined) = bridge(a.clone(), other, ends, max_degree, Progress::NONE) {
+        let n = joined.mesh.positions().len() as u32;
+        assert!(joined.mesh.triangles().iter().flatten().all(|&v| v < n));
+        assert!(max_degree.is_none_or(|limit| joined.strip.max_degree <= limit));
+    }
+});
+
+/// A band around an axis, with two loops.
+fn band(heights: &[(i8, i8)]) -> Option<TriMesh> {
+    let heights = &heights[..heights.len().min(40)];
+    let n = heights.len() as u32;
+    let step = std::f64::consts::TAU / f64::from(n);
+    let ring = |top: f64| {
+        heights.iter().enumerate().map(move |(i, &(low, high))| {
+            let angle = step * i as f64;
+            let z = f64::from(if top > 0.0 { high } else { low }) / 64.0;
+            DVec3::new(angle.cos(), angle.sin(), z + 10.0 * top)
+        })
+    };
+    let points = ring(0.0).chain(ring(1.0)).collect();
+    let triangles = (0..n).flat_map(|i| {
+        let j = (i + 1) % n;
+        [[i, j, n + i], [j, n + j, n + i]]
+    });
+    TriMesh::new(points, triangles.collect()).ok()
+}
+
+fn any(input: &Input) -> Option<TriMesh> {
+    let count = input.points.len().min(40) as u8;
+    if count == 0 {
+        return None;
+    }
+    let points = input.points.iter().take(40).map(|at| DVec3::from(at.map(f64::from)));
+    let triangles = input.triangles.iter().take(60).map(|t| t.map(|v| u32::from(v % count)));
+    TriMesh::new(points.collect(), triangles.collect()).ok()
+}

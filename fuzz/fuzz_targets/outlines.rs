@@ -1,0 +1,26 @@
+//! Every reader of outlines: the first byte tells the format, the rest is the file. What is read is
+//! repaired and divided as the command line does.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use mindeg_outlines::{Division, OutlineFormat, format_of, read};
+
+fuzz_target!(|file: &[u8]| {
+    let Some((&first, bytes)) = file.split_first() else { return };
+    let _ = format_of(None, bytes);
+    let format = OutlineFormat::ALL[usize::from(first) % OutlineFormat::ALL.len()];
+    let Ok(outlines) = read(bytes, format) else { return };
+    let rings = outlines.features.iter().flat_map(|feature| &feature.rings);
+    let pieces: usize = rings.map(|ring| ring.pieces.len()).sum();
+    assert!(pieces <= bytes.len(), "{pieces} pieces of {} bytes", bytes.len());
+    let repaired = outlines.clone().repaired();
+    for feature in outlines.features.iter().chain(repaired.iter().flat_map(|it| &it.features)) {
+        let segments = feature.rings.iter().flat_map(|ring| ring.segments());
+        let length: f64 = segments.map(|segment| segment.length()).sum();
+        for size in [None, Some(length / 100.0), Some(1e9)] {
+            if let Ok(domain) = feature.domain(&Division { size, ..Division::default() }) {
+                assert!(domain.placement().points().all(|point| point.is_finite()));
+            }
+        }
+    }
+});
