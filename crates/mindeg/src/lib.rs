@@ -63,6 +63,8 @@ mod meshed;
 #[cfg(feature = "exact")]
 pub mod model;
 #[cfg(feature = "exact")]
+mod parallel;
+#[cfg(feature = "exact")]
 mod posed;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};

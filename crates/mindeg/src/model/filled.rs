@@ -4,11 +4,11 @@ use mindeg_domain::{Interior, Model};
 use mindeg_interior::{Fixed, Outline, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
-use super::colors::map_faces;
 use super::error::ModelMeshError;
 use super::face::PlaneFace;
 use super::{assembled, min_angle};
 use crate::interior::options_of;
+use crate::parallel::map_indices;
 
 /// Faces from one report of progress to the next.
 const REPORT: usize = 64;
@@ -72,7 +72,7 @@ pub fn fill_model(
     let mut filled = Vec::with_capacity(faces.len());
     let counter = progress.counter("filling faces", faces.len() as u64);
     for chunk in faces.chunks(REPORT) {
-        for found in map_faces(chunk, fill) {
+        for found in map_indices(chunk, fill) {
             filled.push(found?);
         }
         counter.add(chunk.len())?;
