@@ -68,6 +68,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     memory::require_to_read(file)?;
     let mesh = mesh_file::read(file, &bar)?;
     memory::require_to_inspect(file, mesh.positions().len(), mesh.triangles().len())?;
+    targets.expect_materials(mesh.has_materials());
     let loops = Loops::of(&mesh);
     if loops.list().is_empty() {
         let message = format!("{} has no boundary loop; it is closed", file.display());

@@ -77,8 +77,8 @@ pub use loops::{LoopDefect, Loops, MeshLoop};
 pub use meshed::{FoundBy, HigherDegree, Meshed};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
-    Bounds, Cancelled, Group, Line, Mesh, Positions, Progress, Step, TriMesh, TriMeshError,
-    Triangles, inspection, quality,
+    Bounds, Cancelled, Group, Line, Material, Mesh, Positions, Progress, Step, TriMesh,
+    TriMeshError, Triangles, inspection, quality,
 };
 
 /// The README's example is compiled with the others.
