@@ -151,3 +151,109 @@ fn any_number_of_threads_writes_the_same_bytes() {
         |threads: u32| fs::read(folder.path().join(format!("{threads}.obj"))).expect("a file");
     assert!(read(1) == read(2) && read(1) == read(7));
 }
+
+/// What a run says, with the folder's path taken out.
+fn message(folder: &tempfile::TempDir, run: &Run) -> String {
+    run.errors.replace(&format!("{}/", folder.path().display()), "").trim_end().to_owned()
+}
+
+#[test]
+fn hostile_input_ends_in_one_clear_message() {
+    let closed = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    let two_points = "v 0 0 0\nv 1 0 0\nl 1 2\n";
+    let not_finite = "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n";
+    let turned = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 3 4\n";
+    let touching = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 1 0\nv 2 2 0\nv 1 2 0\nf 1 2 3 4\n\
+                    f 3 5 6 7\n";
+    for (files, options, expected) in [
+        (
+            &[("a.obj", closed)][..],
+            &[][..],
+            "error: a.obj has 0 boundary loops; a bridge takes two: give a second mesh",
+        ),
+        (
+            &[("a.obj", closed), ("b.obj", square)],
+            &[],
+            "error: a.obj has no boundary loop; it is closed",
+        ),
+        (
+            &[("b.obj", square), ("a.obj", closed)],
+            &[],
+            "error: a.obj has no boundary loop; it is closed",
+        ),
+        (
+            &[("a.obj", square)],
+            &[],
+            "error: a.obj has 1 boundary loop; a bridge takes two: give a second mesh",
+        ),
+        (
+            &[("a.obj", two_points), ("b.obj", square)],
+            &[],
+            "error: a.obj: the mesh has no triangle (2 vertices)",
+        ),
+        (
+            &[("a.obj", not_finite), ("b.obj", square)],
+            &[],
+            "error: a.obj: line 2: the coordinate \"nan\" is not a finite number",
+        ),
+        (
+            &[("a.obj", ""), ("b.obj", square)],
+            &[],
+            "error: a.obj: the mesh has no triangle (0 vertices)",
+        ),
+        (
+            &[("a.obj", turned), ("b.obj", square)],
+            &[],
+            "error: loop 1 cannot be bridged: its faces do not agree in orientation: at edge 1-3 they turn over",
+        ),
+        (
+            &[("a.obj", touching)],
+            &[],
+            "error: the loops touch at vertex 2; a bridge needs loops without a common vertex",
+        ),
+        (
+            &[("a.obj", square), ("b.obj", square)],
+            &["--max-degree", "-1"],
+            "error: invalid value '-1' for '--max-degree <D>': give a whole number of 0 or more, such \
+             as 5\n\nFor more information, try '--help'.",
+        ),
+    ] {
+        let (folder, run) = bridge(files, options);
+        run.refuses(&[]);
+        assert_eq!(message(&folder, &run), expected);
+        assert!(!folder.path().join("out.obj").exists());
+    }
+    // The same file as both meshes.
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.obj");
+    fs::write(&path, square).expect("a file");
+    let output = folder.path().join("out.obj");
+    let run = mindeg(["bridge", text(&path), text(&path), "-o", text(&output)]);
+    run.refuses(&[]);
+    assert_eq!(
+        message(&folder, &run),
+        "error: the loops touch: vertex 0 of the first mesh and vertex 0 of the second are at the \
+         same place; move one of the meshes"
+    );
+}
+
+#[test]
+fn linked_and_huge_loops_are_bridged_and_told() {
+    // Two squares that are links of a chain.
+    let flat = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n";
+    let upright = "v 1 1 -1\nv 3 1 -1\nv 3 1 1\nv 1 1 1\nf 1 2 3 4\n";
+    let (_folder, run) = bridge(&[("flat.obj", flat), ("upright.obj", upright)], &["--json"]);
+    assert_ne!(run.json()["crossings"], json!([]));
+    assert!(run.errors.contains("cross others, the first "), "{}", run.errors);
+    // Coordinates near the ends of what numbers can hold.
+    for size in ["1e300", "1e-300"] {
+        let at =
+            |z: &str| format!("v 0 0 {z}\nv {size} 0 {z}\nv {size} {size} {z}\nv 0 {size} {z}\n");
+        let lower = at("0") + "f 4 3 2 1\n";
+        let upper = at(size) + "f 1 2 3 4\n";
+        let (_folder, run) = bridge(&[("a.obj", &lower), ("b.obj", &upper)], &["--json"]);
+        let found = run.json();
+        assert_eq!((&found["strip"], &found["max_degree"]), (&json!([4, 12]), &json!(5)), "{size}");
+    }
+}

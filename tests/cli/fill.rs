@@ -185,6 +185,56 @@ fn what_cannot_be_filled_is_refused_or_stays_open_with_a_reason() {
     );
 }
 
+/// A wavy loop of `n` vertices round the z axis, with a collar of triangles outside it.
+fn wavy_collar(n: usize) -> String {
+    let mut text = String::new();
+    for scale in [1.0, 1.4] {
+        for i in 0..n {
+            let angle = std::f64::consts::TAU * i as f64 / n as f64;
+            let point = [angle.cos(), angle.sin(), 0.4 * (6.0 * angle).cos()];
+            let [x, y, z] = point.map(|coordinate| scale * coordinate);
+            text += &format!("v {x} {y} {z}\n");
+        }
+    }
+    for i in 1..=n {
+        let next = i % n + 1;
+        text += &format!("f {next} {i} {}\nf {next} {} {}\n", n + i, n + i, n + next);
+    }
+    text
+}
+
+#[test]
+fn the_least_degree_without_much_more_area_is_chosen() {
+    let filled = |options: &[&str]| {
+        let options = [&["--loop", "v0", "--json"], options].concat();
+        let (_folder, run) = fill("wavy.obj", &wavy_collar(24), &options);
+        (run.json()["filled"][0].clone(), run.errors)
+    };
+    let (chosen, errors) = filled(&[]);
+    assert_eq!((&chosen["limit"], &chosen["least_limit"]), (&json!(8), &json!(6)), "{chosen}");
+    let area = |found: &Value, key: &str| found[key].as_f64().expect("an area");
+    let least = area(&chosen, "area_without_limit");
+    assert!(area(&chosen, "area") <= 1.05 * least);
+    assert!(area(&chosen, "area_at_least_limit") > 1.5 * least);
+    let told = "degree limit 8, the least that takes at most 5% more area than no limit; area ";
+    assert!(errors.contains(told), "{errors}");
+    assert!(errors.contains("; --max-degree 6 takes 61.9% more"), "{errors}");
+    // Any area, so the least limit; and that limit by name.
+    let (least_limit, errors) = filled(&["--extra-area", "inf"]);
+    assert_eq!((&least_limit["limit"], &least_limit["least_limit"]), (&json!(6), &Value::Null));
+    assert!(errors.contains("degree limit 6; area "), "{errors}");
+    assert_eq!(filled(&["--max-degree", "6"]).0, least_limit);
+    // No more area at all.
+    let (none, _) = filled(&["--extra-area", "0"]);
+    assert_eq!(none["area"], none["area_without_limit"]);
+    for wrong in ["-1%", "much", "nan"] {
+        let (_folder, run) = fill("wavy.obj", &wavy_collar(24), &["--extra-area", wrong]);
+        run.refuses(&["--extra-area", "give a share of 0 or more, such as 0.05, or 5%; or inf"]);
+    }
+    let both = ["--extra-area", "1%", "--max-degree", "7"];
+    fill("wavy.obj", &wavy_collar(24), &both).1.refuses(&["--max-degree"]);
+}
+
 #[test]
 fn crossings_are_a_warning() {
     // A needle through the opening of a cone.
@@ -214,7 +264,12 @@ fn hostile_meshes_end_in_a_message() {
 #[test]
 fn any_number_of_threads_writes_the_same_bytes() {
     let folder = tempfile::tempdir().expect("a folder");
-    fs::write(folder.path().join("m.obj"), cone(90, 0.3, 2.0) + "o b\nv 5 5 5\n").expect("a file");
+    // Several loops, of which two touch in a vertex.
+    let mut mesh = cone(90, 0.3, 2.0);
+    cone_at(&mut mesh, 30, 1.0, -3.0, 91);
+    mesh += "v 9 0 0\nv 9 1 0\nv 8 1 0\nv 8 0 1\nv 9 -1 0\nv 10 -1 0\nv 9 0 1\n";
+    mesh += "f 123 124 125 126\nf 123 127 128 129\n";
+    fs::write(folder.path().join("m.obj"), mesh).expect("a file");
     for threads in [1, 2, 7] {
         let script = format!(
             "RAYON_NUM_THREADS={threads} \"$MINDEG\" fill m.obj -q -o {threads}.obj -o {threads}.glb"

@@ -1,4 +1,6 @@
 use crate::mesh::text;
+#[cfg(unix)]
+use crate::run::shell;
 use crate::run::{Run, mindeg};
 use serde_json::{Value, json};
 use std::fs;
@@ -55,9 +57,135 @@ fn groups_and_named_edges_get_into_the_files() {
     assert_eq!((&groups[0]["name"], &groups[0]["material"]), (&json!("walls"), &json!("brick")));
     assert_eq!(groups[0]["faces"], 4);
     let written = fs::read_to_string(&files[0]).expect("the file");
-    for line in ["walls_brick", "floor_concrete", "roof_tiles", "ridge"] {
-        assert!(written.lines().any(|at| at.ends_with(line)), "{line}");
+    for line in ["usemtl brick", "usemtl concrete", "usemtl tiles", "o walls", "mtllib house.mtl"] {
+        assert!(written.lines().any(|at| at == line), "{line}");
     }
+    assert!(written.lines().any(|at| at.ends_with("ridge")));
+}
+
+/// A tetrahedron as Blender writes one: an object, a library and two materials.
+const PAINTED: &str = "mtllib painted.mtl\no Cone\nv 0 0 0\nv 4 0 0\nv 0 3 0\nv 0 0 2\n\
+    usemtl Red paint\nf 1 3 2\nf 1 2 4\nusemtl steel\nf 2 3 4\nf 1 4 3\n";
+
+#[test]
+fn materials_come_from_files_and_go_to_files() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    fs::write(at("painted.obj"), PAINTED).expect("a file");
+    let library =
+        "newmtl Red paint\nNs 250\nKd 0.5 0.25 0\nd 1\nnewmtl steel\nKd 0.5 0.5 0.5\nd 0.75\n";
+    fs::write(at("painted.mtl"), library).expect("a file");
+    let files = [at("part.obj"), at("part.glb")];
+    let summary = mesh(&at("painted.obj"), &files, &["--size", "1"]).json();
+    let names: Vec<&str> = summary["files"].as_array().expect("files").iter().map(file).collect();
+    assert_eq!(names, ["part.obj", "part.mtl", "part.glb"]);
+    let group = |name: &str, color: Value, triangles: &Value| json!({"name": "Cone", "material": name, "color": color, "faces": 2, "triangles": triangles});
+    let groups = &summary["groups"];
+    assert_eq!(
+        groups[0],
+        group("Red paint", json!([0.5, 0.25, 0.0, 1.0]), &groups[0]["triangles"])
+    );
+    assert_eq!(groups[1], group("steel", json!([0.5, 0.5, 0.5, 0.75]), &groups[1]["triangles"]));
+    // From glTF to OBJ all is as from OBJ to OBJ.
+    let back = at("back.obj");
+    let run = mindeg(["convert", text(&files[1]), "-o", text(&back)]);
+    assert!(run.errors.contains("back.mtl"), "{run:?}");
+    let read = |path: &Path| fs::read_to_string(path).expect("a file");
+    let uses = |path: &Path| -> Vec<String> {
+        let text = read(path);
+        text.lines().filter(|line| line.starts_with("usemtl")).map(str::to_owned).collect()
+    };
+    assert_eq!(uses(&back), ["usemtl Red_paint", "usemtl steel"]);
+    assert_eq!(uses(&files[0]), uses(&back));
+    let colors = "newmtl Red_paint\nKd 0.5 0.25 0\nd 1\nnewmtl steel\nKd 0.5 0.5 0.5\nd 0.75\n";
+    assert!(read(&at("part.mtl")).ends_with(colors));
+    assert_eq!(read(&at("part.mtl")), read(&at("back.mtl")));
+
+    // No output replaces a library that was read; without the library there is a note.
+    let same = [at("painted.glb"), at("painted.obj")];
+    fs::rename(at("painted.obj"), at("other.obj")).expect("a file");
+    mesh(&at("other.obj"), &same[1..], &["--size", "1"]).refuses(&["painted.mtl is the"]);
+    fs::remove_file(at("painted.mtl")).expect("a file");
+    let run = mesh(&at("other.obj"), &same[..1], &["--size", "1"]);
+    let note = "The material library \"painted.mtl\" is not read, so its materials have no colors";
+    assert!(run.errors.contains(note), "{}", run.errors);
+    assert_eq!(run.json()["groups"][1]["material"], "steel");
+}
+
+fn file(path: &Value) -> &str {
+    path.as_str().and_then(|path| path.rsplit('/').next()).expect("a path")
+}
+
+#[test]
+fn materials_of_a_json_model_have_colors() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = [folder.path().join("part.glb")];
+    let model = r#"{"corners": [[0,0,0], [4,0,0], [0,3,0], [0,0,2]], "size": 1, "faces": [[0,2,1],
+        [0,1,3], [1,2,3], {"corners": [0,3,2], "material": "steel"}], "materials": [MATERIALS]}"#;
+    let path = folder.path().join("model.json");
+    let with = |materials: &str| {
+        fs::write(&path, model.replace("MATERIALS", materials)).expect("a file");
+        mesh(&path, &files, &[])
+    };
+    let summary = with(r#"{"name": "steel", "color": [0.5, 0.5, 0.75]}"#).json();
+    assert_eq!(summary["groups"][1]["color"], json!([0.5, 0.5, 0.75, 1.0]));
+    assert_eq!(with("").json()["groups"][1]["color"], Value::Null);
+    for (materials, words) in [
+        (r#"{"name": "steel", "color": [2, 0, 0]}"#, "found 2, expected a number from 0 to 1"),
+        (r#"{"name": "steel", "color": [0, 0]}"#, "found a list of 2, expected a list of red"),
+        (r#"{"name": "a"}, {"name": "a"}"#, "the list has two materials \"a\"; drop one"),
+        (r#"{"color": [0, 0, 0]}"#, "name"),
+        (r#"{"name": " "}"#, "the name of the material is blank"),
+    ] {
+        with(materials).refuses(&["materials[", words]);
+    }
+}
+
+#[test]
+fn presets_are_gates_of_models_too() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = [folder.path().join("part.obj")];
+    let run = mesh(&model("cube.json"), &files, &["--preset", "qmap"]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    fs::remove_file(&files[0]).expect("a file");
+    for more in [&[][..], &["--interior"]] {
+        let options: Vec<&str> = [more, &["--preset", "qmap"]].concat();
+        let run = mesh(&model("bracket.json"), &files, &options);
+        assert_eq!(run.code, Some(3), "{run:?}");
+        assert!(run.errors.contains("--preset qmap: vertex "), "{}", run.errors);
+        assert!(run.errors.contains(" edges, above 6"), "{}", run.errors);
+        assert!(!files[0].exists());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_model_may_come_by_standard_input() {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::copy(model("cube.json"), folder.path().join("cube.json")).expect("a copy");
+    let script = "\"$MINDEG\" mesh cube.json -q -o file.obj && \"$MINDEG\" mesh - -q -o piped.obj \
+                  < cube.json && cmp file.obj piped.obj";
+    let run = shell(folder.path(), script);
+    assert_eq!(run.code, Some(0), "{run:?}");
+    let run = shell(folder.path(), "echo '{\"faces\": 3}' | \"$MINDEG\" mesh - -o out.obj");
+    run.refuses(&["standard input: ", "corners"]);
+    let domain = r#"{"polygon": {"corners": [[0, 0], [2, 0], [0, 1]]}, "size": 1}"#;
+    let run = shell(folder.path(), &format!("echo '{domain}' | \"$MINDEG\" mesh - -q -o out.obj"));
+    assert_eq!(run.code, Some(0), "{run:?}");
+}
+
+#[test]
+fn degrees_of_faces_with_interior_points_are_told_over_all_and_within_one() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let files = [folder.path().join("part.obj")];
+    let run = mesh(&model("bracket.json"), &files, &["--interior"]);
+    let summary = run.json();
+    let degrees = [&summary["max_degree"], &summary["max_face_degree"]];
+    let [total, within] = degrees.map(|degree| degree.as_u64().expect("a degree"));
+    assert!(within <= total && within >= 5, "{summary}");
+    let told = format!("maximum degree {total} over all faces and {within} within one");
+    assert!(run.errors.contains(&told), "{}", run.errors);
+    assert_eq!(inspected(&files[0])["max_degree"], total);
 }
 
 #[test]

@@ -1,6 +1,6 @@
-"""Opens the mesh of a solid in MeshLab or Blender and prints what it sees, as one line of JSON.
+"""Opens the mesh of a solid in MeshLab, Blender or trimesh and prints what it sees, as one line of JSON.
 
-    solids.py meshlab|blender FILE
+    solids.py meshlab|blender|trimesh FILE
 
 The groups of a file are parts with vertices of their own: equal ones are merged, exactly.
 """
@@ -40,8 +40,13 @@ def in_blender(path):
     from blender import open_mesh
 
     mesh = bmesh.new()
+    materials = {}
     for thing in open_mesh(path):
         mesh.from_mesh(thing.data)
+        for material in thing.data.materials:
+            shader = material.node_tree.nodes["Principled BSDF"]
+            color = list(shader.inputs["Base Color"].default_value)[:3]
+            materials[material.name] = [round(channel, 4) for channel in color]
     bmesh.ops.remove_doubles(mesh, verts=mesh.verts, dist=1e-6)
     left = set(mesh.faces)
     components = 0
@@ -62,9 +67,33 @@ def in_blender(path):
         "components": components,
         "max_degree": max(len(vertex.link_edges) for vertex in mesh.verts),
         "volume": mesh.calc_volume(signed=True),
+        "materials": materials,
+    }
+
+
+def in_trimesh(path):
+    import numpy
+    import trimesh
+
+    scene = trimesh.load_scene(path, process=False)
+    materials = {}
+    for part in scene.geometry.values():
+        material = part.visual.material
+        color = getattr(material, "baseColorFactor", None)
+        color = material.diffuse if color is None else color
+        materials[material.name] = [round(int(channel) / 255, 4) for channel in color[:3]]
+    whole = scene.to_mesh()
+    whole.merge_vertices(merge_norm=True, merge_tex=True)
+    return {
+        "vertices": len(whole.vertices),
+        "faces": len(whole.faces),
+        "closed": bool(whole.is_watertight),
+        "max_degree": int(numpy.bincount(whole.edges_unique.ravel()).max()),
+        "volume": float(whole.volume),
+        "materials": materials,
     }
 
 
 if __name__ == "__main__":
     viewer, path = sys.argv[1:]
-    print(json.dumps({"meshlab": in_meshlab, "blender": in_blender}[viewer](path)))
+    print(json.dumps({"meshlab": in_meshlab, "blender": in_blender, "trimesh": in_trimesh}[viewer](path)))

@@ -99,6 +99,8 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     };
     let (from_name, to_name) = (first.name(from), second.as_ref().unwrap_or(&first).name(to));
     let Side { mesh, .. } = first;
+    let others_have = second.as_ref().is_some_and(|second| second.mesh.has_materials());
+    targets.expect_materials(mesh.has_materials() || others_have);
     // What can be refused is refused before the search.
     let check = |targets: &mut Targets<'_>, whole: &TriMesh| {
         let most = whole.triangles().len().saturating_add(whole.positions().len());

@@ -21,6 +21,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     input::note(&arguments.file, "mesh");
     memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
+    targets.expect_materials(mesh.has_materials());
     targets.check(&mesh, mesh.triangle_count())?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;

@@ -12,7 +12,7 @@ use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
-use mindeg::fill::{FillOptions, Filled, FilledLoop, fill};
+use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop, fill};
 use mindeg::{Loops, Progress};
 use mindeg_compare::number_format::{four_digits, percent, steady_angle};
 use mindeg_mesh::Triangles;
@@ -40,8 +40,10 @@ struct FilledSummary {
     max_degree: u32,
     area: f64,
     area_without_limit: f64,
-    /// With a limit one higher; null where that saves little or was not worked out.
-    next_area: Option<f64>,
+    /// The least possible limit from 6 up and its area, where a higher one was chosen for its area;
+    /// else null.
+    least_limit: Option<u32>,
+    area_at_least_limit: Option<f64>,
     degree_without_limit: u32,
     min_angle: f64,
     /// The first, and the one after the last.
@@ -66,6 +68,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     memory::require_to_read(file)?;
     let mesh = mesh_file::read(file, &bar)?;
     memory::require_to_inspect(file, mesh.positions().len(), mesh.triangles().len())?;
+    targets.expect_materials(mesh.has_materials());
     let loops = Loops::of(&mesh);
     if loops.list().is_empty() {
         let message = format!("{} has no boundary loop; it is closed", file.display());
@@ -80,12 +83,13 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     };
     let options = FillOptions {
         max_degree: arguments.max_degree,
+        extra_area: arguments.extra_area,
         max_loop: arguments.max_loop as usize,
         only,
     };
     let lengths = loops.list().iter().map(|found| found.vertices.len());
-    let longest = lengths.clone().filter(|&len| len < options.max_loop).max().unwrap_or(0);
-    memory::require_to_fill(file, longest)?;
+    let short = lengths.clone().filter(|&len| len < options.max_loop);
+    memory::require_to_fill(file, short.collect())?;
 
     // What can be refused is refused before the search, which can take minutes.
     let most = mesh.triangle_count().saturating_add(lengths.sum::<usize>() as u32);
@@ -109,7 +113,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     drop(callback);
     drop(bar);
     if !arguments.quiet {
-        say(&text(file, &result, &loops, &files, arguments.max_degree.is_some()));
+        say(&text(file, &result, &loops, &files, &options));
     }
     if !arguments.json {
         return Ok(());
@@ -133,7 +137,8 @@ fn summary(found: &FilledLoop, loops: &Loops) -> FilledSummary {
         max_degree: found.max_degree,
         area: found.area,
         area_without_limit: found.without_limit.0,
-        next_area: found.next_area,
+        least_limit: found.least_limit.map(|(limit, _)| limit),
+        area_at_least_limit: found.least_limit.map(|(_, area)| area),
         degree_without_limit: found.without_limit.1,
         min_angle: found.min_angle,
         triangles: [found.triangles.start, found.triangles.end],
@@ -150,7 +155,13 @@ fn left<'a>(result: &'a Filled, loops: &'a Loops) -> impl Iterator<Item = LeftSu
 /// How many loops a summary describes one by one.
 const DESCRIBED: usize = 8;
 
-fn text(file: &Path, result: &Filled, loops: &Loops, files: &[String], is_given: bool) -> String {
+fn text(
+    file: &Path,
+    result: &Filled,
+    loops: &Loops,
+    files: &[String],
+    options: &FillOptions,
+) -> String {
     let (filled, open) = (result.filled.len(), result.left.len());
     let triangles: usize = result.filled.iter().map(|found| found.triangles.len()).sum();
     let largest = result.filled.iter().map(|found| found.max_degree).max().unwrap_or(0);
@@ -164,22 +175,30 @@ fn text(file: &Path, result: &Filled, loops: &Loops, files: &[String], is_given:
     );
     for found in result.filled.iter().take(DESCRIBED) {
         let name = LoopName::new(found.index, &loops.list()[found.index]).text();
-        let limit = match (is_given, found.limit) {
-            (true, limit) => format!("degree limit {limit}"),
-            (false, mindeg::fill::FIRST_LIMIT) => format!("degree limit {}", found.limit),
-            (false, limit) => format!("degree limit {limit}, the least that is possible"),
+        let limit = match (options.max_degree, found.least_limit) {
+            (None, Some(_)) => format!(
+                "degree limit {}, the least that takes at most {} more area than no limit",
+                found.limit,
+                percent(options.extra_area)
+            ),
+            (None, None) if found.limit > FIRST_LIMIT => {
+                format!("degree limit {}, the least that is possible", found.limit)
+            }
+            _ => format!("degree limit {}", found.limit),
         };
         let (least, degree) = found.without_limit;
         let more = (found.area / least - 1.0).max(0.0);
         let cost = if degree == found.max_degree && found.area <= least || least == 0.0 {
             "the least without a limit, too".to_owned()
+        } else if more == 0.0 {
+            format!("as little as without a limit, where the degree is {degree}")
         } else {
             format!("{} more than without a limit, where the degree is {degree}", percent(more))
         };
         text += &format!("\n  {name}: {limit}; area {}, {cost}", four_digits(found.area));
-        if let Some(next) = found.next_area {
-            let more = percent((next / least - 1.0).max(0.0));
-            text += &format!("; --max-degree {} takes {more} more", found.limit + 1);
+        if let Some((limit, area)) = found.least_limit {
+            let more = percent((area / least - 1.0).max(0.0));
+            text += &format!("; --max-degree {limit} takes {more} more");
         }
     }
     if filled > DESCRIBED {

@@ -101,7 +101,8 @@ impl Gates {
             let highest = (0..).zip(mesh.degrees()).find(|(_, degree)| **degree == max_degree);
             highest.map_or(0, |(vertex, _)| vertex)
         };
-        self.check(max_degree, min_angle, highest_vertex, || NamedTriangle::worst_of(mesh))
+        self.check(max_degree, min_angle, highest_vertex, || NamedTriangle::worst_of(mesh))?;
+        self.preset.map_or(Ok(()), |preset| preset.check(mesh))
     }
 
     /// Checks the mesh of a domain, of which the minimum angle is known. Degrees are total. To name

@@ -44,6 +44,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     input::note(&arguments.file, "mesh");
     memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
+    targets.expect_materials(mesh.has_materials());
     let file = arguments.file.display().to_string();
     memory::require_to_improve(&file, mesh.positions().len(), mesh.triangles().len())?;
     let mut outputs = Outputs::default();
@@ -85,9 +86,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
 }
 
 fn check_gates(arguments: &ImproveArguments, improved: &ImprovedMesh) -> Result<(), Failure> {
-    let mesh = &improved.mesh;
-    arguments.gates.check_list(mesh, improved.after.min_angle)?;
-    arguments.gates.preset.map_or(Ok(()), |preset| preset.check(mesh))
+    arguments.gates.check_list(&improved.mesh, improved.after.min_angle)
 }
 
 fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -> String {

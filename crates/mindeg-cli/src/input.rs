@@ -2,8 +2,9 @@
 
 use crate::failure::Failure;
 use std::fs::{self, Metadata};
+use std::io::{self, Read};
 use std::path::Path;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// A regular file that was opened for reading.
 #[derive(Debug)]
@@ -35,6 +36,23 @@ pub(crate) fn note(path: &Path, what: &'static str) {
     if let Ok(metadata) = fs::metadata(path) {
         note_file(path.display().to_string(), what, path, &metadata);
     }
+}
+
+/// What messages call the file at `path`.
+pub(crate) fn name_of(path: &Path) -> String {
+    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// All of standard input, which is read once and noted as a `what`.
+pub(crate) fn standard_input(what: &'static str) -> io::Result<&'static [u8]> {
+    static BYTES: OnceLock<Vec<u8>> = OnceLock::new();
+    if let Some(bytes) = BYTES.get() {
+        return Ok(bytes);
+    }
+    note_standard_input(what);
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(BYTES.get_or_init(|| bytes))
 }
 
 /// Notes that standard input is read, which can be a file.

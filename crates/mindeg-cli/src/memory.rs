@@ -144,10 +144,14 @@ pub(crate) fn require_to_inspect(
 }
 
 /// Asks for the memory of filling a loop of so many vertices.
-pub(crate) fn require_to_fill(path: &Path, vertices: usize) -> Result<(), Failure> {
+pub(crate) fn require_to_fill(path: &Path, mut loops: Vec<usize>) -> Result<(), Failure> {
     // One cost and one flag for each pair, and some states of 16 bytes for each piece.
     const PER_PAIR: u64 = 80;
-    let pairs = (vertices as u64).saturating_mul(vertices as u64);
+    // A loop for each thread at a time.
+    loops.sort_unstable_by_key(|&vertices| std::cmp::Reverse(vertices));
+    let largest = loops.iter().take(rayon::current_num_threads());
+    let pairs = largest.map(|&vertices| (vertices as u64).saturating_pow(2));
+    let pairs = pairs.fold(0, u64::saturating_add);
     require(pairs.saturating_mul(PER_PAIR), &format!("filling {}", path.display()))
 }
 

@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use crate::output::{Outputs, cannot_write, is_standard_output};
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
 use mindeg_mesh::{Mesh, Positions};
+use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -55,6 +56,16 @@ impl<'a> Targets<'a> {
             }
         }
         Ok(Self { targets, options })
+    }
+
+    /// The mesh will have materials: formats with a library of materials beside them get that file,
+    /// too, where the output is a file. To be called before the outputs are opened.
+    pub(crate) fn expect_materials(&mut self, has_materials: bool) {
+        for target in self.targets.iter_mut().filter(|_| has_materials) {
+            let is_file = fs::metadata(target.path).map_or(true, |found| found.is_file());
+            let library = target.format.material_library(target.path);
+            target.files.extend(library.filter(|_| is_file && !is_standard_output(target.path)));
+        }
     }
 
     /// Whether one of them goes where this process prints.
@@ -189,7 +200,11 @@ impl<'a> Target<'a> {
 
     /// About how many bytes go to each file.
     fn expected_lens(&self, mesh: &dyn Mesh) -> Result<Vec<u64>, Failure> {
-        self.writer().expected_lens(mesh).map_err(|error| self.failure(error))
+        let mut expected =
+            self.writer().expected_lens(mesh).map_err(|error| self.failure(error))?;
+        // A material library is small.
+        expected.resize(self.files.len(), 0);
+        Ok(expected)
     }
 
     fn write(&mut self, mesh: &dyn Mesh, expected: &[u64], bar: &Bar) -> Result<(), Failure> {

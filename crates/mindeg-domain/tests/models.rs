@@ -258,7 +258,7 @@ fn triangle_cube(subdivided: bool) -> TriMesh {
     let triangles: Vec<[u32; 3]> =
         (0..positions.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     let count = triangles.len() as u32;
-    let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+    let group = |name: &str, triangles| Group::new(name, triangles);
     let groups = vec![group("ends", 0..count / 3), group("walls", count / 3..count)];
     TriMesh::new(positions, triangles).unwrap().with_groups(groups)
 }

@@ -34,7 +34,7 @@ use mindeg_mesh::Progress;
 pub use problem::{LoopProblem, LoopUnsolved, MAX_LOOP, MAX_STATES};
 
 /// How many edges a vertex may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LoopLimit {
     /// Any number.
     None,
@@ -42,6 +42,13 @@ pub enum LoopLimit {
     AtMost(u32),
     /// The least possible limit from this one up, without more flat triangles than without a limit.
     LeastFrom(u32),
+    /// The same, and the area is to be at most `1 + extra_area` times the least without a limit.
+    LeastWithin {
+        /// The first limit to try.
+        from: u32,
+        /// A share of the least area, 0 or more.
+        extra_area: f64,
+    },
 }
 
 /// The triangulation of a loop.
@@ -57,20 +64,18 @@ pub struct LoopTriangulation {
     pub area: f64,
     /// The least area without a limit, and the largest total degree that goes with it.
     pub without_limit: (f64, u32),
-    /// The least area under a limit one higher, where no limit was given and the area is more than
-    /// [`WORTH_MORE`] of the least.
-    pub next_area: Option<f64>,
+    /// The least possible limit and the area that it takes, where a higher one was chosen for its
+    /// area.
+    pub least_limit: Option<(u32, f64)>,
 }
-
-/// From which share of the least area on a higher limit is worth a look.
-pub const WORTH_MORE: f64 = 1.02;
 
 /// The triangles of a loop, and their cost.
 type Solved = (Vec<[u32; 3]>, Cost);
 
 /// The triangulation of least area of a loop, under a limit on the total degrees of its vertices.
 ///
-/// O(n³) time for n vertices without a limit, and O(n³ f²) with one, for fronts of f states.
+/// O(n³) time for n vertices without a limit, and O(n³ f²) for each limit that is tried, for fronts
+/// of f states.
 ///
 /// # Errors
 ///
@@ -102,7 +107,7 @@ pub fn fill_loop(
     let without_limit = (area(problem, &free), max_degree(problem, &free));
     let result = |triangles: Vec<[u32; 3]>, limit: Option<u32>| {
         let (area, max_degree) = (area(problem, &triangles), max_degree(problem, &triangles));
-        LoopTriangulation { triangles, limit, max_degree, area, without_limit, next_area: None }
+        LoopTriangulation { triangles, limit, max_degree, area, without_limit, least_limit: None }
     };
     let solve = |limit: u32| -> Result<Option<Solved>, LoopUnsolved> {
         if keeps(problem, &free, limit) {
@@ -118,33 +123,35 @@ pub fn fill_loop(
         Ok(limited.best().map(|cost| (limited.triangles(&points), cost)))
     };
     // Without a limit `free` is an answer, so some limit has one.
-    let least_from = |from: u32, same_flat: bool| -> Result<_, LoopUnsolved> {
+    let least_from = |from: u32, most_flat: u32, most_area: f64| -> Result<_, LoopUnsolved> {
+        let mut least_limit = None;
         for limit in from..without_limit.1 {
-            match solve(limit)? {
-                Some((triangles, cost)) if !same_flat || cost.flat == least.flat => {
-                    return Ok((triangles, limit));
+            if let Some((triangles, cost)) = solve(limit)?
+                && cost.flat <= most_flat
+            {
+                let area = area(problem, &triangles);
+                if area <= most_area {
+                    return Ok(LoopTriangulation { least_limit, ..result(triangles, Some(limit)) });
                 }
-                _ => {}
+                least_limit.get_or_insert((limit, area));
             }
         }
-        Ok((free.clone(), from.max(without_limit.1)))
+        let limit = from.max(without_limit.1);
+        Ok(LoopTriangulation { least_limit, ..result(free.clone(), Some(limit)) })
     };
     match limit {
         LoopLimit::None => Ok(result(free.clone(), None)),
-        LoopLimit::LeastFrom(from) => {
-            let (triangles, limit) = least_from(from, true)?;
-            let mut found = result(triangles, Some(limit));
-            if found.area > WORTH_MORE * without_limit.0 {
-                let (triangles, _) = least_from(limit + 1, true)?;
-                found.next_area = Some(area(problem, &triangles));
-            }
-            Ok(found)
+        LoopLimit::LeastFrom(from) => least_from(from, least.flat, f64::INFINITY),
+        LoopLimit::LeastWithin { from, extra_area } => {
+            // Infinity times zero is no number, and then the least area is.
+            let most_area = ((1.0 + extra_area) * without_limit.0).max(without_limit.0);
+            least_from(from, least.flat, most_area)
         }
         LoopLimit::AtMost(limit) => match solve(limit)? {
             Some((triangles, _)) => Ok(result(triangles, Some(limit))),
             None => {
-                let (_, least) = least_from(limit + 1, false)?;
-                Err(LoopUnsolved::Infeasible { limit, least })
+                let found = least_from(limit + 1, u32::MAX, f64::INFINITY)?;
+                Err(LoopUnsolved::Infeasible { limit, least: found.limit.unwrap_or(limit + 1) })
             }
         },
     }

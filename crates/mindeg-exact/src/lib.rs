@@ -113,8 +113,7 @@ pub use bridge::{
 };
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
 pub use fill::{
-    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, WORTH_MORE,
-    fill_loop,
+    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
 };
 pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};

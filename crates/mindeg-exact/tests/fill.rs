@@ -172,13 +172,24 @@ proptest! {
         let expected = (6..).find(|&limit| least(limit, Some(fewest_flat)).is_some());
         prop_assert_eq!(default.limit, expected);
         prop_assert!(is_least(default.area, least(expected.unwrap(), None).unwrap()));
-        if let Some(next) = default.next_area {
-            let expected = (expected.unwrap() + 1..)
-                .find_map(|limit| least(limit, Some(fewest_flat)));
-            let expected = expected.unwrap();
-            prop_assert!(is_least(next, expected), "{next} {expected}");
-            // Equal areas of other triangles differ in the last digit of their sum.
-            prop_assert!(next <= default.area * (1.0 + 1e-12), "{next} {}", default.area);
+        prop_assert_eq!(default.least_limit, None);
+        // Within an area: the least limit whose area is small enough; the first one is told.
+        for extra_area in [0.0, 0.02, 0.2] {
+            let within = solve(LoopLimit::LeastWithin { from: 6, extra_area }).unwrap();
+            case.check(&within);
+            let most = (1.0 + extra_area) * free.area;
+            let is_near = |area: f64| (area / most - 1.0).abs() < 1e-9;
+            let fits = |limit: &u32| {
+                least(*limit, Some(fewest_flat)).is_some_and(|area| area <= most || is_near(area))
+            };
+            let limit = (6..).find(fits).unwrap();
+            prop_assert!(within.limit == Some(limit) || is_near(least(limit, None).unwrap()));
+            prop_assert!(within.area <= most * (1.0 + 1e-9));
+            if within.limit == default.limit {
+                prop_assert_eq!(within.least_limit, None);
+            } else {
+                prop_assert_eq!(within.least_limit.map(|it| it.0), default.limit);
+            }
         }
     }
 }

@@ -188,6 +188,23 @@ impl Format {
         }
     }
 
+    /// The material library beside the file at `path`, for the formats whose meshes with materials
+    /// have one: OBJ.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_formats::Format;
+    ///
+    /// let library = Format::Obj.material_library("plate.obj".as_ref());
+    /// assert_eq!(library, Some("plate.mtl".into()));
+    /// assert_eq!(Format::Glb.material_library("plate.glb".as_ref()), None);
+    /// ```
+    #[must_use]
+    pub fn material_library(self, path: &Path) -> Option<PathBuf> {
+        (self == Self::Obj).then(|| path.with_extension("mtl"))
+    }
+
     /// How many files a mesh takes.
     pub(crate) fn file_count(self) -> usize {
         self.facts().files.len().max(1)

@@ -69,7 +69,7 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         }),
     ];
     let mut groups: Vec<_> =
-        mesh.groups().iter().map(|group| (&*group.name, group.triangles.clone())).collect();
+        mesh.groups().iter().map(|group| (group.label(), group.triangles.clone())).collect();
     if groups.is_empty() {
         groups.push((name, 0..mesh.triangle_count()));
     }

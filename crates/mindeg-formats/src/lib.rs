@@ -36,6 +36,7 @@ mod grid;
 pub mod inp;
 mod lines;
 mod lists;
+mod materials;
 pub mod msh;
 mod names;
 pub mod npz;
@@ -73,11 +74,10 @@ pub use write::Writer;
 /// The program and its version, as files name their maker.
 const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));
 
-/// The name of a mesh in a file: its own, or that of its only group.
+/// The name of a mesh in a file: its own, or that of its groups if they are one object.
 fn mesh_name(mesh: &dyn mindeg_mesh::Mesh) -> &str {
-    let group = match mesh.groups() {
-        [group] if !group.name.is_empty() => Some(&*group.name),
-        _ => None,
-    };
-    mesh.name().or(group).unwrap_or("mesh")
+    let groups = mesh.groups();
+    let is_one = groups.windows(2).all(|pair| materials::is_same_object(&pair[0], &pair[1]));
+    let group = groups.first().filter(|group| is_one && !group.name.is_empty());
+    mesh.name().or(group.map(|group| &*group.name)).unwrap_or("mesh")
 }

@@ -7,6 +7,11 @@ pub(crate) fn one_line(name: &str) -> String {
     name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }
 
+/// A name with underscores for white space, where many readers of an OBJ end it.
+pub(crate) fn without_blanks(name: &str) -> String {
+    name.split_whitespace().collect::<Vec<_>>().join("_")
+}
+
 /// The names that a file has so far.
 #[derive(Default)]
 pub(crate) struct Names {

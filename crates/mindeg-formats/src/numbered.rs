@@ -110,7 +110,7 @@ impl Numbered {
                 Some((number, group)) if *number == element.material => group.triangles.end = end,
                 _ => {
                     let name = format!("{material} {}", element.material);
-                    push(&mut groups, (element.material, Group { name, triangles: start..end }))?;
+                    push(&mut groups, (element.material, Group::new(name, start..end)))?;
                 }
             }
         }

@@ -16,7 +16,7 @@ const HEAD: usize = 1 << 16;
 /// Reads a mesh in the format that the extension of its name says, or else its content.
 ///
 /// Only the name's last part counts. `beside` is asked for further files, by names relative to this
-/// one: those that a `.gltf` names, or the `.ele` beside a `.node`. They are to be trusted no more
+/// one: those that a `.gltf` names, the material libraries of an `.obj`, or the `.ele` beside a `.node`. They are to be trusted no more
 /// than the file is.
 ///
 /// O(n) time but for polygons that are cut, and memory for the file and the mesh, whatever the
@@ -68,7 +68,7 @@ pub fn read_as(
     beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<TriMesh, ReadError> {
     match format {
-        Format::Obj => obj::read(input),
+        Format::Obj => obj::read_with_libraries(input, beside),
         Format::Glb | Format::Gltf => gltf::read(input, beside),
         Format::Ply => ply::read(input),
         Format::Stl => stl::read(input),

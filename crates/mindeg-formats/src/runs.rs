@@ -119,7 +119,7 @@ impl TriangleRuns {
         let group = |(_, name, end): (i64, String, u32)| {
             let triangles = start..end;
             start = end;
-            Group { name, triangles }
+            Group::new(name, triangles)
         };
         (mesh.with_groups(self.runs.into_iter().map(group).collect()), None)
     }

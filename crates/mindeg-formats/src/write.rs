@@ -96,7 +96,8 @@ impl Writer {
         self.format
     }
 
-    /// Writes a mesh to the format's [files](Format::files): each a name and where it goes. Writes
+    /// Writes a mesh to the format's [files](Format::files): each a name and where it goes. An OBJ may
+    /// have one more, its [material library](Format::material_library), which it then names. Writes
     /// are large: the files need no buffers around them. The bytes do not depend on the threads.
     ///
     /// # Errors
@@ -111,8 +112,11 @@ impl Writer {
         mesh: &dyn Mesh,
         files: &mut [(&str, W)],
     ) -> Result<(), WriteError> {
-        assert_eq!(files.len(), self.format.file_count(), "as many as Format::files has");
-        if let Some(contents) = self.contents(mesh) {
+        let library = files.get(1).map(|(name, _)| (*name).to_owned());
+        let has_library = self.format == Format::Obj && library.is_some();
+        let count = self.format.file_count() + usize::from(has_library);
+        assert_eq!(files.len(), count, "as many as Format::files has");
+        if let Some(contents) = self.contents(mesh, library.as_deref()) {
             for ((_, out), sections) in files.iter_mut().zip(contents) {
                 write_sections(out, &sections)?;
                 out.flush()?;
@@ -135,13 +139,14 @@ impl Writer {
         }
     }
 
-    /// About how many bytes go to each file, found in a few milliseconds.
+    /// About how many bytes go to each of the format's [files](Format::files), found in a few
+    /// milliseconds.
     ///
     /// # Errors
     ///
     /// [`WriteError::TooLargeForGlb`].
     pub fn expected_lens(&self, mesh: &dyn Mesh) -> Result<Vec<u64>, WriteError> {
-        if let Some(contents) = self.contents(mesh) {
+        if let Some(contents) = self.contents(mesh, None) {
             return Ok(contents.iter().map(|file| sections::estimated_len(file)).collect());
         }
         let surface = &self.options.surface;
@@ -155,9 +160,20 @@ impl Writer {
     }
 
     /// What each of the format's files holds, from front to back, where that is made of sections.
-    fn contents<'a>(&'a self, mesh: &'a dyn Mesh) -> Option<Vec<Vec<Section<'a>>>> {
+    /// `library` is the name of an OBJ's material library, if it has one.
+    fn contents<'a>(
+        &'a self,
+        mesh: &'a dyn Mesh,
+        library: Option<&str>,
+    ) -> Option<Vec<Vec<Section<'a>>>> {
         Some(match self.format {
-            Format::Obj => vec![obj::sections(mesh, &self.options.surface)],
+            Format::Obj => {
+                let files = obj::sections(mesh, &self.options.surface, library);
+                match library {
+                    Some(_) => vec![files.object, files.library],
+                    None => vec![files.object],
+                }
+            }
             Format::Msh => vec![msh::sections(mesh, &self.options)],
             Format::Vtu => vec![vtu::sections(mesh, &self.options)],
             Format::Su2 => vec![su2::sections(mesh)],

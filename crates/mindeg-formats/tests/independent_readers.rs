@@ -115,7 +115,7 @@ fn meshes() -> impl Strategy<Value = TriMesh> {
         faces.retain(|[a, b, c]| a != b && b != c && c != a);
         faces.push([0, 1, 2]);
         let (cut, end) = (cut.index(faces.len()) as u32, faces.len() as u32);
-        let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+        let group = |name: &str, triangles| Group::new(name, triangles);
         let groups = vec![group("left", 0..cut), group("right", cut..end)];
         TriMesh::new(points, faces).unwrap().with_groups(groups)
     })

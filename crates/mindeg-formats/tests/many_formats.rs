@@ -414,7 +414,7 @@ fn holes_are_islands_and_have_a_point_inside() {
 
 #[test]
 fn groups_are_materials_and_regions() {
-    let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+    let group = |name: &str, triangles| Group::new(name, triangles);
     let mesh = ring().with_groups(vec![group("mud", 0..3), group("sand", 3..8)]);
     for (format, name) in [(Format::Sms2dm, "material"), (Format::Node, "region")] {
         let read = read_back(&write(&mesh, format, exact())).unwrap();

@@ -44,7 +44,7 @@ fn read(format: Format, file: &[u8]) -> Result<TriMesh, ReadError> {
 fn strip() -> TriMesh {
     let points = (0..8).map(|i| DVec3::new(f64::from(i / 2) / 3.0, f64::from(i % 2), 1e-3 / 7.0));
     let triangles = vec![[0, 2, 1], [2, 3, 1], [2, 4, 3], [4, 5, 3], [4, 6, 5], [6, 7, 5]];
-    let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+    let group = |name: &str, triangles| Group::new(name, triangles);
     let line = |name: &str, segments| Line { name: name.to_owned(), segments, is_straight: false };
     TriMesh::new(points.collect(), triangles)
         .unwrap()

@@ -40,7 +40,7 @@ mod worst;
 
 pub use bounds::Bounds;
 pub use connectivity::boundary::BoundaryLoop;
-pub use mesh::{Group, Line, LineKind, Mesh, Positions, Triangles, filled};
+pub use mesh::{Group, Line, LineKind, Material, Mesh, Positions, Triangles, filled};
 pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};

@@ -7,6 +7,7 @@
 
 use std::borrow::Cow;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -111,13 +112,48 @@ pub trait Mesh: Positions + Triangles {}
 
 impl<T: Positions + Triangles + ?Sized> Mesh for T {}
 
-/// A named range of a mesh's triangles: an object or group of an OBJ, a node of a glTF.
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// A range of a mesh's triangles with one name and one material: an object or group of an OBJ, or
+/// what of it has one material; a node of a glTF, or one of its primitives.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Group {
     /// The name; empty if there is none.
     pub name: String,
     /// The triangles; never empty.
     pub triangles: Range<u32>,
+    /// The material, if there is one. Groups may share it.
+    pub material: Option<Arc<Material>>,
+}
+
+impl Group {
+    /// A group without a material.
+    #[must_use]
+    pub fn new(name: impl Into<String>, triangles: Range<u32>) -> Self {
+        Self { name: name.into(), triangles, material: None }
+    }
+
+    /// The same group with a material.
+    #[must_use]
+    pub fn of_material(self, material: Option<Arc<Material>>) -> Self {
+        Self { material, ..self }
+    }
+
+    /// What to call the group where a file has no materials: its name, or else its material's.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        match &self.material {
+            Some(material) if self.name.is_empty() => &material.name,
+            _ => &self.name,
+        }
+    }
+}
+
+/// What a surface is made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// The name; never empty.
+    pub name: String,
+    /// The base color, if it is known: red, green, blue and opacity, each 0 to 1, in linear light.
+    pub color: Option<[f32; 4]>,
 }
 
 /// A named range of a mesh's segments: a side of a domain, or the lines of an object of an OBJ.

@@ -122,7 +122,7 @@ impl TriMesh {
             name: None,
             positions,
             triangles,
-            groups: vec![Group { name: String::new(), triangles: 0..triangle_count }],
+            groups: vec![Group::new("", 0..triangle_count)],
             segments: Vec::new(),
             lines: Vec::new(),
             line_kinds: Vec::new(),
@@ -262,6 +262,12 @@ impl TriMesh {
     #[must_use]
     pub fn groups(&self) -> &[Group] {
         &self.groups
+    }
+
+    /// Whether a group has a material.
+    #[must_use]
+    pub fn has_materials(&self) -> bool {
+        self.groups.iter().any(|group| group.material.is_some())
     }
 
     /// The segments of all [lines](crate::Triangles::lines), one line after the other.

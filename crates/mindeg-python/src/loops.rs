@@ -1,5 +1,6 @@
 //! Loops in space: closing one, joining two.
 
+use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT};
 use mindeg::glam::DVec3;
 use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
 use numpy::PyArray2;
@@ -17,7 +18,7 @@ type Answer<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyDict>);
 ///
 /// `points` is (n, 2) or (n, 3); `external` counts the edges at each vertex without those of the filling, 2 each by
 /// default; `excluded` are pairs that may not be joined. Without `max_degree`, the least limit
-/// possible from 6 up. Gives (n - 2, 3) triangles and a dict: limit, max_degree, area.
+/// possible from 6 up that takes at most 5 % more area than no limit. Gives (n - 2, 3) triangles and a dict: limit, max_degree, area.
 #[pyfunction]
 #[pyo3(signature = (points, *, external=None, excluded=Vec::new(), max_degree=None))]
 pub(crate) fn fill_loop<'py>(
@@ -31,7 +32,8 @@ pub(crate) fn fill_loop<'py>(
     let external = degrees(external, points.len())?;
     check_pairs(&excluded, [points.len(); 2])?;
     let problem = LoopProblem::new(&points, &external, excluded).map_err(value_error)?;
-    let limit = max_degree.map_or(LoopLimit::LeastFrom(6), LoopLimit::AtMost);
+    let within = LoopLimit::LeastWithin { from: FIRST_LIMIT, extra_area: EXTRA_AREA };
+    let limit = max_degree.map_or(within, LoopLimit::AtMost);
     let found = done(py, |progress| filled(&problem, limit, progress))?;
     let facts = PyDict::new(py);
     facts.set_item("limit", found.limit)?;

@@ -68,7 +68,10 @@ pub(crate) fn save(mesh: &dyn Mesh, path: &Path, wanted: &Wanted<'_>) -> PyResul
     let format = wanted.format(path)?;
     let writer = Writer::new(format, wanted.options()?, mesh, mesh.triangle_count());
     let writer = writer.map_err(value_error)?;
-    let paths = format.files(path);
+    let mut paths = format.files(path);
+    if mesh.groups().iter().any(|group| group.material.is_some()) {
+        paths.extend(format.material_library(path));
+    }
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     let folder = folder.unwrap_or(Path::new("."));
     let made = || -> Result<Vec<NamedTempFile>, WriteError> {

@@ -19,6 +19,7 @@ use crate::loops::{LoopDefect, Loops};
 use mindeg_exact::{Bridge, BridgeProblem, BridgeUnsolved, bridge_rings, largest_bridge_angle};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::{Cancelled, Progress, TriMesh, TriMeshError};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use thiserror::Error;
 
@@ -74,6 +75,17 @@ pub enum BridgeError {
         index: usize,
         /// Why.
         defect: LoopDefect,
+    },
+    /// Loops of two meshes with vertices at the same place.
+    #[error(
+        "the loops touch: vertex {vertex} of the first mesh and vertex {other} of the second are at \
+         the same place; move one of the meshes"
+    )]
+    SamePlace {
+        /// The vertex of the first mesh.
+        vertex: u32,
+        /// That of the second.
+        other: u32,
     },
     /// There is no such strip.
     #[error(transparent)]
@@ -131,6 +143,17 @@ pub fn bridge(
         && let Some(&vertex) = x.iter().find(|vertex| y.contains(vertex))
     {
         return Err(BridgeError::Touching { vertex });
+    }
+    if let Some(b) = b {
+        // -0.0 is 0.0.
+        let place = |mesh: &TriMesh, vertex: u32| {
+            mesh.positions()[vertex as usize].to_array().map(|x| (x + 0.0).to_bits())
+        };
+        let there: BTreeMap<_, u32> = y.iter().map(|&vertex| (place(b, vertex), vertex)).collect();
+        let same = |&vertex: &u32| there.get(&place(&a, vertex)).map(|&other| (vertex, other));
+        if let Some((vertex, other)) = x.iter().find_map(same) {
+            return Err(BridgeError::SamePlace { vertex, other });
+        }
     }
     let degrees = |loops: &Loops, ring: &[u32]| -> Vec<u32> {
         ring.iter().map(|&vertex| loops.degrees[vertex as usize]).collect()

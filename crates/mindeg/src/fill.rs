@@ -2,8 +2,8 @@
 //!
 //! Each loop gets the triangulation of least area under a limit on the *total* degree of its
 //! vertices: the edges that the mesh has there count. An edge that the mesh has already is not
-//! made again, so no edge gets three faces. Loops are filled one after the other, in order: what
-//! one adds counts for the next where they share vertices.
+//! made again, so no edge gets three faces. What one loop adds counts for the next where they share
+//! vertices; loops that share none are filled at the same time, with the same result.
 //!
 //! The mesh stays as it is: vertices, triangles, groups, lines and names keep their places. The new
 //! triangles form the group `fill`, at the end.
@@ -11,11 +11,13 @@
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
 use crate::loops::{LoopDefect, Loops, MeshLoop};
+use crate::parallel::map_indices;
 use mindeg_exact::{LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::quality::TriangleQuality;
-use mindeg_mesh::{Cancelled, Progress, TriMesh, TriMeshError};
-use std::ops::Range;
+use mindeg_mesh::{Cancelled, Progress, Step, TriMesh, TriMeshError};
+use std::collections::BTreeMap;
+use std::ops::{ControlFlow, Range};
 use thiserror::Error;
 
 /// The name of the group of new triangles.
@@ -25,12 +27,19 @@ pub const FILL: &str = "fill";
 /// quickly; see `docs/fill-and-bridge.md`.
 pub const FIRST_LIMIT: u32 = 6;
 
+/// How much more area than the least a filling may take where no limit is given, as a share. With
+/// more, fillings of uneven loops begin to fold; see `docs/fill-and-bridge.md`.
+pub const EXTRA_AREA: f64 = 0.05;
+
 /// What to fill, and how.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FillOptions {
     /// The limit on total degrees; without one, for each loop the least that is possible, from
-    /// [`FIRST_LIMIT`] up.
+    /// [`FIRST_LIMIT`] up, with no more than [`extra_area`](Self::extra_area).
     pub max_degree: Option<u32>,
+    /// How much more area than without a limit a filling may take where no limit is given, as a
+    /// share, 0 or more; [`EXTRA_AREA`] by default. Infinite: the least limit, whatever its area.
+    pub extra_area: f64,
     /// Loops of this many vertices or more stay open.
     pub max_loop: usize,
     /// The loops to fill, by their indices; all, if none are given.
@@ -40,7 +49,7 @@ pub struct FillOptions {
 /// 500 vertices, no limit of its own, all loops.
 impl Default for FillOptions {
     fn default() -> Self {
-        Self { max_degree: None, max_loop: 500, only: None }
+        Self { max_degree: None, extra_area: EXTRA_AREA, max_loop: 500, only: None }
     }
 }
 
@@ -74,8 +83,9 @@ pub struct FilledLoop {
     pub area: f64,
     /// The least area without a limit, and the largest total degree that goes with it.
     pub without_limit: (f64, u32),
-    /// The least area under a limit one higher, where no limit was given and it may be worth it.
-    pub next_area: Option<f64>,
+    /// The least possible limit from [`FIRST_LIMIT`] up and the area that it takes, where a higher
+    /// one was chosen for its area.
+    pub least_limit: Option<(u32, f64)>,
     /// The minimum angle of its triangles, in degrees.
     pub min_angle: f64,
 }
@@ -176,49 +186,73 @@ pub fn fill(
     let mut chosen = options.only.clone().unwrap_or_else(|| (0..all.len()).collect());
     chosen.sort_unstable();
     chosen.dedup();
-    let first_triangle = mesh.triangles().len();
-    let mut triangles = Vec::new();
-    let (mut filled, mut left) = (Vec::new(), Vec::new());
+    let within = LoopLimit::LeastWithin { from: FIRST_LIMIT, extra_area: options.extra_area };
+    let limit = options.max_degree.map_or(within, LoopLimit::AtMost);
+    let (mut tasks, mut left) = (Vec::new(), Vec::new());
     for index in chosen {
         let Some(found) = all.get(index) else {
             return Err(FillError::NoSuchLoop { index, loops: all.len() });
         };
-        let vertices = found.vertices.len();
-        let mut leave = |reason| left.push(LeftLoop { index, vertices, reason });
-        if let Some(defect) = found.defect {
-            leave(defect.into());
-            continue;
+        let (vertices, max_loop) = (found.vertices.len(), options.max_loop);
+        let reason = found
+            .defect
+            .map(LeftOpen::Defect)
+            .or_else(|| (vertices >= max_loop).then_some(LeftOpen::TooLong { vertices, max_loop }));
+        match reason {
+            Some(reason) => left.push(LeftLoop { index, vertices, reason }),
+            None => tasks.push(index),
         }
-        if vertices >= options.max_loop {
-            leave(LeftOpen::TooLong { vertices, max_loop: options.max_loop });
-            continue;
+    }
+    let mut solutions = BTreeMap::new();
+    let counter = progress.counter("filling loops", tasks.len() as u64);
+    let is_cancelled = |_: Step<'_>| match counter.add(0) {
+        Ok(()) => ControlFlow::Continue(()),
+        Err(Cancelled) => ControlFlow::Break(()),
+    };
+    // A single loop tells more of itself.
+    let inner = if tasks.len() > 1 { Progress::new(&is_cancelled) } else { progress };
+    for level in levels(&tasks, &all) {
+        let solved = map_indices(&level, |index| {
+            let solved = solve(&mesh, &all[index], &loops, limit, inner);
+            counter.add(usize::from(tasks.len() > 1))?;
+            solved
+        });
+        for (index, solved) in level.into_iter().zip(solved) {
+            let MeshLoop { vertices, .. } = &all[index];
+            match solved {
+                Ok(solved) => {
+                    // The loop ran with the faces; its filling runs against them.
+                    let vertex = |i: u32| vertices[vertices.len() - 1 - i as usize];
+                    let own: Vec<_> = solved.triangles.iter().map(|t| t.map(vertex)).collect();
+                    loops.add(&own);
+                    solutions.insert(index, (solved, own));
+                }
+                Err(LoopUnsolved::Excluded) => {
+                    let (vertices, reason) = (vertices.len(), LeftOpen::EdgesThere);
+                    left.push(LeftLoop { index, vertices, reason });
+                }
+                Err(LoopUnsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
+                Err(source) => {
+                    return Err(FillError::Unsolved { index, first: vertices[0], source });
+                }
+            }
         }
-        let solved = match solve(&mesh, found, &loops, options.max_degree, progress) {
-            Ok(solved) => solved,
-            Err(LoopUnsolved::Excluded) => {
-                leave(LeftOpen::EdgesThere);
-                continue;
-            }
-            Err(LoopUnsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
-            Err(source) => {
-                return Err(FillError::Unsolved { index, first: found.vertices[0], source });
-            }
-        };
+    }
+    left.sort_by_key(|left| left.index);
+    let first_triangle = mesh.triangles().len();
+    let (mut filled, mut triangles) = (Vec::new(), Vec::new());
+    for (index, (solved, own)) in solutions {
         let start = first_triangle + triangles.len();
-        // The loop ran with the faces; its filling runs against them.
-        let vertex = |i: u32| found.vertices[vertices - 1 - i as usize];
-        let own: Vec<[u32; 3]> = solved.triangles.iter().map(|t| t.map(vertex)).collect();
-        loops.add(&own);
         filled.push(FilledLoop {
             index,
-            vertices,
+            vertices: all[index].vertices.len(),
             // Checked below, before anybody sees it.
             triangles: start as u32..(start + own.len()) as u32,
             limit: solved.limit.unwrap_or(u32::MAX),
             max_degree: solved.max_degree,
             area: solved.area,
             without_limit: solved.without_limit,
-            next_area: solved.next_area,
+            least_limit: solved.least_limit,
             min_angle: min_angle(&mesh, &own),
         });
         triangles.extend(own);
@@ -231,12 +265,30 @@ pub fn fill(
     Ok(Filled { mesh, filled, left, crossings })
 }
 
+/// Loops that can be filled at the same time: those of a level share no vertex, and come after the
+/// loops before them with which they share one. So the result is that of one after the other.
+fn levels(tasks: &[usize], all: &[MeshLoop]) -> Vec<Vec<usize>> {
+    let mut next_level = BTreeMap::new();
+    let mut levels: Vec<Vec<usize>> = Vec::new();
+    for &index in tasks {
+        let vertices = &all[index].vertices;
+        let level = vertices.iter().filter_map(|vertex| next_level.get(vertex)).max();
+        let level = level.copied().unwrap_or(0);
+        next_level.extend(vertices.iter().map(|&vertex| (vertex, level + 1)));
+        if level == levels.len() {
+            levels.push(Vec::new());
+        }
+        levels[level].push(index);
+    }
+    levels
+}
+
 /// The triangulation of a loop, by indices of its vertices backward: so it faces as the mesh does.
 fn solve(
     mesh: &TriMesh,
     found: &MeshLoop,
     loops: &Loops,
-    max_degree: Option<u32>,
+    limit: LoopLimit,
     progress: Progress<'_>,
 ) -> Result<LoopTriangulation, LoopUnsolved> {
     let backward = || found.vertices.iter().rev().copied();
@@ -251,7 +303,6 @@ fn solve(
         loops.neighbors(vertex).filter_map(place).map(move |other| [own, other])
     });
     let problem = LoopProblem::new(&points, &degrees, there)?;
-    let limit = max_degree.map_or(LoopLimit::LeastFrom(FIRST_LIMIT), LoopLimit::AtMost);
     fill_loop(&problem, limit, progress)
 }
 

@@ -63,6 +63,8 @@ mod meshed;
 #[cfg(feature = "exact")]
 pub mod model;
 #[cfg(feature = "exact")]
+mod parallel;
+#[cfg(feature = "exact")]
 mod posed;
 #[cfg(feature = "exact")]
 pub mod verify;
@@ -77,8 +79,8 @@ pub use loops::{LoopDefect, Loops, MeshLoop};
 pub use meshed::{FoundBy, HigherDegree, Meshed};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
-    Bounds, Cancelled, Group, Line, Mesh, Positions, Progress, Step, TriMesh, TriMeshError,
-    Triangles, inspection, quality,
+    Bounds, Cancelled, Group, Line, Material, Mesh, Positions, Progress, Step, TriMesh,
+    TriMeshError, Triangles, inspection, quality,
 };
 
 /// The README's example is compiled with the others.

@@ -121,7 +121,7 @@ fn improving_works_in_any_plane_and_keeps_the_boundary() {
 #[test]
 fn improving_keeps_groups_and_lines() {
     let mesh = grid(6, 0.45, |x, y| DVec3::new(x, y, 0.0));
-    let group = |name: &str, triangles| Group { name: name.to_owned(), triangles };
+    let group = |name: &str, triangles| Group::new(name, triangles);
     let groups = vec![group("south", 0..24), group("north", 24..72)];
     let line = mindeg::Line { name: "wall".to_owned(), segments: 0..2, is_straight: false };
     // Along two inner edges of the group in the north.

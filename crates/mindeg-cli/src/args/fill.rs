@@ -35,9 +35,15 @@ pub(crate) struct FillArguments {
     pub(crate) surface: SurfaceArguments,
 
     /// The largest total degree of a vertex on a loop; without it, for each loop the least that is
-    /// possible from 6 up
+    /// possible from 6 up and takes no more than --extra-area
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
     pub(crate) max_degree: Option<u32>,
+
+    /// Without --max-degree: how much more area than without a limit a filling may take, such as 5%
+    /// or 0.05; inf for the least degree, whatever its area
+    #[arg(long, value_name = "SHARE", value_parser = extra, default_value = "5%",
+        conflicts_with = "max_degree", allow_hyphen_values = true)]
+    pub(crate) extra_area: f64,
 
     /// Keep loops of this many vertices or more open; up to 2001
     #[arg(long, value_name = "N", value_parser = whole_number, default_value = "500", allow_hyphen_values = true)]
@@ -49,7 +55,7 @@ pub(crate) struct FillArguments {
     pub(crate) loops: Vec<LoopChoice>,
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
-    /// limit, max_degree, area, area_without_limit, next_area, degree_without_limit, min_angle,
+    /// limit, max_degree, area, area_without_limit, least_limit, area_at_least_limit, degree_without_limit, min_angle,
     /// triangles), left_open (loop, vertices, first_vertex, reason), crossings (pairs of triangles), files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long)]
@@ -58,4 +64,16 @@ pub(crate) struct FillArguments {
     /// Print no summary and show no progress on standard error
     #[arg(short, long)]
     pub(crate) quiet: bool,
+}
+
+/// A share of 0 or more, also as a percentage.
+fn extra(text: &str) -> Result<f64, String> {
+    let (number, unit) = match text.trim().strip_suffix('%') {
+        Some(number) => (number, 100.0),
+        None => (text.trim(), 1.0),
+    };
+    let share = number.trim().parse::<f64>().ok().map(|number| number / unit);
+    share
+        .filter(|share| *share >= 0.0)
+        .ok_or_else(|| "give a share of 0 or more, such as 0.05, or 5%; or inf".to_owned())
 }

@@ -9,7 +9,7 @@ use mindeg_outlines::{
     self as outlines, Division, Listed, OutlineFormat, Outlines, Polygon, ReadError,
 };
 use std::fs;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
 
 /// What a file holds.
@@ -106,14 +106,12 @@ pub(crate) fn read(
 
 /// What messages call a file, and its bytes.
 pub(crate) fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
-    let (name, bytes) = if path == Path::new("-") {
-        input::note_standard_input("domain");
-        let mut bytes = Vec::new();
-        let read = io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes);
-        ("standard input".to_owned(), read)
+    let name = input::name_of(path);
+    let bytes = if path == Path::new("-") {
+        input::standard_input("domain").map(<[u8]>::to_vec)
     } else {
         input::note(path, "domain");
-        (path.display().to_string(), fs::read(path))
+        fs::read(path)
     };
     match bytes {
         Ok(bytes) => Ok((name, bytes)),

@@ -128,8 +128,7 @@ pub(super) fn run(
 
 /// The gates on the whole mesh.
 fn check_gates(arguments: &MeshArguments, mesh: &TriMesh, min_angle: f64) -> Result<(), Failure> {
-    arguments.gates.check_list(mesh, min_angle)?;
-    arguments.gates.preset.map_or(Ok(()), |preset| preset.check(mesh))
+    arguments.gates.check_list(mesh, min_angle)
 }
 
 /// Why there is no mesh, in the words of the domain.

@@ -7,7 +7,7 @@ pub(super) use source::is_model;
 use crate::args::MeshArguments;
 use crate::bar::Bar;
 use crate::failure::Failure;
-use crate::gates::NamedTriangle;
+use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
@@ -64,7 +64,10 @@ struct FilledSummary<'a> {
     vertices: usize,
     interior_points: usize,
     triangles: u32,
+    /// Over all faces.
     max_degree: u32,
+    /// Within one face.
+    max_face_degree: u32,
     min_angle: f64,
     max_angle: f64,
     closed: bool,
@@ -76,11 +79,14 @@ struct FilledSummary<'a> {
 struct GroupSummary<'a> {
     name: Option<&'a str>,
     material: Option<&'a str>,
+    /// The base color of the material: red, green, blue and opacity, in linear light.
+    color: Option<[f32; 4]>,
     faces: usize,
     triangles: u32,
 }
 
 pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
+    let file = input::name_of(path);
     let surface = &arguments.surface;
     let mut targets =
         Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
@@ -92,8 +98,9 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     let bar = Bar::new(arguments.quiet || to_terminal);
     clean_up_on_interrupt()?;
     let model = source::read(path, arguments, &bar)?;
+    targets.expect_materials(model.groups().iter().any(|group| group.material.is_some()));
     if arguments.interior.interior {
-        return fill(path, &model, arguments, targets, bar);
+        return fill(&file, &model, arguments, targets, bar);
     }
     let goal = ModelGoal {
         keep_angle: arguments.goal.keep_angle,
@@ -106,10 +113,10 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
 
     let callback = bar.callback();
     let meshed = mesh_model(&model, goal, Progress::new(&callback));
-    let meshed = meshed.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    let meshed = meshed.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     drop(callback);
     let mesh = &meshed.mesh;
-    check_gates(&meshed, arguments)?;
+    arguments.gates.check_list(mesh, meshed.min_angle)?;
     targets.check(mesh, mesh.triangle_count())?;
     targets.write(mesh, outputs, &bar)?;
     drop(bar);
@@ -148,7 +155,7 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
 
 /// Fills the faces with interior points.
 fn fill(
-    path: &Path,
+    file: &str,
     model: &Model,
     arguments: &MeshArguments,
     mut targets: Targets<'_>,
@@ -165,7 +172,7 @@ fn fill(
     let files = targets.files();
     let callback = bar.callback();
     let filled = fill_model(model, &arguments.interior.over(None), Progress::new(&callback));
-    let filled = filled.map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
+    let filled = filled.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     drop(callback);
     let mesh = &filled.mesh;
     arguments.gates.check_list(mesh, filled.min_angle)?;
@@ -180,6 +187,7 @@ fn fill(
         interior_points: filled.interior_points,
         triangles: mesh.triangle_count(),
         max_degree: filled.max_degree,
+        max_face_degree: filled.max_face_degree,
         min_angle: filled.min_angle,
         max_angle: max_angle(mesh),
         closed: model.is_closed(),
@@ -188,14 +196,15 @@ fn fill(
     };
     if !arguments.quiet {
         let mut lines = vec![format!(
-            "{}: {} faces, {} vertices, {} of them inside faces, {} triangles, maximum degree {}, \
-             angles {} to {}",
+            "{}: {} faces, {} vertices, {} of them inside faces, {} triangles, maximum degree {} over \
+             all faces and {} within one, angles {} to {}",
             summary.name.unwrap_or("model"),
             summary.faces,
             summary.vertices,
             summary.interior_points,
             summary.triangles,
             summary.max_degree,
+            summary.max_face_degree,
             steady_angle(summary.min_angle),
             steady_angle(summary.max_angle),
         )];
@@ -210,13 +219,6 @@ fn fill(
 fn written(files: &[String]) -> Option<String> {
     let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
     (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
-}
-
-fn check_gates(meshed: &ModelMesh, arguments: &MeshArguments) -> Result<(), Failure> {
-    let mesh = &meshed.mesh;
-    let worst_triangle = || NamedTriangle::worst_of(mesh);
-    let highest_vertex = || meshed.worst_vertices.first().copied().unwrap_or_default();
-    arguments.gates.check(meshed.max_degree, meshed.min_angle, highest_vertex, worst_triangle)
 }
 
 fn quality(mesh: &TriMesh, triangle: [u32; 3]) -> TriangleQuality {
@@ -235,7 +237,8 @@ fn groups<'a>(model: &'a Model, mesh: &TriMesh) -> Vec<GroupSummary<'a>> {
         .iter()
         .map(|group| GroupSummary {
             name: group.name.as_deref(),
-            material: group.material.as_deref(),
+            material: group.material.as_ref().map(|material| &*material.name),
+            color: group.material.as_ref().and_then(|material| material.color),
             faces: 0,
             triangles: 0,
         })

@@ -1,6 +1,10 @@
 //! Models as JSON text.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use glam::DVec3;
+use mindeg_mesh::Material;
 
 use super::error::DomainJsonError;
 use super::spacing::spacing;
@@ -10,7 +14,11 @@ use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
 const MODEL: &str = "an object with \"corners\", \"faces\", and \"size\" or \"edges\"; optional: \
-                     \"name\"";
+                     \"name\", \"materials\"";
+const MATERIALS: &str =
+    "a list of objects such as {\"name\": \"steel\", \"color\": [0.6, 0.6, 0.65]}";
+const MATERIAL: &str = "an object such as {\"name\": \"steel\", \"color\": [0.6, 0.6, 0.65]}";
+const COLOR: &str = "a list of red, green and blue, and opacity if it is not 1, each from 0 to 1";
 const CORNERS: &str = "a list of [x, y, z] triples of numbers";
 const TRIPLE: &str = "a triple [x, y, z] of numbers";
 const EDGES: &str = "a list of objects such as {\"corners\": [0, 1], \"intervals\": 3}";
@@ -39,6 +47,7 @@ impl Model {
     ///   "name": "wedge",
     ///   "corners": [[0, 0, 0], [4, 0, 0], [0, 3, 0], [0, 0, 2]],
     ///   "size": 0.5,
+    ///   "materials": [{"name": "steel", "color": [0.6, 0.6, 0.65]}],
     ///   "edges": [
     ///     {"corners": [0, 1], "intervals": 8, "spacing": {"geometric": {"ratio": 1.2}}, "name": "toe"}
     ///   ],
@@ -53,7 +62,8 @@ impl Model {
     /// |---|---|
     /// | `name` | optional: the model's name |
     /// | `corners` | positions, `[x, y, z]` |
-    /// | `faces` | each a loop of corners, counter-clockwise seen from outside; or an object with `corners` (that loop), `holes` (a list of loops), `name`, `group` and `material`, all but `corners` optional |
+    /// | `faces` | each a loop of corners, counter-clockwise seen from outside; or an object with `corners` (that loop), `holes` (a list of loops), `name`, `group` and `material` (the name of one), all but `corners` optional |
+    /// | `materials` | optional: each with its `name` and its base color, `color`: red, green, blue, and opacity unless it is 1; from 0 to 1 in linear light. A material that is not in this list has no color |
     /// | `size` | optional: the target interval length of every edge that gives neither `intervals` nor `size` nor `parameters` |
     /// | `edges` | optional: edges of faces, each with `corners`, and optionally `intervals` or `size`, `spacing` (as in a domain, from the first of the two corners on), `name` |
     /// | `planar_tolerance` | optional: how far a corner may be off the plane of its face, in units of length |
@@ -80,16 +90,24 @@ impl Model {
     /// ```
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
         let text = Value::document(text.strip_prefix('\u{feff}').unwrap_or(text))?;
-        let allowed = ["name", "corners", "faces", "size", "edges", "planar_tolerance"];
+        let allowed =
+            ["name", "corners", "faces", "size", "edges", "materials", "planar_tolerance"];
         let keys = text.object(&allowed, MODEL)?;
         let size = keys.get("size").map(|size| size.number(ABOVE_0)).transpose()?;
         let corners = keys.need("corners")?.items(CORNERS)?;
         let faces = keys.need("faces")?.items(FACES)?;
         let edges = keys.get("edges").map_or(Ok(Vec::new()), |edges| edges.items(EDGES))?;
+        let mut materials = Materials::default();
+        if let Some(given) = keys.get("materials") {
+            given.items(MATERIALS)?.iter().try_for_each(|material| materials.add(material))?;
+        }
         let tolerance = keys.get("planar_tolerance").map(|length| length.number(ABOVE_0));
         let parts = ModelParts {
             corners: corners.iter().map(triple).collect::<Result<_, _>>()?,
-            faces: faces.iter().map(face).collect::<Result<_, _>>()?,
+            faces: faces
+                .iter()
+                .map(|given| face(given, &mut materials))
+                .collect::<Result<_, _>>()?,
             edges: edges.iter().map(|given| edge(given, size)).collect::<Result<_, _>>()?,
             other_edges: size.map(Side::size),
             planar_tolerance: tolerance.transpose()?,
@@ -170,7 +188,51 @@ fn corner_loop(given: &Value<'_>) -> Result<Vec<u32>, DomainJsonError> {
     given.items(LOOP)?.iter().map(|corner| corner.whole(CORNER)).collect()
 }
 
-fn face(given: &Value<'_>) -> Result<ModelFace, DomainJsonError> {
+/// The materials that a model names.
+#[derive(Default)]
+struct Materials(BTreeMap<String, Arc<Material>>);
+
+impl Materials {
+    fn add(&mut self, given: &Value<'_>) -> Result<(), DomainJsonError> {
+        let keys = given.object(&["name", "color"], MATERIAL)?;
+        let name = keys.need("name")?;
+        let color = keys.get("color").map(color).transpose()?;
+        let text = name.text("a text in double quotes")?;
+        check_name(Some(&text), || "the material".to_owned())
+            .map_err(|error| name.error(error.to_string()))?;
+        let material = Arc::new(Material { name: text.clone(), color });
+        match self.0.insert(text, material) {
+            None => Ok(()),
+            Some(first) => {
+                Err(name.error(format!("the list has two materials {:?}; drop one", first.name)))
+            }
+        }
+    }
+
+    /// The material of a name; without a color, if the list does not have it.
+    fn named(&mut self, name: String) -> Arc<Material> {
+        let without = || Arc::new(Material { name: name.clone(), color: None });
+        Arc::clone(self.0.entry(name.clone()).or_insert_with(without))
+    }
+}
+
+fn color(given: &Value<'_>) -> Result<[f32; 4], DomainJsonError> {
+    let items = given.items(COLOR)?;
+    if !(3..=4).contains(&items.len()) {
+        return Err(given.error(format!("found a list of {}, expected {COLOR}", items.len())));
+    }
+    let mut color = [1.0; 4];
+    for (channel, item) in color.iter_mut().zip(&items) {
+        let value = item.number("a number from 0 to 1")?;
+        if !(0.0..=1.0).contains(&value) {
+            return Err(item.error(format!("found {value}, expected a number from 0 to 1")));
+        }
+        *channel = value as f32;
+    }
+    Ok(color)
+}
+
+fn face(given: &Value<'_>, materials: &mut Materials) -> Result<ModelFace, DomainJsonError> {
     if given.is_list() {
         return Ok(ModelFace { loops: vec![corner_loop(given)?], ..ModelFace::default() });
     }
@@ -182,7 +244,8 @@ fn face(given: &Value<'_>) -> Result<ModelFace, DomainJsonError> {
         }
     }
     let text = |key| keys.get(key).map(|text| text.text("a text in double quotes")).transpose();
-    Ok(ModelFace { loops, name: text("name")?, group: text("group")?, material: text("material")? })
+    let material = text("material")?.map(|name| materials.named(name));
+    Ok(ModelFace { loops, name: text("name")?, group: text("group")?, material })
 }
 
 fn ends(given: &Value<'_>) -> Result<[u32; 2], DomainJsonError> {

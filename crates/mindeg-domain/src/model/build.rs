@@ -1,8 +1,10 @@
 //! From corners, faces and divisions to a checked model.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
 
 use glam::DVec3;
+use mindeg_mesh::Material;
 
 use super::crossing;
 use super::faults;
@@ -64,10 +66,13 @@ impl Model {
         for ((face, loops), plane) in faces.into_iter().zip(&loops).zip(planes) {
             let ModelFace { name, group, material, .. } = face;
             let index = model_faces.len();
-            for (kind, name) in
-                [("", &name), ("the group of ", &group), ("the material of ", &material)]
-            {
-                check_name(name.as_deref(), || format!("{kind}face {index}"))?;
+            let material_name = material.as_ref().map(|material| &*material.name);
+            for (kind, name) in [
+                ("", name.as_deref()),
+                ("the group of ", group.as_deref()),
+                ("the material of ", material_name),
+            ] {
+                check_name(name, || format!("{kind}face {index}"))?;
             }
             let passes = |corners: &Vec<u32>| passes(corners, &ends, &mut model_edges);
             let loops = loops.iter().map(passes).collect();
@@ -75,13 +80,14 @@ impl Model {
             let group = group.or_else(|| name.clone());
             model_faces.push(Face { loops, plane, name, group: groups.index(group, material) });
         }
+        let groups = groups.sorted(&mut model_faces);
         let mut model = Self {
             name: None,
             corners,
             used,
             edges: model_edges,
             faces: model_faces,
-            groups: groups.groups,
+            groups,
             planar_tolerance,
             notes: Vec::new(),
         };
@@ -280,15 +286,37 @@ fn law(corners: &[DVec3], ends: [u32; 2], side: &Side) -> Result<SpacingLaw, Mod
 #[derive(Default)]
 struct Groups {
     groups: Vec<FaceGroup>,
-    indices: BTreeMap<[Option<String>; 2], u32>,
+    indices: BTreeMap<GroupKey, u32>,
 }
 
+/// The names of a group and its material, and the bits of the material's color.
+type GroupKey = (Option<String>, Option<(String, Option<[u32; 4]>)>);
+
 impl Groups {
-    fn index(&mut self, name: Option<String>, material: Option<String>) -> u32 {
+    fn index(&mut self, name: Option<String>, material: Option<Arc<Material>>) -> u32 {
         let next = self.groups.len() as u32;
-        *self.indices.entry([name.clone(), material.clone()]).or_insert_with(|| {
+        let bits = |material: &Arc<Material>| {
+            (material.name.clone(), material.color.map(|color| color.map(f32::to_bits)))
+        };
+        let key = (name.clone(), material.as_ref().map(bits));
+        *self.indices.entry(key).or_insert_with(|| {
             self.groups.push(FaceGroup { name, material });
             next
         })
+    }
+
+    /// The groups, with those of one name together, by which the faces name their own.
+    fn sorted(self, faces: &mut [Face]) -> Vec<FaceGroup> {
+        let mut first_of_name = BTreeMap::new();
+        let first = |(group, of): (usize, &FaceGroup)| {
+            *first_of_name.entry(of.name.clone()).or_insert(group)
+        };
+        let first: Vec<usize> = self.groups.iter().enumerate().map(first).collect();
+        let mut order: Vec<usize> = (0..first.len()).collect();
+        order.sort_by_key(|&group| (first[group], group));
+        let mut place = vec![0; order.len()];
+        (0..).zip(&order).for_each(|(new, &old)| place[old] = new);
+        faces.iter_mut().for_each(|face| face.group = place[face.group as usize]);
+        order.into_iter().map(|group| self.groups[group].clone()).collect()
     }
 }

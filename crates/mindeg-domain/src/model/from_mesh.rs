@@ -24,8 +24,9 @@ impl Model {
     /// O(n log n).
     ///
     /// Vertices with equal coordinates are one corner, under the index of the first. A polygon that
-    /// uses an edge twice, once in each direction, has a hole there. Groups stay; triangles that
-    /// name a corner twice are left out.
+    /// uses an edge twice, once in each direction, has a hole there. Groups and materials stay;
+    /// triangles that name a corner twice are left out. What the mesh [notes](TriMesh::notes) of its
+    /// file, the model notes, too.
     ///
     /// With [`FromMesh::merge_coplanar`], faces of one group that share an edge with two faces
     /// become one, if all corners of the smaller are within a tolerance of the plane of the largest
@@ -72,9 +73,10 @@ impl Model {
             }
             let mut loops = split_at_bridges(polygon);
             coplanar::put_largest_first(&mut loops, corners);
-            let name = groups.get(group).map(|group| group.name.clone());
-            let group = name.filter(|name| !name.is_empty());
-            faces.push(ModelFace { loops, group, ..ModelFace::default() });
+            let of = groups.get(group);
+            let name = of.map(|group| group.name.clone()).filter(|name| !name.is_empty());
+            let material = of.and_then(|group| group.material.clone());
+            faces.push(ModelFace { loops, group: name, material, name: None });
         };
         match mesh.polygons() {
             Some(polygons) => {
@@ -93,18 +95,27 @@ impl Model {
             let tolerance = (4.0 * mesh.rounding()).max(1e-6 * extent);
             faces = coplanar::merged(corners, faces, tolerance);
         }
-        let model = Self::new(ModelParts {
+        let mut model = Self::new(ModelParts {
             corners: corners.to_vec(),
             faces,
             edges: Vec::new(),
             other_edges: Some(with.edges.clone()),
             planar_tolerance: with.planar_tolerance,
         })?;
+        model.notes.extend(mesh.notes().iter().map(|note| sentence(note)));
         Ok(match mindeg_mesh::Triangles::name(mesh) {
             Some(name) => model.named(name),
             None => model,
         })
     }
+}
+
+/// A phrase as a sentence.
+fn sentence(phrase: &str) -> String {
+    let mut letters = phrase.chars();
+    letters
+        .next()
+        .map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
 }
 
 /// For every vertex the first one with its coordinates.

@@ -25,8 +25,10 @@ pub use face::{FaceRings, Plane};
 pub use from_mesh::FromMesh;
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::DVec3;
+use mindeg_mesh::Material;
 
 use crate::side::Side;
 use crate::spacing_law::SpacingLaw;
@@ -41,8 +43,8 @@ pub struct ModelFace {
     pub name: Option<String>,
     /// The group that it belongs to.
     pub group: Option<String>,
-    /// The name of its material.
-    pub material: Option<String>,
+    /// Its material.
+    pub material: Option<Arc<Material>>,
 }
 
 /// How one edge is divided, seen from the first of its corners.
@@ -110,12 +112,12 @@ pub struct Model {
 }
 
 /// Faces that are one piece of the mesh: of one group, and of one material.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct FaceGroup {
     /// The group's name, if it has one.
     pub name: Option<String>,
-    /// The material's name, if it has one.
-    pub material: Option<String>,
+    /// The material, if they have one.
+    pub material: Option<Arc<Material>>,
 }
 
 #[derive(Clone, Debug, PartialEq)]
@@ -199,7 +201,8 @@ impl Model {
         self.edges.last().map_or(self.used.len() as u32, end)
     }
 
-    /// The groups of faces, in the order of their first faces.
+    /// The groups of faces, in the order of their first faces; those of one name, which differ in
+    /// their materials, follow one another.
     #[must_use]
     pub fn groups(&self) -> &[FaceGroup] {
         &self.groups

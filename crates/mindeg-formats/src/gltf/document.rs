@@ -1,17 +1,18 @@
 //! The JSON half of a glTF: what the bytes of the binary mean.
 
 use super::positions::Stored;
+use crate::materials::{Materials, is_same_object};
 use crate::names::Names;
 use crate::{GENERATOR, SurfaceOptions, mesh_name};
 use glam::{DVec3, Vec3};
 use gltf_json::accessor::{ComponentType, GenericComponentType, Type};
 use gltf_json::buffer::{Target, View};
-use gltf_json::material::{PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
+use gltf_json::material::{AlphaMode, PbrBaseColorFactor, PbrMetallicRoughness, StrengthFactor};
 use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked::{self, Valid};
 use gltf_json::validation::USize64;
 use gltf_json::{Accessor, Asset, Buffer, Index, Material, Node, Root, Scene, Value};
-use mindeg_mesh::{Bounds, Mesh};
+use mindeg_mesh::{Bounds, Group, Mesh};
 use std::collections::BTreeMap;
 
 /// Surface and line colors in linear light: a pale steel that shades well, and near black.
@@ -83,27 +84,32 @@ pub(super) fn document(
     let name = document.names.distinct(mesh_name(mesh).to_owned());
     let attributes = document.vertex_arrays(stored.range);
     let indices = document.index_view();
-    let material = document.material(if layout.degree_colors { WHITE } else { SURFACE });
+    let material_of_group = document.materials(mesh);
 
-    let groups = mesh.groups();
+    let whole = [Group::new("", 0..layout.triangles)];
+    let groups = if mesh.groups().is_empty() { &whole } else { mesh.groups() };
     let mut children = Vec::new();
-    let mut surface = if groups.len() < 2 {
-        let accessor = document.indices(indices, 0, 3 * u64::from(layout.triangles));
-        let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
-        document.node(name, primitive)
-    } else {
-        for (group, number) in groups.iter().zip(1..) {
-            let count = 3 * group.triangles.len() as u64;
-            let accessor = document.indices(indices, 3 * u64::from(group.triangles.start), count);
-            let primitive = primitive(Mode::Triangles, attributes.clone(), accessor, material);
-            let unnamed = format!("group {number}");
-            let name = if group.name.is_empty() { &unnamed } else { &group.name };
+    let mut surface = Node { name: Some(name.clone()), ..Default::default() };
+    let mut index = 0;
+    for parts in groups.chunk_by(is_same_object) {
+        let unnamed = format!("group {}", index + 1);
+        let mut primitives = Vec::new();
+        for part in parts {
+            let count = 3 * part.triangles.len() as u64;
+            let accessor = document.indices(indices, 3 * u64::from(part.triangles.start), count);
+            let material = material_of_group[index];
+            primitives.push(primitive(Mode::Triangles, attributes.clone(), accessor, material));
+            index += 1;
+        }
+        if parts.len() == groups.len() {
+            surface = document.node(name.clone(), primitives);
+        } else {
+            let name = if parts[0].name.is_empty() { &unnamed } else { &parts[0].name };
             let name = document.names.distinct(name.clone());
-            let node = document.node(name, primitive);
+            let node = document.node(name, primitives);
             children.push(document.root.push(node));
         }
-        Node { name: Some(name), ..Default::default() }
-    };
+    }
     surface.translation = stored.translation();
     if layout.segments > 0 {
         children.extend(document.lines(mesh, attributes, indices));
@@ -211,7 +217,7 @@ impl Document {
         indices: Index<View>,
     ) -> Vec<Index<Node>> {
         attributes.retain(|semantic, _| *semantic == Valid(Semantic::Positions));
-        let material = self.material(LINE);
+        let material = self.material(None, LINE);
         let after_triangles = 3 * u64::from(self.layout.triangles);
         let mut nodes = Vec::new();
         for line in mesh.lines().iter() {
@@ -219,14 +225,39 @@ impl Document {
             let accessor = self.indices(indices, first, 2 * line.segments.len() as u64);
             let primitive = primitive(Mode::Lines, attributes.clone(), accessor, material);
             let name = self.names.distinct(line.name.clone());
-            let node = self.node(name, primitive);
+            let node = self.node(name, vec![primitive]);
             nodes.push(self.root.push(node));
         }
         nodes
     }
 
-    fn material(&mut self, color: [f32; 4]) -> Index<Material> {
+    /// The material of each group; of the whole mesh, if it has none.
+    fn materials(&mut self, mesh: &dyn Mesh) -> Vec<Index<Material>> {
+        let plain = if self.layout.degree_colors { WHITE } else { SURFACE };
+        let mut materials = Materials::of(mesh);
+        if materials.of_group.is_empty() {
+            materials.of_group.push(None);
+        }
+        let has_plain = materials.of_group.contains(&None);
+        let plain_material = has_plain.then(|| self.material(None, plain));
+        let named = materials.list.iter().map(|material| {
+            // The colors of vertices are multiplied by that of the material.
+            let color = material.color.filter(|_| !self.layout.degree_colors);
+            self.material(Some(&material.name), color.unwrap_or(plain))
+        });
+        let named: Vec<_> = named.collect();
+        let of_group = |index: &Option<usize>| match index {
+            Some(index) => named[*index],
+            None => plain_material.unwrap_or(Index::new(0)),
+        };
+        materials.of_group.iter().map(of_group).collect()
+    }
+
+    fn material(&mut self, name: Option<&str>, color: [f32; 4]) -> Index<Material> {
+        let is_opaque = color[3] >= 1.0;
         self.root.push(Material {
+            name: name.map(str::to_owned),
+            alpha_mode: Valid(if is_opaque { AlphaMode::Opaque } else { AlphaMode::Blend }),
             double_sided: true,
             pbr_metallic_roughness: PbrMetallicRoughness {
                 base_color_factor: PbrBaseColorFactor(color),
@@ -238,10 +269,10 @@ impl Document {
         })
     }
 
-    fn node(&mut self, name: String, primitive: Primitive) -> Node {
+    fn node(&mut self, name: String, primitives: Vec<Primitive>) -> Node {
         let mesh = self.root.push(gltf_json::Mesh {
             name: Some(name.clone()),
-            primitives: vec![primitive],
+            primitives,
             weights: None,
             extensions: None,
             extras: None,

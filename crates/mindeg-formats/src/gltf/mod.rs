@@ -3,8 +3,9 @@
 //! # What is written
 //!
 //! One node with one mesh, both named after the mesh; if it has several groups, a child node for
-//! each; on request a child node for each line. The material is a plain one of the core
-//! specification: not metallic, rough, and seen from both sides. Texture coordinates count from the
+//! each; on request a child node for each line. Groups in a row that differ in their materials alone
+//! are primitives of one node. Materials have their names and colors, and are plain ones of the core
+//! specification: not metallic, rough, and seen from both sides; with degree colors they are white. Texture coordinates count from the
 //! upper left, as glTF has it. Vertex colors are 8 bits a channel.
 //!
 //! **Indices** take 16 bits up to 65,535 vertices and 32 bits from there.

@@ -38,6 +38,8 @@ pub(super) struct Part {
     pub(super) positions: usize,
     /// The accessor of the indices.
     indices: Option<usize>,
+    /// The index of the material.
+    pub(super) material: Option<usize>,
 }
 
 impl Part {
@@ -76,7 +78,12 @@ impl Part {
                            export the file without it";
             return Err(ReadError::place(place, problem));
         }
-        Ok(Self { mode, positions: positions.0, indices: indices.map(|(index, _)| index), place })
+        let list = ("materials", &arrays.document.materials[..]);
+        let material = primitive.material;
+        let material = material.map(|index| named(list, index, || format!("{place}.material")));
+        let material = material.transpose()?.map(|(index, _)| index);
+        let indices = indices.map(|(index, _)| index);
+        Ok(Self { mode, positions: positions.0, indices, material, place })
     }
 
     /// How many indices it has.

@@ -4,18 +4,21 @@ use super::accessor::Arrays;
 use super::container::{self, Container};
 use super::placement::placed_nodes;
 use super::primitive::{Lines, Mode, Part};
-use super::schema::{Document, Mesh, Node, Primitive, named};
+use super::schema::{self, Document, Mesh, Node, Primitive, Real, named};
 use crate::ReadError;
 use glam::{DMat4, DVec3};
-use mindeg_mesh::{Group, Line, NonTriangles, TriMesh, TriMeshError};
+use mindeg_mesh::{Group, Line, Material, NonTriangles, TriMesh, TriMeshError};
 use std::collections::HashMap;
 use std::io::{self, Read};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Reads the surface of a `.glb` or a `.gltf`; which of the two, the first bytes tell.
 ///
 /// Every node of the scene that has triangles becomes a group, moved to where the node puts it; a
-/// mesh used by several nodes is there several times. Transforms are computed in 64 bits; positions
+/// mesh used by several nodes is there several times. Primitives of one node with different materials
+/// are groups of one name. Of a material the name and the base color are read; one without a name is
+/// passed over. Transforms are computed in 64 bits; positions
 /// in the file have 32 or fewer (`KHR_mesh_quantization`). Primitives that have the same positions
 /// in the same place share their vertices. Lists, strips and fans of triangles are read, with
 /// indices of any width or none, also from sparse accessors. Lines between vertices of triangles are
@@ -132,6 +135,8 @@ struct Surface<'a> {
     non_triangles: NonTriangles,
     notes: Notes,
     rounding: f64,
+    /// The materials of the document that have a name.
+    materials: Vec<Option<Arc<Material>>>,
 }
 
 impl<'a> Surface<'a> {
@@ -149,6 +154,7 @@ impl<'a> Surface<'a> {
             non_triangles: NonTriangles::default(),
             notes: Notes::default(),
             rounding: 0.0,
+            materials: arrays.document.materials.iter().map(material).collect(),
         }
     }
 
@@ -182,9 +188,18 @@ impl<'a> Surface<'a> {
         let has_targets = |primitive: &Primitive| !primitive.targets.is_empty();
         self.notes.morphs += usize::from(mesh.primitives.iter().any(has_targets));
         let first_triangle = self.triangles.len();
+        let mut group = Group::new(name_of(node, mesh), first_triangle as u32..0);
         for part in parts(mesh_index, mesh, self.arrays) {
             let part = part?;
             if let Mode::Triangles(layout) = part.mode {
+                let material = match part.material {
+                    Some(index) => self.materials[index].clone(),
+                    None => None,
+                };
+                if material != group.material {
+                    let next = Group::new(&*group.name, self.triangles.len() as u32..0);
+                    self.end_group(std::mem::replace(&mut group, next.of_material(material)));
+                }
                 let vertices = self.placed(part.positions, to_scene)?;
                 self.take_room(part.count(self.arrays), || format!("nodes[{index}]"))?;
                 part.push_triangles(layout, &vertices, self.arrays, &mut self.triangles)?;
@@ -194,10 +209,14 @@ impl<'a> Surface<'a> {
             // A mirror turns triangles over, and readers are to turn them back.
             self.triangles[first_triangle..].iter_mut().for_each(|t| t.swap(1, 2));
         }
-        // A mesh of more triangles is refused.
-        let triangles = first_triangle as u32..self.triangles.len() as u32;
-        self.groups.push(Group { name: name_of(node, mesh), triangles });
+        self.end_group(group);
         Ok(())
+    }
+
+    fn end_group(&mut self, mut group: Group) {
+        // A mesh of more triangles is refused.
+        group.triangles.end = self.triangles.len() as u32;
+        self.groups.push(group);
     }
 
     /// Counts the lines and points of a node, and keeps the lines whose vertices triangles have.
@@ -276,6 +295,15 @@ fn parts(
     mesh.primitives.iter().enumerate().map(move |(number, primitive)| {
         Part::new(primitive, format!("meshes[{index}].primitives[{number}]"), arrays)
     })
+}
+
+/// A material, if it has a name.
+fn material(given: &schema::Material) -> Option<Arc<Material>> {
+    let name = given.name.clone().filter(|name| !name.trim().is_empty())?;
+    let channel = |Real(value): Real| value.clamp(0.0, 1.0) as f32;
+    let color = given.pbr_metallic_roughness.base_color_factor.map(|color| color.map(channel));
+    // The format's default is white.
+    Some(Arc::new(Material { name, color: color.or(Some([1.0; 4])) }))
 }
 
 fn name_of(node: &Node, mesh: &Mesh) -> String {

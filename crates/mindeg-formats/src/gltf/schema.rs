@@ -91,6 +91,8 @@ pub(super) struct Document<'a> {
     #[serde(default)]
     pub(super) meshes: Vec<Mesh>,
     #[serde(default)]
+    pub(super) materials: Vec<Material>,
+    #[serde(default)]
     pub(super) accessors: Vec<Accessor>,
     #[serde(default)]
     pub(super) buffer_views: Vec<BufferView>,
@@ -148,6 +150,7 @@ pub(super) struct Primitive {
     pub(super) attributes: Attributes,
     pub(super) indices: Option<Whole>,
     pub(super) mode: Option<Whole>,
+    pub(super) material: Option<Whole>,
     #[serde(default)]
     pub(super) targets: Vec<IgnoredAny>,
     #[serde(default)]
@@ -159,6 +162,20 @@ pub(super) struct Primitive {
 pub(super) struct Attributes {
     #[serde(rename = "POSITION")]
     pub(super) position: Option<Whole>,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", expecting = "an object")]
+pub(super) struct Material {
+    pub(super) name: Option<String>,
+    #[serde(default)]
+    pub(super) pbr_metallic_roughness: Surface,
+}
+
+#[derive(Default, Deserialize)]
+#[serde(rename_all = "camelCase", expecting = "an object")]
+pub(super) struct Surface {
+    pub(super) base_color_factor: Option<[Real; 4]>,
 }
 
 #[derive(Default, Deserialize)]

@@ -43,7 +43,7 @@ impl Entities {
         let mut surfaces: Vec<Entity> = mesh
             .groups()
             .iter()
-            .map(|group| surface(&group.name, group.triangles.clone()))
+            .map(|group| surface(group.label(), group.triangles.clone()))
             .collect();
         if surfaces.is_empty() {
             surfaces.push(surface("", 0..mesh.triangle_count()));

@@ -8,16 +8,20 @@
 //! which no reader keeps more); negative zero is written `0`. Vertex numbers
 //! start at 1 in the file and nowhere else.
 //!
+//! A group is an object. Where groups have materials, each material is used by `usemtl`, and a library
+//! beside the file, the `.mtl`, has their colors; groups in a row of one name are one object.
+//!
 //! Names of objects are made distinct: the second `side_2` becomes `side_2_2`.
 //!
 //! Limits: an OBJ has no units and no up axis. Vertex colors, on request, follow the
 //! coordinates as `v x y z r g b`, a common extension that some readers reject.
 
+mod library;
 mod numbers;
 mod read;
 mod references;
 mod write;
 
-pub use read::read;
+pub use read::{read, read_with_libraries};
 pub(crate) use write::sections;
 pub use write::{estimated_len, write};

@@ -1,5 +1,6 @@
 //! Reading OBJ.
 
+use super::library::{Libraries, UsedMaterials};
 use super::references::{Numbered, Unknown, leading_number};
 use crate::ReadError;
 use crate::face_list::FaceList;
@@ -7,7 +8,8 @@ use crate::lines::Lines;
 use crate::lists::push;
 use glam::DVec3;
 use mindeg_mesh::{Group, Line, NonTriangles, TriMesh};
-use std::io::BufRead;
+use std::collections::HashMap;
+use std::io::{self, BufRead};
 
 /// Reads a mesh from an OBJ.
 ///
@@ -15,10 +17,11 @@ use std::io::BufRead;
 /// Vertices keep the order of the file, also those that nothing names; corners of faces that
 /// differ in texture coordinate or normal alone are one vertex. Faces of more than three corners
 /// are kept as the mesh's polygons. Objects (`o`) and groups (`g`) become groups, and name the lines
-/// (`l`) in them. Points (`p`) are counted.
+/// (`l`) in them. Faces of one group with different materials (`usemtl`) are groups of one name; of
+/// the materials only the names are read. Points (`p`) are counted.
 ///
 /// A face of two corners counts as a line, a face or line of one as a point. Vertex colors,
-/// texture coordinates, materials, and free-form curves and surfaces are passed over. Lines end in
+/// texture coordinates, and free-form curves and surfaces are passed over. Lines end in
 /// LF, CR LF or CR, and may hold 16 MiB.
 ///
 /// O(n) time and memory, but for the cutting of polygons.
@@ -47,6 +50,49 @@ use std::io::BufRead;
 /// # Ok::<(), mindeg_formats::ReadError>(())
 /// ```
 pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
+    let contents = contents(input)?;
+    let notes = contents.notes();
+    Ok(contents.into_mesh(&HashMap::new())?.with_notes(notes))
+}
+
+/// [`read()`], with the colors of materials.
+///
+/// `beside` is asked for the libraries (`mtllib`), by the names in the file. One that cannot be read
+/// is no error: a note says so, and its materials have names alone.
+///
+/// # Errors
+///
+/// As [`read()`].
+///
+/// # Example
+///
+/// ```
+/// use mindeg_formats::obj;
+///
+/// let file = "mtllib roof.mtl\nv 0 0 0\nv 4 0 0\nv 4 3 0\nusemtl slate\nf 1 2 3\n";
+/// let library = |_: &str| Ok(b"newmtl slate\nKd 0.2 0.2 0.25\n".to_vec());
+/// let mesh = obj::read_with_libraries(file.as_bytes(), library)?;
+/// let material = mesh.groups()[0].material.as_ref().unwrap();
+/// assert_eq!((&*material.name, material.color), ("slate", Some([0.2, 0.2, 0.25, 1.0])));
+/// # Ok::<(), mindeg_formats::ReadError>(())
+/// ```
+pub fn read_with_libraries(
+    input: impl BufRead,
+    mut beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
+) -> Result<TriMesh, ReadError> {
+    let mut contents = contents(input)?;
+    let mut notes = contents.notes();
+    let mut libraries = Libraries::default();
+    // Nothing is looked for that no face uses.
+    if !contents.materials.is_empty() {
+        let names = std::mem::take(&mut contents.libraries);
+        names.iter().for_each(|name| libraries.read(name, &mut beside));
+    }
+    notes.append(&mut libraries.notes);
+    Ok(contents.into_mesh(&libraries.colors)?.with_notes(notes))
+}
+
+fn contents(input: impl BufRead) -> Result<Contents, ReadError> {
     let mut lines = Lines::new(input).with_continued_lines();
     let mut contents = Contents::default();
     contents.start_group(String::new());
@@ -54,8 +100,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
         contents.number = number;
         contents.take_line(line)?;
     }
-    let notes = contents.notes();
-    Ok(contents.into_mesh()?.with_notes(notes))
+    Ok(contents)
 }
 
 /// The words of a line, up to a comment.
@@ -75,6 +120,13 @@ impl<'a> Iterator for Words<'a> {
     }
 }
 
+impl Words<'_> {
+    /// The rest of the line: a name, which may hold blanks and #.
+    fn text(&self) -> String {
+        String::from_utf8_lossy(self.0.trim_ascii()).into_owned()
+    }
+}
+
 /// What the lines up to one say.
 #[derive(Default)]
 struct Contents {
@@ -90,6 +142,9 @@ struct Contents {
     corners: Vec<u32>,
     faces: FaceList,
     groups: Vec<Group>,
+    materials: UsedMaterials,
+    /// The names of the material libraries.
+    libraries: Vec<String>,
     lines: Vec<Line>,
     /// Whether the last line is of the last group.
     line_is_open: bool,
@@ -132,10 +187,14 @@ impl Contents {
             }
             Some([b'o' | b'g']) => {
                 self.end_group();
-                // A name may hold a #.
-                self.start_group(String::from_utf8_lossy(words.0.trim_ascii()).into_owned());
+                self.start_group(words.text());
                 Ok(())
             }
+            Some(b"usemtl") => {
+                self.use_material(words.text());
+                Ok(())
+            }
+            Some(b"mtllib") => Ok(push(&mut self.libraries, words.text())?),
             _ => Ok(()),
         }
     }
@@ -264,8 +323,27 @@ impl Contents {
 
     fn start_group(&mut self, name: String) {
         let start = self.faces.triangle_count() as u32;
-        self.groups.push(Group { name, triangles: start..start });
+        self.groups.push(Group::new(name, start..start));
+        self.materials.start_group();
         self.line_is_open = false;
+    }
+
+    /// The faces from here on are of a material; of none, if the name is empty.
+    fn use_material(&mut self, name: String) {
+        if !self.materials.take(name) {
+            return;
+        }
+        let is_empty = |group: &Group| group.triangles.start == self.faces.triangle_count() as u32;
+        if self.groups.last().is_some_and(is_empty) {
+            self.materials.change_group();
+            return;
+        }
+        self.end_group();
+        // The lines of the object go on.
+        let line_is_open = self.line_is_open;
+        let name = self.groups.last().map_or_else(String::new, |group| group.name.clone());
+        self.start_group(name);
+        self.line_is_open = line_is_open;
     }
 
     fn end_group(&mut self) {
@@ -295,7 +373,7 @@ impl Contents {
         notes
     }
 
-    fn into_mesh(mut self) -> Result<TriMesh, ReadError> {
+    fn into_mesh(mut self, colors: &HashMap<String, [f32; 4]>) -> Result<TriMesh, ReadError> {
         if let Some(unknown) = self.vertices.unknown() {
             let problem = unknown.message("vertex");
             return Err(ReadError::Line { line: unknown.line, problem });
@@ -305,6 +383,7 @@ impl Contents {
         }
         self.end_group();
         self.non_triangles.line_segments = self.segments.len() as u64;
+        self.materials.give_to(&mut self.groups, colors);
         let mesh = self.faces.into_mesh(self.positions, self.non_triangles)?;
         Ok(mesh.with_groups(self.groups).with_lines(self.lines, self.segments)?)
     }

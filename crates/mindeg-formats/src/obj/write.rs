@@ -1,8 +1,10 @@
 //! Writing OBJ.
 
+use super::library::NamedMaterials;
 use super::numbers::CornerNames;
 use crate::decimals::Decimals;
-use crate::names::Names;
+use crate::materials::is_same_object;
+use crate::names::{Names, without_blanks};
 use crate::options::in_box;
 use crate::sections::{self, Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
@@ -11,7 +13,8 @@ use mindeg_mesh::{Mesh, filled, vertex_normals};
 use std::io::{self, Write};
 use std::ops::Range;
 
-/// Writes a mesh as OBJ.
+/// Writes a mesh as OBJ. Of materials it holds the names; [`Writer`](crate::Writer) writes their
+/// colors beside it.
 ///
 /// Takes O(n) time, shared by all threads of rayon's current pool, and the memory of one block of
 /// about half a MiB for each of them, and one more; a mesh that is not in a plane takes O(n) memory
@@ -39,7 +42,7 @@ use std::ops::Range;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write(mesh: &dyn Mesh, options: &SurfaceOptions, mut out: impl Write) -> io::Result<()> {
-    write_sections(&mut out, &sections(mesh, options))?;
+    write_sections(&mut out, &sections(mesh, options, None).object)?;
     out.flush()
 }
 
@@ -66,18 +69,31 @@ pub fn write(mesh: &dyn Mesh, options: &SurfaceOptions, mut out: impl Write) -> 
 /// ```
 #[must_use]
 pub fn estimated_len(mesh: &dyn Mesh, options: &SurfaceOptions) -> u64 {
-    sections::estimated_len(&sections(mesh, options))
+    sections::estimated_len(&sections(mesh, options, None).object)
 }
 
-/// The file from front to back.
-pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Vec<Section<'a>> {
+/// An OBJ and its material library, each from front to back.
+pub(crate) struct Files<'a> {
+    pub(crate) object: Vec<Section<'a>>,
+    pub(crate) library: Vec<Section<'a>>,
+}
+
+/// The files of a mesh; `library` is the name under which the OBJ finds its material library.
+pub(crate) fn sections<'a>(
+    mesh: &'a dyn Mesh,
+    options: &'a SurfaceOptions,
+    library: Option<&str>,
+) -> Files<'a> {
     let normal = mesh.normal();
     // Only a mesh in a plane has a box to lay an image over.
     let texture = options.texture_coordinates && normal.is_some();
     let mut names = Names::default();
-    let mut object = |name: &str| format!("o {}\n", names.distinct(object_name(name)));
+    let mut object = |name: &str| format!("o {}\n", names.distinct(without_blanks(name)));
     let surface = object(mesh_name(mesh));
-    let mut sections = vec![header(mesh, &surface), coordinates(mesh, options)];
+    let materials = NamedMaterials::of(mesh);
+    let library = library.filter(|_| !materials.is_empty());
+    let mtllib = library.map_or_else(String::new, |name| format!("mtllib {name}\n"));
+    let mut sections = vec![header(mesh, &mtllib, &surface), coordinates(mesh, options)];
     if texture {
         sections.push(texture_coordinates(mesh));
     }
@@ -85,14 +101,22 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> V
         sections.push(normals(mesh, options));
     }
     let groups = mesh.groups();
-    if groups.len() < 2 {
+    if groups.is_empty() {
         sections.push(faces(mesh, 0..mesh.triangle_count(), texture, options.normals));
-    } else {
-        for (group, number) in groups.iter().zip(1..) {
-            let unnamed = format!("group {number}");
-            let name = if group.name.is_empty() { &unnamed } else { &group.name };
+    }
+    let mut index = 0;
+    for parts in groups.chunk_by(is_same_object) {
+        if parts.len() < groups.len() {
+            let unnamed = format!("group {}", index + 1);
+            let name = if parts[0].name.is_empty() { &unnamed } else { &parts[0].name };
             sections.push(Section::bytes(object(name)));
-            sections.push(faces(mesh, group.triangles.clone(), texture, options.normals));
+        }
+        for part in parts {
+            if let Some(material) = materials.of_group(index) {
+                sections.push(Section::bytes(format!("usemtl {material}\n")));
+            }
+            sections.push(faces(mesh, part.triangles.clone(), texture, options.normals));
+            index += 1;
         }
     }
     if options.boundary_lines {
@@ -101,7 +125,7 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> V
             sections.push(segments(mesh, line.segments.clone()));
         }
     }
-    sections
+    Files { object: sections, library: vec![Section::bytes(materials.library())] }
 }
 
 fn faces(mesh: &dyn Mesh, triangles: Range<u32>, texture: bool, normals: bool) -> Section<'_> {
@@ -114,9 +138,9 @@ fn faces(mesh: &dyn Mesh, triangles: Range<u32>, texture: bool, normals: bool) -
     })
 }
 
-fn header<'a>(mesh: &dyn Mesh, surface: &str) -> Section<'a> {
+fn header<'a>(mesh: &dyn Mesh, mtllib: &str, surface: &str) -> Section<'a> {
     Section::bytes(format!(
-        "# {GENERATOR}\n# {} vertices, {} triangles, maximum degree {}\n{surface}",
+        "# {GENERATOR}\n# {} vertices, {} triangles, maximum degree {}\n{mtllib}{surface}",
         mesh.vertex_count(),
         mesh.triangle_count(),
         mesh.max_degree(),
@@ -205,10 +229,4 @@ fn segments(mesh: &dyn Mesh, segments: Range<u32>) -> Section<'_> {
 
 fn points(mesh: &dyn Mesh, range: Range<u32>) -> Vec<DVec3> {
     filled(range, DVec3::ZERO, |first, out| mesh.fill_positions(first, out))
-}
-
-/// A name as an OBJ can hold it: many readers end it at the first white space. Names of
-/// domains and sides are not blank and have no control characters.
-fn object_name(name: &str) -> String {
-    name.split_whitespace().collect::<Vec<_>>().join("_")
 }

@@ -104,7 +104,7 @@ fn read_text(input: impl BufRead) -> Result<TriMesh, ReadError> {
         let triangles = (corners.len() / 3) as u32;
         match &keyword[..] {
             b"solid" => {
-                groups.push(Group { name: words.text(), triangles: triangles..triangles });
+                groups.push(Group::new(words.text(), triangles..triangles));
             }
             b"facet" => {
                 if groups.is_empty() {

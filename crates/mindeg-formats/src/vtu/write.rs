@@ -60,7 +60,7 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
         let sides = mesh.lines();
         let lists = [
             ("side_names", sides.iter().map(|line| &*line.name).collect::<Vec<_>>()),
-            ("group_names", mesh.groups().iter().map(|group| &*group.name).collect()),
+            ("group_names", mesh.groups().iter().map(|group| group.label()).collect()),
         ];
         file.text("<FieldData>\n");
         for (name, names) in lists {

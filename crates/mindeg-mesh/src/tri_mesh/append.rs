@@ -38,7 +38,7 @@ impl TriMesh {
         let end =
             u32::try_from(all).map_err(|_| TriMeshError::TooManyTriangles { triangles: all })?;
         if end > start {
-            self.groups.push(Group { name: group.to_owned(), triangles: start..end });
+            self.groups.push(Group::new(group, start..end));
         }
         self.triangles.extend_from_slice(triangles);
         if let Some(polygons) = &mut self.polygons {
@@ -79,9 +79,9 @@ impl TriMesh {
         self.polygons = polygons;
         self.positions.extend_from_slice(&other.positions);
         self.triangles.extend(other.triangles.iter().map(|t| t.map(|vertex| first + vertex)));
-        self.groups.extend(other.groups.iter().map(|Group { name, triangles }| Group {
-            name: name.clone(),
-            triangles: first_triangle + triangles.start..first_triangle + triangles.end,
+        self.groups.extend(other.groups.iter().map(|group| Group {
+            triangles: first_triangle + group.triangles.start..first_triangle + group.triangles.end,
+            ..group.clone()
         }));
         self.segments.extend(other.segments.iter().map(|s| s.map(|vertex| first + vertex)));
         self.lines.extend(other.lines.iter().map(|line| Line {

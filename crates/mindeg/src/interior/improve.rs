@@ -253,7 +253,7 @@ fn grouped(
         let start = sorted.len() as u32;
         let own = triangles.iter().zip(group_of).filter(|(_, of)| **of == index);
         sorted.extend(own.map(|(triangle, _)| *triangle));
-        found.push(Group { name: group.name.clone(), triangles: start..sorted.len() as u32 });
+        found.push(Group { triangles: start..sorted.len() as u32, ..group.clone() });
     }
     (sorted, found)
 }

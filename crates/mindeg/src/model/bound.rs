@@ -15,8 +15,8 @@
 use mindeg_exact::LeastWeight;
 use mindeg_mesh::{Cancelled, Progress};
 
-use super::colors::map_faces;
 use super::joint::Joint;
+use crate::parallel::map_indices;
 
 /// The most triples of vertices, over all faces, for which weights are looked for.
 const MOST_TRIPLES: u64 = 4_000_000;
@@ -161,7 +161,7 @@ pub(super) fn with_weights(
     if faces.iter().map(triples).fold(0, u64::saturating_add) > MOST_TRIPLES {
         return Ok(bound);
     }
-    let solvers = map_faces(&faces, |face| {
+    let solvers = map_indices(&faces, |face| {
         let plane_face = joint.face(face);
         let problem = plane_face.problem(&joint.triangles[face]).ok()?;
         let least = LeastWeight::new(&problem, joint.thresholds[face]).ok();
@@ -174,7 +174,7 @@ pub(super) fn with_weights(
         let largest = weights.iter().copied().fold(0.0, f64::max);
         let whole: Vec<u64> =
             weights.iter().map(|weight| (weight / largest * UNIT + 0.5) as u64).collect();
-        let found = map_faces(&faces, |face| {
+        let found = map_indices(&faces, |face| {
             let (solver, vertices) = solvers[face].as_ref()?;
             let own: Vec<u64> = vertices.iter().map(|&vertex| whole[vertex as usize]).collect();
             solver.as_ref()?.of(&own)

@@ -30,16 +30,3 @@ pub(super) fn classes(model: &Model) -> Vec<Vec<usize>> {
     }
     classes
 }
-
-/// The results of `work` on some faces, in order, on all threads.
-pub(super) fn map_faces<R: Send>(
-    faces: &[usize],
-    work: impl Fn(usize) -> R + Sync + Send,
-) -> Vec<R> {
-    #[cfg(feature = "parallel")]
-    if faces.len() > 1 {
-        use rayon::prelude::*;
-        return faces.par_iter().map(|&face| work(face)).collect();
-    }
-    faces.iter().map(|&face| work(face)).collect()
-}

@@ -9,10 +9,11 @@ use mindeg_exact::measure::min_angle_tangent;
 use mindeg_exact::{Block, Cost, Patch};
 use mindeg_mesh::{Cancelled, Progress};
 
-use super::colors::{classes, map_faces};
+use super::colors::classes;
 use super::face::PlaneFace;
 use super::joint::Joint;
 use super::random::hash;
+use crate::parallel::map_indices;
 
 /// Steps of the dynamic program that one degree may take, by default: some seconds on one core.
 pub(super) const LEVEL_STEPS: u64 = 1 << 28;
@@ -139,7 +140,7 @@ impl<'j, 'm> Descent<'j, 'm> {
                     None
                 }
             };
-            let found = map_faces(&self.classes[class], solve);
+            let found = map_indices(&self.classes[class], solve);
             let faces = self.classes[class].clone();
             for (face, found) in faces.into_iter().zip(found) {
                 if let Some((triangles, own_steps)) = found {

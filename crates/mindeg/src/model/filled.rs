@@ -1,14 +1,14 @@
 //! Faces with interior points: still watertight, since the points of edges stay bit for bit.
 
 use mindeg_domain::{Interior, Model};
-use mindeg_interior::{Fixed, Outline, generate};
+use mindeg_interior::{Fixed, InteriorMesh, Outline, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
-use super::colors::map_faces;
 use super::error::ModelMeshError;
 use super::face::PlaneFace;
 use super::{assembled, min_angle};
 use crate::interior::options_of;
+use crate::parallel::map_indices;
 
 /// Faces from one report of progress to the next.
 const REPORT: usize = 64;
@@ -22,6 +22,8 @@ pub struct FilledModel {
     pub interior_points: usize,
     /// The largest degree, over all faces.
     pub max_degree: u32,
+    /// The largest degree within one face, where the limits hold: edges of other faces do not count.
+    pub max_face_degree: u32,
     /// The minimum angle of all triangles, in degrees.
     pub min_angle: f64,
 }
@@ -72,11 +74,19 @@ pub fn fill_model(
     let mut filled = Vec::with_capacity(faces.len());
     let counter = progress.counter("filling faces", faces.len() as u64);
     for chunk in faces.chunks(REPORT) {
-        for found in map_faces(chunk, fill) {
+        for found in map_indices(chunk, fill) {
             filled.push(found?);
         }
         counter.add(chunk.len())?;
     }
+    let face_degree = |(face, found): (usize, &InteriorMesh)| {
+        let mut degrees = vec![0_u32; found.points.len()];
+        found.triangles.as_flattened().iter().for_each(|&place| degrees[place as usize] += 1);
+        // A boundary vertex has an edge more than triangles.
+        degrees[..model.face_size(face) as usize].iter_mut().for_each(|degree| *degree += 1);
+        degrees.into_iter().max().unwrap_or(0)
+    };
+    let max_face_degree = filled.iter().enumerate().map(face_degree).max().unwrap_or(0);
     let boundary = positions.len();
     let mut firsts = Vec::with_capacity(faces.len());
     for (face, found) in filled.iter().enumerate() {
@@ -94,5 +104,5 @@ pub fn fill_model(
     })?;
     let max_degree = mesh.degrees().iter().copied().max().unwrap_or(0);
     let min_angle = min_angle(mesh.positions(), mesh.triangles());
-    Ok(FilledModel { mesh, interior_points, max_degree, min_angle })
+    Ok(FilledModel { mesh, interior_points, max_degree, max_face_degree, min_angle })
 }

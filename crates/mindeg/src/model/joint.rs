@@ -5,9 +5,9 @@ use mindeg_domain::Model;
 use mindeg_exact::Problem;
 use mindeg_mesh::Progress;
 
-use super::colors::map_faces;
 use super::error::ModelMeshError;
 use super::face::PlaneFace;
+use crate::parallel::map_indices;
 
 /// Faces from one report of progress to the next.
 const REPORT: usize = 1 << 10;
@@ -46,7 +46,7 @@ impl<'m> Joint<'m> {
         let faces: Vec<usize> = (0..model.face_count()).collect();
         let counter = progress.counter("triangulating faces", faces.len() as u64);
         for chunk in faces.chunks(REPORT) {
-            let firsts = map_faces(chunk, |face| first(model, &positions, face, keep_angle));
+            let firsts = map_indices(chunk, |face| first(model, &positions, face, keep_angle));
             for first in firsts {
                 let (first, threshold, tangent) = first?;
                 triangles.push(first);

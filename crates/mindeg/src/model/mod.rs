@@ -188,8 +188,10 @@ fn assembled(
             face_starts[face] = all.len() as u32;
             all.extend(triangles(face, &model.rings(face).vertices));
         }
-        let name = group_name(model, model.group_of(same[0]));
-        groups.push(Group { name, triangles: start..all.len() as u32 });
+        let group = &model.groups()[model.group_of(same[0])];
+        let triangles = start..all.len() as u32;
+        let name = group.name.clone().unwrap_or_default();
+        groups.push(Group::new(name, triangles).of_material(group.material.clone()));
     }
     let mesh = TriMesh::new(positions, all)?.with_groups(groups);
     let (lines, segments) = lines(model);
@@ -199,16 +201,6 @@ fn assembled(
         None => mesh,
     };
     Ok((mesh, face_starts))
-}
-
-/// The name of a group: its own, and that of its material where it has one.
-fn group_name(model: &Model, group: usize) -> String {
-    let group = &model.groups()[group];
-    match (&group.name, &group.material) {
-        (Some(name), Some(material)) => format!("{name} {material}"),
-        (Some(name), None) | (None, Some(name)) => name.clone(),
-        (None, None) => String::new(),
-    }
 }
 
 fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {

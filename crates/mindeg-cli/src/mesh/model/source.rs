@@ -10,8 +10,13 @@ use mindeg::{FromMesh, Intervals, Model, Side, Spacing};
 use std::fs;
 use std::path::Path;
 
-/// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`.
+/// Whether a file holds a model: a glTF, an OBJ with faces, or JSON with the key `faces`; that may
+/// also come by standard input.
 pub(crate) fn is_model(path: &Path) -> bool {
+    if path == Path::new("-") {
+        let bytes = input::standard_input("model");
+        return bytes.is_ok_and(|bytes| std::str::from_utf8(bytes).is_ok_and(Model::is_model_json));
+    }
     let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
     match extension.as_deref() {
         Some("glb" | "gltf") => true,
@@ -26,15 +31,20 @@ pub(crate) fn is_model(path: &Path) -> bool {
 
 /// The model in a file, with the options in place of what the file gives for its edges.
 pub(super) fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<Model, Failure> {
-    input::note(path, "model");
-    let bad = |error: String| Failure::Input(format!("{}: {error}", path.display()));
+    let name = input::name_of(path);
+    let bad = |error: String| Failure::Input(format!("{name}: {error}"));
     let division = division(&arguments.domain.options)?;
     let extension = path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    let is_json = extension.as_deref() == Some("json");
-    if is_json {
-        let text = fs::read_to_string(path).map_err(|error| {
-            Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))
-        })?;
+    let is_standard_input = path == Path::new("-");
+    if is_standard_input || extension.as_deref() == Some("json") {
+        let text = if is_standard_input {
+            input::standard_input("model").map(|bytes| String::from_utf8_lossy(bytes).into_owned())
+        } else {
+            input::note(path, "model");
+            fs::read_to_string(path)
+        };
+        let text =
+            text.map_err(|error| Failure::Io(format!("cannot read {name}: {}", plainly(&error))))?;
         let model = Model::from_json(&text).map_err(|error| bad(error.to_string()))?;
         return match division {
             Some(side) => model.divided(&side).map_err(|error| bad(error.to_string())),
@@ -45,6 +55,7 @@ pub(super) fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<
         let message = "how many intervals? give --size S, or --intervals N for every edge";
         return Err(Failure::Input(message.to_owned()));
     };
+    input::note(path, "model");
     memory::require_to_read(path)?;
     let mesh = mesh_file::read(path, bar)?;
     let from_mesh = FromMesh {
