@@ -80,7 +80,7 @@ mod page {
             // Each line is in a chunk of its own, between lines with the lengths of chunks.
             let lines = answer.lines().filter(|line| line.starts_with('{'));
             let lines = lines.map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
-            let command = lines.filter(|line| line["kind"] == "command").last();
+            let command = lines.filter(|line| line["kind"] == "command").next_back();
             command.expect("a command")["text"].as_str().expect("text").to_owned()
         }
     }
