@@ -333,7 +333,7 @@ fn the_boundary_of_a_mesh_becomes_a_domain() {
     };
     run(&["mesh", domain, "-q", "--interior", "-o", &at("a.node"), "-o", &at("a.14")]);
     for mesh in ["a.node", "a.ele", "a.14"] {
-        mindeg(&["mesh", &at(mesh), "-o", &at("x.obj")]).refuses(&[
+        mindeg(["mesh", &at(mesh), "-o", &at("x.obj")]).refuses(&[
             mesh,
             "a domain is expected",
             "mindeg convert FILE -o outline.poly",

@@ -4,7 +4,6 @@ use crate::args::ImproveArguments;
 use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::failure::Failure;
-use crate::input;
 use crate::interior_report::{Reached, angles_and_degrees, grading, violations};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
@@ -40,8 +39,6 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
         Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
     let bar = Bar::new(arguments.quiet);
     clean_up_on_interrupt()?;
-    input::note(&arguments.file, "mesh");
-    memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     let file = arguments.file.display().to_string();
     memory::require_to_improve(&file, mesh.positions().len(), mesh.triangles().len())?;

@@ -108,6 +108,8 @@ fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
         let read = io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes);
         ("standard input".to_owned(), read)
     } else {
+        outlines::refuse_mesh(path)
+            .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         input::note(path, "domain");
         (path.display().to_string(), fs::read(path))
     };
