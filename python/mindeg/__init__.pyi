@@ -116,7 +116,7 @@ def inspect(
     points: npt.ArrayLike,
     triangles: npt.ArrayLike,
     *,
-    weld: float | None = 0.0,
+    weld: float | None = ...,
     corner_angle: float = 1.0,
     poles_above: int = 8,
 ) -> dict[str, Any]: ...

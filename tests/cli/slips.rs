@@ -63,7 +63,7 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
     (
         "mesh a.stl -o b.obj",
-        "a.stl: the name of the file: it ends as a mesh does, and a domain is expected",
+        "a.stl: the name of the file: it ends as a mesh does, and a domain is expected; of a mesh in the plane, mindeg convert FILE -o outline.poly writes the boundary, which is a domain",
     ),
     (
         "mesh a.json b.json -o x.obj",

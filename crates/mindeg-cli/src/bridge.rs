@@ -4,7 +4,6 @@ use crate::args::{BridgeArguments, LoopChoice};
 use crate::bar::Bar;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
 use crate::failure::Failure;
-use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::mesh_file;
@@ -49,8 +48,6 @@ struct Side<'a> {
 
 impl<'a> Side<'a> {
     fn read(path: &'a Path, bar: &Bar) -> Result<Self, Failure> {
-        input::note(path, "mesh");
-        memory::require_to_read(path)?;
         let mesh = mesh_file::read(path, bar)?;
         memory::require_to_inspect(path, mesh.positions().len(), mesh.triangles().len())?;
         let loops = Loops::of(&mesh);

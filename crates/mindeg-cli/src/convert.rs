@@ -3,9 +3,7 @@
 use crate::args::ConvertArguments;
 use crate::bar::Bar;
 use crate::failure::Failure;
-use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::mesh_file;
 use crate::output::Outputs;
 use crate::targets::Targets;
@@ -18,8 +16,6 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let mut targets = Targets::new(&surface.output, surface.format, surface.options(), false)?;
     let bar = Bar::new(arguments.quiet);
     clean_up_on_interrupt()?;
-    input::note(&arguments.file, "mesh");
-    memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     targets.expect_materials(mesh.has_materials());
     targets.check(&mesh, mesh.triangle_count())?;

@@ -4,7 +4,6 @@ use crate::args::FillArguments;
 use crate::bar::Bar;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
 use crate::failure::Failure;
-use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::mesh_file;
@@ -64,8 +63,6 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);
     clean_up_on_interrupt()?;
     let file = &arguments.file;
-    input::note(file, "mesh");
-    memory::require_to_read(file)?;
     let mesh = mesh_file::read(file, &bar)?;
     memory::require_to_inspect(file, mesh.positions().len(), mesh.triangles().len())?;
     targets.expect_materials(mesh.has_materials());

@@ -4,7 +4,6 @@ use crate::args::ImproveArguments;
 use crate::bar::Bar;
 use crate::demands::Demands;
 use crate::failure::Failure;
-use crate::input;
 use crate::interior_report::{Reached, grading, violations};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
@@ -41,8 +40,6 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
         Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
     let bar = Bar::new(arguments.quiet);
     clean_up_on_interrupt()?;
-    input::note(&arguments.file, "mesh");
-    memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     targets.expect_materials(mesh.has_materials());
     let file = arguments.file.display().to_string();

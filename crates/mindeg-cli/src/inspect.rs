@@ -23,7 +23,6 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
             "--format is for standard input; the name of a file tells its format".to_owned(),
         ));
     } else {
-        memory::require_to_read(&arguments.file)?;
         (arguments.file.display().to_string(), mesh_file::read(&arguments.file, &bar)?)
     };
     let options = InspectionOptions {

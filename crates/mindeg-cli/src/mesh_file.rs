@@ -3,14 +3,18 @@
 use crate::bar::{Bar, Counting, Unit};
 use crate::failure::{Failure, plainly};
 use crate::input;
+use crate::memory;
 use mindeg_formats::ReadError;
 use mindeg_mesh::TriMesh;
 use std::fs::{File, Metadata};
 use std::io::{self, ErrorKind, Read};
 use std::path::{Component, Path, PathBuf};
 
-/// Reads a mesh by the extension of its file or its content, and lets the bar count the bytes.
+/// Reads a mesh by the extension of its file or its content, and lets the bar count the bytes. No output
+/// may replace the file from then on, and what takes more memory than there is, is refused.
 pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
+    input::note(path, "mesh");
+    memory::require_to_read(path)?;
     let open = || -> Result<Counting<'_, File>, ReadError> {
         let file = File::open(path)?;
         let len = file.metadata()?.len();

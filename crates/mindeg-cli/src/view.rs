@@ -4,7 +4,6 @@ use crate::args::ViewArguments;
 use crate::bar::Bar;
 use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
-use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::memory;
 use crate::mesh::{goal, meshed};
@@ -30,10 +29,6 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
     check_output(output)?;
     let subject = subject(arguments)?;
     clean_up_on_interrupt()?;
-    if let Subject::Mesh(path) = subject {
-        input::note(path, "mesh");
-        memory::require_to_read(path)?;
-    }
     let bar = Bar::new(arguments.quiet);
     let mut outputs = Outputs::default();
     let (mesh, out) = match &subject {

@@ -4,12 +4,13 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod polygons;
+
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain};
 use mindeg_formats::{Format, ReadError, WriteOptions, Writer, read, read_as};
 use mindeg_mesh::{Group, Line, LineKind, Mesh, Positions, TriMesh, Triangles};
 use proptest::prelude::*;
-use std::f64::consts::TAU;
 use std::io::{self, ErrorKind};
 use std::path::Path;
 
@@ -54,30 +55,6 @@ fn exact() -> WriteOptions {
     WriteOptions { double: true, ..WriteOptions::default() }
 }
 
-/// Polygons on an ellipse, some far from the origin, with all kinds of counts.
-fn domains() -> impl Strategy<Value = BoundaryMesh> {
-    let side = (0.1..0.9, 1_u32..20);
-    let place = prop_oneof![Just(0.0), Just(-3.7), Just(480_000.0), Just(4_650_000.3)];
-    (prop::collection::vec(side, 3..9), 0.2..5.0, place.clone(), place).prop_map(
-        |(sides, width, x, y)| {
-            let k = sides.len() as f64;
-            let corner = |(i, &(shift, _)): (usize, &(f64, u32))| {
-                let angle = TAU * (i as f64 + shift) / k;
-                format!("[{}, {}]", x + width * angle.cos(), y + angle.sin())
-            };
-            let corners: Vec<_> = sides.iter().enumerate().map(corner).collect();
-            let counts: Vec<_> =
-                sides.iter().map(|(_, count)| format!(r#"{{"intervals": {count}}}"#)).collect();
-            let json = format!(
-                r#"{{"polygon": {{"corners": [{}]}}, "sides": [{}]}}"#,
-                corners.join(","),
-                counts.join(",")
-            );
-            BoundaryMesh::least_degree(&Domain::from_json(&json).unwrap()).unwrap()
-        },
-    )
-}
-
 fn positions(mesh: &dyn Mesh) -> Vec<DVec3> {
     mindeg_mesh::filled(0..mesh.vertex_count(), DVec3::ZERO, |first, out| {
         mesh.fill_positions(first, out);
@@ -98,7 +75,7 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn what_is_written_is_read(mesh in domains()) {
+    fn what_is_written_is_read(mesh in polygons::meshes()) {
         for format in FORMATS {
             if format == Format::Stl && Writer::new(format, exact(), &mesh, 1).is_err() {
                 // Points that 32 bits cannot tell apart.
@@ -144,7 +121,7 @@ proptest! {
     }
 
     #[test]
-    fn float_ply_keeps_what_32_bits_can(mesh in domains()) {
+    fn float_ply_keeps_what_32_bits_can(mesh in polygons::meshes()) {
         if Writer::new(Format::Ply, WriteOptions::default(), &mesh, 1).is_ok() {
             let read = read_back(&write(&mesh, Format::Ply, WriteOptions::default())).unwrap();
             let points = positions(&mesh).into_iter().map(|point| point.as_vec3().as_dvec3());
@@ -196,7 +173,7 @@ proptest! {
 
     #[test]
     fn no_damage_makes_a_reader_panic(
-        mesh in domains(),
+        mesh in polygons::meshes(),
         damages in prop::collection::vec((0..5_u8, any::<usize>(), 1..40_usize), 1..4),
         which in 0..3_usize,
     ) {

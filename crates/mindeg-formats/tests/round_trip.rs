@@ -3,37 +3,14 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+mod polygons;
+
 use glam::{DVec2, DVec3};
-use mindeg::{BoundaryMesh, Domain};
+use mindeg::BoundaryMesh;
 use mindeg_formats::{Plane, SurfaceOptions, glb, gltf, obj};
 use mindeg_mesh::TriMesh;
 use proptest::prelude::*;
-use std::f64::consts::TAU;
 use std::io;
-
-/// Polygons on an ellipse, some far from the origin, with all kinds of counts.
-fn domains() -> impl Strategy<Value = BoundaryMesh> {
-    let side = (0.1..0.9, 1_u32..20);
-    let place = prop_oneof![Just(0.0), Just(-3.7), Just(480_000.0), Just(4_650_000.3)];
-    (prop::collection::vec(side, 3..9), 0.2..5.0, place.clone(), place).prop_map(
-        |(sides, width, x, y)| {
-            let k = sides.len() as f64;
-            let corner = |(i, &(shift, _)): (usize, &(f64, u32))| {
-                let angle = TAU * (i as f64 + shift) / k;
-                format!("[{}, {}]", x + width * angle.cos(), y + angle.sin())
-            };
-            let corners: Vec<_> = sides.iter().enumerate().map(corner).collect();
-            let counts: Vec<_> =
-                sides.iter().map(|(_, count)| format!(r#"{{"intervals": {count}}}"#)).collect();
-            let json = format!(
-                r#"{{"polygon": {{"corners": [{}]}}, "sides": [{}]}}"#,
-                corners.join(","),
-                counts.join(",")
-            );
-            BoundaryMesh::least_degree(&Domain::from_json(&json).unwrap()).unwrap()
-        },
-    )
-}
 
 fn options() -> impl Strategy<Value = SurfaceOptions> {
     (any::<[bool; 4]>(), prop_oneof![Just(Plane::Xy), Just(Plane::Floor)]).prop_map(
@@ -90,7 +67,7 @@ fn check(
 
 proptest! {
     #[test]
-    fn obj_keeps_every_bit(mesh in domains(), options in options()) {
+    fn obj_keeps_every_bit(mesh in polygons::meshes(), options in options()) {
         let read = obj::read(obj(&mesh, &options).as_slice()).unwrap();
         check(&mesh, &read, &options)?;
         prop_assert_eq!(read.positions().len(), mesh.vertex_count() as usize);
@@ -100,7 +77,7 @@ proptest! {
     }
 
     #[test]
-    fn gltf_keeps_what_32_bit_floats_can(mesh in domains(), options in options()) {
+    fn gltf_keeps_what_32_bit_floats_can(mesh in polygons::meshes(), options in options()) {
         let read = glb::read(glb(&mesh, &options).as_slice(), no_files).unwrap();
         check(&mesh, &read, &options)?;
         prop_assert_eq!(read.positions().len(), mesh.vertex_count() as usize);
@@ -122,7 +99,7 @@ proptest! {
     }
 
     #[test]
-    fn the_same_mesh_gives_the_same_bytes(mesh in domains(), options in options()) {
+    fn the_same_mesh_gives_the_same_bytes(mesh in polygons::meshes(), options in options()) {
         let copy = mesh.clone();
         prop_assert_eq!(obj(&mesh, &options), obj(&copy, &options));
         prop_assert_eq!(glb(&mesh, &options), glb(&copy, &options));
@@ -178,7 +155,7 @@ proptest! {
 
     #[test]
     fn no_damage_makes_a_reader_panic(
-        mesh in domains(),
+        mesh in polygons::meshes(),
         options in options(),
         damages in prop::collection::vec(damage(), 1..4),
     ) {

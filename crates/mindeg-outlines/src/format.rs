@@ -174,26 +174,17 @@ pub fn read(
 ///
 /// An extension and a content that tell different formats; meshes.
 pub fn format_of(path: Option<&Path>, bytes: &[u8]) -> Result<Option<OutlineFormat>, ReadError> {
-    let extension = path.and_then(Path::extension).unwrap_or_default().to_string_lossy();
-    let extension = extension.to_ascii_lowercase();
-    if MESHES.contains(&&*extension) {
-        return Err(wrong_name(
-            "it ends as a mesh does, and a domain is expected; of a mesh in the plane, mindeg convert \
-             FILE -o outline.poly writes the boundary, which is a domain"
-                .to_owned(),
-        ));
-    }
+    path.map_or(Ok(()), refuse_mesh)?;
+    let is_named_json = path.is_some_and(|path| extension(path) == "json");
     let told = path.and_then(OutlineFormat::of_path);
     let looks_like = OutlineFormat::of_content(bytes);
     let is_json = bytes.trim_ascii_start().starts_with(b"{") && looks_like.is_none();
     match (told, looks_like) {
-        (None, Some(format)) if extension == "json" && format != GeoJson => {
-            Err(wrong_name(format!(
-                "it ends in .json, and the content looks like {}; rename the file to end in .{}",
-                format.name(),
-                format.extensions()[0]
-            )))
-        }
+        (None, Some(format)) if is_named_json && format != GeoJson => Err(wrong_name(format!(
+            "it ends in .json, and the content looks like {}; rename the file to end in .{}",
+            format.name(),
+            format.extensions()[0]
+        ))),
         (Some(told), None) if is_json && told != GeoJson => Err(wrong_name(format!(
             "it ends as {} does, and the content is JSON; rename the file to end in .json",
             told.name()
@@ -209,6 +200,27 @@ pub fn format_of(path: Option<&Path>, bytes: &[u8]) -> Result<Option<OutlineForm
         ))),
         (None, None) => Ok(None),
     }
+}
+
+/// Refuses a file that is a mesh by its name, which can be done before it is read.
+///
+/// # Errors
+///
+/// What to do with a mesh instead.
+pub fn refuse_mesh(path: &Path) -> Result<(), ReadError> {
+    if MESHES.contains(&&*extension(path)) {
+        return Err(wrong_name(
+            "it ends as a mesh does, and a domain is expected; of a mesh in the plane, mindeg convert \
+             FILE -o outline.poly writes the boundary, which is a domain"
+                .to_owned(),
+        ));
+    }
+    Ok(())
+}
+
+/// The extension in lower case.
+fn extension(path: &Path) -> String {
+    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
 }
 
 /// Extensions of meshes, which are no domains.

@@ -251,7 +251,7 @@ impl Mesh {
         name: Option<String>,
         lines: Vec<(String, Vec<[u32; 2]>)>,
         of_lines: (Vec<bool>, Vec<Option<String>>),
-        of_mesh: (Vec<(String, [u32; 2])>, Option<Vec<f64>>),
+        of_mesh: (PickledGroups, Option<Vec<f64>>),
         facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
         let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
@@ -298,6 +298,9 @@ impl Mesh {
         Ok(Self::new(mesh, Facts { least_max_degree, found_by, report }))
     }
 }
+
+/// Names and ranges of triangles.
+type PickledGroups = Vec<(String, [u32; 2])>;
 
 const KINDS: [(LineKind, &str); 3] =
     [(LineKind::Open, "open"), (LineKind::Land, "land"), (LineKind::Island, "island")];

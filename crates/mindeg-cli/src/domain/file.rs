@@ -110,6 +110,8 @@ pub(crate) fn bytes_of(path: &Path) -> Result<(String, Vec<u8>), Failure> {
     let bytes = if path == Path::new("-") {
         input::standard_input("domain").map(<[u8]>::to_vec)
     } else {
+        outlines::refuse_mesh(path)
+            .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
         input::note(path, "domain");
         fs::read(path)
     };

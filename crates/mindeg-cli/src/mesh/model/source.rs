@@ -4,7 +4,6 @@ use crate::args::{DomainOptions, MeshArguments};
 use crate::bar::Bar;
 use crate::failure::{Failure, plainly};
 use crate::input;
-use crate::memory;
 use crate::mesh_file;
 use mindeg::{FromMesh, Intervals, Model, Side, Spacing};
 use std::fs;
@@ -55,8 +54,6 @@ pub(super) fn read(path: &Path, arguments: &MeshArguments, bar: &Bar) -> Result<
         let message = "how many intervals? give --size S, or --intervals N for every edge";
         return Err(Failure::Input(message.to_owned()));
     };
-    input::note(path, "model");
-    memory::require_to_read(path)?;
     let mesh = mesh_file::read(path, bar)?;
     let from_mesh = FromMesh {
         edges,
