@@ -82,7 +82,7 @@ fn examples_of_the_help_work() {
     )
     .expect("a link");
     let mut count = 0;
-    // Those of view, inspect, convert, fill and bridge name meshes that the reader has.
+    // Those of view, inspect, convert, fill, bridge and verify name meshes that the reader has.
     for (name, content) in [
         ("lower.obj", crate::fill::cone(12, 1.0, 0.0)),
         ("upper.obj", crate::fill::cone(7, 2.0, 3.0)),
@@ -91,7 +91,12 @@ fn examples_of_the_help_work() {
         std::fs::write(folder.path().join(name), content).expect("a file");
     }
     let part = "\"$MINDEG\" mesh --rectangle 4x3 --size 1 -q -o part.obj -o part.glb -o part.gltf";
-    assert_eq!(crate::run::shell(folder.path(), part).code, Some(0));
+    let verified = "\"$MINDEG\" mesh assets/domains/wing-panel.json -q -o wing-panel.obj && \
+                    \"$MINDEG\" mesh assets/domains/wing-panel.json --keep-angle 95% -q -o from-blender.glb && \
+                    \"$MINDEG\" mesh --rectangle 4x3 --size 0.5 -q -o plate.stl";
+    for made in [part, verified] {
+        assert_eq!(crate::run::shell(folder.path(), made).code, Some(0), "{made}");
+    }
     std::fs::copy(
         folder.path().join("assets/domains/figure-1.json"),
         folder.path().join("domain.json"),
@@ -99,7 +104,7 @@ fn examples_of_the_help_work() {
     .expect("a copy");
     for command in [
         "degree", "suggest", "mesh", "tradeoff", "compare", "view", "inspect", "convert", "fill",
-        "bridge",
+        "bridge", "verify",
     ] {
         let help = mindeg([command, "--help"]);
         let (_, examples) = help.text().split_once("Examples:\n").expect("examples");

@@ -7,6 +7,7 @@ use std::path::Path;
 
 use mindeg::glam::{DVec2, DVec3};
 use mindeg::{BoundaryMesh, Domain, Mesh, Progress, Side, TriMesh};
+use mindeg_core::{Boundary, RingStrip, suggest};
 use mindeg_exact::{Problem, Reached, degree_range};
 use mindeg_formats::svg;
 
@@ -35,6 +36,8 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         ("corner-removal.svg", Box::new(BoundaryMesh::least_degree(&removal)?)),
         ("medial.svg", Box::new(BoundaryMesh::least_degree(&medial)?)),
         ("zig-zag-of-an-l.svg", Box::new(zig_zag_of_an_l()?)),
+        ("smallest-change.svg", Box::new(smallest_change()?)),
+        ("bridge.svg", Box::new(bridge()?)),
         ("fan-limit.svg", Box::new(fan_limit()?)),
         ("tent-limit.svg", Box::new(tent_limit()?)),
     ])
@@ -43,6 +46,30 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
 fn domain(name: &str, corners: &[[f64; 2]], counts: &[u64]) -> Result<Domain, Box<dyn Error>> {
     let sides = counts.iter().copied().map(Side::count).collect();
     Ok(Domain::polygon(corners.iter().copied(), sides)?.named(name)?)
+}
+
+/// The domain of `dominant-side.svg` after the smallest change that brings degree 4.
+fn smallest_change() -> Result<BoundaryMesh, Box<dyn Error>> {
+    let boundary = Boundary::new(&[6, 1, 1, 1])?;
+    let change = suggest(&boundary, 4).ok_or("degree 4 can be reached")?;
+    assert_eq!((change.cost(), change.max_degree), (2, 4));
+    let corners = [[0.0, 0.0], [6.0, 0.0], [4.5, 3.0], [1.5, 3.0]];
+    let domain = domain("smallest change", &corners, &change.intervals(&boundary))?;
+    Ok(BoundaryMesh::least_degree(&domain)?)
+}
+
+/// The strip between rings of 12 and 5 vertices, of degree 3 + 3.
+fn bridge() -> Result<TriMesh, Box<dyn Error>> {
+    let strip = RingStrip::new(12, 5)?;
+    let ring = |count: u32, radius: f64| {
+        (0..count).map(move |index| {
+            let angle = std::f64::consts::TAU * f64::from(index) / f64::from(count);
+            DVec3::new(libm::cos(angle) * radius, libm::sin(angle) * radius, 0.0)
+        })
+    };
+    let points = ring(strip.xs(), 3.0).chain(ring(strip.ys(), 1.0)).collect();
+    Ok(TriMesh::new(points, strip.triangles().collect())?
+        .named("a strip between 12 and 5 vertices"))
 }
 
 /// An L of which the test for degree 4 finds an admissible zig-zag.
