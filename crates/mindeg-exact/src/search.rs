@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
         &mut self,
         limits: &DegreeLimits,
         tangent: f64,
-    ) -> Result<Optimum, Cancelled> {
+    ) -> Result<Optimum, Unsolved> {
         const SMALL: u32 = 4;
         let max_degree = limits.max_degree;
         let stage = Stage::new(self.progress, format!("degree {max_degree}: the best mesh"));
@@ -205,7 +205,7 @@ impl<'a> Search<'a> {
             let rules = Rules { points: self.problem.points(), threshold: tangent, capacities };
             let report = |share| stage.report(passes.done(share));
             let pieces = Pieces::<TieBreak>::solve(rules.clone(), &self.chords, report)?;
-            let (mut triangles, merit) = pieces.triangles().expect("the angle is possible");
+            let (mut triangles, merit) = pieces.triangles().ok_or(Unsolved::TooClose)?;
             capacities = rules.capacities;
             let at_limit = uncounted_at_limit(limits, &capacities, &triangles);
             if at_limit.is_empty() {

@@ -86,9 +86,14 @@ impl Part {
         Ok(Self { mode, positions: positions.0, indices, material, place })
     }
 
+    /// The accessor that counts its corners: of its indices, or without them of its positions.
+    pub(super) fn corner_accessor(&self) -> usize {
+        self.indices.unwrap_or(self.positions)
+    }
+
     /// How many indices it has.
     pub(super) fn count(&self, arrays: Arrays<'_>) -> u64 {
-        arrays.document.accessors[self.indices.unwrap_or(self.positions)].count.0
+        arrays.document.accessors[self.corner_accessor()].count.0
     }
 
     /// The vertices that it names, in order. Its positions are the vertices of the range, which is

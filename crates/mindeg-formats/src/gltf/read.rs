@@ -158,7 +158,17 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Takes room for so many items, before there is memory for them.
+    /// Refuses an accessor without bytes, as long as it says, that there is no room for. One with bytes
+    /// is not longer than they are.
+    fn check_zeros(&mut self, accessor: usize) -> Result<(), ReadError> {
+        let source = &self.arrays.document.accessors[accessor];
+        if source.buffer_view.is_some() || source.count.0 <= self.room {
+            return Ok(());
+        }
+        self.take_room(source.count.0, || format!("accessors[{accessor}]"))
+    }
+
+    /// Takes room for so many items.
     fn take_room(&mut self, count: u64, place: impl FnOnce() -> String) -> Result<(), ReadError> {
         let Some(room) = self.room.checked_sub(count) else {
             let problem = format!(
@@ -201,8 +211,9 @@ impl<'a> Surface<'a> {
                     self.end_group(std::mem::replace(&mut group, next.of_material(material)));
                 }
                 let vertices = self.placed(part.positions, to_scene)?;
-                self.take_room(part.count(self.arrays), || format!("nodes[{index}]"))?;
+                self.check_zeros(part.corner_accessor())?;
                 part.push_triangles(layout, &vertices, self.arrays, &mut self.triangles)?;
+                self.take_room(part.count(self.arrays), || format!("nodes[{index}]"))?;
             }
         }
         if to_scene.determinant() < 0.0 {
@@ -241,8 +252,9 @@ impl<'a> Surface<'a> {
             };
             let vertices = self.vertices.get(&(part.positions, bits(to_scene))).cloned();
             if let Some(vertices) = vertices {
-                self.take_room(count, || format!("nodes[{index}]"))?;
+                self.check_zeros(part.corner_accessor())?;
                 part.push_segments(lines, &vertices, self.arrays, &mut self.segments)?;
+                self.take_room(count, || format!("nodes[{index}]"))?;
             }
         }
         let Ok(end) = u32::try_from(self.segments.len()) else {
@@ -263,9 +275,9 @@ impl<'a> Surface<'a> {
         if let Some(vertices) = self.vertices.get(&placed) {
             return Ok(vertices.clone());
         }
-        let count = self.arrays.document.accessors[accessor].count.0;
-        self.take_room(count, || format!("accessors[{accessor}]"))?;
+        self.check_zeros(accessor)?;
         let (mut positions, rounding) = self.arrays.positions(accessor)?;
+        self.take_room(positions.len() as u64, || format!("accessors[{accessor}]"))?;
         let axes = [to_scene.x_axis, to_scene.y_axis, to_scene.z_axis];
         let scale = axes.map(|axis| axis.truncate().length()).into_iter().fold(0.0, f64::max);
         self.rounding = self.rounding.max(rounding * scale);
