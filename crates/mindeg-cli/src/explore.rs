@@ -6,7 +6,6 @@ use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::standard_output::print;
 use crate::terminal::say;
-use crate::threads;
 use mindeg_explore::{KnownFiles, Server, ServerError, Setup, Source, presets, sources};
 use std::fs;
 use std::path::Path;
@@ -17,7 +16,6 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     let start = arguments.domain.as_deref().map(|path| start(path, &mut known)).transpose()?;
     add_presets(&mut known);
     clean_up_on_interrupt()?;
-    threads::start()?;
     let setup = Setup { port: arguments.port.unwrap_or(0), start, known };
     let failed = |error: ServerError| Failure::Io(error.to_string());
     let server = Server::new(setup).map_err(failed)?;

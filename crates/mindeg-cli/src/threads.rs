@@ -26,13 +26,6 @@ pub(crate) fn shared(work: impl FnOnce() -> Result<(), Failure> + Send) -> Resul
     pool.install(work)
 }
 
-/// Starts the threads that share the work of other threads, for as long as the process runs.
-#[cfg(feature = "explore")]
-pub(crate) fn start() -> Result<(), Failure> {
-    let failed = |error| Failure::Io(format!("cannot start threads: {error}"));
-    ThreadPoolBuilder::new().stack_size(STACK).build_global().map_err(failed)
-}
-
 /// As many threads as `RAYON_NUM_THREADS` asks for or the machine has cores, or this one alone
 /// where the system allows no more. Not rayon's own, which are started when first needed, or panic.
 fn pool() -> Result<ThreadPool, ThreadPoolBuildError> {

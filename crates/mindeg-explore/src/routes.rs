@@ -19,6 +19,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use http_body::Frame;
 use mindeg_mesh::{Progress, Step};
+use rayon::ThreadPoolBuildError;
 use serde::{Deserialize, Serialize};
 use tokio::sync::mpsc;
 
@@ -57,8 +58,12 @@ pub(crate) struct All {
 }
 
 impl All {
-    pub(crate) fn new(guard: Guard, start: Option<Source>, known: KnownFiles) -> Self {
-        Self { guard, start, known, works: Works::new(), states: States::default() }
+    pub(crate) fn new(
+        guard: Guard,
+        start: Option<Source>,
+        known: KnownFiles,
+    ) -> Result<Self, ThreadPoolBuildError> {
+        Ok(Self { guard, start, known, works: Works::new()?, states: States::default() })
     }
 
     /// The token that requests must have.
@@ -242,14 +247,14 @@ async fn answers(
         let Some(turn) = all.works.turn().await else { return };
         let last = lines.clone();
         let answered = tokio::task::spawn_blocking(move || {
-            let _turn = turn;
             let stops = || work.is_over() || lines.is_closed() || work.is_late();
             let callback = |_: Step<'_>| match stops() {
                 true => ControlFlow::Break(()),
                 false => ControlFlow::Continue(()),
             };
             let progress = Progress::new(&callback);
-            let done = answer(&bytes, &all.known, progress, &mut |line| send(&lines, line));
+            let mut out = |line: &Line| send(&lines, line);
+            let done = turn.work(|| answer(&bytes, &all.known, progress, &mut out));
             if done.is_err() && work.is_late() {
                 send(&lines, &answer::late(TIME_LIMIT));
             }
@@ -330,12 +335,12 @@ async fn downloads(
     let Some(turn) = all.works.turn().await else { return Err(failed()) };
     let work = Work::alone();
     let made = tokio::task::spawn_blocking(move || {
-        let _turn = turn;
         let callback = |_: Step<'_>| match work.is_late() {
             true => ControlFlow::Break(()),
             false => ControlFlow::Continue(()),
         };
-        download(&bytes, view, &format, file, Progress::new(&callback))
+        let progress = Progress::new(&callback);
+        turn.work(|| download(&bytes, view, &format, file, progress))
     });
     match made.await {
         Ok(Ok(file)) => {

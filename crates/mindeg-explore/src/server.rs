@@ -25,9 +25,6 @@ const MOST_CONNECTIONS: usize = 64;
 /// How long the head of a request may take to come.
 const HEAD_TIME: Duration = Duration::from_secs(10);
 
-/// The stack of a thread that works on an answer, as large as that of a main thread.
-const STACK: usize = 8 << 20;
-
 /// What a server starts with.
 #[derive(Clone, Debug, Default)]
 pub struct Setup {
@@ -54,6 +51,9 @@ pub enum ServerError {
     /// The system gives no random numbers.
     #[error("the system gives no random numbers for a token: {0}")]
     Random(#[from] getrandom::Error),
+    /// The threads that work on answers do not start.
+    #[error("cannot start threads: {0}")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
     /// The connections can no longer be waited for.
     #[error("cannot wait for connections: {0}")]
     Wait(#[from] io::Error),
@@ -72,18 +72,15 @@ impl Server {
     ///
     /// # Errors
     ///
-    /// A port that is taken, and a system without random numbers.
+    /// A port that is taken, and a system without random numbers or threads.
     pub fn new(setup: Setup) -> Result<Self, ServerError> {
         let port = setup.port;
-        let runtime = tokio::runtime::Builder::new_current_thread()
-            .enable_all()
-            .thread_stack_size(STACK)
-            .build()?;
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
         let bound = runtime.block_on(TcpListener::bind((Ipv4Addr::LOCALHOST, port)));
         let listener = bound.map_err(|error| ServerError::Listen { port, error })?;
         let address = listener.local_addr()?;
         let guard = Guard { port: address.port(), token: token()? };
-        let all = Arc::new(All::new(guard, setup.start, setup.known));
+        let all = Arc::new(All::new(guard, setup.start, setup.known)?);
         Ok(Self { runtime, listener, address, all })
     }
 

@@ -244,7 +244,7 @@ fn axis(metric: &Metric, size: DVec2) -> ([f64; 2], bool) {
 /// Where a value lies on an axis, 0 to 1.
 fn position(value: f64, [low, high]: [f64; 2], is_logarithmic: bool) -> f64 {
     let share = if is_logarithmic {
-        (value / low).ln() / (high / low).ln()
+        libm::log(value / low) / libm::log(high / low)
     } else {
         (value - low) / (high - low)
     };

@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
+use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
 /// How many answers are worked on at once.
@@ -11,6 +12,9 @@ const AT_ONCE: usize = 2;
 
 /// The most tabs that are remembered; the answer of the one that asked longest ago ends.
 const MOST_TABS: usize = 64;
+
+/// The stack of a thread that works on an answer, as large as that of a main thread.
+const STACK: usize = 8 << 20;
 
 /// How long an answer may take.
 pub(crate) const TIME_LIMIT: Duration = Duration::from_secs(60);
@@ -20,11 +24,15 @@ pub(crate) struct Works {
     /// The tab that asked last comes last.
     tabs: Mutex<Vec<(String, Arc<AtomicBool>)>>,
     turns: Arc<Semaphore>,
+    pools: Arc<Mutex<Vec<ThreadPool>>>,
 }
 
 impl Works {
-    pub(crate) fn new() -> Self {
-        Self { tabs: Mutex::default(), turns: Arc::new(Semaphore::new(AT_ONCE)) }
+    pub(crate) fn new() -> Result<Self, ThreadPoolBuildError> {
+        let pool = |_| ThreadPoolBuilder::new().stack_size(STACK).build();
+        let pools = (0..AT_ONCE).map(pool).collect::<Result<_, _>>()?;
+        let pools = Arc::new(Mutex::new(pools));
+        Ok(Self { tabs: Mutex::default(), turns: Arc::new(Semaphore::new(AT_ONCE)), pools })
     }
 
     /// An answer for a tab; the one before it ends.
@@ -40,9 +48,37 @@ impl Works {
         Work { is_over, deadline: Instant::now() + TIME_LIMIT }
     }
 
-    /// Waits until fewer than two answers are worked on. None of the permits is ever closed.
-    pub(crate) async fn turn(&self) -> Option<OwnedSemaphorePermit> {
-        Arc::clone(&self.turns).acquire_owned().await.ok()
+    /// Waits until fewer than two answers are worked on.
+    pub(crate) async fn turn(&self) -> Option<Turn> {
+        let permit = Arc::clone(&self.turns).acquire_owned().await.ok()?;
+        let pool = self.pools.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        Some(Turn { pool, pools: Arc::clone(&self.pools), _permit: permit })
+    }
+}
+
+/// The right to work, on threads that no other answer shares: in one pool, a thread that waits for its part
+/// of one answer would take up the whole of another.
+pub(crate) struct Turn {
+    pool: Option<ThreadPool>,
+    pools: Arc<Mutex<Vec<ThreadPool>>>,
+    _permit: OwnedSemaphorePermit,
+}
+
+impl Turn {
+    /// Works on the threads of this turn.
+    pub(crate) fn work<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        match &self.pool {
+            Some(pool) => pool.install(work),
+            None => work(),
+        }
+    }
+}
+
+impl Drop for Turn {
+    fn drop(&mut self) {
+        // Before the permit goes, so that the next turn finds the threads.
+        let mut pools = self.pools.lock().unwrap_or_else(PoisonError::into_inner);
+        pools.extend(self.pool.take());
     }
 }
 

@@ -31,10 +31,12 @@ pub fn trade_off(trade_off: &TradeOff, delaunay_max_degree: Option<u32>) -> Stri
         "No mesh has a smaller maximum degree.".to_owned()
     } else {
         format!(
-            "Degree {} keeps {}, {}.",
+            "Degree {} keeps {}, {}: degree {} has {:.1} times the minimum angle.",
             least.max_degree,
             percent(trade_off.share(least)),
             steady_angle(least.min_angle),
+            taken.max_degree,
+            taken.min_angle / least.min_angle,
         )
     };
     // Windows leave it open whether a smaller degree is possible.
