@@ -79,8 +79,8 @@ mod page {
             let answer = String::from_utf8(answer).expect("text");
             // Each line is in a chunk of its own, between lines with the lengths of chunks.
             let lines = answer.lines().filter(|line| line.starts_with('{'));
-            let lines = lines.map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
-            let command = lines.filter(|line| line["kind"] == "command").next_back();
+            let mut lines = lines.map(|line| serde_json::from_str::<Value>(line).expect("JSON"));
+            let command = lines.rfind(|line| line["kind"] == "command");
             command.expect("a command")["text"].as_str().expect("text").to_owned()
         }
     }
