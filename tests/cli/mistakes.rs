@@ -91,7 +91,8 @@ const MISTAKES: &[Case] = &[
         &[("a.stl", b"solid a\nendsolid a\n")],
         "mesh a.stl -o x.obj",
         2,
-        "error: a.stl is a mesh, not a domain; mindeg view, inspect and convert take meshes\n",
+        "error: a.stl: the name of the file: it ends as a mesh does, and a domain is expected; of a mesh in the plane, \
+         mindeg convert FILE -o outline.poly writes the boundary, which is a domain\n",
     ),
     (
         &[PLATE],

@@ -74,7 +74,11 @@ fn listen() -> io::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new(heard)?;
     // A file that grows beyond what the system allows is then an error of the one who writes it.
     signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default())?;
+    // A thread that starts takes memory, and aborts the process without it: so it starts before
+    // others ask for all that there is.
+    let (start, started) = mpsc::channel();
     thread::Builder::new().spawn(move || {
+        let _ = start.send(());
         let mut first: Option<Instant> = None;
         for signal in signals.forever() {
             match first {
@@ -89,6 +93,7 @@ fn listen() -> io::Result<()> {
             }
         }
     })?;
+    let _ = started.recv();
     Ok(())
 }
 

@@ -132,7 +132,7 @@ impl Domain {
     /// let error = Domain::from_json_up_to(text, 1000).unwrap_err();
     /// assert_eq!(
     ///     error.to_string(),
-    ///     "the boundary has 14000 points; at most 1000 are wanted here; use fewer intervals"
+    ///     "line 1, column 1: the boundary has 14000 points; at most 1000 are wanted here; use fewer intervals"
     /// );
     /// # Ok::<(), mindeg_domain::DomainJsonError>(())
     /// ```
