@@ -26,7 +26,7 @@ fuzz_target!(|input: Input| {
     };
     let [a, rest @ ..] = &meshes[..] else { return };
     let max_degree = input.max_degree.map(|limit| u32::from(limit % 16));
-    let options = FillOptions { max_degree, max_loop: 60, only: None };
+    let options = FillOptions { max_degree, max_loop: 60, ..FillOptions::default() };
     if let Ok(filled) = fill(a.clone(), &options, Progress::NONE) {
         let before = a.triangles().len();
         assert_eq!(filled.mesh.triangles()[..before], *a.triangles());

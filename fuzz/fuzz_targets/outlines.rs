@@ -4,15 +4,21 @@
 
 use libfuzzer_sys::fuzz_target;
 use mindeg_outlines::{Division, OutlineFormat, format_of, read};
+use std::io;
 
 fuzz_target!(|file: &[u8]| {
     let Some((&first, bytes)) = file.split_first() else { return };
     let _ = format_of(None, bytes);
     let format = OutlineFormat::ALL[usize::from(first) % OutlineFormat::ALL.len()];
-    let Ok(outlines) = read(bytes, format) else { return };
+    // The file beside a .poly is made of the same bytes.
+    let beside = |extension: &str| match extension {
+        "node" => Ok(bytes.to_vec()),
+        _ => Err(io::ErrorKind::NotFound.into()),
+    };
+    let Ok(outlines) = read(bytes, format, beside) else { return };
     let rings = outlines.features.iter().flat_map(|feature| &feature.rings);
     let pieces: usize = rings.map(|ring| ring.pieces.len()).sum();
-    assert!(pieces <= bytes.len(), "{pieces} pieces of {} bytes", bytes.len());
+    assert!(pieces <= 2 * bytes.len(), "{pieces} pieces of {} bytes", bytes.len());
     let repaired = outlines.clone().repaired();
     for feature in outlines.features.iter().chain(repaired.iter().flat_map(|it| &it.features)) {
         let segments = feature.rings.iter().flat_map(|ring| ring.segments());

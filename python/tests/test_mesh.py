@@ -40,7 +40,7 @@ def test_a_mesh_survives_pickling(mesh):
     assert other.least_max_degree == mesh.least_max_degree
 
 
-def test_pickling_keeps_groups_depths_and_kinds(tmp_path):
+def test_pickling_keeps_groups_materials_depths_and_kinds(tmp_path):
     """What only some files have: written again, they are the same."""
     path, again = tmp_path / "coast.14", tmp_path / "again.14"
     path.write_text(
@@ -58,6 +58,12 @@ def test_pickling_keeps_groups_depths_and_kinds(tmp_path):
     pickle.loads(pickle.dumps(mesh)).save(again)
     mesh.save(path)
     assert again.read_text() == path.read_text() and "right" in again.read_text()
+    painted, one, two = (tmp_path / name for name in ("painted.obj", "one.glb", "two.glb"))
+    painted.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3\nusemtl blue\nf 1 3 4\n")
+    mesh = mindeg.read(painted)
+    mesh.save(one)
+    pickle.loads(pickle.dumps(mesh)).save(two)
+    assert two.read_bytes() == one.read_bytes() and b'"blue"' in two.read_bytes()
 
 
 @pytest.mark.parametrize("extension", ["obj", "glb", "gltf", "msh", "vtu", "vtk", "ply", "npz"])

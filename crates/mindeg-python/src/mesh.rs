@@ -7,7 +7,7 @@ use std::sync::{Arc, OnceLock};
 use mindeg::glam::DVec3;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Mesh as AnyMesh, TriMesh};
+use mindeg::{Group, Material, Mesh as AnyMesh, TriMesh};
 use mindeg_compare::inspected::InspectionReport;
 use mindeg_formats::svg;
 use mindeg_mesh::{LineKind, filled};
@@ -218,10 +218,13 @@ impl Mesh {
     /// Pickles the arrays, and what names parts of them.
     fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         let mesh = &self.mesh;
-        let groups: Vec<(&str, [u32; 2])> = mesh
+        let groups: PickledGroups = mesh
             .groups()
             .iter()
-            .map(|group| (&*group.name, [group.triangles.start, group.triangles.end]))
+            .map(|group| {
+                let material = group.material.as_ref().map(|it| (it.name.clone(), it.color));
+                (group.name.clone(), [group.triangles.start, group.triangles.end], material)
+            })
             .collect();
         let lines = mesh.lines();
         let kinds: Vec<Option<&str>> =
@@ -276,12 +279,13 @@ impl Mesh {
         let (groups, depths) = of_mesh;
         let mut at = 0;
         let mut all = Vec::new();
-        for (name, [start, end]) in groups {
+        for (name, [start, end], material) in groups {
             if start != at || end <= start || end as usize > triangles {
                 return Err(wrong("groups"));
             }
             at = end;
-            all.push(mindeg::Group { name, triangles: start..end });
+            let material = material.map(|(name, color)| Arc::new(Material { name, color }));
+            all.push(Group::new(name, start..end).of_material(material));
         }
         if at as usize == triangles {
             mesh = mesh.with_groups(all);
@@ -299,8 +303,11 @@ impl Mesh {
     }
 }
 
-/// Names and ranges of triangles.
-type PickledGroups = Vec<(String, [u32; 2])>;
+/// Names, ranges of triangles and materials.
+type PickledGroups = Vec<(String, [u32; 2], Option<PickledMaterial>)>;
+
+/// A name, and a base color if it is known.
+type PickledMaterial = (String, Option<[f32; 4]>);
 
 const KINDS: [(LineKind, &str); 3] =
     [(LineKind::Open, "open"), (LineKind::Land, "land"), (LineKind::Island, "island")];

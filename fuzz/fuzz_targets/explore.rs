@@ -1,0 +1,34 @@
+//! The page of `mindeg explore`: what it asks, and files that are dropped on it. The first byte tells which.
+#![no_main]
+
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+use libfuzzer_sys::fuzz_target;
+use mindeg_explore::{KnownFiles, Line, answer, sources};
+use mindeg_mesh::{Progress, Step};
+
+fuzz_target!(|request: &[u8]| {
+    let Some((&first, bytes)) = request.split_first() else { return };
+    if first == b'f' {
+        let Some(end) = bytes.iter().position(|&byte| byte == b'\n') else { return };
+        let name = String::from_utf8_lossy(&bytes[..end]);
+        match sources(&name, &bytes[end + 1..]) {
+            Ok(sources) => {
+                assert!(sources.iter().all(|it| it.domain.is_some() != it.message.is_some()))
+            }
+            Err(message) => assert!(!message.is_empty()),
+        }
+        return;
+    }
+    // A newer request ends the work on this one.
+    let deadline = Instant::now() + Duration::from_millis(300);
+    let newer = |_: Step<'_>| match Instant::now() > deadline {
+        true => ControlFlow::Break(()),
+        false => ControlFlow::Continue(()),
+    };
+    let mut lines = 0;
+    let mut count = |_: &Line| lines += 1;
+    let done = answer(bytes, &KnownFiles::default(), Progress::new(&newer), &mut count);
+    assert!(lines > 0 || done.is_err(), "a request without an answer");
+});
