@@ -46,8 +46,7 @@ fn peak_memory_is_small_at_any_size() {
 /// exit code 1 and a message that names `what`. Gives the codes.
 #[track_caller]
 fn codes(folder: &std::path::Path, arguments: &str, what: &str) -> [Option<i32>; 5] {
-    // The program itself takes 13 MB of addresses, and each thread a stack.
-    [26_000, 60_000, 200_000, 500_000, 1_500_000].map(|kilobytes| {
+    [20_000, 60_000, 200_000, 500_000, 1_500_000].map(|kilobytes| {
         let script = format!("ulimit -c 0; ulimit -v {kilobytes}; exec \"$MINDEG\" {arguments}");
         let run = shell(folder, &script);
         let message = &run.errors;

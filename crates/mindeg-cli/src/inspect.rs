@@ -30,11 +30,9 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         pole_degree: arguments.poles_above,
         corner_angle: arguments.corner_angle,
     };
-    let inspection = bar.waiting("inspecting", || {
-        let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
-        memory::require_to_inspect(&arguments.file, vertices, triangles)?;
-        Ok(Inspection::of(&mesh, &options))
-    })?;
+    let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
+    memory::require_to_inspect(&arguments.file, vertices, triangles)?;
+    let inspection = bar.waiting("inspecting", || Inspection::of(&mesh, &options));
     let report = bar.waiting("the least degree of its outline", || {
         InspectionReport::new(Some(name), &mesh, &inspection, &options)
     });

@@ -115,9 +115,7 @@ pub(crate) fn require_to_view(
     triangles: usize,
 ) -> Result<(), Failure> {
     // As measured, 165 of a boundary mesh of a million vertices.
-    const PER_ELEMENT: u64 = 250;
-    let bytes = (vertices as u64 + triangles as u64).saturating_mul(PER_ELEMENT);
-    require(bytes, &format!("a view of {what}"))
+    require(of_elements(250, vertices, triangles), &format!("a view of {what}"))
 }
 
 /// Asks for the memory of matching a mesh to a domain and checking it.
@@ -126,9 +124,7 @@ pub(crate) fn require_to_verify(
     vertices: usize,
     triangles: usize,
 ) -> Result<(), Failure> {
-    const PER_ELEMENT: u64 = 200;
-    let bytes = (vertices as u64 + triangles as u64).saturating_mul(PER_ELEMENT);
-    require(bytes, &format!("verifying {what}"))
+    require(of_elements(200, vertices, triangles), &format!("verifying {what}"))
 }
 
 /// Asks for the memory of inspecting the mesh of a file.
@@ -138,9 +134,12 @@ pub(crate) fn require_to_inspect(
     triangles: usize,
 ) -> Result<(), Failure> {
     // As measured, 85 of a mesh with as many triangles as vertices.
-    const PER_ELEMENT: u64 = 130;
-    let bytes = (vertices as u64 + triangles as u64).saturating_mul(PER_ELEMENT);
-    require(bytes, &format!("inspecting {}", path.display()))
+    require(of_elements(130, vertices, triangles), &format!("inspecting {}", path.display()))
+}
+
+/// The bytes of so many for each vertex and each triangle.
+fn of_elements(bytes: u64, vertices: usize, triangles: usize) -> u64 {
+    (vertices as u64 + triangles as u64).saturating_mul(bytes)
 }
 
 /// Asks for the memory of filling a loop of so many vertices.

@@ -31,7 +31,6 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         None => from_options(&arguments.options)?,
     };
     let bar = Bar::new(arguments.quiet);
-    memory::require_to_read(&arguments.file)?;
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     let file = arguments.file.display().to_string();
     let points = mesh.positions().len() + domain.rings().vertex_count() as usize;

@@ -52,9 +52,7 @@ pub(super) fn compared(
         name_in_text(domain),
         options.time_limit.as_secs_f64()
     );
-    Bar::new(quiet).waiting(stage, || {
-        let what = format!("comparing {} ({vertices} vertices)", name_in_text(domain));
-        memory::require(bytes, &what)?;
-        compare(domain, options).map_err(|error| Failure::Input(error.to_string()))
-    })
+    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name_in_text(domain)))?;
+    let compared = Bar::new(quiet).waiting(stage, || compare(domain, options));
+    compared.map_err(|error| Failure::Input(error.to_string()))
 }
