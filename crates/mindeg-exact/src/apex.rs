@@ -217,7 +217,8 @@ impl Matching {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chords::{Chords, Sides};
+    use crate::chords::Chords;
+    use crate::sides::Sides;
     use mindeg_core::{Boundary, least_max_degree};
 
     fn of_chords(chords: &Chords) -> Option<ApexBound> {

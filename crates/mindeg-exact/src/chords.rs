@@ -2,8 +2,7 @@
 
 use crate::parallel::map_chunks;
 use crate::progress::Stage;
-use crate::triangulation::Triangulation;
-use mindeg_core::Boundary;
+use crate::sides::Sides;
 use mindeg_mesh::Cancelled;
 use std::ops::Range;
 
@@ -214,44 +213,10 @@ impl<T: Copy + Default> Lists<T> {
     }
 }
 
-/// The one or two straight sides of every vertex.
-#[derive(Clone, Debug)]
-pub(crate) struct Sides {
-    /// The sides of the boundary edges before and after each vertex.
-    of: Vec<[u32; 2]>,
-}
-
-impl Sides {
-    /// The sides of a convex polygon's vertices.
-    pub(crate) fn of_boundary(boundary: &Boundary) -> Self {
-        let sides = (0..).zip(boundary.sides());
-        let after: Vec<u32> = sides.flat_map(|(side, len)| (0..len).map(move |_| side)).collect();
-        let before = |vertex: usize| after[vertex.checked_sub(1).unwrap_or(after.len() - 1)];
-        Self { of: (0..after.len()).map(|vertex| [before(vertex), after[vertex]]).collect() }
-    }
-
-    /// The sides of a triangulated domain's vertices; `side_of` names the side of the boundary edge
-    /// that begins at each vertex.
-    pub(crate) fn of_triangulation(mesh: &Triangulation, side_of: &[u32]) -> Self {
-        let mut of = vec![[u32::MAX; 2]; side_of.len()];
-        for [from, to] in mesh.boundary_edges() {
-            of[from as usize][1] = side_of[from as usize];
-            of[to as usize][0] = side_of[from as usize];
-        }
-        Self { of }
-    }
-
-    /// Whether one side has both vertices.
-    pub(crate) fn has_both(&self, i: u32, j: u32) -> bool {
-        let [a, b] = self.of[i as usize];
-        let [c, d] = self.of[j as usize];
-        a == c || a == d || b == c || b == d
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg_core::Boundary;
 
     #[test]
     fn chords_join_different_sides_and_make_no_flat_triangle() {

@@ -225,7 +225,7 @@ fn polygon(
         Err(Unsolved::TooLarge { .. }) => return Ok(range),
         within => within?,
     }
-    let start = least_tangent(mesh, problem.points(), problem.sides());
+    let start = least_tangent(mesh, problem.points());
     while !range.is_proven() {
         // The lower half first: a smaller limit takes less time, and windows are seldom far off.
         let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
@@ -282,7 +282,7 @@ fn by_windows(
     lower_bound: u32,
     progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
-    let start = least_tangent(mesh, problem.points(), problem.sides());
+    let start = least_tangent(mesh, problem.points());
     let mut best: Option<(u32, Vec<[u32; 3]>)> = None;
     for share in SHARES {
         let goal = WindowGoal { max_degree: lower_bound, min_tangent: share * start };

@@ -97,6 +97,7 @@ mod progress;
 mod reach;
 mod rows;
 mod search;
+mod sides;
 mod size;
 mod space;
 mod triangulation;

@@ -1,9 +1,10 @@
 //! A problem: boundary points, external degrees and degree limits of single vertices.
 
-use crate::chords::{Chords, Sides};
+use crate::chords::Chords;
 use crate::limits::DegreeLimits;
 use crate::problem_error::ProblemError;
 use crate::progress::Stage;
+use crate::sides::Sides;
 use crate::size::{MAX_TRIPLES, MAX_VERTICES};
 use crate::triangulation::{Triangulation, orientation};
 use crate::unsolved::Unsolved;
@@ -96,6 +97,9 @@ impl Problem {
     ///
     /// Rings that cross, and triangles that overlap without a common edge, are not detected.
     ///
+    /// No chord joins two vertices of one side. An edge of `triangles` that does is flipped; where it
+    /// cannot be, the side is not straight, and each of its edges counts as a side of its own.
+    ///
     /// # Errors
     ///
     /// Other numbers of sides than of points, points that are not finite, triangles that are not
@@ -141,7 +145,7 @@ impl Problem {
                 return Err(ProblemError::NotCounterClockwise { triangle });
             }
         }
-        let mesh = Triangulation::new(triangles.to_vec())
+        let mut mesh = Triangulation::new(triangles.to_vec())
             .map_err(|[from, to]| ProblemError::Overlap { from, to })?;
         let mut passes = vec![0_u32; vertices];
         let mut is_ring = true;
@@ -152,7 +156,7 @@ impl Problem {
         if let Some((vertex, &times)) = (0..).zip(&passes).find(|&(_, &times)| times != 1) {
             return Err(ProblemError::NotOnBoundary { vertex, times });
         }
-        let sides = Sides::of_triangulation(&mesh, side_of);
+        let sides = Sides::of_triangulation(&mut mesh, points, side_of);
         let is_simple = is_ring && triangles.len() + 2 == vertices;
         let domain = if is_simple { Domain::Simple(mesh) } else { Domain::Rings(mesh) };
         Self::checked(domain, points, sides)

@@ -160,7 +160,7 @@ impl Pairs {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chords::Sides;
+    use crate::sides::Sides;
     use mindeg_core::Boundary;
     use std::cell::RefCell;
 

@@ -66,7 +66,7 @@ impl<'a> Search<'a> {
     ) -> Result<Self, Unsolved> {
         let mut mesh = problem.triangulation();
         make_delaunay(&mut mesh, problem.points(), problem.sides());
-        let known = least_tangent(&mesh, problem.points(), problem.sides());
+        let known = least_tangent(&mesh, problem.points());
         let mut search = Self {
             problem,
             all,
@@ -77,9 +77,8 @@ impl<'a> Search<'a> {
             bounds: Stage::new(progress, "bounding the angles"),
             passes: Passes::new(),
         };
-        // The known triangulation may have chords along sides, which are none of these.
-        (search.chords, search.floor) =
-            (search.reaching(known)?.ok_or(Unsolved::OnlyAlongSides)?, known);
+        let chords = search.reaching(known)?.expect("a known triangulation reaches it");
+        (search.chords, search.floor) = (chords, known);
         // Usually the first pass ends it: nothing is above the known tangent.
         let (mut possible, mut bound) = (known, LARGEST_TANGENT);
         let mut threshold = possible.next_up();
@@ -205,7 +204,7 @@ impl<'a> Search<'a> {
             let rules = Rules { points: self.problem.points(), threshold: tangent, capacities };
             let report = |share| stage.report(passes.done(share));
             let pieces = Pieces::<TieBreak>::solve(rules.clone(), &self.chords, report)?;
-            let (mut triangles, merit) = pieces.triangles().ok_or(Unsolved::TooClose)?;
+            let (mut triangles, merit) = pieces.triangles().expect("some triangulation reaches it");
             capacities = rules.capacities;
             let at_limit = uncounted_at_limit(limits, &capacities, &triangles);
             if at_limit.is_empty() {

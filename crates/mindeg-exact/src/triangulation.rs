@@ -67,6 +67,45 @@ impl Triangulation {
         (edge, corners[(edge + 2) % 3])
     }
 
+    /// Whether the two triangles at an edge are a strictly convex quadrilateral.
+    pub(crate) fn may_flip(&self, triangle: u32, edge: usize, points: &[DVec2]) -> bool {
+        let corners = self.triangles[triangle as usize];
+        let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];
+        let beyond = self.neighbours[triangle as usize][edge];
+        if beyond == NONE {
+            return false;
+        }
+        let (_, d) = self.enter(beyond, b);
+        let [a, b, c, d] = [a, b, c, d].map(|vertex| points[vertex as usize]);
+        orientation(c, a, d) > 0.0 && orientation(d, b, c) > 0.0
+    }
+
+    /// Turns an edge between two triangles into the other diagonal of their quadrilateral: edge 2 of
+    /// the first and edge 0 of the second. From abc and bad to cad and dbc.
+    pub(crate) fn flip(&mut self, triangle: u32, edge: usize) {
+        let corners = self.triangles[triangle as usize];
+        let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];
+        let neighbours = self.neighbours[triangle as usize];
+        let beyond = neighbours[edge];
+        let (other_edge, d) = self.enter(beyond, b);
+        let other_neighbours = self.neighbours[beyond as usize];
+        let (over_bc, over_ca) = (neighbours[(edge + 1) % 3], neighbours[(edge + 2) % 3]);
+        let (over_ad, over_db) =
+            (other_neighbours[(other_edge + 1) % 3], other_neighbours[(other_edge + 2) % 3]);
+        self.triangles[triangle as usize] = [c, a, d];
+        self.neighbours[triangle as usize] = [over_ca, over_ad, beyond];
+        self.triangles[beyond as usize] = [d, b, c];
+        self.neighbours[beyond as usize] = [over_db, over_bc, triangle];
+        for (moved, before, now) in [(over_ad, beyond, triangle), (over_bc, triangle, beyond)] {
+            if moved != NONE
+                && let Some(entry) =
+                    self.neighbours[moved as usize].iter_mut().find(|entry| **entry == before)
+            {
+                *entry = now;
+            }
+        }
+    }
+
     /// The edges without a triangle beyond, as (from, to), in the order of the triangles.
     pub(crate) fn boundary_edges(&self) -> impl Iterator<Item = [u32; 2]> + Clone + '_ {
         self.triangles.iter().zip(&self.neighbours).flat_map(|(corners, neighbours)| {

@@ -22,15 +22,6 @@ pub enum Unsolved {
          degree; raise these limits"
     )]
     VertexLimits,
-    /// Every triangulation joins two points of one straight side that are not neighbours.
-    #[error(
-        "every triangulation joins points of one straight side; the boundary bends too little there, \
-         or its points are too close together: move them apart"
-    )]
-    OnlyAlongSides,
-    /// Points so close to each other, or to edges, that rounding decides which triangles there are.
-    #[error("points are too close together for the angles of triangles; move them apart")]
-    TooClose,
     /// More triples of vertices see each other than the problem allows.
     #[error(
         "more than {max_triples} triples of vertices see each other, the limit of exact work; \

@@ -13,9 +13,10 @@
 //!         v
 //! ```
 
-use crate::chords::{Chords, Sides};
+use crate::chords::Chords;
 use crate::parallel::map_chunks;
 use crate::progress::Stage;
+use crate::sides::Sides;
 use crate::triangulation::{Corners, NONE, Triangulation, orientation};
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
@@ -216,8 +217,8 @@ mod tests {
         }
         for outline in outlines {
             let n = outline.points.len();
-            let mesh = Triangulation::new(outline.ears()).unwrap();
-            let sides = Sides::of_triangulation(&mesh, &outline.side_of);
+            let mut mesh = Triangulation::new(outline.ears()).unwrap();
+            let sides = Sides::of_triangulation(&mut mesh, &outline.points, &outline.side_of);
             let found = chords(&mesh, &outline.points, &sides, n * n, stage).unwrap().unwrap();
             let corners = Corners::new(n, &mesh.triangles);
             for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {

@@ -364,9 +364,31 @@ fn the_checkers_bounds_are_those_of_all_triangulations() {
 
 /// Found by fuzzing: runs of sides that leave no chord between different ones.
 #[test]
-fn a_polygon_that_only_chords_along_sides_triangulate_is_refused() {
+fn a_polygon_that_only_chords_along_sides_triangulate_has_them() {
     let points = [(4.0, 4.0), (4.0, 5.0), (0.0, 30.0), (0.0, 0.0)].map(DVec2::from);
     let problem = Problem::triangulated(&points, &[0, 0, 1, 0], &[[0, 1, 3], [1, 2, 3]]).unwrap();
-    assert_eq!(trade_off(&problem, Progress::NONE).unwrap_err(), Unsolved::OnlyAlongSides);
-    assert!(best_angle(&problem, 9, Progress::NONE).is_err());
+    let answer = trade_off(&problem, Progress::NONE).unwrap();
+    assert_eq!(answer.optima[0].max_degree, 3);
+    assert!(best_angle(&problem, 9, Progress::NONE).is_ok());
+}
+
+/// Found by fuzzing: the given triangulation had a chord that the sides forbid, and degree 4, below
+/// what was proven of all triangulations without it.
+#[test]
+fn a_chord_behind_a_bulge_of_one_unit_is_no_proof_of_less() {
+    let x = 4.428571428571428_f64;
+    let points = [
+        (x, x),
+        (x.next_up(), 3.714285714285714),
+        (x.next_up(), 9.0),
+        (2.1428571428571423, 4.285714285714285),
+        (1.5714285714285716, 2.9999999999999996),
+        (4.0, x.next_up()),
+        (x, x.next_up().next_up()),
+    ]
+    .map(DVec2::from);
+    let start = [[2, 6, 1], [3, 4, 5], [0, 1, 6], [5, 6, 2], [5, 2, 3]];
+    let problem = Problem::triangulated(&points, &[0, 1, 2, 3, 4, 5, 0], &start).unwrap();
+    let range = degree_range(&problem, Progress::NONE).unwrap();
+    assert!(range.is_proven(), "{range:?}");
 }
