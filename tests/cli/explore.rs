@@ -27,7 +27,7 @@ mod page {
     use std::net::TcpStream;
     use std::os::unix::process::ExitStatusExt;
     use std::path::Path;
-    use std::process::{Command, Stdio};
+    use std::process::Stdio;
     use std::time::Duration;
 
     /// A running `mindeg explore` and its address.
@@ -182,10 +182,7 @@ mod page {
         let folder = tempfile::tempdir().expect("a folder");
         for signal in [2, 15] {
             let mut page = Page::open(folder.path(), &[]);
-            let kill = Command::new("kill")
-                .args([format!("-{signal}"), page.process.id().to_string()])
-                .status();
-            assert!(kill.expect("kill is there").success());
+            page.process.send(signal);
             assert_eq!(page.process.status().signal(), Some(signal));
             assert!(TcpStream::connect(&page.host).is_err());
         }

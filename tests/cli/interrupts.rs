@@ -29,11 +29,6 @@ fn start(folder: &Path, arguments: &[&str]) -> Running {
     Running::start(&mut command)
 }
 
-fn send(child: &Running, signal: i32) {
-    let kill = Command::new("kill").args([format!("-{signal}"), child.id().to_string()]).status();
-    assert!(kill.expect("kill is there").success());
-}
-
 /// Waits until something is so; it is when the run is where it should be.
 #[track_caller]
 fn wait_until(so: impl Fn() -> bool) {
@@ -77,7 +72,7 @@ fn a_signal_ends_the_run_and_leaves_what_was_there() {
         let mut child = start(folder.path(), &outputs);
         // Nobody reads standard output, so the run waits there with all files written.
         wait_until(|| temporary(folder.path()).iter().filter(|&&len| len > 5_000_000).count() == 3);
-        send(&child, signal);
+        child.send(signal);
         let status = child.status();
         assert_eq!(status.signal(), Some(signal));
         is_as_before(folder.path(), &kept);
@@ -93,10 +88,7 @@ fn signals_in_the_middle_of_a_file_leave_what_was_there() {
         wait_until(|| temporary(folder.path()).iter().any(|&len| len >= wait_for));
         // As from somebody who loses patience.
         for signal in [2, 2, 15] {
-            let _ = Command::new("kill")
-                .args([format!("-{signal}"), child.id().to_string()])
-                .stderr(Stdio::null())
-                .status();
+            child.send(signal);
         }
         assert!(child.status().signal().is_some());
         is_as_before(folder.path(), &kept);
@@ -117,7 +109,7 @@ fn a_hangup_that_is_to_be_ignored_is() {
     let mut out = child.take_output();
     let mut begin = [0];
     out.read_exact(&mut begin).expect("the run writes");
-    send(&child, 1);
+    child.send(1);
     let mut rest = Vec::new();
     out.read_to_end(&mut rest).expect("the run writes on");
     assert_eq!(child.status().code(), Some(0));

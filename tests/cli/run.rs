@@ -1,5 +1,7 @@
 //! Running the binary.
 
+#[cfg(unix)]
+use rustix::process::{Pid, Signal, kill_process, kill_process_group};
 use serde_json::Value;
 use std::ffi::OsStr;
 use std::io::{Read, Write};
@@ -64,6 +66,15 @@ impl Running {
         self.child.id()
     }
 
+    /// Sends a signal by its number.
+    #[cfg(unix)]
+    #[track_caller]
+    pub(crate) fn send(&self, signal: i32) {
+        let signal = Signal::from_named_raw(signal).expect("the signal has a name");
+        kill_process(Pid::from_child(&self.child), signal)
+            .expect("the program has not been waited for");
+    }
+
     /// What the program prints, to be read here.
     pub(crate) fn take_output(&mut self) -> ChildStdout {
         self.child.stdout.take().expect("standard output is piped")
@@ -105,8 +116,10 @@ impl Running {
 impl Drop for Running {
     fn drop(&mut self) {
         if !self.ended {
+            // Not by the program kill: that of procps 4.0.2 takes -12345 for -1, which is every process
+            // there is.
             #[cfg(unix)]
-            let _ = Command::new("kill").args(["-KILL", &format!("-{}", self.child.id())]).status();
+            let _ = kill_process_group(Pid::from_child(&self.child), Signal::KILL);
             let _ = self.child.kill();
             let _ = self.child.wait();
         }

@@ -299,7 +299,7 @@ fn single_vertices_keep_to_their_caps() {
 fn an_interrupt_leaves_nothing_behind() {
     use crate::run::{Running, hearing_signals};
     use std::os::unix::process::ExitStatusExt;
-    use std::process::{Command, Stdio};
+    use std::process::Stdio;
     use std::time::Duration;
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("curve.html");
@@ -310,8 +310,7 @@ fn an_interrupt_leaves_nothing_behind() {
         .stdout(Stdio::null());
     let mut child = Running::start(&mut command);
     std::thread::sleep(Duration::from_millis(500));
-    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
-    assert!(kill.expect("kill is there").success());
+    child.send(2);
     let status = child.status();
     assert_eq!(status.signal(), Some(2));
     assert!(content(folder.path()).is_empty());

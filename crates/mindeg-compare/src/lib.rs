@@ -29,6 +29,7 @@
 //! methods use the boundary points alone; [`Options::interior`] adds meshes with points inside.
 
 mod advice;
+pub mod axis;
 mod comparison;
 mod figures;
 pub mod inspected;

@@ -3,15 +3,13 @@
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
+use mindeg_compare::axis::{Axis, BARS};
 use mindeg_compare::number_format::steady_angle;
 use mindeg_compare::words;
 
 use crate::api::{Bars, DomainShown, Request, Shown, SideShown, View};
 use crate::arrays::{f32s, f64s, u32s};
 use crate::mesh::Made;
-
-/// The number of bars of a histogram.
-const BARS: usize = 30;
 
 /// The middle and the extent of a boundary.
 #[derive(Clone, Copy)]
@@ -216,21 +214,19 @@ impl Figure {
 
     fn bars(&self, metric: &Metric) -> Option<Bars> {
         let values: Vec<f64> = self.qualities.iter().map(metric.of).collect();
-        let (range, is_logarithmic) = axis(metric, self.frame.size);
+        let axis = axis(metric, self.frame.size);
         let mut counts = vec![0; BARS];
-        for &value in &values {
-            let bar = position(value, range, is_logarithmic) * BARS as f64;
-            counts[(bar as usize).min(BARS - 1)] += 1;
-        }
+        values.iter().for_each(|&value| counts[axis.bar(value)] += 1);
         let Distribution { min, median, mean, max, .. } = Distribution::of(values)?;
         let measure = metric.name.to_owned();
+        let Axis { range, is_logarithmic } = axis;
         Some(Bars { measure, range, is_logarithmic, counts, min, median, mean, max })
     }
 }
 
-/// The axis of a measure, and whether it is logarithmic.
-fn axis(metric: &Metric, size: DVec2) -> ([f64; 2], bool) {
-    match (metric.unit, metric.best) {
+/// The axis of a measure.
+fn axis(metric: &Metric, size: DVec2) -> Axis {
+    let (range, is_logarithmic) = match (metric.unit, metric.best) {
         // Whether a needle has a tenth of a degree or two degrees matters, as in the reports.
         ("degrees", Some(best)) if metric.worst == 0.0 => ([0.1, best], true),
         ("degrees", Some(best)) => ([best.min(metric.worst), best.max(metric.worst)], false),
@@ -238,36 +234,6 @@ fn axis(metric: &Metric, size: DVec2) -> ([f64; 2], bool) {
         (_, Some(best)) => ([best, 1e3 * best], true),
         ("length", None) => ([1e-4 * size.max_element(), size.max_element()], true),
         (_, None) => ([1e-8 * size.element_product(), size.element_product()], true),
-    }
-}
-
-/// Where a value lies on an axis, 0 to 1.
-fn position(value: f64, [low, high]: [f64; 2], is_logarithmic: bool) -> f64 {
-    let share = if is_logarithmic {
-        libm::log(value / low) / libm::log(high / low)
-    } else {
-        (value - low) / (high - low)
     };
-    if share.is_nan() { 0.0 } else { share.clamp(0.0, 1.0) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_have_a_place_whatever_they_are() {
-        for (value, is_logarithmic, expected) in [
-            (1.0, false, 0.0),
-            (5.0, false, 4.0 / 15.0),
-            (4.0, true, 0.5),
-            (0.0, true, 0.0),
-            (f64::INFINITY, true, 1.0),
-            (-3.0, false, 0.0),
-            (-3.0, true, 0.0),
-            (f64::NAN, false, 0.0),
-        ] {
-            assert_eq!(position(value, [1.0, 16.0], is_logarithmic), expected, "{value}");
-        }
-    }
+    Axis { range, is_logarithmic }
 }

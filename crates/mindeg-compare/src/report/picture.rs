@@ -10,6 +10,7 @@
 use super::metric::{SHOWN, ShownMetric};
 use super::svg::{self, DegreeColor};
 use super::tables::{self, Named};
+use crate::axis::{Axis, BARS};
 use crate::figures::{Distribution, MethodFigures};
 use crate::number_format::count;
 use crate::{Comparison, Method, measure};
@@ -22,9 +23,6 @@ use std::ops::RangeInclusive;
 
 /// The most triangles of one mesh in a page with several.
 pub(crate) const MAX_DRAWN: usize = 20_000;
-
-/// The number of bars in the chart of a measure.
-const BARS: usize = 30;
 
 /// Meshes that share their points, as they are to be drawn.
 pub(crate) struct Scene<'a> {
@@ -239,8 +237,8 @@ fn drawing(
     let mut bars = vec![vec![0; BARS]; SHOWN.len()];
     for number in 0..triangles.len() {
         for ((bars, value), metric) in bars.iter_mut().zip(values(number)).zip(metrics) {
-            let bar = position(value, metric.range, metric.logarithmic) * BARS as f64;
-            bars[(bar as usize).min(BARS - 1)] += 1;
+            let axis = Axis { range: metric.range, is_logarithmic: metric.logarithmic };
+            bars[axis.bar(value)] += 1;
         }
     }
     let mut columns = SHOWN.map(|_| Vec::with_capacity(drawn.len()));
@@ -353,37 +351,6 @@ fn spreads<'a>(
     metrics.map(shown.of)
 }
 
-/// Where a value lies on an axis, 0 to 1.
-fn position(value: f64, [low, high]: [f64; 2], is_logarithmic: bool) -> f64 {
-    let share = if is_logarithmic {
-        libm::log(value / low) / libm::log(high / low)
-    } else {
-        (value - low) / (high - low)
-    };
-    share.clamp(0.0, 1.0)
-}
-
 fn packed<const N: usize>(numbers: impl Iterator<Item = [u8; N]>) -> String {
     STANDARD.encode(numbers.flatten().collect::<Vec<u8>>())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_have_a_place_whatever_they_are() {
-        for (value, is_logarithmic, expected) in [
-            (1.0, false, 0.0),
-            (5.0, false, 4.0 / 15.0),
-            (4.0, true, 0.5),
-            (16.0, true, 1.0),
-            (0.0, true, 0.0),
-            (f64::INFINITY, true, 1.0),
-            (f64::INFINITY, false, 1.0),
-            (-3.0, false, 0.0),
-        ] {
-            assert_eq!(position(value, [1.0, 16.0], is_logarithmic), expected, "{value}");
-        }
-    }
 }
