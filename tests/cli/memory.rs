@@ -132,6 +132,7 @@ fn too_little_memory_ends_every_command_with_what_it_was_for() {
         ("verify m.obj --rectangle 4x3 --size 2e-5 -q", "m.obj"),
         ("improve plate.obj -q -o i.obj --write-anyway", "plate.obj"),
         ("mesh plate.json --size 0.03 --interior -q -o p.obj", "plate"),
+        ("mesh open.obj --intervals 1 -q -o faces.obj", "open.obj"),
         ("fill open.obj -q -o closed.obj", "open.obj"),
         ("bridge open.obj lid.obj --from 2 --to 1 -q -o joined.obj", "open.obj"),
     ] {
