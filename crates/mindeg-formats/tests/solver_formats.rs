@@ -241,6 +241,14 @@ fn errors_say_where() {
     }
 }
 
+/// Found by fuzzing: numbers that are appended before the head of the file.
+#[test]
+fn a_vtu_that_ends_before_it_begins_is_read_without_a_panic() {
+    let file = "<!-- <AppendedData>_ --><VTKFile type=\"UnstructuredGrid\" header_type=\"UInt64\">";
+    let read = vtu::read(file.as_bytes()).map(|mesh| mesh.triangles().len());
+    assert!(matches!(read, Ok(0) | Err(_)), "{read:?}");
+}
+
 /// Files of all ways, to be broken.
 fn files() -> Vec<(Format, Vec<u8>)> {
     let mesh = strip();

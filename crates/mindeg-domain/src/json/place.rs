@@ -63,6 +63,7 @@ fn paths(error: &DomainError) -> Vec<Vec<Step>> {
             vec![in_ring(*ring, vec![Key("sides")])]
         }
         DomainError::Rings(_)
+        | DomainError::NoArea
         | DomainError::TooManyVertices { .. }
         | DomainError::TooManyStored { .. }
         | DomainError::NoMemory { .. } => {

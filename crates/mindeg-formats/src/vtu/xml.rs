@@ -36,10 +36,11 @@ impl<'a> Tag<'a> {
     }
 }
 
-/// The next tag from an offset on; comments and declarations are passed over. None at the end.
+/// The next tag from an offset on; comments and declarations are passed over. None at the end and beyond.
 pub(super) fn next_tag(file: &[u8], mut offset: usize) -> Result<Option<Tag<'_>>, ReadError> {
     loop {
-        let Some(start) = memchr::memchr(b'<', &file[offset..]).map(|found| offset + found) else {
+        let rest = file.get(offset..).unwrap_or_default();
+        let Some(start) = memchr::memchr(b'<', rest).map(|found| offset + found) else {
             return Ok(None);
         };
         let rest = &file[start..];
@@ -79,6 +80,7 @@ mod tests {
         let tag = next_tag(file, tag.end).unwrap().unwrap();
         assert_eq!((tag.name, tag.is_end), (&b"Cells"[..], true));
         assert_eq!(next_tag(file, tag.end).unwrap(), None);
+        assert_eq!(next_tag(file, file.len() + 1).unwrap(), None);
         assert_eq!(next_tag(b" <a", 0).unwrap_err().to_string(), "byte 1: a tag has no end");
     }
 }
