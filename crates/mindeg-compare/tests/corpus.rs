@@ -11,7 +11,7 @@ use mindeg_compare::{Comparison, Options, compare};
 /// arc tangent and the conversion to degrees one each; for the two angles compared, twice that.
 const ROUNDING: f64 = 12.0 * f64::EPSILON * 180.0 / std::f64::consts::PI;
 
-const DOMAINS: usize = 1000;
+const DOMAINS: usize = 500;
 
 /// SplitMix64 (Steele, Lea and Flood, 2014): the same domains on every machine and in every
 /// version of everything.
