@@ -5,13 +5,14 @@ use glam::DVec2;
 use mindeg::{Domain, Side, Spacing};
 use mindeg_compare::DefectKind;
 use mindeg_compare::{Comparison, Options, compare};
+use std::thread;
 
 /// How far an angle in degrees may be off: the cross and dot products of two edges have
 /// rounding errors of at most two units each relative to the product of the lengths, and the
 /// arc tangent and the conversion to degrees one each; for the two angles compared, twice that.
 const ROUNDING: f64 = 12.0 * f64::EPSILON * 180.0 / std::f64::consts::PI;
 
-const DOMAINS: usize = 500;
+const DOMAINS: usize = 1000;
 
 /// SplitMix64 (Steele, Lea and Flood, 2014): the same domains on every machine and in every
 /// version of everything.
@@ -118,22 +119,29 @@ fn check(comparison: &Comparison, name: &str) {
     }
 }
 
+fn check_one(domain: &Domain) {
+    let options = Options { exact_vertices: 40, ..Options::default() };
+    check(&compare(domain, &options).unwrap(), &format!("{domain:?}"));
+}
+
 #[test]
 fn random_domains() {
     let mut random = Random(2005);
     let mut law = 0;
-    let (mut compared, mut refused) = (0, 0);
-    while compared < DOMAINS {
-        let Some(domain) = domain(&mut random, &mut law) else {
-            refused += 1;
-            continue;
-        };
-        let comparison =
-            compare(&domain, &Options { exact_vertices: 40, ..Options::default() }).unwrap();
-        check(&comparison, &format!("{domain:?}"));
-        compared += 1;
+    let (mut domains, mut refused) = (Vec::new(), 0);
+    while domains.len() < DOMAINS {
+        match domain(&mut random, &mut law) {
+            Some(domain) => domains.push(domain),
+            None => refused += 1,
+        }
     }
     assert!(refused < DOMAINS / 50, "{refused} refused");
+    // One comparison has little to share among threads.
+    thread::scope(|scope| {
+        for some in domains.chunks(DOMAINS / 4) {
+            scope.spawn(move || some.iter().for_each(check_one));
+        }
+    });
 }
 
 #[test]
