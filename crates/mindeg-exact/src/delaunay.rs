@@ -2,7 +2,7 @@
 
 use crate::measure::min_angle_tangent;
 use crate::sides::Sides;
-use crate::triangulation::{NONE, Triangulation};
+use crate::triangulation::{Triangulation, is_convex};
 use glam::DVec2;
 use robust::{Coord, incircle};
 
@@ -13,23 +13,17 @@ pub(crate) fn make_delaunay(mesh: &mut Triangulation, points: &[DVec2], sides: &
     let mut open: Vec<(u32, usize)> =
         (0..mesh.triangles.len() as u32).flat_map(|t| (0..3).map(move |edge| (t, edge))).collect();
     while let Some((triangle, edge)) = open.pop() {
-        let beyond = mesh.neighbours[triangle as usize][edge];
-        if beyond == NONE {
-            continue;
-        }
-        let corners = mesh.triangles[triangle as usize];
-        let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];
-        let (_, d) = mesh.enter(beyond, b);
+        let Some(corners @ [a, b, c, d]) = mesh.corners_at(triangle, edge) else { continue };
         let at = |vertex: u32| points[vertex as usize];
         let coord = |vertex: u32| Coord { x: at(vertex).x, y: at(vertex).y };
         let is_better = incircle(coord(a), coord(b), coord(c), coord(d)) > 0.0
             && !sides.has_both(c, d)
-            && mesh.may_flip(triangle, edge, points);
+            && is_convex(corners.map(at));
         if !is_better || flips_left == 0 {
             continue;
         }
         flips_left -= 1;
-        mesh.flip(triangle, edge);
+        let beyond = mesh.flip(triangle, edge);
         open.extend([(triangle, 0), (triangle, 1), (beyond, 0), (beyond, 1)]);
     }
 }

@@ -6,7 +6,7 @@
 //! of its edges is a side of its own. After that the given triangulation uses no chord that is
 //! forbidden, and what is proven of all others holds beside it.
 
-use crate::triangulation::{NONE, Triangulation};
+use crate::triangulation::{NONE, Triangulation, is_convex};
 use glam::DVec2;
 use mindeg_core::Boundary;
 use std::collections::BTreeSet;
@@ -92,16 +92,10 @@ impl Sides {
     ) -> bool {
         let mut has_flipped = false;
         for &(triangle, edge) in within {
-            let corners = mesh.triangles[triangle as usize];
-            let [from, to, here] =
-                [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];
-            let beyond = mesh.neighbours[triangle as usize][edge];
+            let Some(corners @ [a, b, c, d]) = mesh.corners_at(triangle, edge) else { continue };
             // An earlier flip may have turned this triangle into another one.
-            if beyond == NONE || !self.has_both(from, to) {
-                continue;
-            }
-            let (_, there) = mesh.enter(beyond, to);
-            if !self.has_both(here, there) && mesh.may_flip(triangle, edge, points) {
+            let is_within = self.has_both(a, b) && !self.has_both(c, d);
+            if is_within && is_convex(corners.map(|corner| points[corner as usize])) {
                 mesh.flip(triangle, edge);
                 has_flipped = true;
             }

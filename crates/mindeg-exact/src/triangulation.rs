@@ -13,6 +13,11 @@ pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     orient2d(a, b, c)
 }
 
+/// Whether triangles abc and bad are a strictly convex quadrilateral, so that cd may be flipped in for ab.
+pub(crate) fn is_convex([a, b, c, d]: [DVec2; 4]) -> bool {
+    orientation(c, a, d) > 0.0 && orientation(d, b, c) > 0.0
+}
+
 /// Triangles and their neighbours.
 ///
 /// Edge e of a triangle is the half-edge from its corner e to its corner e + 1.
@@ -67,22 +72,18 @@ impl Triangulation {
         (edge, corners[(edge + 2) % 3])
     }
 
-    /// Whether the two triangles at an edge are a strictly convex quadrilateral.
-    pub(crate) fn may_flip(&self, triangle: u32, edge: usize, points: &[DVec2]) -> bool {
+    /// The corners of the two triangles at an edge: a, b and c of this one, whose edge is ab, and d
+    /// beyond; none at the boundary.
+    pub(crate) fn corners_at(&self, triangle: u32, edge: usize) -> Option<[u32; 4]> {
         let corners = self.triangles[triangle as usize];
         let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];
         let beyond = self.neighbours[triangle as usize][edge];
-        if beyond == NONE {
-            return false;
-        }
-        let (_, d) = self.enter(beyond, b);
-        let [a, b, c, d] = [a, b, c, d].map(|vertex| points[vertex as usize]);
-        orientation(c, a, d) > 0.0 && orientation(d, b, c) > 0.0
+        (beyond != NONE).then(|| [a, b, c, self.enter(beyond, b).1])
     }
 
     /// Turns an edge between two triangles into the other diagonal of their quadrilateral: edge 2 of
-    /// the first and edge 0 of the second. From abc and bad to cad and dbc.
-    pub(crate) fn flip(&mut self, triangle: u32, edge: usize) {
+    /// the first and edge 0 of the second, which it gives. From abc and bad to cad and dbc.
+    pub(crate) fn flip(&mut self, triangle: u32, edge: usize) -> u32 {
         let corners = self.triangles[triangle as usize];
         let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];
         let neighbours = self.neighbours[triangle as usize];
@@ -104,6 +105,7 @@ impl Triangulation {
                 *entry = now;
             }
         }
+        beyond
     }
 
     /// The edges without a triangle beyond, as (from, to), in the order of the triangles.
