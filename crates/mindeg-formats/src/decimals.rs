@@ -67,36 +67,6 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
     }
 }
 
-/// Vertex numbers, each after a space.
-///
-/// Some are kept: along a strip a vertex is a corner of three triangles or more.
-pub(crate) struct VertexNumbers {
-    kept: [(u32, Text<LONGEST_NUMBER>); KEPT],
-}
-
-/// How long a number of 32 bits can get with a space before it; longer as [`LONGEST_DECIMAL`] is.
-const LONGEST_NUMBER: usize = 16;
-
-/// How many numbers are kept: a power of two.
-const KEPT: usize = 8;
-
-impl VertexNumbers {
-    pub(crate) fn new() -> Self {
-        Self { kept: [(0, Text::EMPTY); KEPT] }
-    }
-
-    pub(crate) fn push(&mut self, number: u32, buffer: &mut Vec<u8>) {
-        let (kept, text) = &mut self.kept[number as usize % KEPT];
-        if *kept != number || text.len == 0 {
-            *kept = number;
-            *text = Text::EMPTY;
-            text.push(b" ");
-            text.push(itoa::Buffer::new().format(number).as_bytes());
-        }
-        text.append_to(buffer);
-    }
-}
-
 /// Appends a whole number after a space.
 pub(crate) fn push_integer(value: impl itoa::Integer, buffer: &mut Vec<u8>) {
     buffer.push(b' ');
@@ -116,15 +86,5 @@ mod tests {
         }
         decimals.push_first(2.5, &mut text);
         assert_eq!(String::from_utf8_lossy(&text), " 0 0 1.5 1.5 0.1 1e+300 1e+300 -2 -5e-3242.5");
-    }
-
-    #[test]
-    fn numbers_that_share_a_place_are_told_apart() {
-        let mut numbers = VertexNumbers::new();
-        let mut text = Vec::new();
-        for number in [0, 8, 8, 0, u32::MAX, 7, u32::MAX] {
-            numbers.push(number, &mut text);
-        }
-        assert_eq!(String::from_utf8_lossy(&text), " 0 8 8 0 4294967295 7 4294967295");
     }
 }

@@ -11,7 +11,7 @@ use std::ops::Range;
 use mindeg_mesh::{Mesh, Positions};
 
 use crate::corners::{positions, segments, triangles};
-use crate::decimals::{Decimals, VertexNumbers, push_integer};
+use crate::decimals::{Decimals, push_integer};
 use crate::sections::{Section, write_sections};
 use crate::{Format, GENERATOR, WriteError};
 
@@ -62,10 +62,9 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let mut sections = vec![
         Section::bytes(format!("% {GENERATOR}\nNDIME= 2\nNELEM= {count}\n")),
         Section::new(count, 36, move |range, buffer| {
-            let mut numbers = VertexNumbers::new();
             for (index, triangle) in range.clone().zip(triangles(mesh, range)) {
                 buffer.push(TRIANGLE);
-                triangle.into_iter().for_each(|vertex| numbers.push(vertex, buffer));
+                triangle.into_iter().for_each(|vertex| push_integer(vertex, buffer));
                 push_integer(index, buffer);
                 buffer.push(b'\n');
             }

@@ -1,7 +1,7 @@
 //! The tables of vertices and triangles that text formats for solvers share.
 
 use crate::corners::{positions, triangles};
-use crate::decimals::{Decimals, VertexNumbers, push_integer};
+use crate::decimals::{Decimals, push_integer};
 use crate::sections::Section;
 use mindeg_mesh::Mesh;
 
@@ -36,12 +36,11 @@ pub(crate) fn triangle_lines<'a>(
     after: impl Fn(u32, &mut Vec<u8>) + Sync + 'a,
 ) -> Section<'a> {
     Section::new(mesh.triangle_count(), 40, move |range, buffer| {
-        let mut numbers = VertexNumbers::new();
         for (index, triangle) in range.clone().zip(triangles(mesh, range)) {
             buffer.extend_from_slice(before);
             push_integer(u64::from(index) + 1, buffer);
             buffer.extend_from_slice(between);
-            triangle.into_iter().for_each(|vertex| numbers.push(vertex + 1, buffer));
+            triangle.into_iter().for_each(|vertex| push_integer(u64::from(vertex) + 1, buffer));
             after(index, buffer);
             buffer.push(b'\n');
         }
