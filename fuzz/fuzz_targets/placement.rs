@@ -94,7 +94,10 @@ fuzz_target!(|input: Input| {
     let n = rings.vertex_count();
     let bounds = placement.bounds();
     assert!(bounds.min.is_finite() && bounds.max.is_finite());
-    assert!(placement.area() > 0.0, "{}", placement.area());
+    // The sum is rounded, and rounding alone can open a ring by a hair.
+    let extent = (bounds.max - bounds.min).max_element();
+    let rounding = f64::from(n) * f64::EPSILON * extent * extent;
+    assert!(placement.area() > -rounding, "{}", placement.area());
     for (side, corner) in placement.corners().iter().enumerate() {
         assert_eq!(placement.point(rings.corner(side)), *corner);
         assert!(placement.side_length(side) > 0.0);

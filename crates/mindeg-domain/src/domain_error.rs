@@ -71,9 +71,6 @@ pub enum DomainError {
         /// The points.
         vertices: u32,
     },
-    /// A boundary that goes back on itself, up to rounding.
-    #[error("the boundary encloses no area; move its points apart")]
-    NoArea,
     /// Rings that cross, touch or do not nest.
     #[error(transparent)]
     Intersection(#[from] IntersectionError),

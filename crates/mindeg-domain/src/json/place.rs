@@ -63,7 +63,6 @@ fn paths(error: &DomainError) -> Vec<Vec<Step>> {
             vec![in_ring(*ring, vec![Key("sides")])]
         }
         DomainError::Rings(_)
-        | DomainError::NoArea
         | DomainError::TooManyVertices { .. }
         | DomainError::TooManyStored { .. }
         | DomainError::NoMemory { .. } => {
