@@ -1,5 +1,5 @@
 //! Reads files and counts which of their polygons are domains:
-//! `cargo run --release --example corpus -- [--repair] icons/*.svg`
+//! `cargo run --release --example count_domains -- [--repair] icons/*.svg`
 
 use std::path::Path;
 
