@@ -6,10 +6,11 @@ use std::error::Error;
 use std::path::Path;
 
 use mindeg::glam::{DVec2, DVec3};
-use mindeg::{BoundaryMesh, Domain, Mesh, Progress, Side, TriMesh};
+use mindeg::{BoundaryMesh, Domain, Goal, Mesh, Outline as Shape, Progress, Ring, Side, TriMesh};
 use mindeg_core::{Boundary, RingStrip, suggest};
-use mindeg_exact::{Problem, Reached, degree_range};
+use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
 use mindeg_formats::svg;
+use mindeg_interior::{Outline, limits};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("name the folder to write into")?;
@@ -36,6 +37,8 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         ("corner-removal.svg", Box::new(BoundaryMesh::least_degree(&removal)?)),
         ("medial.svg", Box::new(BoundaryMesh::least_degree(&medial)?)),
         ("zig-zag-of-an-l.svg", Box::new(zig_zag_of_an_l()?)),
+        ("apexes.svg", Box::new(apexes()?)),
+        ("holes.svg", Box::new(holes()?)),
         ("smallest-change.svg", Box::new(smallest_change()?)),
         ("bridge.svg", Box::new(bridge()?)),
         ("fan-limit.svg", Box::new(fan_limit()?)),
@@ -74,23 +77,62 @@ fn bridge() -> Result<TriMesh, Box<dyn Error>> {
 
 /// An L of which the test for degree 4 finds an admissible zig-zag.
 fn zig_zag_of_an_l() -> Result<TriMesh, Box<dyn Error>> {
-    const CORNERS: [[f64; 2]; 6] =
-        [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
-    const COUNTS: [u32; 6] = [4, 2, 2, 2, 2, 4];
-    let (mut points, mut sides, mut corners) = (Vec::new(), Vec::new(), Vec::new());
-    for (side, &count) in COUNTS.iter().enumerate() {
-        corners.push(points.len() as u32);
-        let ends = [CORNERS[side], CORNERS[(side + 1) % 6]].map(DVec2::from);
+    let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 2.0], [2.0, 2.0], [2.0, 4.0], [0.0, 4.0]];
+    let (answer, mesh) = least_degree(&corners, &[4, 2, 2, 2, 2, 4])?;
+    assert!(matches!(answer.reached_by, Reached::ZigZag(_)), "a zig-zag is admissible");
+    Ok(mesh.named("zig-zag of an L"))
+}
+
+/// A long side whose eight inner edges have three vertices as apexes.
+fn apexes() -> Result<TriMesh, Box<dyn Error>> {
+    let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, 4.0], [4.0, 2.0], [0.0, 4.0]];
+    let (answer, mesh) = least_degree(&corners, &[10, 1, 1, 1, 1])?;
+    let LowerBound::Apexes(bound) = &answer.bounded_by else {
+        return Err(format!("{:?} is the bound", answer.bounded_by).into());
+    };
+    assert_eq!((bound.edges.len(), bound.apexes.len()), (8, 3));
+    assert_eq!((answer.lower_bound, answer.max_degree), (6, 6));
+    Ok(mesh.named("apex bound"))
+}
+
+/// The mesh of least degree of a simple polygon, and how it was found.
+fn least_degree(
+    corners: &[[f64; 2]],
+    counts: &[u32],
+) -> Result<(DegreeRange, TriMesh), Box<dyn Error>> {
+    let (mut points, mut sides, mut starts) = (Vec::new(), Vec::new(), Vec::new());
+    for (side, &count) in counts.iter().enumerate() {
+        starts.push(points.len() as u32);
+        let ends = [corners[side], corners[(side + 1) % corners.len()]].map(DVec2::from);
         let at = |step| ends[0].lerp(ends[1], f64::from(step) / f64::from(count));
         points.extend((0..count).map(at));
         sides.extend((0..count).map(|_| side as u32));
     }
-    let delaunay = mindeg_delaunay::of_boundary(&points, &corners, Progress::NONE)?;
+    let delaunay = mindeg_delaunay::of_boundary(&points, &starts, Progress::NONE)?;
     let problem = Problem::triangulated(&points, &sides, &delaunay)?;
     let answer = degree_range(&problem, Progress::NONE)?;
-    assert!(matches!(answer.reached_by, Reached::ZigZag(_)), "a zig-zag is admissible");
     let points = points.into_iter().map(|point| point.extend(0.0)).collect();
-    Ok(TriMesh::new(points, answer.triangles)?.named("zig-zag of an L"))
+    let mesh = TriMesh::new(points, answer.triangles.clone())?;
+    Ok((answer, mesh))
+}
+
+/// A square with four holes, of the degree that counting asks for at least.
+fn holes() -> Result<BoundaryMesh, Box<dyn Error>> {
+    let outline =
+        Shape::Polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(DVec2::from).into());
+    let mut builder = Domain::builder(outline, vec![Side::count(6); 4]);
+    for center in [[0.5, 0.5], [1.5, 0.5], [0.5, 1.5], [1.5, 1.5]].map(DVec2::from) {
+        let corner = |index: u32| {
+            let angle = std::f64::consts::TAU * f64::from(index) / 8.0;
+            center + 0.25 * DVec2::new(libm::cos(angle), libm::sin(angle))
+        };
+        builder = builder.hole(Ring::new((0..8).map(corner), vec![Side::count(1); 8]));
+    }
+    let domain = builder.build()?.named("four holes")?;
+    let meshed = mindeg::mesh(&domain, Goal::LeastDegree, Progress::NONE)?;
+    assert_eq!((meshed.mesh.triangle_count(), meshed.least_max_degree), (56 + 8 - 2, 5));
+    assert!(meshed.is_least_proven, "degree {}", meshed.mesh.max_degree());
+    Ok(meshed.mesh)
 }
 
 /// Four triangles at a right angle between edges of lengths 1 and 16: equal angles, each spoke twice
@@ -102,7 +144,10 @@ fn fan_limit() -> Result<TriMesh, Box<dyn Error>> {
         let (angle, length) = (share * std::f64::consts::FRAC_PI_2, 16_f64.powf(share));
         DVec3::new(libm::cos(angle) * length, libm::sin(angle) * length, 0.0)
     };
-    let points = std::iter::once(DVec3::ZERO).chain((0..=TRIANGLES).map(spoke)).collect();
+    let points: Vec<_> = std::iter::once(DVec3::ZERO).chain((0..=TRIANGLES).map(spoke)).collect();
+    let limit = limits::fan_limit(std::f64::consts::FRAC_PI_2, 1.0, 16.0, Some(TRIANGLES));
+    let reached = (points[1] - points[2]).angle_between(-points[2]).to_degrees();
+    assert!((reached - limit).abs() < 1e-9, "{reached} is not the limit {limit}");
     let triangles = (1..=TRIANGLES).map(|spoke| [0, spoke, spoke + 1]).collect();
     Ok(TriMesh::new(points, triangles)?.named("fan limit: 1 to 16 at 90°, four triangles"))
 }
@@ -111,6 +156,10 @@ fn fan_limit() -> Result<TriMesh, Box<dyn Error>> {
 /// 26.565° at which they touch.
 fn tent_limit() -> Result<TriMesh, Box<dyn Error>> {
     const INTERVALS: u32 = 3;
+    let corners = (0..=INTERVALS).map(|x| DVec2::new(f64::from(x), 0.0));
+    let ring: Vec<_> = corners.clone().chain(corners.rev().map(|at| at + 0.5 * DVec2::Y)).collect();
+    let limit = limits::tent_limit(&Outline::new(&[ring])?, 60.0).ok_or("the tents touch")?;
+    assert!((limit.angle - libm::atan(0.5).to_degrees()).abs() < 1e-9, "{limit:?}");
     let (mut points, mut triangles) = (Vec::new(), Vec::new());
     for index in 0..INTERVALS {
         let x = f64::from(index);

@@ -1,6 +1,6 @@
 //! Lower bounds on the maximum degree: the statements of Liu 2005, by their numbers there.
 //!
-//! C.-L. Liu, "Minimum degree triangulation for rectangular domains", 2005. All statements hold
+//! Pangfeng Liu, "Minimum degree triangulation for rectangular domains", 2005. All statements hold
 //! for every convex polygon, not only for rectangles. Theorem 10 needs one correction; see
 //! [`is_medial_exception`].
 //!

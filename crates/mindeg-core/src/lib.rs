@@ -6,7 +6,7 @@
 //! is as small as possible, with a proof. The degree of a vertex is the number of its edges, its
 //! two boundary edges included (graphics programs call it "valence").
 //!
-//! Source: C.-L. Liu, "Minimum degree triangulation for rectangular domains" (2005), extended from
+//! Source: Pangfeng Liu, "Minimum degree triangulation for rectangular domains" (2005), extended from
 //! rectangles to every convex polygon.
 //!
 //! ```

@@ -52,7 +52,7 @@
 //! the degrees; few remain. The angle of a Delaunay triangulation bounds the search from the start.
 //!
 //! That a Delaunay triangulation has the largest minimum angle is due to Sibson ("Locally
-//! equiangular triangulations", 1978); the least degree of convex polygons to C.-L. Liu, "Minimum
+//! equiangular triangulations", 1978); the least degree of convex polygons to Pangfeng Liu, "Minimum
 //! degree triangulation for rectangular domains" (2005), by way of [`mindeg_core`].
 //!
 //! # Limits

@@ -7,15 +7,15 @@ use clap::Args;
 #[derive(Debug, Args)]
 pub(crate) struct GoalArguments {
     /// Make the mesh with the smallest maximum degree that keeps this share of the minimum angle of
-    /// a Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices; beyond, the share is
-    /// kept, and the degree is what was reached
+    /// a Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices of a convex boundary;
+    /// beyond, the share is kept, and the degree is what was reached
     #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true,
         conflicts_with = "max_degree")]
     pub(crate) keep_angle: Option<f64>,
 
     /// Make the mesh with the largest minimum angle of all whose vertices have at most this many
-    /// edges. Exact up to 4096 vertices: below a second for 400, half a minute for 4000; beyond, as
-    /// large as was reached
+    /// edges. Exact up to 4096 vertices of a convex boundary: below a second for 400, half a minute for
+    /// 4000; beyond, as large as was reached
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
     pub(crate) max_degree: Option<u32>,
 }
