@@ -110,6 +110,14 @@ fn too_little_memory_ends_every_command_with_what_it_was_for() {
     ] {
         assert_eq!(codes(small, ""), [result; 5], "{small}");
     }
+    // More threads than there is memory for.
+    let holes = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/domains/plate-with-holes.json");
+    for kilobytes in [20_000, 100_000, 600_000] {
+        let threads = format!(
+            "ulimit -c 0; ulimit -v {kilobytes}; RAYON_NUM_THREADS=64 exec \"$MINDEG\" degree {holes}"
+        );
+        assert_eq!(shell(folder.path(), &threads).code, result, "{kilobytes} KB");
+    }
     for small in [
         "mesh --rectangle 4x3 --size 0.5 -q -o s.obj -o s.glb -o s.svg",
         "mesh --rectangle 4x3 --size 0.5 -q --max-degree 5 -o s.obj",

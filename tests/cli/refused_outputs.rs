@@ -143,6 +143,9 @@ fn no_command_replaces_a_folder() {
         let output = format!("x.{extension}");
         fs::create_dir(folder.path().join(&output)).expect("a folder");
         refuses(folder.path(), "", command, &output, &["folder"]);
+        // A name that only a folder can have.
+        let output = format!("new.{extension}/");
+        refuses(folder.path(), "", command, &output, &["folder"]);
     }
 }
 

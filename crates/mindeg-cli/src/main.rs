@@ -70,12 +70,12 @@ fn main() -> ExitCode {
 
 fn run(command: &Command) -> Result<(), Failure> {
     match command {
-        Command::Degree(arguments) => degree::run(arguments),
-        Command::Suggest(arguments) => suggest::run(arguments),
+        Command::Degree(arguments) => shared(|| degree::run(arguments)),
+        Command::Suggest(arguments) => shared(|| suggest::run(arguments)),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),
-        Command::Domain(arguments) => domain::describe::run(arguments),
+        Command::Domain(arguments) => shared(|| domain::describe::run(arguments)),
         Command::Improve(arguments) => shared(|| improve::run(arguments)),
         Command::Fill(arguments) => shared(|| fill::run(arguments)),
         Command::Bridge(arguments) => shared(|| bridge::run(arguments)),

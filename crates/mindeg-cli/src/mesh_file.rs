@@ -22,7 +22,11 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
         Ok(bar.counting(file, len))
     };
     let mut beside = Beside { path, read: Vec::new() };
-    let mesh = open().and_then(|file| mindeg_formats::read(path, file, |name| beside.read(name)));
+    let mesh = open().and_then(|file| {
+        mindeg_formats::read(path, file, |name| {
+            beside.read(name).map_err(|error| io::Error::new(error.kind(), plainly(&error)))
+        })
+    });
     mesh.map_err(|error| match error {
         ReadError::Io(error) => {
             Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))

@@ -52,6 +52,9 @@ impl Outputs {
         let failed = |error: io::Error| cannot_write(path, &error);
         let refused = |why| Failure::Io(format!("cannot write {}: it is {why}", path.display()));
         input::refuse_as_output(path)?;
+        if path.as_os_str().as_encoded_bytes().ends_with(b"/") {
+            return Err(refused("the name of a folder; name a file in it"));
+        }
         if names_descriptor(path) {
             return File::options().append(true).open(path).map_err(failed);
         }
@@ -123,9 +126,27 @@ fn standard_output_is_closed() -> bool {
 /// Whether a path stands for a descriptor of this process. Whoever opened it may have written to
 /// what is behind it: so that is never replaced, not even if it is a file.
 fn names_descriptor(path: &Path) -> bool {
-    path == Path::new("/dev/stderr")
-        || path.starts_with("/dev/fd")
-        || path.starts_with("/proc/self/fd")
+    let is_numbered = |folder: &str| {
+        let number = path.strip_prefix(folder).ok().and_then(Path::to_str);
+        number.is_some_and(|number| number.parse::<u32>().is_ok())
+    };
+    path == Path::new("/dev/stderr") || is_numbered("/dev/fd") || is_numbered("/proc/self/fd")
+}
+
+#[cfg(test)]
+#[test]
+fn descriptors_have_numbers_and_nothing_behind_them() {
+    for (path, expected) in [
+        ("/dev/fd/1", true),
+        ("/proc/self/fd/12", true),
+        ("/dev/stderr", true),
+        ("/dev/fd/../../tmp/x.obj", false),
+        ("/dev/fd/1/../../../tmp/x.obj", false),
+        ("/dev/fd", false),
+        ("fd/1", false),
+    ] {
+        assert_eq!(names_descriptor(Path::new(path)), expected, "{path}");
+    }
 }
 
 /// Where a file is made under a name that does not exist.

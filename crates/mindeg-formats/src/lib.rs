@@ -58,6 +58,7 @@ pub mod su2;
 pub mod svg;
 mod tables;
 pub mod triangle;
+mod unfold;
 pub mod vtk;
 pub mod vtu;
 mod words;

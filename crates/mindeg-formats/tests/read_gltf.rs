@@ -451,42 +451,38 @@ fn errors_name_the_place() {
         (
             "/nodes/0/mesh",
             json!(-1),
-            "nodes[0].mesh: invalid type: integer `-1`, expected a whole number that is not negative at line 1 column C",
+            "nodes[0].mesh: found the number -1, expected a whole number that is not negative, in line 1, column C",
         ),
         (
             "/nodes/0/mesh",
             json!(0.5),
-            "nodes[0].mesh: invalid value: floating point `0.5`, expected a whole number that is not negative at line 1 column C",
+            "nodes[0].mesh: found the number 0.5, expected a whole number that is not negative, in line 1, column C",
         ),
         (
             "/nodes/0/mesh",
             json!("x"),
-            "nodes[0].mesh: invalid type: string \"x\", expected a whole number that is not negative at line 1 column C",
+            "nodes[0].mesh: found the text \"x\", expected a whole number that is not negative, in line 1, column C",
         ),
         (
             "/nodes/0/translation",
             json!([0, 0]),
-            "nodes[0].translation: invalid length 2, expected an array of length 3 at line 1 column C",
+            "nodes[0].translation: found an array of length 2, expected an array of length 3, in line 1, column C",
         ),
         (
             "/nodes/0/scale",
             json!([0, 0, "x"]),
-            "nodes[0].scale[2]: invalid type: string \"x\", expected a number at line 1 column C",
+            "nodes[0].scale[2]: found the text \"x\", expected a number, in line 1, column C",
         ),
-        (
-            "/nodes",
-            json!(5),
-            "nodes: invalid type: integer `5`, expected an array at line 1 column C",
-        ),
+        ("/nodes", json!(5), "nodes: found the number 5, expected an array, in line 1, column C"),
         (
             "/nodes/0",
             json!(5),
-            "nodes[0]: invalid type: integer `5`, expected an object at line 1 column C",
+            "nodes[0]: found the number 5, expected an object, in line 1, column C",
         ),
         (
             "/accessors/1",
             json!({"componentType": 5123, "type": "SCALAR"}),
-            "accessors[1]: missing field `count` at line 1 column C",
+            "accessors[1]: the key \"count\" is missing, in line 1, column C",
         ),
         (
             "/bufferViews/1/byteOffset",
@@ -618,9 +614,12 @@ fn errors_name_the_place() {
 #[test]
 fn no_file_of_another_kind_passes_for_one() {
     for (bytes, message) in [
-        (&b""[..], "the JSON document: is not JSON: EOF while parsing a value at line 1 column 0"),
-        (b"v 0 0 0\n", "the JSON document: is not JSON: expected value at line 1 column 1"),
-        (b"{}", "the JSON document: missing field `asset` at line 1 column 2"),
+        (
+            &b""[..],
+            "the JSON document: the JSON text ends too early, in line 1, column 1: the file is not whole",
+        ),
+        (b"v 0 0 0\n", "the JSON document: this is not JSON, in line 1, column 1"),
+        (b"{}", "the JSON document: the key \"asset\" is missing, in line 1, column 2"),
         (b"glTF", "the .glb header: the file ends before its header does"),
         (
             b"glTF\x02\0\0\0\x03\0\0\0",
@@ -636,7 +635,7 @@ fn no_file_of_another_kind_passes_for_one() {
             b"glTF\x02\0\0\0\x14\0\0\0\x04\0\0\0JSON",
             "the .glb container: the file ends before its JSON chunk does",
         ),
-        (b"{} {}", "the JSON document: missing field `asset` at line 1 column 2"),
+        (b"{} {}", "the JSON document: the key \"asset\" is missing, in line 1, column 2"),
     ] {
         assert_eq!(gltf::read(bytes, no_files).unwrap_err().to_string(), message);
     }

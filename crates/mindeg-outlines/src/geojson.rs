@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 use serde::Deserialize;
+use serde_json::error::Category;
 use serde_json::{Map, Value};
 
 use super::outline::{Feature, Outlines, Ring};
@@ -22,8 +23,14 @@ use crate::error::ReadError;
 /// path).
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     let document: Value = serde_json::from_str(text_of(bytes)?).map_err(|error| {
-        let problem = error.to_string();
-        let problem = problem.split(" at line ").next().unwrap_or_default();
+        let problem = match error.classify() {
+            Category::Eof => "the JSON text ends too early; the file is not whole",
+            _ if error.to_string().starts_with("number out of range") => "the number is too large",
+            _ if error.to_string().starts_with("recursion limit") => {
+                "more than 127 objects and lists inside each other"
+            }
+            _ => "this is not JSON",
+        };
         at_line(error.line() as u64, format!("column {}: {problem}", error.column()))
     })?;
     let mut reader = Reader::default();
@@ -339,8 +346,13 @@ mod tests {
     #[test]
     fn errors_say_where_and_what() {
         for (text, message) in [
-            ("", "line 1: column 0: EOF while parsing a value"),
-            ("{\n\"type\":}", "line 2: column 8: expected value"),
+            ("", "line 1: column 0: the JSON text ends too early; the file is not whole"),
+            ("[1e999]", "line 1: column 6: the number is too large"),
+            (
+                &"[".repeat(200),
+                "line 1: column 128: more than 127 objects and lists inside each other",
+            ),
+            ("{\n\"type\":}", "line 2: column 8: this is not JSON"),
             ("3", "the top of the document: found the number 3, expected a GeoJSON object"),
             (r#"{"type": "Polygon"}"#, "the top of the document: \"coordinates\" is missing"),
             (

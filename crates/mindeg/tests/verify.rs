@@ -392,7 +392,15 @@ fn defects_say_what_and_where() {
     moved[2].x = 2.00001;
     let mut far = points;
     far[2].x = 2.5;
+    // Its coordinates round by more than the square's size.
+    let mut beside_unused = far.to_vec();
+    beside_unused.push(DVec3::new(1e17, 0.0, 0.0));
     for (found, expected) in [
+        (
+            message(&beside_unused, &star),
+            "no vertex is at boundary point 2 on side 3, (2, 2): the nearest, vertex 2, is 0.5 away, \
+             and 2.000e-6 is the tolerance",
+        ),
         (
             message(&lifted, &star),
             "vertex 4 is 0.5 off the plane of the others; a domain is planar, in x and y or in x and z",

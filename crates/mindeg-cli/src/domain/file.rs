@@ -83,7 +83,8 @@ pub(crate) fn read(
         return Ok(Content::Domain(Box::new(domain)));
     };
     let beside = |extension: &str| match path {
-        Some(path) => fs::read(path.with_extension(extension)),
+        Some(path) => fs::read(path.with_extension(extension))
+            .map_err(|error| io::Error::new(error.kind(), plainly(&error))),
         None => Err(io::Error::other("standard input has no file beside it")),
     };
     let mut outlines = outlines::read(&bytes, format, beside).map_err(bad)?;

@@ -12,7 +12,7 @@ use super::{
     Edge, Face, FaceGroup, Model, ModelEdge, ModelError, ModelFace, ModelParts, PLANAR_SHARE, Pass,
     Plane,
 };
-use crate::limits::LEAST_ROUNDINGS;
+use crate::limits::{LEAST_ROUNDINGS, MAX_STORED_VERTICES};
 use crate::name::{self, NameError};
 use crate::side::{Intervals, Side, SideError};
 use crate::spacing::Spacing;
@@ -50,7 +50,7 @@ impl Model {
         for (ends, (law, name)) in ends.iter().zip(laws) {
             let first = next;
             next += u64::from(law.intervals()) - 1;
-            if next > u64::from(u32::MAX) {
+            if next > u64::from(MAX_STORED_VERTICES) {
                 return Err(ModelError::TooManyVertices { vertices: next });
             }
             model_edges.push(Edge {
@@ -108,7 +108,7 @@ impl Model {
             edge.law = law(&self.corners, edge.corners, side)?;
             edge.first = next as u32;
             next += u64::from(edge.law.intervals()) - 1;
-            if next > u64::from(u32::MAX) {
+            if next > u64::from(MAX_STORED_VERTICES) {
                 return Err(ModelError::TooManyVertices { vertices: next });
             }
         }

@@ -1,5 +1,6 @@
 //! Why faces and edges are no model.
 
+use crate::limits::MAX_STORED_VERTICES;
 use crate::side::SideError;
 
 /// Why corners, edges and faces are no [`Model`](super::Model). Corners, edges and faces count from
@@ -201,7 +202,9 @@ pub enum ModelError {
         length: f64,
     },
     /// Too many vertices.
-    #[error("the model has {vertices} vertices; the maximum is {}", u32::MAX)]
+    #[error(
+        "the model has {vertices} vertices on its edges; the maximum is {MAX_STORED_VERTICES}; give fewer intervals, or a larger size"
+    )]
     TooManyVertices {
         /// How many vertices there are.
         vertices: u64,

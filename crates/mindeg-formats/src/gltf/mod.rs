@@ -24,6 +24,7 @@ mod accessor;
 mod container;
 mod document;
 pub mod glb;
+mod json_words;
 mod numbers;
 mod placement;
 mod positions;

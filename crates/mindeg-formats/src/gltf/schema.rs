@@ -4,6 +4,7 @@
 //! is passed over. Whole numbers keep 64 bits, and so do the others: a node's translation may be
 //! far away. The structures of the gltf crate keep 32 bits of both.
 
+use super::json_words;
 use crate::ReadError;
 use serde::de::{Error, IgnoredAny, Unexpected, Visitor};
 use serde::{Deserialize, Deserializer};
@@ -263,13 +264,15 @@ impl<'a> Document<'a> {
         let mut parser = serde_json::Deserializer::from_slice(json);
         let parsed = serde_path_to_error::deserialize(&mut parser);
         let document: Self = parsed.map_err(|error| {
-            let path = match error.path().to_string() {
-                path if path == "." => "the JSON document".to_owned(),
+            let place = match error.path().to_string() {
+                path if matches!(&*path, "." | "?") => "the JSON document".to_owned(),
                 path => path,
             };
-            not_as_expected(path, error.inner())
+            ReadError::Place { place, problem: json_words::problem(error.inner()) }
         })?;
-        parser.end().map_err(|error| not_as_expected("the JSON document".to_owned(), &error))?;
+        parser
+            .end()
+            .map_err(|error| ReadError::place("the JSON document", json_words::problem(&error)))?;
         document.check_version()?;
         document.check_extensions()?;
         Ok(document)
@@ -323,18 +326,6 @@ impl<'a> Document<'a> {
 }
 
 const QUANTIZATION: &str = "KHR_mesh_quantization";
-
-/// Says what the parser found, in words of JSON.
-fn not_as_expected(place: String, error: &serde_json::Error) -> ReadError {
-    let message = error.to_string();
-    let problem = match error.classify() {
-        serde_json::error::Category::Data => {
-            message.replace("a sequence", "an array").replace("a map", "an object")
-        }
-        _ => format!("is not JSON: {message}"),
-    };
-    ReadError::Place { place, problem }
-}
 
 /// The item of a list that another part of the document names; `list` is the name of the list.
 pub(super) fn named<'d, T>(

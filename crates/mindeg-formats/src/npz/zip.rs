@@ -4,7 +4,7 @@
 //! sum; a directory of all entries ends the file.
 
 use crate::ReadError;
-use miniz_oxide::inflate::decompress_to_vec_with_limit;
+use crate::unfold::{UnfoldError, unfold};
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -282,12 +282,17 @@ impl<'a> Stored<'a> {
         let end = usize::try_from(self.stored_len).ok().and_then(|len| start.checked_add(len));
         let bytes = end.and_then(|end| self.file.get(start..end));
         let bytes = bytes.ok_or_else(|| problem("the file ends within the array"))?;
-        let limit = usize::try_from(self.len).unwrap_or(usize::MAX);
         let bytes = match self.method {
             0 => Cow::Borrowed(bytes),
             8 => {
-                let unfolded = decompress_to_vec_with_limit(bytes, limit);
-                Cow::Owned(unfolded.map_err(|_| problem("the compressed array is damaged"))?)
+                let mut unfolded = Vec::new();
+                match unfold(bytes, false, self.len, &mut unfolded) {
+                    Ok(()) => Cow::Owned(unfolded),
+                    Err(UnfoldError::Memory(error)) => return Err(error.into()),
+                    Err(UnfoldError::Damaged) => {
+                        return Err(problem("the compressed array is damaged"));
+                    }
+                }
             }
             method => {
                 return Err(problem(&format!(

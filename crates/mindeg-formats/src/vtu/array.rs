@@ -3,10 +3,12 @@
 use base64::Engine;
 use base64::engine::DecodePaddingMode;
 use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig};
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+
+use std::collections::TryReserveError;
 
 use super::xml::Tag;
 use crate::ReadError;
+use crate::unfold::{UnfoldError, unfold};
 use crate::words::{number, words};
 
 /// Padding is as writers have it.
@@ -16,9 +18,6 @@ const BASE64: GeneralPurpose = GeneralPurpose::new(
         .with_decode_padding_mode(DecodePaddingMode::Indifferent)
         .with_decode_allow_trailing_bits(true),
 );
-
-/// The most that zlib makes of a byte.
-const LARGEST_RATIO: usize = 1040;
 
 /// How the numbers of a file are stored.
 #[derive(Clone, Copy, Debug)]
@@ -63,6 +62,26 @@ impl Kind {
         match self {
             Self::Signed(len) | Self::Unsigned(len) | Self::Float(len) => len,
         }
+    }
+}
+
+/// Why there are no bytes for an array.
+enum Problem {
+    /// What is wrong with them.
+    Fault(String),
+    /// There is too little memory.
+    Memory(TryReserveError),
+}
+
+impl From<String> for Problem {
+    fn from(words: String) -> Self {
+        Self::Fault(words)
+    }
+}
+
+impl From<&str> for Problem {
+    fn from(words: &str) -> Self {
+        Self::Fault(words.to_owned())
     }
 }
 
@@ -126,9 +145,15 @@ pub(super) fn values<T: Value>(storage: &Storage<'_>, tag: &Tag<'_>) -> Result<V
                 .ok_or_else(|| problem(format!("its offset {offset} is beyond the file's end")))?;
             storage.block(place, is_base64)
         }
-        _ => Err(format!("its format is {format:?}, not ascii, binary or appended")),
+        _ => {
+            let words = format!("its format is {format:?}, not ascii, binary or appended");
+            return Err(problem(words));
+        }
     };
-    let bytes = bytes.map_err(problem)?;
+    let bytes = bytes.map_err(|found| match found {
+        Problem::Fault(words) => problem(words),
+        Problem::Memory(error) => error.into(),
+    })?;
     let mut list = Vec::new();
     list.try_reserve_exact(bytes.len() / kind.len())?;
     for item in bytes.chunks_exact(kind.len()) {
@@ -168,7 +193,7 @@ fn value_of<T: Value>(item: &[u8], kind: Kind, is_big: bool) -> Option<T> {
 
 impl Storage<'_> {
     /// The bytes of the array that begins here, without what tells their length.
-    fn block(&self, place: &[u8], is_base64: bool) -> Result<Vec<u8>, String> {
+    fn block(&self, place: &[u8], is_base64: bool) -> Result<Vec<u8>, Problem> {
         let mut source = Source { place, is_base64 };
         let word = self.length_len;
         if !self.is_compressed {
@@ -178,7 +203,7 @@ impl Storage<'_> {
             let is_apart = is_base64 && place.get(chars(word) - 1) == Some(&b'=');
             if is_apart || !is_base64 {
                 source.skip(word)?;
-                return source.take(len);
+                return Ok(source.take(len)?);
             }
             let len = len.checked_add(word as u64).ok_or("its length is beyond any file's")?;
             let mut bytes = source.take(len)?;
@@ -204,12 +229,10 @@ impl Storage<'_> {
             rest = others;
             let is_last = index + 1 == compressed.len();
             let expected = if is_last && *last > 0 { *last } else { *full };
-            let most = usize::try_from(expected).unwrap_or(usize::MAX);
-            let most = most.min(block.len().saturating_mul(LARGEST_RATIO));
-            let block = decompress_to_vec_zlib_with_limit(block, most)
-                .map_err(|error| format!("block {index} of its zlib data is broken: {error}"))?;
-            bytes.try_reserve(block.len()).map_err(|error| error.to_string())?;
-            bytes.extend_from_slice(&block);
+            unfold(block, true, expected, &mut bytes).map_err(|error| match error {
+                UnfoldError::Memory(error) => Problem::Memory(error),
+                UnfoldError::Damaged => format!("block {index} of its zlib data is broken").into(),
+            })?;
         }
         Ok(bytes)
     }

@@ -22,6 +22,10 @@ pub struct Lift {
 
 /// Above this number of boundary vertices no change is looked for: each that is tried looks at all.
 const MOST_VERTICES: u32 = 20_000;
+/// A change that makes the boundary of more than [`FEW`] vertices this many times longer helps nobody, and takes long to look at.
+const MOST_LONGER: u64 = 4;
+/// Boundaries of so many vertices are short in any case.
+const FEW: u64 = 1000;
 /// So many counts are tried for a side at most.
 const MOST_TRIES: u32 = 24;
 /// A change that brings less than this factor is not worth it.
@@ -31,10 +35,11 @@ const ENOUGH: f64 = 30.0;
 
 /// The smallest change of the counts of the side or sides that decide a domain's limit which
 /// brings it to 30 degrees, or nine tenths of the way to what any such change can bring; none if that is
-/// nothing, or for domains of more than 20,000 boundary vertices.
+/// nothing, or for domains of more than 20,000 boundary vertices. Only changes to at most 1,000 boundary
+/// vertices, or four times as many as before, are looked at.
 ///
 /// Constraints stay on their vertices' indices. Takes up to about 75 times as long as
-/// [`angle_limit`].
+/// [`angle_limit`] of the changed domains.
 #[must_use]
 pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Lift> {
     if domain.rings().vertex_count() > MOST_VERTICES {
@@ -42,6 +47,7 @@ pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Li
     }
     let tried: Vec<Lift> = candidates(domain, &limit.cause)
         .into_iter()
+        .filter(|counts| is_short(domain, counts))
         .filter_map(|counts| changed(domain, wanted, &counts))
         .collect();
     let best = tried.iter().map(|lift| lift.min_angle).fold(0.0, f64::max);
@@ -62,6 +68,17 @@ fn cost(domain: &Domain, lift: &Lift) -> f64 {
         if ratio >= 1.0 { libm::log(ratio) } else { -3.0 * libm::log(ratio) }
     };
     lift.changes.iter().zip(&lift.intervals).map(of).sum()
+}
+
+/// Whether the boundary stays short enough with other counts: where an interval is very short beside its
+/// neighbour, what would lift the limit is without bound.
+fn is_short(domain: &Domain, counts: &[(usize, u64)]) -> bool {
+    let vertices = u64::from(domain.rings().vertex_count());
+    let more = |(side, count): &(usize, u64)| {
+        count.saturating_sub(u64::from(domain.rings().intervals(*side)))
+    };
+    let more = counts.iter().map(more).fold(0, u64::saturating_add);
+    vertices.saturating_add(more) <= FEW.max(MOST_LONGER * vertices)
 }
 
 /// Counts to try, each as a list of sides with their new counts.
@@ -158,6 +175,7 @@ fn changed(domain: &Domain, wanted: &Interior, counts: &[(usize, u64)]) -> Optio
 #[cfg(test)]
 mod tests {
     use super::*;
+    use mindeg_domain::Spacing;
 
     fn lifted(width: f64, height: f64, counts: [u64; 4]) -> Option<(AngleLimit, Lift)> {
         let domain = Domain::rectangle(width, height, counts.map(Side::count).into()).unwrap();
@@ -187,6 +205,24 @@ mod tests {
         assert_eq!(lift.changes.iter().map(|change| change.side).collect::<Vec<_>>(), [0, 2]);
         // Nothing to gain.
         assert!(lifted(4.0, 4.0, [4; 4]).is_none());
+    }
+
+    /// The first layer of a mesh for flow along a wall: what would lift the limit to 30 degrees are hundreds of
+    /// thousands of intervals, and each of the 48 changes that were tried took as long.
+    #[test]
+    fn changes_stay_short_beside_very_short_intervals() {
+        let layers = |spacing| Side::count(60).spaced(spacing);
+        let sides = vec![
+            Side::count(10),
+            layers(Spacing::FirstLength(1e-6)),
+            Side::count(10),
+            layers(Spacing::LastLength(1e-6)),
+        ];
+        let domain = Domain::rectangle(1.0, 0.1, sides).unwrap();
+        let limit = angle_limit(&domain, &Interior::default()).unwrap();
+        let found = lift(&domain, &Interior::default(), &limit);
+        let longest = found.map_or(0, |lift| lift.domain.rings().vertex_count());
+        assert!(longest <= 1000, "{longest}");
     }
 
     #[test]

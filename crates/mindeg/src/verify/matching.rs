@@ -66,8 +66,12 @@ pub(super) fn tolerance_of(
     }
     let bounds = domain.placement().bounds();
     let largest = bounds.min.abs().max(bounds.max.abs()).max_element();
-    // 32-bit floats round by 2^-24 of a number; twice, if it is written once more.
-    let rounding = (2.0 * mesh.rounding()).max(largest / f64::from(1 << 23));
+    // 32-bit floats round by 2^-24 of a number; twice, if it is written once more. A vertex that no
+    // triangle has, however far away, says nothing of how the others were rounded.
+    let corners = mesh.triangles().iter().flatten();
+    let used = corners.map(|&vertex| mesh.positions()[vertex as usize].abs().max_element());
+    let used = used.fold(0.0, f64::max) / f64::from(1 << 22);
+    let rounding = (2.0 * mesh.rounding()).min(used).max(largest / f64::from(1 << 23));
     let extent = bounds.size().max_element().max(1.0);
     Ok((DEFAULT_TOLERANCE * extent).max(rounding).min(shortest / 4.0))
 }
