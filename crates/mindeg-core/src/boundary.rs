@@ -242,6 +242,12 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
+    #[should_panic(expected = "vertex 6 does not exist; the boundary has 6 vertices")]
+    fn no_vertex_follows_one_that_does_not_exist() {
+        let _ = Boundary::new(&[3, 1, 2]).unwrap().next(6);
+    }
+
+    #[test]
     fn indices_start_at_the_first_corner() {
         let boundary = Boundary::new(&[3, 1, 2]).unwrap();
         assert_eq!(boundary.vertex_count(), 6);

@@ -186,6 +186,12 @@ mod tests {
     }
 
     #[test]
+    #[should_panic(expected = "index 7 is out of range; the strip has 7 triangles")]
+    fn no_triangle_follows_the_last() {
+        let _ = RingStrip::new(4, 3).unwrap().triangle(7);
+    }
+
+    #[test]
     fn words_are_balanced() {
         assert_eq!(spelled(3, 3), "YXYXYX");
         assert_eq!(spelled(8, 3), "YXXYXXXYXXX");

@@ -304,6 +304,7 @@ mod tests {
         for (triangles, defect) in [
             (GOOD[1..].to_vec(), Defect::WrongCount { expected: 8, found: 7 }),
             ([&GOOD[..], &GOOD[..1]].concat(), Defect::WrongCount { expected: 8, found: 9 }),
+            ([&GOOD[..], &[[0, 99, 1]]].concat(), Defect::WrongCount { expected: 8, found: 9 }),
             (with(2, [4, 10, 1]), Defect::NoSuchVertex { triangle, vertex: 10 }),
             (with(2, [4, 4, 1]), Defect::RepeatedVertex { triangle, vertex: 4 }),
             (with(2, [4, 1, 4]), Defect::RepeatedVertex { triangle, vertex: 4 }),

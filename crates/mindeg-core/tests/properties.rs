@@ -272,3 +272,14 @@ fn the_table_of_known_optima() {
         );
     }
 }
+
+/// Of the shifts of a word, the middle one comes first.
+#[test]
+fn the_first_mesh_of_a_dominant_side_is_symmetric() {
+    for (sides, off_side) in [(&[9, 1, 1, 1, 1, 1, 1][..], 10..15), (&[9, 1, 1, 1, 1], 10..13)] {
+        let candidate = least_degree_triangulation(&Boundary::new(sides).unwrap());
+        let degrees: Vec<u32> = off_side.map(|vertex| candidate.degree(vertex)).collect();
+        let backward: Vec<u32> = degrees.iter().rev().copied().collect();
+        assert_eq!(degrees, backward, "{sides:?}");
+    }
+}
