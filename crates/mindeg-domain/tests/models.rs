@@ -278,6 +278,11 @@ fn coplanar_triangles_merge_to_faces() {
     }
     let apart = Model::of_mesh(&triangle_cube(false), &with(false)).unwrap();
     assert_eq!((apart.face_count(), apart.edge_count()), (12, 18));
+    let cube = triangle_cube(false);
+    let open = TriMesh::new(cube.positions().to_vec(), cube.triangles()[1..].to_vec()).unwrap();
+    let open = Model::of_mesh(&open, &with(false)).unwrap();
+    assert!(!open.is_closed());
+    assert_eq!(open.boundary_edges().count(), 3);
 }
 
 /// A cylinder of many narrow walls: each is nearly in the plane of the next.

@@ -37,3 +37,24 @@ pub fn vertex_normals(mesh: &dyn Mesh) -> Vec<DVec3> {
     }
     normals.into_iter().map(|normal| normal.try_normalize().unwrap_or(DVec3::Z)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::TriMesh;
+
+    #[test]
+    fn a_vertex_has_the_normals_of_its_triangles_by_their_areas() {
+        // One lies flat; the other stands on the x axis and has twice the area.
+        let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y, 2.0 * DVec3::Z, 9.0 * DVec3::ONE];
+        let mesh = TriMesh::new(points, vec![[0, 1, 2], [1, 0, 3]]).unwrap();
+        let shared = DVec3::new(0.0, 2.0, 1.0).normalize();
+        let normals = vertex_normals(&mesh);
+        // The last is in no triangle.
+        for (normal, expected) in normals.iter().zip([shared, shared, DVec3::Z, DVec3::Y, DVec3::Z])
+        {
+            assert!(normal.abs_diff_eq(expected, 1e-12), "{normals:?}");
+        }
+        assert_eq!(normals.len(), 5);
+    }
+}

@@ -244,6 +244,12 @@ mod tests {
     use glam::DVec2;
 
     #[test]
+    fn the_largest_degree_is_that_of_some_vertex() {
+        assert_eq!([3, 7, 4, 3].into_iter().collect::<DegreeHistogram>().max_degree(), Some(7));
+        assert_eq!([0; 0].into_iter().collect::<DegreeHistogram>().max_degree(), None);
+    }
+
+    #[test]
     fn quantiles_are_of_the_nearest_rank() {
         for (count, [min, p01, median, p99, max]) in [
             (1_u32, [1.0, 1.0, 1.0, 1.0, 1.0]),

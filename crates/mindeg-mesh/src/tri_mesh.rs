@@ -392,11 +392,44 @@ mod tests {
     }
 
     #[test]
+    fn meshes_that_differ_in_one_part_are_not_equal() {
+        let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let both = vec![[0, 1, 2], [0, 2, 3]];
+        let mesh = || TriMesh::new(points.clone(), both.clone()).unwrap();
+        let with_line = |is_straight| {
+            let line = Line { name: "side".into(), segments: 0..1, is_straight };
+            mesh().with_lines(vec![line], vec![[0, 1]]).unwrap()
+        };
+        let mut moved = points.clone();
+        moved[2].x = 2.0;
+        assert_eq!(mesh(), mesh());
+        for other in [
+            mesh().named("x"),
+            TriMesh::new(moved, both.clone()).unwrap(),
+            TriMesh::new(points.clone(), vec![[0, 1, 3], [1, 2, 3]]).unwrap(),
+            with_line(true),
+            mesh().with_depths(vec![0.0; 4]),
+            mesh()
+                .with_polygons(Polygons { triangle_starts: vec![0, 2], corners: vec![0, 1, 2, 3] }),
+            mesh().with_non_triangles(NonTriangles { points: 1, ..NonTriangles::default() }),
+            mesh().with_notes(vec!["a note".to_owned()]),
+            mesh().with_rounding(0.5),
+        ] {
+            assert_ne!(mesh(), other);
+        }
+        assert_ne!(with_line(true), with_line(false));
+    }
+
+    #[test]
     fn a_plane_that_faces_up_has_a_normal() {
         let points = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
         let mesh = |points: [DVec3; 4], second| {
             TriMesh::new(points.to_vec(), vec![[0, 1, 2], second]).unwrap()
         };
+        // Far from the origin, where coordinates alone tell nothing of a turn.
+        let far = points.map(|point| point - DVec3::new(9.0, 7.0, 0.0));
+        assert_eq!(mesh(far, [0, 2, 3]).normal(), Some(DVec3::Z));
+        assert_eq!(mesh(far, [0, 3, 2]).normal(), None);
         assert_eq!(mesh(points, [0, 2, 3]).normal(), Some(DVec3::Z));
         assert_eq!(mesh(points.map(|p| p + DVec3::Z), [0, 2, 3]).normal(), Some(DVec3::Z));
         assert_eq!(mesh(points, [0, 3, 2]).normal(), None);
