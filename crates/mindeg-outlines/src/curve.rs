@@ -252,6 +252,21 @@ mod tests {
     }
 
     #[test]
+    fn the_points_of_a_cubic_are_those_of_bernstein() {
+        let [start, a, b, end] =
+            [[64.0, 0.0], [0.0, 64.0], [128.0, 0.0], [0.0, 192.0]].map(DVec2::from);
+        let segment = Segment { start, end, curve: Curve::Cubic([a, b]) };
+        assert_eq!(
+            [0.0, 0.25, 1.0].map(|t| segment.point(t)),
+            [start, DVec2::new(45.0, 30.0), end]
+        );
+        // The first control point lies on the start and tells no direction.
+        let segment = Segment { curve: Curve::Cubic([start, b]), ..segment };
+        assert!(segment.direction_at_start().perp_dot(b - start) == 0.0);
+        assert!(segment.direction_at_start().dot(b - start) > 0.0);
+    }
+
+    #[test]
     fn points_lie_at_the_lengths_that_were_asked_for() {
         let points = quarter().points_at(&[PI / 3.0, PI * 2.0 / 3.0]);
         for (point, angle) in points.iter().zip([PI / 6.0, PI / 3.0]) {

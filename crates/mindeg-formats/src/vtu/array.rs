@@ -293,3 +293,31 @@ impl Source<'_> {
         Ok(bytes)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_their_sign_and_their_order_of_bytes() {
+        for (bytes, kind, expected) in [
+            (&[0xfe][..], Kind::Signed(1), -2),
+            (&[0xfe, 0xff], Kind::Signed(2), -2),
+            (&[0x01, 0x00, 0x00, 0x80], Kind::Signed(4), -0x7fff_ffff),
+            (&[7, 0, 0, 0, 0, 0, 0, 0], Kind::Signed(8), 7),
+            (&[0xfe, 0xff], Kind::Unsigned(2), 0xfffe),
+            (&[0xff; 8], Kind::Unsigned(8), i64::MAX),
+        ] {
+            let backward: Vec<u8> = bytes.iter().rev().copied().collect();
+            assert_eq!(value_of::<i64>(bytes, kind, false), Some(expected), "{kind:?}");
+            assert_eq!(value_of::<i64>(&backward, kind, true), Some(expected), "{kind:?}");
+            assert_eq!(value_of::<f64>(bytes, kind, false), Some(expected as f64), "{kind:?}");
+        }
+        for (bytes, kind) in
+            [(1.5_f64.to_le_bytes().to_vec(), 8), (1.5_f32.to_le_bytes().to_vec(), 4)]
+        {
+            assert_eq!(value_of::<f64>(&bytes, Kind::Float(kind), false), Some(1.5));
+            assert_eq!(value_of::<i64>(&bytes, Kind::Float(kind), false), None);
+        }
+    }
+}

@@ -67,6 +67,25 @@ fn arcs_bulges_and_circles_stay_curves() {
 }
 
 #[test]
+fn an_extrusion_downwards_mirrors_x() {
+    for (entities, middle) in [
+        ("CIRCLE 10=5 20=2 40=1", DVec2::new(5.0, 2.0)),
+        ("LWPOLYLINE 70=1 10=4 20=2 42=1 10=6 20=2 42=1", DVec2::new(5.0, 2.0)),
+        ("LWPOLYLINE 70=1 10=4 20=1 10=6 20=1 10=6 20=3 10=4 20=3", DVec2::new(5.0, 2.0)),
+    ] {
+        let ring = |extrusion: &str| {
+            read(&format!("{entities}{extrusion}")).unwrap().features[0].rings[0].clone()
+        };
+        let (plain, mirrored) = (ring(""), ring(" 230=-1"));
+        assert!((plain.doubled_area() + mirrored.doubled_area()).abs() < 1e-12, "{entities}");
+        for point in mirrored.flattened() {
+            let from_middle = point - DVec2::new(-middle.x, middle.y);
+            assert!(from_middle.length() < 1.5, "{entities}: {point}");
+        }
+    }
+}
+
+#[test]
 fn layers_name_polygons_or_sides() {
     let outlines = read("CIRCLE 8=plate 10=0 20=0 40=9\nCIRCLE 8=plate 10=0 20=0 40=1").unwrap();
     assert_eq!(outlines.features[0].name.as_deref(), Some("plate"));

@@ -38,6 +38,19 @@ fn straight_shapes_are_their_points_with_y_turned_up() {
 }
 
 #[test]
+fn shapes_turn() {
+    let points = [[4.0, -2.0], [4.0, -4.0], [1.0, -4.0], [1.0, -2.0]].map(DVec2::from);
+    for transform in ["rotate(90)", "rotate(-270)", "rotate(45) rotate(45)"] {
+        let turned =
+            ring(&format!("<rect transform='{transform}' x='2' y='-4' width='2' height='3'/>"));
+        for (found, expected) in turned.flattened().iter().zip(points) {
+            assert!(found.distance(expected) < 1e-12, "{transform}: {found}");
+        }
+        assert_eq!(turned.flattened().len(), 4);
+    }
+}
+
+#[test]
 fn curves_stay_curves() {
     let length = |ring: &Ring| ring.segments().map(|segment| segment.length()).sum::<f64>();
     for (body, expected) in [
