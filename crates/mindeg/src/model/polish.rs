@@ -95,3 +95,53 @@ fn improved(joint: &Joint<'_>, face: usize, degree: u32) -> Option<Vec<[u32; 3]>
     }
     is_changed.then(|| patch.triangles().to_vec())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::descent::Descent;
+    use super::*;
+    use glam::DVec3;
+    use mindeg_domain::{Model, ModelFace, ModelParts, Side};
+
+    #[test]
+    fn angles_get_better_at_the_same_degree() {
+        let corner = |i: u32| {
+            DVec3::new(4.0 * f64::from(i & 1), 2.0 * f64::from(i >> 1 & 1), f64::from(i >> 2))
+        };
+        let quads =
+            [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let model = Model::new(ModelParts {
+            corners: (0..8).map(corner).collect(),
+            faces: quads
+                .map(|quad: [u32; 4]| ModelFace {
+                    loops: vec![quad.to_vec()],
+                    ..ModelFace::default()
+                })
+                .to_vec(),
+            edges: vec![],
+            other_edges: Some(Side::size(0.5)),
+            planar_tolerance: None,
+        })
+        .unwrap();
+        let mut joint = Joint::new(&model, None, Progress::NONE).unwrap();
+        assert!(Descent::new(&mut joint, Progress::NONE).reach(7, 100_000).unwrap());
+        let costs = |joint: &Joint<'_>| -> Vec<f64> {
+            let cost = |face: usize| {
+                let points = joint.face(face).points;
+                let of = |triangle: &[u32; 3]| {
+                    1.0 / min_angle_tangent(triangle.map(|place| points[place as usize]))
+                };
+                joint.triangles[face].iter().map(of).sum()
+            };
+            (0..model.face_count()).map(cost).collect()
+        };
+        let before = costs(&joint);
+        polish(&mut joint, Progress::NONE).unwrap();
+        assert!(joint.max_degree() <= 7);
+        let after = costs(&joint);
+        assert!(
+            after.iter().sum::<f64>() < 0.9 * before.iter().sum::<f64>(),
+            "{before:?} {after:?}"
+        );
+    }
+}
