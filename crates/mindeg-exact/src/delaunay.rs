@@ -34,3 +34,35 @@ pub(crate) fn least_tangent(mesh: &Triangulation, points: &[DVec2]) -> f64 {
     let tangents = mesh.triangles.iter().map(|corners| min_angle_tangent(at(corners)));
     tangents.fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_core::Boundary;
+
+    #[test]
+    fn a_fan_becomes_delaunay() {
+        let point = |index: u32| {
+            let angle = 0.4 * f64::from(index) + 0.05 * f64::from(index % 3);
+            DVec2::new(3.0 * libm::cos(angle), libm::sin(angle))
+        };
+        let points: Vec<DVec2> = (0..15).map(point).collect();
+        let fan = (1..14).map(|vertex| [0, vertex, vertex + 1]).collect();
+        let mut mesh = Triangulation::new(fan).unwrap();
+        let sides = Sides::of_boundary(&Boundary::new(&[1; 15]).unwrap());
+        let before = least_tangent(&mesh, &points);
+        make_delaunay(&mut mesh, &points, &sides);
+        assert_eq!(mesh.triangles.len(), 13);
+        assert!(least_tangent(&mesh, &points) > 2.0 * before);
+        let coord =
+            |vertex: u32| Coord { x: points[vertex as usize].x, y: points[vertex as usize].y };
+        for &[a, b, c] in &mesh.triangles {
+            let area = (points[b as usize] - points[a as usize])
+                .perp_dot(points[c as usize] - points[a as usize]);
+            assert!(area > 0.0);
+            for other in (0..15).filter(|other| ![a, b, c].contains(other)) {
+                assert!(incircle(coord(a), coord(b), coord(c), coord(other)) <= 0.0);
+            }
+        }
+    }
+}
