@@ -163,6 +163,16 @@ mod tests {
             assert_eq!(both.segments().len(), a.segments().len() + b.segments().len());
             assert_eq!(both.degrees(), [a.degrees(), b.degrees()].concat());
         }
+        let grouped = |mesh: TriMesh, name: &str| {
+            let count = mesh.triangles().len() as u32;
+            mesh.with_groups(vec![Group::new(name.to_owned(), 0..count)])
+        };
+        let three = grouped(quad(), "a").with_mesh_added(&grouped(quad(), "b")).unwrap();
+        let three = three.with_mesh_added(&grouped(quad(), "c")).unwrap();
+        let ranges: Vec<_> = three.groups().iter().map(|group| group.triangles.clone()).collect();
+        assert_eq!(ranges, [0..2, 2..4, 4..6]);
+        let lines: Vec<_> = three.lines.iter().map(|line| line.segments.clone()).collect();
+        assert_eq!(lines, [0..1, 1..2, 2..3]);
         let both = quad().with_mesh_added(&triangle()).unwrap();
         assert_eq!((both.rounding(), crate::Triangles::name(&both)), (0.5, Some("triangle")));
     }
