@@ -59,6 +59,11 @@ impl Failure {
     }
 }
 
+/// An error of the same kind that says only what [`plainly`] does: for those who print it as it is.
+pub(crate) fn plain(error: io::Error) -> io::Error {
+    io::Error::new(error.kind(), plainly(&error))
+}
+
 /// An error of the system in its words: without its number, and without the name of a temporary
 /// file, which the user never gave.
 pub(crate) fn plainly(error: &io::Error) -> String {

@@ -1,7 +1,7 @@
 //! Reading a mesh of any program from a file.
 
 use crate::bar::{Bar, Counting, Unit};
-use crate::failure::{Failure, plainly};
+use crate::failure::{Failure, plain, plainly};
 use crate::input;
 use crate::memory;
 use mindeg_formats::ReadError;
@@ -22,11 +22,8 @@ pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
         Ok(bar.counting(file, len))
     };
     let mut beside = Beside { path, read: Vec::new() };
-    let mesh = open().and_then(|file| {
-        mindeg_formats::read(path, file, |name| {
-            beside.read(name).map_err(|error| io::Error::new(error.kind(), plainly(&error)))
-        })
-    });
+    let mesh = open()
+        .and_then(|file| mindeg_formats::read(path, file, |name| beside.read(name).map_err(plain)));
     mesh.map_err(|error| match error {
         ReadError::Io(error) => {
             Failure::Io(format!("cannot read {}: {}", path.display(), plainly(&error)))

@@ -1,7 +1,7 @@
 //! What a file is: a domain in JSON, or outlines that other programs drew.
 
 use crate::args::OutlineOptions;
-use crate::failure::{Failure, plainly};
+use crate::failure::{Failure, plain, plainly};
 use crate::input;
 use crate::terminal::say;
 use mindeg::Domain;
@@ -83,8 +83,7 @@ pub(crate) fn read(
         return Ok(Content::Domain(Box::new(domain)));
     };
     let beside = |extension: &str| match path {
-        Some(path) => fs::read(path.with_extension(extension))
-            .map_err(|error| io::Error::new(error.kind(), plainly(&error))),
+        Some(path) => fs::read(path.with_extension(extension)).map_err(plain),
         None => Err(io::Error::other("standard input has no file beside it")),
     };
     let mut outlines = outlines::read(&bytes, format, beside).map_err(bad)?;

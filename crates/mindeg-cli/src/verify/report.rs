@@ -238,7 +238,7 @@ fn in_words(proof: &Proof, degree: u32) -> String {
             format!("the edges are too many for {less} at every vertex (theorems 3 and 15)")
         }
         Proof::BlockedZigZags { chords } => format!(
-            "{chords} chords that do not lie inside block every mesh of degree {less} (docs/theory.md, theorem 13)"
+            "{chords} chords that do not lie inside block every mesh of degree {less} (theorem 13)"
         ),
         Proof::Apexes { edges, apexes } => {
             format!("{edges} boundary edges have only {apexes} apexes (theorem 14)")
