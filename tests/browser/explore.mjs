@@ -213,6 +213,51 @@ test("a count and a spacing law are changed", async () => {
   await page.context().close();
 });
 
+test("changes that come faster than the answers are all made", async () => {
+  const page = await open();
+  const before = await facts(page);
+  // In one task of the page: no answer can come between.
+  await page.evaluate(() => {
+    const control = (label) => document.querySelector(`#sides [aria-label="${label}"]`);
+    const set = (label, value) => {
+      control(label).value = value;
+      control(label).dispatchEvent(new Event("change"));
+    };
+    for (let step = 0; step < 3; step++) control("One interval more on wall").click();
+    set("ratio of the spacing of outlet", 1.5);
+    set("ratio of the spacing of inlet", 0.5);
+  });
+  await answered(page);
+  assert.equal(await page.getByLabel("Intervals of wall", { exact: true }).inputValue(), "43");
+  assert.match(await facts(page), /115 boundary vertices/);
+  assert.equal(await page.getByLabel("ratio of the spacing of outlet", { exact: true }).inputValue(), "1.5");
+  assert.equal(await page.getByLabel("ratio of the spacing of inlet", { exact: true }).inputValue(), "0.5");
+  for (let step = 0; step < 5; step++) await page.keyboard.press("Control+z");
+  await answered(page);
+  assert.equal(await facts(page), before);
+  // Until the sides about a new corner are known, nothing is changed by where they were.
+  await page.evaluate(() => {
+    document.querySelector("#add").click();
+    document.querySelector("#add").click();
+    document.querySelector("#remove").click();
+    document.querySelector(`#sides [aria-label="One interval more on inlet"]`).click();
+  });
+  await answered(page);
+  assert.match(await text(page, "#corner"), /^Corner 2 of 5$/);
+  assert.equal(await facts(page), before);
+  // A hole beyond the outline is refused, and can be taken away again.
+  await page.locator("#add-hole").click();
+  const box = await page.locator(".stage").first().boundingBox();
+  await page.mouse.click(box.x + 4, box.y + 4);
+  await answered(page);
+  assert.ok(await page.locator("#trouble").isVisible());
+  for (const control of ["#add", "#next", "#add", "#remove"]) if (await page.locator(control).isEnabled()) await page.locator(control).click();
+  await page.getByRole("button", { name: "Remove hole 1" }).click();
+  await answered(page);
+  assert.equal(await facts(page), before);
+  await page.context().close();
+});
+
 test("a point of the curve is picked, and a degree by its button", async () => {
   const page = await open();
   assert.equal(await page.locator("#curve .pick").count(), await page.locator("#degrees button").count());

@@ -68,6 +68,19 @@ export function corners(domain, shown) {
 /** Whether a ring is a list of points, which has no counts. */
 export const isPoints = (domain, ring) => Boolean((ring === 0 ? domain : domain.holes[ring - 1]).ring);
 
+/**
+ * Whether the server has said the sides of a domain: not while the answer to an added or removed corner or
+ * hole is on its way, nor where a domain with one is refused.
+ */
+export function isKnown(domain, shown) {
+  if (shown.rings.length !== (domain.holes?.length ?? 0) + 2) return false;
+  return shown.rings.slice(1).every((_, ring) => {
+    if (isPoints(domain, ring)) return true;
+    const count = domain.rectangle && ring === 0 ? 4 : listOf(ringOf(domain, ring)).length;
+    return shownSides(shown, ring).length === count;
+  });
+}
+
 /** The sides of a ring in the JSON, one entry for each. */
 function sidesOf(domain, ring) {
   const holder = sidesHolder(domain, ring);
@@ -79,7 +92,7 @@ function sidesOf(domain, ring) {
 /** A side through a point instead of about a center, which holds when its corners move. */
 function throughPoint(domain, shown, ring, place) {
   const side = sidesHolder(domain, ring).sides?.[place];
-  if (!side?.arc?.center) return;
+  if (!side?.arc?.center || !isKnown(domain, shown)) return;
   const index = sidePlace(domain, shown, { ring, index: place });
   const { start, intervals } = shownSides(shown, ring)[index];
   if (intervals > 1) side.arc = { through: point(shown, start + Math.floor(intervals / 2)) };

@@ -2,7 +2,7 @@
 // From the viewer's script: make.
 
 import { apply, ask } from "./asking.js";
-import { addCorner, addHole, corners, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
+import { addCorner, addHole, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { redraw, setCursor, stages } from "./pictures.js";
 import { element, showUndo } from "./show.js";
@@ -17,6 +17,7 @@ const grid = () => gridStep(bounds.size);
 const snap = (place) => snapped(place, grid(), element("snap").checked);
 const isSame = (a, b) => a && b && a.ring === b.ring && a.index === b.index;
 const cornerNow = () => corners(state.domain, shown.domain).find((corner) => isSame(corner, selection.corner));
+const sidesAreKnown = () => Boolean(shown.domain) && isKnown(state.domain, shown.domain);
 
 let table;
 let isPlacing = false;
@@ -24,7 +25,7 @@ let isPlacing = false;
 /** Shows the corners, sides and holes as they are. */
 export function updateEditor() {
   if (!shown.domain) return;
-  table.show(state.domain, shown.domain, selection.side);
+  if (sidesAreKnown()) table.show(selection.side);
   element("grid").textContent = String(grid());
   const all = corners(state.domain, shown.domain);
   const place = all.findIndex((corner) => isSame(corner, selection.corner));
@@ -89,6 +90,7 @@ function chooseNext(by) {
 
 /** Adds a corner in the middle of the chosen side, or of the side after the chosen corner. */
 function add() {
+  if (!sidesAreKnown()) return;
   const { corner, side } = selection;
   const after = corner && { ring: corner.ring, index: sidePlace(state.domain, shown.domain, corner) };
   const added = addCorner(state.domain, shown.domain, side ?? after ?? { ring: 0, index: 0 });
@@ -99,7 +101,7 @@ function add() {
 }
 
 function remove() {
-  if (!selection.corner) return;
+  if (!selection.corner || !sidesAreKnown()) return;
   const changed = removeCorner(state.domain, shown.domain, selection.corner);
   if (!changed) return say("A ring keeps three corners.");
   selection.corner = null;
@@ -131,7 +133,7 @@ export function grab(stage, event, place) {
   }
   const corner = cornerAt(state.domain, shown.domain, stage.frame, place, event.pointerType);
   if (!corner) {
-    const near = sideAt(state.domain, shown.domain, stage.frame, place);
+    const near = sidesAreKnown() && sideAt(state.domain, shown.domain, stage.frame, place);
     if (near) chooseSide(near);
     return false;
   }

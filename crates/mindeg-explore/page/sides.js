@@ -1,7 +1,8 @@
 // The table of the sides: how many intervals, and how they are spaced.
 
-import { changeSide, isPoints, sideOf } from "./domain.js";
+import { changeSide, isKnown, isPoints, sideOf } from "./domain.js";
 import { indexedSides } from "./editor.js";
+import { shown, state } from "./state.js";
 
 /** So many sides stand in the table at once. */
 const ROWS = 12;
@@ -30,6 +31,9 @@ function spacingOf(law, value) {
   return { [law]: LAWS[law].key ? { [LAWS[law].key]: value } : value };
 }
 
+/** A side as the domain has it now: while an answer is on its way, that is newer than the table. */
+const now = (side) => sideOf(state.domain, shown.domain, side);
+
 const make = (tag, properties = {}, ...children) => {
   const made = Object.assign(document.createElement(tag), properties);
   made.append(...children);
@@ -43,10 +47,8 @@ export class SidesTable {
   }
 
   /** Shows the sides; `chosen` is one, `{ring, index}`, or null. */
-  show(domain, shown, chosen) {
-    this.domain = domain;
-    this.shown = shown;
-    this.sides = indexedSides(domain, shown).filter(({ ring }) => !isPoints(domain, ring));
+  show(chosen) {
+    this.sides = indexedSides(state.domain, shown.domain).filter(({ ring }) => !isPoints(state.domain, ring));
     const at = chosen ? this.sides.findIndex(({ ring, index }) => ring === chosen.ring && index === chosen.index) : -1;
     if (at >= 0 && (at < this.first || at >= this.first + ROWS)) this.first = at - (at % ROWS);
     if (this.first >= this.sides.length) this.first = 0;
@@ -71,7 +73,7 @@ export class SidesTable {
       const to = Math.min(this.first + ROWS, this.sides.length);
       const turn = (by, label, text) => make("button", { type: "button", ariaLabel: label, textContent: text, onclick: () => {
         this.first = Math.max(0, Math.min(this.sides.length - 1, this.first + by));
-        this.show(this.domain, this.shown, null);
+        this.show(null);
       } });
       parts.push(make("p", { className: "take" }, turn(-ROWS, "Sides before", "‹"),
         `Sides ${this.first + 1} to ${to} of ${this.sides.length}`, turn(ROWS, "Sides after", "›")));
@@ -96,12 +98,13 @@ export class SidesTable {
       const intervals = Math.max(1, Math.round(wanted));
       if (!Number.isFinite(intervals)) return;
       const change = { intervals, size: undefined };
-      if (lawOf(sideOf(this.domain, this.shown, row.side)).law === "parameters") change.spacing = undefined;
+      if (lawOf(now(row.side)).law === "parameters") change.spacing = undefined;
       this.change(row.side, change);
     };
     intervals.addEventListener("change", () => count(intervals.valueAsNumber));
-    fewer.addEventListener("click", () => count(row.side.intervals - 1));
-    more.addEventListener("click", () => count(row.side.intervals + 1));
+    const countNow = () => now(row.side).intervals ?? row.side.intervals;
+    fewer.addEventListener("click", () => count(countNow() - 1));
+    more.addEventListener("click", () => count(countNow() + 1));
     law.addEventListener("change", () => {
       const { first } = LAWS[law.value];
       this.change(row.side, { spacing: spacingOf(law.value, first ?? this.meanLength(row.side)) });
@@ -114,17 +117,17 @@ export class SidesTable {
 
   /** The length of a side's first interval as it is drawn: a law that begins with a length begins with this. */
   meanLength({ start }) {
-    const { points } = this.shown;
+    const { points } = shown.domain;
     const length = Math.hypot(points[2 * start + 2] - points[2 * start], points[2 * start + 3] - points[2 * start + 1]);
     return Number(length.toPrecision(3));
   }
 
   change(side, change) {
-    this.apply(changeSide(this.domain, this.shown, side, change));
+    if (isKnown(state.domain, shown.domain)) this.apply(changeSide(state.domain, shown.domain, side, change));
   }
 
   fill(row, side, isChosen) {
-    const told = sideOf(this.domain, this.shown, side);
+    const told = now(side);
     const { law, value } = lawOf(told);
     const isFixed = Boolean(told.points);
     row.side = side;
