@@ -6,8 +6,8 @@ mod solids;
 
 use std::collections::BTreeMap;
 
-use mindeg::model::{ModelGoal, ModelMesh, mesh_model};
-use mindeg::{Model, Progress, Side};
+use mindeg::model::{JointBound, ModelGoal, ModelMesh, mesh_model};
+use mindeg::{Model, Progress, Side, TriMesh};
 use solids::Solid;
 
 fn meshed(model: &Model) -> ModelMesh {
@@ -84,37 +84,72 @@ fn uneven_models_reach_the_bound_of_weights() {
 }
 
 #[test]
-fn time_table() {
-    if std::env::var("TIMES").is_err() {
-        return;
+fn no_bound_is_above_a_mesh() {
+    // Without descent, a bound alone is looked for; another mesh of the same points has the degree.
+    let shapes = [
+        Solid::block(2.0, 1.5, 1.0),
+        Solid::prism(&[[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]], 6.0),
+        Solid::plate(
+            &[[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [0.0, 3.0]],
+            &[vec![[1.0, 1.0], [2.0, 1.0], [1.0, 2.0]]],
+            1.0,
+        ),
+    ];
+    for (seed, solid) in (0..3).flat_map(|seed| shapes.iter().map(move |solid| (seed, solid))) {
+        let count = |edge: usize| {
+            let random = (edge as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15 ^ (seed << 32)) >> 40;
+            // Few edges are long, as where a bound is above the average.
+            if random.is_multiple_of(5) { 6 + random % 8 } else { 1 + random % 3 }
+        };
+        let model = solid.clone().with_counts(count).model(Side::count(1));
+        let only_bound = ModelGoal { effort: 0.0, ..ModelGoal::default() };
+        let bound = mesh_model(&model, only_bound, Progress::NONE).unwrap();
+        let little = ModelGoal { effort: 0.01, ..ModelGoal::default() };
+        let other = mesh_model(&model, little, Progress::NONE).unwrap();
+        let at_least = bound.lower_bound.max(other.lower_bound);
+        assert!(at_least <= bound.max_degree.min(other.max_degree), "{seed}: {bound:?}");
+        assert_eq!(other.is_proven(), other.max_degree == other.lower_bound);
+        for (bound, mesh) in [(&bound, &other), (&other, &bound)] {
+            check_bound(&bound.bounded_by, bound.lower_bound, &mesh.mesh);
+        }
     }
-    let cube = Solid::block(1.0, 1.0, 1.0);
-    let ball = Solid::truncated_icosahedron();
-    for (name, solid, side) in [
-        ("cube 2", &cube, Side::count(2)),
-        ("cube 8", &cube, Side::count(8)),
-        ("box 1/2", &Solid::block(4.0, 2.0, 1.0), Side::size(0.5)),
-        ("box 1/4", &Solid::block(4.0, 2.0, 1.0), Side::size(0.25)),
-        ("L 3", &Solid::l_block(), Side::size(1.0 / 3.0)),
-        ("L 4", &Solid::l_block(), Side::size(0.25)),
-        ("house 1", &Solid::house(), Side::size(1.0)),
-        ("house 1/2", &Solid::house(), Side::size(0.5)),
-        ("ball 1", &ball, Side::count(1)),
-        ("ball 2", &ball, Side::count(2)),
-        ("ball 3", &ball, Side::count(3)),
-        ("long", &cube.clone().with_counts(|e| if e == 0 { 20 } else { 1 }), Side::count(1)),
-        ("uneven", &cube.clone().with_counts(|e| (e as u64 * 7) % 12 + 1), Side::count(1)),
-    ] {
-        let model = solid.model(side);
-        let start = std::time::Instant::now();
-        let meshed = mesh_model(&model, ModelGoal::default(), Progress::NONE).unwrap();
-        println!(
-            "{name}: V {} degree {} bound {} angle {:.2} {:.2?}",
-            model.vertex_count(),
-            meshed.max_degree,
-            meshed.lower_bound,
-            meshed.min_angle,
-            start.elapsed()
-        );
+}
+
+/// That a mesh has what a bound says of every mesh.
+fn check_bound(bound: &JointBound, at_least: u32, mesh: &TriMesh) {
+    let degrees = mesh.degrees();
+    match bound {
+        JointBound::Sum { sum, vertices } => {
+            assert_eq!(degrees.len() as u32, *vertices);
+            assert_eq!(degrees.iter().map(|&degree| u64::from(degree)).sum::<u64>(), *sum);
+            assert_eq!(sum.div_ceil(u64::from(*vertices)), u64::from(at_least));
+        }
+        JointBound::Edges { vertex, edges } => {
+            assert_eq!(*edges, at_least);
+            assert!(degrees[*vertex as usize] >= *edges);
+        }
+        JointBound::Weights { weights, sum } => {
+            let weighted =
+                weights.iter().zip(degrees).map(|(&w, &d)| u128::from(w) * u128::from(d));
+            assert!(weighted.sum::<u128>() >= *sum);
+            let total: u128 = weights.iter().map(|&weight| u128::from(weight)).sum();
+            assert_eq!(sum.div_ceil(total), u128::from(at_least));
+        }
+        // What a mesh must have of that is its degree.
+        JointBound::Side { max_degree, .. } => assert_eq!(*max_degree, at_least),
+        other => unreachable!("{other:?} is checked nowhere"),
     }
+}
+
+#[test]
+fn a_smaller_share_of_the_angle_allows_a_smaller_degree() {
+    let solid = Solid::block(4.0, 1.0, 1.0).with_counts(|edge| [9, 2, 5][edge % 3]);
+    let model = solid.model(Side::count(1));
+    let found = [0.05, 0.5, 1.0].map(|share| {
+        let goal = ModelGoal { keep_angle: Some(share), effort: 0.1, ..ModelGoal::default() };
+        let meshed = mesh_model(&model, goal, Progress::NONE).unwrap();
+        assert!(meshed.angle_share.unwrap() >= share * (1.0 - 1e-9), "{share}: {meshed:?}");
+        meshed.max_degree
+    });
+    assert!(found[0] < found[1] && found[1] <= found[2], "{found:?}");
 }

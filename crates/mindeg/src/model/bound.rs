@@ -109,44 +109,46 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
         return None;
     }
     let plane_face = joint.face(face);
-    let edges = |place: usize| joint.edge_degrees[plane_face.vertices[place] as usize];
-    let n = plane_face.vertices.len();
-    let run_count = plane_face.runs.iter().max().map_or(0, |&run| run as usize + 1);
-    let apexes = |degree: u32, run: u32| -> u64 {
-        let capacity = |place: usize| u64::from(degree.saturating_sub(edges(place) + 1));
-        let ring =
-            plane_face.rings.iter().find(|ring| ring.contains(&first_of(&plane_face.runs, run)));
-        let before = |place: usize| {
-            let ring = ring.cloned().unwrap_or(0..n as u32);
-            if ring.contains(&(place as u32)) && place as u32 == ring.start {
-                ring.end as usize - 1
-            } else {
-                place.saturating_sub(1)
+    let runs = &plane_face.runs;
+    let run_count = runs.iter().max().map_or(0, |&run| run as usize + 1);
+    // Of each side its vertices, both corners too.
+    let mut on_side = vec![Vec::new(); run_count];
+    for ring in &plane_face.rings {
+        let mut before = ring.end - 1;
+        for place in ring.clone() {
+            let [run, run_before] = [place, before].map(|place| runs[place as usize]);
+            on_side[run as usize].push(place);
+            if run_before != run {
+                on_side[run_before as usize].push(place);
             }
-        };
-        let is_on =
-            |place: usize| plane_face.runs[place] == run || plane_face.runs[before(place)] == run;
-        (0..n).filter(|&place| !is_on(place)).map(capacity).sum()
+            before = place;
+        }
+    }
+    let capacity = |degree: u32, place: u32| {
+        let edges = joint.edge_degrees[plane_face.vertices[place as usize] as usize];
+        u64::from(degree.saturating_sub(edges + 1))
     };
-    let mut best: Option<(u32, u32)> = None;
-    for run in 0..run_count as u32 {
-        let intervals = plane_face.runs.iter().filter(|&&other| other == run).count() as u64;
-        let mut degree = best.map_or(above, |(degree, _)| degree);
-        if intervals < 3 || apexes(degree, run) >= intervals - 2 {
+    let of_all = |degree| (0..runs.len() as u32).map(|place| capacity(degree, place)).sum::<u64>();
+    let mut degree = above;
+    let mut capacities = of_all(degree);
+    let mut best = None;
+    for places in on_side {
+        // Where a ring begins within a side, a number of a side is left out.
+        let intervals = places.len().saturating_sub(1) as u64;
+        let apexes = |degree, all: u64| {
+            all - places.iter().map(|&place| capacity(degree, place)).sum::<u64>()
+        };
+        if intervals < 3 || apexes(degree, capacities) >= intervals - 2 {
             continue;
         }
-        while apexes(degree, run) < intervals - 2
-            && u64::from(degree) < intervals + u64::from(above) + 3
-        {
+        let most = intervals + u64::from(above) + 3;
+        while apexes(degree, capacities) < intervals - 2 && u64::from(degree) < most {
             degree += 1;
+            capacities = of_all(degree);
         }
         best = Some((degree, intervals as u32));
     }
     best
-}
-
-fn first_of(runs: &[u32], run: u32) -> u32 {
-    runs.iter().position(|&other| other == run).unwrap_or(0) as u32
 }
 
 /// The best of a bound and of weights, for models that are not too large.
@@ -216,4 +218,114 @@ pub(super) fn with_weights(
         }
     }
     Ok(best)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::DVec3;
+    use mindeg_domain::{Model, ModelEdge, ModelFace, ModelParts, Side};
+
+    /// A closed model whose edges have one interval, but for some.
+    fn model(corners: &[[f64; 3]], faces: &[&[&[u32]]], long: &[[u32; 2]], count: u64) -> Model {
+        Model::new(ModelParts {
+            corners: corners.iter().copied().map(DVec3::from_array).collect(),
+            faces: faces
+                .iter()
+                .map(|loops| ModelFace {
+                    loops: loops.iter().map(|ring| ring.to_vec()).collect(),
+                    ..ModelFace::default()
+                })
+                .collect(),
+            edges: long
+                .iter()
+                .map(|&corners| ModelEdge { corners, side: Side::count(count) })
+                .collect(),
+            other_edges: Some(Side::count(1)),
+            planar_tolerance: None,
+        })
+        .unwrap()
+    }
+
+    fn bound(model: &Model) -> JointBound {
+        cheap(&Joint::new(model, None, Progress::NONE).unwrap())
+    }
+
+    #[test]
+    fn one_apex_serves_a_long_side() {
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        // Each face begins at each of its corners, so that each of its sides is the first and the last.
+        for turn in 0..3 {
+            let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]].map(|mut face: [u32; 3]| {
+                face.rotate_left(turn);
+                face
+            });
+            let loops = faces.each_ref().map(|face| [&face[..]]);
+            let loops = loops.each_ref().map(|loops| &loops[..]);
+            for (long, first) in
+                [([0, 1], 0), ([0, 2], 0), ([1, 2], 0), ([0, 3], 1), ([1, 3], 1), ([2, 3], 2)]
+            {
+                let model = model(&corners, &loops, &[long], 12);
+                // 10 edges need the apex, which so has 11 chords beside its 3 edges.
+                let expected = JointBound::Side { face: first, intervals: 12, max_degree: 14 };
+                assert_eq!(bound(&model), expected, "{long:?}, turned by {turn}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_side_of_two_edges_is_one() {
+        let corners =
+            [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.5, 0.0, 0.0]];
+        for turn in 0..4 {
+            let [mut below, mut before] = [[4, 0, 2, 1], [4, 1, 3, 0]];
+            below.rotate_left(turn);
+            before.rotate_left(turn);
+            let faces: [&[&[u32]]; 4] = [&[&below], &[&before], &[&[1, 2, 3]], &[&[0, 3, 2]]];
+            let model = model(&corners, &faces, &[[0, 4], [1, 4]], 6);
+            let expected = JointBound::Side { face: 0, intervals: 12, max_degree: 14 };
+            assert_eq!(bound(&model), expected, "turned by {turn}");
+        }
+    }
+
+    #[test]
+    fn the_vertices_of_a_hole_serve_a_long_side() {
+        let ring = |low: f64, high: f64, z: f64| {
+            [[low, low, z], [high, low, z], [high, high, z], [low, high, z]]
+        };
+        let corners =
+            [ring(0.0, 3.0, 0.0), ring(0.0, 3.0, 1.0), ring(1.0, 2.0, 0.0), ring(1.0, 2.0, 1.0)]
+                .concat();
+        for turn in 0..4 {
+            let turned = |mut ring: [u32; 4]| {
+                ring.rotate_left(turn);
+                ring
+            };
+            let (bottom, top) = (turned([3, 2, 1, 0]), turned([4, 5, 6, 7]));
+            let (below, above) = (turned([8, 9, 10, 11]), turned([15, 14, 13, 12]));
+            let outer: [[u32; 4]; 4] = std::array::from_fn(|i| {
+                let (i, j) = (i as u32, (i as u32 + 1) % 4);
+                [i, j, j + 4, i + 4]
+            });
+            let inner: [[u32; 4]; 4] = std::array::from_fn(|i| {
+                let (i, j) = (i as u32 + 8, (i as u32 + 1) % 4 + 8);
+                [j, i, i + 4, j + 4]
+            });
+            let walls: Vec<[&[u32]; 1]> =
+                outer.iter().chain(&inner).map(|wall| [&wall[..]]).collect();
+            let ends = [[&bottom[..], &below[..]], [&top[..], &above[..]]];
+            let faces: Vec<&[&[u32]]> =
+                walls.iter().map(|wall| &wall[..]).chain(ends.iter().map(|end| &end[..])).collect();
+            // Two opposite edges are long: the wall between them has apexes for both, the faces with the
+            // hole have six vertices beside the long side, each with 3 edges.
+            for long in
+                [[[0, 1], [4, 5]], [[1, 2], [5, 6]], [[8, 9], [12, 13]], [[11, 8], [15, 12]]]
+            {
+                let model = model(&corners, &faces, &long, 40);
+                // 38 edges need an apex; a vertex with D - 3 chords serves D - 4 of them: 6 of 7 serve 42.
+                let expected = JointBound::Side { face: 8, intervals: 40, max_degree: 11 };
+                assert_eq!(bound(&model), expected, "{long:?}, turned by {turn}");
+            }
+        }
+    }
 }
