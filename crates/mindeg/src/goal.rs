@@ -212,3 +212,25 @@ fn work(boundary: &Boundary) -> u64 {
     let chords = pairs(boundary.vertex_count().into()) - on_sides;
     chords.saturating_mul(mindeg_core::least_max_degree(boundary).into())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_counts_the_chords_that_join_different_sides() {
+        for intervals in [&[3, 4, 5][..], &[1, 1, 1, 1], &[7, 1, 2, 3], &[9, 2, 2, 2, 4]] {
+            let boundary = Boundary::new(intervals).unwrap();
+            let side_of: Vec<usize> =
+                (0..intervals.len()).flat_map(|k| vec![k; intervals[k] as usize]).collect();
+            let n = side_of.len();
+            // Of the edge that begins at a vertex and of the one that ends there.
+            let sides = |v: usize| [side_of[v], side_of[(v + n - 1) % n]];
+            let joins = |a: usize, b: usize| !sides(a).iter().any(|side| sides(b).contains(side));
+            let chords =
+                (0..n).flat_map(|a| (0..a).map(move |b| (a, b))).filter(|&(a, b)| joins(a, b));
+            let degree = mindeg_core::least_max_degree(&boundary);
+            assert_eq!(work(&boundary), chords.count() as u64 * u64::from(degree), "{intervals:?}");
+        }
+    }
+}

@@ -83,6 +83,9 @@ fn a_tube_closes_at_both_ends() {
         assert_eq!(found.triangles.len(), 22);
         assert!(found.area >= found.without_limit.0 && found.min_angle > 0.0);
     }
+    let first = open.triangles().len() as u32;
+    let ranges = closed.filled.iter().map(|found| found.triangles.clone());
+    assert!(ranges.eq([first..first + 22, first + 22..first + 44]));
     // Degrees at the ends are 4 before.
     assert_eq!(closed.mesh.degrees().iter().max(), Some(&6));
     assert_eq!(closed.crossings, [[0; 2]; 0]);

@@ -4,10 +4,10 @@
 
 mod solids;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
-use mindeg::model::{JointBound, ModelGoal, ModelMesh, mesh_model};
-use mindeg::{Model, Progress, Side, TriMesh};
+use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
+use mindeg::{Interior, Model, Progress, Side, TriMesh};
 use solids::Solid;
 
 fn meshed(model: &Model) -> ModelMesh {
@@ -152,4 +152,30 @@ fn a_smaller_share_of_the_angle_allows_a_smaller_degree() {
         meshed.max_degree
     });
     assert!(found[0] < found[1] && found[1] <= found[2], "{found:?}");
+}
+
+#[test]
+fn a_filled_model_tells_its_points_and_the_degrees_of_its_faces() {
+    let cube = Solid::block(1.0, 1.0, 1.0);
+    for intervals in [1, 4] {
+        let model = cube.model(Side::count(intervals));
+        let filled = fill_model(&model, &Interior::default(), Progress::NONE).unwrap();
+        let points = filled.mesh.positions();
+        assert_eq!(filled.interior_points, points.len() - model.vertex_count() as usize);
+        // A face of the cube is where all three corners have one coordinate of 0 or of 1.
+        let is_on = |axis: usize, value: f64, vertex: u32| points[vertex as usize][axis] == value;
+        let faces = (0..3).flat_map(|axis| [0.0, 1.0].map(|value| (axis, value)));
+        let degrees = faces.flat_map(|(axis, value)| {
+            let mut neighbors = BTreeMap::<u32, BTreeSet<u32>>::new();
+            let triangles = filled.mesh.triangles().iter();
+            for triangle in triangles.filter(|t| t.iter().all(|&v| is_on(axis, value, v))) {
+                for &vertex in triangle {
+                    neighbors.entry(vertex).or_default().extend(triangle);
+                }
+            }
+            // Each is among its neighbors.
+            neighbors.into_values().map(|all| all.len() as u32 - 1)
+        });
+        assert_eq!(Some(filled.max_face_degree), degrees.max());
+    }
 }

@@ -257,6 +257,19 @@ fn domains_with_holes_have_a_gap_that_holds() {
     }
 }
 
+#[test]
+fn a_trade_off_by_windows_ends_with_the_first_mesh_that_is_enough() {
+    let domain = frame(25, 12);
+    let all = exact::trade_off(&domain, Progress::NONE).unwrap();
+    assert!(!all.is_exact() && all.meshes().len() > 1, "{:?}", all.meshes().len());
+    for share in [0.0, 0.9, 2.0] {
+        let is_enough = |angle: f64, most: f64| angle >= share * most;
+        let found = exact::trade_off_until(&domain, is_enough, Progress::NONE).unwrap();
+        let wanted = all.meshes().iter().position(|mesh| all.share(mesh) >= share);
+        assert_eq!(found.meshes().len(), wanted.map_or(all.meshes().len(), |i| i + 1), "{share}");
+    }
+}
+
 /// All triangulations of a small domain with a hole.
 fn all_of_rings(domain: &Domain) -> Vec<Vec<[u32; 3]>> {
     let points: Vec<DVec2> = domain.placement().points().collect();

@@ -7,6 +7,7 @@ use std::path::Path;
 use glam::{DVec2, DVec3};
 use mindeg::verify::{self, Defect, Optimality, Plane, Verified};
 use mindeg::{Domain, Goal, Interior, Progress, Side, TriMesh, interior};
+use mindeg_mesh::NonTriangles;
 use proptest::prelude::*;
 
 /// Numbers that look random (splitmix64).
@@ -458,6 +459,15 @@ fn defects_say_what_and_where() {
              vertex 5 lies on it",
         ),
         (
+            // Vertex 2 is on the line of the edge from vertex 3 to vertex 6, and beyond its end.
+            message(
+                &[&points[..], &[DVec3::new(1.0, 2.0, 0.0)]].concat(),
+                &[star[0], star[1], [2, 6, 4], star[3]],
+            ),
+            "no triangle has the edge from vertex 2 to vertex 3 near (1, 2), on side 3 of the boundary; \
+             vertex 6 lies on it",
+        ),
+        (
             message(&points, &[[0, 1, 2], [0, 4, 3], [4, 2, 3]]),
             "triangle 0 has no neighbour at the edge from vertex 2 to vertex 0 near (1, 1), inside the \
              domain; vertex 4 lies on it",
@@ -465,6 +475,10 @@ fn defects_say_what_and_where() {
     ] {
         assert_eq!(found, expected);
     }
+    let larger = NonTriangles { quads: 1, polygons: 2, ..NonTriangles::default() };
+    let mesh = TriMesh::new(points.to_vec(), star.to_vec()).unwrap().with_non_triangles(larger);
+    let error = verify::triangulation(&mesh, &domain, None).unwrap_err();
+    assert_eq!(error, Defect::LargerFaces { count: 3 });
     let mesh = TriMesh::new(points.to_vec(), star.to_vec()).unwrap();
     let error = verify::triangulation(&mesh, &domain, Some(1.0)).unwrap_err();
     assert_eq!(
@@ -522,4 +536,14 @@ fn optimality_is_proven_refuted_or_open() {
     assert!(mesh.max_degree() > 4);
     let delaunay = List { points: mesh.points().collect(), triangles: mesh.triangles().collect() };
     assert_eq!(of(&domain, &delaunay), "no: 4");
+
+    // A square hole in a square, with as many intervals outside as leave nothing proven.
+    let domain = json(
+        r#"{"polygon": {"corners": [[0, 0], [3, 0], [3, 3], [0, 3]]}, "size": 0.3,
+            "holes": [{"corners": [[1, 1], [2, 1], [2, 2], [1, 2]], "size": 0.2}]}"#,
+    );
+    assert_eq!(
+        of(&domain, &List::least(&domain)),
+        "unknown: no mesh has less than 4, and none with less than 5 was found"
+    );
 }

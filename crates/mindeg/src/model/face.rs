@@ -76,3 +76,52 @@ impl PlaneFace {
         Some(triangulation.triangles().map(|triangle| triangle.map(place)).collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg_core::least_max_degree;
+
+    fn faces(json: &str) -> Vec<PlaneFace> {
+        let model = Model::from_json(json).unwrap();
+        let positions = model.positions();
+        (0..model.face_count()).map(|face| PlaneFace::new(&model, &positions, face)).collect()
+    }
+
+    #[test]
+    fn convex_faces_have_the_least_degree_by_the_formula() {
+        // Two faces begin within a side of two edges.
+        let tetrahedron = r#"{
+            "corners": [[0, 0, 0], [4, 0, 0], [0, 3, 0], [0, 0, 2], [2, 0, 0]],
+            "faces": [[4, 0, 2, 1], [4, 1, 3, 0], [1, 2, 3], [0, 3, 2]], "size": 0.5}"#;
+        let counts: [&[u64]; 4] = [&[6, 10, 8], &[9, 4, 8], &[10, 7, 9], &[4, 7, 6]];
+        for (face, counts) in faces(tetrahedron).iter().zip(counts) {
+            let n = face.vertices.len();
+            assert_eq!(n as u64, counts.iter().sum::<u64>());
+            let triangles = face.closed_form().unwrap();
+            assert_eq!(triangles.len(), n - 2);
+            // A boundary vertex has an edge more than triangles.
+            let mut degrees = vec![1; n];
+            triangles.as_flattened().iter().for_each(|&place| degrees[place as usize] += 1);
+            let least = least_max_degree(&Boundary::new(counts).unwrap());
+            assert_eq!(degrees.into_iter().max(), Some(least), "{counts:?}");
+            let area = |&[a, b, c]: &[u32; 3]| {
+                let [a, b, c] = [a, b, c].map(|place| face.points[place as usize]);
+                (b - a).perp_dot(c - a)
+            };
+            assert!(triangles.iter().all(|triangle| area(triangle) > 1e-9), "{counts:?}");
+        }
+    }
+
+    #[test]
+    fn other_faces_have_no_formula() {
+        let l_block = r#"{
+            "corners": [[0,0,0], [2,0,0], [2,1,0], [1,1,0], [1,2,0], [0,2,0],
+                        [0,0,1], [2,0,1], [2,1,1], [1,1,1], [1,2,1], [0,2,1]],
+            "faces": [[5,4,3,2,1,0], [6,7,8,9,10,11], [0,1,7,6], [1,2,8,7], [2,3,9,8],
+                      [3,4,10,9], [4,5,11,10], [5,0,6,11]], "size": 0.5}"#;
+        let has =
+            faces(l_block).iter().map(|face| face.closed_form().is_some()).collect::<Vec<_>>();
+        assert_eq!(has, [false, false, true, true, true, true, true, true]);
+    }
+}
