@@ -32,6 +32,11 @@ impl<R: BufRead> Bytes<R> {
 
     /// Whether the file ends here.
     pub(crate) fn is_at_end(&mut self) -> Result<bool, ReadError> {
-        Ok(self.input.fill_buf()?.is_empty())
+        loop {
+            match self.input.fill_buf() {
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                buffer => return Ok(buffer?.is_empty()),
+            }
+        }
     }
 }

@@ -322,6 +322,37 @@ fn files_of_other_programs_are_read_and_faults_are_named() {
     }
 }
 
+/// A reader whose every second call is interrupted by a signal.
+struct Interrupted<'a> {
+    bytes: &'a [u8],
+    is_next: bool,
+}
+
+impl std::io::Read for Interrupted<'_> {
+    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        self.is_next = !self.is_next;
+        if self.is_next { Err(ErrorKind::Interrupted.into()) } else { self.bytes.read(out) }
+    }
+}
+
+#[test]
+fn a_signal_while_reading_changes_nothing() {
+    for format in FORMATS {
+        let files = write(&ring(), format, exact());
+        let [plain, interrupted] = [false, true].map(|is_interrupted| {
+            let bytes = files[0].1.as_slice();
+            let name = files[0].0.as_ref();
+            if is_interrupted {
+                let reader = Interrupted { bytes, is_next: false };
+                mindeg_formats::read(name, reader, beside(&files)).unwrap()
+            } else {
+                mindeg_formats::read(name, bytes, beside(&files)).unwrap()
+            }
+        });
+        assert_eq!(plain, interrupted, "{format:?}");
+    }
+}
+
 /// A square of size 3 with a square hole of size 1 in its middle, by eight triangles.
 fn ring() -> TriMesh {
     let corners = |a: f64, b: f64| [[a, a], [b, a], [b, b], [a, b]];
