@@ -84,6 +84,11 @@ fn a_corner_on_a_line_makes_no_new_run() {
     let runs = rings.straight_runs(&points);
     // From corner 1 on: 2 + 3 + 4 + 3 + 2 edges, the first and the last on one line.
     assert_eq!(runs, [0, 0, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 0, 0]);
+    // A turn is an angle: it does not depend on the unit of length.
+    for unit in [1e-30, 1e30] {
+        let points: Vec<_> = points.iter().map(|&point| point * unit).collect();
+        assert_eq!(rings.straight_runs(&points), runs, "{unit}");
+    }
 }
 
 #[test]

@@ -215,6 +215,14 @@ fn own_points_on_straight_sides_keep_the_convex_form() {
     assert_eq!(domain.straight_runs(), [0, 0, 0, 1, 1, 2, 3, 4]);
 }
 
+/// Beside a corner of a thousandth, points are a hundred apart in a million.
+#[test]
+fn a_large_slender_triangle_is_taken() {
+    let corners = [[0.0, 0.0], [1e6, 0.0], [1e6, 1e3]].map(DVec2::from).to_vec();
+    let domain = Domain::polygon(corners, vec![Side::count(10); 3]).unwrap();
+    assert!(domain.convex().is_some());
+}
+
 #[test]
 fn a_circle_is_convex_and_each_of_its_edges_a_side() {
     let center = DVec2::new(3.0, 4.0);

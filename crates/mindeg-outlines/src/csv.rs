@@ -138,6 +138,10 @@ mod tests {
             let outlines = read(text).unwrap();
             assert_eq!(outlines.features.len(), 1, "{text:?}");
             assert_eq!(outlines.features[0].rings, std::slice::from_ref(&expected), "{text:?}");
+            let has_others = text.contains("id");
+            let notes: &[&str] =
+                if has_others { &["took the points from columns 3 and 2"] } else { &[] };
+            assert_eq!(outlines.notes, notes, "{text:?}");
         }
     }
 

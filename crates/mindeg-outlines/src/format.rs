@@ -259,6 +259,8 @@ mod tests {
             ("0,0\n1,0\n", Some(Csv)),
             ("x;y\n0;0\n", Some(Csv)),
             ("0 0 0\n1 0 0\n", Some(Csv)),
+            ("0\n1\n0\n", None),
+            ("5\nSECTION\n", None),
             ("hello\nworld", None),
             ("", None),
         ] {

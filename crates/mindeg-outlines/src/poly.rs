@@ -278,6 +278,9 @@ mod tests {
         // From 0, without markers and the end.
         let text = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n";
         let ring = Ring::of_points([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(DVec2::from));
+        assert_eq!(read(text).unwrap().features[0].rings, std::slice::from_ref(&ring));
+        // One marker on all tells no sides apart.
+        let text = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 1\n1 1 2 7\n2 2 3 7\n3 3 1 7\n0\n";
         assert_eq!(read(text).unwrap().features[0].rings, [ring]);
     }
 

@@ -420,4 +420,50 @@ mod tests {
         let moved = features[0][1][4];
         assert!(moved[0] == 2.0 && moved[1] < 2.0 && moved[1] > 1.5, "{moved:?}");
     }
+
+    #[test]
+    fn a_vertex_moves_along_the_middle_of_its_angle() {
+        let ring = |points: &[[f64; 2]]| Ring::of_points(points.iter().copied().map(DVec2::from));
+        // A square, a straight vertex, a reflex one: the vertex 1, and where it goes.
+        let half = 0.5_f64.sqrt();
+        for (points, shorter, direction) in [
+            (&[[0.0, 0.0], [4.0, 0.0], [4.0, 8.0], [0.0, 8.0]][..], 4.0, [-half, half]),
+            (&[[0.0, 0.0], [6.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]], 2.0, [0.0, 1.0]),
+            (&[[0.0, 4.0], [4.0, 4.0], [4.0, 0.0], [8.0, 8.0], [0.0, 8.0]], 4.0, [half, half]),
+        ] {
+            let expected = DVec2::from(points[1]) + DVec2::from(direction) * SHARE_MOVED * shorter;
+            let moved = moved_inside(&ring(points), 1).unwrap();
+            assert!(moved.distance(expected) < 1e-12, "{points:?}: {moved}, {expected}");
+            let mut back = points.to_vec();
+            back.reverse();
+            let turned = moved_inside(&ring(&back), points.len() - 2).unwrap();
+            assert!(turned.distance(expected) < 1e-12, "{back:?}: {turned}");
+        }
+        // Something in the way: the step is halved until the way is free.
+        let crowded = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [3.6, 0.3], [0.0, 4.0]];
+        let moved = moved_inside(&ring(&crowded), 1).unwrap();
+        assert!(moved.distance(DVec2::new(4.0, 0.0)) < 0.5, "{moved}");
+        assert!(contains(&ring(&crowded).flattened(), &[moved]));
+    }
+
+    #[test]
+    fn two_arcs_that_touch_a_ring_are_no_spike() {
+        use crate::curve::{Arc, Curve};
+        let turn = std::f64::consts::PI;
+        let arc = |start: f64| {
+            let axes = [DVec2::X, DVec2::Y];
+            let arc = Arc { center: DVec2::new(-1.0, 0.0), axes, start, sweep: turn };
+            Piece { curve: Curve::Arc(arc), ..Piece::line(arc.point(start)) }
+        };
+        // A triangle from (0, 0), and a circle of two arcs that begins there, too.
+        let mut pieces = vec![Piece::line(DVec2::ZERO)];
+        pieces.extend([[4.0, 0.0], [4.0, 3.0]].map(|point| Piece::line(point.into())));
+        pieces.extend([arc(0.0), arc(turn)]);
+        pieces[3].start = DVec2::ZERO;
+        let feature = Feature { name: None, rings: vec![Ring { pieces }] };
+        let outlines = Outlines { features: vec![feature], notes: vec![] }.repaired().unwrap();
+        let counts: Vec<usize> =
+            outlines.features.iter().map(|feature| feature.rings[0].pieces.len()).collect();
+        assert_eq!(counts, [3, 2], "{outlines:?}");
+    }
 }

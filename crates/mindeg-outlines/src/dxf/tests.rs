@@ -108,6 +108,14 @@ fn what_is_left_out_is_said_and_errors_say_where() {
             "left out 1 SPLINE, 2 TEXTs"
         ]
     );
+    // A polyline in space, a mesh, and the faces of a solid.
+    for flags in [8, 16, 64] {
+        let vertices = "VERTEX 10=0 20=0\nVERTEX 10=9 20=0\nVERTEX 10=0 20=9\nSEQEND";
+        let polyline = format!("CIRCLE 10=0 20=0 40=9\nPOLYLINE 70={}\n{vertices}", flags + 1);
+        let outlines = read(&polyline).unwrap();
+        assert_eq!(outlines.features.len(), 1, "{flags}");
+        assert_eq!(outlines.notes, [UNIT, "left out 1 POLYLINE"], "{flags}");
+    }
     for (entities, message) in [
         ("SPLINE", "the section ENTITIES: no closed outline, only 1 SPLINE; explode blocks"),
         ("", "the section ENTITIES: no closed outline; explode blocks"),

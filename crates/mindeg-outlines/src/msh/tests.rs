@@ -61,6 +61,11 @@ fn reads_line_elements_of_both_versions() {
     let inlet = Some("in let");
     assert_eq!(points_and_sides(&outlines), [(a, inlet, true), (b, inlet, false), (c, None, true)]);
     assert!(outlines.notes.is_empty(), "{:?}", outlines.notes);
+    let with_triangles = V4
+        .replace("3 5 1 5", "4 7 1 7")
+        .replace("$EndElements", "2 1 2 2\n6 10 12 11\n7 12 10 11\n$EndElements");
+    let outlines = read(&with_triangles).unwrap();
+    assert_eq!(outlines.notes, ["left out 2 elements that are no lines"]);
     let outlines = read(V2).unwrap();
     assert_eq!(
         points_and_sides(&outlines),

@@ -59,6 +59,7 @@ fn curves_stay_curves() {
         ("<circle r='1' transform='scale(2)'/>", 4.0 * PI),
         ("<path d='M2 0a2 2 0 0 1-4 0a2,2 0 012,-2 2 2 0 01 2 2z'/>", 4.0 * PI),
         ("<rect width='6' height='4' rx='1'/>", 4.0 + 8.0 + 2.0 * PI),
+        ("<rect width='16' height='14' rx='3'/>", 2.0 * 10.0 + 2.0 * 8.0 + 6.0 * PI),
         ("<rect width='6' height='4' rx='9' ry='1'/>", 2.0 * 2.0 + 13.364_893_220_555_3),
         // Two parabolas, one smooth after the other.
         ("<path d='M0 0Q1 1 2 0T4 0z'/>", 4.0 + 2.0 * 2.295_587_149_392_638),
