@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mindeg_domain::{FromMesh, Model, ModelPlace, Side, Spacing};
 use mindeg_mesh::{Group, Polygons, TriMesh};
 
@@ -84,10 +84,14 @@ fn a_corner_on_a_line_makes_no_new_run() {
     let runs = rings.straight_runs(&points);
     // From corner 1 on: 2 + 3 + 4 + 3 + 2 edges, the first and the last on one line.
     assert_eq!(runs, [0, 0, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 0, 0]);
-    // A turn is an angle: it does not depend on the unit of length.
-    for unit in [1e-30, 1e30] {
-        let points: Vec<_> = points.iter().map(|&point| point * unit).collect();
-        assert_eq!(rings.straight_runs(&points), runs, "{unit}");
+    // A turn is an angle, here of 45 degrees at corners 1 and 2: the unit of length does not matter.
+    for unit in [1e-30, 1.0, 1e30] {
+        let text = r#"{"corners": [[0,0,0], [1,0,0], [2,1,0], [2,3,0], [0,3,0]],
+                       "faces": [[1,2,3,4,0]], "size": 9}"#;
+        let rings = Model::from_json(text).unwrap().rings(0);
+        let points = [[1.0, 0.0], [2.0, 1.0], [2.0, 3.0], [0.0, 3.0], [0.0, 0.0]];
+        let points = points.map(|point| unit * DVec2::from(point));
+        assert_eq!(rings.straight_runs(&points), [0, 1, 2, 3, 4], "{unit}");
     }
 }
 

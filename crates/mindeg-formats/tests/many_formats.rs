@@ -322,6 +322,20 @@ fn files_of_other_programs_are_read_and_faults_are_named() {
     }
 }
 
+#[test]
+fn faces_that_are_not_convex_are_cut_within() {
+    let points = "1 1 0\n1 3 0\n0 3 0\n0 0 0\n3 0 0\n3 1 0\n";
+    let file = format!("OFF\n6 1 0\n{points}6 0 1 2 3 4 5\n");
+    let mesh = read_as(Format::Off, "l".as_ref(), file.as_bytes(), beside(&Vec::new())).unwrap();
+    let areas = mesh.triangles().iter().map(|corners| {
+        let [a, b, c] = corners.map(|vertex| mesh.positions()[vertex as usize].truncate());
+        (b - a).perp_dot(c - a) / 2.0
+    });
+    let areas: Vec<f64> = areas.collect();
+    assert_eq!((areas.len(), areas.iter().sum::<f64>()), (4, 5.0));
+    assert!(areas.iter().all(|&area| area > 0.0), "{areas:?}");
+}
+
 /// A reader whose every second call is interrupted by a signal.
 struct Interrupted<'a> {
     bytes: &'a [u8],

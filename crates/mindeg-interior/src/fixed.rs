@@ -221,3 +221,41 @@ fn crowded(outline: &Outline, lines: &Breaklines, field: &SizeField) -> Vec<Size
     }
     sizes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    #[test]
+    fn pieces_of_a_segment_are_as_long_as_the_size_wants() {
+        let outline = samples::rectangle(40.0, 20.0, [40, 20, 40, 20]);
+        let field = SizeField::new(&outline, 1.2, Some(2.0), &[]);
+        // In the middle of the plate, one size.
+        let [from, to] = [[10.0, 10.0], [30.0, 10.0]].map(DVec2::from);
+        let shares = divisions(from, to, &field);
+        assert_eq!(shares.len(), 9);
+        for (i, share) in (1..).zip(&shares) {
+            assert!((share - f64::from(i) / 10.0).abs() < 1e-9, "{shares:?}");
+        }
+        // Towards a small size at one end, every piece has the same share of the sizes along it.
+        let places = [SizeAt { at: to, size: 0.1 }];
+        let field = SizeField::new(&outline, 1.2, Some(2.0), &places);
+        let shares = divisions(from, to, &field);
+        let ends: Vec<f64> = [0.0].into_iter().chain(shares).chain([1.0]).collect();
+        let sizes = |from_share: f64, to_share: f64| -> f64 {
+            let steps = 1000;
+            let step = (to_share - from_share) / f64::from(steps);
+            let at = |i: i32| from.lerp(to, from_share + (f64::from(i) + 0.5) * step);
+            (0..steps).map(|i| step * 20.0 / field.at(at(i))).sum()
+        };
+        let total = sizes(0.0, 1.0);
+        assert_eq!(ends.len() - 1, total.round() as usize);
+        for pair in ends.windows(2) {
+            let share = sizes(pair[0], pair[1]) * (ends.len() - 1) as f64 / total;
+            assert!((share - 1.0).abs() < 0.05, "{pair:?} {share} {total}");
+        }
+        // Shorter than the size: one piece.
+        assert!(divisions(from, from + DVec2::X, &field).is_empty());
+    }
+}

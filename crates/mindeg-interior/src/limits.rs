@@ -321,8 +321,31 @@ mod tests {
         // A gap of 0.1 between edges of length 1.
         let outer = samples::ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], &[4; 4]);
         let hole = samples::ring(&[[1.0, 0.1], [1.0, 2.0], [2.0, 2.0], [2.0, 0.1]], &[1; 4]);
-        let found = limits(&Outline::new(&[outer, hole]).unwrap(), 5);
         let expected = libm::atan(0.1).to_degrees();
-        assert!((found.angle() - expected).abs() < 1e-6, "{found:?} {expected}");
+        // In any unit of length.
+        for unit in [1e-3, 1.0, 1e3] {
+            let rings = [&outer, &hole].map(|ring| ring.iter().map(|p| *p * unit).collect());
+            let rings: [Vec<DVec2>; 2] = rings;
+            let found = limits(&Outline::new(&rings).unwrap(), 5);
+            assert!((found.angle() - expected).abs() < 1e-6, "{unit}: {found:?} {expected}");
+        }
+    }
+
+    #[test]
+    fn a_reflex_corner_may_have_more_edges() {
+        // 2 and the nearest number of angles of 60 degrees; 4.5 of them round up.
+        for (degrees, limit) in [
+            (60.0, 4),
+            (180.0, 4),
+            (181.0, 5),
+            (209.0, 5),
+            (211.0, 6),
+            (270.0, 7),
+            (330.0, 8),
+            (359.0, 8),
+        ] {
+            assert_eq!(degree_limit(f64::to_radians(degrees), 4), limit, "{degrees}");
+            assert_eq!(degree_limit(f64::to_radians(degrees), 9), 9, "{degrees}");
+        }
     }
 }

@@ -365,6 +365,18 @@ mod tests {
             error(&[outer.clone(), hole(20.0, 0.0, 1.0)]),
             OutlineError::Nesting { ring: 1 }
         );
+        // Between the arms of a U.
+        let u = [
+            [0.0, 0.0],
+            [9.0, 0.0],
+            [9.0, 9.0],
+            [6.0, 9.0],
+            [6.0, 3.0],
+            [3.0, 3.0],
+            [3.0, 9.0],
+            [0.0, 9.0],
+        ];
+        assert_eq!(error(&[ring(&u), hole(4.0, 5.0, 1.0)]), OutlineError::Nesting { ring: 1 });
         assert_eq!(
             error(&[outer.clone(), hole(1.0, 1.0, 4.0), hole(2.0, 2.0, 1.0)]),
             OutlineError::Nesting { ring: 2 }

@@ -321,6 +321,18 @@ mod tests {
     }
 
     #[test]
+    fn the_unit_of_length_does_not_matter() {
+        let l = [[3.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 3.0], [0.0, 3.0], [0.0, 0.0]];
+        for points in turned(&in_xy(&l)) {
+            let expected = cut(&points);
+            for unit in [2.0_f64.powi(-900), 2.0_f64.powi(900)] {
+                let points: Vec<DVec3> = points.iter().map(|&point| point * unit).collect();
+                assert_eq!(cut(&points), expected, "{points:?}");
+            }
+        }
+    }
+
+    #[test]
     fn what_is_no_polygon_still_has_its_triangles() {
         let [o, x, y, far] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1e308, -1e308]];
         for points in [

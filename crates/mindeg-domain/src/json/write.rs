@@ -226,7 +226,8 @@ mod tests {
                 assert_eq!(again.sides(), domain.sides(), "{text}");
             }
             assert_eq!(again.constraints(), domain.constraints(), "{text}");
-            assert!(!domain.to_json().contains("\"outside_degree\": 0"), "{text}");
+            let words: String = domain.to_json().split_whitespace().collect();
+            assert!(!words.contains("\"outside_degree\":0"), "{text}");
             assert_eq!(again.rings(), domain.rings(), "{text}");
             assert_eq!(again.to_json(), domain.to_json());
         }

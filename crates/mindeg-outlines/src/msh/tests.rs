@@ -76,6 +76,9 @@ fn reads_line_elements_of_both_versions() {
 
 #[test]
 fn errors_say_where_and_what() {
+    let binary = [V4.replace("4.1 0 8", "4.1 1 8").as_bytes(), b"\xff\xfe"].concat();
+    let error = super::read(&binary).unwrap_err().to_string();
+    assert_eq!(error, "line 2: this is a binary file; write text with Mesh.Binary = 0");
     for (text, from, to, message) in [
         (V4, "4.1 0 8", "4.0 0 8", "line 2: found the version \"4.0\", expected 4.1 or 2.2"),
         (
