@@ -19,18 +19,20 @@ pub(super) struct Subpath {
     pub(super) curves: Vec<(Curve, DVec2)>,
     /// Whether it ends where it starts, or is told to.
     pub(super) is_closed: bool,
+    /// Whether places are sums of relative coordinates.
+    pub(super) is_summed: bool,
 }
 
 impl Subpath {
     pub(super) fn at(start: DVec2) -> Self {
-        Self { start, curves: Vec::new(), is_closed: false }
+        Self { start, curves: Vec::new(), is_closed: false, is_summed: false }
     }
 
     /// A closed subpath of straight lines.
     pub(super) fn polygon(points: &[DVec2]) -> Option<Self> {
         let (&start, rest) = points.split_first()?;
         let curves = rest.iter().map(|&point| (Curve::Line, point)).collect();
-        Some(Self { start, curves, is_closed: true })
+        Some(Self { curves, is_closed: true, ..Self::at(start) })
     }
 
     fn end(&self) -> DVec2 {
@@ -66,8 +68,11 @@ impl Subpath {
         Ring { pieces }
     }
 
-    /// Whether the ends are so near each other that they should be one point.
+    /// Whether the ends are so near each other that they should be one point, but for rounding.
     pub(super) fn has_small_gap(&self) -> bool {
+        if !self.is_summed {
+            return false;
+        }
         let size = self.curves.iter().map(|&(_, end)| (end - self.start).abs().max_element());
         let size = size.fold(0.0, f64::max);
         let gap = (self.end() - self.start).abs().max_element();
@@ -108,6 +113,7 @@ impl Pen {
         let base = if segment.is_abs() { DVec2::ZERO } else { self.at };
         let point = |x: f64, y: f64| base + DVec2::new(x, y);
         let control = self.control.take();
+        let is_summed = !segment.is_abs();
         match segment {
             PathSegment::MoveTo { x, y, .. } => {
                 self.at = point(x, y);
@@ -160,6 +166,9 @@ impl Pen {
                     self.subpaths.push(Subpath::at(self.at));
                 }
             }
+        }
+        if let Some(subpath) = self.subpaths.last_mut() {
+            subpath.is_summed |= is_summed && !subpath.curves.is_empty();
         }
     }
 

@@ -73,7 +73,7 @@ fn ellipse(center: DVec2, radii: DVec2) -> Option<Subpath> {
     let arc = Arc { center, axes, start: 0.0, sweep: TAU };
     let is_shape = radii.min_element() > 0.0;
     let curves = vec![(Curve::Arc(arc), start)];
-    is_shape.then_some(Subpath { start, curves, is_closed: true })
+    is_shape.then_some(Subpath { curves, is_closed: true, ..Subpath::at(start) })
 }
 
 /// A rectangle with round corners, if they have a radius.

@@ -107,6 +107,16 @@ fn names_and_what_is_left_out_are_said() {
 }
 
 #[test]
+fn points_that_are_given_are_kept_however_near() {
+    // A coast of 20,000 units that ends 9 units from its start.
+    let points = "0 0 20000 0 20000 20000 0 20000 0 9";
+    for shape in ["<polygon points='P'/>", "<path d='M P Z'/>"] {
+        let ring = ring(&shape.replace('P', points));
+        assert_eq!(ring.pieces.len(), 5, "{shape}");
+    }
+}
+
+#[test]
 fn small_gaps_are_closed() {
     // 0.1 + 0.2 - 0.3 is not 0.
     let outlines = read("<path d='M0 0h.1h.2v1h-.3v-1z'/>").unwrap();
