@@ -357,4 +357,50 @@ mod tests {
              memory: at most 10000000 can be compared; use fewer intervals"
         );
     }
+
+    #[test]
+    fn every_method_has_its_triangles_and_they_have_the_edges() {
+        let frame = r#"{"rectangle": {"width": 6, "height": 4}, "size": 1,
+            "holes": [{"corners": [[2, 1], [4, 1], [4, 3], [2, 3]]}]}"#;
+        let plate = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
+        for (text, holes) in [(plate, 0), (frame, 1)] {
+            let comparison =
+                compare(&Domain::from_json(text).unwrap(), &Options::default()).unwrap();
+            let report = comparison.report();
+            assert_eq!(report.domain.holes, holes);
+            for (place, (method, triangles)) in comparison.methods().enumerate() {
+                assert_eq!(comparison.triangles(place), triangles, "{}", method.method);
+                if method.valid {
+                    assert_eq!(triangles.len() as u32, report.domain.triangles);
+                    // Of three sides each, all but the boundary's are of two triangles.
+                    let inner_sides = 3 * triangles.len() as u32 - report.domain.vertices;
+                    assert_eq!(report.domain.interior_edges, inner_sides / 2);
+                }
+            }
+            assert!(report.methods[0].valid && !comparison.triangles(0).is_empty());
+        }
+    }
+
+    #[test]
+    fn outlines_have_the_corners_and_all_points_of_curves() {
+        let text = r#"{"polygon": {"corners": [[0,0],[4,0],[4,4],[0,4]]}, "size": 1,
+            "sides": [{}, {}, {"intervals": 4, "arc": {"through": [2, 6]}}, {}]}"#;
+        let domain = Domain::from_json(text).unwrap();
+        let lines = outlines(&domain);
+        assert_eq!(lines.len(), 1);
+        // Corners are vertices 0, 4, 8 and 12; the arc goes from 8 to 12.
+        let shown = [0, 4, 8, 9, 10, 11, 12, 0].map(|vertex| domain.placement().point(vertex));
+        assert_eq!(lines[0], shown);
+    }
+
+    #[test]
+    fn of_a_long_curve_the_first_two_the_advised_and_the_last_are_shown() {
+        let domain = Domain::rectangle(4.0, 3.0, [40, 2, 2, 2].map(Side::count).into()).unwrap();
+        let trade_off = exact_trade_off(&domain, &Options::default()).unwrap();
+        let all = trade_off.meshes().iter().map(|exact| exact.max_degree);
+        assert_eq!(all.collect::<Vec<_>>(), [11, 12, 13, 14, 15, 16, 17]);
+        // Degree 16 is the first with 95% of the angle.
+        let shown = shown(&trade_off).map(|exact| exact.max_degree);
+        assert_eq!(shown.collect::<Vec<_>>(), [11, 12, 16, 17]);
+    }
 }

@@ -273,3 +273,28 @@ impl From<&Distribution> for Spread {
         Self { min, p01, median, mean, p99, max }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg::glam::DVec3;
+    use mindeg_mesh::Polygons;
+
+    #[test]
+    fn a_duplicate_face_is_named_by_its_first_triangle() {
+        let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let square = [[0, 1, 2], [0, 2, 3]];
+        let report = |mesh: &TriMesh| {
+            let options = InspectionOptions::default();
+            InspectionReport::new(None, mesh, &Inspection::of(mesh, &options), &options)
+        };
+        let twice = TriMesh::new(points.clone(), [square, square].concat()).unwrap();
+        let found = report(&twice);
+        assert_eq!((found.duplicate_faces, found.duplicate_triangles), (vec![2, 3], vec![2, 3]));
+        // The same as two faces of four corners.
+        let corners = vec![0, 1, 2, 3, 0, 1, 2, 3];
+        let found =
+            report(&twice.with_polygons(Polygons { triangle_starts: vec![0, 2, 4], corners }));
+        assert_eq!((found.duplicate_faces, found.duplicate_triangles), (vec![1], vec![2]));
+    }
+}

@@ -197,4 +197,32 @@ mod tests {
         assert!(own.failure.as_ref().is_some_and(|text| text.contains("time limit")), "{own:?}");
         assert_eq!(own.triangles, None);
     }
+
+    #[test]
+    fn figures_are_those_of_the_triangles() {
+        let measured = |corners: &str, inner: [f64; 2], triangles: &[[u32; 3]]| {
+            let text = format!(r#"{{"polygon": {{"corners": {corners}}}, "size": 99}}"#);
+            let domain = Domain::from_json(&text).unwrap();
+            let points: Vec<DVec2> = domain.placement().points().chain([inner.into()]).collect();
+            measured(&domain, &points, triangles, Some(90.0))
+        };
+        // Areas of 4, 6, 4 and 2 round the inner point: ratios of 1.5, 1.5, 2 and 2.
+        let found = measured(
+            "[[1,1],[5,1],[5,5],[1,5]]",
+            [2.0, 3.0],
+            &[[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]],
+        );
+        assert_eq!((found.triangles, found.interior_points), (Some(4), Some(1)));
+        assert_eq!((found.max_interior_degree, found.max_boundary_degree), (Some(4), Some(3)));
+        assert_eq!(found.violations, Some(1), "an inner degree of 4");
+        assert_eq!(found.grading_p99, Some(2.0_f64.sqrt()));
+        assert_eq!(found.share_of_limit, found.min_angle.map(|angle| angle / 90.0));
+
+        // A corner of nearly a whole turn may have 8 edges; it has 6 here.
+        let corners = "[[5,5],[7,4],[7,7],[3,7],[3,3],[7,3],[7,3.5]]";
+        let fan = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5], [0, 5, 6]];
+        let found = measured(corners, [9.0, 9.0], &fan);
+        assert_eq!((found.max_boundary_degree, found.violations), (Some(6), Some(0)));
+        assert_eq!((found.interior_points, found.max_interior_degree), (Some(0), None));
+    }
 }

@@ -239,7 +239,7 @@ fn reasons(method: &MethodFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::{DomainFigures, MethodDefect};
+    use crate::figures::{Distribution, DomainFigures, MethodDefect, MetricFigures};
     use crate::report::Provenance;
     use crate::{Advice, Reference, TradeOffFigures};
 
@@ -354,6 +354,59 @@ mod tests {
             vec![with(mindeg(4, 25.0), 0.1, 0.5), with(delaunay(14, 25.0), 0.05, 0.45)],
             &[first],
         );
+        // Of two the greater difference is told, wherever the shares are.
+        check(
+            vec![with(mindeg(4, 25.0), 0.9, 0.95), with(delaunay(14, 25.0), 0.2, 0.5)],
+            &[
+                first,
+                "But 90% of its triangles have an angle below 5°, against 20% in Delaunay's mesh.",
+            ],
+        );
+        check(
+            vec![with(mindeg(4, 25.0), 0.2, 0.95), with(delaunay(14, 25.0), 0.004, 0.5)],
+            &[
+                first,
+                "But 95% of its triangles have an angle below 15°, against 50% in Delaunay's mesh.",
+            ],
+        );
+        check(
+            vec![with(mindeg(4, 25.0), 0.2, 0.5), with(delaunay(14, 25.0), 0.004, 0.5)],
+            &[
+                first,
+                "But 20% of its triangles have an angle below 5°, against 0.4% in Delaunay's mesh.",
+            ],
+        );
+    }
+
+    #[test]
+    fn a_median_far_below_delaunays_is_told() {
+        let with = |method: MethodFigures, median: f64| {
+            let [min, p01, mean, p99, max] = [25.0; 5];
+            let all = Distribution { min, p01, median, mean, p99, max };
+            let metrics = MetricFigures {
+                min_angle: all,
+                max_angle: all,
+                minimum_height: all,
+                aspect_ratio: all,
+                radius_ratio: all,
+                shape: all,
+            };
+            MethodFigures { metrics: Some(metrics), ..method }
+        };
+        let first = "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 14.";
+        for (own, there, told) in [
+            (
+                28.0,
+                40.0,
+                Some("But the median of its triangles' minimum angles is 28°, against 40°."),
+            ),
+            // No less than 0.8 of it.
+            (33.0, 40.0, None),
+            (45.0, 40.0, None),
+        ] {
+            let expected: Vec<&str> = [first].into_iter().chain(told).collect();
+            check(vec![with(mindeg(4, 25.0), own), with(delaunay(14, 25.0), there)], &expected);
+        }
     }
 
     #[test]

@@ -19,3 +19,16 @@ pub(crate) fn f32s(numbers: impl Iterator<Item = f64>) -> String {
 fn packed<const N: usize>(numbers: impl Iterator<Item = [u8; N]>) -> String {
     STANDARD.encode(numbers.flatten().collect::<Vec<u8>>())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_packed_little_endian_at_their_width() {
+        // 1.0 is 3ff0… or 3f80…, 2.0 is 4000….
+        assert_eq!(f64s([DVec2::new(1.0, 2.0)].into_iter()), "AAAAAAAA8D8AAAAAAAAAQA==");
+        assert_eq!(f32s([1.0, 2.0].into_iter()), "AACAPwAAAEA=");
+        assert_eq!(u32s([1, 258].into_iter()), "AQAAAAIBAAA=");
+    }
+}

@@ -96,3 +96,20 @@ fn capital(words: &str) -> String {
     let mut letters = words.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_sides_that_the_formula_has_too_are_changed() {
+        let boundary_of = |corners: &str| {
+            let text = format!(r#"{{"polygon": {{"corners": {corners}}}, "size": 1}}"#);
+            own_boundary(&Domain::from_json(&text).unwrap()).map(|boundary| boundary.side_count())
+        };
+        assert_eq!(boundary_of("[[0,0],[4,0],[4,3],[0,3]]"), Some(4));
+        // The formula takes the two sides below as one, whose count is no side's.
+        assert_eq!(boundary_of("[[0,0],[2,0],[4,0],[4,3],[0,3]]"), None);
+        assert_eq!(boundary_of("[[2,0],[4,0],[4,3],[0,3],[0,0]]"), None);
+    }
+}

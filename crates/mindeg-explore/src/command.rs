@@ -134,4 +134,33 @@ mod tests {
             "mindeg mesh 'my plate.json' --keep-angle 95% -o a-b-c.14"
         );
     }
+
+    #[test]
+    fn a_file_is_never_taken_for_an_option() {
+        let text = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
+        let mut known = KnownFiles::default();
+        known.add("-o.json", text);
+        let request = serde_json::from_str(&format!(r#"{{"domain": {text}}}"#)).unwrap();
+        let command = command(&request, &Domain::from_json(text).unwrap(), &known);
+        assert_eq!(command, "mindeg mesh ./-o.json -o mesh.obj");
+    }
+
+    /// `mindeg mesh` writes no mesh that misses a demand, but the page shows one.
+    #[test]
+    fn a_mesh_that_may_miss_a_demand_is_written_anyway() {
+        for (more, is_anyway) in [
+            ("", false),
+            (r#", "interior": {}"#, false),
+            (r#", "interior": {"target_angle": 25}"#, true),
+            (r#", "vertices": [{"vertex": 1, "max_degree": 4}]"#, true),
+        ] {
+            let text = format!(r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 1{more}}}"#);
+            let body = format!(r#"{{"domain": {text}, "view": "interior"}}"#);
+            let request = serde_json::from_str(&body).unwrap();
+            let options = options(&request, &Domain::from_json(&text).unwrap());
+            let expected: &[&str] =
+                if is_anyway { &["--interior", "--write-anyway"] } else { &["--interior"] };
+            assert_eq!(options, expected, "{more}");
+        }
+    }
 }

@@ -48,3 +48,51 @@ pub(crate) fn shown(domain: &Domain, progress: Progress<'_>) -> Result<DegreeSho
     let words = words::degree(domain, &answer);
     Ok(DegreeShown { at_least, reached, words, certificate, chords, vertices })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn degree_of(domain: &str) -> DegreeShown {
+        shown(&Domain::from_json(domain).unwrap(), Progress::NONE).unwrap()
+    }
+
+    #[test]
+    fn every_proof_has_its_name_and_what_the_page_marks() {
+        let rectangle = r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5}"#;
+        assert_eq!(degree_of(rectangle).certificate, "balanced_cut");
+        let limited = r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5,
+            "vertices": [{"vertex": 0, "outside_degree": 9}]}"#;
+        let shown = degree_of(limited);
+        assert_eq!((shown.certificate, shown.at_least), ("counting", 11));
+
+        // An L, in which a zig-zag of degree 4 needs chords beyond it.
+        let bent = r#"{"polygon": {"corners": [[0,0],[4,0],[4,2],[2,2],[2,4],[0,4]]}, "sides": [
+            {"intervals": 13}, {"intervals": 6}, {"intervals": 6}, {"intervals": 6},
+            {"intervals": 6}, {"intervals": 13}]}"#;
+        let shown = degree_of(bent);
+        assert_eq!((shown.certificate, shown.chords.len()), ("blocked_zig_zags", 50));
+        assert!(shown.vertices.is_empty());
+
+        // A U: few vertices see the 60 intervals of its floor.
+        let deep = r#"{"polygon": {"corners": [[0,0],[6,0],[6,4],[4,4],[4,2],[2,2],[2,4],[0,4]]},
+            "sides": [{"intervals": 2}, {"intervals": 2}, {"intervals": 2}, {"intervals": 2},
+            {"intervals": 60}, {"intervals": 2}, {"intervals": 2}, {"intervals": 2}]}"#;
+        let shown = degree_of(deep);
+        assert_eq!((shown.certificate, shown.reached), ("apexes", 23));
+        assert!(shown.chords.is_empty() && !shown.vertices.is_empty());
+    }
+
+    #[test]
+    fn the_sides_of_the_formula_are_explained_where_they_are_others() {
+        let is_explained =
+            |domain: &str| degree_of(domain).words.contains("Sides on one line count as one");
+        assert!(!is_explained(r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5}"#));
+        let halved = r#"{"polygon": {"corners": [[0,0],[2,0],[4,0],[4,3],[0,3]]}, "size": 0.5}"#;
+        assert!(is_explained(halved));
+        // As many sides, but others: one fewer below, and one more of the arc's two edges.
+        let arched = r#"{"polygon": {"corners": [[2,0],[4,0],[4,3],[0,3],[0,0]]}, "size": 0.5,
+            "sides": [{}, {}, {"intervals": 2, "arc": {"through": [2, 4]}}, {}, {}]}"#;
+        assert!(is_explained(arched));
+    }
+}

@@ -67,3 +67,19 @@ pub(crate) fn format_facts() -> Vec<FormatFact> {
     });
     facts.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refused_download_says_what_is_wrong() {
+        for (body, words) in [
+            ("[]", "the request is not what the page sends"),
+            (r#"{"domain": {"rectangle": {"width": 4, "height": 3}}}"#, "intervals"),
+        ] {
+            let refusal = download(body.as_bytes(), None, "obj", 0, Progress::NONE).err().unwrap();
+            assert!(refusal.contains(words), "{refusal}");
+        }
+    }
+}

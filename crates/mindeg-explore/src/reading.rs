@@ -72,3 +72,43 @@ fn source(polygon: &Polygon, notes: &[String]) -> Source {
         Err(message) => Source { name, domain: None, notes, message: Some(message) },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_polygons_of_many_are_given() {
+        let drawing = |count: usize| {
+            let square = |place: usize| format!("<rect x='{}' width='1' height='1'/>", 2 * place);
+            let squares: String = (0..count).map(square).collect();
+            sources("many.svg", format!("<svg>{squares}</svg>").as_bytes()).unwrap()
+        };
+        for (count, expected) in
+            [(MOST, None), (MOST + 2, Some("The first 200 of 202 polygons are given."))]
+        {
+            let given = drawing(count);
+            assert_eq!(given.len(), MOST);
+            assert!(given.iter().all(|source| source.domain.is_some()));
+            let note = given[0].notes.iter().find(|note| note.starts_with("The first"));
+            assert_eq!(note.map(String::as_str), expected);
+        }
+    }
+
+    #[test]
+    fn an_outline_of_too_many_points_is_refused_by_their_number() {
+        // A square with the teeth of a saw on one side.
+        let outline = |count: u32| {
+            let teeth = (0..count - 2).map(|x| format!("{x},{}", x % 2));
+            let others = [format!("{count},{count}"), format!("0,{count}")];
+            let points: Vec<String> = teeth.chain(others).collect();
+            let drawing = format!("<svg><polygon points='{}'/></svg>", points.join(" "));
+            sources("saw.svg", drawing.as_bytes()).unwrap().remove(0)
+        };
+        assert_eq!(outline(MAX_VERTICES).message, None);
+        assert_eq!(
+            outline(MAX_VERTICES + 1).message.as_deref(),
+            Some("the outline has 20001 points; the page takes up to 20000")
+        );
+    }
+}

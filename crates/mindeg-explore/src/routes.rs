@@ -376,3 +376,44 @@ async fn keep_state(
     all.states.put(id, bytes);
     Ok(StatusCode::NO_CONTENT.into_response())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::future::Future;
+
+    fn finished<T>(work: impl Future<Output = T>) -> T {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_time().build();
+        runtime.unwrap().block_on(work)
+    }
+
+    #[test]
+    fn a_body_of_exactly_the_most_bytes_is_taken() {
+        for (more, expected) in [(0, Ok(MAX_BYTES)), (1, Err(StatusCode::PAYLOAD_TOO_LARGE))] {
+            let request = Request::new(Body::from(vec![b' '; MAX_BYTES + more]));
+            let taken = finished(body(request)).map(|bytes| bytes.len());
+            assert_eq!(taken.map_err(|refusal| refusal.status), expected);
+        }
+    }
+
+    #[test]
+    fn eight_times_the_most_bytes_are_drained() {
+        let (sender, received) = mpsc::unbounded_channel();
+        let chunk = Bytes::from(vec![b' '; MAX_BYTES / 4]);
+        for _ in 0..40 {
+            sender.send(chunk.clone()).unwrap();
+        }
+        drop(sender);
+        let mut body = Body::new(Lines(received));
+        let left = finished(async {
+            drained(&mut body).await;
+            let mut left = 0;
+            while let Ok(Some(_)) = next(&mut body).await {
+                left += 1;
+            }
+            left
+        });
+        // 32 chunks are let through, and the one that is too many is taken before it is seen to be.
+        assert_eq!(left, 40 - 33);
+    }
+}

@@ -237,3 +237,57 @@ fn axis(metric: &Metric, size: DVec2) -> Axis {
     };
     Axis { range, is_logarithmic }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Four points, cut from vertex 0 to vertex 2.
+    fn plate(vertices: &str) -> (Domain, TriMesh) {
+        let text = format!(
+            r#"{{"polygon": {{"corners": [[1,2],[5,2],[5,5],[1,5]]}}, "size": 9, "vertices": {vertices}}}"#
+        );
+        let domain = Domain::from_json(&text).unwrap();
+        let points = domain.placement().points().map(|point| point.extend(0.0)).collect();
+        (domain, TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap())
+    }
+
+    #[test]
+    fn the_frame_is_the_middle_and_the_extent() {
+        let frame = Frame::of(&plate("[]").0);
+        assert_eq!(frame.center, DVec2::new(3.0, 3.5));
+        assert_eq!(frame.size, DVec2::new(4.0, 3.0));
+    }
+
+    #[test]
+    fn degrees_count_the_edges_outside_too() {
+        let (domain, mesh) = plate(r#"[{"vertex": 1, "outside_degree": 7}]"#);
+        assert_eq!(Figure::listed(&domain, &mesh).degrees, [3, 9, 3, 2]);
+    }
+
+    #[test]
+    fn a_mesh_is_told_in_a_sentence() {
+        let (domain, mesh) = plate("[]");
+        assert_eq!(
+            Figure::listed(&domain, &mesh).in_short(),
+            "4 vertices, 2 triangles, maximum degree 3, angles 36.870° to 90.000°."
+        );
+    }
+
+    #[test]
+    fn every_measure_has_an_axis_from_its_worst_to_its_best() {
+        let size = DVec2::new(40.0, 30.0);
+        for (name, range, is_logarithmic) in [
+            ("min_angle", [0.1, 60.0], true),
+            ("max_angle", [60.0, 180.0], false),
+            ("shape", [0.0, 1.0], false),
+            ("edge_ratio", [1.0, 1000.0], true),
+            // Parts of the longer side and of the rectangle round the domain.
+            ("minimum_height", [1e-4 * 40.0, 40.0], true),
+            ("area", [1e-8 * 1200.0, 1200.0], true),
+        ] {
+            let metric = METRICS.iter().find(|metric| metric.name == name).unwrap();
+            assert_eq!(axis(metric, size), Axis { range, is_logarithmic }, "{name}");
+        }
+    }
+}

@@ -104,3 +104,17 @@ impl Work {
         Instant::now() > self.deadline
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_work_is_late_after_its_deadline_alone() {
+        assert!(!Work::alone().is_late());
+        let deadline = Instant::now().checked_sub(Duration::from_secs(1)).unwrap();
+        let work = Work { deadline, ..Work::alone() };
+        assert!(work.is_late());
+        assert!(!work.is_over());
+    }
+}

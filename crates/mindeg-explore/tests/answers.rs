@@ -5,6 +5,7 @@
 use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+use std::time::Instant;
 
 use mindeg::{Domain, Goal, Progress, mesh};
 use mindeg_explore::{KnownFiles, answer, presets};
@@ -217,4 +218,40 @@ fn a_cancelled_answer_stops_within_the_step() {
         assert!(answered.is_err());
         assert!(!is_done.get());
     }
+}
+
+#[test]
+fn only_what_is_asked_for_comes() {
+    let plate = |size: f64| json!({"rectangle": {"width": 4, "height": 3}, "size": size});
+    let (small, large) = (plate(0.5), plate(0.01));
+    let (least, keep) = (json!("least_degree"), json!({"keep_angle": 0.9}));
+    for (domain, goal, show, expected) in [
+        // One for now, then the one of the best angle.
+        (&small, &least, &["wanted"][..], &["mesh"; 2][..]),
+        (&small, &keep, &["least"], &["mesh"; 2]),
+        (&small, &least, &["wanted", "least"], &["mesh"; 4]),
+        // The formula has no other.
+        (&large, &least, &["wanted"], &["mesh"]),
+        (&large, &least, &["wanted", "least"], &["mesh"; 2]),
+        (&small, &keep, &["delaunay"], &["mesh"]),
+        (&small, &keep, &["curve"], &["curve"]),
+        (&small, &keep, &["command"], &["command"]),
+        (&small, &keep, &[], &[]),
+    ] {
+        let lines = lines(&json!({"domain": domain, "goal": goal, "show": show}));
+        let expected = [&["domain"], expected, &["done"]].concat();
+        assert_eq!(kinds(&lines), expected, "{domain} {goal} {show:?}");
+        // Delaunay's mesh is no part of the answer, but its degree is.
+        if let Some(curve) = lines.iter().find(|line| line["kind"] == "curve") {
+            assert!(curve["delaunay_max_degree"].is_u64(), "{curve}");
+        }
+    }
+}
+
+#[test]
+fn an_answer_takes_no_longer_than_whoever_waits_for_it() {
+    let start = Instant::now();
+    let lines = lines(&json!({"domain": preset("gusset"), "show": ["command"]}));
+    let told = lines.last().unwrap()["milliseconds"].as_f64().unwrap();
+    assert!(told > 0.0 && told <= 1e3 * start.elapsed().as_secs_f64(), "{told}");
 }

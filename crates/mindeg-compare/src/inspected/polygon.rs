@@ -152,3 +152,128 @@ fn straight_runs(points: &[DVec2], rings: &[Range<u32>], rounding: f64) -> Optio
     }
     Some(runs)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::slice::from_ref;
+
+    /// An L.
+    const BENT: [[f64; 2]; 6] =
+        [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [1.0, 2.0], [0.0, 2.0]];
+
+    /// A square hole in a square, its vertices first.
+    const FRAME: [[f64; 2]; 8] = [
+        [1.0, 1.0],
+        [2.0, 1.0],
+        [2.0, 2.0],
+        [1.0, 2.0],
+        [0.0, 0.0],
+        [3.0, 0.0],
+        [3.0, 3.0],
+        [0.0, 3.0],
+    ];
+
+    const FRAME_TRIANGLES: [[u32; 3]; 8] =
+        [[4, 5, 0], [5, 1, 0], [5, 6, 1], [6, 2, 1], [6, 7, 2], [7, 3, 2], [7, 4, 3], [4, 0, 3]];
+
+    /// A mesh right below the origin, in the plane of height 5.
+    fn mesh(points: &[[f64; 2]], triangles: &[[u32; 3]]) -> TriMesh {
+        let points = points.iter().map(|[x, y]| DVec3::new(x + 10.0, y - 10.0, 5.0));
+        TriMesh::new(points.collect(), triangles.to_vec()).unwrap()
+    }
+
+    fn polygon_of(mesh: &TriMesh) -> Option<OutlinePolygon> {
+        let options = InspectionOptions::default();
+        polygon(mesh, &Inspection::of(mesh, &options), &options)
+    }
+
+    /// What is seen from below.
+    fn turned(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
+        triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect()
+    }
+
+    #[test]
+    fn an_outline_that_is_not_convex_has_a_least_degree_from_either_side() {
+        let fan = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]];
+        for triangles in [fan.to_vec(), turned(&fan)] {
+            let found = polygon_of(&mesh(&BENT, &triangles)).unwrap();
+            assert_eq!((found.vertices, found.holes), (6, 0));
+            // All chords end at vertex 0 or 3, and a mesh has three of them.
+            assert_eq!(found.least_max_degree, Some(4));
+        }
+        for triangles in [FRAME_TRIANGLES.to_vec(), turned(&FRAME_TRIANGLES)] {
+            let found = polygon_of(&mesh(&FRAME, &triangles)).unwrap();
+            assert_eq!((found.vertices, found.holes), (8, 1));
+            assert_eq!((found.at_least, found.reached), (4, 4));
+        }
+    }
+
+    #[test]
+    fn what_is_no_outline_or_a_convex_one_is_left_out() {
+        let square = mesh(&FRAME[..4], &[[0, 1, 2], [0, 2, 3]]);
+        assert!(polygon_of(&square).is_none());
+        let with_inner = [&BENT[..], &[[0.5, 0.5]]].concat();
+        let fan: Vec<[u32; 3]> = (0..6).map(|vertex| [6, vertex, (vertex + 1) % 6]).collect();
+        assert!(polygon_of(&mesh(&with_inner, &fan)).is_none());
+        // Bent out of its plane.
+        let mut points = mesh(&BENT, &[[0, 1, 2]]).positions().to_vec();
+        points[5].z += 1.0;
+        let bent = TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 5]]);
+        assert!(polygon_of(&bent.unwrap()).is_none());
+    }
+
+    #[test]
+    fn the_outer_ring_comes_first_and_counter_clockwise() {
+        let options = InspectionOptions::default();
+        let seen = |triangles: &[[u32; 3]]| rings(&mesh(&FRAME, triangles), &options).unwrap();
+        let (above, ranges) = seen(&FRAME_TRIANGLES);
+        assert_eq!(ranges, [0..4, 4..8]);
+        let outer = [[10.0, -10.0], [13.0, -10.0], [13.0, -7.0], [10.0, -7.0]];
+        let hole = [[11.0, -9.0], [11.0, -8.0], [12.0, -8.0], [12.0, -9.0]];
+        assert_eq!(above, [outer, hole].concat().into_iter().map(DVec2::from).collect::<Vec<_>>());
+
+        // The mirror image, so that it is seen from above.
+        let (below, ranges) = seen(&turned(&FRAME_TRIANGLES));
+        assert_eq!(ranges, [0..4, 4..8]);
+        let outer = [[-10.0, -10.0], [-10.0, -7.0], [-13.0, -7.0], [-13.0, -10.0]];
+        let hole = [[-11.0, -9.0], [-12.0, -9.0], [-12.0, -8.0], [-11.0, -8.0]];
+        assert_eq!(below, [outer, hole].concat().into_iter().map(DVec2::from).collect::<Vec<_>>());
+    }
+
+    /// A square that starts in the middle of a side, and a hole that starts with two points of a side.
+    const SIDES: [[f64; 2]; 11] = [
+        [2.0, 0.0],
+        [4.0, 0.0],
+        [4.0, 2.0],
+        [4.0, 4.0],
+        [0.0, 4.0],
+        [0.0, 0.0],
+        [1.75, 1.0],
+        [1.25, 1.0],
+        [1.0, 1.0],
+        [1.0, 2.0],
+        [2.0, 1.0],
+    ];
+
+    #[test]
+    fn edges_on_one_line_are_one_run() {
+        let points = SIDES.map(DVec2::from);
+        let runs = straight_runs(&points, &[0..6, 6..11], 1e-12).unwrap();
+        assert_eq!(runs, [4, 1, 1, 2, 3, 4, 7, 7, 5, 6, 7]);
+        // There and back is no straight run.
+        let spike = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [1.0, 1.0]].map(DVec2::from);
+        assert_eq!(straight_runs(&spike, from_ref(&(0..4)), 1e-12).unwrap(), [1, 2, 3, 4]);
+    }
+
+    #[test]
+    fn rounding_bends_no_run_and_hides_short_edges() {
+        let mut points = SIDES.map(DVec2::from);
+        points[2].x += 1e-6;
+        let runs = |rounding| straight_runs(&points, &[0..6, 6..11], rounding);
+        assert_eq!(runs(1e-6).unwrap()[..6], [4, 1, 1, 2, 3, 4]);
+        assert_eq!(runs(1e-7).unwrap()[..6], [5, 1, 2, 3, 4, 5]);
+        // The shortest edge has a length of 0.25.
+        assert!(runs(0.00024).is_some() && runs(0.00026).is_none());
+    }
+}

@@ -342,4 +342,18 @@ mod tests {
         assert!(!page.contains("alert(1)</script>") && !page.contains("<!-- &"));
         assert_eq!(page.matches("</script>").count(), 2);
     }
+
+    #[test]
+    fn only_methods_with_a_mesh_have_a_picture() {
+        // No side of 2, so that every fan has a flat triangle.
+        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
+        let comparison = compare(&domain, &Options::default()).unwrap();
+        let (main, others) = figures(&comparison);
+        let without = |figures: &[Figure<'_>]| -> Vec<String> {
+            let missing = figures.iter().filter(|figure| !figure.has_triangles);
+            missing.map(|figure| figure.name.clone()).collect()
+        };
+        assert!(main.len() >= 2 && without(&main).is_empty());
+        assert_eq!(without(&others), ["Fan"]);
+    }
 }
