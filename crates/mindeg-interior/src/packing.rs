@@ -234,3 +234,35 @@ fn surround(from: DVec2, size: f64, direction: DVec2, queue: &mut VecDeque<Candi
         turned = turned.rotate(sixth);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::samples;
+
+    #[test]
+    fn the_nearest_edge_tells_what_is_inside() {
+        let outline = samples::plate_with_hole();
+        let is_inside = |x: DVec2| {
+            let is_in = |low: [f64; 2], high: [f64; 2]| {
+                x.cmpgt(low.into()).all() && x.cmplt(high.into()).all()
+            };
+            let plate = is_in([0.0, 0.0], [10.0, 4.0]) || is_in([0.0, 3.0], [6.0, 8.0]);
+            plate && !is_in([2.0, 2.0], [4.0, 4.0])
+        };
+        let to_edge = |x: DVec2, [a, b]: [u32; 2]| {
+            let [a, b] = [a, b].map(|v| outline.point(v));
+            let share = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
+            x.distance(a.lerp(b, share))
+        };
+        for i in -20..220 {
+            for j in -20..180 {
+                // Between the lines on which the sides lie.
+                let x = DVec2::new(f64::from(i) + 0.37, f64::from(j) + 0.41) / 20.0;
+                let edges = outline.edges();
+                let nearest = edges.min_by(|a, b| to_edge(x, *a).total_cmp(&to_edge(x, *b)));
+                assert_eq!(is_inside_of(&outline, nearest.unwrap()[0], x), is_inside(x), "{x}");
+            }
+        }
+    }
+}

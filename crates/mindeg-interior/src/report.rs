@@ -128,3 +128,31 @@ fn sharpest(triangle: &[u32; 3], corners: [DVec2; 3]) -> u32 {
     let i = (1..3).fold(0, |best, i| if opposite(i) < opposite(best) { i } else { best });
     triangle[i]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::limits::FanLimit;
+
+    #[test]
+    fn figures_are_those_of_the_triangles() {
+        // A triangle of area 2 beside one of area 8, whose least angle is at vertex 1.
+        let points = [[2.0, 0.0], [6.0, 4.0], [2.0, 2.0], [0.0, 0.0]].map(DVec2::from);
+        let fan = FanLimit { angle: 45.0, vertex: 0 };
+        let limits = Limits { any_degree: fan, with_degree_limit: fan, tent: None };
+        for turn in 0..3 {
+            let mut triangles = [[3, 0, 2], [0, 1, 2]];
+            triangles.iter_mut().for_each(|triangle| triangle.rotate_left(turn));
+            let report = measure(&points, &triangles, &(5..=7), |_| None, limits);
+            let [small, large] = [libm::atan2(2.0, 4.0), libm::atan2(4.0, 4.0)];
+            let least = (large - small).to_degrees();
+            assert!((report.min_angle - least).abs() < 1e-9, "{report:?}");
+            assert_eq!(report.min_angle_vertex, 1);
+            assert!((report.share_of_limit - least / 45.0).abs() < 1e-12);
+            assert!((report.max_angle - (90.0 + small.to_degrees())).abs() < 1e-9, "{report:?}");
+            assert_eq!((report.area_ratio, report.grading_p99), (2.0, 2.0_f64.sqrt()));
+            assert_eq!((report.triangles, report.interior_points), (2, 4));
+            assert_eq!(report.violations.len(), 4);
+        }
+    }
+}

@@ -221,3 +221,87 @@ impl Sweeper {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::array_mesh::{NONE, Vertex};
+    use mindeg_mesh::Progress;
+
+    /// A free vertex, the last one, in a ring of others.
+    fn star(ring: &[[f64; 2]], center: [f64; 2]) -> ArrayMesh {
+        let vertex = |at: &[f64; 2], kind| Vertex {
+            at: (*at).into(),
+            size: 1.0,
+            anchor: NONE,
+            goal: NONE,
+            triangles: 0,
+            kind,
+        };
+        let mut vertices: Vec<Vertex> = ring.iter().map(|at| vertex(at, Kind::Boundary)).collect();
+        vertices.push(vertex(&center, Kind::Free));
+        let n = ring.len() as u32;
+        let triangles: Vec<[u32; 3]> = (0..n).map(|i| [i, (i + 1) % n, n]).collect();
+        ArrayMesh::new(vertices, &triangles, Vec::new(), &[]).unwrap()
+    }
+
+    const UNEVEN: [[f64; 2]; 5] = [[2.0, 0.1], [0.9, 1.7], [-1.1, 1.2], [-1.4, -0.8], [0.3, -1.5]];
+
+    /// Newton's step from differences of the sum itself.
+    fn newton(ring: &Ring, x: DVec2, power: Power) -> DVec2 {
+        let h = 1e-4;
+        let at = |i: f64, j: f64| ring.distortion(x + h * DVec2::new(i, j), power);
+        let slope =
+            DVec2::new(at(1.0, 0.0) - at(-1.0, 0.0), at(0.0, 1.0) - at(0.0, -1.0)) / (2.0 * h);
+        let middle = 2.0 * at(0.0, 0.0);
+        let xx = (at(1.0, 0.0) + at(-1.0, 0.0) - middle) / (h * h);
+        let yy = (at(0.0, 1.0) + at(0.0, -1.0) - middle) / (h * h);
+        let xy = (at(1.0, 1.0) + at(-1.0, -1.0) - at(1.0, -1.0) - at(-1.0, 1.0)) / (4.0 * h * h);
+        let determinant = xx * yy - xy * xy;
+        -DVec2::new(yy * slope.x - xy * slope.y, xx * slope.y - xy * slope.x) / determinant
+    }
+
+    #[test]
+    fn a_step_is_newtons() {
+        for (power, start) in [(Power::Two, [0.25, 0.15]), (Power::Four, [0.2, 0.1])] {
+            let mut mesh = star(&UNEVEN, start);
+            let mut ring = Ring::default();
+            ring.load(&mesh, 5);
+            let expected = newton(&ring, start.into(), power);
+            let moved = smooth(&mut mesh, 5, power, &mut ring);
+            let step = mesh.at(5) - DVec2::from(start);
+            assert!(step.distance(expected) < 1e-4 * expected.length(), "{step} {expected}");
+            assert!((moved - step.length()).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn sweeps_end_where_the_distortion_is_least() {
+        for power in [Power::Two, Power::Four] {
+            let mut mesh = star(&UNEVEN, [1.0, 0.4]);
+            let mut stage = Stage::of_try(Progress::NONE, "smoothing", 0, 1);
+            Sweeper::new().run(&mut mesh, power, 50, &mut stage).unwrap();
+            let mut ring = Ring::default();
+            ring.load(&mesh, 5);
+            let end = mesh.at(5);
+            let least = ring.distortion(end, power);
+            for direction in 0..16 {
+                let around = DVec2::from_angle(f64::from(direction) / 16.0 * std::f64::consts::TAU);
+                assert!(ring.distortion(end + 0.02 * around, power) > least, "{direction}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_vertex_is_polished_to_the_largest_small_angle() {
+        let hexagon: Vec<[f64; 2]> = (0..6)
+            .map(|i| DVec2::from_angle(f64::from(i) / 3.0 * std::f64::consts::PI).to_array())
+            .collect();
+        let mut mesh = star(&hexagon, [0.5, -0.2]);
+        let mut ring = Ring::default();
+        assert!(!polish(&mut mesh, 6, 1.0, &mut ring), "no angle is below one degree");
+        assert!(polish(&mut mesh, 6, 60.0, &mut ring));
+        let end = mesh.at(6);
+        assert!(end.length() < 0.01 && ring.min_angle(end) > 59.0, "{end}");
+    }
+}

@@ -88,6 +88,13 @@ mod tests {
         let equilateral = corners([[0.0, 0.0], [2.0, 0.0], [1.0, SQRT_3]]);
         assert!((distortion(equilateral) - 1.0).abs() < 1e-12);
         assert!((min_angle(equilateral) - 60.0).abs() < 1e-12);
+        // Far from the origin, from each corner: 30, 45 and 105 degrees.
+        let mut scalene = corners([[7.0, 5.0], [8.0 + SQRT_3, 5.0], [8.0, 6.0]]);
+        for _ in 0..3 {
+            assert!((min_angle(scalene) - 30.0).abs() < 1e-12, "{scalene:?}");
+            assert!((max_angle(scalene) - 105.0).abs() < 1e-12, "{scalene:?}");
+            scalene.rotate_left(1);
+        }
         let inverted = corners([[0.0, 0.0], [0.0, 1.0], [1.0, 0.0]]);
         assert!(min_angle(inverted) < 0.0);
         assert!(!is_proper(inverted));
