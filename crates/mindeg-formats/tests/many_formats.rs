@@ -324,7 +324,7 @@ fn files_of_other_programs_are_read_and_faults_are_named() {
 
 #[test]
 fn faces_that_are_not_convex_are_cut_within() {
-    let points = "1 1 0\n1 3 0\n0 3 0\n0 0 0\n3 0 0\n3 1 0\n";
+    let points = "3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n0 0 0\n";
     let file = format!("OFF\n6 1 0\n{points}6 0 1 2 3 4 5\n");
     let mesh = read_as(Format::Off, "l".as_ref(), file.as_bytes(), beside(&Vec::new())).unwrap();
     let areas = mesh.triangles().iter().map(|corners| {

@@ -332,6 +332,27 @@ mod tests {
     }
 
     #[test]
+    fn the_tent_of_a_long_edge_reaches_to_its_ends() {
+        // Below, one edge of 8; above its right end, a hole with edges of a half.
+        let outer = samples::ring(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]], &[1, 8, 8, 8]);
+        let hole = samples::ring(&[[6.0, 0.1], [6.0, 2.1], [7.0, 2.1], [7.0, 0.1]], &[4, 2, 4, 2]);
+        let outline = Outline::new(&[outer, hole]).unwrap();
+        let edges: Vec<[u32; 2]> = outline.edges().collect();
+        let ends = |edge: [u32; 2]| edge.map(|v| outline.point(v));
+        let mut tangent = libm::tan(PI / 3.0);
+        for (i, &first) in edges.iter().enumerate() {
+            for &second in &edges[i + 1..] {
+                if !first.iter().any(|v| second.contains(v)) {
+                    tangent = tangent.min(touching(ends(first), ends(second), tangent));
+                }
+            }
+        }
+        let found = tent_limit(&outline, 60.0).unwrap();
+        assert!((found.angle - libm::atan(tangent).to_degrees()).abs() < 1e-9, "{found:?}");
+        assert_eq!(found.edges[0], 0);
+    }
+
+    #[test]
     fn a_reflex_corner_may_have_more_edges() {
         // 2 and the nearest number of angles of 60 degrees; 4.5 of them round up.
         for (degrees, limit) in [

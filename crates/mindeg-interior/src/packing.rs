@@ -242,26 +242,32 @@ mod tests {
 
     #[test]
     fn the_nearest_edge_tells_what_is_inside() {
-        let outline = samples::plate_with_hole();
-        let is_inside = |x: DVec2| {
-            let is_in = |low: [f64; 2], high: [f64; 2]| {
-                x.cmpgt(low.into()).all() && x.cmplt(high.into()).all()
+        let star: Vec<DVec2> = (0..14)
+            .map(|i| DVec2::from_angle(f64::from(i) * PI / 7.0) * [4.0, 0.7][i as usize % 2])
+            .collect();
+        let outlines = [samples::plate_with_hole(), Outline::new(&[star]).unwrap()];
+        for (outline, low, step) in [(&outlines[0], -1.0, 0.05), (&outlines[1], -5.0, 0.04)] {
+            let ends = |[a, b]: [u32; 2]| [a, b].map(|v| outline.point(v));
+            // How often a ray to the right crosses the boundary.
+            let is_inside = |x: DVec2| {
+                let crosses = |edge: &[u32; 2]| {
+                    let [a, b] = ends(*edge);
+                    let share = (x.y - a.y) / (b.y - a.y);
+                    (0.0..1.0).contains(&share) && a.x + share * (b.x - a.x) > x.x
+                };
+                outline.edges().filter(crosses).count() % 2 == 1
             };
-            let plate = is_in([0.0, 0.0], [10.0, 4.0]) || is_in([0.0, 3.0], [6.0, 8.0]);
-            plate && !is_in([2.0, 2.0], [4.0, 4.0])
-        };
-        let to_edge = |x: DVec2, [a, b]: [u32; 2]| {
-            let [a, b] = [a, b].map(|v| outline.point(v));
-            let share = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
-            x.distance(a.lerp(b, share))
-        };
-        for i in -20..220 {
-            for j in -20..180 {
-                // Between the lines on which the sides lie.
-                let x = DVec2::new(f64::from(i) + 0.37, f64::from(j) + 0.41) / 20.0;
+            let to_edge = |x: DVec2, edge: [u32; 2]| {
+                let [a, b] = ends(edge);
+                let share = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
+                x.distance(a.lerp(b, share))
+            };
+            for (i, j) in (0..250).flat_map(|i| (0..250).map(move |j| (i, j))) {
+                // On no line on which a side lies.
+                let x = low + step * DVec2::new(f64::from(i) + 0.37, f64::from(j) + 0.41);
                 let edges = outline.edges();
                 let nearest = edges.min_by(|a, b| to_edge(x, *a).total_cmp(&to_edge(x, *b)));
-                assert_eq!(is_inside_of(&outline, nearest.unwrap()[0], x), is_inside(x), "{x}");
+                assert_eq!(is_inside_of(outline, nearest.unwrap()[0], x), is_inside(x), "{x}");
             }
         }
     }
