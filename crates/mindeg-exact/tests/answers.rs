@@ -5,7 +5,8 @@
 use glam::DVec2;
 use mindeg_core::{Boundary, verify};
 use mindeg_exact::{
-    Cancelled, Problem, Progress, Unsolved, best_angle, least_max_degree, measure, trade_off,
+    Cancelled, LowerBound, Problem, Progress, Unsolved, best_angle, least_max_degree, lower_bound,
+    measure, trade_off,
 };
 use mindeg_mesh::Step;
 use std::collections::{BTreeMap, BTreeSet};
@@ -170,6 +171,14 @@ fn a_second_rectangle_told_of_the_first_keeps_the_joint_maximum() {
         assert!(joint(&optimum.triangles) <= optimum.max_degree as usize);
     }
     assert_eq!(joint(&trade_off.optima[0].triangles), least as usize);
+}
+
+/// 2n - 3 edges have 4n - 6 ends, and each vertex has one more outside: 5 - 6/n on average.
+#[test]
+fn edges_outside_count_towards_the_bound_of_a_convex_polygon() {
+    let mut problem = rectangle_problem(&[4, 3, 4, 3]);
+    (0..14).for_each(|vertex| problem.set_external_degree(vertex, 1));
+    assert_eq!(lower_bound(&problem), (5, LowerBound::Counting));
 }
 
 #[test]

@@ -91,12 +91,6 @@ impl LoopProblem {
         Ok(Self { points: points.to_vec(), external: external.to_vec(), excluded: pairs })
     }
 
-    /// The number of vertices.
-    #[must_use]
-    pub fn vertex_count(&self) -> usize {
-        self.points.len()
-    }
-
     pub(super) fn is_excluded(&self, i: usize, j: usize) -> bool {
         self.excluded[i * self.points.len() + j]
     }
