@@ -475,6 +475,13 @@ fn defects_say_what_and_where() {
     ] {
         assert_eq!(found, expected);
     }
+    // From (2, 0) to (4, 2), moved back to the origin.
+    let beside = Domain::from_json(
+        r#"{"rectangle": {"width": 2, "height": 2, "origin": [2, 0]}, "size": 2}"#,
+    );
+    let mesh = TriMesh::new(points.to_vec(), star.to_vec()).unwrap();
+    let error = verify::triangulation(&mesh, &beside.unwrap(), None).unwrap_err().to_string();
+    assert!(error.ends_with("the mesh seems to be moved by (-2, 0)"), "{error}");
     let larger = NonTriangles { quads: 1, polygons: 2, ..NonTriangles::default() };
     let mesh = TriMesh::new(points.to_vec(), star.to_vec()).unwrap().with_non_triangles(larger);
     let error = verify::triangulation(&mesh, &domain, None).unwrap_err();

@@ -214,6 +214,19 @@ mod tests {
     }
 
     #[test]
+    fn a_corner_of_a_hole_is_named_with_its_hole() {
+        let domain = Domain::from_json(
+            r#"{"rectangle": {"width": 40, "height": 40}, "size": 4, "holes": [
+                {"corners": [[10, 10], [14, 10], [14, 14], [10, 14]], "size": 4},
+                {"corners": [[22, 22], [30, 22], [30, 30], [22, 30]],
+                 "sides": [{"intervals": 2}, {"intervals": 200}, {"intervals": 2}, {"intervals": 2}]}]}"#,
+        );
+        let found = angle_limit(&domain.unwrap(), &Interior::default()).unwrap();
+        let Cause::Corner { name, .. } = &found.cause else { unreachable!("{found:?}") };
+        assert!(name == "corner 2 of hole 2" || name == "corner 3 of hole 2", "{found:?}");
+    }
+
+    #[test]
     fn lengths_are_short() {
         for (value, text) in [
             (0.25, "0.25"),
