@@ -12,7 +12,11 @@ import { remember, selection, shown, state } from "./state.js";
 
 const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
-const say = (text) => { element("spoken").textContent = text; };
+/** Says what was done. What is found at a place that was pointed at before is not said after it. */
+const say = (text) => {
+  setCursor(null);
+  element("spoken").textContent = text;
+};
 const grid = () => gridStep(bounds.size);
 const snap = (place) => snapped(place, grid(), element("snap").checked);
 const isSame = (a, b) => a && b && a.ring === b.ring && a.index === b.index;
