@@ -327,3 +327,10 @@ fn all_edges_can_be_divided_in_another_way() {
         "the edge from corner 0 to corner 1: the size is -1.0; it must be a finite number above 0"
     );
 }
+
+#[test]
+fn a_model_takes_a_name() {
+    let model = Model::from_json(&cube(&QUADS, r#", "size": 1"#)).unwrap();
+    assert_eq!(model.name(), None);
+    assert_eq!(model.named("cube").name(), Some("cube"));
+}

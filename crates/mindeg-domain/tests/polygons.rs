@@ -224,6 +224,18 @@ fn a_large_slender_triangle_is_taken() {
 }
 
 #[test]
+fn a_domain_may_have_as_many_vertices_as_are_allowed() {
+    let build = |most| {
+        let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(DVec2::from).to_vec();
+        let outline = mindeg_domain::Outline::Polygon(corners);
+        let sides = vec![Side::count(4); 3];
+        Domain::builder(outline, sides).max_vertices(most).build()
+    };
+    assert!(build(12).is_ok());
+    assert!(build(11).is_err());
+}
+
+#[test]
 fn a_circle_is_convex_and_each_of_its_edges_a_side() {
     let center = DVec2::new(3.0, 4.0);
     let circle = Curve::Arc(mindeg_domain::Arc::Center { center, is_clockwise: true });
