@@ -1,7 +1,7 @@
 //! The bytes of a binary file, with errors that name the offset.
 
 use crate::ReadError;
-use std::io::{BufRead, ErrorKind};
+use std::io::{self, BufRead, ErrorKind};
 
 /// The bytes of a file from front to back.
 pub(crate) struct Bytes<R> {
@@ -32,11 +32,16 @@ impl<R: BufRead> Bytes<R> {
 
     /// Whether the file ends here.
     pub(crate) fn is_at_end(&mut self) -> Result<bool, ReadError> {
-        loop {
-            match self.input.fill_buf() {
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
-                buffer => return Ok(buffer?.is_empty()),
-            }
+        Ok(!has_more(&mut self.input)?)
+    }
+}
+
+/// Whether an input goes on; if so, its buffer holds some of it. A signal is no end and no error.
+pub(crate) fn has_more(input: &mut impl BufRead) -> io::Result<bool> {
+    loop {
+        match input.fill_buf() {
+            Err(error) if error.kind() == ErrorKind::Interrupted => {}
+            buffer => return Ok(!buffer?.is_empty()),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The lines of a text file, one at a time.
 
+use crate::bytes::has_more;
 use memchr::memchr2;
 use std::io::{self, BufRead, ErrorKind};
 
@@ -50,15 +51,11 @@ impl<R: BufRead> Lines<R> {
     fn append_line(&mut self) -> io::Result<bool> {
         let mut found = false;
         loop {
-            let buffer = match self.input.fill_buf() {
-                Ok(buffer) => buffer,
-                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
-                Err(error) => return Err(error),
-            };
-            if buffer.is_empty() {
+            if !has_more(&mut self.input)? {
                 self.number += u64::from(found);
                 return Ok(found);
             }
+            let buffer = self.input.fill_buf()?;
             let skipped = usize::from(self.after_return && buffer[0] == b'\n');
             self.after_return = false;
             let rest = &buffer[skipped..];

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use mindeg_mesh::TriMesh;
 
+use crate::bytes::has_more;
 use crate::detect::format_of;
 use crate::{
     Format, ReadError, fort14, gltf, msh, npz, obj, off, ply, sms2dm, stl, triangle, vtk, vtu,
@@ -45,12 +46,7 @@ pub fn read(
     beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<TriMesh, ReadError> {
     let mut input = BufReader::with_capacity(HEAD, input);
-    let head = loop {
-        match input.fill_buf() {
-            Err(error) if error.kind() == ErrorKind::Interrupted => {}
-            head => break head?,
-        }
-    };
+    let head = if has_more(&mut input)? { input.fill_buf()? } else { &[] };
     let format = format_of(name, head);
     let format = format.map_err(|unknown| ReadError::Format { problem: unknown.problem() })?;
     read_as(format, name, input, beside)
