@@ -2,7 +2,7 @@
 
 use crate::limits::GREATEST_EXTERNAL_DEGREE;
 use crate::rings::InRing;
-use crate::turning::Turn;
+use mindeg_mesh::planar::Turn;
 
 /// The entry of [`Constraints`](crate::Constraints) that an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

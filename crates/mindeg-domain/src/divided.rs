@@ -2,12 +2,13 @@
 //!
 //! All sides are checked and divided as they were given, so that errors name what was given. A
 //! convex outline with straight sides stays a formula. Of any other domain the points are computed
-//! and stored, and the sweep of `simple.rs` checks all of them. Then rings that run the wrong way are
+//! and stored, and the sweep of `mindeg_mesh::planar` checks all of them. Then rings that run the wrong way are
 //! turned.
 
 use std::ops::Range;
 
 use glam::DVec2;
+use mindeg_mesh::planar::Turn;
 
 use crate::curve::{Curve, Path};
 use crate::domain_error::DomainError;
@@ -20,7 +21,7 @@ use crate::rings::{InRing, Rings};
 use crate::side::{Intervals, Side, SideError};
 use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;
-use crate::turning::{Orientation, Turn, Turning};
+use crate::turning::{Orientation, Turning};
 
 /// Rings whose sides are checked and divided.
 pub(crate) struct Divided {

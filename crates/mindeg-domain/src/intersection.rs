@@ -6,9 +6,9 @@ use std::fmt;
 use std::ops::Range;
 
 use glam::DVec2;
+use mindeg_mesh::planar::{self, Fault};
 
 use crate::rings::{InRing, Rings};
-use crate::simple::{self, Fault};
 use crate::turning::Orientation;
 
 /// A boundary point, by the side that starts there or that it lies on.
@@ -163,7 +163,7 @@ pub(crate) fn orientations(
     rings: &Rings,
 ) -> Result<Vec<Orientation>, IntersectionError> {
     let ranges: Vec<Range<u32>> = rings.rings().collect();
-    let nesting = simple::nesting(points, &ranges).map_err(|fault| placed(fault, points, rings))?;
+    let nesting = planar::nesting(points, &ranges).map_err(|fault| placed(fault, points, rings))?;
     if let Some(hole) = nesting[0].parent {
         return Err(IntersectionError::HoleAround { hole });
     }

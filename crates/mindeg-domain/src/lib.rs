@@ -43,7 +43,6 @@ mod placement_error;
 mod rectangle;
 mod rings;
 mod side;
-mod simple;
 mod spacing;
 mod spacing_law;
 mod turning;

@@ -24,9 +24,6 @@ pub const MAX_STORED_VERTICES: u32 = 1 << 26;
 /// corners.
 pub(crate) const STRAIGHT: f64 = 1e-9;
 
-/// A corner that turns by less, in radians, is straight: 0.2 mm in 200 km.
-pub(crate) const LEAST_TURN: f64 = 1e-9;
-
 /// How many roundings of a coordinate two points must be apart. Each point is off by less than
 /// two, and so is the difference of corners its side is made from.
 pub(crate) const LEAST_ROUNDINGS: f64 = 8.0;

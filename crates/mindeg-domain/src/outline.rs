@@ -1,7 +1,7 @@
 //! The shape of a domain as a user gives it: corners, and what joins them.
 //!
 //! Limits: corners are judged one at a time, so of several faults the first is reported. Whether
-//! rings cross is judged later, on all points (`simple.rs`).
+//! rings cross is judged later, on all points (`intersection.rs`).
 
 use glam::DVec2;
 

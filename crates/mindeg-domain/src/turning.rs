@@ -2,18 +2,17 @@
 //! in, and the convex form that the formulas take.
 //!
 //! The boundary is a sequence of *pieces*: a straight side is one, and so is each edge of a side that
-//! is not straight. Two pieces that follow each other are one straight *run* if the turn between
-//! them is less than [`LEAST_TURN`], or less than the rounding of the coordinates can make out of
-//! nothing.
+//! is not straight. Two pieces that follow each other are one straight *run* if
+//! [`planar::turn`] finds them straight.
 //!
 //! Limits: each turn is judged alone, so a run of many pieces may bend by a little in all.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 use glam::DVec2;
 use mindeg_core::Boundary;
+use mindeg_mesh::planar::{self, Turn};
 
-use crate::limits::LEAST_TURN;
 use crate::placement::Placement;
 use crate::rings::Rings;
 
@@ -54,20 +53,6 @@ impl ConvexForm {
     }
 }
 
-/// The largest turn, in radians, that counts as made by rounding.
-const MOST_ROUNDED: f64 = 1e-3;
-
-/// How the boundary turns at a vertex.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Turn {
-    /// By nothing that counts.
-    Straight,
-    /// By this angle in radians, above 0 to the left, strictly between -π and π.
-    By(f64),
-    /// All the way back.
-    Back,
-}
-
 /// A piece of the boundary.
 #[derive(Clone, Copy)]
 struct Piece {
@@ -79,22 +64,7 @@ struct Piece {
 
 /// The turn from one piece to the next.
 fn turn(incoming: Piece, outgoing: Piece) -> Turn {
-    let [before, after] = [incoming, outgoing].map(|piece| piece.end - piece.start);
-    let angle = libm::atan2(before.perp_dot(after), before.dot(after));
-    // Each end of a piece may be off by half a unit in the last place in either coordinate.
-    let coordinate = [incoming.start, outgoing.start, outgoing.end]
-        .map(|point| point.abs().max_element())
-        .into_iter()
-        .fold(0.0, f64::max);
-    let rounding = f64::EPSILON * coordinate * (1.0 / before.length() + 1.0 / after.length());
-    // Beside an edge of a few roundings, any turn could be one; a corner must not pass for it.
-    if angle.abs() < LEAST_TURN.max(rounding.min(MOST_ROUNDED)) {
-        Turn::Straight
-    } else if angle.abs() > PI - LEAST_TURN {
-        Turn::Back
-    } else {
-        Turn::By(angle)
-    }
+    planar::turn([incoming.start, incoming.end], [outgoing.start, outgoing.end])
 }
 
 /// The boundary of a placement, some of whose sides are straight.
@@ -235,6 +205,7 @@ pub(crate) enum Orientation {
 mod tests {
     use super::*;
     use crate::{Domain, Side};
+    use mindeg_mesh::planar::LEAST_TURN;
 
     fn polygon(corners: &[[f64; 2]], intervals: &[u64]) -> Domain {
         let sides = intervals.iter().map(|&count| Side::count(count)).collect();

@@ -31,6 +31,7 @@ pub mod inspection;
 mod mesh;
 mod normals;
 pub mod parallel;
+pub mod planar;
 mod polygons;
 mod progress;
 pub mod quality;

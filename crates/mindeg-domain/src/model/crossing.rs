@@ -4,9 +4,9 @@
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
+use mindeg_mesh::planar::{self, Fault};
 
 use super::{ModelError, ModelFace, Plane};
-use crate::simple::{self, Fault};
 
 /// The loops of a face, holes opposite to the outer loop; or why they bound no area.
 pub(super) fn oriented(
@@ -29,7 +29,7 @@ pub(super) fn oriented(
         let next = if place + 1 == ring.end { ring.start } else { place + 1 };
         [all[place as usize], all[next as usize]]
     };
-    let nesting = simple::nesting(&points, &rings).map_err(|fault| match fault {
+    let nesting = planar::nesting(&points, &rings).map_err(|fault| match fault {
         Fault::SamePoint(places) => {
             ModelError::CoincidentCorners { corners: places.map(|place| all[place as usize]) }
         }

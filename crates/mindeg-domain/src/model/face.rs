@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use glam::{DVec2, DVec3};
+use mindeg_mesh::planar::LEAST_TURN;
 
 use super::{Model, Pass};
-use crate::limits::LEAST_TURN;
 
 /// The plane of a face, with coordinates in which the face is counter-clockwise.
 ///

@@ -21,11 +21,16 @@ use glam::DVec2;
 
 /// What rings that are not simple, or not apart, do. Edges are named by the vertex where they begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Fault {
+pub enum Fault {
     /// Two vertices are at the same point.
     SamePoint([u32; 2]),
     /// A vertex lies inside an edge.
-    Touch { vertex: u32, edge: u32 },
+    Touch {
+        /// The vertex.
+        vertex: u32,
+        /// The edge.
+        edge: u32,
+    },
     /// Two edges cross inside both.
     Crossing([u32; 2]),
     /// The edges at a vertex lie on each other.
@@ -34,14 +39,19 @@ pub(crate) enum Fault {
 
 /// How a ring lies in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Nesting {
-    pub(crate) is_counter_clockwise: bool,
+pub struct Nesting {
+    /// Whether it runs counter-clockwise.
+    pub is_counter_clockwise: bool,
     /// The innermost ring around this one.
-    pub(crate) parent: Option<usize>,
+    pub parent: Option<usize>,
 }
 
-/// Checks rings of points, each at least 3 vertices, and tells how they nest.
-pub(crate) fn nesting(points: &[DVec2], rings: &[Range<u32>]) -> Result<Vec<Nesting>, Fault> {
+/// Checks rings of points, each at least 3 vertices, and tells how they nest. O(n log n).
+///
+/// # Errors
+///
+/// The first fault from the left.
+pub fn nesting(points: &[DVec2], rings: &[Range<u32>]) -> Result<Vec<Nesting>, Fault> {
     let mut sweep = Sweep::new(points, rings);
     sweep.check_folds()?;
     let mut vertices: Vec<(DVec2, u32)> = points.iter().copied().zip(0..).collect();

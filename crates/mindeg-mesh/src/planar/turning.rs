@@ -1,0 +1,46 @@
+//! Whether a boundary is straight at a point.
+
+use std::f64::consts::PI;
+
+use glam::DVec2;
+
+/// A boundary that turns by less, in radians, is straight: 0.2 mm in 200 km.
+pub const LEAST_TURN: f64 = 1e-9;
+
+/// The largest turn, in radians, that counts as made by rounding.
+const MOST_ROUNDED: f64 = 1e-3;
+
+/// How the boundary turns at a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Turn {
+    /// By nothing that counts.
+    Straight,
+    /// By this angle in radians, above 0 to the left, strictly between -π and π.
+    By(f64),
+    /// All the way back.
+    Back,
+}
+
+/// The turn from one straight piece of a boundary to the next, each given by its start and end.
+///
+/// It is straight if it turns by less than [`LEAST_TURN`], or by less than the rounding of the
+/// coordinates can make out of nothing.
+#[must_use]
+pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
+    let [before, after] = [incoming, outgoing].map(|[start, end]| end - start);
+    let angle = libm::atan2(before.perp_dot(after), before.dot(after));
+    // Each end of a piece may be off by half a unit in the last place in either coordinate.
+    let coordinate = [incoming[0], outgoing[0], outgoing[1]]
+        .map(|point| point.abs().max_element())
+        .into_iter()
+        .fold(0.0, f64::max);
+    let rounding = f64::EPSILON * coordinate * (1.0 / before.length() + 1.0 / after.length());
+    // Beside an edge of a few roundings, any turn could be one; a corner must not pass for it.
+    if angle.abs() < LEAST_TURN.max(rounding.min(MOST_ROUNDED)) {
+        Turn::Straight
+    } else if angle.abs() > PI - LEAST_TURN {
+        Turn::Back
+    } else {
+        Turn::By(angle)
+    }
+}
