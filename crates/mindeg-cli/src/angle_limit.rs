@@ -3,8 +3,8 @@
 use crate::interior_report::{LiftRow, Limit};
 use mindeg::interior::{AngleLimit, Lift, angle_limit, lift};
 use mindeg::{Domain, Interior};
-use mindeg_compare::number_format::steady_angle;
-use mindeg_compare::words;
+use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::words;
 
 /// On larger domains the limit is not worked out: it takes all points in memory.
 const MOST_VERTICES: u32 = 1_000_000;

@@ -4,7 +4,7 @@ use crate::args::LoopChoice;
 use crate::failure::Failure;
 use mindeg::glam::DVec3;
 use mindeg::{Loops, MeshLoop, TriMesh};
-use mindeg_compare::number_format::significant;
+use mindeg_answers::numbers::significant;
 use serde::Serialize;
 use std::path::Path;
 

@@ -13,7 +13,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::bridge::{Bridged, bridge};
 use mindeg::{Loops, Progress, TriMesh};
-use mindeg_compare::number_format::steady_angle;
+use mindeg_answers::numbers::steady_angle;
 use serde::Serialize;
 use std::path::Path;
 

@@ -4,7 +4,7 @@ use crate::failure::Failure;
 use crate::interior_report::violations;
 use mindeg::Interior;
 use mindeg::interior::Report;
-use mindeg_compare::number_format::steady_angle;
+use mindeg_answers::numbers::steady_angle;
 
 /// The aims that were given; what was left out has a default, which is no demand.
 #[derive(Clone, Copy, Debug)]

@@ -13,7 +13,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop, fill};
 use mindeg::{Loops, Progress};
-use mindeg_compare::number_format::{four_digits, percent, steady_angle};
+use mindeg_answers::numbers::{four_digits, percent, steady_angle};
 use mindeg_mesh::Triangles;
 use serde::Serialize;
 use std::path::Path;

@@ -6,7 +6,7 @@ use crate::preset::Preset;
 use clap::Args;
 use mindeg::BoundaryMesh;
 use mindeg::quality::TriangleQuality;
-use mindeg_compare::number_format::steady_angle;
+use mindeg_answers::numbers::steady_angle;
 use mindeg_mesh::{TriMesh, Triangles};
 
 /// What a mesh must be to pass.

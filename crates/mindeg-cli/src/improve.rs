@@ -14,8 +14,8 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::interior::{self, ImprovedMesh};
 use mindeg::{Interior, Progress, Triangles};
-use mindeg_compare::number_format::steady_angle;
-use mindeg_compare::words;
+use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::words;
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 

@@ -11,7 +11,7 @@ use crate::memory;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::inspection::{Inspection, InspectionOptions};
-use mindeg_compare::inspected::InspectionReport;
+use mindeg_answers::inspected::InspectionReport;
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);

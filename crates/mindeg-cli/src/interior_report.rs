@@ -1,7 +1,7 @@
 //! What a mesh with interior points is like, in words and in JSON.
 
 use mindeg::interior::{AngleLimit, Lift, Report, Violation};
-use mindeg_compare::number_format::four_digits;
+use mindeg_answers::numbers::four_digits;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 

@@ -16,7 +16,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
 use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
-use mindeg_compare::words::{self, triangle_count};
+use mindeg_answers::words::{self, triangle_count};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal};

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::interior_report::Limit;
 use mindeg::Domain;
 use mindeg::exact::{DegreeAnswer, LowerBound, Reached};
-use mindeg_compare::words::{self, triangle_count};
+use mindeg_answers::words::{self, triangle_count};
 use serde::Serialize;
 
 /// What `--json` prints.

@@ -3,7 +3,7 @@
 use crate::failure::Failure;
 use clap::ValueEnum;
 use mindeg::inspection::weld;
-use mindeg_compare::number_format::{four_digits, steady_angle};
+use mindeg_answers::numbers::{four_digits, steady_angle};
 use mindeg_mesh::TriMesh;
 use std::ops::RangeInclusive;
 

@@ -1,6 +1,7 @@
 //! What a page says of its making.
 
-use mindeg_compare::{Provenance, shell_word};
+use mindeg_answers::advice::shell_word;
+use mindeg_compare::Provenance;
 use std::path::Path;
 
 /// What a page says of its making: the file as it was given, and the command line.

@@ -6,7 +6,7 @@ use crate::domain::counts;
 use crate::failure::Failure;
 use crate::interior_report::{LiftRow, Limit};
 use crate::standard_output::{print, print_json};
-use mindeg_compare::words;
+use mindeg_answers::words;
 use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 

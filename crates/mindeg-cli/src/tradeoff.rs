@@ -11,8 +11,8 @@ use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
 use mindeg::Progress;
 use mindeg::exact::{self, TradeOff};
-use mindeg_compare::number_format::steady_angle;
-use mindeg_compare::words::knee;
+use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::words::knee;
 use mindeg_compare::{
     TradeOffFigures, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
 };

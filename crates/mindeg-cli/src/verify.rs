@@ -15,7 +15,7 @@ use crate::standard_output::{print, print_json};
 use mindeg::quality::TriangleQuality;
 use mindeg::verify::{self, Defect, Optimality, Verified};
 use mindeg::{Domain, Interior, Progress, exact, interior};
-use mindeg_compare::number_format::{percent, steady_angle};
+use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_mesh::TriMesh;
 use report::{Angles, Report};
 use std::path::Path;

@@ -8,11 +8,9 @@
 
 use crate::Method;
 use crate::figures::MethodFigures;
+use mindeg_answers::advice::KEPT;
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// The share of Delaunay's minimum angle that the advised mesh keeps, at least.
-pub const KEPT: f64 = 0.95;
 
 /// The mesh to take.
 ///
@@ -64,39 +62,6 @@ impl Advice {
     }
 }
 
-/// The command that makes a mesh as advised from `input`, ready for a POSIX shell.
-///
-/// ```
-/// assert_eq!(
-///     mindeg_compare::advised_command("my wing.json"),
-///     "mindeg mesh 'my wing.json' --keep-angle 95% -o mesh.obj"
-/// );
-/// ```
-#[must_use]
-pub fn advised_command(input: &str) -> String {
-    // A file name that begins with a dash would be taken for an option.
-    let folder = if input.starts_with('-') { "./" } else { "" };
-    let input = shell_word(&format!("{folder}{input}"));
-    format!("mindeg mesh {input} --keep-angle 95% -o mesh.obj")
-}
-
-/// A word as a POSIX shell reads it back: in quotes where it needs them.
-///
-/// ```
-/// use mindeg_compare::shell_word;
-///
-/// assert_eq!(["--size", "0,0 4,0", "it's"].map(shell_word), ["--size", "'0,0 4,0'", r"'it'\''s'"]);
-/// ```
-#[must_use]
-pub fn shell_word(word: &str) -> String {
-    let is_plain = |c: char| c.is_alphanumeric() || "-_./+,:@%=".contains(c);
-    if !word.is_empty() && word.chars().all(is_plain) {
-        word.to_owned()
-    } else {
-        format!("'{}'", word.replace('\'', r"'\''"))
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -131,15 +96,5 @@ mod tests {
         assert_eq!(Advice::of(&[least()], true), None);
         let broken = MethodFigures { valid: false, ..delaunay() };
         assert_eq!(Advice::of(&[least(), broken], true), None);
-    }
-
-    #[test]
-    fn a_command_can_be_pasted() {
-        for (input, word) in
-            [("a.json", "a.json"), ("it's.json", r"'it'\''s.json'"), ("-x", "./-x"), ("", "''")]
-        {
-            let command = format!("mindeg mesh {word} --keep-angle 95% -o mesh.obj");
-            assert_eq!(advised_command(input), command);
-        }
     }
 }

@@ -4,10 +4,11 @@ use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 use crate::interior;
 use crate::reference::Reference;
 use crate::report::{Provenance, Report, TradeOffFigures};
-use crate::{Advice, KEPT, Method, NoTriangulation, measure, tie_count, verdict};
+use crate::{Advice, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactError, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Step};
+use mindeg_answers::advice::KEPT;
 use std::ops::{ControlFlow, Range};
 use std::time::{Duration, Instant};
 

@@ -21,7 +21,7 @@
 //! [`mindeg::exact`] has what lies between the least degree and Delaunay's angle: the best mesh for every
 //! maximum degree.
 //!
-//! [`inspected`] is what `mindeg inspect` prints as JSON. [`write_view`] is for a single mesh of any program: the pictures and charts of the reports.
+//! [`write_view`] is for a single mesh of any program: the pictures and charts of the reports.
 //!
 //! # Limits
 //!
@@ -32,17 +32,14 @@ mod advice;
 pub mod axis;
 mod comparison;
 mod figures;
-pub mod inspected;
 mod interior;
 mod measure;
 mod method;
-pub mod number_format;
 pub mod reference;
 pub mod report;
 mod verdict;
-pub mod words;
 
-pub use advice::{Advice, KEPT, advised_command, shell_word};
+pub use advice::Advice;
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
 pub use figures::{
     DefectKind, Distribution, DomainFigures, MethodDefect, MethodFigures, MetricFigures,

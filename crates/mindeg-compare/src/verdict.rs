@@ -5,10 +5,11 @@
 //! Limits: it speaks of the maximum degree and of minimum angles alone. Whether degree or
 //! angle matters more is the reader's to know.
 
+use crate::Method;
 use crate::figures::{DefectKind, MethodFigures};
-use crate::number_format::{angle, count, percent};
 use crate::report::Report;
-use crate::{KEPT, Method};
+use mindeg_answers::advice::KEPT;
+use mindeg_answers::numbers::{angle, count, percent};
 use std::cmp::Ordering::Equal;
 
 /// Angles closer than this, relatively, are the same: a minimum angle of a millionth of a

@@ -3,8 +3,8 @@
 
 use mindeg::interior::{AngleLimit, Cause, Lift, angle_limit, lift};
 use mindeg::{Domain, Intervals};
-use mindeg_compare::number_format::steady_angle;
-use mindeg_compare::words;
+use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::words;
 use mindeg_core::{Boundary, Change};
 use serde_json::value::RawValue;
 

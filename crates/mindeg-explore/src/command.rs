@@ -1,7 +1,7 @@
 //! The command line that makes a mesh of the page.
 
 use mindeg::Domain;
-use mindeg_compare::shell_word;
+use mindeg_answers::advice::shell_word;
 use mindeg_formats::Format;
 use serde_json::Value;
 

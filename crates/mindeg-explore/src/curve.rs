@@ -1,7 +1,7 @@
 //! What every degree brings.
 
 use mindeg::exact::TradeOff;
-use mindeg_compare::words;
+use mindeg_answers::words;
 
 use crate::api::{CurvePoint, CurveShown};
 

@@ -2,7 +2,7 @@
 
 use mindeg::exact::{DegreeAnswer, ExactError, LowerBound, degree};
 use mindeg::{Domain, Progress};
-use mindeg_compare::words;
+use mindeg_answers::words;
 use mindeg_core::Certificate;
 
 use crate::api::DegreeShown;

@@ -3,9 +3,9 @@
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
+use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::words;
 use mindeg_compare::axis::{Axis, BARS};
-use mindeg_compare::number_format::steady_angle;
-use mindeg_compare::words;
 
 use crate::api::{Bars, DomainShown, Request, Shown, SideShown, View};
 use crate::arrays::{f32s, f64s, u32s};

@@ -8,7 +8,7 @@ use mindeg::glam::DVec3;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Material, Mesh as AnyMesh, TriMesh};
-use mindeg_compare::inspected::InspectionReport;
+use mindeg_answers::inspected::InspectionReport;
 use mindeg_formats::svg;
 use mindeg_mesh::{LineKind, filled};
 use numpy::{PyArray1, PyArray2};

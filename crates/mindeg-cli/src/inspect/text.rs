@@ -2,8 +2,8 @@
 
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::quality::METRICS;
-use mindeg_compare::inspected::{InspectionReport, Spread};
-use mindeg_compare::number_format::four_digits;
+use mindeg_answers::inspected::{InspectionReport, Spread};
+use mindeg_answers::numbers::four_digits;
 use std::fmt::{Display, Write};
 
 /// How many of a kind are named one by one.

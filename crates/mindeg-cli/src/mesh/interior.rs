@@ -13,7 +13,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::interior::{self, AngleLimit, InteriorError, InteriorMesh, Lift};
 use mindeg::{Domain, Interior, Progress, Triangles};
-use mindeg_compare::words;
+use mindeg_answers::words;
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 

@@ -17,7 +17,7 @@ use crate::terminal::say;
 use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Model, ModelPlace, Progress};
-use mindeg_compare::number_format::{percent, steady_angle};
+use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
 use std::io::{self, IsTerminal};

@@ -3,7 +3,7 @@
 use crate::domain::name_in_text;
 use mindeg::Domain;
 use mindeg::verify::{Defect, Optimality, Plane, Proof, Verified};
-use mindeg_compare::number_format::{count, four_digits, percent, steady_angle};
+use mindeg_answers::numbers::{count, four_digits, percent, steady_angle};
 use serde::Serialize;
 
 /// What `--json` prints; docs/verify.md has the meaning of each key.

@@ -14,12 +14,13 @@ use super::tables::{self, Table};
 use super::viewer::{SCRIPT, STYLE};
 use super::{Provenance, Report};
 use crate::figures::{MethodDefect, MethodFigures};
-use crate::number_format::{angle, count};
 use crate::verdict::{Verdict, verdict};
-use crate::{Comparison, Method, advised_command};
+use crate::{Comparison, Method};
 use askama::Template;
 use glam::DVec2;
 use mindeg::exact::TradeOff;
+use mindeg_answers::advice::advised_command;
+use mindeg_answers::numbers::{angle, count};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 

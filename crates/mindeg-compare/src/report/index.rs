@@ -5,9 +5,9 @@
 use super::html::{link, rendered};
 use super::viewer::STYLE;
 use super::{Provenance, Report, svg};
-use crate::number_format::{Column, count, steady_percent};
 use crate::{Advice, Method};
 use askama::Template;
+use mindeg_answers::numbers::{Column, count, steady_percent};
 use std::io::{self, Write};
 
 const SCRIPT: &str = include_str!("index.js");

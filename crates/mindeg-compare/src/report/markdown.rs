@@ -3,9 +3,10 @@
 //! Limits: tables need a reader that knows GitHub's extension. No pictures.
 
 use super::tables::{self, Table};
-use crate::number_format::count;
+use crate::Comparison;
 use crate::verdict::verdict;
-use crate::{Comparison, advised_command};
+use mindeg_answers::advice::advised_command;
+use mindeg_answers::numbers::count;
 use std::io::{self, Write};
 
 /// Writes a comparison as Markdown.

@@ -12,12 +12,12 @@ use super::svg::{self, DegreeColor};
 use super::tables::{self, Named};
 use crate::axis::{Axis, BARS};
 use crate::figures::{Distribution, MethodFigures};
-use crate::number_format::count;
 use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
 use mindeg::quality::TriangleQuality;
+use mindeg_answers::numbers::count;
 use serde::Serialize;
 use std::ops::RangeInclusive;
 

@@ -9,8 +9,8 @@
 use super::Report;
 use super::metric::SHOWN;
 use crate::figures::{DefectKind, Distribution, MethodFigures};
-use crate::number_format::{Column, count, seconds, steady_percent};
 use crate::{InteriorFigures, Method};
+use mindeg_answers::numbers::{Column, count, seconds, steady_percent};
 use std::ops::RangeInclusive;
 
 /// Text in rows and columns; the first column names the row.

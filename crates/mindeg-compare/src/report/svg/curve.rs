@@ -6,11 +6,11 @@
 //! Limits: if labels would run into one another, some are left out at even steps.
 
 use super::pixel;
-use crate::number_format::{Column, count, percent, significant};
 use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
+use mindeg_answers::numbers::{Column, count, percent, significant};
 
 /// Space for numbers left of the axis and below it, and for what reaches over the right end.
 const LEFT: f64 = 68.0;

@@ -8,12 +8,12 @@ use super::super::svg::{self, CURVE_STYLE, DegreeColor, Marks};
 use super::super::tables::Table;
 use super::super::viewer::STYLE;
 use super::spread;
-use crate::KEPT;
-use crate::number_format::{Column, count, percent, steady_angle, steady_percent};
 use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::{ExactMesh, TradeOff};
+use mindeg_answers::advice::KEPT;
+use mindeg_answers::numbers::{Column, count, percent, steady_angle, steady_percent};
 use mindeg_formats::svg::Inset;
 use std::io::{self, Write};
 

@@ -5,11 +5,11 @@
 use super::super::html::rendered;
 use super::super::svg::{self, CURVE_STYLE, Curve, Marks};
 use super::spread;
-use crate::number_format::{count, percent, steady_angle};
 use askama::Template;
 use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::TradeOff;
+use mindeg_answers::numbers::{count, percent, steady_angle};
 use mindeg_formats::svg::{Inset, STYLE};
 use std::io::{self, Write};
 

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::{Domain, Goal, Progress, exact, mesh};
-use mindeg_compare::words;
+use mindeg_answers::words;
 
 fn degree(domain: &str) -> String {
     let domain = Domain::from_json(domain).unwrap();

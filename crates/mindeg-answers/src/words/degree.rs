@@ -4,7 +4,7 @@ use mindeg::exact::{DegreeAnswer, LowerBound, Reached};
 use mindeg::{Domain, Rings};
 use mindeg_core::{Boundary, Certificate};
 
-use crate::number_format::count;
+use crate::numbers::count;
 
 /// Why the least maximum degree of a convex domain cannot be less and how it is reached, in sentences
 /// that end in a new line.

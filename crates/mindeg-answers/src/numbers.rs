@@ -12,7 +12,7 @@ const MAX_DECIMALS: i32 = 4;
 /// `value` with at most `digits >= 1` significant digits, and without trailing zeros.
 ///
 /// ```
-/// use mindeg_compare::number_format::significant;
+/// use mindeg_answers::numbers::significant;
 ///
 /// assert_eq!([6.340_19, 59.999_96, 1.234e-7].map(|v| significant(v, 3)), ["6.34", "60", "1.23e-7"]);
 /// ```
@@ -39,7 +39,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 /// A number with four significant digits, trailing zeros too; infinity as ∞.
 ///
 /// ```
-/// use mindeg_compare::number_format::four_digits;
+/// use mindeg_answers::numbers::four_digits;
 ///
 /// let numbers = [0.0, 60.0, 59.999_96, 0.012_345_6, 999_960.0, 123_456.0, 1.5e-7, f64::INFINITY];
 /// let texts = ["0", "60.00", "60.00", "0.01235", "1.000e6", "123456", "1.500e-7", "∞"];
@@ -62,7 +62,7 @@ pub fn four_digits(value: f64) -> String {
 /// An angle in degrees, to four significant digits.
 ///
 /// ```
-/// assert_eq!(mindeg_compare::number_format::angle(143.1025), "143.1°");
+/// assert_eq!(mindeg_answers::numbers::angle(143.1025), "143.1°");
 /// ```
 #[must_use]
 pub fn angle(degrees: f64) -> String {
@@ -73,7 +73,7 @@ pub fn angle(degrees: f64) -> String {
 /// for them as [`angle`] has it.
 ///
 /// ```
-/// use mindeg_compare::number_format::steady_angle;
+/// use mindeg_answers::numbers::steady_angle;
 ///
 /// assert_eq!([6.34, 26.565_05, 0.084_71].map(steady_angle), ["6.340°", "26.565°", "0.08471°"]);
 /// ```
@@ -85,7 +85,7 @@ pub fn steady_angle(degrees: f64) -> String {
 /// The numbers of a column: all with the same number of decimals.
 ///
 /// ```
-/// use mindeg_compare::number_format::Column;
+/// use mindeg_answers::numbers::Column;
 ///
 /// let angles = [0.1246, 2.01, 163.884];
 /// let column = Column::new(angles, 3);
@@ -134,7 +134,7 @@ impl Column {
 /// A share of 0 to 1 in percent; what is more than nothing and less than all stays so.
 ///
 /// ```
-/// use mindeg_compare::number_format::percent;
+/// use mindeg_answers::numbers::percent;
 ///
 /// assert_eq!([0.0, 1e-9, 0.9695, 0.99999, 1.0].map(percent), ["0%", "<0.1%", "97%", ">99.9%", "100%"]);
 /// ```
@@ -151,7 +151,7 @@ pub fn percent(share: f64) -> String {
 /// A share of 0 to 1 in percent, to one decimal, as the shares of a column are written.
 ///
 /// ```
-/// use mindeg_compare::number_format::steady_percent;
+/// use mindeg_answers::numbers::steady_percent;
 ///
 /// assert_eq!([0.0, 0.9695, 0.99999, 1.0].map(steady_percent), ["0.0%", "97.0%", ">99.9%", "100.0%"]);
 /// ```
@@ -167,7 +167,7 @@ pub fn steady_percent(share: f64) -> String {
 /// A whole number, with narrow spaces between groups of three digits from five digits up.
 ///
 /// ```
-/// assert_eq!(mindeg_compare::number_format::count(10_000_u32), "10\u{202f}000");
+/// assert_eq!(mindeg_answers::numbers::count(10_000_u32), "10\u{202f}000");
 /// ```
 #[must_use]
 pub fn count(value: impl Into<u64>) -> String {
@@ -188,7 +188,7 @@ pub fn count(value: impl Into<u64>) -> String {
 /// A duration.
 ///
 /// ```
-/// assert_eq!(mindeg_compare::number_format::seconds(0.0123), "12 ms");
+/// assert_eq!(mindeg_answers::numbers::seconds(0.0123), "12 ms");
 /// ```
 #[must_use]
 pub fn seconds(seconds: f64) -> String {

@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 
 use mindeg::interior::Report;
 
-use crate::number_format::{percent, steady_angle};
+use crate::numbers::{percent, steady_angle};
 
 /// Angles and degrees in a line.
 #[must_use]

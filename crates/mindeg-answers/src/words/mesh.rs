@@ -2,7 +2,7 @@
 
 use mindeg::{FoundBy, Goal, HigherDegree, Meshed};
 
-use crate::number_format::steady_angle;
+use crate::numbers::steady_angle;
 
 /// The size of a mesh, its degree and its angles, the least and the greatest in degrees, in a line.
 #[must_use]

@@ -2,8 +2,8 @@
 
 use mindeg::exact::TradeOff;
 
-use crate::KEPT;
-use crate::number_format::{percent, steady_angle};
+use crate::advice::KEPT;
+use crate::numbers::{percent, steady_angle};
 
 /// Which degree to take, and what the least costs, in a sentence or two.
 ///

@@ -3,7 +3,7 @@
 use mindeg::interior::{AngleLimit, Lift};
 use mindeg_core::{Change, Suggestion};
 
-use crate::number_format::steady_angle;
+use crate::numbers::steady_angle;
 
 /// Such as "add 7 to side 2 and take 1 from side 4".
 #[must_use]

@@ -1,0 +1,13 @@
+//! What mindeg says of a domain or a mesh, once: values to serialise, with their text.
+//!
+//! The command line prints them, `mindeg explore` sends them and Python gets them as dicts, so a key
+//! and a sentence are the same everywhere.
+//!
+//! # Limits
+//!
+//! One language; angles are in degrees.
+
+pub mod advice;
+pub mod inspected;
+pub mod numbers;
+pub mod words;
