@@ -8,6 +8,7 @@ use thiserror::Error;
 
 use super::outline::Feature;
 use super::sides::{DividedSide, Division, SizeTooSmall};
+use super::text::clean;
 
 /// Why a polygon of a file is no domain.
 #[derive(Clone, Debug, Error, PartialEq)]
@@ -98,16 +99,6 @@ impl SideNames {
             }
         }
     }
-}
-
-/// A name without the characters that a domain refuses.
-fn clean(name: &str) -> String {
-    let is_refused = |c: char| {
-        c.is_control()
-            || matches!(c, '\u{2028}' | '\u{2029}' | '\u{61c}' | '\u{200e}' | '\u{200f}')
-            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    name.replace(is_refused, " ").trim().to_owned()
 }
 
 #[cfg(test)]

@@ -5,19 +5,22 @@
 //! arcs. Rings inside others are holes. If a ring's lines lie in several layers, these name its
 //! sides; if all of a polygon's lie in one, that is its name.
 //!
-//! Limits: no blocks, splines or ellipses, which are left out and counted; no binary files.
+//! Left out and counted: blocks, splines, ellipses, and all that a viewer hides (paper space, layers that
+//! are off or frozen, invisible entities, the control points of splines).
+//!
+//! Limits: entities in planes other than the xy plane are refused; no binary files.
 
 mod entities;
 mod joining;
 mod pairs;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::nesting::{FillRule, polygons};
 use super::outline::Outlines;
-use super::text::{at_line, counted};
+use super::text::{at_line, clean, counted};
 use crate::error::ReadError;
-use entities::Entity;
+use entities::{Entity, text, whole};
 use pairs::{Pair, pairs};
 
 /// Names of the units by the values of `$INSUNITS`.
@@ -43,8 +46,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     }
     let (rings, note) = joining::rings(drawing.entities)?;
     notes.extend(note);
-    let left_out: Vec<String> =
-        drawing.left_out.iter().map(|(name, &count)| counted(count, name)).collect();
+    let left_out: Vec<String> = (drawing.left_out.iter())
+        .map(|((why, name), &count)| format!("{}{why}", counted(count, name)))
+        .collect();
     let left_out = left_out.join(", ");
     if rings.is_empty() {
         let only = if left_out.is_empty() { String::new() } else { format!(", only {left_out}") };
@@ -67,7 +71,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
 #[derive(Default)]
 struct Drawing {
     entities: Vec<Entity>,
-    left_out: BTreeMap<String, usize>,
+    /// How many of a name were left out for a reason.
+    left_out: BTreeMap<(&'static str, String), usize>,
+    /// Layers that are off or frozen, in upper case: their names have none.
+    hidden_layers: BTreeSet<String>,
     units: Option<usize>,
 }
 
@@ -81,13 +88,13 @@ fn drawing(text: &str) -> Result<Drawing, ReadError> {
         let pair = pair?;
         if pair.code == 0 {
             if let Some((name, pairs)) = open.take() {
-                drawing.take(name, &pairs)?;
+                drawing.take(section, name, &pairs)?;
             }
             match pair.value {
                 "SECTION" => wants_section = true,
                 "ENDSEC" => section = "",
                 "EOF" => return Ok(drawing),
-                name if section == "ENTITIES" => open = Some((name, vec![pair])),
+                name if matches!(section, "TABLES" | "ENTITIES") => open = Some((name, vec![pair])),
                 _ => {}
             }
         } else if wants_section && pair.code == 2 {
@@ -102,34 +109,63 @@ fn drawing(text: &str) -> Result<Drawing, ReadError> {
     }
     // A file that ends early: what it holds is taken.
     if let Some((name, pairs)) = open {
-        drawing.take(name, &pairs)?;
+        drawing.take(section, name, &pairs)?;
     }
     Ok(drawing)
 }
 
 impl Drawing {
-    /// Takes an entity, if it is of a kind that is read.
-    fn take(&mut self, name: &str, pairs: &[Pair<'_>]) -> Result<(), ReadError> {
-        match name {
-            // The parts of a POLYLINE follow it as entities of their own.
-            "VERTEX" => {
-                if let Some(polyline) = self.entities.last_mut().filter(|last| last.is_open) {
-                    polyline.add(pairs)?;
-                }
+    /// Takes an entity, if it is shown and of a kind that is read, or a layer.
+    fn take(&mut self, section: &str, name: &str, pairs: &[Pair<'_>]) -> Result<(), ReadError> {
+        if section == "TABLES" {
+            // A color below 0 turns a layer off, the first flag freezes it.
+            if name == "LAYER" && (whole(pairs, 62) < 0 || whole(pairs, 70) & 1 != 0) {
+                self.hidden_layers.insert(text(pairs, 2).to_uppercase());
             }
-            "SEQEND" => {
-                self.entities.iter_mut().rev().take(1).for_each(|last| last.is_open = false)
+            return Ok(());
+        }
+        // The parts of a POLYLINE follow it as entities of their own.
+        let polyline = self.entities.last_mut().filter(|last| last.is_open);
+        if name == "VERTEX" {
+            match polyline {
+                // The control points of a spline, which viewers do not show.
+                Some(_) if whole(pairs, 70) & 16 != 0 => self.leave_out("control point", ""),
+                Some(polyline) => polyline.add(pairs)?,
+                None => {}
             }
-            _ => match Entity::read(name, pairs)? {
-                Some(entity) => self.entities.push(entity),
-                None => {
-                    // Some files have names of any length here.
-                    let name = name.chars().take(20).collect();
-                    *self.left_out.entry(name).or_default() += 1;
-                }
-            },
+            return Ok(());
+        }
+        if let Some(polyline) = polyline {
+            polyline.is_open = false;
+        }
+        if name == "SEQEND" {
+            return Ok(());
+        }
+        let why = self.hidden(pairs);
+        match if why.is_empty() { Entity::read(name, pairs)? } else { None } {
+            Some(entity) => self.entities.push(entity),
+            None => self.leave_out(name, why),
         }
         Ok(())
+    }
+
+    /// Why viewers do not show an entity; empty if they do.
+    fn hidden(&self, pairs: &[Pair<'_>]) -> &'static str {
+        if whole(pairs, 67) == 1 {
+            " in paper space"
+        } else if whole(pairs, 60) == 1 {
+            " that cannot be seen"
+        } else if self.hidden_layers.contains(&text(pairs, 8).to_uppercase()) {
+            " on layers that are off or frozen"
+        } else {
+            ""
+        }
+    }
+
+    fn leave_out(&mut self, name: &str, why: &'static str) {
+        // Some files have names of any length here.
+        let name = clean(name).chars().take(20).collect();
+        *self.left_out.entry((why, name)).or_default() += 1;
     }
 }
 

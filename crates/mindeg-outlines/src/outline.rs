@@ -118,6 +118,12 @@ impl Ring {
     }
 }
 
+/// A point as a key: equal points have equal keys.
+pub(super) fn key(point: DVec2) -> (u64, u64) {
+    // Adding 0 turns -0 into 0, whose bits differ.
+    ((point.x + 0.0).to_bits(), (point.y + 0.0).to_bits())
+}
+
 /// Twice the area of a closed ring of points, positive if it runs counter-clockwise.
 pub(super) fn doubled_area(points: &[DVec2]) -> f64 {
     let Some(&origin) = points.first() else { return 0.0 };

@@ -18,7 +18,7 @@ use glam::DVec2;
 use super::curve::{Curve, norm};
 use super::nesting::{FillRule, contains, polygons};
 use super::orientation::orientation;
-use super::outline::{Feature, Outlines, Piece, Ring};
+use super::outline::{Feature, Outlines, Piece, Ring, key};
 use super::text::counted;
 use crate::error::ReadError;
 
@@ -184,12 +184,6 @@ impl Repairs {
         }
         (!done.is_empty()).then(|| format!("repaired {whose}: {}", done.join("; ")))
     }
-}
-
-/// A point as a key: equal points have equal keys.
-fn key(point: DVec2) -> (u64, u64) {
-    // Adding 0 turns -0 into 0.
-    ((point.x + 0.0).to_bits(), (point.y + 0.0).to_bits())
 }
 
 /// The pieces without points where two straight ones run back on each other, and how many there

@@ -67,3 +67,13 @@ pub(super) fn shown(point: DVec2) -> String {
 pub(super) fn counted(count: usize, one: &str) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
 }
+
+/// A name without the characters that a domain refuses and a terminal obeys.
+pub(super) fn clean(name: &str) -> String {
+    let is_refused = |c: char| {
+        c.is_control()
+            || matches!(c, '\u{2028}' | '\u{2029}' | '\u{61c}' | '\u{200e}' | '\u{200f}')
+            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+    };
+    name.replace(is_refused, " ").trim().to_owned()
+}

@@ -51,6 +51,32 @@ fn alone(_: &str) -> std::io::Result<Vec<u8>> {
     Err(std::io::ErrorKind::NotFound.into())
 }
 
+/// Coordinates of -0, which CAD programs write, where others of the file are 0.
+#[test]
+fn minus_zero_is_zero_in_all_formats() {
+    let dxf = "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n11\n1\n21\n0\n0\nLINE\n10\n1\n20\n-0\n11\n-0.0\n21\n1\n0\nLINE\n10\n0\n20\n1\n11\n-0\n21\n-0\n0\nENDSEC\n";
+    for (format, text) in [
+        (
+            OutlineFormat::GeoJson,
+            r#"{"type":"Polygon","coordinates":[[[-0.0,0],[1,-0],[-0.0,1],[0,-0.0]]]}"#,
+        ),
+        (OutlineFormat::Wkt, "POLYGON((-0 0, 1 -0.0, 0 1, 0 -0))"),
+        (OutlineFormat::Svg, "<svg><path d='M-0 0L1-0L-0 1L0 0'/></svg>"),
+        (OutlineFormat::Csv, "-0 0\n1 -0.0\n0 1\n0 0\n"),
+        (OutlineFormat::Obj, "v 0 -0 0\nv 1 0 -0\nv -0 1 0\nl 1 2 3 1\n"),
+        (OutlineFormat::Poly, "3 2 0 0\n1 -0 0\n2 1 -0\n3 0 1\n3 0\n1 1 2\n2 2 3\n3 3 1\n"),
+        (
+            OutlineFormat::Msh,
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 -0 0 -0\n2 1 -0 0\n3 0 1 0\n$EndNodes\n$Elements\n3\n1 1 2 5 7 1 2\n2 1 2 5 7 2 3\n3 1 2 5 7 3 1\n$EndElements\n",
+        ),
+        (OutlineFormat::Dxf, dxf),
+    ] {
+        let outlines = outlines::read(text.as_bytes(), format, alone).unwrap();
+        assert_eq!(outlines.features[0].rings[0].pieces.len(), 3, "{text}");
+        assert!(outlines.features[0].domain(&Division::default()).is_ok(), "{text}");
+    }
+}
+
 /// Reads, repairs and divides as the command line does, whatever comes of it.
 fn use_all(bytes: &[u8], format: OutlineFormat) {
     let Ok(outlines) = outlines::read(bytes, format, alone) else { return };

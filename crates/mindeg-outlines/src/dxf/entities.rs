@@ -26,20 +26,17 @@ pub(super) struct Entity {
 impl Entity {
     /// An entity of a kind that is read; none for others.
     pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, ReadError> {
-        let layer = pairs.iter().find(|pair| pair.code == 8).map(|pair| pair.value);
+        let layer = text(pairs, 8);
         let mut entity = Self {
             // Layer 0 is where drawings begin, and no name.
-            layer: layer.filter(|layer| !matches!(*layer, "" | "0")).map(Shared::from),
+            layer: (!matches!(layer, "" | "0")).then(|| Shared::from(layer)),
             points: Vec::new(),
             bulges: Vec::new(),
             is_closed: false,
             arc: None,
             is_open: name == "POLYLINE",
         };
-        let flags = pairs.iter().find(|pair| pair.code == 70);
-        let flags = flags.and_then(|pair| pair.value.parse::<i64>().ok()).unwrap_or(0);
-        // An extrusion of (0, 0, -1) mirrors the x axis.
-        let is_mirrored = value(pairs, 230)?.is_some_and(|z| z < 0.0);
+        let flags = whole(pairs, 70);
         match name {
             "LINE" => {
                 entity.add_point(need(pairs, 10)?, need(pairs, 20)?);
@@ -62,13 +59,14 @@ impl Entity {
                 let radius = need(pairs, 40)?;
                 let axes = [DVec2::X * radius, DVec2::Y * radius];
                 let (start, sweep) = if name == "CIRCLE" {
-                    entity.is_closed = true;
-                    (0.0, TAU)
+                    (0.0, 0.0)
                 } else {
                     let (start, end) = (need(pairs, 50)?, need(pairs, 51)?);
-                    let sweep = (end - start).rem_euclid(360.0);
-                    (start.to_radians(), if sweep == 0.0 { TAU } else { sweep.to_radians() })
+                    (start.to_radians(), (end - start).rem_euclid(360.0).to_radians())
                 };
+                // An arc from 0 to 360 degrees is a circle.
+                entity.is_closed = sweep == 0.0;
+                let sweep = if entity.is_closed { TAU } else { sweep };
                 let arc = Arc { center, axes, start, sweep };
                 let ends = [start, start + sweep].map(|angle| arc.point(angle));
                 entity.arc = Some(arc);
@@ -76,7 +74,7 @@ impl Entity {
             }
             _ => return Ok(None),
         }
-        if is_mirrored {
+        if faces_down(name, pairs)? {
             entity.mirror();
         }
         Ok(Some(entity))
@@ -142,11 +140,42 @@ fn bulged(start: DVec2, end: DVec2, bulge: f64) -> Curve {
     Curve::Arc(Arc { center, axes: [toward, toward.perp()], start: 0.0, sweep })
 }
 
+/// How much of a unit vector rounding may turn away from the z axis.
+const TILT: f64 = 1e-9;
+
+/// Whether the plane of an entity is seen from below, which mirrors its x axis.
+fn faces_down(name: &str, pairs: &[Pair<'_>]) -> Result<bool, ReadError> {
+    let [x, y] = [value(pairs, 210)?.unwrap_or(0.0), value(pairs, 220)?.unwrap_or(0.0)];
+    let z = value(pairs, 230)?.unwrap_or(1.0);
+    if x.abs().max(y.abs()) <= TILT * z.abs() {
+        return Ok(z < 0.0);
+    }
+    let line = pairs.first().map_or(1, |pair| pair.line);
+    Err(at_line(
+        line,
+        format!(
+            "the {name} lies in a tilted plane: its extrusion is ({x:?}, {y:?}, {z:?}), expected \
+             (0, 0, 1) or (0, 0, -1); turn it into the xy plane, or delete it"
+        ),
+    ))
+}
+
 fn finite(pair: &Pair<'_>) -> Result<f64, ReadError> {
     number(pair.value).ok_or_else(|| {
         let problem = format!("found {}, expected a finite number", quoted(pair.value));
         at_line(pair.line + 1, problem)
     })
+}
+
+/// The whole number of a group code, 0 where there is none.
+pub(super) fn whole(pairs: &[Pair<'_>], code: i32) -> i64 {
+    let pair = pairs.iter().find(|pair| pair.code == code);
+    pair.and_then(|pair| pair.value.parse().ok()).unwrap_or(0)
+}
+
+/// The text of a group code, empty where there is none.
+pub(super) fn text<'a>(pairs: &[Pair<'a>], code: i32) -> &'a str {
+    pairs.iter().find(|pair| pair.code == code).map_or("", |pair| pair.value)
 }
 
 fn value(pairs: &[Pair<'_>], code: i32) -> Result<Option<f64>, ReadError> {

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::super::loops::{self, Link};
-use super::super::outline::Ring;
+use super::super::outline::{Ring, key};
 use super::super::text::shown;
 use super::entities::Entity;
 use crate::error::ReadError;
@@ -60,21 +60,12 @@ fn merged(points: &[DVec2]) -> Option<(Vec<DVec2>, Vec<u32>)> {
         let size = if tolerance > 0.0 { 2.0 * tolerance } else { 1.0 };
         ((point - min) / size).floor()
     };
-    let key = |index: u32| {
-        let cell = cell(points[index as usize]);
-        (cell.x.to_bits(), cell.y.to_bits(), index)
-    };
-    order.sort_unstable_by_key(|&index| key(index));
-    let in_cell = |x: f64, y: f64| {
-        let below = (x.to_bits(), y.to_bits());
-        let from = order.partition_point(|&index| {
-            let k = key(index);
-            (k.0, k.1) < below
-        });
-        order[from..].iter().copied().take_while(move |&index| {
-            let k = key(index);
-            (k.0, k.1) == below
-        })
+    let cell_of = |index: u32| key(cell(points[index as usize]));
+    order.sort_unstable_by_key(|&index| (cell_of(index), index));
+    let in_cell = |wanted: DVec2| {
+        let wanted = key(wanted);
+        let from = order.partition_point(|&index| cell_of(index) < wanted);
+        order[from..].iter().copied().take_while(move |&index| cell_of(index) == wanted)
     };
     let mut indices = vec![u32::MAX; points.len()];
     let mut kept = Vec::new();
@@ -87,8 +78,7 @@ fn merged(points: &[DVec2]) -> Option<(Vec<DVec2>, Vec<u32>)> {
         let cell = cell(point);
         for dx in [-1.0, 0.0, 1.0] {
             for dy in [-1.0, 0.0, 1.0] {
-                // Adding 0 turns -0 into 0, whose bits differ.
-                for other in in_cell(cell.x + dx + 0.0, cell.y + dy + 0.0) {
+                for other in in_cell(cell + DVec2::new(dx, dy)) {
                     let near = (points[other as usize] - point).abs().max_element() <= tolerance;
                     if near && indices[other as usize] == u32::MAX {
                         indices[other as usize] = index;

@@ -131,3 +131,108 @@ fn what_is_left_out_is_said_and_errors_say_where() {
     assert!(super::read(b"AutoCAD Binary DXF\r\n").unwrap_err().to_string().contains("ASCII"));
     assert!(super::read(b"0").unwrap_err().to_string().contains("within a pair"));
 }
+
+/// The file as it is, and with entities before those of the plate.
+fn plate_and(entities: &str) -> Outlines {
+    read(&format!("{entities}\nLWPOLYLINE 8=A 70=1 10=0 20=0 10=4 20=0 10=4 20=3 10=0 20=3"))
+        .unwrap()
+}
+
+#[test]
+fn a_coordinate_of_minus_zero_is_zero() {
+    for entities in [
+        "LINE 10=0 20=0 11=1 21=0\nLINE 10=1 20=-0 11=0 21=1\nLINE 10=0 20=1 11=0 21=0",
+        "LWPOLYLINE 70=1 10=10 20=-0.0 10=0 20=8 10=-5 20=0",
+        "LWPOLYLINE 70=1 10=-0.0 20=0 10=1 20=0 10=0 20=1",
+    ] {
+        assert_eq!(read(entities).unwrap().features[0].rings[0].pieces.len(), 3, "{entities}");
+    }
+}
+
+#[test]
+fn entities_that_viewers_hide_are_no_holes() {
+    for (entities, left_out) in [
+        ("LWPOLYLINE 67=1 70=1 10=1 20=1 10=2 20=1 10=1 20=2", "1 LWPOLYLINE in paper space"),
+        ("CIRCLE 60=1 10=2 20=1 40=0.5", "1 CIRCLE that cannot be seen"),
+        (
+            "POLYLINE 60=1 70=1\nVERTEX 10=1 20=1\nVERTEX 10=2 20=1\nVERTEX 10=1 20=2\nSEQEND",
+            "1 POLYLINE that cannot be seen",
+        ),
+        // Nobody sees how it lies.
+        ("CIRCLE 67=1 10=2 20=1 40=0.5 210=1 230=0", "1 CIRCLE in paper space"),
+    ] {
+        let outlines = plate_and(entities);
+        assert_eq!(outlines.features[0].rings.len(), 1, "{entities}");
+        assert_eq!(outlines.notes, [UNIT.to_owned(), format!("left out {left_out}")]);
+    }
+}
+
+#[test]
+fn entities_on_hidden_layers_are_left_out() {
+    let plate = dxf(
+        "LWPOLYLINE 8=A 70=1 10=0 20=0 10=4 20=0 10=4 20=3 10=0 20=3\nCIRCLE 8=Bore 10=2 20=1 40=0.5",
+    );
+    for (layer, rings) in [
+        ("2\nBORE\n70\n0\n62\n-7", 1),
+        ("2\nbore\n70\n1\n62\n7", 1),
+        // Locked, and another layer.
+        ("2\nbore\n70\n4\n62\n7", 2),
+        ("2\nnotes\n70\n1\n62\n-7", 2),
+    ] {
+        let tables = format!(
+            "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n1\n0\nLAYER\n{layer}\n0\nENDTAB\n0\nENDSEC\n"
+        );
+        let outlines = super::read(format!("{tables}{plate}").as_bytes()).unwrap();
+        assert_eq!(outlines.features[0].rings.len(), rings, "{layer}");
+        let said = "left out 1 CIRCLE on layers that are off or frozen";
+        assert_eq!(outlines.notes.iter().any(|note| note == said), rings == 1, "{layer}");
+    }
+}
+
+#[test]
+fn control_points_of_splines_are_no_points() {
+    let vertices = "VERTEX 10=1 20=0 70=8\nVERTEX 10=1 20=1 70=8\nVERTEX 10=0 20=1 70=8\nVERTEX 10=0 20=0 70=8";
+    let outlines =
+        read(&format!("POLYLINE 66=1 70=5\nVERTEX 10=0.5 20=-5 70=16\n{vertices}\nSEQEND"))
+            .unwrap();
+    assert_eq!(outlines.features[0].rings[0].doubled_area(), 2.0);
+    assert_eq!(outlines.notes, [UNIT, "left out 1 control point"]);
+}
+
+#[test]
+fn tilted_entities_are_refused() {
+    for entity in ["CIRCLE 10=5 20=0 40=1", "ARC 10=5 20=0 40=1 50=0 51=90", "LWPOLYLINE 10=5 20=0"]
+    {
+        let error = read(&format!("{entity} 210=1 220=0 230=0")).unwrap_err();
+        let name = entity.split(' ').next().unwrap();
+        let expected = format!(
+            "line 15: the {name} lies in a tilted plane: its extrusion is (1.0, 0.0, 0.0), expected \
+             (0, 0, 1) or (0, 0, -1); turn it into the xy plane, or delete it"
+        );
+        assert_eq!(error, expected);
+    }
+    // Rounding of a program, and a line, whose ends are points of the world.
+    assert_eq!(
+        plate_and("CIRCLE 10=2 20=1 40=0.5 210=1e-16 220=0 230=1").features[0].rings.len(),
+        2
+    );
+    let lines =
+        "LINE 10=0 20=0 11=1 21=0 210=1 230=0\nLINE 10=1 20=0 11=0 21=1\nLINE 10=0 20=1 11=0 21=0";
+    assert_eq!(read(lines).unwrap().features.len(), 1);
+}
+
+#[test]
+fn an_arc_all_the_way_round_is_a_circle() {
+    for angles in ["50=0 51=360", "50=90 51=450", "50=30 51=30"] {
+        let outlines = plate_and(&format!("ARC 10=2 20=1 40=0.5 {angles}"));
+        let hole = &outlines.features[0].rings[1];
+        assert_eq!(hole.pieces.len(), 1, "{angles}");
+        assert!((hole.segment(0).length() - PI).abs() < 1e-12, "{angles}");
+    }
+}
+
+#[test]
+fn names_have_no_codes_that_terminals_obey() {
+    let outlines = plate_and("X\u{1b}[31mRED\u{7}\u{202e} 8=a");
+    assert_eq!(outlines.notes, [UNIT, "left out 1 X [31mRED"]);
+}
