@@ -63,9 +63,10 @@ fn a_line_without_end_is_refused() {
 
 /// Runs with so many KiB of memory in all.
 fn within(kibibytes: u32, arguments: &[&str]) -> Run {
-    let shell = format!("ulimit -v {kibibytes}; exec \"$@\"");
+    let shell = format!("ulimit -c 0; ulimit -v {kibibytes}; exec \"$@\"");
     let mut command = Command::new("sh");
     command.args(["-c", &shell, "sh", env!("CARGO_BIN_EXE_mindeg")]).args(arguments);
+    command.env("RAYON_NUM_THREADS", "1");
     let output = command.output().expect("a shell");
     Run {
         code: output.status.code(),
@@ -81,7 +82,7 @@ fn a_mesh_that_does_not_fit_in_memory_is_an_error_that_names_it() {
     let [obj, glb] = ["m.obj", "m.glb"].map(|name| folder.path().join(name));
     let mesh = ["mesh", "--rectangle", "4x3", "--size", "2e-5", "-q"];
     assert_eq!(mindeg(mesh.iter().chain(&["-o", text(&obj), "-o", text(&glb)])).code, Some(0));
-    for (file, kibibytes) in [(&obj, 30_000), (&obj, 40_000), (&glb, 30_000), (&glb, 40_000)] {
+    for (file, kibibytes) in [(&obj, 40_000), (&obj, 60_000), (&glb, 40_000), (&glb, 60_000)] {
         let run = within(kibibytes, &["inspect", text(file)]);
         fails(&run, 1, &["out of memory", text(file)]);
     }

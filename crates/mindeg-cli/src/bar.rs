@@ -92,8 +92,7 @@ impl Bar {
         }
     }
 
-    /// Does work that nothing can be counted of, and shows how long it has been going on. Ask for the
-    /// memory of the work before: the thread that shows it takes some when it starts, or aborts.
+    /// Does work that nothing can be counted of, and shows how long it has been going on.
     pub(crate) fn waiting<T>(&self, name: impl Into<String>, work: impl FnOnce() -> T) -> T {
         const TICK: Duration = Duration::from_millis(100);
         self.stage(name, 0, Unit::Time);

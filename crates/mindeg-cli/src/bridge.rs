@@ -5,7 +5,6 @@ use crate::bar::Bar;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::mesh_file;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
@@ -49,7 +48,6 @@ struct Side<'a> {
 impl<'a> Side<'a> {
     fn read(path: &'a Path, bar: &Bar) -> Result<Self, Failure> {
         let mesh = mesh_file::read(path, bar)?;
-        memory::require_to_inspect(path, mesh.positions().len(), mesh.triangles().len())?;
         let loops = Loops::of(&mesh);
         Ok(Self { path, mesh, loops })
     }

@@ -5,7 +5,6 @@ use crate::bar::Bar;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::mesh_file;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
@@ -64,7 +63,6 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
     let file = &arguments.file;
     let mesh = mesh_file::read(file, &bar)?;
-    memory::require_to_inspect(file, mesh.positions().len(), mesh.triangles().len())?;
     targets.expect_materials(mesh.has_materials());
     let loops = Loops::of(&mesh);
     if loops.list().is_empty() {
@@ -85,8 +83,6 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         only,
     };
     let lengths = loops.list().iter().map(|found| found.vertices.len());
-    let short = lengths.clone().filter(|&len| len < options.max_loop);
-    memory::require_to_fill(file, short.collect())?;
 
     // What can be refused is refused before the search, which can take minutes.
     let most = mesh.triangle_count().saturating_add(lengths.sum::<usize>() as u32);

@@ -6,7 +6,6 @@ use crate::demands::Demands;
 use crate::failure::Failure;
 use crate::interior_report::{Reached, grading, violations};
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::mesh_file;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
@@ -43,7 +42,6 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     targets.expect_materials(mesh.has_materials());
     let file = arguments.file.display().to_string();
-    memory::require_to_improve(&file, mesh.positions().len(), mesh.triangles().len())?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();

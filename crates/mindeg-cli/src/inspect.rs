@@ -7,7 +7,6 @@ use crate::args::InspectArguments;
 use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::gates::NamedTriangle;
-use crate::memory;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::inspection::{Inspection, InspectionOptions};
@@ -30,8 +29,6 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         pole_degree: arguments.poles_above,
         corner_angle: arguments.corner_angle,
     };
-    let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
-    memory::require_to_inspect(&arguments.file, vertices, triangles)?;
     let inspection = bar.waiting("inspecting", || Inspection::of(&mesh, &options));
     let report = bar.waiting("the least degree of its outline", || {
         InspectionReport::new(Some(name), &mesh, &inspection, &options)

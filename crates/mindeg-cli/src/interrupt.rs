@@ -6,7 +6,6 @@
 
 use crate::bar;
 use crate::failure::{Failure, plainly};
-use crate::memory;
 use std::fs;
 use std::io;
 use std::path::PathBuf;
@@ -28,12 +27,6 @@ pub(crate) fn temporary() -> MutexGuard<'static, Vec<PathBuf>> {
 
 /// From here on, Ctrl-C and its like delete the temporary files before they end the process.
 pub(crate) fn clean_up_on_interrupt() -> Result<(), Failure> {
-    // The stack of a thread that listens, and what it allocates.
-    const LISTENER: u64 = 6 << 20;
-    if !memory::given(LISTENER) {
-        // The run ends for want of memory before it has files to delete.
-        return Ok(());
-    }
     listen().map_err(|error| Failure::Io(format!("cannot listen for Ctrl-C: {}", plainly(&error))))
 }
 
@@ -74,11 +67,7 @@ fn listen() -> io::Result<()> {
     let mut signals = signal_hook::iterator::Signals::new(heard)?;
     // A file that grows beyond what the system allows is then an error of the one who writes it.
     signal_hook::flag::register(SIGXFSZ, std::sync::Arc::default())?;
-    // A thread that starts takes memory, and aborts the process without it: so it starts before
-    // others ask for all that there is.
-    let (start, started) = mpsc::channel();
     thread::Builder::new().spawn(move || {
-        let _ = start.send(());
         let mut first: Option<Instant> = None;
         for signal in signals.forever() {
             match first {
@@ -93,7 +82,6 @@ fn listen() -> io::Result<()> {
             }
         }
     })?;
-    let _ = started.recv();
     Ok(())
 }
 

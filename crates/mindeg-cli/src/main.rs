@@ -24,7 +24,6 @@ mod input;
 mod inspect;
 mod interior_report;
 mod interrupt;
-mod memory;
 mod mesh;
 mod mesh_file;
 mod named_files;

@@ -9,7 +9,6 @@ use crate::bar::Bar;
 use crate::domain::{Content, name, name_in_text, subject};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
@@ -75,7 +74,6 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     }
     // What can be refused is refused before the mesh is looked for, which can take minutes.
     targets.check(domain.placement(), triangle_count(domain.rings()))?;
-    memory::require_to_stream(domain.rings().vertex_count(), name_in_text(domain))?;
     let goal = goal(&arguments.goal, arguments.optimize, domain)?;
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
@@ -120,8 +118,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     if arguments.json { print_json(&summary) } else { Ok(()) }
 }
 
-/// What the mesh is chosen for, if that can be: a limit below the least degree is refused at any
-/// size, and so is exact work without the memory for it.
+/// The goal; a limit below the least degree is refused at any size.
 pub(crate) fn goal(
     arguments: &GoalArguments,
     optimize: Option<Optimize>,
@@ -144,11 +141,7 @@ pub(crate) fn goal(
             "no mesh of {} has maximum degree {limit}; the least is {least}",
             name_in_text(domain)
         ))),
-        (Goal::LeastDegree, Some(_)) => Ok(goal),
-        _ => {
-            require_for_exact_work(domain)?;
-            Ok(goal)
-        }
+        _ => Ok(goal),
     }
 }
 
@@ -160,18 +153,6 @@ pub(crate) fn meshed(
 ) -> Result<Meshed, Failure> {
     mindeg::mesh(domain, goal, progress)
         .map_err(|error| unsolved(&error, "leave out outside_degree and max_degree"))
-}
-
-/// Asks for the memory of exact work on a domain, if it is not too large for that anyway.
-pub(crate) fn require_for_exact_work(domain: &Domain) -> Result<(), Failure> {
-    /// Bytes for each pair of vertices, as measured, 28 to 36, and a third more.
-    const PER_PAIR: u64 = 48;
-    let vertices = domain.rings().vertex_count();
-    if vertices > MAX_VERTICES || domain.convex().is_none() {
-        return Ok(());
-    }
-    let bytes = u64::from(vertices).pow(2) * PER_PAIR;
-    memory::require(bytes, &format!("exact work on {} ({vertices} vertices)", name_in_text(domain)))
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.

@@ -3,7 +3,6 @@
 use crate::bar::{Bar, Counting, Unit};
 use crate::failure::{Failure, plain, plainly};
 use crate::input;
-use crate::memory;
 use mindeg_formats::ReadError;
 use mindeg_mesh::TriMesh;
 use std::fs::{File, Metadata};
@@ -14,7 +13,6 @@ use std::path::{Component, Path, PathBuf};
 /// may replace the file from then on, and what takes more memory than there is, is refused.
 pub(crate) fn read(path: &Path, bar: &Bar) -> Result<TriMesh, Failure> {
     input::note(path, "mesh");
-    memory::require_to_read(path)?;
     let open = || -> Result<Counting<'_, File>, ReadError> {
         let file = File::open(path)?;
         let len = file.metadata()?.len();

@@ -1,15 +1,11 @@
 //! The threads that share work.
 
 use crate::failure::Failure;
-use crate::memory;
 use rayon::{ThreadPool, ThreadPoolBuildError, ThreadPoolBuilder};
 use std::{env, thread};
 
 /// The stack of a thread, as large as that of a main thread.
 const STACK: usize = 8 << 20;
-
-/// What is to be left beside the stacks.
-const MARGIN: usize = 24 << 20;
 
 /// More threads than this spend their time on one another.
 const MOST: usize = 256;
@@ -18,11 +14,6 @@ const MOST: usize = 256;
 pub(crate) fn shared(work: impl FnOnce() -> Result<(), Failure> + Send) -> Result<(), Failure> {
     let failed = |error| Failure::Io(format!("cannot start threads: {error}"));
     let pool = pool().map_err(failed)?;
-    if pool.current_num_threads() > 1 {
-        // The allocator reserves addresses for a thread when it first allocates: now, and not after
-        // a run was told that there is memory for it.
-        pool.broadcast(|_| drop(std::hint::black_box(Vec::<u8>::with_capacity(1))));
-    }
     pool.install(work)
 }
 
@@ -34,10 +25,6 @@ fn pool() -> Result<ThreadPool, ThreadPoolBuildError> {
     let count = count(wanted, cores);
     let builder = || ThreadPoolBuilder::new().stack_size(STACK);
     let alone = || builder().num_threads(1).use_current_thread().build();
-    // A thread that starts with the last of the memory aborts when it allocates.
-    if !memory::given((count * STACK + MARGIN) as u64) {
-        return alone();
-    }
     builder().num_threads(count).build().or_else(|_| alone())
 }
 

@@ -5,7 +5,7 @@ use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::mesh::{require_for_exact_work, unsolved};
+use crate::mesh::unsolved;
 use crate::output::{Outputs, write_to};
 use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
@@ -28,7 +28,6 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
     // What cannot be written is refused before the work, which can take minutes.
-    require_for_exact_work(&domain)?;
     let mut outputs = Outputs::default();
     let open = |path: &PathBuf| outputs.open(path);
     let opened: Vec<_> = arguments.output.iter().map(open).collect::<Result<_, _>>()?;

@@ -8,8 +8,7 @@ use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
 use crate::gates::degrees_below;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
-use crate::mesh::{require_for_exact_work, unsolved};
+use crate::mesh::unsolved;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::quality::TriangleQuality;
@@ -33,8 +32,6 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);
     let mesh = mesh_file::read(&arguments.file, &bar)?;
     let file = arguments.file.display().to_string();
-    let points = mesh.positions().len() + domain.rings().vertex_count() as usize;
-    memory::require_to_verify(&file, points, mesh.triangles().len())?;
     let checked = bar.waiting("matching the mesh to the domain", || {
         verify::triangulation(&mesh, &domain, arguments.tolerance)
     });
@@ -55,10 +52,6 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     };
     let callback = bar.callback();
     let progress = Progress::new(&callback);
-    let has_formula = domain.convex().is_some() && !domain.is_constrained();
-    if !has_formula && verified.interior_points == 0 {
-        require_for_exact_work(&domain)?;
-    }
     let optimality = verify::optimality(&verified, &domain, progress)
         .map_err(|error| unsolved(&error, "leave out --optimal"))?;
     let angles = angles(&verified, &domain, progress);

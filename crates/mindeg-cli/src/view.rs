@@ -5,7 +5,6 @@ use crate::bar::Bar;
 use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::mesh::{goal, meshed};
 use crate::mesh_file;
 use crate::output::{Outputs, is_standard_output, write_to};
@@ -47,7 +46,6 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         Subject::Mesh(path) => path.display().to_string(),
         Subject::Domain(domain) => name_in_text(domain).to_owned(),
     };
-    memory::require_to_view(&what, mesh.positions().len(), mesh.triangles().len())?;
     let made_by = provenance(arguments.file.as_deref());
     bar.waiting(format!("making a view of {what}"), || {
         write_to(output, out, |out| write_view(&mesh, &made_by, out))
@@ -104,8 +102,6 @@ fn subject(arguments: &ViewArguments) -> Result<Subject<'_>, Failure> {
 
 /// The mesh of a domain as a list.
 fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
-    let vertices = domain.rings().vertex_count() as usize;
-    memory::require_to_view(name_in_text(domain), vertices, vertices)?;
     let goal = goal(&arguments.goal, None, domain)?;
     let callback = bar.callback();
     let mesh = meshed(domain, goal, Progress::new(&callback))?.mesh;

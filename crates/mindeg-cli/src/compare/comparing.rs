@@ -4,7 +4,6 @@ use crate::bar::Bar;
 use crate::domain::name_in_text;
 use crate::failure::Failure;
 use crate::gates::{Gates, NamedTriangle};
-use crate::memory;
 use mindeg::Domain;
 use mindeg_compare::{Comparison, Options, compare};
 use mindeg_mesh::TriMesh;
@@ -34,25 +33,17 @@ pub(super) fn check_gates(gates: &Gates, comparison: &Comparison) -> Result<(), 
     preset.check(&mesh.map_err(|error| Failure::Input(error.to_string()))?)
 }
 
-/// Compares a domain, if there is memory for that.
+/// Compares a domain.
 pub(super) fn compared(
     domain: &Domain,
     options: &Options,
     quiet: bool,
 ) -> Result<Comparison, Failure> {
-    /// Bytes for each vertex: as measured, 470.
-    const PER_VERTEX: u64 = 1000;
-    /// Bytes for each pair of vertices in exact work: as measured, 36.
-    const PER_PAIR: u64 = 100;
-    let vertices = domain.rings().vertex_count();
-    let pairs = if vertices <= options.exact_vertices { u64::from(vertices).pow(2) } else { 0 };
-    let bytes = u64::from(vertices) * PER_VERTEX + pairs * PER_PAIR;
     let stage = format!(
         "comparing {}, {} s at most for each method",
         name_in_text(domain),
         options.time_limit.as_secs_f64()
     );
-    memory::require(bytes, &format!("comparing {} ({vertices} vertices)", name_in_text(domain)))?;
     let compared = Bar::new(quiet).waiting(stage, || compare(domain, options));
     compared.map_err(|error| Failure::Input(error.to_string()))
 }

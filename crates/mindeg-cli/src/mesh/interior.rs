@@ -3,10 +3,9 @@
 use crate::args::MeshArguments;
 use crate::bar::Bar;
 use crate::demands::Demands;
-use crate::domain::{name, name_in_text};
+use crate::domain::name;
 use crate::failure::Failure;
 use crate::interior_report::{Limit, Reached, grading, violations};
-use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
@@ -80,21 +79,19 @@ pub(super) fn run(
     mut targets: Targets<'_>,
     bar: Bar,
 ) -> Result<(), Failure> {
-    let wanted =
-        Interior { max_points: Some(memory::most_points(name_in_text(domain))?), ..wanted.clone() };
     let mut outputs = Outputs::default();
     targets.open(&mut outputs)?;
     let files = targets.files();
 
     let callback = bar.callback();
-    let meshed = interior::mesh(domain, &wanted, Progress::new(&callback));
+    let meshed = interior::mesh(domain, wanted, Progress::new(&callback));
     let InteriorMesh { mesh, report } = match meshed {
         Ok(meshed) => meshed,
-        Err(error) => return Err(refused(domain, &wanted, &error)),
+        Err(error) => return Err(refused(domain, wanted, &error)),
     };
-    let limit = interior::angle_limit(domain, &wanted).map_err(|error| input(&error))?;
-    let lift = interior::lift(domain, &wanted, &limit);
-    let unmet = Demands::of(&wanted, domain.is_constrained()).check(&report);
+    let limit = interior::angle_limit(domain, wanted).map_err(|error| input(&error))?;
+    let lift = interior::lift(domain, wanted, &limit);
+    let unmet = Demands::of(wanted, domain.is_constrained()).check(&report);
     if !arguments.interior.aims.write_anyway
         && let Err(Failure::Gate(unmet)) = unmet
     {
@@ -140,16 +137,7 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
         let words = words::limit(&limit, lift.as_ref());
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
-    match error {
-        InteriorError::TooManyPoints { max } if (*max as u64) < memory::MOST_POINTS => {
-            Failure::Io(format!(
-                "out of memory: {} needs more than {max} points, for which there is memory; raise the \
-                 limit on memory, or the size inside",
-                name_in_text(domain)
-            ))
-        }
-        error => input(error),
-    }
+    input(error)
 }
 
 fn input(error: &InteriorError) -> Failure {

@@ -9,7 +9,6 @@ use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
-use crate::memory;
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
@@ -22,9 +21,6 @@ use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
 use std::path::Path;
-
-/// Bytes for each vertex on the edges of a model: as measured, 1,800 of a bracket of 550,000.
-const PER_VERTEX: u64 = 2000;
 
 /// How many vertices and edges a message names.
 const NAMED: usize = 5;
@@ -103,8 +99,6 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     clean_up_on_interrupt()?;
     let model = source::read(path, arguments, &bar)?;
     targets.expect_materials(model.groups().iter().any(|group| group.material.is_some()));
-    let vertices = u64::from(model.vertex_count());
-    memory::require(vertices * PER_VERTEX, &format!("meshing {file}"))?;
     if arguments.interior.interior {
         return fill(&file, &model, arguments, targets, bar);
     }
