@@ -1,15 +1,13 @@
 //! Counts to triangulations: every candidate passes the checker with the degree that the certificate
 //! proves, and any index gives an answer at any size.
-#![no_main]
 
 use arbitrary::Arbitrary;
-use libfuzzer_sys::fuzz_target;
 use mindeg_core::{
     Boundary, Candidates, RingStrip, certificate, least_degree_triangulation, suggest, verify,
 };
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     /// A count and how many bits it is shifted up.
     sides: Vec<(u8, u8)>,
     picks: [u32; 4],
@@ -20,7 +18,7 @@ struct Input {
 /// Up to this many vertices all triangles are checked.
 const CHECKED: u32 = 3_000;
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let side = |&(count, shift): &(u8, u8)| u64::from(count) << (shift % 40);
     let intervals: Vec<u64> = input.sides.iter().take(40).map(side).collect();
     if let Ok(boundary) = Boundary::new(&intervals) {
@@ -39,7 +37,7 @@ fuzz_target!(|input: Input| {
             assert!(triangle.iter().all(|&v| v < strip.len()));
         }
     }
-});
+}
 
 fn check(boundary: &Boundary, intervals: &[u64], input: &Input) {
     let proof = certificate(boundary);

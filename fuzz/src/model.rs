@@ -1,20 +1,18 @@
 //! Models: in JSON as any text, and of any mesh. What is a model is meshed, and its triangles meet edge to
 //! edge.
-#![no_main]
 
 use arbitrary::Arbitrary;
 use glam::DVec3;
-use libfuzzer_sys::fuzz_target;
 use mindeg::model::{ModelGoal, mesh_model};
 use mindeg::{FromMesh, Model, Progress, Side, TriMesh};
 
 #[derive(Arbitrary, Debug)]
-enum Input<'a> {
+pub(crate) enum Input<'a> {
     Json(&'a str),
     Mesh { points: Vec<[i8; 3]>, triangles: Vec<[u8; 3]>, merge: bool, intervals: u8 },
 }
 
-fuzz_target!(|input: Input<'_>| {
+pub(crate) fn run(input: Input<'_>) {
     let model = match input {
         Input::Json(text) => match Model::from_json(text) {
             Ok(model) => model,
@@ -57,4 +55,4 @@ fuzz_target!(|input: Input<'_>| {
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }
-});
+}

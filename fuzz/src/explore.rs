@@ -1,14 +1,12 @@
 //! The page of `mindeg explore`: what it asks, and files that are dropped on it. The first byte tells which.
-#![no_main]
 
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use libfuzzer_sys::fuzz_target;
 use mindeg_explore::{KnownFiles, Line, answer, sources};
 use mindeg_mesh::{Progress, Step};
 
-fuzz_target!(|request: &[u8]| {
+pub(crate) fn run(request: &[u8]) {
     let Some((&first, bytes)) = request.split_first() else { return };
     if first == b'f' {
         let Some(end) = bytes.iter().position(|&byte| byte == b'\n') else { return };
@@ -31,4 +29,4 @@ fuzz_target!(|request: &[u8]| {
     let mut count = |_: &Line| lines += 1;
     let done = answer(bytes, &KnownFiles::default(), Progress::new(&newer), &mut count);
     assert!(lines > 0 || done.is_err(), "a request without an answer");
-});
+}

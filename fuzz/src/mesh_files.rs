@@ -1,8 +1,6 @@
 //! Every reader of meshes: the first byte tells the format, the rest is the file, and after each "%%%" one
 //! beside it. What is read is a mesh: it can be inspected and written in every format that takes it.
-#![no_main]
 
-use libfuzzer_sys::fuzz_target;
 use mindeg_formats::{Format, WriteOptions, Writer, read, read_as, with_boundary_lines};
 use mindeg_mesh::inspection::{Inspection, InspectionOptions};
 use mindeg_mesh::{TriMesh, Triangles};
@@ -20,7 +18,7 @@ fn parted(mut bytes: &[u8]) -> Vec<&[u8]> {
     parts
 }
 
-fuzz_target!(|file: &[u8]| {
+pub(crate) fn run(file: &[u8]) {
     let Some((&first, bytes)) = file.split_first() else { return };
     let format = Format::READ[usize::from(first) % Format::READ.len()];
     let name = format!("a.{}", format.extension());
@@ -42,7 +40,7 @@ fuzz_target!(|file: &[u8]| {
     let again = mindeg_formats::obj::read(&obj[..]).expect("what is written can be read");
     assert_eq!(again.triangles(), mesh.triangles());
     assert_eq!(again.positions(), mesh.positions());
-});
+}
 
 fn written(format: Format, mesh: &TriMesh) -> Option<Vec<Vec<u8>>> {
     let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count()).ok()?;

@@ -1,24 +1,22 @@
 //! Stars and combs with constraints and every goal: a triangulation within its limits, or a reason.
-#![no_main]
 
+use crate::hostile::star;
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use libfuzzer_sys::fuzz_target;
 use mindeg::exact::{LowerBound, degree};
 use mindeg::{Constraints, Domain, Goal, Outline, Progress, Side, VertexConstraint, mesh};
 use mindeg_exact::check::Outline as Checked;
-use mindeg_fuzz::star;
 use mindeg_mesh::check;
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     radii: Vec<(u8, u8)>,
     hole: Option<Vec<u8>>,
     limits: Vec<(u8, u8, u8)>,
     goal: u8,
 }
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let radii: Vec<u8> = input.radii.iter().take(14).map(|(radius, _)| *radius).collect();
     if radii.len() < 3 {
         return;
@@ -77,4 +75,4 @@ fuzz_target!(|input: Input| {
         LowerBound::Apexes(bound) => assert!(outline.bounds_apexes(&bound)),
         _ => {}
     }
-});
+}

@@ -1,10 +1,8 @@
 //! Domains and models in JSON: any text is a domain, or an error of one or more words.
-#![no_main]
 
-use libfuzzer_sys::fuzz_target;
 use mindeg::Domain;
 
-fuzz_target!(|text: &str| {
+pub(crate) fn run(text: &str) {
     // A domain of the most points there may be takes 3 GB.
     match Domain::from_json_up_to(text, 1 << 20) {
         Ok(domain) => {
@@ -23,4 +21,4 @@ fuzz_target!(|text: &str| {
         }
         Err(error) => assert!(!error.to_string().is_empty()),
     }
-});
+}

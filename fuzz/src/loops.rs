@@ -1,17 +1,15 @@
 //! Loops of meshes in space: filled and joined, with triangles that name the mesh's vertices and
 //! degrees within the limit.
-#![no_main]
 
 use arbitrary::Arbitrary;
 use glam::DVec3;
-use libfuzzer_sys::fuzz_target;
 use mindeg::bridge::bridge;
 use mindeg::fill::{FillOptions, fill};
 use mindeg::{Loops, Progress, TriMesh};
 use mindeg_mesh::inspection::weld;
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     /// Two bands of triangles, or any triangles.
     bands: Option<[Vec<(i8, i8)>; 2]>,
     points: Vec<[i8; 3]>,
@@ -20,7 +18,7 @@ struct Input {
     ends: [u8; 2],
 }
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let meshes: Vec<TriMesh> = match &input.bands {
         Some(bands) => bands.iter().filter_map(|band| self::band(band)).collect(),
         None => any(&input).into_iter().collect(),
@@ -45,7 +43,7 @@ fuzz_target!(|input: Input| {
         assert!(joined.mesh.triangles().iter().flatten().all(|&v| v < n));
         assert!(max_degree.is_none_or(|limit| joined.strip.max_degree <= limit));
     }
-});
+}
 
 fn welded_degrees(mesh: &TriMesh) -> Vec<u32> {
     let first = weld(mesh.positions(), 0.0);

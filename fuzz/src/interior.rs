@@ -1,15 +1,13 @@
 //! Interior points: the boundary stays bit for bit, and the triangles fill it.
-#![no_main]
 
+use crate::hostile::{GridPoint, Hostile, assert_fills, star};
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use libfuzzer_sys::fuzz_target;
-use mindeg_fuzz::{GridPoint, Hostile, assert_fills, star};
 use mindeg_interior::{Fixed, Options, Outline, Prefer, SizeAt, generate};
 use mindeg_mesh::Progress;
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     radii: Vec<u8>,
     /// Points of a ring that need not be one.
     ring: Option<Vec<GridPoint>>,
@@ -24,7 +22,7 @@ struct Input {
     fixed: Vec<([Hostile; 2], u8, u8)>,
 }
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let outer: Vec<DVec2> = match &input.ring {
         Some(ring) => ring.iter().take(30).map(|point| point.0).collect(),
         None => star(&input.radii[..input.radii.len().min(40)], DVec2::ZERO),
@@ -70,4 +68,4 @@ fuzz_target!(|input: Input| {
     let boundary: Vec<_> = outline.edges().collect();
     assert_fills(&found.points, &found.triangles, &boundary);
     assert!(found.points.len() <= options.max_points);
-});
+}

@@ -1,12 +1,10 @@
 //! Every reader of outlines: the first byte tells the format, the rest is the file. What is read is
 //! repaired and divided as the command line does.
-#![no_main]
 
-use libfuzzer_sys::fuzz_target;
 use mindeg_outlines::{Division, OutlineFormat, format_of, read};
 use std::io;
 
-fuzz_target!(|file: &[u8]| {
+pub(crate) fn run(file: &[u8]) {
     let Some((&first, bytes)) = file.split_first() else { return };
     let _ = format_of(None, bytes);
     let format = OutlineFormat::ALL[usize::from(first) % OutlineFormat::ALL.len()];
@@ -30,4 +28,4 @@ fuzz_target!(|file: &[u8]| {
             }
         }
     }
-});
+}

@@ -1,17 +1,15 @@
 //! Rings that touch and nearly touch, on a grid and one unit in the last place beside it: what is taken is
 //! what a test of every pair of edges takes, and all judges agree.
-#![no_main]
 
+use crate::hostile::{GridPoint, rings_are_simple, turn};
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use libfuzzer_sys::fuzz_target;
 use mindeg::exact::degree;
 use mindeg::{Domain, Goal, Progress, mesh};
-use mindeg_fuzz::{GridPoint, rings_are_simple, turn};
 use mindeg_mesh::check;
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     /// Larger or smaller than a grid of 32, by a power of two, and away from the origin.
     scale: i8,
     offset: u8,
@@ -19,7 +17,7 @@ struct Input {
     holes: Vec<Vec<GridPoint>>,
 }
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let scale = f64::from(input.scale / 8).exp2();
     let offset = f64::from(input.offset / 16) * 1000.0;
     let place = |point: &GridPoint| (point.0 + offset) * scale;
@@ -64,4 +62,4 @@ fuzz_target!(|input: Input| {
             assert!(answer.reached >= meshed.least_max_degree);
         }
     }
-});
+}

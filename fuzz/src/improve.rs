@@ -1,17 +1,15 @@
 //! The optimiser on any valid mesh, and on its own result: a valid mesh again, its boundary the same,
 //! and no worse. Meshes that are not valid are refused.
-#![no_main]
 
+use crate::hostile::{assert_fills, turn};
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use libfuzzer_sys::fuzz_target;
-use mindeg_fuzz::{assert_fills, turn};
 use mindeg_interior::{Improved, Keep, Options, Prefer, improve};
 use mindeg_mesh::Progress;
 use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     /// Each point goes into the triangle that it falls into.
     points: Vec<(u8, u8)>,
     /// Triangles that are left out, so that boundaries are not convex.
@@ -26,7 +24,7 @@ struct Input {
     damage: Option<(u8, u8)>,
 }
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let (points, mut triangles) = mesh(&input);
     if let Some((triangle, vertex)) = input.damage {
         let t = usize::from(triangle) % triangles.len();
@@ -69,7 +67,7 @@ fuzz_target!(|input: Input| {
     let second = improve(&first.points, &first.triangles, &kept, &options, Progress::NONE)
         .expect("its own result is a mesh");
     check(&first.points, &first.triangles, &kept, &second, &options);
-});
+}
 
 fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]

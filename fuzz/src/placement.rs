@@ -1,11 +1,9 @@
 //! Domains of hostile numbers: refused, or points that are finite, in order, and where the corners are.
-#![no_main]
 
+use crate::hostile::Hostile;
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use libfuzzer_sys::fuzz_target;
 use mindeg::{Arc, BoundaryMesh, Curve, Domain, Intervals, Outline, Rectangle, Side, Spacing};
-use mindeg_fuzz::Hostile;
 
 #[derive(Arbitrary, Debug)]
 enum Law {
@@ -36,7 +34,7 @@ enum Division {
 }
 
 #[derive(Arbitrary, Debug)]
-struct Input {
+pub(crate) struct Input {
     rectangle: Option<[Hostile; 5]>,
     corners: Vec<[Hostile; 2]>,
     sides: Vec<(Bend, Division, Law)>,
@@ -76,7 +74,7 @@ fn side((bend, division, law): &(Bend, Division, Law)) -> Side {
     Side { intervals, ..Side::count(1).along(curve).spaced(spacing) }
 }
 
-fuzz_target!(|input: Input| {
+pub(crate) fn run(input: Input) {
     let sides: Vec<Side> = input.sides.iter().take(8).map(side).collect();
     let outline = match input.rectangle {
         Some([width, height, x, y, rotation]) => Outline::Rectangle(Rectangle {
@@ -126,4 +124,4 @@ fuzz_target!(|input: Input| {
     if domain.convex().is_some() {
         let _ = BoundaryMesh::least_degree(&domain);
     }
-});
+}
