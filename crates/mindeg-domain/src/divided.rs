@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_mesh::planar::Turn;
+use mindeg_mesh::planar::{PlanarBoundary, Turn};
 
 use crate::curve::{Curve, Path};
 use crate::domain_error::DomainError;
@@ -120,26 +120,23 @@ impl Divided {
             });
         }
         let mut lengths: Vec<f64> = paths.iter().map(Path::length).collect();
-        let mut intervals: Vec<Vec<u64>> = Vec::with_capacity(given.len());
-        let mut turned = Vec::new();
-        let orientations = intersection::orientations(&points, &rings)?;
-        for (ring, orientation) in orientations.into_iter().enumerate() {
-            let sides = rings.ring_sides(ring);
-            let of_sides = sides.clone().map(|side| u64::from(rings.intervals(side)));
-            if (orientation == Orientation::CounterClockwise) == (ring == 0) {
-                intervals.push(of_sides.collect());
-                continue;
-            }
-            intervals.push(of_sides.rev().collect());
+        let of_ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
+        let slices: Vec<&[DVec2]> = rings.rings().map(of_ring).collect();
+        let (boundary, turned) = PlanarBoundary::oriented(&slices)
+            .map_err(|faults| intersection::placed(faults.first(), &points, &rings))?;
+        let of_sides = |ring| rings.ring_sides(ring).map(|side| u64::from(rings.intervals(side)));
+        let mut intervals: Vec<Vec<u64>> =
+            (0..rings.ring_count()).map(|ring| of_sides(ring).collect()).collect();
+        for &ring in &turned {
             turn(&mut given[ring]);
+            intervals[ring].reverse();
+            let sides = rings.ring_sides(ring);
             lengths[sides.clone()].reverse();
             straight[sides].reverse();
-            let Range { start, end } = rings.ring(ring);
-            points[start as usize + 1..end as usize].reverse();
-            turned.push(ring);
         }
-        let placement = Placement::stored(Rings::new(&intervals)?, points, lengths);
-        Ok(Placed { placement, straight, turned })
+        let placement = Placement::stored(Rings::new(&intervals)?, boundary, lengths);
+        let runs = Turning { placement: &placement, straight: &straight }.runs();
+        Ok(Placed { placement: placement.with_runs(runs), straight, turned })
     }
 }
 

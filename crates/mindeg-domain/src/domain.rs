@@ -8,6 +8,11 @@
 //! no shorter than [`LEAST_SIDE`](crate::LEAST_SIDE), so that areas neither overflow nor vanish. The
 //! unit of length is the user's.
 
+use std::borrow::Cow;
+
+use glam::DVec2;
+use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
+
 use crate::constraints::Constraints;
 use crate::domain_error::DomainError;
 use crate::interior::Interior;
@@ -189,7 +194,26 @@ impl Domain {
     /// ```
     #[must_use]
     pub fn straight_runs(&self) -> Vec<u32> {
-        Turning { placement: &self.placement, straight: &self.straight }.runs()
+        match self.placement.boundary() {
+            Some(boundary) => boundary.runs().to_vec(),
+            None => Turning { placement: &self.placement, straight: &self.straight }.runs(),
+        }
+    }
+
+    /// The boundary with all its points. Where they are stored, they were proven when the domain was
+    /// made; of a convex outline with straight sides they are made and proven here. O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// Points of a convex outline that rounding has moved onto or past each other.
+    pub fn boundary(&self) -> Result<Cow<'_, PlanarBoundary>, BoundaryFaults> {
+        if let Some(boundary) = self.placement.boundary() {
+            return Ok(Cow::Borrowed(boundary));
+        }
+        let points: Vec<DVec2> = self.placement.points().collect();
+        let corners = self.rings().corner_vertices().to_vec();
+        let boundary = PlanarBoundary::new(&[points])?;
+        Ok(Cow::Owned(boundary.with_sides(corners, self.straight_runs())))
     }
 
     /// Whether the corners of the outer ring were given clockwise, and so were reversed.
@@ -225,6 +249,19 @@ mod tests {
 
     fn polygon(corners: &[[f64; 2]], sides: Vec<Side>) -> Result<Domain, DomainError> {
         Domain::polygon(corners.iter().copied(), sides)
+    }
+
+    #[test]
+    fn the_boundary_has_the_points_runs_and_corners_of_the_domain() {
+        let reflex = [[0.0, 0.0], [4.0, 0.0], [1.0, 1.0], [0.0, 4.0], [0.0, 2.0]];
+        for corners in [&CORNERS[..], &reflex] {
+            let domain = polygon(corners, vec![Side::count(3); corners.len()]).unwrap();
+            let boundary = domain.boundary().unwrap();
+            let points: Vec<DVec2> = domain.placement().points().collect();
+            assert_eq!(boundary.points(), points);
+            assert_eq!(boundary.runs(), domain.straight_runs());
+            assert_eq!(boundary.corners(), domain.rings().corner_vertices());
+        }
     }
 
     #[test]

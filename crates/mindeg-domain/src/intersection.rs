@@ -3,13 +3,11 @@
 //! Limits: of several faults the first from the left is reported.
 
 use std::fmt;
-use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_mesh::planar::{self, Fault};
+use mindeg_mesh::planar::BoundaryFault;
 
 use crate::rings::{InRing, Rings};
-use crate::turning::Orientation;
 
 /// A boundary point, by the side that starts there or that it lies on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -155,71 +153,55 @@ pub enum IntersectionError {
         /// The hole, from 1.
         hole: usize,
     },
+    /// Any other fault of the points.
+    #[error("{0}; move the point")]
+    Other(BoundaryFault),
 }
 
-/// Checks that rings of points bound a domain, and tells which way round each of them runs.
-pub(crate) fn orientations(
-    points: &[DVec2],
-    rings: &Rings,
-) -> Result<Vec<Orientation>, IntersectionError> {
-    let ranges: Vec<Range<u32>> = rings.rings().collect();
-    let nesting = planar::nesting(points, &ranges).map_err(|fault| placed(fault, points, rings))?;
-    if let Some(hole) = nesting[0].parent {
-        return Err(IntersectionError::HoleAround { hole });
-    }
-    for (hole, nested) in nesting.iter().enumerate().skip(1) {
-        let DVec2 { x, y } = points[ranges[hole].start as usize];
-        match nested.parent {
-            Some(0) => {}
-            None => return Err(IntersectionError::HoleOutside { hole, x, y }),
-            Some(around) => return Err(IntersectionError::HoleInHole { hole, around, x, y }),
-        }
-    }
-    let of = |is_counter_clockwise| match is_counter_clockwise {
-        true => Orientation::CounterClockwise,
-        false => Orientation::Clockwise,
-    };
-    Ok(nesting.iter().map(|ring| of(ring.is_counter_clockwise)).collect())
-}
-
-/// A fault with its places in words.
-fn placed(fault: Fault, points: &[DVec2], rings: &Rings) -> IntersectionError {
-    let is_alone = |side| rings.ring_sides(rings.ring_of_side(side)).len() == 1;
-    let point = |vertex: u32| {
+/// A fault of the rings with its places in words.
+pub(crate) fn placed(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> IntersectionError {
+    let vertex = |at: InRing| rings.ring(at.ring).start + at.index as u32;
+    let is_alone = |ring: usize| rings.ring_sides(ring).len() == 1;
+    let point = |at: InRing| {
+        let (vertex, is_alone) = (vertex(at), is_alone(at.ring));
         let side = rings.side_of(vertex);
         let DVec2 { x, y } = points[vertex as usize];
-        PointPlace {
-            side: rings.in_ring(side),
-            index: vertex - rings.corner(side),
-            is_alone: is_alone(side),
-            x,
-            y,
-        }
+        let index = vertex - rings.corner(side);
+        PointPlace { side: rings.in_ring(side), index, is_alone, x, y }
     };
-    let edge = |begin: u32| {
+    let edge = |at: InRing| {
+        let (begin, is_alone) = (vertex(at), is_alone(at.ring));
         let side = rings.side_of(begin);
-        let index = begin - rings.corner(side);
-        EdgePlace {
-            side: rings.in_ring(side),
-            index,
-            is_side: rings.intervals(side) == 1,
-            is_alone: is_alone(side),
-        }
+        let (index, is_side) = (begin - rings.corner(side), rings.intervals(side) == 1);
+        EdgePlace { side: rings.in_ring(side), index, is_side, is_alone }
     };
+    let corner = |ring: usize| points[rings.ring(ring).start as usize];
     match fault {
-        Fault::SamePoint([first, second]) => {
-            IntersectionError::RepeatedPoint { first: point(first), second: point(second) }
+        BoundaryFault::SamePoint(vertices) => {
+            let [first, second] = vertices.map(point);
+            IntersectionError::RepeatedPoint { first, second }
         }
-        Fault::Touch { vertex, edge: begin } => {
-            IntersectionError::Touch { point: point(vertex), edge: edge(begin) }
+        BoundaryFault::Touch { vertex, edge: on } => {
+            IntersectionError::Touch { point: point(vertex), edge: edge(on) }
         }
-        Fault::FoldsBack(vertex) => IntersectionError::FoldsBack { point: point(vertex) },
-        Fault::Crossing(begins) => {
-            let ends = |begin| [begin, rings.next(begin)].map(|vertex| points[vertex as usize]);
-            let DVec2 { x, y } = crossing(begins.map(ends));
-            let [first, second] = begins.map(edge);
+        BoundaryFault::FoldsBack(vertex) => IntersectionError::FoldsBack { point: point(vertex) },
+        BoundaryFault::Crossing(edges) => {
+            let ends = |at| [vertex(at), rings.next(vertex(at))].map(|v| points[v as usize]);
+            let DVec2 { x, y } = crossing(edges.map(ends));
+            let [first, second] = edges.map(edge);
             IntersectionError::Crossing { first, second, x, y }
         }
+        BoundaryFault::HoleInHole { hole, around } => {
+            let DVec2 { x, y } = corner(hole);
+            IntersectionError::HoleInHole { hole, around, x, y }
+        }
+        BoundaryFault::HoleAround { hole } => IntersectionError::HoleAround { hole },
+        BoundaryFault::HoleOutside { hole } => {
+            let DVec2 { x, y } = corner(hole);
+            IntersectionError::HoleOutside { hole, x, y }
+        }
+        // Rings are long enough, their points finite, and either way round is taken.
+        fault => IntersectionError::Other(fault),
     }
 }
 

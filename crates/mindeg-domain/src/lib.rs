@@ -61,6 +61,7 @@ pub use limits::{
     GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE, MAX_STORED_VERTICES,
 };
 pub use mindeg_mesh::LineKind;
+pub use mindeg_mesh::planar::InRing;
 pub use model::{
     FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelError, ModelFace, ModelParts,
     ModelPlace, PLANAR_SHARE, Plane,
@@ -70,7 +71,7 @@ pub use outline::{Outline, OutlineError, Ring};
 pub use placement::{Placement, Walk};
 pub use placement_error::PlacementError;
 pub use rectangle::{Rectangle, RectangleError};
-pub use rings::{InRing, Rings, RingsError};
+pub use rings::{Rings, RingsError};
 pub use side::{Intervals, Side, SideError};
 pub use spacing::{Spacing, SpacingError};
 pub use spacing_law::SpacingLaw;

@@ -8,6 +8,7 @@
 //! that rounding turns it over; meshing refuses to give one.
 
 use glam::{DVec2, DVec3};
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Bounds, Positions};
 
 use crate::limits::LEAST_ROUNDINGS;
@@ -59,7 +60,7 @@ enum Points {
     /// On straight sides, by the law of each.
     Formula(Vec<SpacingLaw>),
     /// One by one, with the length of each side.
-    Stored { points: Vec<DVec2>, lengths: Vec<f64> },
+    Stored { boundary: PlanarBoundary, lengths: Vec<f64> },
 }
 
 impl Placement {
@@ -70,9 +71,26 @@ impl Placement {
     }
 
     /// Points one by one, and the length of each side.
-    pub(crate) fn stored(rings: Rings, points: Vec<DVec2>, lengths: Vec<f64>) -> Self {
-        let corners = (0..rings.side_count()).map(|side| points[rings.corner(side) as usize]);
-        Self { corners: corners.collect(), rings, points: Points::Stored { points, lengths } }
+    pub(crate) fn stored(rings: Rings, boundary: PlanarBoundary, lengths: Vec<f64>) -> Self {
+        let corners = (0..rings.side_count()).map(|side| boundary.point(rings.corner(side)));
+        Self { corners: corners.collect(), rings, points: Points::Stored { boundary, lengths } }
+    }
+
+    /// With the straight run of each edge, which are stored where points are.
+    pub(crate) fn with_runs(mut self, runs: Vec<u32>) -> Self {
+        if let Points::Stored { boundary, lengths } = self.points {
+            let boundary = boundary.with_sides(self.rings.corner_vertices().to_vec(), runs);
+            self.points = Points::Stored { boundary, lengths };
+        }
+        self
+    }
+
+    /// The boundary, where its points are stored.
+    pub(crate) fn boundary(&self) -> Option<&PlanarBoundary> {
+        match &self.points {
+            Points::Formula(_) => None,
+            Points::Stored { boundary, .. } => Some(boundary),
+        }
     }
 
     /// The rounded points of a straight side are in order along the coordinate in which it is
@@ -160,7 +178,7 @@ impl Placement {
     #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         match &self.points {
-            Points::Stored { points, .. } => points[vertex as usize],
+            Points::Stored { boundary, .. } => boundary.point(vertex),
             Points::Formula(laws) => {
                 let side = self.points_on(self.rings.side_of(vertex), laws);
                 side.point(vertex - side.first)
@@ -172,7 +190,7 @@ impl Placement {
     pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
         let (laws, points) = match &self.points {
             Points::Formula(laws) => (&laws[..], &[][..]),
-            Points::Stored { points, .. } => (&[][..], &points[..]),
+            Points::Stored { boundary, .. } => (&[][..], boundary.points()),
         };
         let on_sides = laws.iter().enumerate().flat_map(move |(side, law)| {
             let side = self.points_on(side, laws);
@@ -211,8 +229,8 @@ impl Placement {
         }
         let laws = match &self.points {
             Points::Formula(laws) => laws,
-            Points::Stored { points, .. } => {
-                let points = &points[first as usize..][..out.len()];
+            Points::Stored { boundary, .. } => {
+                let points = &boundary.points()[first as usize..][..out.len()];
                 points.iter().zip(out).for_each(|(&point, out)| *out = of(point));
                 return;
             }
@@ -255,11 +273,12 @@ impl Placement {
     /// The smallest box around the domain. O(k), O(n) if the points are stored.
     #[must_use]
     pub fn bounds(&self) -> Bounds {
-        let bounds = match &self.points {
-            Points::Formula(_) => Bounds::of(self.corners.iter().copied()),
-            Points::Stored { points, .. } => Bounds::of(points.iter().copied()),
-        };
-        bounds.expect("a ring has points")
+        match &self.points {
+            Points::Formula(_) => {
+                Bounds::of(self.corners.iter().copied()).expect("a ring has corners")
+            }
+            Points::Stored { boundary, .. } => boundary.bounds(),
+        }
     }
 
     /// The area of the domain, holes left out, in square units. O(k), O(n) if the points are
@@ -274,8 +293,8 @@ impl Placement {
         };
         match &self.points {
             Points::Formula(_) => of_ring(&self.corners),
-            Points::Stored { points, .. } => {
-                let rings = self.rings.rings();
+            Points::Stored { boundary, .. } => {
+                let (rings, points) = (self.rings.rings(), boundary.points());
                 rings.map(|ring| of_ring(&points[ring.start as usize..ring.end as usize])).sum()
             }
         }

@@ -9,6 +9,7 @@
 use std::ops::Range;
 
 use mindeg_core::MAX_VERTICES;
+pub(crate) use mindeg_mesh::planar::{InRing, ring_name};
 
 /// The rings of a boundary, each divided into sides, each side into intervals; no positions.
 ///
@@ -34,38 +35,6 @@ pub struct Rings {
     corners: Vec<u32>,
     /// The first side of every ring, then the side count: strictly increasing.
     first_sides: Vec<usize>,
-}
-
-/// A side, corner or point by its ring and its index in the ring, both from 0; messages count it
-/// from 1: "side 3", or "side 3 of hole 1".
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct InRing {
-    /// The ring; 0 is the outer one, r is hole r.
-    pub ring: usize,
-    /// The index in the ring.
-    pub index: usize,
-}
-
-impl InRing {
-    /// In words, counted from 1.
-    pub(crate) fn named(self, kind: &str) -> String {
-        format!("{kind} {}", self.named_last())
-    }
-
-    /// The index alone, and the hole, for the last of several.
-    pub(crate) fn named_last(self) -> String {
-        let Self { ring, index } = self;
-        let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
-        format!("{}{hole}", index + 1)
-    }
-
-    pub(crate) fn side(self) -> String {
-        self.named("side")
-    }
-
-    pub(crate) fn corner(self) -> String {
-        self.named("corner")
-    }
 }
 
 /// Why numbers of intervals are not those of rings.
@@ -104,11 +73,6 @@ pub enum RingsError {
         /// The number of intervals of that side.
         intervals: u64,
     },
-}
-
-/// A ring in words: "the outline" or "hole 2".
-pub(crate) fn ring_name(ring: usize) -> String {
-    if ring == 0 { "the outline".to_owned() } else { format!("hole {ring}") }
 }
 
 impl Rings {
@@ -239,6 +203,12 @@ impl Rings {
         let count = self.side_count();
         assert!(side < count, "side {side} does not exist; the boundary has {count} sides");
         self.corners[side]
+    }
+
+    /// The vertices where sides start, ascending.
+    #[must_use]
+    pub fn corner_vertices(&self) -> &[u32] {
+        &self.corners[..self.side_count()]
     }
 
     /// The vertex where `side` ends, which is where the next side of its ring starts. O(log h).

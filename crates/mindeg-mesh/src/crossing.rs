@@ -7,9 +7,10 @@
 //! Predicates are exact (Shewchuk's, from `robust`), as long as products of three coordinates
 //! neither overflow nor underflow.
 
-mod tree;
+pub(crate) mod tree;
 mod triangles;
 
+use crate::Bounds;
 use crate::parallel::blocks;
 use glam::DVec3;
 use std::ops::Range;
@@ -37,7 +38,11 @@ pub use triangles::cross;
 /// ```
 #[must_use]
 pub fn crossings(positions: &[DVec3], triangles: &[[u32; 3]], range: Range<u32>) -> Vec<[u32; 2]> {
-    let tree = Tree::new(positions, triangles);
+    let around = |corners: &[u32; 3]| {
+        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
+        Bounds { min: a.min(b).min(c), max: a.max(b).max(c) }
+    };
+    let tree = Tree::new(triangles.iter().map(around).collect());
     let found = blocks(range.len() as u32, |block| {
         let mut near = Vec::new();
         let mut found = Vec::new();

@@ -159,6 +159,7 @@ fn intersection_paths(error: &IntersectionError) -> Vec<Vec<Step>> {
         IntersectionError::HoleOutside { hole: at, .. }
         | IntersectionError::HoleInHole { hole: at, .. }
         | IntersectionError::HoleAround { hole: at } => hole(*at),
+        IntersectionError::Other(_) => Vec::new(),
     };
     // What no value of its own describes, one value for all sides does.
     paths.push(vec![Step::Key("polygon")]);

@@ -1,10 +1,8 @@
 //! Whether the loops of a face bound an area: simple, apart from each other, holes inside. Exact
 //! for the coordinates in the plane of the face.
 
-use std::ops::Range;
-
 use glam::{DVec2, DVec3};
-use mindeg_mesh::planar::{self, Fault};
+use mindeg_mesh::planar::{BoundaryFault, InRing, PlanarBoundary};
 
 use super::{ModelError, ModelFace, Plane};
 
@@ -16,42 +14,37 @@ pub(super) fn oriented(
     plane: &Plane,
 ) -> Result<Vec<Vec<u32>>, ModelError> {
     check_repeated(face, &given.loops)?;
-    let all = given.loops.concat();
-    let points: Vec<DVec2> =
-        all.iter().map(|&corner| plane.project(corners[corner as usize])).collect();
-    let mut rings: Vec<Range<u32>> = Vec::with_capacity(given.loops.len());
-    for corners in &given.loops {
-        let start = rings.last().map_or(0, |ring| ring.end);
-        rings.push(start..start + corners.len() as u32);
-    }
-    let edge = |place: u32| {
-        let ring = rings.iter().find(|ring| ring.contains(&place)).cloned().unwrap_or(0..1);
-        let next = if place + 1 == ring.end { ring.start } else { place + 1 };
-        [all[place as usize], all[next as usize]]
+    let project = |&corner: &u32| plane.project(corners[corner as usize]);
+    let rings: Vec<Vec<DVec2>> =
+        given.loops.iter().map(|corners| corners.iter().map(project).collect()).collect();
+    let corner = |at: InRing| given.loops[at.ring][at.index];
+    let next = |InRing { ring, index }| {
+        corner(InRing { ring, index: (index + 1) % given.loops[ring].len() })
     };
-    let nesting = planar::nesting(&points, &rings).map_err(|fault| match fault {
-        Fault::SamePoint(places) => {
-            ModelError::CoincidentCorners { corners: places.map(|place| all[place as usize]) }
+    let edge = |at: InRing| [corner(at), next(at)];
+    let (_, turned) = PlanarBoundary::oriented(&rings).map_err(|faults| match faults.first() {
+        BoundaryFault::SamePoint(places) => {
+            ModelError::CoincidentCorners { corners: places.map(corner) }
         }
-        Fault::Touch { vertex, edge: on } => {
-            ModelError::Touch { face, corner: all[vertex as usize], edge: edge(on) }
+        BoundaryFault::Touch { vertex, edge: on } => {
+            ModelError::Touch { face, corner: corner(vertex), edge: edge(on) }
         }
-        Fault::Crossing(places) => ModelError::Crossing { face, edges: places.map(edge) },
-        Fault::FoldsBack(tip) => {
-            let ring = rings.iter().find(|ring| ring.contains(&tip)).cloned().unwrap_or(0..1);
-            let before = if tip == ring.start { ring.end - 1 } else { tip - 1 };
-            ModelError::Spike { face, from: all[before as usize], to: all[tip as usize] }
+        BoundaryFault::Crossing(places) => ModelError::Crossing { face, edges: places.map(edge) },
+        BoundaryFault::FoldsBack(tip) => {
+            let before =
+                (tip.index + given.loops[tip.ring].len() - 1) % given.loops[tip.ring].len();
+            let from = corner(InRing { index: before, ..tip });
+            ModelError::Spike { face, from, to: corner(tip) }
         }
+        BoundaryFault::HoleOutside { hole }
+        | BoundaryFault::HoleInHole { hole, .. }
+        | BoundaryFault::HoleAround { hole } => ModelError::HoleOutside { face, hole: hole - 1 },
+        // Corners are finite, and each loop has three.
+        _ => ModelError::NoArea { face },
     })?;
     let mut loops = given.loops.clone();
-    for (index, (corners, nesting)) in loops.iter_mut().zip(nesting).enumerate().skip(1) {
-        if nesting.parent != Some(0) {
-            return Err(ModelError::HoleOutside { face, hole: index - 1 });
-        }
-        if nesting.is_counter_clockwise {
-            corners.reverse();
-        }
-    }
+    // Newell's normal makes the outer loop counter-clockwise.
+    turned.into_iter().filter(|&ring| ring > 0).for_each(|ring| loops[ring].reverse());
     Ok(loops)
 }
 

@@ -1,39 +1,35 @@
-//! A tree of boxes around triangles.
+//! A tree of boxes around triangles or edges.
 
 use glam::DVec3;
 
-/// Triangles to a leaf: a few boxes are tested faster than split.
+use crate::Bounds;
+
+/// Boxes to a leaf: a few boxes are tested faster than split.
 const LEAF: usize = 8;
 
-/// Triangles in halves, quarters and so on, each part with the box around it.
-pub(super) struct Tree {
-    /// The box of each triangle.
-    boxes: Vec<[DVec3; 2]>,
-    /// The triangles, leaf by leaf.
+/// Boxes in halves, quarters and so on, each part with the box around it.
+pub(crate) struct Tree {
+    boxes: Vec<Bounds<DVec3>>,
+    /// The boxes, leaf by leaf.
     order: Vec<u32>,
     /// The box around each part of `order`: halves of part i are the parts 2i + 1 and 2i + 2.
-    parts: Vec<[DVec3; 2]>,
+    parts: Vec<Bounds<DVec3>>,
 }
 
-const NOTHING: [DVec3; 2] = [DVec3::INFINITY, DVec3::NEG_INFINITY];
+const NOTHING: Bounds<DVec3> = Bounds { min: DVec3::INFINITY, max: DVec3::NEG_INFINITY };
 
 impl Tree {
-    pub(super) fn new(positions: &[DVec3], triangles: &[[u32; 3]]) -> Self {
-        let around = |corners: &[u32; 3]| {
-            let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
-            [a.min(b).min(c), a.max(b).max(c)]
-        };
-        let boxes: Vec<[DVec3; 2]> = triangles.iter().map(around).collect();
-        let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
-        let levels = triangles.len().div_ceil(LEAF).next_power_of_two();
+    pub(crate) fn new(boxes: Vec<Bounds<DVec3>>) -> Self {
+        let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+        let levels = boxes.len().div_ceil(LEAF).next_power_of_two();
         let mut parts = vec![NOTHING; 2 * levels - 1];
         split(&boxes, &mut order, &mut parts, 0);
         Self { boxes, order, parts }
     }
 
-    /// Appends the triangles whose boxes meet that of a triangle, itself included.
-    pub(super) fn meet(&self, triangle: u32, found: &mut Vec<u32>) {
-        let own = self.boxes[triangle as usize];
+    /// Appends the boxes that meet one of them, itself included.
+    pub(crate) fn meet(&self, of: u32, found: &mut Vec<u32>) {
+        let own = self.boxes[of as usize];
         // Depth first: a stack of parts, with their ranges in `order`.
         let mut stack = vec![(0, 0..self.order.len())];
         while let Some((part, range)) = stack.pop() {
@@ -41,8 +37,8 @@ impl Tree {
                 continue;
             }
             if range.len() <= LEAF || 2 * part + 2 >= self.parts.len() {
-                let triangles = self.order[range].iter();
-                found.extend(triangles.filter(|&&other| meet(self.boxes[other as usize], own)));
+                let boxes = self.order[range].iter();
+                found.extend(boxes.filter(|&&other| meet(self.boxes[other as usize], own)));
             } else {
                 let middle = range.start + range.len() / 2;
                 stack.push((2 * part + 1, range.start..middle));
@@ -52,22 +48,19 @@ impl Tree {
     }
 }
 
-fn meet([a_min, a_max]: [DVec3; 2], [b_min, b_max]: [DVec3; 2]) -> bool {
-    a_min.cmple(b_max).all() && b_min.cmple(a_max).all()
+fn meet(a: Bounds<DVec3>, b: Bounds<DVec3>) -> bool {
+    a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
 }
 
-/// Sorts the triangles of a part into its halves, and sets its box and theirs. The depth is the
+/// Sorts the boxes of a part into its halves, and sets the box around it and them. The depth is the
 /// logarithm of their number.
-fn split(boxes: &[[DVec3; 2]], order: &mut [u32], parts: &mut [[DVec3; 2]], part: usize) {
-    let around = order.iter().fold(NOTHING, |[min, max], &triangle| {
-        let [own_min, own_max] = boxes[triangle as usize];
-        [min.min(own_min), max.max(own_max)]
-    });
+fn split(boxes: &[Bounds<DVec3>], order: &mut [u32], parts: &mut [Bounds<DVec3>], part: usize) {
+    let around = order.iter().map(|&of| boxes[of as usize]).fold(NOTHING, Bounds::union);
     parts[part] = around;
     if order.len() <= LEAF || 2 * part + 2 >= parts.len() {
         return;
     }
-    let extent = around[1] - around[0];
+    let extent = around.size();
     let axis = if extent.x >= extent.y && extent.x >= extent.z {
         0
     } else if extent.y >= extent.z {
@@ -75,8 +68,8 @@ fn split(boxes: &[[DVec3; 2]], order: &mut [u32], parts: &mut [[DVec3; 2]], part
     } else {
         2
     };
-    let middle = |triangle: u32| {
-        let [min, max] = boxes[triangle as usize];
+    let middle = |of: u32| {
+        let Bounds { min, max } = boxes[of as usize];
         0.5 * min[axis] + 0.5 * max[axis]
     };
     let half = order.len() / 2;

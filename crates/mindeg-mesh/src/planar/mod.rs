@@ -1,10 +1,25 @@
-//! Rings of points in the plane: whether they are simple and how they nest, and where they turn.
+//! The boundary of a domain of the plane, proven once: rings of points, straight runs, corners.
 //!
-//! [`nesting`] is the one proof that rings are simple and apart, [`turn`] the one decision whether
-//! a boundary is straight at a point.
+//! [`PlanarBoundary`] is the one type for points with rings. Its exact sweep is the one proof that
+//! rings are simple, apart and nested; [`turn`] is the one decision whether a boundary is straight at
+//! a point.
 
+mod boundary;
+mod faults;
+mod in_ring;
 mod sweep;
 mod turning;
 
-pub use sweep::{Fault, Nesting, nesting};
+use glam::DVec2;
+
+pub use boundary::PlanarBoundary;
+pub use faults::{BoundaryFault, BoundaryFaults, MOST_FAULTS};
+pub use in_ring::{InRing, ring_name};
 pub use turning::{LEAST_TURN, Turn, turn};
+
+/// Positive if three points run counter-clockwise, 0 if they are on one line; the sign is exact.
+#[must_use]
+pub fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+    let [a, b, c] = [a, b, c].map(|DVec2 { x, y }| robust::Coord { x, y });
+    robust::orient2d(a, b, c)
+}

@@ -15,22 +15,19 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
-use std::ops::{Bound, Range};
+use std::ops::Bound;
 
 use glam::DVec2;
 
-/// What rings that are not simple, or not apart, do. Edges are named by the vertex where they begin.
+use super::orientation;
+
+/// Where rings meet, themselves or each other. Edges are named by the vertex where they begin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fault {
+pub(super) enum Meeting {
     /// Two vertices are at the same point.
     SamePoint([u32; 2]),
     /// A vertex lies inside an edge.
-    Touch {
-        /// The vertex.
-        vertex: u32,
-        /// The edge.
-        edge: u32,
-    },
+    Touch { vertex: u32, edge: u32 },
     /// Two edges cross inside both.
     Crossing([u32; 2]),
     /// The edges at a vertex lie on each other.
@@ -39,11 +36,10 @@ pub enum Fault {
 
 /// How a ring lies in the plane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Nesting {
-    /// Whether it runs counter-clockwise.
-    pub is_counter_clockwise: bool,
+pub(super) struct Nesting {
+    pub(super) is_counter_clockwise: bool,
     /// The innermost ring around this one.
-    pub parent: Option<usize>,
+    pub(super) parent: Option<usize>,
 }
 
 /// Checks rings of points, each at least 3 vertices, and tells how they nest. O(n log n).
@@ -51,13 +47,13 @@ pub struct Nesting {
 /// # Errors
 ///
 /// The first fault from the left.
-pub fn nesting(points: &[DVec2], rings: &[Range<u32>]) -> Result<Vec<Nesting>, Fault> {
-    let mut sweep = Sweep::new(points, rings);
+pub(super) fn nesting(points: &[DVec2], starts: &[u32]) -> Result<Vec<Nesting>, Meeting> {
+    let mut sweep = Sweep::new(points, starts);
     sweep.check_folds()?;
     let mut vertices: Vec<(DVec2, u32)> = points.iter().copied().zip(0..).collect();
     vertices.sort_unstable_by(|a, b| from_left(a.0, b.0).then(a.1.cmp(&b.1)));
     if let Some(pair) = vertices.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-        return Err(Fault::SamePoint([pair[0].1, pair[1].1]));
+        return Err(Meeting::SamePoint([pair[0].1, pair[1].1]));
     }
     for (_, vertex) in vertices {
         sweep.pass(vertex)?;
@@ -70,12 +66,6 @@ pub fn nesting(points: &[DVec2], rings: &[Range<u32>]) -> Result<Vec<Nesting>, F
 fn from_left(a: DVec2, b: DVec2) -> Ordering {
     let order = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
     order(a.x, b.x).then(order(a.y, b.y))
-}
-
-/// The sign of the area of a triangle: positive if `c` is to the left of the line from `a` to `b`.
-fn side_of_line(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let [a, b, c] = [a, b, c].map(|DVec2 { x, y }| robust::Coord { x, y });
-    robust::orient2d(a, b, c)
 }
 
 /// An edge that crosses the sweep line.
@@ -98,7 +88,7 @@ impl Ord for Edge {
         if from_left(self.left, other.left) == Ordering::Greater {
             return other.cmp(self).reverse();
         }
-        let above = |point| side_of_line(self.left, self.right, point);
+        let above = |point| orientation(self.left, self.right, point);
         let mut side = 0.0;
         if self.left != other.left {
             side = above(other.left);
@@ -125,11 +115,26 @@ impl PartialEq for Edge {
 
 impl Eq for Edge {}
 
+/// The ring of a vertex: rings begin at `starts`, which ends with the number of vertices.
+pub(super) fn ring_of(starts: &[u32], vertex: u32) -> usize {
+    starts.partition_point(|&start| start <= vertex) - 1
+}
+
+/// The vertex after another on its ring.
+pub(super) fn next(starts: &[u32], vertex: u32) -> u32 {
+    let ring = ring_of(starts, vertex);
+    if vertex + 1 == starts[ring + 1] { starts[ring] } else { vertex + 1 }
+}
+
+/// The vertex before another on its ring.
+pub(super) fn previous(starts: &[u32], vertex: u32) -> u32 {
+    let ring = ring_of(starts, vertex);
+    if vertex == starts[ring] { starts[ring + 1] - 1 } else { vertex - 1 }
+}
+
 struct Sweep<'a> {
     points: &'a [DVec2],
-    rings: &'a [Range<u32>],
-    /// The ring of each vertex.
-    ring_of: Vec<u32>,
+    starts: &'a [u32],
     /// The edges that cross the sweep line, from below.
     crossing: BTreeSet<Edge>,
     /// Of the rings that the sweep has met.
@@ -137,22 +142,16 @@ struct Sweep<'a> {
 }
 
 impl<'a> Sweep<'a> {
-    fn new(points: &'a [DVec2], rings: &'a [Range<u32>]) -> Self {
-        let mut ring_of = Vec::with_capacity(points.len());
-        for (ring, vertices) in (0..).zip(rings) {
-            ring_of.resize(vertices.end as usize, ring);
-        }
-        Self { points, rings, ring_of, crossing: BTreeSet::new(), nesting: vec![None; rings.len()] }
+    fn new(points: &'a [DVec2], starts: &'a [u32]) -> Self {
+        Self { points, starts, crossing: BTreeSet::new(), nesting: vec![None; starts.len() - 1] }
     }
 
     fn next(&self, vertex: u32) -> u32 {
-        let Range { start, end } = self.rings[self.ring_of[vertex as usize] as usize];
-        if vertex + 1 == end { start } else { vertex + 1 }
+        next(self.starts, vertex)
     }
 
     fn previous(&self, vertex: u32) -> u32 {
-        let Range { start, end } = self.rings[self.ring_of[vertex as usize] as usize];
-        if vertex == start { end - 1 } else { vertex - 1 }
+        previous(self.starts, vertex)
     }
 
     fn point(&self, vertex: u32) -> DVec2 {
@@ -168,22 +167,22 @@ impl<'a> Sweep<'a> {
     }
 
     /// Checks that no edge lies on the one before it. What follows may rely on that.
-    fn check_folds(&self) -> Result<(), Fault> {
+    fn check_folds(&self) -> Result<(), Meeting> {
         let folds = |&vertex: &u32| {
             let around = [self.previous(vertex), vertex, self.next(vertex)];
             let [before, at, after] = around.map(|vertex| self.point(vertex));
             let side = from_left(at, before);
             side == from_left(at, after)
                 && side != Ordering::Equal
-                && side_of_line(at, before, after) == 0.0
+                && orientation(at, before, after) == 0.0
         };
         match (0..self.points.len() as u32).find(folds) {
-            Some(vertex) => Err(Fault::FoldsBack(vertex)),
+            Some(vertex) => Err(Meeting::FoldsBack(vertex)),
             None => Ok(()),
         }
     }
 
-    fn pass(&mut self, vertex: u32) -> Result<(), Fault> {
+    fn pass(&mut self, vertex: u32) -> Result<(), Meeting> {
         let [before, after] = [self.previous(vertex), vertex].map(|begin| self.edge(begin));
         match (before.is_rightward, after.is_rightward) {
             (true, true) => self.replace(before, after),
@@ -208,7 +207,7 @@ impl<'a> Sweep<'a> {
     }
 
     /// An edge ends where another begins.
-    fn replace(&mut self, old: Edge, new: Edge) -> Result<(), Fault> {
+    fn replace(&mut self, old: Edge, new: Edge) -> Result<(), Meeting> {
         self.crossing.remove(&old);
         self.crossing.insert(new);
         self.check_neighbours(&new)
@@ -221,21 +220,21 @@ impl<'a> Sweep<'a> {
         [below, above].map(Option::<&Edge>::copied)
     }
 
-    fn check_neighbours(&self, edge: &Edge) -> Result<(), Fault> {
+    fn check_neighbours(&self, edge: &Edge) -> Result<(), Meeting> {
         let neighbours = self.neighbours(edge);
         neighbours.iter().flatten().try_for_each(|other| self.check(edge, other))
     }
 
     /// Where the leftmost vertex of a ring is: in which ring, and which way round the ring runs.
     fn place_ring(&mut self, vertex: u32, before: Edge, after: Edge) {
-        let ring = self.ring_of[vertex as usize] as usize;
+        let ring = ring_of(self.starts, vertex);
         if self.nesting[ring].is_some() {
             return;
         }
         let is_counter_clockwise = after < before;
         let lower = if is_counter_clockwise { after } else { before };
         let parent = self.neighbours(&lower)[0].and_then(|below| {
-            let around = self.ring_of[below.begin as usize] as usize;
+            let around = ring_of(self.starts, below.begin);
             // The sweep met the ring around this one before.
             let Nesting { is_counter_clockwise, parent } = self.nesting[around]?;
             if below.is_rightward == is_counter_clockwise { Some(around) } else { parent }
@@ -244,19 +243,19 @@ impl<'a> Sweep<'a> {
     }
 
     /// Checks that two edges have no point in common but a vertex where one follows the other.
-    fn check(&self, a: &Edge, b: &Edge) -> Result<(), Fault> {
+    fn check(&self, a: &Edge, b: &Edge) -> Result<(), Meeting> {
         let [ends_of_a, ends_of_b] = [a, b].map(|edge| [edge.begin, self.next(edge.begin)]);
         if ends_of_a.iter().any(|end| ends_of_b.contains(end)) {
             return Ok(());
         }
         let sides_of = |edge: &Edge, ends: [u32; 2]| {
-            ends.map(|end| side_of_line(edge.left, edge.right, self.point(end)))
+            ends.map(|end| orientation(edge.left, edge.right, self.point(end)))
         };
         let (around_b, around_a) = (sides_of(b, ends_of_a), sides_of(a, ends_of_b));
         for (edge, ends, sides) in [(a, ends_of_b, around_a), (b, ends_of_a, around_b)] {
             for (vertex, side) in ends.into_iter().zip(sides) {
                 if side == 0.0 && edge.spans(self.point(vertex)) {
-                    return Err(Fault::Touch { vertex, edge: edge.begin });
+                    return Err(Meeting::Touch { vertex, edge: edge.begin });
                 }
             }
         }
@@ -265,7 +264,7 @@ impl<'a> Sweep<'a> {
             return Ok(());
         }
         let edges = [a.begin.min(b.begin), a.begin.max(b.begin)];
-        Err(Fault::Crossing(edges))
+        Err(Meeting::Crossing(edges))
     }
 }
 
@@ -282,20 +281,19 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
-    fn of(rings: &[&[[i32; 2]]]) -> Result<Vec<Nesting>, Fault> {
-        let (points, ranges) = flat(rings);
-        nesting(&points, &ranges)
+    fn of(rings: &[&[[i32; 2]]]) -> Result<Vec<Nesting>, Meeting> {
+        let (points, starts) = flat(rings);
+        nesting(&points, &starts)
     }
 
-    fn flat(rings: &[&[[i32; 2]]]) -> (Vec<DVec2>, Vec<Range<u32>>) {
-        let mut ranges = Vec::new();
+    fn flat(rings: &[&[[i32; 2]]]) -> (Vec<DVec2>, Vec<u32>) {
+        let mut starts = vec![0];
         let mut points = Vec::new();
         for ring in rings {
-            let start = points.len() as u32;
             points.extend(ring.iter().map(|&[x, y]| DVec2::new(x.into(), y.into())));
-            ranges.push(start..points.len() as u32);
+            starts.push(points.len() as u32);
         }
-        (points, ranges)
+        (points, starts)
     }
 
     const SQUARE: [[i32; 2]; 4] = [[0, 0], [9, 0], [9, 9], [0, 9]];
@@ -322,20 +320,20 @@ mod tests {
 
     #[test]
     fn names_what_is_wrong() {
-        let cases: &[(&[&[[i32; 2]]], Fault)] = &[
-            (&[&[[0, 0], [2, 2], [2, 0], [0, 2]]], Fault::Crossing([0, 2])),
-            (&[&[[0, 0], [4, 0], [4, 4], [2, 0], [0, 2]]], Fault::Touch { vertex: 3, edge: 0 }),
-            (&[&[[0, 0], [4, 0], [4, 4], [4, 0], [0, 4]]], Fault::FoldsBack(2)),
-            (&[&[[0, 0], [4, 0], [4, 4], [3, 4], [4, 0], [0, 4]]], Fault::SamePoint([1, 4])),
-            (&[&[[0, 0], [4, 0], [2, 0], [0, 2]]], Fault::FoldsBack(1)),
-            (&[&[[0, 0], [4, 0], [9, 0], [0, 2], [0, 5]]], Fault::FoldsBack(4)),
-            (&[&[[0, 0], [0, 9], [0, 4], [-3, 4]]], Fault::FoldsBack(1)),
-            (&[&[[0, 0], [3, 0], [9, 0]]], Fault::FoldsBack(0)),
-            (&[&SQUARE, &[[2, 9], [3, 5], [5, 5]]], Fault::Touch { vertex: 4, edge: 2 }),
-            (&[&SQUARE, &[[2, 2], [9, 9], [9, 12]]], Fault::SamePoint([2, 5])),
-            (&[&SQUARE, &[[0, 0], [0, 9], [-9, 9]]], Fault::SamePoint([0, 4])),
-            (&[&SQUARE, &[[0, 2], [0, 7], [-9, 9]]], Fault::Touch { vertex: 4, edge: 3 }),
-            (&[&SQUARE, &[[8, 8], [8, 4], [11, 4]]], Fault::Crossing([1, 5])),
+        let cases: &[(&[&[[i32; 2]]], Meeting)] = &[
+            (&[&[[0, 0], [2, 2], [2, 0], [0, 2]]], Meeting::Crossing([0, 2])),
+            (&[&[[0, 0], [4, 0], [4, 4], [2, 0], [0, 2]]], Meeting::Touch { vertex: 3, edge: 0 }),
+            (&[&[[0, 0], [4, 0], [4, 4], [4, 0], [0, 4]]], Meeting::FoldsBack(2)),
+            (&[&[[0, 0], [4, 0], [4, 4], [3, 4], [4, 0], [0, 4]]], Meeting::SamePoint([1, 4])),
+            (&[&[[0, 0], [4, 0], [2, 0], [0, 2]]], Meeting::FoldsBack(1)),
+            (&[&[[0, 0], [4, 0], [9, 0], [0, 2], [0, 5]]], Meeting::FoldsBack(4)),
+            (&[&[[0, 0], [0, 9], [0, 4], [-3, 4]]], Meeting::FoldsBack(1)),
+            (&[&[[0, 0], [3, 0], [9, 0]]], Meeting::FoldsBack(0)),
+            (&[&SQUARE, &[[2, 9], [3, 5], [5, 5]]], Meeting::Touch { vertex: 4, edge: 2 }),
+            (&[&SQUARE, &[[2, 2], [9, 9], [9, 12]]], Meeting::SamePoint([2, 5])),
+            (&[&SQUARE, &[[0, 0], [0, 9], [-9, 9]]], Meeting::SamePoint([0, 4])),
+            (&[&SQUARE, &[[0, 2], [0, 7], [-9, 9]]], Meeting::Touch { vertex: 4, edge: 3 }),
+            (&[&SQUARE, &[[8, 8], [8, 4], [11, 4]]], Meeting::Crossing([1, 5])),
         ];
         for (rings, fault) in cases {
             assert_eq!(of(rings), Err(*fault), "{rings:?}");
@@ -348,16 +346,16 @@ mod tests {
         let tip =
             |y: f64| [[0.0, 0.0], [1.0, 0.1], [1.0, 1.0], [0.5, y], [0.0, 1.0]].map(DVec2::from);
         let below = DVec2::new(0.5, 0.05);
-        let ring = Range { start: 0, end: 5 };
-        let check = |y: f64| nesting(&tip(y), std::slice::from_ref(&ring));
-        assert_eq!(side_of_line(DVec2::ZERO, DVec2::new(1.0, 0.1), below), 0.0);
+
+        let check = |y: f64| nesting(&tip(y), &[0, 5]);
+        assert_eq!(orientation(DVec2::ZERO, DVec2::new(1.0, 0.1), below), 0.0);
         assert!(check(below.y.next_up()).is_ok());
-        assert_eq!(check(below.y), Err(Fault::Touch { vertex: 3, edge: 0 }));
-        assert_eq!(check(below.y.next_down()), Err(Fault::Crossing([0, 3])));
+        assert_eq!(check(below.y), Err(Meeting::Touch { vertex: 3, edge: 0 }));
+        assert_eq!(check(below.y.next_down()), Err(Meeting::Crossing([0, 3])));
     }
 
     /// By the definition: every pair of edges, every pair of vertices, in exact integers.
-    fn is_simple(points: &[[i32; 2]], rings: &[Range<u32>]) -> bool {
+    fn is_simple(points: &[[i32; 2]], starts: &[u32]) -> bool {
         let area = |[a, b, c]: [[i32; 2]; 3]| {
             i64::from(b[0] - a[0]) * i64::from(c[1] - a[1])
                 - i64::from(b[1] - a[1]) * i64::from(c[0] - a[0])
@@ -366,7 +364,8 @@ mod tests {
             (0..2).all(|i| a[i].min(b[i]) <= c[i] && c[i] <= a[i].max(b[i]))
         };
         let mut edges = Vec::new();
-        for Range { start, end } in rings.iter().cloned() {
+        for ends in starts.windows(2) {
+            let [start, end] = [ends[0], ends[1]];
             edges.extend((start..end).map(|v| [v, if v + 1 == end { start } else { v + 1 }]));
         }
         let at = |v: u32| points[v as usize];
@@ -398,10 +397,10 @@ mod tests {
         fn agrees_with_the_definition(
             rings in prop::collection::vec(prop::collection::vec([0..7_i32, 0..7], 3..6), 1..3),
         ) {
-            let (points, ranges) = flat(&rings.iter().map(Vec::as_slice).collect::<Vec<_>>());
-            let found = nesting(&points, &ranges);
+            let (points, starts) = flat(&rings.iter().map(Vec::as_slice).collect::<Vec<_>>());
+            let found = nesting(&points, &starts);
             let all: Vec<[i32; 2]> = rings.concat();
-            prop_assert_eq!(found.is_ok(), is_simple(&all, &ranges), "{:?}", found);
+            prop_assert_eq!(found.is_ok(), is_simple(&all, &starts), "{:?}", found);
             if let Ok(found) = found {
                 for (ring, nesting) in rings.iter().zip(found) {
                     let area: i32 = (0..ring.len())

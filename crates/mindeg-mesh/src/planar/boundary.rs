@@ -1,0 +1,214 @@
+//! Rings of points that bound a domain of the plane.
+
+use std::ops::Range;
+
+use glam::DVec2;
+
+use super::faults::{self, BoundaryFaults};
+use super::in_ring::InRing;
+use super::sweep;
+use crate::Bounds;
+
+/// The boundary of a domain of the plane: points, in rings, with the domain on the left of every
+/// edge.
+///
+/// Ring 0 is the outer one and counter-clockwise, the others are holes and clockwise. Vertices
+/// count from 0, ring after ring. [`new`](Self::new) proves once, by an exact sweep, that the rings
+/// are simple, apart and nested like that; whoever holds a boundary need not prove it again.
+///
+/// # What belongs here later
+///
+/// A region is a part of the domain: rings of its own, over the same points, and a name. A line
+/// between rings is a sequence of points with an edge from each to the next, which two regions or
+/// one have beside it. Both join `points` after the rings, and the sweep, which passes edges and not
+/// rings, then proves them too.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_mesh::planar::PlanarBoundary;
+///
+/// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
+/// let hole = [[1.0, 1.0], [1.0, 2.0], [2.0, 2.0]];
+/// let rings = [square.map(DVec2::from).to_vec(), hole.map(DVec2::from).to_vec()];
+/// let boundary = PlanarBoundary::new(&rings)?;
+/// assert_eq!((boundary.ring_count(), boundary.next(6), boundary.previous(0)), (2, 4, 3));
+///
+/// // All faults are listed: the hole crosses the square twice.
+/// let aside = hole.map(|[x, y]| DVec2::new(x - 1.5, y)).to_vec();
+/// let faults = PlanarBoundary::new(&[rings[0].clone(), aside]).unwrap_err();
+/// assert_eq!(faults.list().len(), 2);
+/// # Ok::<(), mindeg_mesh::planar::BoundaryFaults>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanarBoundary {
+    points: Vec<DVec2>,
+    /// The first vertex of each ring, then the number of vertices.
+    starts: Vec<u32>,
+    /// Where sides begin, ascending.
+    corners: Vec<u32>,
+    /// For each vertex, the straight run of the edge that begins there.
+    runs: Vec<u32>,
+}
+
+impl PlanarBoundary {
+    /// A boundary of rings that run the right way round: the outer one first. O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// All faults of the rings.
+    pub fn new<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<Self, BoundaryFaults> {
+        let (boundary, turned) = Self::oriented(rings)?;
+        if turned.is_empty() { Ok(boundary) } else { Err(BoundaryFaults::directions(turned)) }
+    }
+
+    /// A boundary of rings that run either way round, and the rings that had to be turned, which
+    /// keep their first points. O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// All faults of the rings.
+    pub fn oriented<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(Self, Vec<usize>), BoundaryFaults> {
+        faults::check_rings(rings)?;
+        let mut boundary = Self::of_mesh(rings);
+        let nesting = sweep::nesting(&boundary.points, &boundary.starts)
+            .map_err(|first| BoundaryFaults::all(&boundary, first))?;
+        faults::check_nesting(&nesting)?;
+        let is_turned = |&ring: &usize| nesting[ring].is_counter_clockwise != (ring == 0);
+        let turned: Vec<usize> = (0..nesting.len()).filter(is_turned).collect();
+        for &ring in &turned {
+            let Range { start, end } = boundary.ring(ring);
+            boundary.points[start as usize + 1..end as usize].reverse();
+        }
+        Ok((boundary, turned))
+    }
+
+    /// The boundary of triangles, which prove it: nothing is checked. The rings may be in any order, be
+    /// several outer ones, and touch each other at points.
+    #[must_use]
+    pub fn of_mesh<R: AsRef<[DVec2]>>(rings: &[R]) -> Self {
+        let mut points = Vec::with_capacity(rings.iter().map(|ring| ring.as_ref().len()).sum());
+        let mut starts = vec![0];
+        for ring in rings {
+            points.extend_from_slice(ring.as_ref());
+            starts.push(points.len() as u32);
+        }
+        let (corners, runs) = (Vec::new(), (0..points.len() as u32).collect());
+        Self { points, starts, corners, runs }
+    }
+
+    /// With sides, which begin at `corners`, in ascending order, and the straight run that the
+    /// edge beginning at each vertex belongs to. Without, every edge is a run of its own.
+    ///
+    /// # Panics
+    ///
+    /// If another number of runs than of vertices is given.
+    #[must_use]
+    pub fn with_sides(mut self, corners: Vec<u32>, runs: Vec<u32>) -> Self {
+        assert_eq!(runs.len(), self.points.len(), "each edge is of one run");
+        (self.corners, self.runs) = (corners, runs);
+        self
+    }
+
+    /// The points, ring after ring.
+    #[must_use]
+    pub fn points(&self) -> &[DVec2] {
+        &self.points
+    }
+
+    /// The point of a vertex.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such vertex, here and below.
+    #[must_use]
+    pub fn point(&self, vertex: u32) -> DVec2 {
+        self.points[vertex as usize]
+    }
+
+    /// The number of vertices, which is also the number of edges.
+    #[must_use]
+    pub fn vertex_count(&self) -> u32 {
+        self.points.len() as u32
+    }
+
+    /// The number of rings: 1 and the number of holes.
+    #[must_use]
+    pub fn ring_count(&self) -> usize {
+        self.starts.len() - 1
+    }
+
+    /// The vertices of a ring.
+    #[must_use]
+    pub fn ring(&self, ring: usize) -> Range<u32> {
+        self.starts[ring]..self.starts[ring + 1]
+    }
+
+    /// The vertices of each ring.
+    pub fn rings(&self) -> impl ExactSizeIterator<Item = Range<u32>> + '_ {
+        self.starts.windows(2).map(|ends| ends[0]..ends[1])
+    }
+
+    /// A vertex by its ring and its index there. O(log h) for h rings, as the next two.
+    #[must_use]
+    pub fn in_ring(&self, vertex: u32) -> InRing {
+        let ring = sweep::ring_of(&self.starts, vertex);
+        InRing { ring, index: (vertex - self.starts[ring]) as usize }
+    }
+
+    /// The vertex after `vertex` on its ring.
+    #[must_use]
+    pub fn next(&self, vertex: u32) -> u32 {
+        sweep::next(&self.starts, vertex)
+    }
+
+    /// The vertex before `vertex` on its ring.
+    #[must_use]
+    pub fn previous(&self, vertex: u32) -> u32 {
+        sweep::previous(&self.starts, vertex)
+    }
+
+    /// The edges, each from the vertex that names it. O(1) each.
+    pub fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        self.rings().flat_map(|ring| {
+            let next = (ring.start + 1..ring.end).chain([ring.start]);
+            ring.zip(next).map(|(from, to)| [from, to])
+        })
+    }
+
+    /// The length of the edge that begins at `vertex`.
+    #[must_use]
+    pub fn length(&self, vertex: u32) -> f64 {
+        self.point(vertex).distance(self.point(self.next(vertex)))
+    }
+
+    /// The interior angle at `vertex` in radians, above 0 and below 2 pi.
+    #[must_use]
+    pub fn angle(&self, vertex: u32) -> f64 {
+        let at = self.point(vertex);
+        let (after, before) =
+            (self.point(self.next(vertex)) - at, self.point(self.previous(vertex)) - at);
+        let angle = libm::atan2(after.perp_dot(before), after.dot(before));
+        if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
+    }
+
+    /// Where sides begin, ascending; empty if that is not known.
+    #[must_use]
+    pub fn corners(&self) -> &[u32] {
+        &self.corners
+    }
+
+    /// For each vertex, the straight run that the edge beginning there belongs to.
+    #[must_use]
+    pub fn runs(&self) -> &[u32] {
+        &self.runs
+    }
+
+    /// The box around all points. O(n).
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        let origin = Bounds { min: DVec2::ZERO, max: DVec2::ZERO };
+        Bounds::of(self.points.iter().copied()).unwrap_or(origin)
+    }
+}

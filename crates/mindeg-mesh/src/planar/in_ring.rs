@@ -1,0 +1,45 @@
+//! A place on the rings of a boundary.
+
+/// A side, corner, vertex or edge by its ring and its index in the ring, both from 0; messages count
+/// it from 1: "side 3", or "side 3 of hole 1".
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct InRing {
+    /// The ring; 0 is the outer one, r is hole r.
+    pub ring: usize,
+    /// The index in the ring.
+    pub index: usize,
+}
+
+impl InRing {
+    /// In words, counted from 1.
+    #[must_use]
+    pub fn named(self, kind: &str) -> String {
+        format!("{kind} {}", self.named_last())
+    }
+
+    /// A side in words.
+    #[must_use]
+    pub fn side(self) -> String {
+        self.named("side")
+    }
+
+    /// A corner in words.
+    #[must_use]
+    pub fn corner(self) -> String {
+        self.named("corner")
+    }
+
+    /// The index alone, and the hole, for the last of several.
+    #[must_use]
+    pub fn named_last(self) -> String {
+        let Self { ring, index } = self;
+        let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
+        format!("{}{hole}", index + 1)
+    }
+}
+
+/// A ring in words: "the outline" or "hole 2".
+#[must_use]
+pub fn ring_name(ring: usize) -> String {
+    if ring == 0 { "the outline".to_owned() } else { format!("hole {ring}") }
+}
