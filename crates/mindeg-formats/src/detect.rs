@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::format::{Format, extensions};
+use crate::fort14;
 
 /// Why a file's format is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,6 +113,8 @@ pub(crate) fn format_of(path: &Path, head: &[u8]) -> Result<Format, Unknown> {
         (Some(named @ (Format::Glb | Format::Gltf)), Some(Format::Glb | Format::Gltf)) => Ok(named),
         // The first word of an OBJ is too short to be sure of anything else.
         (Some(named), Some(Format::Obj)) if Format::READ.contains(&named) => Ok(named),
+        // The first line of a fort.14 is free text, which may look like anything.
+        (Some(Format::Fort14), Some(_)) if fort14::fits(head) => Ok(Format::Fort14),
         (Some(named), Some(found)) if named != found => Err(Unknown::Lie { named, found }),
         (Some(named), _) if Format::READ.contains(&named) => Ok(named),
         (Some(named), _) => Err(Unknown::OnlyWritten(named)),
@@ -160,6 +163,10 @@ mod tests {
         assert_eq!(of("a.mesh", b"OFF\n"), Ok(Format::Off));
         assert_eq!(of("a.svg", b"<svg>"), Err(Unknown::OnlyWritten(Format::Svg)));
         assert_eq!(of("a.txt", b"hello"), Err(Unknown::Nothing));
+        assert_eq!(of("a.14", b"solid rock\r\n 8 9 = sizes\r\n"), Ok(Format::Fort14));
+        assert_eq!(of("a.14", b"OFF\n8 9 0\n"), Ok(Format::Fort14));
+        let lie = Unknown::Lie { named: Format::Fort14, found: Format::Ply };
+        assert_eq!(of("a.14", b"ply\nformat ascii 1.0\n"), Err(lie));
         let lie = of("a.vtk", b"<VTKFile type=\"UnstructuredGrid\">").unwrap_err();
         assert_eq!(
             lie.problem(),

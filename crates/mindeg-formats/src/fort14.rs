@@ -10,6 +10,7 @@
 mod read;
 mod write;
 
+pub(crate) use read::fits;
 pub use read::read;
 pub(crate) use write::sections;
 pub use write::{check, write};

@@ -13,15 +13,15 @@ use mindeg_mesh::Mesh;
 use crate::boundary::{Boundary, Chain, chain_vertices};
 use crate::corners::{positions, triangles};
 use crate::decimals::Decimals;
-use crate::names::one_line;
+use crate::names::{Names, one_line};
 use crate::sections::{Section, write_sections};
 use crate::{GENERATOR, mesh_name};
 
 /// The most numbers in a line.
 const WIDTH: u32 = 16;
 
-/// The longest label.
-const LABEL: usize = 80;
+/// The longest label is of 80 letters; this leaves some for a number.
+const LABEL: usize = 72;
 
 /// Writes a mesh as an Abaqus input file. Decimals are the shortest that read back as the same f64.
 ///
@@ -55,7 +55,7 @@ pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> io::Result<()> {
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = mesh_name(mesh);
     let mut sections = vec![
-        Section::bytes(format!("*HEADING\n{}\n** {GENERATOR}\n*NODE\n", one_line(name))),
+        Section::bytes(format!("*HEADING\n{}\n** {GENERATOR}\n*NODE\n", heading(name))),
         Section::new(mesh.vertex_count(), 52, move |range, buffer| {
             let mut axes = [0; 3].map(|_| Decimals::new());
             for (vertex, point) in range.clone().zip(positions(mesh, range)) {
@@ -73,8 +73,9 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     if groups.is_empty() {
         groups.push((name, 0..mesh.triangle_count()));
     }
+    let mut sets = Names::folding_case();
     for (group, of_group) in groups {
-        let set = label(if group.is_empty() { name } else { group });
+        let set = sets.of(if group.is_empty() { name } else { group }, label);
         sections.push(Section::bytes(format!("*ELEMENT, TYPE=S3, ELSET={set}\n")));
         sections.push(Section::new(of_group.len() as u32, 44, move |range, buffer| {
             let range = of_group.start + range.start..of_group.start + range.end;
@@ -89,8 +90,9 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         }));
     }
     let lines = mesh.lines();
+    let mut sets = Names::folding_case();
     for chain in Boundary::of(mesh).chains {
-        let set = label(&lines[chain.line].name);
+        let set = sets.of(&lines[chain.line].name, label);
         sections.push(Section::bytes(format!("*NSET, NSET={set}\n")));
         sections.push(node_set(mesh, chain));
     }
@@ -115,6 +117,13 @@ fn push_number(index: u32, buffer: &mut Vec<u8>) {
     buffer.extend_from_slice(itoa::Buffer::new().format(u64::from(index) + 1).as_bytes());
 }
 
+/// A name as the line of a heading: a line that begins with `*` would be a keyword.
+fn heading(name: &str) -> String {
+    let line = one_line(name);
+    let line = line.trim_start();
+    if line.starts_with('*') { format!("_{line}") } else { line.to_owned() }
+}
+
 /// A name as a label.
 fn label(name: &str) -> String {
     let is_kept = |letter: char| letter.is_ascii_alphanumeric() || matches!(letter, '-' | '_');
@@ -134,5 +143,24 @@ mod tests {
         assert_eq!(label("3"), "S_3");
         assert_eq!(label("Ärmel"), "S__rmel");
         assert_eq!(label(&"a".repeat(100)).len(), LABEL);
+    }
+
+    #[test]
+    fn a_heading_is_no_keyword() {
+        assert_eq!(heading("*NODE"), "_*NODE");
+        assert_eq!(heading(" **\n*NODE"), "_** *NODE");
+        assert_eq!(heading("plate"), "plate");
+    }
+
+    #[test]
+    fn sets_of_different_names_are_different() {
+        let file = "v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no a,b\nl 1 2\no a b\nl 2 3\no a,b\nl 3 1\n";
+        let mesh = crate::obj::read(file.as_bytes()).unwrap();
+        let mut file = Vec::new();
+        write(&mesh, &mut file).unwrap();
+        let file = String::from_utf8(file).unwrap();
+        let sets: Vec<_> =
+            file.lines().filter_map(|line| line.strip_prefix("*NSET, NSET=")).collect();
+        assert_eq!(sets, ["a_b", "a_b_2", "a_b"]);
     }
 }

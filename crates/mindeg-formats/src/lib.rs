@@ -68,6 +68,7 @@ pub use self::gltf::glb;
 pub use boundary::with_boundary_lines;
 pub use error::{ReadError, WriteError};
 pub use format::{Format, extensions};
+pub use names::one_line;
 pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};
 pub use read::{read, read_as};
 pub use write::Writer;
@@ -80,5 +81,6 @@ fn mesh_name(mesh: &dyn mindeg_mesh::Mesh) -> &str {
     let groups = mesh.groups();
     let is_one = groups.windows(2).all(|pair| materials::is_same_object(&pair[0], &pair[1]));
     let group = groups.first().filter(|group| is_one && !group.name.is_empty());
-    mesh.name().or(group.map(|group| &*group.name)).unwrap_or("mesh")
+    let own = mesh.name().filter(|name| !name.is_empty());
+    own.or(group.map(|group| &*group.name)).unwrap_or("mesh")
 }

@@ -1,15 +1,52 @@
-//! Distinct names for the objects of a file.
+//! Names as files can hold them: the one home of what a format cannot take.
+//!
+//! A mesh, its groups, lines and materials may be called anything. Every writer passes every name
+//! through one of these functions. Formats with strings of their own escape them there: JSON in glTF.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
-/// A name for a line of text, without what would end the line.
-pub(crate) fn one_line(name: &str) -> String {
-    name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+/// A name in one line of a text: blanks for control characters and line breaks, and the replacement
+/// character for the two that XML cannot hold (U+FFFE and U+FFFF).
+///
+/// # Example
+///
+/// ```
+/// assert_eq!(mindeg_formats::one_line("left\nside\u{ffff}"), "left side\u{fffd}");
+/// ```
+#[must_use]
+pub fn one_line(name: &str) -> String {
+    let held = |letter: char| match letter {
+        '\u{2028}' | '\u{2029}' => ' ',
+        '\u{fffe}' | '\u{ffff}' => char::REPLACEMENT_CHARACTER,
+        letter if letter.is_control() => ' ',
+        letter => letter,
+    };
+    name.chars().map(held).collect()
 }
 
-/// A name with underscores for white space, where many readers of an OBJ end it.
-pub(crate) fn without_blanks(name: &str) -> String {
-    name.split_whitespace().collect::<Vec<_>>().join("_")
+/// A name as one word of a line, which is never empty: underscores for white space, where many readers
+/// end a name, and for a backslash at the end, which would join the next line to this one.
+pub(crate) fn word(name: &str) -> String {
+    let mut word = one_line(name).split_whitespace().collect::<Vec<_>>().join("_");
+    if word.is_empty() || word.ends_with('\\') {
+        word.pop();
+        word.push('_');
+    }
+    word
+}
+
+/// A name to stand between double quotes in a line, which is never blank. Gmsh takes 127 characters;
+/// this leaves some for a number.
+pub(crate) fn quoted(name: &str) -> String {
+    const LONGEST: usize = 120;
+    let quoted: String = one_line(name).replace('"', "'").chars().take(LONGEST).collect();
+    if quoted.trim().is_empty() { "_".to_owned() } else { quoted }
+}
+
+/// A name as the text of an XML element.
+pub(crate) fn xml(name: &str) -> String {
+    one_line(name).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
 /// The names that a file has so far.
@@ -17,22 +54,45 @@ pub(crate) fn without_blanks(name: &str) -> String {
 pub(crate) struct Names {
     /// Each name, and the number that was last added to it.
     taken: HashMap<String, u32>,
+    /// The name in the file for each name in the mesh that [`of`](Self::of) was asked for.
+    of: HashMap<String, String>,
+    /// Whether the format takes upper and lower case for the same.
+    folds_case: bool,
 }
 
 impl Names {
+    /// For a format that takes upper and lower case for the same.
+    pub(crate) fn folding_case() -> Self {
+        Self { folds_case: true, ..Self::default() }
+    }
+
+    /// The name in the file for a name in the mesh: the same each time, and never that of another
+    /// name. `made` makes a name of the format.
+    pub(crate) fn of(&mut self, name: &str, made: impl FnOnce(&str) -> String) -> String {
+        if let Some(found) = self.of.get(name) {
+            return found.clone();
+        }
+        let found = self.distinct(made(name));
+        self.of.insert(name.to_owned(), found.clone());
+        found
+    }
+
     /// The name, if the file does not have it yet; else the name with `_2`, `_3` or the first
     /// number that makes a new one. O(1), but where made names meet others.
     pub(crate) fn distinct(&mut self, name: String) -> String {
-        if !self.taken.contains_key(&name) {
-            self.taken.insert(name.clone(), 1);
+        let folds_case = self.folds_case;
+        let key = |name: &str| if folds_case { name.to_lowercase() } else { name.to_owned() };
+        let wanted = key(&name);
+        if let Entry::Vacant(free) = self.taken.entry(wanted.clone()) {
+            free.insert(1);
             return name;
         }
         loop {
-            let number = self.taken.entry(name.clone()).or_default();
+            let number = self.taken.entry(wanted.clone()).or_default();
             *number += 1;
             let made = format!("{name}_{number}");
-            if !self.taken.contains_key(&made) {
-                self.taken.insert(made.clone(), 1);
+            if let Entry::Vacant(free) = self.taken.entry(key(&made)) {
+                free.insert(1);
                 return made;
             }
         }
@@ -49,5 +109,31 @@ mod tests {
         let wanted = ["a", "b", "a", "a", "a_2", "a_5", "a", "a", "b_2", "b"];
         let made = wanted.map(|name| names.distinct(name.to_owned()));
         assert_eq!(made, ["a", "b", "a_2", "a_3", "a_2_2", "a_5", "a_4", "a_6", "b_2", "b_3"]);
+    }
+
+    #[test]
+    fn words_end_no_line_and_join_none() {
+        for (name, expected) in [
+            ("st\\", "st_"),
+            ("C:\\parts\\ ", "C:\\parts_"),
+            ("a\\\u{2028}", "a_"),
+            ("\\", "_"),
+            ("", "_"),
+            (" \n", "_"),
+            ("a b\rc", "a_b_c"),
+            ("\u{fffe}", "\u{fffd}"),
+        ] {
+            assert_eq!(word(name), expected, "{name:?}");
+        }
+    }
+
+    #[test]
+    fn names_that_differ_stay_different() {
+        let mut names = Names::default();
+        let made = ["a\"", "a'", "a\"", "a'"].map(|name| names.of(name, quoted));
+        assert_eq!(made, ["a'", "a'_2", "a'", "a'_2"]);
+        let mut names = Names::folding_case();
+        let made = ["Wall", "wall", "WALL"].map(|name| names.of(name, word));
+        assert_eq!(made, ["Wall", "wall_2", "WALL_3"]);
     }
 }

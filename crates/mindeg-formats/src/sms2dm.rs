@@ -7,7 +7,7 @@
 
 use crate::boundary::{Boundary, Chain, chain_vertices};
 use crate::decimals::push_integer;
-use crate::names::one_line;
+use crate::names::quoted;
 use crate::numbered::Numbered;
 use crate::records::{Records, Words};
 use crate::sections::{Section, write_sections};
@@ -48,7 +48,7 @@ pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> io::Result<()> {
 
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
-    let name = one_line(mesh_name(mesh)).replace('"', "'");
+    let name = quoted(mesh_name(mesh));
     let ends: Vec<u32> = mesh.groups().iter().map(|group| group.triangles.end).collect();
     let material = move |triangle: u32, buffer: &mut Vec<u8>| {
         push_integer(ends.partition_point(|&end| end <= triangle) + 1, buffer);

@@ -1,7 +1,7 @@
 //! SU2's native format, for meshes in the plane.
 //!
 //! Each line of the mesh is a marker under its name; lines of one name are one marker, since SU2 wants
-//! names to differ. Blanks in names become `_`. Elements and points count from 0.
+//! names to differ. Blanks and percent signs in names become `_`. Elements and points count from 0.
 //!
 //! Limits: written, not read. Groups are not kept.
 
@@ -12,6 +12,7 @@ use mindeg_mesh::{Mesh, Positions};
 
 use crate::corners::{positions, segments, triangles};
 use crate::decimals::{Decimals, push_integer};
+use crate::names::{Names, word};
 use crate::sections::{Section, write_sections};
 use crate::{Format, GENERATOR, WriteError};
 
@@ -105,8 +106,10 @@ fn marker_elements(mesh: &dyn Mesh, of_line: Range<u32>) -> Section<'_> {
 fn markers(mesh: &dyn Mesh) -> Vec<(String, Vec<Range<u32>>)> {
     let mut markers: Vec<(String, Vec<Range<u32>>)> = Vec::new();
     let mut indices = std::collections::HashMap::new();
+    let mut names = Names::default();
     for line in mesh.lines().iter() {
-        let name = line.name.split_whitespace().collect::<Vec<_>>().join("_");
+        // A percent sign starts a comment.
+        let name = names.of(&line.name, |name| word(name).replace('%', "_"));
         let index = *indices.entry(name.clone()).or_insert(markers.len());
         if index == markers.len() {
             markers.push((name, Vec::new()));

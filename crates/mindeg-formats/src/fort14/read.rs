@@ -4,6 +4,7 @@ use crate::ReadError;
 use crate::lists::push;
 use crate::numbered::Numbered;
 use crate::records::{Records, Words};
+use crate::words::{number, words};
 use mindeg_mesh::{LineKind, TriMesh};
 use std::io::BufRead;
 
@@ -79,6 +80,14 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
     let mesh = if title.is_empty() { mesh } else { mesh.named(title) };
     let is_flat = depths.iter().all(|&depth| depth == 0.0);
     Ok(if is_flat { mesh } else { mesh.with_depths(depths) })
+}
+
+/// Whether the second line of a file begins with two whole numbers, as that of a fort.14 does.
+pub(crate) fn fits(head: &[u8]) -> bool {
+    let mut lines = head.split(|byte| matches!(byte, b'\n' | b'\r')).skip(1);
+    let second = lines.find(|line| !line.trim_ascii().is_empty()).unwrap_or_default();
+    let sizes: Vec<_> = words(second).take(2).map(number::<u64>).collect();
+    matches!(sizes[..], [Some(_), Some(_)])
 }
 
 fn read_segment(

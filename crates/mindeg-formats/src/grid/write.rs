@@ -5,6 +5,7 @@ use std::ops::Range;
 use mindeg_mesh::Mesh;
 
 use crate::corners::{degrees, min_angles, positions, segments, triangles};
+use crate::names::one_line;
 use crate::scanner::Numbers;
 use crate::sections::Section;
 
@@ -178,7 +179,8 @@ pub(crate) fn text_of_names<'n>(
     names: impl Iterator<Item = &'n str>,
     numbers: Numbers,
 ) -> (Vec<u8>, usize) {
-    let bytes: Vec<u8> = names.flat_map(|name| name.bytes().chain([0])).collect();
+    let bytes: Vec<u8> =
+        names.flat_map(|name| one_line(name).into_bytes().into_iter().chain([0])).collect();
     let mut text = Vec::new();
     bytes.iter().for_each(|&byte| put([byte], numbers, &mut text));
     (text, bytes.len())

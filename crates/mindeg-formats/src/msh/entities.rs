@@ -8,7 +8,7 @@ use mindeg_mesh::{Bounds, Mesh};
 
 use crate::corners::{Corners, segments};
 use crate::mesh_name;
-use crate::names::one_line;
+use crate::names::{Names, quoted};
 
 /// The entities of a mesh: a curve for each line, a surface for each group.
 pub(super) struct Entities {
@@ -29,7 +29,8 @@ impl Entities {
     /// O(g) for g lines and groups.
     pub(super) fn of(mesh: &dyn Mesh) -> Self {
         let mut physical_names = Vec::new();
-        let mut physical = Physical { tags: HashMap::new(), names: &mut physical_names };
+        let mut physical =
+            Physical { tags: HashMap::new(), names: &mut physical_names, of: Default::default() };
         let lines = mesh.lines();
         let curve = |line: &mindeg_mesh::Line| Entity {
             physical: physical.tag(1, &line.name),
@@ -56,11 +57,13 @@ impl Entities {
 struct Physical<'a> {
     tags: HashMap<(i32, String), i32>,
     names: &'a mut Vec<(i32, i32, String)>,
+    /// Those of curves, and those of surfaces.
+    of: [Names; 2],
 }
 
 impl Physical<'_> {
     fn tag(&mut self, dimension: i32, name: &str) -> i32 {
-        let name = one_line(name).replace('"', "'");
+        let name = self.of[usize::from(dimension == 2)].of(name, quoted);
         let next = self.names.len() as i32 + 1;
         *self.tags.entry((dimension, name)).or_insert_with_key(|(dimension, name)| {
             self.names.push((*dimension, next, name.clone()));

@@ -9,7 +9,7 @@ use mindeg_mesh::{Group, Material, Triangles};
 
 use crate::GENERATOR;
 use crate::materials::Materials;
-use crate::names::{Names, one_line, without_blanks};
+use crate::names::{Names, word};
 
 /// What faces without a material use where others have one: the format cannot say "none".
 pub(super) const NONE: &str = "none";
@@ -30,7 +30,7 @@ impl NamedMaterials {
         if has_none {
             names.distinct(NONE.to_owned());
         }
-        let name = |name: &str| names.distinct(without_blanks(&one_line(name)));
+        let name = |name: &str| names.distinct(word(name));
         let names = materials.list.iter().map(|material| &*material.name).map(name).collect();
         Self { materials, names, has_none }
     }

@@ -4,7 +4,7 @@ use super::library::NamedMaterials;
 use super::numbers::CornerNames;
 use crate::decimals::Decimals;
 use crate::materials::is_same_object;
-use crate::names::{Names, without_blanks};
+use crate::names::{Names, word};
 use crate::options::in_box;
 use crate::sections::{self, Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
@@ -88,7 +88,7 @@ pub(crate) fn sections<'a>(
     // Only a mesh in a plane has a box to lay an image over.
     let texture = options.texture_coordinates && normal.is_some();
     let mut names = Names::default();
-    let mut object = |name: &str| format!("o {}\n", names.distinct(without_blanks(name)));
+    let mut object = |name: &str| format!("o {}\n", names.distinct(word(name)));
     let surface = object(mesh_name(mesh));
     let materials = NamedMaterials::of(mesh);
     let library = library.filter(|_| !materials.is_empty());

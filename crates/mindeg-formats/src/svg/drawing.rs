@@ -2,9 +2,10 @@
 
 use super::frame::Frame;
 use super::solid;
-use super::style::{LARGEST_DOT, MAX_DOTS, escaped, hex};
+use super::style::{LARGEST_DOT, MAX_DOTS, hex};
 use super::view::View;
 use crate::degree_color;
+use crate::names::xml;
 use glam::{DVec2, DVec3};
 use mindeg_mesh::{Line, Mesh, filled};
 use std::fmt::Write as _;
@@ -270,7 +271,7 @@ impl<'a> Drawing<'a> {
                 0.0 - y,
                 at.x,
                 at.y,
-                escaped(&label),
+                xml(&label),
             );
         }
         text

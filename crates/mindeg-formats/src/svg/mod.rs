@@ -24,8 +24,9 @@ mod view;
 use self::drawing::Drawing;
 use self::frame::Frame;
 pub use self::style::{MAX_DOTS, MAX_VERTICES, STYLE};
-use self::style::{SIDE_MARGIN, WIDTH, escaped, hex};
+use self::style::{SIDE_MARGIN, WIDTH, hex};
 use self::view::View;
+use crate::names::xml;
 use crate::{GENERATOR, WriteError, degree_color, mesh_name};
 use glam::DVec2;
 use mindeg_mesh::{Bounds, Mesh};
@@ -158,7 +159,7 @@ pub fn check_size(vertices: u32) -> Result<(), WriteError> {
 }
 
 fn head(mesh: &dyn Mesh, frame: &Frame) -> String {
-    let name = escaped(mesh_name(mesh));
+    let name = xml(mesh_name(mesh));
     let mut summary = format!(
         "{} vertices · {} triangles · maximum degree {}",
         mesh.vertex_count(),

@@ -43,19 +43,3 @@ pub(super) fn hex(degree: u32) -> String {
     let [red, green, blue] = degree_color::srgb(degree);
     format!("#{red:02x}{green:02x}{blue:02x}")
 }
-
-/// Text as XML can hold it. Names have no control characters; what else XML has no place for
-/// is left out.
-pub(super) fn escaped(text: &str) -> String {
-    let mut escaped = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => escaped.push_str("&amp;"),
-            '<' => escaped.push_str("&lt;"),
-            '>' => escaped.push_str("&gt;"),
-            '\u{fffe}' | '\u{ffff}' => {}
-            c => escaped.push(c),
-        }
-    }
-    escaped
-}

@@ -10,6 +10,7 @@ use glam::DVec2;
 use mindeg::Bounds;
 use mindeg::exact::TradeOff;
 use mindeg_answers::numbers::{count, percent, steady_angle};
+use mindeg_formats::one_line;
 use mindeg_formats::svg::{Inset, STYLE};
 use std::io::{self, Write};
 
@@ -33,9 +34,9 @@ const CAPTION_STYLE: &str =
 
 #[derive(Template)]
 #[template(path = "trade_off.svg")]
-struct Picture<'a> {
+struct Picture {
     version: &'static str,
-    name: &'a str,
+    name: String,
     summary: String,
     style: String,
     size: DVec2,
@@ -135,7 +136,7 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
     };
     let picture = Picture {
         version: env!("CARGO_PKG_VERSION"),
-        name: trade_off.domain().name().unwrap_or("mesh"),
+        name: one_line(trade_off.domain().name().unwrap_or("mesh")),
         summary,
         style: STYLE.to_owned() + &svg::standalone_style(CURVE_STYLE) + CAPTION_STYLE,
         size: DVec2::new(WIDTH, height).round(),
