@@ -168,12 +168,12 @@ fn gates_look_at_the_least_degree_mesh_once_the_report_is_written() {
         let plate = ["compare", "--rectangle", "4x3", "--intervals", "12,9,4,4", "-q", "-o"];
         mindeg(plate.iter().chain(&[text(&report)]).chain(gate))
     };
-    let failed = run(&["--fail-above-degree", "4"]);
+    let failed = run(&["--max-degree", "4"]);
     assert_eq!(failed.code, Some(3), "{failed:?}");
     assert!(failed.errors.contains("has 5 edges"), "{failed:?}");
     assert!(report.exists());
-    assert_eq!(run(&["--fail-above-degree", "5", "--fail-below-angle", "1"]).code, Some(0));
-    assert_eq!(run(&["--fail-below-angle", "30"]).code, Some(3));
+    assert_eq!(run(&["--max-degree", "5", "--target-angle", "1"]).code, Some(0));
+    assert_eq!(run(&["--target-angle", "30"]).code, Some(3));
 }
 
 #[test]

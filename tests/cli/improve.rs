@@ -116,7 +116,7 @@ fn presets_are_gates_for_any_mesh() {
     };
     let (code, message) = gate("fvcom");
     assert_eq!(code, Some(3), "{message}");
-    assert!(message.contains("--preset fvcom: vertex 0 has 9 triangles, above 8"), "{message}");
+    assert!(message.contains("preset fvcom: vertex 0 has 9 triangles, above 8"), "{message}");
     assert_eq!(gate("swan").0, Some(0));
     let (code, message) = gate("qmap");
     assert!(code == Some(3) && message.contains("vertex 0 has 9 edges, above 6"), "{message}");

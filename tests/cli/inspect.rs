@@ -257,19 +257,13 @@ fn fan() -> String {
 #[test]
 fn gates_end_with_code_3_and_name_what_fails() {
     for (gates, words) in [
-        (&["--fail-above-degree", "11", "--fail-below-angle", "17.9"][..], &[][..]),
+        (&["--max-degree", "11", "--target-angle", "17.9"][..], &[][..]),
+        (&["--max-degree", "10"], &["vertex 0 has 11 edges", "more than the maximum degree of 10"]),
         (
-            &["--fail-above-degree", "10"],
-            &["vertex 0 has 11 edges", "--fail-above-degree allows 10"],
+            &["--target-angle", "20"],
+            &["triangle ", "vertices 0, ", "below the target angle of 20°"],
         ),
-        (
-            &["--fail-below-angle", "20"],
-            &["triangle ", "vertices 0, ", "--fail-below-angle asks for 20°"],
-        ),
-        (
-            &["--fail-above-degree", "10", "--fail-below-angle", "20"],
-            &["vertex 0 has", "triangle "],
-        ),
+        (&["--max-degree", "10", "--target-angle", "20"], &["vertex 0 has", "triangle "]),
     ] {
         let run = inspect_obj(&fan(), gates);
         let code = if words.is_empty() { 0 } else { 3 };
@@ -282,8 +276,7 @@ fn gates_end_with_code_3_and_name_what_fails() {
         }
     }
     for angle in ["61", "-1", "nan", "steep"] {
-        inspect_obj(&fan(), &["--fail-below-angle", angle])
-            .refuses(&["--fail-below-angle", "0 to 60"]);
+        inspect_obj(&fan(), &["--target-angle", angle]).refuses(&["--target-angle", "0 to 60"]);
     }
 }
 
@@ -291,7 +284,7 @@ fn gates_end_with_code_3_and_name_what_fails() {
 fn gates_hold_when_nobody_reads_the_report() {
     let (_folder, path) = file("fan.obj", fan());
     let mut child = Command::new(env!("CARGO_BIN_EXE_mindeg"))
-        .args(["inspect", text(&path), "--fail-above-degree", "4"])
+        .args(["inspect", text(&path), "--max-degree", "4"])
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
         .spawn()
@@ -309,19 +302,22 @@ fn a_mesh_that_fails_its_gates_is_not_written() {
             ["mesh", "--rectangle", "4x3", "--intervals", "12,9,4,4", "-o", text(&path)];
         mindeg(arguments.iter().chain(gates))
     };
-    for gates in [&["--fail-above-degree", "4"][..], &["--fail-below-angle", "30"]] {
+    let kept_angle = ["--keep-angle", "95%", "--max-degree", "5"];
+    for (gates, word) in [
+        (&kept_angle[..], "maximum degree of 5"),
+        (&["--target-angle", "30"], "target angle of 30°"),
+    ] {
         let run = mesh(gates);
         assert_eq!(run.code, Some(3), "{run:?}");
-        assert!(run.errors.contains(gates[0]), "{run:?}");
+        assert!(run.errors.contains(word), "{run:?}");
         assert!(!path.exists(), "{gates:?}");
     }
-    let passed = mesh(&["--fail-above-degree", "5", "--fail-below-angle", "1"]);
+    let passed = mesh(&["--max-degree", "5", "--target-angle", "1"]);
     assert_eq!(passed.code, Some(0), "{passed:?}");
     // The same vertex and triangle as the file's.
     let [from_mesh, from_file] = [
-        mesh(&["--fail-above-degree", "4", "--fail-below-angle", "30"]).errors,
-        mindeg(["inspect", text(&path), "--fail-above-degree", "4", "--fail-below-angle", "30"])
-            .errors,
+        mesh(&["--keep-angle", "0%", "--max-degree", "4", "--target-angle", "30"]).errors,
+        mindeg(["inspect", text(&path), "--max-degree", "4", "--target-angle", "30"]).errors,
     ];
     let named = |errors: &str| -> Vec<u32> {
         let numbers = errors.split(|c: char| !c.is_ascii_digit()).filter(|part| !part.is_empty());

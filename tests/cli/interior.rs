@@ -108,16 +108,14 @@ fn options_that_do_not_go_together_are_refused() {
             &["--interior", "--keep-angle", "95%"][..],
             &["--keep-angle is for meshes of boundary points alone", "--target-angle A"][..],
         ),
-        (&["--interior", "--max-degree", "6"], &["--interior-degree A..B", "--boundary-degree D"]),
         (&["--interior", "--optimize", "angle"], &["--optimize", "--prefer angle"]),
         (&["--growth", "0.3"], &["--growth is for meshes with interior points; add --interior"]),
-        (&["--target-angle", "30"], &["--target-angle is for meshes with interior points"]),
         (&["--interior", "--growth", "0"], &["--growth", "give a number above 0"]),
         (&["--interior", "--growth", "-1"], &["--growth", "give a number above 0"]),
         (&["--interior", "--size-inside", "0"], &["--size-inside", "give a length above 0"]),
         (&["--interior", "--interior-degree", "7..9"], &["the range must contain 6"]),
         (&["--interior", "--boundary-degree", "3"], &["a boundary degree of 3 is too low"]),
-        (&["--interior", "--target-angle", "90"], &["give degrees above 0 and below 60"]),
+        (&["--interior", "--target-angle", "90"], &["give degrees from 0 to 60"]),
         (&["--interior", "--no-interior"], &["--no-interior"]),
     ] {
         with(options).refuses(words);

@@ -107,18 +107,18 @@ fn a_summary_says_what_was_meshed_and_written() {
 fn a_failed_gate_names_what_fails_in_the_usual_digits() {
     let panel = domains().into_iter().find(|path| path.ends_with("wing-panel.json"));
     let panel = panel.expect("the domain is there");
-    let gates = ["--fail-above-degree", "3", "--fail-below-angle", "10"];
     let mesh = ["mesh", text(&panel), "-o", "/dev/null", "--format", "obj"];
-    let run = mindeg(mesh.iter().chain(&gates));
+    let run = mindeg(mesh.iter().chain(&["--target-angle", "10"]));
     assert_eq!(run.code, Some(3), "{run:?}");
     let message = &run.errors;
-    assert!(message.starts_with("error: vertex "), "{message}");
-    assert!(message.contains(" has 4 edges; --fail-above-degree allows 3; triangle "), "{message}");
-    assert!(
-        message.contains("has an angle of 0.475°; --fail-below-angle asks for 10°"),
-        "{message}"
-    );
+    assert!(message.starts_with("error: triangle "), "{message}");
+    assert!(message.contains("has an angle of 0.475°, below the target angle of 10°"), "{message}");
     assert!(message.contains("(vertices "), "{message}");
+    // With another goal, the degree is demanded as well.
+    let both = ["--keep-angle", "95%", "--max-degree", "4", "--target-angle", "10"];
+    let message = mindeg(mesh.iter().chain(&both)).errors;
+    assert!(message.contains(" edges, more than the maximum degree of 4; triangle "), "{message}");
+    assert!(message.contains("; --write-anyway writes the mesh all the same"), "{message}");
 }
 
 #[test]

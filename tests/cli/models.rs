@@ -152,7 +152,7 @@ fn presets_are_gates_of_models_too() {
         let options: Vec<&str> = [more, &["--preset", "qmap"]].concat();
         let run = mesh(&model("bracket.json"), &files, &options);
         assert_eq!(run.code, Some(3), "{run:?}");
-        assert!(run.errors.contains("--preset qmap: vertex "), "{}", run.errors);
+        assert!(run.errors.contains("preset qmap: vertex "), "{}", run.errors);
         assert!(run.errors.contains(" edges, above 6"), "{}", run.errors);
         assert!(!files[0].exists());
     }
@@ -254,7 +254,7 @@ fn open_and_bad_models_say_what_is_wrong() {
     assert_eq!(run.json()["closed"], false);
     mesh(&open, &files, &[]).refuses(&["--size S", "--intervals N"]);
     mesh(&open, &files, &["--intervals", "2,3"]).refuses(&["for a model give one"]);
-    let both = ["--size", "1", "--interior", "--max-degree", "6"];
+    let both = ["--size", "1", "--interior", "--keep-angle", "95%"];
     mesh(&open, &files, &both).refuses(&["--interior"]);
     let twice = written("twice.obj", &format!("{square}f 1 2 3 4\nf 4 3 2 1\n"));
     mesh(&twice, &files, &["--size", "1"]).refuses(&["faces 0 and 1 have the same corners"]);

@@ -57,16 +57,16 @@ fn bytes_rate_and_time_show_while_files_are_written() {
 
 #[test]
 fn triangles_rate_and_time_show_while_the_mesh_is_chosen() {
-    // A gate that no mesh passes: nothing is written.
+    // A demand that no mesh meets: nothing is written.
     let command = "RAYON_NUM_THREADS=1 \"$MINDEG\" mesh --rectangle 4x3 -o /dev/null --format obj \
-                   --intervals 30000000,30000000,30000000,30000000 --fail-above-degree 3 2>&1";
+                   --intervals 15000000,15000000,15000000,15000000 --target-angle 60 2>&1";
     let Some(run) = shell(command, true) else { return };
     let shown = run.text();
-    let words = ["choosing the mesh ", "% of 240 million triangles, ", " million/s, ", "s left"];
-    for word in words.into_iter().chain(["measuring the angles ", "% of 120 million triangles"]) {
+    let words = ["choosing the mesh ", "% of 120 million triangles, ", " million/s, ", "s left"];
+    for word in words.into_iter().chain(["measuring the angles ", "% of 60 million triangles"]) {
         assert!(shown.contains(word), "{word:?} is missing in {shown:?}");
     }
-    assert!(shown.contains("--fail-above-degree allows 3"));
+    assert!(shown.contains("below the target angle of 60°"));
 }
 
 #[test]

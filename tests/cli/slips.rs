@@ -91,13 +91,17 @@ const SLIPS: &[(&str, &str)] = &[
         "mesh --rectangle 4x3 --size 1 --max-degree 3 -o x.obj",
         "no mesh of the domain has maximum degree 3; the least is 4",
     ),
+    ("mesh --rectangle 4x3 --size 1 --min-angle 3 -o x.obj", "--min-angle is now --target-angle"),
     (
-        "mesh --rectangle 4x3 --size 1 --min-angle 3 -o x.obj",
-        "--min-angle is now --fail-below-angle",
+        "mesh --rectangle 4x3 --size 1 --fail-below-angle 3 -o x.obj",
+        "--fail-below-angle is now --target-angle",
     ),
+    ("inspect a.obj --fail-above-degree 6", "--fail-above-degree is now --max-degree"),
+    ("verify a.obj a.json --min-angle 6", "--min-angle is now --target-angle"),
+    ("suggest 30,2,4,2 --target 5", "--target is now --max-degree"),
     (
-        "mesh --rectangle 4x3 --size 1 --fail-below-angle 61 -o x.obj",
-        "invalid value '61' for '--fail-below-angle <A>': give degrees from 0 to 60; no triangle \
+        "mesh --rectangle 4x3 --size 1 --target-angle 61 -o x.obj",
+        "invalid value '61' for '--target-angle <A>': give degrees from 0 to 60; no triangle \
          has only larger angles",
     ),
     ("degree 3 3 2 2", "join the counts by commas, without spaces: mindeg degree 3,3,2,2"),
@@ -113,8 +117,8 @@ const SLIPS: &[(&str, &str)] = &[
          intervals for each side, such as 3,3,2,2",
     ),
     (
-        "suggest 30,2,4,2 --target -1",
-        "invalid value '-1' for '--target <D>': give a whole number of 0 or more, such as 5",
+        "suggest 30,2,4,2 --max-degree -1",
+        "invalid value '-1' for '--max-degree <D>': give a whole number of 0 or more, such as 5",
     ),
     (
         "compare --rectangle 4x3 --size 1 -o x.html --time-limit abc",
@@ -125,11 +129,6 @@ const SLIPS: &[(&str, &str)] = &[
     (
         "compare --rectangle 4x3 --size 1 -o reports",
         "-o reports: a report ends in .html, .json or .md; a folder ends in /",
-    ),
-    (
-        "compare --rectangle 4x3 --size 1 -o x.html --max-degree 4",
-        "mindeg compare makes no mesh to limit; --fail-above-degree ends with exit code 3 if a \
-         vertex has more edges",
     ),
     ("convert a.obj b.glb", "give every output with -o: -o b.glb"),
     ("fill a.obj", "where to? name a file, such as -o mesh.obj"),

@@ -27,7 +27,7 @@ fn json_lists_every_lower_degree_with_its_change() {
 #[test]
 fn what_is_suggested_has_the_degree_it_promises() {
     for intervals in ["30,2,4,2", "12,9,4,4", "3,3,3", "1000,3,5,2", "5,5,5,5,5,1,1"] {
-        let answer = mindeg(["suggest", intervals, "--target", "4", "--json"]).json();
+        let answer = mindeg(["suggest", intervals, "--max-degree", "4", "--json"]).json();
         let row = &answer["suggestions"][0];
         let counts = row["intervals"].to_string();
         let counts = counts.trim_matches(['[', ']']);
@@ -41,10 +41,10 @@ fn what_is_suggested_has_the_degree_it_promises() {
 fn text_says_what_to_do() {
     let text = |arguments: &[&str]| mindeg(["suggest"].iter().chain(arguments)).text().to_owned();
     assert_eq!(
-        text(&["12,9,4,4", "--target", "4"]),
+        text(&["12,9,4,4", "--max-degree", "4"]),
         "The least maximum degree is 5.\nFor 4: add 2 to side 2, giving 12,11,4,4.\n"
     );
-    assert!(text(&["3,3,2,2", "--target", "4"]).ends_with("No change is needed.\n"));
+    assert!(text(&["3,3,2,2", "--max-degree", "4"]).ends_with("No change is needed.\n"));
     assert!(text(&["1,1,1"]).ends_with("No change of counts brings it down.\n"));
 }
 
@@ -60,8 +60,8 @@ fn degree_ends_with_a_hint_above_four() {
 
 #[test]
 fn a_target_out_of_reach_is_refused() {
-    mindeg(["suggest", "3,3,2,2", "--target", "2"]).refuses(&["4 sides", "2 or less"]);
-    mindeg(["suggest", "3,3", "--target", "4"]).refuses(&["found 2 sides", "at least 3"]);
+    mindeg(["suggest", "3,3,2,2", "--max-degree", "2"]).refuses(&["4 sides", "2 or less"]);
+    mindeg(["suggest", "3,3", "--max-degree", "4"]).refuses(&["found 2 sides", "at least 3"]);
 }
 
 #[test]

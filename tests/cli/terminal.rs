@@ -114,7 +114,7 @@ fn examples_of_the_help_work() {
             let script = example.replace("mindeg ", "\"$MINDEG\" ");
             let run = crate::run::shell(folder.path(), &script);
             assert!(
-                matches!(run.code, Some(0)) || example.contains("--fail-"),
+                matches!(run.code, Some(0)) || example.contains("--target-angle"),
                 "{example}: {run:?}"
             );
             count += 1;
@@ -134,7 +134,7 @@ fn every_shell_has_completions() {
     ] {
         let run = mindeg(["completions", shell]);
         assert_eq!(run.code, Some(0), "{run:?}");
-        assert!(run.text().contains(word) && run.text().contains("fail-above-degree"), "{shell}");
+        assert!(run.text().contains(word) && run.text().contains("target-angle"), "{shell}");
     }
 }
 

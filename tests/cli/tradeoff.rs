@@ -167,14 +167,25 @@ fn a_gate_is_on_total_degrees() {
     let domain = br#"{"rectangle": {"width": 4, "height": 3}, "size": 1, "sides": [
         {}, {}, {"outside_degree": 3}, {}]}"#;
     let mesh = |cap: &str| {
-        let arguments =
-            ["mesh", "-", "-q", "-o", "-", "--format", "obj", "--fail-above-degree", cap];
+        let arguments = [
+            "mesh",
+            "-",
+            "-q",
+            "-o",
+            "-",
+            "--format",
+            "obj",
+            "--keep-angle",
+            "1%",
+            "--max-degree",
+            cap,
+        ];
         mindeg_reading(arguments, domain)
     };
     assert_eq!(mesh("6").code, Some(0));
     let failed = mesh("5");
     assert_eq!((failed.code, failed.output.len()), (Some(3), 0));
-    assert!(failed.errors.contains("6 edges; --fail-above-degree allows 5"), "{failed:?}");
+    assert!(failed.errors.contains("6 edges, more than the maximum degree of 5"), "{failed:?}");
 }
 
 #[test]

@@ -172,9 +172,15 @@ fn a_defect_is_named_and_ends_with_3() {
 fn named_limits_pass_or_say_what_fails() {
     let plate = Plate::new();
     for (options, message) in [
-        (&["--max-degree", "4", "--min-angle", "11.3", "--keep-angle", "61%", "--optimal"][..], ""),
-        (&["--max-degree", "3"], "vertex 1 has 4 edges; --max-degree allows 3"),
-        (&["--min-angle", "12"], "triangle 3 has an angle of 11.310°; --min-angle asks for 12°"),
+        (
+            &["--max-degree", "4", "--target-angle", "11.3", "--keep-angle", "61%", "--optimal"][..],
+            "",
+        ),
+        (&["--max-degree", "3"], "vertex 1 has 4 edges, more than the maximum degree of 3"),
+        (
+            &["--target-angle", "12"],
+            "triangle 3 (vertices 2, 11, 12) has an angle of 11.310°, below the target angle of 12°",
+        ),
         (
             &["--keep-angle", "70%"],
             "triangle 3 has an angle of 11.310°, 61.4% of the largest possible minimum; --keep-angle \
@@ -184,7 +190,11 @@ fn named_limits_pass_or_say_what_fails() {
     ] {
         let run = plate.verify(&plate.file, options);
         assert_eq!(run.code, Some(if message.is_empty() { 0 } else { 3 }), "{run:?}");
-        let said = if message.is_empty() { String::new() } else { format!("error: {message}\n") };
+        let said = if message.is_empty() {
+            String::new()
+        } else {
+            format!("error: {message} (counted from 0)\n")
+        };
         assert_eq!(run.errors, said);
         assert!(run.text().starts_with(text(&plate.file)), "{run:?}");
     }

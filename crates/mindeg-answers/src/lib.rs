@@ -8,6 +8,8 @@
 //! One language; angles are in degrees.
 
 pub mod advice;
+pub mod demands;
 pub mod inspected;
 pub mod numbers;
+pub mod preset;
 pub mod words;

@@ -4,6 +4,7 @@ mod bridge;
 mod compare;
 mod convert;
 mod degree;
+mod demands;
 mod describe;
 mod domain;
 mod explore;
@@ -45,11 +46,10 @@ const EXIT_CODES: &str = "\
 Exit codes:
   0  success (also when the reader of standard output stops early)
   1  something could not be read or written, or does not fit where it is to go
-  2  bad input: wrong usage, a domain that is no convex polygon, counts out of range, degree
+  2  bad input: wrong usage, a domain that cannot be meshed, counts out of range, degree
      limits that cannot be kept, a broken file
-  3  a mesh fails a gate (--fail-above-degree, --fail-below-angle, --preset), is not what was
-     demanded of it (--target-angle, --interior-degree, --boundary-degree), or does not pass
-     mindeg verify";
+  3  a mesh is not what was demanded of it (--max-degree, --target-angle, --preset,
+     --interior-degree, --boundary-degree), or does not pass mindeg verify";
 
 /// Examples, and the exit codes below them, for `--help`.
 fn with_exit_codes(examples: &str) -> String {

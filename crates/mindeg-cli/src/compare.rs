@@ -11,7 +11,7 @@ use crate::interrupt::clean_up_on_interrupt;
 use crate::output::{Outputs, is_standard_output, write_to};
 use crate::provenance::provenance;
 use crate::terminal::say;
-use comparing::{check_gates, compared};
+use comparing::{check, compared};
 use mindeg_compare::{Comparison, Options, write_html, write_json, write_markdown};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -85,7 +85,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
         say(&comparison.report().verdict);
         say_written(&written);
     }
-    check_gates(&arguments.gates, &comparison)?;
+    check(&arguments.demands.demands(), &comparison)?;
     if all_taken { Ok(()) } else { Err(Failure::ClosedPipe) }
 }
 

@@ -1,43 +1,58 @@
-//! What a user demanded of a mesh with interior points, and whether it was reached.
+//! Ends a run whose mesh is not what was demanded of it.
 
+use crate::bar::Bar;
 use crate::failure::Failure;
-use crate::interior_report::violations;
-use mindeg::Interior;
-use mindeg::interior::Report;
-use mindeg_answers::numbers::steady_angle;
+use mindeg::BoundaryMesh;
+use mindeg_answers::demands::{Demands, WorstPlaces};
+use mindeg_mesh::TriMesh;
 
-/// The aims that were given; what was left out has a default, which is no demand.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Demands {
-    interior_degree: bool,
-    boundary_degree: bool,
-    target_angle: Option<f64>,
+/// Fails if something demanded is unmet.
+pub(crate) fn met(unmet: &[String]) -> Result<(), Failure> {
+    if unmet.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Gate(format!("{} (counted from 0)", unmet.join("; "))))
 }
 
-impl Demands {
-    pub(crate) fn of(wanted: &Interior, has_degree_limits: bool) -> Self {
-        Self {
-            interior_degree: wanted.interior_degree.is_some(),
-            boundary_degree: wanted.boundary_degree.is_some() || has_degree_limits,
-            target_angle: wanted.target_angle,
+/// Fails if the mesh is not to be written for what is unmet; otherwise gives how the run ends once it is
+/// written.
+pub(crate) fn met_or_written_anyway(
+    unmet: &[String],
+    write_anyway: bool,
+) -> Result<Result<(), Failure>, Failure> {
+    match met(unmet) {
+        Err(Failure::Gate(message)) if !write_anyway => {
+            Err(Failure::Gate(format!("{message}; --write-anyway writes the mesh all the same")))
         }
+        end => Ok(end),
     }
+}
 
-    /// What was demanded and not reached, as a failed gate.
-    pub(crate) fn check(&self, report: &Report) -> Result<(), Failure> {
-        let mut lacking = Vec::new();
-        if let Some(target) = self.target_angle.filter(|target| report.min_angle < *target) {
-            lacking.push(format!(
-                "the minimum angle reached is {}, below the {target}° demanded",
-                steady_angle(report.min_angle)
-            ));
-        }
-        let mut demanded = report.clone();
-        demanded.violations.retain(|violation| match violation.is_boundary {
-            true => self.boundary_degree,
-            false => self.interior_degree,
+/// What the mesh of a domain, of which the minimum angle is known, does not keep. Degrees are total. To
+/// name a triangle all are looked at again, and the bar shows it.
+pub(crate) fn unmet_by_boundary_mesh(
+    demands: &Demands,
+    mesh: &BoundaryMesh,
+    min_angle: f64,
+    bar: &Bar,
+) -> Result<Vec<String>, Failure> {
+    let max_degree = mesh.max_total_degree();
+    let worst = || {
+        let is_highest = |&vertex: &u32| mesh.total_degree(vertex) == max_degree;
+        let angles = (0..).zip(mesh.qualities().map(|quality| quality.min_angle));
+        let triangle = bar.waiting("looking for the worst triangle", || {
+            angles.min_by(|(_, a), (_, b)| a.total_cmp(b))
         });
-        lacking.extend(violations(&demanded));
-        if lacking.is_empty() { Ok(()) } else { Err(Failure::Gate(lacking.join("; "))) }
+        WorstPlaces {
+            vertex: (0..mesh.vertex_count()).find(is_highest),
+            triangle: triangle.map(|(index, _)| (index, mesh.triangle(index))),
+        }
+    };
+    let mut unmet = demands.unmet(max_degree, min_angle, worst);
+    if let Some(preset) = demands.preset {
+        let points = mesh.points().map(|point| point.extend(0.0)).collect();
+        let listed = TriMesh::new(points, mesh.triangles().collect());
+        unmet.extend(preset.broken_by(&listed.map_err(|error| Failure::Input(error.to_string()))?));
     }
+    Ok(unmet)
 }

@@ -2,9 +2,9 @@
 
 use crate::args::ImproveArguments;
 use crate::bar::Bar;
-use crate::demands::Demands;
+use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
-use crate::interior_report::{Reached, grading, violations};
+use crate::interior_report::{Reached, grading, unmet_degrees, violations};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::mesh_file;
 use crate::output::Outputs;
@@ -13,6 +13,7 @@ use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::interior::{self, ImprovedMesh};
 use mindeg::{Interior, Progress, Triangles};
+use mindeg_answers::demands::Demands;
 use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::words;
 use mindeg_mesh::TriMesh;
@@ -50,13 +51,14 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     let callback = bar.callback();
     let improved = interior::improve(&mesh, &wanted, Progress::new(&callback))
         .map_err(|error| Failure::Input(format!("{file}: {error}")))?;
-    let unmet = Demands::of(&wanted, false).check(&improved.after);
-    if !arguments.aims.write_anyway
-        && let Err(Failure::Gate(unmet)) = unmet
-    {
-        return Err(Failure::Gate(format!("{unmet}; --write-anyway writes the mesh all the same")));
-    }
-    check_gates(arguments, &improved)?;
+    let demands = Demands {
+        max_degree: arguments.max_degree,
+        target_angle: wanted.target_angle,
+        preset: arguments.preset.preset,
+    };
+    let mut unmet = demands.unmet_by(&improved.mesh, improved.after.min_angle);
+    unmet.extend(unmet_degrees(&improved.after, &wanted, false));
+    let end = met_or_written_anyway(&unmet, arguments.aims.write_anyway)?;
 
     targets.check(&improved.mesh, improved.mesh.triangle_count())?;
     targets.write(&improved.mesh, outputs, &bar)?;
@@ -77,11 +79,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
             files,
         })?;
     }
-    unmet
-}
-
-fn check_gates(arguments: &ImproveArguments, improved: &ImprovedMesh) -> Result<(), Failure> {
-    arguments.gates.check_list(&improved.mesh, improved.after.min_angle)
+    end
 }
 
 fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -> String {

@@ -5,11 +5,12 @@ mod text;
 
 use crate::args::InspectArguments;
 use crate::bar::Bar;
+use crate::demands::met;
 use crate::failure::Failure;
-use crate::gates::NamedTriangle;
 use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::inspection::{Inspection, InspectionOptions};
+use mindeg_answers::demands::WorstPlaces;
 use mindeg_answers::inspected::InspectionReport;
 
 pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
@@ -39,14 +40,12 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     } else {
         print(&text::text(&report, &inspection, &options))
     };
-    // A gate holds whether somebody reads the report or not.
-    let highest_vertex = || inspection.highest_degree.map_or(0, |highest| highest.vertex);
-    let worst_triangle = || {
-        let number = inspection.worst_triangles.first().map_or(0, |worst| worst.triangle);
-        NamedTriangle { number, vertices: mesh.triangles()[number as usize] }
-    };
-    let passed =
-        arguments.gates.check(report.max_degree, report.min_angle, highest_vertex, worst_triangle);
-    let kept = || arguments.gates.preset.map_or(Ok(()), |preset| preset.check(&mesh));
-    passed.and_then(|()| kept()).and(printed)
+    // A demand holds whether somebody reads the report or not.
+    let demands = arguments.demands.demands();
+    let mut unmet = demands.unmet(report.max_degree, report.min_angle, || WorstPlaces {
+        vertex: inspection.highest_degree.map(|highest| highest.vertex),
+        triangle: report.worst_triangles.first().map(|worst| (worst.triangle, worst.vertices)),
+    });
+    unmet.extend(demands.preset.and_then(|preset| preset.broken_by(&mesh)));
+    met(&unmet).and(printed)
 }

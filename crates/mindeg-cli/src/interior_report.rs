@@ -1,5 +1,6 @@
 //! What a mesh with interior points is like, in words and in JSON.
 
+use mindeg::Interior;
 use mindeg::interior::{AngleLimit, Lift, Report, Violation};
 use mindeg_answers::numbers::four_digits;
 use serde::Serialize;
@@ -121,6 +122,21 @@ pub(crate) fn grading(report: &Report) -> String {
         four_digits(report.area_ratio),
         four_digits(report.grading_p99)
     )
+}
+
+/// The degrees that are demanded and not reached, in words: those wanted, and at the boundary those that the
+/// domain limits. A default is no demand.
+pub(crate) fn unmet_degrees(
+    report: &Report,
+    wanted: &Interior,
+    has_degree_limits: bool,
+) -> Option<String> {
+    let mut demanded = report.clone();
+    demanded.violations.retain(|violation| match violation.is_boundary {
+        true => wanted.boundary_degree.is_some() || has_degree_limits,
+        false => wanted.interior_degree.is_some(),
+    });
+    violations(&demanded)
 }
 
 /// The violations with their places, if there are any.

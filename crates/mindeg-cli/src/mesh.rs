@@ -6,6 +6,7 @@ mod model;
 
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
+use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
 use crate::domain::{Content, name, name_in_text, subject};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
@@ -85,7 +86,9 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let Meshed { mesh, least_max_degree, .. } = &meshed;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
-    arguments.gates.check_mesh(mesh, angles.min, &bar)?;
+    let demands = arguments.demands(arguments.interior.aims.target_angle);
+    let unmet = unmet_by_boundary_mesh(&demands, mesh, angles.min, &bar)?;
+    let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
 
     targets.write(mesh, outputs, &bar)?;
     drop(callback);
@@ -115,7 +118,10 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     if !arguments.quiet {
         say(&text(&meshed, goal, &summary));
     }
-    if arguments.json { print_json(&summary) } else { Ok(()) }
+    if arguments.json {
+        print_json(&summary)?;
+    }
+    end
 }
 
 /// The goal; a limit below the least degree is refused at any size.

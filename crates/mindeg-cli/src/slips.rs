@@ -19,7 +19,7 @@ pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<Strin
             ErrorKind::InvalidSubcommand => file_for_command(error),
             ErrorKind::UnknownArgument => {
                 let unknown = text(error, ContextKind::InvalidArg)?;
-                renamed(command, &unknown).or_else(|| one_too_many(command, &unknown))
+                renamed(&unknown).or_else(|| one_too_many(command, &unknown))
             }
             ErrorKind::MissingRequiredArgument => output_missing(command, error),
             _ => None,
@@ -108,18 +108,17 @@ fn is_mesh(word: &str) -> bool {
     Format::of_path(word.as_ref()).is_some_and(|format| Format::READ.contains(&format))
 }
 
-/// Options of an earlier version.
-fn renamed(command: &str, option: &str) -> Option<String> {
-    match (command, option) {
-        ("mesh" | "compare" | "inspect", "--min-angle") => {
-            Some("--min-angle is now --fail-below-angle".to_owned())
-        }
-        ("compare" | "inspect", "--max-degree") => Some(format!(
-            "mindeg {command} makes no mesh to limit; --fail-above-degree ends with exit code 3 if \
-             a vertex has more edges"
-        )),
-        _ => None,
-    }
+/// Options of an earlier version, and their names today.
+const RENAMED: [(&str, &str); 4] = [
+    ("--fail-above-degree", "--max-degree"),
+    ("--fail-below-angle", "--target-angle"),
+    ("--min-angle", "--target-angle"),
+    ("--target", "--max-degree"),
+];
+
+fn renamed(option: &str) -> Option<String> {
+    let (_, new) = RENAMED.iter().find(|(old, _)| *old == option)?;
+    Some(format!("{option} is now {new}"))
 }
 
 /// `mesh plate.json plate.obj`, `mesh a.json b.json`

@@ -46,7 +46,7 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
     let (intervals, domain) = &counts(&arguments.counts, &arguments.file)?;
     let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let today = least_max_degree(&boundary);
-    let rows: Vec<Suggestion> = match arguments.target {
+    let rows: Vec<Suggestion> = match arguments.max_degree {
         None => suggestions(&boundary).collect(),
         Some(target) => vec![suggest(&boundary, target).ok_or_else(|| {
             Failure::Input(format!(

@@ -4,9 +4,9 @@ mod report;
 
 use crate::args::VerifyArguments;
 use crate::bar::Bar;
+use crate::demands::met;
 use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
-use crate::gates::degrees_below;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::mesh::unsolved;
 use crate::mesh_file;
@@ -14,6 +14,7 @@ use crate::standard_output::{print, print_json};
 use mindeg::quality::TriangleQuality;
 use mindeg::verify::{self, Defect, Optimality, Verified};
 use mindeg::{Domain, Interior, Progress, exact, interior};
+use mindeg_answers::demands::WorstPlaces;
 use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_mesh::TriMesh;
 use report::{Angles, Report};
@@ -59,15 +60,11 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     drop(bar);
 
     let mut failed = failed(arguments, &verified, &optimality, &angles);
-    if let Some(preset) = arguments.preset {
-        match preset.check(&unified(&mesh, &verified)) {
-            Err(Failure::Gate(message)) => failed.push(message),
-            other => other?,
-        }
-    }
+    let preset = arguments.demands.preset.preset;
+    failed.extend(preset.and_then(|preset| preset.broken_by(&unified(&mesh, &verified))));
     let report = Report::of(&file, &domain, &verified, &optimality, angles, &failed);
     if arguments.json { print_json(&report) } else { print(&report.text()) }?;
-    if failed.is_empty() { Ok(()) } else { Err(Failure::Gate(failed.join("; "))) }
+    met(&failed)
 }
 
 /// Refuses a domain where the mesh is expected.
@@ -141,18 +138,14 @@ fn failed(
              {point}{more}"
         ));
     }
-    if let Some(limit) = arguments.max_degree.filter(|&limit| verified.max_degree > limit) {
-        let vertex = report::highest_vertex(verified);
-        let degree = verified.max_degree;
-        failed.push(format!("vertex {vertex} has {degree} edges; --max-degree allows {limit}"));
-    }
     let triangle = angles.triangle;
-    if let Some(limit) = arguments.min_angle.filter(|&limit| angles.min < limit) {
-        failed.push(format!(
-            "triangle {triangle} has an angle of {}; --min-angle asks for {limit}°",
-            degrees_below(angles.min, limit)
-        ));
-    }
+    failed.extend(arguments.demands.demands().unmet(verified.max_degree, angles.min, || {
+        let corners = verified.triangles.get(triangle).copied().unwrap_or_default();
+        WorstPlaces {
+            vertex: Some(report::highest_vertex(verified)),
+            triangle: Some((triangle as u32, corners.map(vertex_of))),
+        }
+    }));
     if let Some(share) = arguments.keep_angle {
         match angles.share() {
             Some(found) if found >= share => {}

@@ -1,8 +1,8 @@
 //! `mindeg compare`.
 
+use super::demands::DemandArguments;
 use super::domain::DomainOptions;
 use super::with_exit_codes;
-use crate::gates::Gates;
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -60,7 +60,7 @@ pub(crate) struct CompareArguments {
     pub(crate) quiet: bool,
 
     #[command(flatten)]
-    pub(crate) gates: Gates,
+    pub(crate) demands: DemandArguments,
 }
 
 fn seconds(text: &str) -> Result<Duration, String> {

@@ -42,7 +42,7 @@ pub(crate) struct DegreeArguments {
 const SUGGEST: &str = "\
 Examples:
   mindeg suggest 30,2,4,2
-  mindeg suggest 30,2,4,2 --target 5 --json
+  mindeg suggest 30,2,4,2 --max-degree 5 --json
   mindeg suggest assets/domains/dominated-side.json --limit 5";
 
 /// Suggest the least change of interval counts that brings the least maximum degree down
@@ -63,7 +63,7 @@ pub(crate) struct SuggestArguments {
 
     /// The degree to come down to; without it, every lower degree that a least change leads to
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
-    pub(crate) target: Option<u32>,
+    pub(crate) max_degree: Option<u32>,
 
     /// Print at most this many suggestions: the first, the last, and others spread evenly between;
     /// 0 prints all

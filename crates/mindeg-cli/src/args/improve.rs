@@ -1,9 +1,10 @@
 //! `mindeg improve`.
 
+use super::demands::PresetArgument;
 use super::interior::Aims;
 use super::surface::SurfaceArguments;
+use super::values::whole_number;
 use super::with_exit_codes;
-use crate::gates::Gates;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -30,9 +31,6 @@ pub(crate) struct ImproveArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
-    #[command(flatten)]
-    pub(crate) aims: Aims,
-
     /// Print a summary as JSON: file, vertices, triangles, merged_vertices, kept_edges, before, after,
     /// files
     #[arg(long)]
@@ -43,5 +41,12 @@ pub(crate) struct ImproveArguments {
     pub(crate) quiet: bool,
 
     #[command(flatten)]
-    pub(crate) gates: Gates,
+    pub(crate) aims: Aims,
+
+    /// The most edges at a vertex
+    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
+    pub(crate) max_degree: Option<u32>,
+
+    #[command(flatten)]
+    pub(crate) preset: PresetArgument,
 }

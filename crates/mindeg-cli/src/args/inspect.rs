@@ -1,8 +1,8 @@
 //! `mindeg inspect`.
 
+use super::demands::DemandArguments;
 use super::values::{format_parser, whole_number};
 use super::with_exit_codes;
-use crate::gates::Gates;
 use clap::Args;
 use mindeg_formats::Format;
 use std::path::PathBuf;
@@ -10,7 +10,7 @@ use std::path::PathBuf;
 const EXAMPLES: &str = "\
 Examples:
   mindeg inspect part.obj
-  mindeg inspect part.glb --fail-above-degree 8 --fail-below-angle 5
+  mindeg inspect part.glb --max-degree 8 --target-angle 5
   mindeg inspect part.obj --weld 1e-6
   mindeg inspect - < part.glb --json";
 
@@ -65,7 +65,7 @@ pub(crate) struct InspectArguments {
     pub(crate) quiet: bool,
 
     #[command(flatten)]
-    pub(crate) gates: Gates,
+    pub(crate) demands: DemandArguments,
 }
 
 fn parse_tolerance(text: &str) -> Result<f64, String> {

@@ -1,13 +1,14 @@
 //! `mindeg mesh`.
 
+use super::demands::PresetArgument;
 use super::domain::DomainArguments;
 use super::goal::GoalArguments;
 use super::interior::InteriorArguments;
 use super::surface::SurfaceArguments;
 use super::values::length;
 use super::with_exit_codes;
-use crate::gates::Gates;
 use clap::{Args, ValueEnum};
+use mindeg_answers::demands::Demands;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -25,7 +26,7 @@ Examples:
 /// half a second, the largest minimum angle of all such meshes; elsewhere it is the best of at most 64
 /// candidates, and the summary says so. --keep-angle is what most users want.
 ///
-/// If a gate fails, nothing is written. Each file appears whole or not at all, and what cannot be
+/// A mesh that is not what was demanded is not written. Each file appears whole or not at all, and what cannot be
 /// written is refused before the mesh is looked for. A .gltf and its .bin are two files: if two
 /// runs write the same .gltf at the same time, one's .gltf can end beside the other's .bin. Write
 /// a .glb instead, or let one run end first.
@@ -38,17 +39,6 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
-    #[command(flatten)]
-    pub(crate) goal: GoalArguments,
-
-    /// Make the mesh with the largest minimum angle of all within --max-degree, or of all with
-    /// the least possible maximum degree, also where that is not the default for its cost
-    #[arg(long, value_name = "WHAT", conflicts_with = "keep_angle")]
-    pub(crate) optimize: Option<Optimize>,
-
-    #[command(flatten)]
-    pub(crate) interior: InteriorArguments,
-
     /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,
     /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files
     #[arg(long)]
@@ -59,10 +49,28 @@ pub(crate) struct MeshArguments {
     pub(crate) quiet: bool,
 
     #[command(flatten)]
-    pub(crate) gates: Gates,
+    pub(crate) goal: GoalArguments,
+
+    /// Make the mesh with the largest minimum angle of all within --max-degree, or of all with
+    /// the least possible maximum degree, also where that is not the default for its cost
+    #[arg(long, value_name = "WHAT", conflicts_with = "keep_angle", help_heading = "Goals")]
+    pub(crate) optimize: Option<Optimize>,
+
+    #[command(flatten)]
+    pub(crate) interior: InteriorArguments,
+
+    #[command(flatten)]
+    pub(crate) preset: PresetArgument,
 
     #[command(flatten)]
     pub(crate) model: ModelArguments,
+}
+
+impl MeshArguments {
+    /// What is demanded of a mesh whose points are to have this minimum angle.
+    pub(crate) fn demands(&self, target_angle: Option<f64>) -> Demands {
+        Demands { max_degree: self.goal.max_degree, target_angle, preset: self.preset.preset }
+    }
 }
 
 /// What only whole models take: an OBJ with faces, a glTF, or JSON with "faces".

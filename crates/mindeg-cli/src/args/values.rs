@@ -109,6 +109,13 @@ pub(crate) fn length(text: &str) -> Result<f64, String> {
         .ok_or_else(|| with_decimal_hint(text, "give a length above 0, such as 0.5"))
 }
 
+/// A minimum angle.
+pub(super) fn target_angle(text: &str) -> Result<f64, String> {
+    let number = text.trim().trim_end_matches('°');
+    let angle = number.parse().ok().filter(|angle| (0.0..=60.0).contains(angle));
+    angle.ok_or_else(|| "give degrees from 0 to 60; no triangle has only larger angles".to_owned())
+}
+
 /// One of some formats, by name.
 pub(super) fn format_parser<const N: usize>(
     formats: [Format; N],
@@ -154,6 +161,15 @@ mod tests {
         }
         let error = "3,18446744073709551616,1".parse::<IntervalCounts>().unwrap_err();
         assert_eq!(error, "side 2: the maximum is 4294967294 intervals");
+    }
+
+    #[test]
+    fn target_angles_are_read() {
+        assert_eq!(target_angle("25.5°"), Ok(25.5));
+        assert_eq!([target_angle("0"), target_angle("60")], [Ok(0.0), Ok(60.0)]);
+        for text in ["60.1", "-1", "nan", "inf", "x"] {
+            assert!(target_angle(text).is_err(), "{text}");
+        }
     }
 
     #[test]

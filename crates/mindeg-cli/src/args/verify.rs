@@ -1,9 +1,9 @@
 //! `mindeg verify`.
 
+use super::demands::DemandArguments;
 use super::domain::DomainOptions;
-use super::values::{share, whole_number};
+use super::values::share;
 use super::with_exit_codes;
-use crate::preset::Preset;
 use clap::Args;
 use std::path::PathBuf;
 
@@ -20,7 +20,7 @@ Examples:
 /// are interior points. Names the first defect, or tells the maximum degree, whether a smaller one is
 /// possible (with the proof checked by code that has no part in making meshes), the minimum angle and its share of the largest
 /// possible. The mesh lies in x and y, or in x and z. Ends with exit code 3 if the mesh is no triangulation, or fails
-/// one of the options --max-degree, --min-angle, --keep-angle, --optimal and --preset, or a degree limit of the domain.
+/// one of the options --max-degree, --target-angle, --keep-angle, --optimal and --preset, or a degree limit of the domain.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct VerifyArguments {
@@ -42,14 +42,6 @@ pub(crate) struct VerifyArguments {
     #[arg(long, value_name = "LENGTH", value_parser = tolerance, allow_hyphen_values = true)]
     pub(crate) tolerance: Option<f64>,
 
-    /// Fail if a vertex has more edges than this, edges outside the domain included
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
-    pub(crate) max_degree: Option<u32>,
-
-    /// Fail if a triangle has an angle below this many degrees, up to 60
-    #[arg(long, value_name = "A", value_parser = angle, allow_hyphen_values = true)]
-    pub(crate) min_angle: Option<f64>,
-
     /// Fail if the minimum angle is less than this share of the largest possible, such as 95% or 0.95:
     /// Delaunay's, or with interior points the limit that the boundary sets
     #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true)]
@@ -58,10 +50,6 @@ pub(crate) struct VerifyArguments {
     /// Fail unless it is proven that no mesh of the same boundary points has a smaller maximum degree
     #[arg(long)]
     pub(crate) optimal: bool,
-
-    /// Fail if the mesh breaks a rule of this program
-    #[arg(long, value_name = "PROGRAM")]
-    pub(crate) preset: Option<Preset>,
 
     /// Print JSON: mesh, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_points,
     /// interior_points, unused_vertices, triangles, max_degree, max_degree_vertex, optimal, proof,
@@ -73,6 +61,9 @@ pub(crate) struct VerifyArguments {
     /// Show no progress on standard error
     #[arg(short, long)]
     pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) demands: DemandArguments,
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
@@ -80,11 +71,4 @@ fn tolerance(text: &str) -> Result<f64, String> {
     tolerance
         .filter(|tolerance: &f64| *tolerance >= 0.0 && tolerance.is_finite())
         .ok_or_else(|| "give a length, 0 or more, such as 1e-6".to_owned())
-}
-
-fn angle(text: &str) -> Result<f64, String> {
-    let angle = text.trim().trim_end_matches('°').parse().ok();
-    angle
-        .filter(|angle| (0.0..=60.0).contains(angle))
-        .ok_or_else(|| "give degrees from 0 to 60; no triangle has only larger angles".to_owned())
 }

@@ -1,6 +1,6 @@
 //! Several domains: a page for each in a folder, and an index page.
 
-use super::comparing::{check_gates, compared};
+use super::comparing::{check, compared};
 use super::saved_meshes;
 use crate::args::CompareArguments;
 use crate::domain::{UNNAMED, from_file, from_options};
@@ -46,7 +46,7 @@ pub(super) fn run(
         };
         match job.run(arguments, options, folder, &links) {
             Ok(comparison) => {
-                if let Err(failure) = check_gates(&arguments.gates, &comparison) {
+                if let Err(failure) = check(&arguments.demands.demands(), &comparison) {
                     gated.push(format!("{name}: {}", failure.message().unwrap_or_default()));
                 }
                 entries.push(IndexEntry::compared(name, &page, comparison.report()));

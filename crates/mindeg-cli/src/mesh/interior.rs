@@ -2,10 +2,10 @@
 
 use crate::args::MeshArguments;
 use crate::bar::Bar;
-use crate::demands::Demands;
+use crate::demands::met_or_written_anyway;
 use crate::domain::name;
 use crate::failure::Failure;
-use crate::interior_report::{Limit, Reached, grading, violations};
+use crate::interior_report::{Limit, Reached, grading, unmet_degrees, violations};
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
@@ -13,7 +13,6 @@ use crate::terminal::say;
 use mindeg::interior::{self, AngleLimit, InteriorError, InteriorMesh, Lift};
 use mindeg::{Domain, Interior, Progress, Triangles};
 use mindeg_answers::words;
-use mindeg_mesh::TriMesh;
 use serde::Serialize;
 
 /// What `--json` prints.
@@ -55,11 +54,6 @@ pub(super) fn wanted(
             "--target-angle A asks for a minimum angle",
         ),
         (arguments.optimize.is_some(), "--optimize", "--prefer angle puts the minimum angle first"),
-        (
-            arguments.goal.max_degree.is_some(),
-            "--max-degree",
-            "--interior-degree A..B and --boundary-degree D limit degrees",
-        ),
     ];
     if let Some((_, option, way)) = instead.into_iter().find(|(is_given, ..)| *is_given) {
         let from =
@@ -91,13 +85,9 @@ pub(super) fn run(
     };
     let limit = interior::angle_limit(domain, wanted).map_err(|error| input(&error))?;
     let lift = interior::lift(domain, wanted, &limit);
-    let unmet = Demands::of(wanted, domain.is_constrained()).check(&report);
-    if !arguments.interior.aims.write_anyway
-        && let Err(Failure::Gate(unmet)) = unmet
-    {
-        return Err(Failure::Gate(format!("{unmet}; --write-anyway writes the mesh all the same")));
-    }
-    check_gates(arguments, &mesh, report.min_angle)?;
+    let mut unmet = arguments.demands(wanted.target_angle).unmet_by(&mesh, report.min_angle);
+    unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));
+    let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
 
     targets.check(&mesh, mesh.triangle_count())?;
     targets.write(&mesh, outputs, &bar)?;
@@ -120,12 +110,7 @@ pub(super) fn run(
     if arguments.json {
         print_json(&summary)?;
     }
-    unmet
-}
-
-/// The gates on the whole mesh.
-fn check_gates(arguments: &MeshArguments, mesh: &TriMesh, min_angle: f64) -> Result<(), Failure> {
-    arguments.gates.check_list(mesh, min_angle)
+    end
 }
 
 /// Why there is no mesh, in the words of the domain.

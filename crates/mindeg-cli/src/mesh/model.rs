@@ -6,6 +6,7 @@ pub(super) use source::is_model;
 
 use crate::args::MeshArguments;
 use crate::bar::Bar;
+use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
 use crate::input;
 use crate::interrupt::clean_up_on_interrupt;
@@ -116,7 +117,7 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     let meshed = meshed.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     drop(callback);
     let mesh = &meshed.mesh;
-    arguments.gates.check_list(mesh, meshed.min_angle)?;
+    let end = judged(arguments, mesh, meshed.min_angle)?;
     targets.check(mesh, mesh.triangle_count())?;
     targets.write(mesh, outputs, &bar)?;
     drop(bar);
@@ -150,7 +151,21 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
     if !arguments.quiet {
         say(&text(&model, &meshed, &summary));
     }
-    if arguments.json { print_json(&summary) } else { Ok(()) }
+    if arguments.json {
+        print_json(&summary)?;
+    }
+    end
+}
+
+/// How the run ends once the mesh is written, if it is to be.
+fn judged(
+    arguments: &MeshArguments,
+    mesh: &TriMesh,
+    min_angle: f64,
+) -> Result<Result<(), Failure>, Failure> {
+    let aims = &arguments.interior.aims;
+    let unmet = arguments.demands(aims.target_angle).unmet_by(mesh, min_angle);
+    met_or_written_anyway(&unmet, aims.write_anyway)
 }
 
 /// Fills the faces with interior points.
@@ -161,10 +176,9 @@ fn fill(
     mut targets: Targets<'_>,
     bar: Bar,
 ) -> Result<(), Failure> {
-    let goal = &arguments.goal;
-    if goal.keep_angle.is_some() || goal.max_degree.is_some() {
-        let message = "--keep-angle and --max-degree are for meshes of boundary points alone; \
-                       leave them out, or --interior";
+    if arguments.goal.keep_angle.is_some() {
+        let message =
+            "--keep-angle is for meshes of boundary points alone; leave it out, or --interior";
         return Err(Failure::Input(message.to_owned()));
     }
     let mut outputs = Outputs::default();
@@ -175,7 +189,7 @@ fn fill(
     let filled = filled.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     drop(callback);
     let mesh = &filled.mesh;
-    arguments.gates.check_list(mesh, filled.min_angle)?;
+    let end = judged(arguments, mesh, filled.min_angle)?;
     targets.check(mesh, mesh.triangle_count())?;
     targets.write(mesh, outputs, &bar)?;
     drop(bar);
@@ -212,7 +226,10 @@ fn fill(
         lines.extend(written(&summary.files));
         say(&lines.join("\n"));
     }
-    if arguments.json { print_json(&summary) } else { Ok(()) }
+    if arguments.json {
+        print_json(&summary)?;
+    }
+    end
 }
 
 /// The line on the files that were written.

@@ -1,32 +1,17 @@
-//! What programs demand of a mesh, as gates.
+//! The rules that programs have for a mesh.
 
-use crate::failure::Failure;
-use clap::ValueEnum;
+use crate::numbers::{four_digits, steady_angle};
 use mindeg::inspection::weld;
-use mindeg_answers::numbers::{four_digits, steady_angle};
 use mindeg_mesh::TriMesh;
 use std::ops::RangeInclusive;
 
-/// A program and what it demands.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Preset {
-    /// SWAN (waves): 4 to 10 triangles at each interior vertex; its limit on large angles is not checked.
-    /// Source: SWAN's technical manual,
-    /// swanmodel.sourceforge.io, node88.html
-    Swan,
-    /// FVCOM (ocean): at most 8 triangles at each vertex, which its array NBVE(M,9) holds.
-    /// Source: the declaration in FVCOM's code
-    Fvcom,
-    /// SMS (surface water): angles from 10° to 150°, areas of neighbours within a factor of 2.
-    /// Source: xmswiki.com/wiki/SMS:Mesh_Quality
-    Sms,
-    /// Quake patches from Blender: at most 6 edges at each vertex.
-    /// Source: github.com/c-d-a/io_export_qmap/issues/19
-    Qmap,
-}
-
-/// Limits; what is not limited has none.
-struct Demands {
+/// The rules of a program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PresetRules {
+    /// The name of the preset.
+    pub name: &'static str,
+    /// The program, its rules and their source.
+    pub description: &'static str,
     interior_triangles: Option<RangeInclusive<u32>>,
     most_triangles: Option<u32>,
     most_edges: Option<u32>,
@@ -34,7 +19,12 @@ struct Demands {
     area_ratio: Option<f64>,
 }
 
-const NOTHING: Demands = Demands {
+/// A program whose rules a mesh is to keep.
+pub type Preset = &'static PresetRules;
+
+const NOTHING: PresetRules = PresetRules {
+    name: "",
+    description: "",
     interior_triangles: None,
     most_triangles: None,
     most_edges: None,
@@ -42,41 +32,51 @@ const NOTHING: Demands = Demands {
     area_ratio: None,
 };
 
-impl Preset {
-    fn name(self) -> &'static str {
-        match self {
-            Self::Swan => "swan",
-            Self::Fvcom => "fvcom",
-            Self::Sms => "sms",
-            Self::Qmap => "qmap",
-        }
-    }
+/// All presets.
+pub static PRESETS: [PresetRules; 4] = [
+    PresetRules {
+        name: "swan",
+        description: "SWAN (waves): 4 to 10 triangles at each interior vertex; its limit on large angles is \
+                      not checked. Source: SWAN's technical manual, swanmodel.sourceforge.io, node88.html",
+        interior_triangles: Some(4..=10),
+        ..NOTHING
+    },
+    PresetRules {
+        name: "fvcom",
+        description: "FVCOM (ocean): at most 8 triangles at each vertex, which its array NBVE(M,9) holds. \
+                      Source: the declaration in FVCOM's code",
+        most_triangles: Some(8),
+        ..NOTHING
+    },
+    PresetRules {
+        name: "sms",
+        description: "SMS (surface water): angles from 10° to 150°, areas of neighbours within a factor of \
+                      2. Source: xmswiki.com/wiki/SMS:Mesh_Quality",
+        angles: Some(10.0..=150.0),
+        area_ratio: Some(2.0),
+        ..NOTHING
+    },
+    PresetRules {
+        name: "qmap",
+        description: "Quake patches from Blender: at most 6 edges at each vertex. Source: \
+                      github.com/c-d-a/io_export_qmap/issues/19",
+        most_edges: Some(6),
+        ..NOTHING
+    },
+];
 
-    fn demands(self) -> Demands {
-        match self {
-            Self::Swan => Demands { interior_triangles: Some(4..=10), ..NOTHING },
-            Self::Fvcom => Demands { most_triangles: Some(8), ..NOTHING },
-            Self::Sms => Demands { angles: Some(10.0..=150.0), area_ratio: Some(2.0), ..NOTHING },
-            Self::Qmap => Demands { most_edges: Some(6), ..NOTHING },
-        }
-    }
-
-    /// Passes a mesh, or fails and names the first place that breaks each demand. Vertices with
-    /// equal coordinates count as one.
-    pub(crate) fn check(self, mesh: &TriMesh) -> Result<(), Failure> {
+impl PresetRules {
+    /// The first place that breaks each rule, in words; `None` if the mesh keeps all. Vertices with equal
+    /// coordinates count as one.
+    #[must_use]
+    pub fn broken_by(&self, mesh: &TriMesh) -> Option<String> {
         let names = weld(mesh.positions(), 0.0);
         let triangles: Vec<[u32; 3]> =
             mesh.triangles().iter().map(|t| t.map(|v| names[v as usize])).collect();
-        let broken = self.demands().broken(mesh, &triangles);
-        if broken.is_empty() {
-            return Ok(());
-        }
-        let name = self.name();
-        Err(Failure::Gate(format!("--preset {name}: {} (counted from 0)", broken.join("; "))))
+        let broken = self.broken(mesh, &triangles);
+        (!broken.is_empty()).then(|| format!("preset {}: {}", self.name, broken.join("; ")))
     }
-}
 
-impl Demands {
     fn broken(&self, mesh: &TriMesh, triangles: &[[u32; 3]]) -> Vec<String> {
         let vertices = Vertices::new(mesh.positions().len(), triangles);
         let mut broken = Vec::new();
@@ -207,41 +207,28 @@ mod tests {
         TriMesh::new(points, triangles).unwrap()
     }
 
+    fn preset(name: &str) -> Preset {
+        PRESETS.iter().find(|preset| preset.name == name).unwrap()
+    }
+
     #[test]
     fn presets_name_what_breaks_them() {
-        for (preset, corners, message) in [
-            (
-                Preset::Swan,
-                3,
-                "--preset swan: vertex 0 has 3 triangles, outside 4 to 10 (counted from 0)",
-            ),
-            (Preset::Swan, 4, ""),
-            (Preset::Swan, 10, ""),
-            (
-                Preset::Swan,
-                11,
-                "--preset swan: vertex 0 has 11 triangles, outside 4 to 10 (counted from 0)",
-            ),
-            (Preset::Fvcom, 8, ""),
-            (
-                Preset::Fvcom,
-                9,
-                "--preset fvcom: vertex 0 has 9 triangles, above 8 (counted from 0)",
-            ),
-            (Preset::Qmap, 6, ""),
-            (Preset::Qmap, 7, "--preset qmap: vertex 0 has 7 edges, above 6 (counted from 0)"),
-            (Preset::Sms, 6, ""),
-            (
-                Preset::Sms,
-                60,
-                "--preset sms: triangle 59 has angles from 6.00° to 87.0°, outside 10° to 150° (counted from 0)",
-            ),
+        for (name, corners, broken) in [
+            ("swan", 3, "vertex 0 has 3 triangles, outside 4 to 10"),
+            ("swan", 4, ""),
+            ("swan", 10, ""),
+            ("swan", 11, "vertex 0 has 11 triangles, outside 4 to 10"),
+            ("fvcom", 8, ""),
+            ("fvcom", 9, "vertex 0 has 9 triangles, above 8"),
+            ("qmap", 6, ""),
+            ("qmap", 7, "vertex 0 has 7 edges, above 6"),
+            ("sms", 6, ""),
+            ("sms", 60, "triangle "),
         ] {
-            let found = preset.check(&wheel(corners));
-            let found =
-                found.err().and_then(|f| f.message().map(str::to_owned)).unwrap_or_default();
-            let same =
-                found == message || corners == 60 && found.starts_with("--preset sms: triangle ");
+            let found = preset(name).broken_by(&wheel(corners)).unwrap_or_default();
+            let expected =
+                if broken.is_empty() { String::new() } else { format!("preset {name}: {broken}") };
+            let same = found == expected || corners == 60 && found.starts_with(&expected);
             assert!(same, "{found}");
         }
     }
@@ -252,12 +239,7 @@ mod tests {
             [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 3.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let mesh = TriMesh::new(points.to_vec(), vec![[0, 1, 2], [2, 1, 3]]).unwrap();
         assert_eq!(area_ratio(&mesh, mesh.triangles()), Some((3.0, [0, 1])));
-        let refusal = Preset::Sms.check(&mesh).unwrap_err();
-        assert!(
-            refusal
-                .message()
-                .unwrap_or_default()
-                .contains("triangles 0 and 1 differ in area by a factor of 3")
-        );
+        let broken = preset("sms").broken_by(&mesh).unwrap();
+        assert!(broken.contains("triangles 0 and 1 differ in area by a factor of 3"), "{broken}");
     }
 }
