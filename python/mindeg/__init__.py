@@ -11,17 +11,8 @@ what you give are ``ValueError`` with what to do.
 """
 
 from ._domain import Domain, polygon, rectangle
-from ._mindeg import (
-    Degree,
-    Mesh,
-    Suggestion,
-    TradeOffPoint,
-    bridge_loops,
-    fill_loop,
-    improve,
-    inspect,
-    read,
-)
+from ._interior import improve
+from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, __version__, bridge_loops, fill_loop, inspect, read
 
 __all__ = [
     "Degree",
@@ -29,6 +20,7 @@ __all__ = [
     "Mesh",
     "Suggestion",
     "TradeOffPoint",
+    "__version__",
     "bridge_loops",
     "fill_loop",
     "improve",

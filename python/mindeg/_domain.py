@@ -1,13 +1,20 @@
 """Domains from what Python users have: numbers, arrays, dicts, JSON, files, shapely's polygons."""
 
 import json
+import math
 import os
 import warnings
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _mindeg
+from ._interior import InteriorOptions, names_its_options
+
+if TYPE_CHECKING:
+    from typing_extensions import Self, Unpack
 
 
 class Domain(_mindeg._Domain):
@@ -19,27 +26,43 @@ class Domain(_mindeg._Domain):
     - a path to a file: JSON, or Gmsh's MSH with lines, Triangle's .poly, SVG, DXF, GeoJSON, WKT, OBJ lines
       or a CSV of points, as ``docs/outlines.md`` describes them;
     - an (n, 2) array, which is one ring of points, or a list of such rings: the outer one, then holes;
-    - anything with ``__geo_interface__`` that is a polygon, such as one of shapely's.
+    - anything with ``__geo_interface__`` that has polygons, such as what shapely and geopandas give.
 
-    Points of arrays and polygons are the boundary points and come back bit for bit; so do those of a file,
-    unless ``size`` gives the length of the intervals instead. A side ends where its file begins another or
-    where the boundary turns by more than ``corner_angle`` degrees. ``feature`` is the name or the number,
-    from 1, of one polygon of several; ``repair`` parts rings that touch themselves.
+    Points of arrays, polygons and files are the boundary points and come back bit for bit, unless ``size``
+    gives the length of the intervals instead. A side ends where its file begins another or where the
+    boundary turns by more than ``corner_angle`` degrees, 30 by default; without these options, a ring of an
+    array or a polygon is one side. ``feature`` is the name or the number, from 1, of one polygon of several;
+    ``repair`` parts rings that touch themselves.
     """
 
-    def __new__(cls, source, *, name=None, **options):
-        text = _json_of(source, options)
+    def __new__(
+        cls,
+        source: "str | os.PathLike[str] | Mapping[str, Any] | npt.ArrayLike | Any",
+        *,
+        name: str | None = None,
+        size: float | None = None,
+        corner_angle: float | None = None,
+        feature: str | int | None = None,
+        repair: bool = False,
+    ) -> "Self":
+        options = {"size": size, "corner_angle": corner_angle, "feature": feature, "repair": repair}
+        text = _json_of(source, {key: given for key, given in options.items() if given not in (None, False)})
         if name is not None:
             text = json.dumps({**json.loads(text), "name": name})
         return super().__new__(cls, text)
 
-    def __init__(self, source, *, name=None, **options):
-        pass
-
     def __reduce__(self):
         return Domain, (self.to_json(),)
 
-    def compare(self):
+    @names_its_options
+    def interior(self, **options: "Unpack[InteriorOptions]") -> _mindeg.Mesh:
+        """A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum angle gets near
+        its proven limit. ``sizes`` are rows x, y, size; ``fixed_points`` rows x, y; ``mesh.report`` has what was
+        reached. ``docs/interior.md`` explains the options.
+        """
+        return self._interior(options)
+
+    def compare(self) -> dict[str, Any]:
         """Delaunay, ear clipping and a fan beside mindeg: a dict, as ``mindeg compare`` writes it."""
         return json.loads(self._compare())
 
@@ -47,25 +70,41 @@ class Domain(_mindeg._Domain):
         return self.mesh()._repr_svg_()
 
 
-def rectangle(width, height, *, intervals=None, size=None, names=None, name=None):
+def rectangle(
+    width: float,
+    height: float,
+    *,
+    intervals: int | Sequence[int] | np.ndarray | None = None,
+    size: float | None = None,
+    names: Sequence[str | None] | None = None,
+    name: str | None = None,
+) -> Domain:
     """An upright rectangle with a corner at the origin; its sides are bottom, right, top, left.
 
     ``intervals`` is one number for all sides or one for each; ``size`` is the length to aim at instead.
     """
-    outline = {"rectangle": {"width": _number(width), "height": _number(height)}}
+    outline = {"rectangle": {"width": _number(width, "width"), "height": _number(height, "height")}}
     return _with_sides(outline, 4, intervals, size, names, name)
 
 
-def polygon(corners, *, holes=(), intervals=None, size=None, names=None, name=None):
+def polygon(
+    corners: "npt.ArrayLike",
+    *,
+    holes: "Sequence[npt.ArrayLike]" = (),
+    intervals: int | Sequence[int] | np.ndarray | None = None,
+    size: float | None = None,
+    names: Sequence[str | None] | None = None,
+    name: str | None = None,
+) -> Domain:
     """A polygon with these corners, convex or not; ``holes`` are lists of corners.
 
     ``intervals`` is one number for all sides or one for each side of the outer ring; ``size`` is the length
     to aim at instead. With ``holes``, give one number or a size.
     """
-    outline = {"polygon": {"corners": _rows(corners)}}
+    outline: dict[str, Any] = {"polygon": {"corners": _ring(corners, "corners")}}
     if len(holes):
-        outline["holes"] = [{"corners": _rows(hole)} for hole in holes]
-    return _with_sides(outline, len(corners), intervals, size, names, name)
+        outline["holes"] = [{"corners": _ring(hole, f"holes[{place}]")} for place, hole in enumerate(holes)]
+    return _with_sides(outline, len(outline["polygon"]["corners"]), intervals, size, names, name)
 
 
 def _with_sides(outline, count, intervals, size, names, name):
@@ -75,16 +114,16 @@ def _with_sides(outline, count, intervals, size, names, name):
         raise ValueError("give either intervals or size")
     sides = [{} for _ in range(count)]
     if size is not None:
-        outline["size"] = _number(size)
+        outline["size"] = _number(size, "size")
+    elif np.ndim(intervals) == 0:
+        intervals = _count(intervals, "intervals")
+        for hole in outline.get("holes", []):
+            hole["sides"] = [{"intervals": intervals} for _ in hole["corners"]]
+        sides = [{"intervals": intervals} for _ in range(count)]
     else:
-        if np.ndim(intervals) == 0:
-            for hole in outline.get("holes", []):
-                hole["sides"] = [{"intervals": int(intervals)} for _ in hole["corners"]]
-            intervals = [intervals] * count
         if len(intervals) != count:
             raise ValueError(f"found {len(intervals)} intervals for {count} sides; give one for each")
-        for side, of_side in zip(sides, intervals):
-            side["intervals"] = int(of_side)
+        sides = [{"intervals": _count(of_side, f"intervals[{side}]")} for side, of_side in enumerate(intervals)]
     if names is not None:
         if len(names) != count:
             raise ValueError(f"found {len(names)} names for {count} sides; give one for each")
@@ -97,33 +136,44 @@ def _with_sides(outline, count, intervals, size, names, name):
 
 
 def _json_of(source, options):
+    """The domain in JSON: the one form that the library reads, and that is pickled."""
     if isinstance(source, os.PathLike) or isinstance(source, str) and source.lstrip()[:1] != "{":
-        return _file(source, **options)
+        return _outline(source, None, **options)
+    is_mapping = isinstance(source, Mapping)
+    if isinstance(source, (str, _mindeg._Domain)) or is_mapping and "type" not in source:
+        if options:
+            keys = " and ".join(options)
+            raise ValueError(f"{keys} is for points, polygons and files; a domain in JSON has its own keys for that")
+        if is_mapping:
+            return json.dumps(_plain(source, ""))
+        return source if isinstance(source, str) else source.to_json()
+    geometry = source if is_mapping else getattr(source, "__geo_interface__", None)
+    if geometry is None:
+        rings = _rings_of_arrays(source)
+    elif geometry.get("type") == "Polygon":
+        rings = {f"coordinates[{index}]": [point[:2] for point in ring] for index, ring in enumerate(geometry["coordinates"])}
+    else:
+        return _outline(None, json.dumps(geometry, default=_plain), **options)
+    if not rings:
+        raise ValueError("the polygon is empty; give at least three points")
+    outer, *holes = [_ring(ring, key) for key, ring in rings.items()]
     if options:
-        raise ValueError(f"{', '.join(options)}: for a path to a file only")
-    if isinstance(source, _mindeg._Domain):
-        return source.to_json()
-    if isinstance(source, str):
-        return source
-    if isinstance(source, Mapping) and "type" not in source:
-        return json.dumps(source, default=_plain)
-    geometry = source if isinstance(source, Mapping) else getattr(source, "__geo_interface__", None)
-    if geometry is not None:
-        return _rings_json(_rings_of(geometry))
-    return _rings_json(_rings_of_arrays(source))
+        return _outline(None, json.dumps({"type": "Polygon", "coordinates": [outer, *holes]}), **options)
+    return json.dumps({"ring": outer, **({"holes": [{"ring": hole} for hole in holes]} if holes else {})})
 
 
-def _file(path, *, size=None, corner_angle=30.0, feature=None, repair=False):
+def _outline(path, text, *, corner_angle=30.0, feature=None, **options):
+    """The domain in a file, or in GeoJSON, as the readers of outlines make it."""
     feature = None if feature is None else str(feature)
-    text, notes = _mindeg._domain_of_file(path, size, corner_angle, feature, repair)
+    domain, notes = _mindeg._domain_of_outline(path, text, corner_angle=corner_angle, feature=feature, **options)
     for note in notes:
         warnings.warn(note, stacklevel=4)
-    return text
+    return domain
 
 
 def _rings_of_arrays(source):
-    """One ring of points, or a list of rings."""
-    if hasattr(source, "__array__"):
+    """One ring of points, or a list of rings, each with its key."""
+    if hasattr(source, "__array__") and not isinstance(source, np.ndarray):
         source = np.asarray(source)
     try:
         is_ring = np.ndim(source[0]) == 1 and np.ndim(source[0][0]) == 0
@@ -132,49 +182,47 @@ def _rings_of_arrays(source):
     except TypeError:
         kind = type(source).__name__
         raise TypeError(f"{kind} is no domain; give a dict, a path, points or a polygon") from None
-    return [source] if is_ring else source
+    return {"points": source} if is_ring else {f"rings[{index}]": ring for index, ring in enumerate(source)}
 
 
-def _rings_of(geometry):
-    kind = geometry.get("type")
-    if kind == "Feature":
-        return _rings_of(geometry["geometry"])
-    if kind != "Polygon":
-        raise ValueError(f"the geometry is a {kind}; give a Polygon, one domain each")
-    return [_opened(ring) for ring in geometry["coordinates"]]
+def _ring(points, key):
+    """Points of a ring in the plane, without the last one where it repeats the first, as it does in files."""
+    rows = _mindeg._rows_of_two(points, key)
+    return rows[:-1] if len(rows) > 1 and rows[0] == rows[-1] else rows
 
 
-def _opened(ring):
-    """A ring without the last point where that repeats the first, and in the plane."""
-    ring = [point[:2] for point in ring]
-    return ring[:-1] if len(ring) > 1 and tuple(ring[0]) == tuple(ring[-1]) else ring
+def _native(value):
+    """A number of numpy's as Python's own."""
+    if isinstance(value, (np.ndarray, np.generic)) and np.ndim(value) == 0 and value is not np.ma.masked:
+        return float(value) if isinstance(value.item(), np.generic) else value.item()
+    return value
 
 
-def _rings_json(rings):
-    outer, *holes = [_rows(ring) for ring in rings]
-    domain = {"ring": outer}
-    if holes:
-        domain["holes"] = [{"ring": hole} for hole in holes]
-    return json.dumps(domain)
+def _number(value, key):
+    value = _native(value)
+    if isinstance(value, int) and not isinstance(value, bool) or isinstance(value, float) and math.isfinite(value):
+        return value
+    raise ValueError(f"{key} is {value!r}; give a finite number")
 
 
-def _rows(points):
-    """Rows of two numbers; a float stays the float it is."""
-    rows = np.asarray(points)
-    if rows.dtype.kind not in "iuf":
-        raise ValueError(f"found points of the type {rows.dtype}; give real numbers")
-    rows = rows.astype(float)
-    if rows.ndim != 2 or rows.shape[1] != 2:
-        raise ValueError(f"found points of shape {rows.shape}; give (n, 2)")
-    return rows.tolist()
+def _count(value, key):
+    value = _native(value)
+    if isinstance(value, (int, float)) and not isinstance(value, bool) and value % 1 == 0:
+        return int(value)
+    raise ValueError(f"{key} is {value!r}; give a whole number")
 
 
-def _number(value):
-    return value if isinstance(value, int) else float(value)
-
-
-def _plain(value):
-    """Numpy's numbers and arrays in a dict."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    raise TypeError(f"{type(value).__name__} in a domain; give numbers, texts, lists and dicts")
+def _plain(value, key="value"):
+    """What a dict holds as JSON has it. Numbers that JSON has not are refused by their key."""
+    value = _native(value)
+    if isinstance(value, Mapping):
+        return {name: _plain(inner, f"{key}.{name}".lstrip(".")) for name, inner in value.items()}
+    if isinstance(value, np.ndarray) and np.ma.is_masked(value):
+        raise ValueError(f"{key} has masked values; give finite numbers")
+    if isinstance(value, (list, tuple, np.ndarray)):
+        return [_plain(inner, f"{key}[{index}]") for index, inner in enumerate(value)]
+    if value is None or isinstance(value, (str, bool)):
+        return value
+    if isinstance(value, (int, float)):
+        return _number(value, key)
+    raise TypeError(f"{key} is of the type {type(value).__name__}; a domain holds numbers, texts, lists and dicts")

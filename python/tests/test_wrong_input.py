@@ -157,7 +157,7 @@ def test_triangles_of_any_integer_type_and_layout(dtype):
     [
         (SQUARE[:, :1], HALVES, "points has 1 columns; give (n, 2) or (n, 3) real numbers"),
         (SQUARE * 1j, HALVES, "points has the type complex128; give"),
-        (SQUARE * np.nan, HALVES, "point 0 is not finite; give finite numbers"),
+        (SQUARE * np.nan, HALVES, "points[0] is not finite; give finite numbers"),
         (SQUARE[0], HALVES, "points has another number of axes than 2"),
         (SQUARE, HALVES[:, :2], "triangles has 2 columns; give (m, 3) indices from 0"),
         (SQUARE, HALVES * 0.5, "triangles has the type float64"),
@@ -174,9 +174,7 @@ def test_the_words_say_what_was_found_and_what_to_give(points, triangles, messag
         assert message in str(raised.value)
 
 
-def test_options_for_files_are_refused_elsewhere(tmp_path):
-    with pytest.raises(ValueError, match="size: for a path to a file only"):
-        mindeg.Domain(SQUARE, size=1)
+def test_options_for_outlines_are_checked(tmp_path):
     path = tmp_path / "square.wkt"
     path.write_text("POLYGON((0 0, 4 0, 4 3, 0 3), (1 1, 1 2, 2 2, 2 1))")
     assert len(mindeg.Domain(path, size=0.5).points) == 28 + 8

@@ -1,28 +1,31 @@
 //! Arrays to numpy without copying; points and triangles from whatever numpy makes an array of.
 
+use std::ops::RangeInclusive;
+
 use mindeg::TriMesh;
 use mindeg::glam::DVec3;
-use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
+use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::{PyList, PyTuple};
 
+use crate::mesh::Mesh;
 use crate::work::value_error;
 
-/// An array of n rows of three, in the memory of a flat list.
-pub(crate) fn rows_of_three<'py, T: numpy::Element>(
-    py: Python<'py>,
-    flat: Vec<T>,
-) -> PyResult<Bound<'py, PyArray2<T>>> {
-    let rows = flat.len() / 3;
-    PyArray1::from_vec(py, flat).reshape([rows, 3])
+/// The rows of a flat list as an array in its memory that nobody can write to: what is worked out from a
+/// mesh or domain goes on from its own points, not from the array.
+pub(crate) fn rows<const N: usize, T: Element>(
+    py: Python<'_>,
+    rows: Vec<[T; N]>,
+) -> PyResult<Bound<'_, PyArray2<T>>> {
+    let count = rows.len();
+    read_only(PyArray1::from_vec(py, rows.into_flattened())).reshape([count, N])
 }
 
-/// Triangles as the rows of an array of uint32.
-pub(crate) fn triangles<'py>(
-    py: Python<'py>,
-    triangles: Vec<[u32; 3]>,
-) -> PyResult<Bound<'py, PyArray2<u32>>> {
-    rows_of_three(py, triangles.into_flattened())
+/// The same array, to read alone.
+pub(crate) fn read_only<T: Element>(array: Bound<'_, PyArray1<T>>) -> Bound<'_, PyArray1<T>> {
+    let _ = array.readwrite().make_nonwriteable();
+    array
 }
 
 /// Points as rows of two where all have z = 0, else of three.
@@ -31,45 +34,66 @@ pub(crate) fn points<'py>(
     points: &[DVec3],
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
     if points.iter().all(|point| point.z == 0.0) {
-        let flat: Vec<f64> = points.iter().flat_map(|point| [point.x, point.y]).collect();
-        return PyArray1::from_vec(py, flat).reshape([points.len(), 2]);
+        return rows(py, points.iter().map(|point| [point.x, point.y]).collect());
     }
-    rows_of_three(py, points.iter().flat_map(|point| point.to_array()).collect())
+    rows(py, points.iter().map(DVec3::to_array).collect())
 }
 
-/// Points and triangles as a mesh.
+/// A mesh in hand, or points and triangles, as a list.
 pub(crate) fn tri_mesh(
     points: &Bound<'_, PyAny>,
-    triangles: &Bound<'_, PyAny>,
+    triangles: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<TriMesh> {
-    TriMesh::new(positions(points)?, index_rows(triangles)?).map_err(value_error)
+    match (points.cast::<Mesh>(), triangles) {
+        (Ok(mesh), None) => mesh.get().list(),
+        (Err(_), Some(triangles)) => {
+            let points = positions(points, "points", 2..=3)?;
+            TriMesh::new(points, index_rows(triangles)?).map_err(value_error)
+        }
+        _ => Err(PyValueError::new_err("give a mesh, or points and triangles")),
+    }
 }
 
-/// The rows of an (n, 2) or (n, 3) array of real numbers as finite points, z = 0 where there is none.
-pub(crate) fn positions(points: &Bound<'_, PyAny>) -> PyResult<Vec<DVec3>> {
+/// The rows of an array of real numbers as finite points, z = 0 where there is none; `key` is the name that the
+/// caller knows it by.
+pub(crate) fn positions(
+    given: &Bound<'_, PyAny>,
+    key: &str,
+    columns: RangeInclusive<usize>,
+) -> PyResult<Vec<DVec3>> {
+    let shapes: Vec<String> = columns.clone().map(|count| format!("(n, {count})")).collect();
+    let shapes = shapes.join(" or ");
     let wrong = |found: &str| {
-        PyValueError::new_err(format!("points has {found}; give (n, 2) or (n, 3) real numbers"))
+        PyValueError::new_err(format!("{key} has {found}; give {shapes} real numbers"))
     };
-    let array = numeric(points, "float64", "iuf", wrong)?;
+    let array = numeric(given, "float64", "iuf", wrong)?;
     let rows: PyReadonlyArray2<'_, f64> =
         array.extract().map_err(|_| wrong("another number of axes than 2"))?;
     let rows = rows.as_array();
-    let columns = rows.ncols();
-    if !(2..=3).contains(&columns) {
-        return Err(wrong(&format!("{columns} columns")));
+    let count = rows.ncols();
+    if !columns.contains(&count) {
+        return Err(wrong(&format!("{count} columns")));
     }
     let points = rows
         .rows()
         .into_iter()
-        .map(|row| DVec3::new(row[0], row[1], if columns == 3 { row[2] } else { 0.0 }));
+        .map(|row| DVec3::new(row[0], row[1], if count == 3 { row[2] } else { 0.0 }));
     let points: Vec<DVec3> = points.collect();
     match points.iter().position(|point| !point.is_finite()) {
         None => Ok(points),
         Some(index) => {
-            let problem = format!("point {index} is not finite; give finite numbers");
+            let problem = format!("{key}[{index}] is not finite; give finite numbers");
             Err(PyValueError::new_err(problem))
         }
     }
+}
+
+/// The rows of an array with two columns, for a domain's JSON.
+#[pyfunction]
+#[pyo3(name = "_rows_of_two")]
+pub(crate) fn rows_of_two(given: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<[f64; 2]>> {
+    let points = positions(given, key, 2..=2)?;
+    Ok(points.into_iter().map(|point| [point.x, point.y]).collect())
 }
 
 /// The rows of an (m, 3) array of integers of any type.
@@ -90,15 +114,18 @@ fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
     if rows.ncols() != 3 {
         return Err(wrong(&format!("{} columns", rows.ncols())));
     }
-    let index = |value: i64| u32::try_from(value).map_err(|_| wrong(&format!("the index {value}")));
-    rows.rows()
-        .into_iter()
-        .map(|row| Ok([index(row[0])?, index(row[1])?, index(row[2])?]))
-        .collect()
+    let index = |((row, column), &value): ((usize, usize), &i64)| {
+        u32::try_from(value).or_else(|_| {
+            let given = triangles.get_item(row)?.get_item(column)?;
+            Err(wrong(&format!("the index {given}")))
+        })
+    };
+    let indices: Vec<u32> = rows.indexed_iter().map(index).collect::<PyResult<_>>()?;
+    Ok(indices.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect())
 }
 
-/// What is given as an array of a type, if it holds numbers of these kinds; copied only where it has
-/// another type.
+/// What is given as an array of a type, if it holds numbers of these kinds and hides none; copied only where
+/// it has another type.
 fn numeric<'py>(
     given: &Bound<'py, PyAny>,
     dtype: &str,
@@ -106,6 +133,20 @@ fn numeric<'py>(
     wrong: impl Fn(&str) -> PyErr,
 ) -> PyResult<Bound<'py, PyAny>> {
     let numpy = given.py().import("numpy")?;
+    let masked = numpy.getattr("ma")?.getattr("MaskedArray")?;
+    let hides = |one: &Bound<'py, PyAny>| -> PyResult<bool> {
+        Ok(one.is_instance(&masked)? && one.getattr("mask")?.call_method0("any")?.is_truthy()?)
+    };
+    let mut hides_some = hides(given)?;
+    // An array of masked arrays would be made of what they hide.
+    if given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>() {
+        for row in given.try_iter()? {
+            hides_some |= hides(&row?)?;
+        }
+    }
+    if hides_some {
+        return Err(wrong("masked values"));
+    }
     let array = numpy.call_method1("asarray", (given,))?;
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
     if !kinds.contains(&*kind) {

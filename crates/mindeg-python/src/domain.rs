@@ -40,7 +40,7 @@ impl Domain {
         self.inner.name()
     }
 
-    /// The boundary points, (n, 2) float64.
+    /// The boundary points, (n, 2) float64, read-only.
     #[getter]
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let placement = self.inner.placement();
@@ -56,23 +56,21 @@ impl Domain {
         Ok(Degree { reached: found.reached, at_least: found.at_least })
     }
 
-    /// The mesh of least degree; the best one within `max_degree`; or the one of least degree that
-    /// keeps a share of Delaunay's minimum angle.
+    /// The mesh of least degree; the best one within `max_degree`; or the one of least degree that keeps
+    /// a share of Delaunay's minimum angle: `keep_angle=0.95` or `"95%"`.
     #[pyo3(signature = (*, max_degree=None, keep_angle=None))]
     fn mesh(
         &self,
         py: Python<'_>,
         max_degree: Option<u32>,
-        keep_angle: Option<f64>,
+        keep_angle: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Mesh> {
         let goal = match (max_degree, keep_angle) {
             (None, None) => Goal::LeastDegree,
             (Some(limit), None) => Goal::MaxDegree(limit),
-            (None, Some(share)) if (0.0..=1.0).contains(&share) => Goal::KeepAngle(share),
-            (None, Some(share)) => {
-                let problem = format!("keep_angle is {share}; give a share from 0 to 1");
-                return Err(PyValueError::new_err(problem));
-            }
+            (None, Some(share)) => Goal::share(&share.str()?.to_string_lossy())
+                .map(Goal::KeepAngle)
+                .map_err(|problem| value_error(format!("keep_angle: {problem}")))?,
             (Some(_), Some(_)) => {
                 let problem = "max_degree and keep_angle exclude each other; give one of them";
                 return Err(PyValueError::new_err(problem));
@@ -94,12 +92,9 @@ impl Domain {
         Ok(Mesh::new(meshed.mesh, facts))
     }
 
-    /// A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum
-    /// angle gets near its proven limit. Options: growth, size_inside, interior_degree=(5, 7),
-    /// boundary_degree, target_angle, prefer="degree" or "angle", sizes=[(x, y, size)],
-    /// fixed_points=[(x, y)], max_points. `mesh.report` has what was reached.
-    #[pyo3(signature = (**options))]
-    fn interior(&self, py: Python<'_>, options: Option<&Bound<'_, PyDict>>) -> PyResult<Mesh> {
+    /// A mesh with interior points; the package names the options.
+    #[pyo3(name = "_interior")]
+    fn interior(&self, py: Python<'_>, options: &Bound<'_, PyDict>) -> PyResult<Mesh> {
         let base = self.inner.interior().cloned().unwrap_or_default();
         let wanted = interior::wanted(options, base)?;
         let found = done(py, |progress| mindeg::interior::mesh(&self.inner, &wanted, progress))?;

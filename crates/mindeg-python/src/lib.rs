@@ -17,8 +17,12 @@ use pyo3::prelude::*;
 
 #[pymodule]
 mod _mindeg {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::answers::{Degree, Suggestion, TradeOffPoint};
+    #[pymodule_export]
+    use super::arrays::rows_of_two;
     #[pymodule_export]
     use super::domain::Domain;
     #[pymodule_export]
@@ -26,5 +30,10 @@ mod _mindeg {
     #[pymodule_export]
     use super::mesh::{Mesh, improve, inspect, read};
     #[pymodule_export]
-    use super::outlines::domain_of_file;
+    use super::outlines::domain_of_outline;
+
+    #[pymodule_init]
+    fn version(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
 }

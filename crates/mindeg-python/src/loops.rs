@@ -20,7 +20,10 @@ type Answer<'py> = (Bound<'py, PyArray2<u32>>, Bound<'py, PyDict>);
 /// default; `excluded` are pairs that may not be joined. Without `max_degree`, the least limit
 /// possible from 6 up that takes at most 5 % more area than no limit. Gives (n - 2, 3) triangles and a dict: limit, max_degree, area.
 #[pyfunction]
-#[pyo3(signature = (points, *, external=None, excluded=Vec::new(), max_degree=None))]
+#[pyo3(
+    signature = (points, *, external=None, excluded=Vec::new(), max_degree=None),
+    text_signature = "(points, *, external=None, excluded=(), max_degree=None)"
+)]
 pub(crate) fn fill_loop<'py>(
     py: Python<'py>,
     points: &Bound<'py, PyAny>,
@@ -28,7 +31,7 @@ pub(crate) fn fill_loop<'py>(
     excluded: Vec<[u32; 2]>,
     max_degree: Option<u32>,
 ) -> PyResult<Answer<'py>> {
-    let points = ring(points)?;
+    let points = ring(points, "points")?;
     let external = degrees(external, points.len())?;
     check_pairs(&excluded, [points.len(); 2])?;
     let problem = LoopProblem::new(&points, &external, excluded).map_err(value_error)?;
@@ -40,7 +43,7 @@ pub(crate) fn fill_loop<'py>(
     facts.set_item("max_degree", found.max_degree)?;
     facts.set_item("area", found.area)?;
     facts.set_item("least_area", found.without_limit.0)?;
-    Ok((arrays::triangles(py, found.triangles)?, facts))
+    Ok((arrays::rows(py, found.triangles)?, facts))
 }
 
 /// Join two loops by one strip: the largest minimum angle at the least maximum degree possible, or
@@ -49,7 +52,10 @@ pub(crate) fn fill_loop<'py>(
 /// Triangles run forward along the first loop and backward along the second. Indices count the first loop's
 /// vertices, then the second's. `external` as for `fill_loop`, for both loops together.
 #[pyfunction]
-#[pyo3(signature = (first, second, *, external=None, excluded=Vec::new(), max_degree=None))]
+#[pyo3(
+    signature = (first, second, *, external=None, excluded=Vec::new(), max_degree=None),
+    text_signature = "(first, second, *, external=None, excluded=(), max_degree=None)"
+)]
 pub(crate) fn bridge_loops<'py>(
     py: Python<'py>,
     first: &Bound<'py, PyAny>,
@@ -58,7 +64,7 @@ pub(crate) fn bridge_loops<'py>(
     excluded: Vec<[u32; 2]>,
     max_degree: Option<u32>,
 ) -> PyResult<Answer<'py>> {
-    let (x, y) = (ring(first)?, ring(second)?);
+    let (x, y) = (ring(first, "first")?, ring(second, "second")?);
     let external = degrees(external, x.len() + y.len())?;
     check_pairs(&excluded, [x.len(), y.len()])?;
     let external = external.split_at(x.len());
@@ -70,11 +76,11 @@ pub(crate) fn bridge_loops<'py>(
     facts.set_item("least_max_degree", found.least_max_degree)?;
     facts.set_item("lower_bound", found.lower_bound)?;
     facts.set_item("min_angle", found.min_angle)?;
-    Ok((arrays::triangles(py, found.triangles)?, facts))
+    Ok((arrays::rows(py, found.triangles)?, facts))
 }
 
-fn ring(points: &Bound<'_, PyAny>) -> PyResult<Vec<DVec3>> {
-    let points = arrays::positions(points)?;
+fn ring(points: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<DVec3>> {
+    let points = arrays::positions(points, key, 2..=3)?;
     if points.len() < 3 {
         let problem = format!("found {} points; a loop has at least 3", points.len());
         return Err(PyValueError::new_err(problem));

@@ -63,6 +63,11 @@ impl Mesh {
         filled(0..mesh.triangle_count(), [0; 3], |first, out| mesh.fill_triangles(first, out))
     }
 
+    /// The mesh as a list, with all that names parts of it.
+    pub(crate) fn list(&self) -> PyResult<TriMesh> {
+        TriMesh::of(&*self.mesh).map_err(value_error)
+    }
+
     fn angles(&self) -> [f64; 2] {
         *self.angles.get_or_init(|| {
             let positions = self.all_positions();
@@ -87,12 +92,12 @@ impl Mesh {
         triangles: &Bound<'_, PyAny>,
         name: Option<String>,
     ) -> PyResult<Self> {
-        let mesh = arrays::tri_mesh(points, triangles)?;
+        let mesh = arrays::tri_mesh(points, Some(triangles))?;
         let mesh = if let Some(name) = name { mesh.named(name) } else { mesh };
         Ok(Self::new(mesh, Facts::default()))
     }
 
-    /// The positions, (n, 2) float64 in the plane z = 0, else (n, 3): the same array each time.
+    /// The positions, (n, 2) float64 in the plane z = 0, else (n, 3): the same read-only array each time.
     #[getter]
     fn points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         if let Some(array) = self.points.get() {
@@ -103,26 +108,28 @@ impl Mesh {
         Ok(array.bind(py).clone())
     }
 
-    /// The triangles, (m, 3) uint32, counter-clockwise: the same array each time.
+    /// The triangles, (m, 3) uint32, counter-clockwise: the same read-only array each time.
     #[getter]
     fn triangles<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<u32>>> {
         if let Some(array) = self.triangles.get() {
             return Ok(array.bind(py).clone());
         }
-        let array = arrays::triangles(py, self.all_triangles())?;
+        let array = arrays::rows(py, self.all_triangles())?;
         let array = self.triangles.get_or_init(|| array.unbind());
         Ok(array.bind(py).clone())
     }
 
-    /// The number of edges at each vertex, (n,) uint32.
+    /// The number of edges at each vertex, (n,) uint32, read-only.
     #[getter]
     fn degrees<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<u32>> {
         let mesh = &self.mesh;
         let degrees = filled(0..mesh.vertex_count(), 0, |first, out| mesh.fill_degrees(first, out));
-        PyArray1::from_vec(py, degrees)
+        arrays::read_only(PyArray1::from_vec(py, degrees))
     }
 
-    /// The sides or other lines of the mesh: a name and an (s, 2) uint32 array of segments each.
+    /// The sides or other lines of the mesh, in order: a name and a read-only (s, 2) uint32 array of segments each.
+    ///
+    /// A list and no dict, because names of a file may repeat.
     #[getter]
     fn lines<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, Bound<'py, PyArray2<u32>>)>> {
         let mesh = &self.mesh;
@@ -130,9 +137,7 @@ impl Mesh {
             let segments = filled(line.segments.clone(), [0; 2], |first, out| {
                 mesh.fill_segments(first, out);
             });
-            let array = PyArray1::from_vec(py, segments.into_flattened());
-            let rows = line.segments.len();
-            Ok((line.name.clone(), numpy::PyArrayMethods::reshape(&array, [rows, 2])?))
+            Ok((line.name.clone(), arrays::rows(py, segments)?))
         };
         mesh.lines().iter().map(line).collect()
     }
@@ -258,7 +263,7 @@ impl Mesh {
         facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
         let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
-        let mut mesh = arrays::tri_mesh(points, triangles)?;
+        let mut mesh = arrays::tri_mesh(points, Some(triangles))?;
         let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
         if let Some(name) = name {
             mesh = mesh.named(name);
@@ -333,14 +338,17 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
     Ok(Mesh::new(py.detach(read)?, Facts::default()))
 }
 
-/// What is wrong with a mesh, and how good it is: a dict with the keys of `mindeg inspect --json`, which
-/// `docs/inspect.md` explains.
+/// What is wrong with a mesh, or with points and triangles, and how good it is: a dict with the keys of
+/// `mindeg inspect --json`, which `docs/inspect.md` explains.
 #[pyfunction]
-#[pyo3(signature = (points, triangles, *, weld=Some(0.0), corner_angle=1.0, poles_above=8))]
+#[pyo3(
+    signature = (points, triangles=None, *, weld=Some(0.0), corner_angle=1.0, poles_above=8),
+    text_signature = "(points, triangles=None, *, weld=0.0, corner_angle=1.0, poles_above=8)"
+)]
 pub(crate) fn inspect<'py>(
     py: Python<'py>,
     points: &Bound<'py, PyAny>,
-    triangles: &Bound<'py, PyAny>,
+    triangles: Option<&Bound<'py, PyAny>>,
     weld: Option<f64>,
     corner_angle: f64,
     poles_above: u32,
@@ -362,14 +370,14 @@ pub(crate) fn inspect<'py>(
     py.import("json")?.call_method1("loads", (json,))
 }
 
-/// The optimiser alone on a planar mesh: the boundary stays. Options as for `Domain.interior`.
+/// The optimiser alone on a planar mesh; the package names the options.
 #[pyfunction]
-#[pyo3(signature = (points, triangles, **options))]
+#[pyo3(name = "_improve")]
 pub(crate) fn improve(
     py: Python<'_>,
     points: &Bound<'_, PyAny>,
-    triangles: &Bound<'_, PyAny>,
-    options: Option<&Bound<'_, PyDict>>,
+    triangles: Option<&Bound<'_, PyAny>>,
+    options: &Bound<'_, PyDict>,
 ) -> PyResult<Mesh> {
     let mesh = arrays::tri_mesh(points, triangles)?;
     let wanted = interior::wanted(options, mindeg::Interior::default())?;

@@ -16,14 +16,15 @@ struct Options<'a> {
     repair: bool,
 }
 
-/// The domain in a file as JSON, and what its reader left out.
+/// The domain in a file, or in the text of GeoJSON, as JSON, and what its reader left out.
 #[pyfunction]
-#[pyo3(name = "_domain_of_file")]
-pub(crate) fn domain_of_file(
+#[pyo3(name = "_domain_of_outline", signature = (path, text, *, corner_angle, size=None, feature=None, repair=false))]
+pub(crate) fn domain_of_outline(
     py: Python<'_>,
-    path: PathBuf,
-    size: Option<f64>,
+    path: Option<PathBuf>,
+    text: Option<String>,
     corner_angle: f64,
+    size: Option<f64>,
     feature: Option<&str>,
     repair: bool,
 ) -> PyResult<(String, Vec<String>)> {
@@ -37,20 +38,23 @@ pub(crate) fn domain_of_file(
     }
     let options = Options { division: Division { corner_angle, size }, feature, repair };
     py.detach(|| {
-        let bytes = fs::read(&path).map_err(|error| os_error(&path, &error))?;
+        let Some(path) = &path else {
+            let bytes = text.unwrap_or_default().into_bytes();
+            return domain(None, bytes, &options).map_err(PyValueError::new_err);
+        };
+        let bytes = fs::read(path).map_err(|error| os_error(path, &error))?;
         let bad = |problem| PyValueError::new_err(format!("{}: {problem}", path.display()));
-        domain(&path, bytes, &options).map_err(bad)
+        domain(Some(path), bytes, &options).map_err(bad)
     })
 }
 
 fn domain(
-    path: &Path,
+    path: Option<&Path>,
     bytes: Vec<u8>,
     options: &Options<'_>,
 ) -> Result<(String, Vec<String>), String> {
     let text = |error: &dyn ToString| error.to_string();
-    let Some(format) = outlines::format_of(Some(path), &bytes).map_err(|error| text(&error))?
-    else {
+    let Some(format) = outlines::format_of(path, &bytes).map_err(|error| text(&error))? else {
         if options.feature.is_some() || options.repair || options.division.size.is_some() {
             let problem = "size, feature and repair are for outlines such as GeoJSON or SVG; this is \
                            a domain in JSON";
@@ -59,7 +63,10 @@ fn domain(
         let json = String::from_utf8(bytes).map_err(|error| format!("no UTF-8 text: {error}"))?;
         return Ok((json, Vec::new()));
     };
-    let beside = |extension: &str| fs::read(path.with_extension(extension));
+    let beside = |extension: &str| match path {
+        Some(path) => fs::read(path.with_extension(extension)),
+        None => Err(std::io::ErrorKind::NotFound.into()),
+    };
     let mut read = outlines::read(&bytes, format, beside).map_err(|error| text(&error))?;
     if options.repair {
         read = read.repaired().map_err(|error| text(&error))?;

@@ -47,6 +47,28 @@ pub enum Goal {
     KeepAngle(f64),
 }
 
+impl Goal {
+    /// The share for [`KeepAngle`](Self::KeepAngle) that people write as `0.95` or as `95%`.
+    ///
+    /// # Errors
+    ///
+    /// What to write instead, in a sentence.
+    pub fn share(text: &str) -> Result<f64, String> {
+        let text = text.trim();
+        let (number, whole) = match text.strip_suffix('%') {
+            Some(number) => (number.trim_end(), 100.0),
+            None => (text, 1.0),
+        };
+        match number.parse::<f64>() {
+            Ok(number) if (0.0..=whole).contains(&number) => Ok(number / whole),
+            Ok(number) if whole == 1.0 && (1.0..=100.0).contains(&number) => Err(format!(
+                "{number} is more than all of it; for {number} percent write {number}%"
+            )),
+            _ => Err("give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned()),
+        }
+    }
+}
+
 /// The mesh of a domain that a goal asks for.
 ///
 /// # Errors
@@ -216,6 +238,25 @@ fn work(boundary: &Boundary) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn shares_are_numbers_or_percentages() {
+        for (text, share) in
+            [("0.95", 0.95), ("95%", 0.95), (" 95 %", 0.95), ("1", 1.0), ("0%", 0.0)]
+        {
+            assert_eq!(Goal::share(text), Ok(share), "{text}");
+        }
+        for (text, words) in [
+            ("95", "for 95 percent write 95%"),
+            ("101%", "from 0% to 100%"),
+            ("200", "give a share from 0 to 1"),
+            ("-0.1", "give a share from 0 to 1"),
+            ("NaN", "give a share from 0 to 1"),
+            ("", "give a share from 0 to 1"),
+        ] {
+            assert!(Goal::share(text).is_err_and(|error| error.contains(words)), "{text}");
+        }
+    }
 
     #[test]
     fn work_counts_the_chords_that_join_different_sides() {

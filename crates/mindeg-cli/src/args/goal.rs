@@ -1,7 +1,8 @@
 //! What a mesh of a domain is to be.
 
-use super::values::{share, whole_number};
+use super::values::whole_number;
 use clap::Args;
+use mindeg::Goal;
 
 /// By default, the least maximum degree.
 #[derive(Debug, Args)]
@@ -10,7 +11,7 @@ pub(crate) struct GoalArguments {
     /// Make the mesh with the smallest maximum degree that keeps this share of the minimum angle of
     /// a Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices of a convex boundary;
     /// beyond, the share is kept, and the degree is what was reached
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", value_parser = Goal::share, allow_hyphen_values = true)]
     pub(crate) keep_angle: Option<f64>,
 
     /// Make the mesh with the largest minimum angle of all whose vertices have at most this many

@@ -127,25 +127,6 @@ pub(super) fn format_parser<const N: usize>(
     })
 }
 
-/// A share from 0 to 1, also as a percentage.
-pub(super) fn share(text: &str) -> Result<f64, String> {
-    let (number, unit) = match text.strip_suffix('%') {
-        Some(number) => (number, 100.0),
-        None => (text, 1.0),
-    };
-    let number = number.trim().parse::<f64>().ok();
-    if let Some(number) =
-        number.filter(|number| unit == 1.0 && (1.0..=100.0).contains(number) && *number > 1.0)
-    {
-        return Err(format!(
-            "{number} is more than all of it; for {number} percent write {number}%"
-        ));
-    }
-    let share = number.map(|number| number / unit);
-    let share = share.filter(|share| (0.0..=1.0).contains(share));
-    share.ok_or_else(|| "give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,9 +2,9 @@
 
 use super::demands::DemandArguments;
 use super::domain::DomainOptions;
-use super::values::share;
 use super::with_exit_codes;
 use clap::Args;
+use mindeg::Goal;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -44,7 +44,7 @@ pub(crate) struct VerifyArguments {
 
     /// Fail if the minimum angle is less than this share of the largest possible, such as 95% or 0.95:
     /// Delaunay's, or with interior points the limit that the boundary sets
-    #[arg(long, value_name = "SHARE", value_parser = share, allow_hyphen_values = true)]
+    #[arg(long, value_name = "SHARE", value_parser = Goal::share, allow_hyphen_values = true)]
     pub(crate) keep_angle: Option<f64>,
 
     /// Fail unless it is proven that no mesh of the same boundary points has a smaller maximum degree

@@ -1,12 +1,46 @@
-//! The list as writers and measures see it: positions and triangles by range.
+//! The list as writers and measures see it, positions and triangles by range, and back.
 
 use std::borrow::Cow;
 
 use glam::DVec3;
 
 use super::TriMesh;
+use super::TriMeshError;
 use crate::bounds::Bounds;
-use crate::mesh::{Group, Line, LineKind, Positions, Triangles};
+use crate::mesh::{Group, Line, LineKind, Mesh, Positions, Triangles, filled};
+
+impl TriMesh {
+    /// The list of any mesh: its positions, triangles, groups, lines, kinds and depths.
+    ///
+    /// # Errors
+    ///
+    /// A mesh that is no list, as [`TriMesh::new`] says.
+    pub fn of(mesh: &dyn Mesh) -> Result<Self, TriMeshError> {
+        let vertices = 0..mesh.vertex_count();
+        let positions = filled(vertices.clone(), DVec3::ZERO, |first, out| {
+            mesh.fill_positions(first, out);
+        });
+        let triangles =
+            filled(0..mesh.triangle_count(), [0; 3], |first, out| mesh.fill_triangles(first, out));
+        let lines = mesh.lines().into_owned();
+        let count = lines.last().map_or(0, |line| line.segments.end);
+        let segments = filled(0..count, [0; 2], |first, out| mesh.fill_segments(first, out));
+        let kinds: Vec<_> = (0..lines.len()).map(|line| mesh.line_kind(line)).collect();
+        let depths = filled(vertices, 0.0, |first, out| mesh.fill_depths(first, out));
+        let mut list = Self::new(positions, triangles)?.with_lines(lines, segments)?;
+        if kinds.iter().any(Option::is_some) {
+            list = list.with_line_kinds(kinds);
+        }
+        if depths.iter().any(|&depth| depth != 0.0) {
+            list = list.with_depths(depths);
+        }
+        if !mesh.groups().is_empty() {
+            list = list.with_groups(mesh.groups().to_vec());
+        }
+        list.name = mesh.name().map(str::to_owned);
+        Ok(list)
+    }
+}
 
 impl Positions for TriMesh {
     fn vertex_count(&self) -> u32 {
@@ -78,5 +112,23 @@ impl Triangles for TriMesh {
 
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
         out.copy_from_slice(&self.segments[first as usize..][..out.len()]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_list_of_a_list_is_the_same() {
+        let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let plain = TriMesh::new(points, vec![[0, 1, 2], [0, 2, 3]]).unwrap();
+        let line = Line { name: "shore".into(), segments: 0..1, is_straight: true };
+        let groups = vec![Group::new("left", 0..1), Group::new("right", 1..2)];
+        let full = plain.clone().named("plate").with_lines(vec![line], vec![[0, 1]]).unwrap();
+        let full = full.with_line_kinds(vec![Some(LineKind::Land)]).with_groups(groups);
+        for mesh in [plain, full.with_depths(vec![1.0, 0.0, 2.0, 0.0])] {
+            assert_eq!(TriMesh::of(&mesh).unwrap(), mesh);
+        }
     }
 }

@@ -1,0 +1,50 @@
+"""Interior points: their options, written once for everything that takes them, and the optimiser alone."""
+
+import inspect
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar
+
+import numpy.typing as npt
+
+from . import _mindeg
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+
+
+class InteriorOptions(TypedDict, total=False):
+    """What is wanted of interior points; `docs/interior.md` explains each."""
+
+    growth: float | None
+    size_inside: float | None
+    interior_degree: tuple[int, int] | None
+    boundary_degree: int | None
+    target_angle: float | None
+    prefer: Literal["degree", "angle"] | None
+    sizes: "npt.ArrayLike | None"
+    fixed_points: "npt.ArrayLike | None"
+    max_points: int | None
+
+
+def names_its_options(function: _Function) -> _Function:
+    """Lists the options in the signature that help() and notebooks show, in place of ``**options``."""
+    signature = inspect.signature(function)
+    *others, _ = signature.parameters.values()
+    for name, kind in InteriorOptions.__annotations__.items():
+        kind = getattr(kind, "__forward_arg__", kind)
+        others.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind))
+    setattr(function, "__signature__", signature.replace(parameters=others))
+    return function
+
+
+@names_its_options
+def improve(
+    points: "_mindeg.Mesh | npt.ArrayLike", triangles: "npt.ArrayLike | None" = None, **options: "Unpack[InteriorOptions]"
+) -> _mindeg.Mesh:
+    """The optimiser alone on a planar mesh, given as a mesh or as points and triangles: the boundary stays.
+
+    Options as for ``Domain.interior``; ``report["before"]`` has what the mesh was like.
+    """
+    return _mindeg._improve(points, triangles, options)

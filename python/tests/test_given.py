@@ -1,0 +1,192 @@
+"""What users have in hand is taken as it is meant, or refused by its name: never silently another thing."""
+
+import inspect
+import pickle
+
+import mindeg
+import numpy as np
+import pytest
+
+SQUARE = np.array([[0.0, 0], [4, 0], [4, 3], [0, 3]])
+HALVES = [[0, 1, 2], [0, 2, 3]]
+
+
+@pytest.fixture
+def mesh():
+    return mindeg.rectangle(4, 3, intervals=2, names=["a", "b", "c", "d"]).mesh()
+
+
+def refusal(call):
+    with pytest.raises(ValueError, match=".") as raised:
+        call()
+    return str(raised.value)
+
+
+def test_a_mesh_cannot_be_changed_behind_its_back(mesh):
+    """`points *= 1000` once scaled what was pickled, and neither what was saved nor the angles."""
+    domain = mindeg.Domain(SQUARE)
+    read_only = [mesh.points, mesh.triangles, mesh.degrees, *(line for _, line in mesh.lines), domain.points]
+    copied = pickle.loads(pickle.dumps(mesh))
+    for array in [*read_only, copied.points, copied.triangles]:
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1
+        with pytest.raises(ValueError, match="."):
+            array.flags.writeable = True
+    assert mesh.points.max() == 4 and mesh.points.copy().flags.writeable
+
+
+@pytest.mark.parametrize("wrong", [2.9, "3", True, np.bool_(True), np.float64(2.5), float("nan"), [1, 2.9, 1, 1]])
+def test_intervals_are_whole_numbers(wrong):
+    """2.9 was silently 2."""
+    said = refusal(lambda: mindeg.rectangle(4, 3, intervals=wrong))
+    assert said.startswith("intervals[1] is 2.9" if isinstance(wrong, list) else "intervals is "), said
+    assert "give a whole number" in said
+
+
+@pytest.mark.parametrize("right", [2, np.int8(2), np.uint64(2), np.float32(2), np.array(2), [2] * 4, np.full(4, 2)])
+def test_whole_numbers_of_any_type_are_intervals(right):
+    assert len(mindeg.rectangle(4, np.float16(3), intervals=right).points) == 8
+
+
+def test_a_number_that_is_none_is_refused_by_its_key():
+    """NaN was "line 1, column 25: this is not a JSON value"."""
+    nan, infinite = float("nan"), np.float32("inf")
+    for key, call in [
+        ("width", lambda: mindeg.rectangle(nan, 1, intervals=1)),
+        ("height", lambda: mindeg.rectangle(1, infinite, intervals=1)),
+        ("width", lambda: mindeg.rectangle("4", 1, intervals=1)),
+        ("width", lambda: mindeg.rectangle(np.ma.masked, 1, intervals=1)),
+        ("size", lambda: mindeg.rectangle(4, 1, size=nan)),
+        ("size", lambda: mindeg.rectangle(4, 1, size=True)),
+        ("rectangle.width", lambda: mindeg.Domain({"rectangle": {"width": nan, "height": 1}, "size": 1})),
+        ("holes[0].ring[0][0]", lambda: mindeg.Domain({"ring": SQUARE, "holes": [{"ring": SQUARE * nan}]})),
+        ("sides[1].spacing.geometric.ratio", lambda: mindeg.Domain(
+            {"rectangle": {"width": 1, "height": 1}, "size": 1, "sides": [{}, {"spacing": {"geometric": {"ratio": nan}}}, {}, {}]})),
+        ("points[2]", lambda: mindeg.Domain([[0, 0], [1, 0], [1, nan]])),
+        ("corners[0]", lambda: mindeg.polygon([[nan, 0], [1, 0], [1, 1]], intervals=1)),
+        ("holes[0][3]", lambda: mindeg.polygon(SQUARE, holes=[[[1, 1], [2, 1], [2, 2], [nan, 1]]], size=1)),
+        ("points[1]", lambda: mindeg.Mesh([[0, 0], [1, nan], [1, 1]], [[0, 1, 2]])),
+        ("sizes[0]", lambda: mindeg.Domain(SQUARE).interior(sizes=[(1, 1, nan)])),
+        ("fixed_points[1]", lambda: mindeg.Domain(SQUARE).interior(fixed_points=[(1, 1), (nan, 1)])),
+    ]:
+        said = refusal(call)
+        assert said.startswith((f"{key} is ", f"{key} has ")) and "finite number" in said, said
+
+
+def test_a_mask_is_never_ignored():
+    masked = np.ma.array(SQUARE, mask=SQUARE == 3)
+    for call in (
+        lambda: mindeg.Domain(masked),
+        lambda: mindeg.Domain(list(masked)),
+        lambda: mindeg.polygon(masked, intervals=1),
+        lambda: mindeg.Domain({"ring": masked}),
+        lambda: mindeg.Mesh(masked, HALVES),
+        lambda: mindeg.Mesh(SQUARE, np.ma.array(HALVES, mask=[[0, 0, 1], [0, 0, 0]])),
+        lambda: mindeg.inspect(masked, HALVES),
+        lambda: mindeg.fill_loop(masked),
+        lambda: mindeg.rectangle(4, 3, intervals=np.ma.array([1, 2, 3, 4], mask=[0, 0, 1, 0])),
+    ):
+        assert "masked" in refusal(call)
+    # A mask that hides nothing changes nothing.
+    whole = np.ma.array(SQUARE, mask=False)
+    assert len(mindeg.Domain(whole).points) == len(mindeg.Mesh(whole, HALVES).points) == 4
+
+
+@pytest.mark.parametrize("dtype", ["f2", "f4", ">f8", "i1", "u2", "i8", "g"])
+def test_points_of_any_real_type_and_layout_are_the_same_domain(dtype):
+    given = np.zeros((8, 5), dtype)
+    given[::2, 1:4:2] = SQUARE
+    assert np.array_equal(mindeg.Domain(given[::2, 1:4:2]).points, SQUARE)
+    sides = {"polygon": {"corners": given[::2, 1:4:2]}, "size": given.dtype.type(1)}
+    assert len(mindeg.Domain(sides).points) == 14
+
+
+def test_a_closed_ring_of_an_array_is_the_open_one():
+    """Files and shapely repeat the first point; an array that did was refused."""
+    closed = np.vstack([SQUARE, SQUARE[:1]])
+    hole = [[1, 1], [1, 2], [2, 2], [2, 1], [1, 1]]
+    assert np.array_equal(mindeg.Domain(closed).points, SQUARE)
+    assert len(mindeg.Domain([closed, hole]).points) == 8
+    assert len(mindeg.polygon(closed, intervals=[2, 1, 1, 1]).points) == 5
+    assert len(mindeg.polygon(closed, holes=[hole], intervals=2).points) == 16
+
+
+def test_interior_takes_arrays_and_numpys_numbers():
+    domain = mindeg.rectangle(4, 3, intervals=8)
+    sizes, points = np.array([[2, 1, 0.1]], "f4"), np.array([[1, 1], [3, 2]])
+    mesh = domain.interior(sizes=sizes, fixed_points=points, growth=np.float32(0.5), interior_degree=np.array([5, 7]))
+    assert np.array_equal(mesh.points[32:34], points)
+    plain = domain.interior(sizes=[(2, 1, float(np.float32(0.1)))], fixed_points=[(1, 1), (3, 2)], growth=0.5)
+    assert np.array_equal(plain.points, mesh.points)
+    assert len(domain.interior(sizes=[], fixed_points=[]).points) > 32
+
+
+def test_options_are_in_the_signatures():
+    """They were **options, of which neither help() nor an editor knew one."""
+    options = {"growth", "size_inside", "interior_degree", "boundary_degree", "target_angle"}
+    options |= {"prefer", "sizes", "fixed_points", "max_points"}
+    for function in (mindeg.Domain.interior, mindeg.improve):
+        assert options <= set(inspect.signature(function).parameters)
+    for function in (mindeg.Domain, mindeg.inspect):
+        assert "corner_angle" in inspect.signature(function).parameters
+
+
+def test_a_mesh_in_hand_is_inspected_and_improved(mesh):
+    assert mindeg.inspect(mesh) == mindeg.inspect(mesh.points, mesh.triangles)
+    better = mindeg.improve(mesh, prefer="angle")
+    assert better.min_angle >= mesh.min_angle
+    # Beyond what its arrays tell.
+    assert [name for name, _ in better.lines] == ["a", "b", "c", "d"]
+    for function in (mindeg.inspect, mindeg.improve):
+        for call in (lambda: function(mesh, mesh.triangles), lambda: function(mesh.points)):
+            assert "give a mesh, or points and triangles" in refusal(call)
+
+
+@pytest.mark.parametrize("share", [0.95, "95%", " 95 %", "0.95", np.float32(0.95), np.float64(0.95)])
+def test_an_angle_is_kept_as_the_command_line_keeps_it(share):
+    assert mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4]).mesh(keep_angle=share).max_degree == 6
+
+
+@pytest.mark.parametrize("wrong", [95, -0.1, float("nan"), "95 of 100", True, "", [0.95]])
+def test_a_share_that_is_none_is_refused(wrong):
+    said = refusal(lambda: mindeg.rectangle(4, 3, size=1).mesh(keep_angle=wrong))
+    assert said.startswith("keep_angle: ") and ("give a share from 0 to 1" in said or "write 95%" in said), said
+
+
+def test_points_and_polygons_are_divided_and_repaired_like_files():
+    """These options were "for a path to a file only"."""
+    shapely = pytest.importorskip("shapely")
+    plate = shapely.Polygon(SQUARE, [[[1, 1], [1, 2], [2, 2], [2, 1]]])
+    for source in (plate, [SQUARE, np.array(plate.interiors[0].coords)], plate.__geo_interface__):
+        domain = mindeg.Domain(source, size=0.5, name="plate")
+        assert (len(domain.points), domain.name) == (28 + 8, "plate")
+    assert len(mindeg.Domain(SQUARE, size=1).points) == 14
+    # A turn of 90° is no corner within 120°: one side all round.
+    assert len(mindeg.Domain(SQUARE, size=1, corner_angle=120).mesh().lines) == 1
+    touching = [[0, 0], [2, 0], [2, 2], [4, 2], [4, 4], [2, 2], [0, 2]]
+    with pytest.raises(ValueError, match="repair=True"):
+        mindeg.Domain(touching, corner_angle=30)
+    two = shapely.MultiPolygon([plate, shapely.box(10, 0, 11, 1)])
+    assert "2 polygons; choose one with feature" in refusal(lambda: mindeg.Domain(two))
+    assert len(mindeg.Domain(two, feature=2).points) == 4
+    assert len(mindeg.Domain(two, feature=np.int64(2), size=np.float32(0.5)).points) == 8
+
+
+def test_options_that_mean_nothing_say_what_to_do():
+    plate = mindeg.rectangle(4, 3, size=1)
+    for source in (plate, plate.to_json(), {"rectangle": {"width": 4, "height": 3}, "size": 1}):
+        said = refusal(lambda: mindeg.Domain(source, size=0.5))
+        assert said.startswith("size is for ") and "JSON" in said, said
+    shapely = pytest.importorskip("shapely")
+    assert "empty" in refusal(lambda: mindeg.Domain(shapely.Polygon()))
+    assert "no Polygon or MultiPolygon" in refusal(lambda: mindeg.Domain(shapely.Point(1, 2)))
+
+
+def test_the_version_is_that_of_the_crate():
+    assert mindeg.__version__.count(".") == 2
+
+
+def test_an_index_too_large_is_told_as_it_is():
+    """2^63 and more were called negative."""
+    said = refusal(lambda: mindeg.Mesh(SQUARE, np.array([[0, 1, 2**63 + 5]], "u8")))
+    assert "the index 9223372036854775813" in said
