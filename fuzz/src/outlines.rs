@@ -17,7 +17,7 @@ pub(crate) fn run(file: &[u8]) {
     let rings = outlines.features.iter().flat_map(|feature| &feature.rings);
     let pieces: usize = rings.map(|ring| ring.pieces.len()).sum();
     assert!(pieces <= 2 * bytes.len(), "{pieces} pieces of {} bytes", bytes.len());
-    let repaired = outlines.clone().repaired();
+    let repaired = outlines.clone().repaired(None);
     for feature in outlines.features.iter().chain(repaired.iter().flat_map(|it| &it.features)) {
         let segments = feature.rings.iter().flat_map(|ring| ring.segments());
         let length: f64 = segments.map(|segment| segment.length()).sum();

@@ -5,7 +5,7 @@ import math
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -32,7 +32,7 @@ class Domain(_mindeg._Domain):
     gives the length of the intervals instead. A side ends where its file begins another or where the
     boundary turns by more than ``corner_angle`` degrees, 30 by default; without these options, a ring of an
     array or a polygon is one side. ``feature`` is the name or the number, from 1, of one polygon of several;
-    ``repair`` parts rings that touch themselves.
+    ``repair`` makes polygons of rings that cross or touch, by the ``fill_rule`` "evenodd" or "nonzero".
     """
 
     def __new__(
@@ -44,8 +44,15 @@ class Domain(_mindeg._Domain):
         corner_angle: float | None = None,
         feature: str | int | None = None,
         repair: bool = False,
+        fill_rule: "Literal['evenodd', 'nonzero'] | None" = None,
     ) -> "Self":
-        options = {"size": size, "corner_angle": corner_angle, "feature": feature, "repair": repair}
+        options = {
+            "size": size,
+            "corner_angle": corner_angle,
+            "feature": feature,
+            "repair": repair,
+            "fill_rule": fill_rule,
+        }
         text = _json_of(source, {key: given for key, given in options.items() if given not in (None, False)})
         if name is not None:
             text = json.dumps({**json.loads(text), "name": name})

@@ -1,6 +1,6 @@
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, final
+from typing import Any, Literal, final
 
 import numpy as np
 import numpy.typing as npt
@@ -132,4 +132,5 @@ def _domain_of_outline(
     size: float | None = None,
     feature: str | None = None,
     repair: bool = False,
+    fill_rule: Literal["evenodd", "nonzero"] | None = None,
 ) -> tuple[str, list[str]]: ...

@@ -166,6 +166,10 @@ def test_points_and_polygons_are_divided_and_repaired_like_files():
     touching = [[0, 0], [2, 0], [2, 2], [4, 2], [4, 4], [2, 2], [0, 2]]
     with pytest.raises(ValueError, match="repair=True"):
         mindeg.Domain(touching, corner_angle=30)
+    star = [[0, 3], [2, -3], [-3, 1], [3, 1], [-2, -3]]
+    assert len(mindeg.Domain(star, repair=True, fill_rule="nonzero").points) == 10
+    assert "5 polygons" in refusal(lambda: mindeg.Domain(star, repair=True, fill_rule="evenodd"))
+    assert "fill_rule" in refusal(lambda: mindeg.Domain(star, fill_rule="evenodd"))
     two = shapely.MultiPolygon([plate, shapely.box(10, 0, 11, 1)])
     assert "2 polygons; choose one with feature" in refusal(lambda: mindeg.Domain(two))
     assert len(mindeg.Domain(two, feature=2).points) == 4

@@ -226,13 +226,37 @@ fn rings_that_touch_themselves_are_refused_or_repaired() {
         .refuses(&["polygon 1", "--repair parts rings that touch themselves"]);
     let run = mindeg_reading(["domain", "-", "--repair", "--json"], wkt.as_bytes());
     assert!(
-        run.errors.contains(
-            "repaired polygon 1: dropped 1 repeated point; parted rings at 1 place, into 2 polygons"
-        ),
+        run.errors.contains("repaired polygon 1: dropped 1 repeated point; made 2 polygons of 1"),
         "{}",
         run.errors
     );
     assert_eq!(run.json().as_array().map(Vec::len), Some(2));
+}
+
+/// The ring runs twice round a part of what it covers.
+#[test]
+fn polygons_of_a_repair_do_not_overlap() {
+    let wkt = "POLYGON((0 5,2 0,0 2,1 5,1 1))";
+    for (options, expected) in [
+        (&[][..], 2.350_6),
+        (&["--fill-rule", "evenodd"], 2.350_6),
+        (&["--fill-rule", "nonzero"], 2.925_3),
+    ] {
+        let words = [&["domain", "-", "--repair", "--json"], options].concat();
+        let run = mindeg_reading(words, wkt.as_bytes());
+        let areas = run
+            .json()
+            .as_array()
+            .unwrap()
+            .iter()
+            .map(|it| it["area"].as_f64().unwrap())
+            .sum::<f64>();
+        assert!((areas - expected).abs() < 1e-4, "{options:?}: {areas}");
+    }
+    mindeg_reading(["domain", "-", "--fill-rule", "evenodd"], wkt.as_bytes())
+        .refuses(&["--repair"]);
+    mindeg_reading(["domain", "-", "--repair", "--fill-rule", "odd"], wkt.as_bytes())
+        .refuses(&["found \"odd\", expected evenodd or nonzero"]);
 }
 
 #[test]

@@ -46,7 +46,7 @@ pub fn sources(name: &str, bytes: &[u8]) -> Result<Vec<Source>, String> {
     // A page gives one file at a time.
     let alone = |_: &str| Err(io::Error::other("the page takes one file; mindeg mesh reads both"));
     let outlines = read(bytes, format, alone).map_err(|error| failed(error.to_string()))?;
-    let Outlines { features, mut notes } = outlines;
+    let Outlines { features, mut notes, .. } = outlines;
     let count = features.len();
     if count > MOST {
         notes.push(format!("The first {MOST} of {count} polygons are given."));

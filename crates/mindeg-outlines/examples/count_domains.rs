@@ -46,5 +46,5 @@ fn outlines(bytes: &[u8], path: &str, repair: bool) -> Result<Outlines, ReadErro
     let Some(format) = format_of(Some(path), bytes)? else { return Ok(Outlines::default()) };
     let beside = |extension: &str| std::fs::read(path.with_extension(extension));
     let outlines = read(bytes, format, beside)?;
-    if repair { outlines.repaired() } else { Ok(outlines) }
+    if repair { outlines.repaired(None) } else { Ok(outlines) }
 }

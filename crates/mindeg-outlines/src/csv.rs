@@ -7,7 +7,6 @@
 
 use glam::DVec2;
 
-use super::nesting::{FillRule, polygons};
 use super::outline::{Outlines, Ring};
 use super::text::{at_line, lines, number, quoted, text_of};
 use crate::error::ReadError;
@@ -65,10 +64,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     if rings.is_empty() {
         return Err(at_line(1, "the file holds no points; give one in a line, such as 4.0, 2.5"));
     }
-    let (features, _) = polygons(rings, FillRule::EvenOdd, None)?;
     let [x, y] = columns.unwrap_or([0, 1]).map(|column| column + 1);
     let note = others.then(|| format!("took the points from columns {x} and {y}"));
-    Ok(Outlines { features, notes: note.into_iter().collect() })
+    Outlines::of_rings(rings, note.into_iter().collect())
 }
 
 /// Whether these first lines are points, or names of columns.

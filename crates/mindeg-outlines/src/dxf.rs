@@ -16,7 +16,6 @@ mod pairs;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::nesting::{FillRule, polygons};
 use super::outline::Outlines;
 use super::text::{at_line, clean, counted};
 use crate::error::ReadError;
@@ -62,9 +61,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     if !left_out.is_empty() {
         notes.push(format!("left out {left_out}"));
     }
-    let (mut features, _) = polygons(rings, FillRule::EvenOdd, None)?;
-    features.iter_mut().for_each(|feature| feature.name_by_side());
-    Ok(Outlines { features, notes })
+    let mut outlines = Outlines::of_rings(rings, notes)?;
+    outlines.features.iter_mut().for_each(|feature| feature.name_by_side());
+    Ok(outlines)
 }
 
 /// What the sections of a file hold.

@@ -66,7 +66,7 @@ const TYPES: [&str; 10] = [
 
 #[derive(Default)]
 struct Reader {
-    features: Vec<Feature>,
+    outlines: Outlines,
     skipped: BTreeMap<String, usize>,
     heights: bool,
     /// The largest absolute values of the first and the second coordinate.
@@ -130,7 +130,9 @@ impl Reader {
             }
             "Polygon" => {
                 let rings = list(object, "coordinates", path)?;
-                self.polygon(rings, &Path::Key(path, "coordinates"), name)
+                self.polygon(rings, &Path::Key(path, "coordinates"), name)?;
+                self.outlines.end_shape();
+                Ok(())
             }
             "MultiPolygon" => {
                 let path = &Path::Key(path, "coordinates");
@@ -138,6 +140,7 @@ impl Reader {
                     let path = &Path::Item(path, index);
                     self.polygon(items(rings, "rings", path)?, path, name)?;
                 }
+                self.outlines.end_shape();
                 Ok(())
             }
             "Point" | "MultiPoint" | "LineString" | "MultiLineString" => {
@@ -195,7 +198,7 @@ impl Reader {
             Ok(Ring::of_points(points))
         });
         let rings = rings.collect::<Result<_, _>>()?;
-        self.features.push(Feature { name: name.map(str::to_owned), rings });
+        self.outlines.features.push(Feature { name: name.map(str::to_owned), rings });
         Ok(())
     }
 
@@ -215,12 +218,12 @@ impl Reader {
         Ok(point)
     }
 
-    fn end(self) -> Result<Outlines, ReadError> {
-        let mut notes = Vec::new();
+    fn end(mut self) -> Result<Outlines, ReadError> {
+        let notes = &mut self.outlines.notes;
         if !self.skipped.is_empty() {
             let skipped: Vec<String> =
                 self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
-            if self.features.is_empty() {
+            if self.outlines.features.is_empty() {
                 return Err(Path::Start
                     .error(format!("no Polygon or MultiPolygon, only {}", skipped.join(", "))));
             }
@@ -235,10 +238,10 @@ impl Reader {
                 self.largest[1]
             ));
         }
-        if self.features.is_empty() {
+        if self.outlines.features.is_empty() {
             return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));
         }
-        Ok(Outlines { features: self.features, notes })
+        Ok(self.outlines)
     }
 }
 

@@ -7,19 +7,34 @@
 //! Limits: rings must not cross; crossings are found later, when the domain is made. Curves are
 //! compared by their points every 15 degrees.
 
+use std::str::FromStr;
+
 use glam::DVec2;
 
 use super::orientation::orientation;
 use super::outline::{Feature, Ring, doubled_area};
+use super::text::quoted;
 use crate::error::ReadError;
 
 /// Which points are inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FillRule {
+pub enum FillRule {
     /// Those that the rings wind around an odd number of times.
     EvenOdd,
     /// Those that the rings do not wind around zero times in all.
     NonZero,
+}
+
+impl FromStr for FillRule {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "evenodd" => Ok(Self::EvenOdd),
+            "nonzero" => Ok(Self::NonZero),
+            other => Err(format!("found {}, expected evenodd or nonzero", quoted(other))),
+        }
+    }
 }
 
 /// The most comparisons of a point with an edge, which take some seconds: 90,000 squares beside each
@@ -42,13 +57,13 @@ struct Loop {
     depth: usize,
 }
 
-/// The polygons that the rings bound, in the order of their outer rings, and how many rings bound
+/// The polygons that the rings bound, in the order of their outer rings, and the rings that bound
 /// nothing.
 pub(super) fn polygons(
     rings: Vec<Ring>,
     rule: FillRule,
     name: Option<&str>,
-) -> Result<(Vec<Feature>, usize), ReadError> {
+) -> Result<(Vec<Feature>, Vec<Ring>), ReadError> {
     let loops = nested(&rings)?;
     let is_inside = |at: Option<usize>| match (at, rule) {
         (None, _) => false,
@@ -64,7 +79,6 @@ pub(super) fn polygons(
     };
     let mut holes: Vec<Vec<usize>> = vec![Vec::new(); rings.len()];
     let mut outers = Vec::new();
-    let mut without_effect = 0;
     for (at, one) in loops.iter().enumerate() {
         match (is_inside(one.parent), is_inside(Some(at))) {
             (false, true) => outers.push(one.index),
@@ -72,20 +86,21 @@ pub(super) fn polygons(
                 let parent = one.parent.map_or(at, boundary_around);
                 holes[loops[parent].index].push(one.index);
             }
-            _ => without_effect += 1,
+            _ => {}
         }
     }
     drop(loops);
     outers.sort_unstable();
     let mut rings: Vec<Option<Ring>> = rings.into_iter().map(Some).collect();
-    let features = outers.into_iter().map(|outer| {
+    let feature = |outer: usize| {
         let mut indices = std::mem::take(&mut holes[outer]);
         indices.sort_unstable();
         indices.insert(0, outer);
         let rings = indices.into_iter().filter_map(|index| rings[index].take()).collect();
         Feature { name: name.map(str::to_owned), rings }
-    });
-    Ok((features.collect(), without_effect))
+    };
+    let features = outers.into_iter().map(feature).collect();
+    Ok((features, rings.into_iter().flatten().collect()))
 }
 
 /// The loops of the rings, larger ones first, each with its parent.
@@ -113,7 +128,9 @@ fn nested(rings: &[Ring]) -> Result<Vec<Loop>, ReadError> {
         for (other_at, other) in larger.iter().enumerate().rev() {
             let is_around = other.min.cmple(one.min).all() && other.max.cmpge(one.max).all();
             let cost = if is_around { 1 + other.points.len() as u64 } else { 1 };
-            budget = budget.checked_sub(cost).ok_or_else(|| too_many(rings.len()))?;
+            budget = budget
+                .checked_sub(cost)
+                .ok_or_else(|| ReadError::place("the whole file", too_deep(rings.len())))?;
             if is_around && contains(&other.points, &one.points) {
                 parent = Some(other_at);
                 break;
@@ -128,12 +145,11 @@ fn nested(rings: &[Ring]) -> Result<Vec<Loop>, ReadError> {
     Ok(loops)
 }
 
-fn too_many(rings: usize) -> ReadError {
-    let problem = format!(
-        "{rings} closed curves lie too deep in each other to be sorted; split them into several \
-         files"
-    );
-    ReadError::place("the whole file", problem)
+/// What to say of more closed curves than can be sorted in some seconds.
+pub(super) fn too_deep(rings: usize) -> String {
+    format!(
+        "{rings} closed curves lie too deep in each other to be sorted; split them into several files"
+    )
 }
 
 /// Whether a ring of points contains another one that does not cross it.

@@ -9,7 +9,6 @@ use glam::{DVec2, DVec3};
 
 use super::curve::Curve;
 use super::loops::{self, Link};
-use super::nesting::{FillRule, polygons};
 use super::outline::Outlines;
 use super::plane;
 use super::text::{at_line, lines, number_at, quoted, text_of};
@@ -77,9 +76,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     let points: Vec<DVec2> = points.iter().map(|point| point.truncate()).collect();
     let (rings, note) = loops::rings(&points, &links, |point| format!("vertex {}", point + 1))?;
     notes.extend(note);
-    let (mut features, _) = polygons(rings, FillRule::EvenOdd, None)?;
-    features.iter_mut().for_each(|feature| feature.name_by_side());
-    Ok(Outlines { features, notes })
+    let mut outlines = Outlines::of_rings(rings, notes)?;
+    outlines.features.iter_mut().for_each(|feature| feature.name_by_side());
+    Ok(outlines)
 }
 
 /// The index of a vertex from 0; one that is not there yet is allowed.

@@ -5,6 +5,8 @@ use std::sync::Arc as Shared;
 use glam::DVec2;
 
 use super::curve::{Curve, Segment};
+use super::nesting::{FillRule, polygons};
+use crate::error::ReadError;
 
 /// What was read from a file of outlines.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -13,6 +15,18 @@ pub struct Outlines {
     pub features: Vec<Feature>,
     /// What the reader left out or changed, as sentences for the user.
     pub notes: Vec<String>,
+    /// What the file drew as one, in the order of the polygons.
+    pub(super) shapes: Vec<Shape>,
+}
+
+/// Rings that one fill rule turned into polygons.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Shape {
+    /// The index after that of its last polygon.
+    pub(super) end: usize,
+    pub(super) rule: FillRule,
+    /// The rings that bound no polygon, as long as rings do not cross.
+    pub(super) without_effect: Vec<Ring>,
 }
 
 /// One polygon: an outer ring and its holes.
@@ -42,6 +56,35 @@ pub struct Piece {
     pub side: Option<Shared<str>>,
     /// Whether the file begins a side here, whatever the angle.
     pub begins_side: bool,
+}
+
+impl Outlines {
+    /// The polygons that rings bound by the even-odd rule.
+    pub(super) fn of_rings(rings: Vec<Ring>, notes: Vec<String>) -> Result<Self, ReadError> {
+        let mut outlines = Self { notes, ..Self::default() };
+        outlines.add(rings, FillRule::EvenOdd, None)?;
+        Ok(outlines)
+    }
+
+    /// Adds the polygons that rings bound, and tells how many rings bound nothing.
+    pub(super) fn add(
+        &mut self,
+        rings: Vec<Ring>,
+        rule: FillRule,
+        name: Option<&str>,
+    ) -> Result<usize, ReadError> {
+        let (features, without_effect) = polygons(rings, rule, name)?;
+        self.features.extend(features);
+        let count = without_effect.len();
+        self.shapes.push(Shape { end: self.features.len(), rule, without_effect });
+        Ok(count)
+    }
+
+    /// Makes one shape of the polygons that are in none.
+    pub(super) fn end_shape(&mut self) {
+        let (end, without_effect) = (self.features.len(), Vec::new());
+        self.shapes.push(Shape { end, rule: FillRule::EvenOdd, without_effect });
+    }
 }
 
 impl Feature {

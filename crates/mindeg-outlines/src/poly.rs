@@ -16,7 +16,7 @@ use glam::DVec2;
 
 use super::curve::Curve;
 use super::loops::{self, Link};
-use super::nesting::{FillRule, contains, polygons};
+use super::nesting::contains;
 use super::outline::{Feature, Outlines};
 use super::text::{at_line, counted, lines, number_at, quoted, shown, text_of, whole_at};
 use crate::error::ReadError;
@@ -42,10 +42,9 @@ pub(super) fn read(
     let holes = hole_points(&mut rows)?;
     let (rings, note) =
         loops::rings(&points, &links, |point| format!("vertex {}", u64::from(point) + first))?;
-    let mut notes: Vec<String> = note.into_iter().collect();
-    let (features, _) = polygons(rings, FillRule::EvenOdd, None)?;
-    notes.extend(check_holes(&features, &holes)?);
-    Ok(Outlines { features, notes })
+    let mut outlines = Outlines::of_rings(rings, note.into_iter().collect())?;
+    outlines.notes.extend(check_holes(&outlines.features, &holes)?);
+    Ok(outlines)
 }
 
 /// Whether a line is that of the number of vertices: three or four whole numbers, the second of

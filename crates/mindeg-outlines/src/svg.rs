@@ -19,7 +19,6 @@ use roxmltree::{Document, Node, ParsingOptions};
 
 use self::path::Subpath;
 use self::style::Style;
-use super::nesting::polygons;
 use super::outline::{Outlines, Ring};
 use super::text::{at_line, counted, text_of};
 use crate::error::ReadError;
@@ -139,11 +138,10 @@ impl Reader<'_, '_> {
             }
         }
         let name = node.attribute("id").filter(|id| !id.trim().is_empty());
-        let (features, without_effect) = polygons(rings, style.fill_rule, name)?;
+        let without_effect = self.outlines.add(rings, style.fill_rule, name)?;
         if without_effect > 0 {
             *self.left_out.entry("ring inside a filled area").or_default() += without_effect;
         }
-        self.outlines.features.extend(features);
         Ok(())
     }
 

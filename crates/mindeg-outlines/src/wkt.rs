@@ -21,8 +21,13 @@ const DEEPEST: u32 = 64;
 /// What is not well-known text, with the line and the column.
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     let text = text_of(bytes)?;
-    let mut reader =
-        Reader { text, at: 0, skipped: BTreeMap::new(), heights: false, features: vec![] };
+    let mut reader = Reader {
+        text,
+        at: 0,
+        skipped: BTreeMap::new(),
+        heights: false,
+        outlines: Outlines::default(),
+    };
     reader.skip_separators();
     while reader.at < text.len() {
         reader.geometry(0)?;
@@ -37,7 +42,7 @@ struct Reader<'a> {
     at: usize,
     skipped: BTreeMap<&'static str, usize>,
     heights: bool,
-    features: Vec<Feature>,
+    outlines: Outlines,
 }
 
 impl<'a> Reader<'a> {
@@ -128,8 +133,11 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         match keyword {
-            "POLYGON" => self.polygon(),
-            "MULTIPOLYGON" => self.listed(Self::polygon),
+            "POLYGON" | "MULTIPOLYGON" => {
+                if keyword == "POLYGON" { self.polygon() } else { self.listed(Self::polygon) }?;
+                self.outlines.end_shape();
+                Ok(())
+            }
             "GEOMETRYCOLLECTION" if depth == DEEPEST => Err(self.error_at(
                 start,
                 format!("collections lie more than {DEEPEST} deep in each other"),
@@ -175,7 +183,7 @@ impl<'a> Reader<'a> {
             rings.push(Ring::of_points(points));
             Ok(())
         })?;
-        self.features.push(Feature { name: None, rings });
+        self.outlines.features.push(Feature { name: None, rings });
         Ok(())
     }
 
@@ -222,10 +230,10 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn end(self) -> Result<Outlines, ReadError> {
+    fn end(mut self) -> Result<Outlines, ReadError> {
         let skipped: Vec<String> =
             self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
-        if self.features.is_empty() {
+        if self.outlines.features.is_empty() {
             let only = match &skipped[..] {
                 [] => "the text is empty".to_owned(),
                 skipped => format!("only {}", skipped.join(", ")),
@@ -235,14 +243,14 @@ impl<'a> Reader<'a> {
                 format!("no POLYGON or MULTIPOLYGON: {only}"),
             ));
         }
-        let mut notes = Vec::new();
+        let notes = &mut self.outlines.notes;
         if !skipped.is_empty() {
             notes.push(format!("left out {}", skipped.join(", ")));
         }
         if self.heights {
             notes.push("left out the Z and M values of points".to_owned());
         }
-        Ok(Outlines { features: self.features, notes })
+        Ok(self.outlines)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use mindeg_outlines::{self as outlines, Division, Listed, Outlines};
+use mindeg_outlines::{self as outlines, Division, FillRule, Listed, Outlines};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -14,11 +14,13 @@ struct Options<'a> {
     division: Division,
     feature: Option<&'a str>,
     repair: bool,
+    fill_rule: Option<FillRule>,
 }
 
 /// The domain in a file, or in the text of GeoJSON, as JSON, and what its reader left out.
 #[pyfunction]
-#[pyo3(name = "_domain_of_outline", signature = (path, text, *, corner_angle, size=None, feature=None, repair=false))]
+#[pyo3(name = "_domain_of_outline", signature = (path, text, *, corner_angle, size=None, feature=None, repair=false, fill_rule=None))]
+#[expect(clippy::too_many_arguments, reason = "named by the callers in Python")]
 pub(crate) fn domain_of_outline(
     py: Python<'_>,
     path: Option<PathBuf>,
@@ -27,6 +29,7 @@ pub(crate) fn domain_of_outline(
     size: Option<f64>,
     feature: Option<&str>,
     repair: bool,
+    fill_rule: Option<&str>,
 ) -> PyResult<(String, Vec<String>)> {
     if let Some(size) = size.filter(|size| !(size.is_finite() && *size > 0.0)) {
         let problem = format!("size is {size}; give a length above 0");
@@ -36,7 +39,13 @@ pub(crate) fn domain_of_outline(
         let problem = format!("corner_angle is {corner_angle}; give degrees from 0 to 180");
         return Err(PyValueError::new_err(problem));
     }
-    let options = Options { division: Division { corner_angle, size }, feature, repair };
+    let fill_rule = fill_rule.map(str::parse).transpose();
+    let fill_rule =
+        fill_rule.map_err(|error: String| PyValueError::new_err(format!("fill_rule: {error}")))?;
+    if fill_rule.is_some() && !repair {
+        return Err(PyValueError::new_err("fill_rule is for repair=True alone"));
+    }
+    let options = Options { division: Division { corner_angle, size }, feature, repair, fill_rule };
     py.detach(|| {
         let Some(path) = &path else {
             let bytes = text.unwrap_or_default().into_bytes();
@@ -69,9 +78,9 @@ fn domain(
     };
     let mut read = outlines::read(&bytes, format, beside).map_err(|error| text(&error))?;
     if options.repair {
-        read = read.repaired().map_err(|error| text(&error))?;
+        read = read.repaired(options.fill_rule).map_err(|error| text(&error))?;
     }
-    let Outlines { features, notes } = read;
+    let Outlines { features, notes, .. } = read;
     let mut polygons = outlines::labelled(features);
     if let Some(wanted) = options.feature {
         polygons = outlines::chosen(polygons, wanted).map_err(|error| text(&error))?;

@@ -4,6 +4,7 @@ use super::values::{Corners, IntervalCounts, RectangleSize, length};
 use crate::failure::Failure;
 use clap::Args;
 use mindeg::Spacing;
+use mindeg_outlines::FillRule;
 use std::path::PathBuf;
 
 /// One domain, from a file or from options.
@@ -66,9 +67,13 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "NAME|INDEX", requires = "domain")]
     pub(crate) feature: Option<String>,
 
-    /// Part rings that touch or cross themselves, and drop repeated points and spikes
+    /// Turn rings that cross or touch into polygons that do not, and drop what bounds no area
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
+
+    /// What --repair counts as inside: evenodd or nonzero; without it the fill rule of an SVG, else evenodd
+    #[arg(long, value_name = "RULE", requires = "repair")]
+    pub(crate) fill_rule: Option<FillRule>,
 
     /// A side of an outline ends where it turns by more than this, in degrees
     #[arg(

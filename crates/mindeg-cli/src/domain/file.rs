@@ -89,9 +89,9 @@ pub(crate) fn read(
     let mut outlines = outlines::read(&bytes, format, beside).map_err(bad)?;
     drop(bytes);
     if options.repair {
-        outlines = outlines.repaired().map_err(bad)?;
+        outlines = outlines.repaired(options.fill_rule).map_err(bad)?;
     }
-    let Outlines { features, notes } = outlines;
+    let Outlines { features, notes, .. } = outlines;
     notes.iter().for_each(|note| say(&format!("{name}: {note}")));
     let mut polygons = outlines::labelled(features);
     if let Some(wanted) = &options.feature {

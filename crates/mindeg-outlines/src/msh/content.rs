@@ -7,7 +7,6 @@ use glam::{DVec2, DVec3};
 
 use super::super::curve::Curve;
 use super::super::loops::{self, Link};
-use super::super::nesting::{FillRule, polygons};
 use super::super::outline::Outlines;
 use super::super::plane;
 use super::super::text::{at_line, counted};
@@ -84,11 +83,10 @@ impl File {
         let (rings, note) =
             loops::rings(&points, &links, |point| format!("node {}", tags[point as usize]))?;
         notes.extend(note);
-        let (features, _) = polygons(rings, FillRule::EvenOdd, None)?;
         if others > 0 {
             notes.push(format!("left out {} that are no lines", counted(others, "element")));
         }
-        Ok(Outlines { features, notes })
+        Outlines::of_rings(rings, notes)
     }
 }
 

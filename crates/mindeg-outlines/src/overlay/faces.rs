@@ -1,0 +1,259 @@
+//! The sides of edges that meet at their ends alone: what is inside, and the rings round it.
+
+use std::cmp::Ordering;
+
+use glam::DVec2;
+
+use super::super::nesting::{FillRule, too_deep};
+use super::super::orientation::orientation;
+use super::{Edge, Layer, Step};
+
+/// The most comparisons of a vertex with an edge, which take some seconds.
+const MOST_COMPARISONS: u64 = 4_000_000_000;
+
+/// All edges between two vertices as one. As a half-edge, `2 * index` runs from the first end to the
+/// second and `2 * index + 1` back.
+struct Link {
+    ends: [u32; 2],
+    /// The first of its edges, and whether that one runs from the first end to the second.
+    edge: Edge,
+    forward: bool,
+}
+
+/// The simple rings between inside and outside, with inside on their left, and how many links have
+/// one of them on both sides.
+pub(super) fn boundary(
+    edges: &[Edge],
+    points: &[DVec2],
+    layers: &[Layer<'_>],
+    layer_of: impl Fn(&Edge) -> usize,
+    is_inside: impl Fn(&[bool]) -> bool,
+) -> Result<(Vec<Vec<Step>>, usize), String> {
+    let count = layers.len();
+    let (links, changes) = links(edges, count, layer_of);
+    let graph = Graph::new(&links, points);
+    let windings = graph.windings(&changes, count)?;
+    let is_left_inside = |half: usize| {
+        let counted: Vec<bool> = (layers.iter().zip(&windings[half * count..]))
+            .map(|(layer, winding)| match layer.rule {
+                FillRule::EvenOdd => winding % 2 != 0,
+                FillRule::NonZero => *winding != 0,
+            })
+            .collect();
+        is_inside(&counted)
+    };
+    let inside: Vec<bool> = (0..2 * links.len()).map(is_left_inside).collect();
+    let is_bound = |half: usize| inside[half] && !inside[half ^ 1];
+    let bounds = (0..2 * links.len()).filter(|&half| is_bound(half)).count();
+    Ok((graph.rings(is_bound), links.len() - bounds))
+}
+
+/// The links of all edges, and for each link and layer by how much the winding number to its left
+/// exceeds that to its right.
+fn links(
+    edges: &[Edge],
+    layers: usize,
+    layer_of: impl Fn(&Edge) -> usize,
+) -> (Vec<Link>, Vec<i64>) {
+    let lower_first =
+        |edge: &Edge| [edge.ends[0].min(edge.ends[1]), edge.ends[0].max(edge.ends[1])];
+    let mut order: Vec<&Edge> = edges.iter().collect();
+    order.sort_by_key(|edge| (lower_first(edge), edge.chord));
+    let mut links: Vec<Link> = Vec::new();
+    let mut changes = Vec::new();
+    for &edge in order {
+        let ends = lower_first(&edge);
+        let forward = edge.ends == ends;
+        if links.last().is_none_or(|last| last.ends != ends) {
+            links.push(Link { ends, edge, forward });
+            changes.resize(links.len() * layers, 0);
+        }
+        changes[(links.len() - 1) * layers + layer_of(&edge)] += if forward { 1 } else { -1 };
+    }
+    (links, changes)
+}
+
+/// The half-edges round each vertex.
+struct Graph<'a> {
+    links: &'a [Link],
+    points: &'a [DVec2],
+    /// The half-edges that leave each vertex, counter-clockwise, from downwards on.
+    around: Vec<Vec<usize>>,
+    /// The index of each half-edge among those that leave its vertex.
+    place: Vec<usize>,
+}
+
+impl<'a> Graph<'a> {
+    fn new(links: &'a [Link], points: &'a [DVec2]) -> Self {
+        let mut around = vec![Vec::new(); points.len()];
+        for (index, link) in links.iter().enumerate() {
+            around[link.ends[0] as usize].push(2 * index);
+            around[link.ends[1] as usize].push(2 * index + 1);
+        }
+        let place = vec![0; 2 * links.len()];
+        let mut graph = Self { links, points, around: Vec::new(), place };
+        for (vertex, halves) in around.iter_mut().enumerate() {
+            let origin = points[vertex];
+            halves.sort_by(|&one, &other| {
+                let [one, other] = [one, other].map(|half| points[graph.end(half) as usize]);
+                // To the right and straight up first, then to the left and straight down.
+                let is_left = |p: DVec2| p.x < origin.x || p.x == origin.x && p.y < origin.y;
+                let turn = orientation(origin, other, one);
+                let turns = turn.partial_cmp(&0.0).unwrap_or(Ordering::Equal);
+                is_left(one).cmp(&is_left(other)).then(turns)
+            });
+            halves.iter().enumerate().for_each(|(at, &half)| graph.place[half] = at);
+        }
+        graph.around = around;
+        graph
+    }
+
+    fn start(&self, half: usize) -> u32 {
+        self.links[half / 2].ends[half % 2]
+    }
+
+    fn end(&self, half: usize) -> u32 {
+        self.links[half / 2].ends[1 - half % 2]
+    }
+
+    /// For each half-edge and layer the winding number to its left.
+    fn windings(&self, changes: &[i64], layers: usize) -> Result<Vec<i64>, String> {
+        let change = |half: usize, layer: usize| {
+            let change = changes[half / 2 * layers + layer];
+            if half.is_multiple_of(2) { change } else { -change }
+        };
+        let parts = self.parts();
+        let mut windings = vec![0; 2 * self.links.len() * layers];
+        let mut is_known = vec![false; self.points.len()];
+        let mut budget = MOST_COMPARISONS;
+        for (index, part) in parts.iter().enumerate() {
+            // Left of the leftmost vertex is what the other parts make of it.
+            let vertex = part.leftmost;
+            let mut outside = vec![0; layers];
+            for (_, other) in parts.iter().enumerate().filter(|&(at, _)| at != index) {
+                let point = self.points[vertex as usize];
+                let is_in_box = other.low.cmple(point).all() && other.high.cmpge(point).all();
+                let cost = if is_in_box { 1 + other.links.len() as u64 } else { 1 };
+                budget = budget.checked_sub(cost).ok_or_else(|| too_deep(parts.len()))?;
+                if is_in_box {
+                    let crossed = other.links.iter().filter_map(|&link| self.crossed(link, point));
+                    for half in crossed {
+                        (outside.iter_mut().enumerate())
+                            .for_each(|(layer, sum)| *sum += change(half, layer));
+                    }
+                }
+            }
+            is_known[vertex as usize] = true;
+            let mut open = vec![(vertex, self.around[vertex as usize].len(), outside)];
+            while let Some((vertex, from, mut winding)) = open.pop() {
+                // From the sector before the half-edge at `from` all the way round.
+                let halves = &self.around[vertex as usize];
+                for at in (0..halves.len()).map(|i| (from + i) % halves.len()) {
+                    let half = halves[at];
+                    let twin = half ^ 1;
+                    windings[twin * layers..][..layers].copy_from_slice(&winding);
+                    (winding.iter_mut().enumerate())
+                        .for_each(|(layer, sum)| *sum += change(half, layer));
+                    windings[half * layers..][..layers].copy_from_slice(&winding);
+                    let end = self.end(half);
+                    if !std::mem::replace(&mut is_known[end as usize], true) {
+                        // Right of the half-edge back lies what is left of this one.
+                        open.push((end, self.place[twin], winding.clone()));
+                    }
+                }
+            }
+        }
+        Ok(windings)
+    }
+
+    /// The half-edge of a link that has a point on its left, if a ray to the right from there crosses it.
+    fn crossed(&self, link: usize, point: DVec2) -> Option<usize> {
+        let [a, b] = self.links[link].ends.map(|end| self.points[end as usize]);
+        if (a.y > point.y) == (b.y > point.y) {
+            return None;
+        }
+        let half = 2 * link + usize::from(a.y > b.y);
+        let turn = orientation(a, b, point);
+        ((turn > 0.0) == (a.y < b.y)).then_some(half)
+    }
+
+    /// The links that hang together.
+    fn parts(&self) -> Vec<Part> {
+        let mut is_seen = vec![false; self.points.len()];
+        let mut parts = Vec::new();
+        for first in 0..self.points.len() {
+            if is_seen[first] || self.around[first].is_empty() {
+                continue;
+            }
+            is_seen[first] = true;
+            let start = self.points[first];
+            let mut part =
+                Part { links: Vec::new(), leftmost: first as u32, low: start, high: start };
+            let mut open = vec![first as u32];
+            while let Some(vertex) = open.pop() {
+                let point = self.points[vertex as usize];
+                let leftmost = self.points[part.leftmost as usize];
+                if point.x < leftmost.x || point.x == leftmost.x && point.y < leftmost.y {
+                    part.leftmost = vertex;
+                }
+                (part.low, part.high) = (part.low.min(point), part.high.max(point));
+                for &half in &self.around[vertex as usize] {
+                    if half % 2 == 0 {
+                        part.links.push(half / 2);
+                    }
+                    let end = self.end(half);
+                    if !std::mem::replace(&mut is_seen[end as usize], true) {
+                        open.push(end);
+                    }
+                }
+            }
+            parts.push(part);
+        }
+        parts
+    }
+
+    /// The rings of half-edges of a kind, each parted where it comes back to a vertex.
+    fn rings(&self, is_bound: impl Fn(usize) -> bool) -> Vec<Vec<Step>> {
+        let mut used = vec![false; 2 * self.links.len()];
+        let mut position = vec![None; self.points.len()];
+        let mut rings = Vec::new();
+        for first in (0..used.len()).filter(|&half| is_bound(half)) {
+            let mut run: Vec<Step> = Vec::new();
+            let mut half = first;
+            while !std::mem::replace(&mut used[half], true) {
+                let link = &self.links[half / 2];
+                let from = self.start(half);
+                if let Some(at) = position[from as usize] {
+                    rings.push(Self::cut(&mut run, at, &mut position));
+                }
+                position[from as usize] = Some(run.len());
+                let forward = link.forward == (half % 2 == 0);
+                run.push(Step { from, chord: link.edge.chord, forward });
+                // The next one clockwise bounds the same inside.
+                let halves = &self.around[self.end(half) as usize];
+                let (back, count) = (self.place[half ^ 1], halves.len());
+                let mut clockwise = (1..=count).map(|i| halves[(back + count - i) % count]);
+                half = clockwise.find(|&half| is_bound(half)).unwrap_or(half);
+            }
+            if !run.is_empty() {
+                rings.push(Self::cut(&mut run, 0, &mut position));
+            }
+        }
+        rings
+    }
+
+    /// The end of a run, from a position on.
+    fn cut(run: &mut Vec<Step>, at: usize, position: &mut [Option<usize>]) -> Vec<Step> {
+        let ring = run.split_off(at);
+        ring.iter().for_each(|step| position[step.from as usize] = None);
+        ring
+    }
+}
+
+/// Links that hang together, with their box.
+struct Part {
+    links: Vec<usize>,
+    leftmost: u32,
+    low: DVec2,
+    high: DVec2,
+}
