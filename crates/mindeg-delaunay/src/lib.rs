@@ -263,12 +263,27 @@ fn order(vertices: u32, rings: &[Range<u32>], corners: &[u32]) -> impl Iterator<
     of_rings.chain(first).chain(interior)
 }
 
+/// From this many vertices of a level on their order matters more than that they follow each other.
+const LARGE_LEVEL: u64 = 2048;
+
 /// The numbers from 1 on below a count, each after the smaller number beside it.
+///
+/// A level may be all tips of a comb over all its roots. One by one from an end, the first tip would
+/// get edges to all roots, the next one to all but one, and so on; by halves, there are n log n in all.
 fn bisection(count: u32) -> impl Iterator<Item = (u32, u32)> {
     let count = u64::from(count);
     let steps = (0..u64::BITS - count.leading_zeros()).rev().map(|power| 1_u64 << power);
     steps.flat_map(move |step| {
-        (step..count).step_by(2 * step as usize).map(move |at| (at as u32, (at - step) as u32))
+        let len = count.saturating_sub(step).div_ceil(2 * step);
+        let bits = u64::BITS - len.saturating_sub(1).leading_zeros();
+        let (in_order, all) = if len < LARGE_LEVEL { (len, 0) } else { (0, 1_u64 << bits) };
+        let by_halves = (0..all)
+            .map(move |at| at.reverse_bits() >> (u64::BITS - bits))
+            .filter(move |&at| at < len);
+        (0..in_order).chain(by_halves).map(move |at| {
+            let at = step + 2 * step * at;
+            (at as u32, (at - step) as u32)
+        })
     })
 }
 
@@ -445,9 +460,13 @@ mod tests {
 
     #[test]
     fn the_order_has_every_vertex_after_its_neighbor() {
-        for (vertices, corners) in
-            [(3, &[0, 1, 2][..]), (7, &[0, 5, 6]), (33, &[0, 7, 16, 17]), (66, &[0, 64, 65])]
-        {
+        for (vertices, corners) in [
+            (3, &[0, 1, 2][..]),
+            (7, &[0, 5, 6]),
+            (33, &[0, 7, 16, 17]),
+            (66, &[0, 64, 65]),
+            (9001, &[]),
+        ] {
             for rings in [vec![0..2, 2..vertices], vec![0..2, 2..vertices - 1], Vec::new()] {
                 let mut seen = vec![false; vertices as usize];
                 for (vertex, neighbor) in order(vertices, &rings, corners) {
@@ -457,6 +476,9 @@ mod tests {
                 assert!(seen.iter().all(|&seen| seen), "{rings:?}");
             }
         }
+        // Nor does a large level take its vertices one by one from an end.
+        let last = bisection(16_384).skip(8191).map(|(vertex, _)| vertex).take(4);
+        assert!(last.eq([1, 8193, 4097, 12_289]));
         // In the order of the ring, each of many corners would take time for all before it.
         let corners = Vec::from_iter(0..8);
         let first =

@@ -6,33 +6,39 @@ use crate::merit::Merit;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct State<M> {
     /// Chords counted at the lower end.
-    pub(crate) at_i: u16,
+    pub(crate) at_i: u32,
     /// Chords counted at the upper end.
-    pub(crate) at_j: u16,
+    pub(crate) at_j: u32,
     pub(crate) merit: M,
 }
 
-/// The best merit of one piece for every pair of end degrees.
+/// The best merit of one piece for every pair of end degrees in a window.
 pub(crate) struct Grid<M> {
+    /// The smallest degrees of the window.
+    low: [u32; 2],
     width: usize,
     cells: Vec<Option<M>>,
-    /// Entry b: the best merit so far with at most b chords at the upper end.
+    /// Entry b: the best merit so far with at most `low[1]` + b chords at the upper end.
     best_below: Vec<Option<M>>,
 }
 
 impl<M: Merit> Grid<M> {
     pub(crate) fn new() -> Self {
-        Self { width: 0, cells: Vec::new(), best_below: Vec::new() }
+        Self { low: [0; 2], width: 0, cells: Vec::new(), best_below: Vec::new() }
     }
 
-    pub(crate) fn clear(&mut self, most_at_i: u16, most_at_j: u16) {
-        self.width = usize::from(most_at_j) + 1;
+    /// Empties it for degrees from `low` to `high`.
+    pub(crate) fn clear(&mut self, low: [u32; 2], high: [u32; 2]) {
+        let [height, width] = [0, 1].map(|end| (high[end] - low[end]) as usize + 1);
+        (self.low, self.width) = (low, width);
         self.cells.clear();
-        self.cells.resize((usize::from(most_at_i) + 1) * self.width, None);
+        self.cells.resize(height * width, None);
     }
 
+    /// Notes a state of the window.
     pub(crate) fn offer(&mut self, state: State<M>) {
-        let (at_i, at_j) = (usize::from(state.at_i), usize::from(state.at_j));
+        let (at_i, at_j) =
+            ((state.at_i - self.low[0]) as usize, (state.at_j - self.low[1]) as usize);
         if !M::ALL_EQUAL {
             let cell = &mut self.cells[at_i * self.width + at_j];
             *cell = (*cell).max(Some(state.merit));
@@ -46,9 +52,15 @@ impl<M: Merit> Grid<M> {
 
     /// Whether the piece has a triangulation with these chords at the ends, or, where all are equal,
     /// with no more.
-    pub(crate) fn has(&self, at_i: u16, at_j: u16) -> bool {
-        let (at_i, at_j) = (usize::from(at_i), usize::from(at_j));
-        at_j < self.width && self.cells.get(at_i * self.width + at_j).is_some_and(Option::is_some)
+    pub(crate) fn has(&self, at_i: u32, at_j: u32) -> bool {
+        let last = [self.cells.len() / self.width - 1, self.width - 1];
+        let (Some(at_i), Some(at_j)) =
+            (at_i.checked_sub(self.low[0]), at_j.checked_sub(self.low[1]))
+        else {
+            return false;
+        };
+        let (at_i, at_j) = (last[0].min(at_i as usize), last[1].min(at_j as usize));
+        self.cells[at_i * self.width + at_j].is_some()
     }
 
     /// Appends the states that no other one beats, that is, equals with as few chords at either end
@@ -56,9 +68,9 @@ impl<M: Merit> Grid<M> {
     pub(crate) fn append_front(&mut self, states: &mut Vec<State<M>>) {
         self.best_below.clear();
         self.best_below.resize(self.width, None);
-        for (at_i, row) in (0..).zip(self.cells.chunks(self.width)) {
+        for (at_i, row) in (self.low[0]..).zip(self.cells.chunks(self.width)) {
             let mut best = None;
-            for (at_j, (cell, below)) in (0..).zip(row.iter().zip(&mut self.best_below)) {
+            for (at_j, (cell, below)) in (self.low[1]..).zip(row.iter().zip(&mut self.best_below)) {
                 best = best.max(*below);
                 if let Some(merit) = *cell
                     && best < Some(merit)
@@ -78,14 +90,14 @@ mod tests {
     use crate::merit::TieBreak;
 
     /// Where all triangulations are equal, the front has those with the fewest chords.
-    fn check_equal(offers: &[(u16, u16, u64)]) {
+    fn check_equal(offers: &[(u32, u32, u64)]) {
         let mut grid = Grid::<()>::new();
-        grid.clear(2, 2);
+        grid.clear([0; 2], [2; 2]);
         offers.iter().for_each(|&(at_i, at_j, _)| grid.offer(State { at_i, at_j, merit: () }));
         let mut front = Vec::new();
         grid.append_front(&mut front);
         for (at_i, at_j) in (0..3).flat_map(|a| (0..3).map(move |b| (a, b))) {
-            let beats = |a: u16, b: u16| a <= at_i && b <= at_j;
+            let beats = |a: u32, b: u32| a <= at_i && b <= at_j;
             let is_beaten = offers.iter().any(|&(a, b, _)| beats(a, b) && (a, b) != (at_i, at_j));
             let is_offered = offers.iter().any(|&(a, b, _)| (a, b) == (at_i, at_j));
             let state = State { at_i, at_j, merit: () };
@@ -108,7 +120,7 @@ mod tests {
             (&[(0, 0, 5), (0, 0, 6), (0, 0, 4)], &[(0, 0, 6)]),
         ] {
             check_equal(offers);
-            grid.clear(2, 2);
+            grid.clear([0; 2], [2; 2]);
             offers.iter().for_each(|&offer| grid.offer(state(offer)));
             front.clear();
             grid.append_front(&mut front);

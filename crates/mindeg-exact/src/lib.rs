@@ -83,6 +83,7 @@ mod delaunay;
 mod feasibility;
 mod fill;
 mod front;
+mod hulls;
 mod least_cost;
 mod least_weight;
 mod limits;

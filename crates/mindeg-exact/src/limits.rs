@@ -20,7 +20,7 @@ impl DegreeLimits {
         matters: impl Fn(u32, u32) -> bool,
     ) -> Vec<Capacity> {
         let capacity = |(degree, &most)| {
-            if matters(degree, most) { Capacity::Limited(most as u16) } else { Capacity::Unlimited }
+            if matters(degree, most) { Capacity::Limited(most) } else { Capacity::Unlimited }
         };
         chords.degrees().into_iter().zip(&self.chords).map(capacity).collect()
     }
@@ -30,19 +30,19 @@ impl DegreeLimits {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Capacity {
     /// At most this many; they are counted.
-    Limited(u16),
+    Limited(u32),
     /// Any number; they are not counted.
     Unlimited,
 }
 
 impl Capacity {
     /// What one more chord adds to the count.
-    pub(crate) fn step(self) -> u16 {
-        u16::from(self != Self::Unlimited)
+    pub(crate) fn step(self) -> u32 {
+        u32::from(self != Self::Unlimited)
     }
 
     /// The largest count.
-    pub(crate) fn most(self) -> u16 {
+    pub(crate) fn most(self) -> u32 {
         if let Self::Limited(chords) = self { chords } else { 0 }
     }
 }

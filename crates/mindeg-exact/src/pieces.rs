@@ -59,6 +59,9 @@ struct Batch<M> {
 /// How many chords make a batch: enough to be worth handing to a thread.
 const BATCH: usize = 16;
 
+/// Above this many pairs of degrees at the ends of a piece, it looks which of them occur.
+const MANY_CELLS: u64 = 4096;
+
 /// With fewer chords, one thread does all.
 const FEW: usize = 4096;
 
@@ -145,18 +148,22 @@ impl<'a, M: Merit> Pieces<'a, M> {
     fn fill(&self, grid: &mut Grid<M>, i: usize, j: usize) -> f64 {
         let [capacity_i, capacity_j] = [i, j].map(|vertex| self.rules.capacities[vertex]);
         // The chord (i, j) itself takes a place beside those of its piece.
-        let is_chord = u16::from(j - i < self.vertices - 1);
+        let is_chord = u32::from(j - i < self.vertices - 1);
         let most = |capacity: Capacity| capacity.most().checked_sub(is_chord * capacity.step());
-        let (Some(most_at_i), Some(most_at_j)) = (most(capacity_i), most(capacity_j)) else {
-            grid.clear(0, 0);
+        let window = match (most(capacity_i), most(capacity_j)) {
+            (Some(most_at_i), Some(most_at_j)) => self.window([i, j], [most_at_i, most_at_j]),
+            _ => None,
+        };
+        let Some([low, most]) = window else {
+            grid.clear([0; 2], [0; 2]);
             return f64::NEG_INFINITY;
         };
-        grid.clear(most_at_i, most_at_j);
+        grid.clear(low, most);
         let mut left_out = f64::NEG_INFINITY;
         let mut visit = |apex: usize, left: Front, right: Front| {
             let triangle = [i, apex, j];
             let pieces = [self.states(left), self.states(right)];
-            let fits = |state: State<M>| state.at_i <= most_at_i && state.at_j <= most_at_j;
+            let fits = |state: State<M>| state.at_i <= most[0] && state.at_j <= most[1];
             if M::ALL_EQUAL {
                 // Few triangles add anything, and only these are measured.
                 let mut is_new = false;
@@ -204,6 +211,32 @@ impl<'a, M: Merit> Pieces<'a, M> {
         left_out
     }
 
+    /// The least and the largest degrees at the ends of the piece from `i` to `j`, no larger than `most`;
+    /// none if there are none. Where all degrees up to `most` are few, it takes these.
+    fn window(&self, [i, j]: [usize; 2], most: [u32; 2]) -> Option<[[u32; 2]; 2]> {
+        if (u64::from(most[0]) + 1) * (u64::from(most[1]) + 1) <= MANY_CELLS {
+            return Some([[0; 2], most]);
+        }
+        let [step_i, step_j] = [i, j].map(|vertex| self.rules.capacities[vertex].step());
+        let (mut low, mut high) = ([u32::MAX; 2], [0; 2]);
+        // It visits all.
+        let _ = self.fronts.meet(i as u32, j as u32, |apex, left, right| {
+            let steps = [
+                u32::from(apex as usize > i + 1) * step_i,
+                u32::from(j > apex as usize + 1) * step_j,
+            ];
+            let at_i = self.states(left).iter().map(|state| (0, state.at_i));
+            let at_j = self.states(right).iter().map(|state| (1, state.at_j));
+            for (end, chords) in at_i.chain(at_j) {
+                let chords = chords + steps[end];
+                low[end] = low[end].min(chords);
+                high[end] = high[end].max(chords.min(most[end]));
+            }
+            ControlFlow::Continue(())
+        });
+        (low[0] <= most[0] && low[1] <= most[1]).then_some([low, high])
+    }
+
     fn corners(&self, triangle: [usize; 3]) -> [DVec2; 3] {
         triangle.map(|vertex| self.rules.points[vertex])
     }
@@ -217,8 +250,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
         mut visit: impl FnMut(State<M>, State<M>, State<M>),
     ) {
         let capacities = &self.rules.capacities;
-        let is_left_chord = u16::from(apex > i + 1);
-        let is_right_chord = u16::from(j > apex + 1);
+        let is_left_chord = u32::from(apex > i + 1);
+        let is_right_chord = u32::from(j > apex + 1);
         let capacity = capacities[apex];
         for &left in lefts {
             let at_apex = left.at_j + (is_left_chord + is_right_chord) * capacity.step();

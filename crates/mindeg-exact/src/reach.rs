@@ -4,12 +4,10 @@
 use crate::chords::Chords;
 use crate::measure::min_angle_tangent;
 use crate::parallel::map_chunks;
+use crate::rows::gallop;
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
 use std::ops::Range;
-
-/// With more vertices the bits would take more than 200 MB; then all edges stay.
-const MOST_VERTICES: usize = 40_000;
 
 /// The fewest edges of a batch, unless it is the only one: enough work for one thread.
 const BATCH: usize = 64;
@@ -27,16 +25,13 @@ pub(crate) fn reaching(
     report: impl Fn(f64) -> Result<(), Cancelled>,
 ) -> Result<Option<Chords>, Cancelled> {
     let vertices = chords.vertex_count();
-    if vertices > MOST_VERTICES {
-        return Ok(Some(chords.clone()));
-    }
     let is_good = |a: usize, b: usize, c: usize| {
         let corners = [points[a], points[b], points[c]];
         // Even a triangle that rounding has turned over has a tangent of 0.
         threshold <= 0.0
             || (is_roughly(corners, threshold) && min_angle_tangent(corners) >= threshold)
     };
-    let mut inside = Pairs::new(vertices);
+    let mut inside = Pairs::new(chords);
     for span in 1..vertices {
         report(span as f64 / vertices as f64 / 2.0)?;
         let starts = chords.of_span(span);
@@ -53,7 +48,7 @@ pub(crate) fn reaching(
     if !inside.has(0, vertices - 1) {
         return Ok(None);
     }
-    let mut both = Pairs::new(vertices);
+    let mut both = inside.emptied();
     for span in (1..vertices).rev() {
         report(1.0 - span as f64 / vertices as f64 / 2.0)?;
         let starts = chords.of_span(span);
@@ -96,31 +91,61 @@ fn each(starts: &[u32], answer: impl Fn(&u32) -> bool + Send + Sync) -> Vec<bool
     map_chunks(0..starts.len(), starts.len().div_ceil(batches).max(1), batch).concat()
 }
 
-/// A set of pairs of vertices, as bits.
+/// A set of pairs of vertices that are edges, as bits: of each vertex the 64-bit words in which it has
+/// an edge.
 struct Pairs {
-    /// 64-bit words to a vertex.
-    words: usize,
-    /// Bit w of vertex v: the set has v and w.
+    /// Where the words of each vertex begin.
+    starts: Vec<u32>,
+    /// Word w is of the vertices 64 * w to 64 * w + 63; ascending for each vertex.
+    words: Vec<u32>,
     bits: Vec<u64>,
 }
 
 impl Pairs {
-    fn new(vertices: usize) -> Self {
-        let words = vertices.div_ceil(64);
-        Self { words, bits: vec![0; vertices * words] }
+    /// None of these edges.
+    fn new(chords: &Chords) -> Self {
+        let mut words = vec![Vec::new(); chords.vertex_count()];
+        // By ascending length, so from the nearest word to the farthest one in either direction.
+        for [i, j] in chords.ends() {
+            for (vertex, word) in [(i, j / 64), (j, i / 64)] {
+                let of: &mut Vec<u32> = &mut words[vertex as usize];
+                if !of.iter().rev().take(2).any(|&known| known == word) {
+                    of.push(word);
+                }
+            }
+        }
+        let mut starts = vec![0];
+        for of in &mut words {
+            of.sort_unstable();
+            of.dedup();
+            starts.push(starts[starts.len() - 1] + of.len() as u32);
+        }
+        let words = words.concat();
+        Self { starts, bits: vec![0; words.len()], words }
+    }
+
+    /// None, with room for the same edges.
+    fn emptied(&self) -> Self {
+        let bits = vec![0; self.bits.len()];
+        Self { starts: self.starts.clone(), words: self.words.clone(), bits }
     }
 
     fn insert(&mut self, i: usize, j: usize) {
-        self.bits[i * self.words + j / 64] |= 1 << (j % 64);
-        self.bits[j * self.words + i / 64] |= 1 << (i % 64);
+        for (vertex, other) in [(i, j), (j, i)] {
+            let at = self.from(vertex, other / 64);
+            self.bits[at] |= 1 << (other % 64);
+        }
     }
 
+    /// Whether the set has this edge.
     fn has(&self, i: usize, j: usize) -> bool {
-        self.bits[i * self.words + j / 64] >> (j % 64) & 1 == 1
+        self.bits[self.from(i, j / 64)] >> (j % 64) & 1 == 1
     }
 
-    fn row(&self, vertex: usize) -> &[u64] {
-        &self.bits[vertex * self.words..][..self.words]
+    /// Where the words of a vertex from `word` on begin.
+    fn from(&self, vertex: usize, word: usize) -> usize {
+        let (start, end) = (self.starts[vertex] as usize, self.starts[vertex + 1] as usize);
+        start + self.words[start..end].partition_point(|&other| (other as usize) < word)
     }
 
     /// Whether one of these vertices that is paired with i here and with j in `other` passes.
@@ -136,10 +161,18 @@ impl Pairs {
             return false;
         }
         let (first, last) = (range.start, range.end - 1);
-        let words = first / 64..=last / 64;
-        let both = self.row(i)[words.clone()].iter().zip(&other.row(j)[words.clone()]);
-        words.zip(both).any(|(word, (a, b))| {
-            let mut bits = a & b;
+        let words = |vertex| self.from(vertex, first / 64)..self.from(vertex, last / 64 + 1);
+        let (mut of_i, mut of_j) = (words(i), words(j));
+        while !of_i.is_empty() && !of_j.is_empty() {
+            let [word, beside] = [of_i.start, of_j.start].map(|at| self.words[at] as usize);
+            if word != beside {
+                // The rows of a comb's back have thousands of words more than those of its teeth.
+                let behind = if word < beside { &mut of_i } else { &mut of_j };
+                let rest = &self.words[behind.start..behind.end];
+                behind.start += gallop(rest, |&other| (other as usize) < word.max(beside));
+                continue;
+            }
+            let mut bits = self.bits[of_i.start] & other.bits[of_j.start];
             if word == first / 64 {
                 bits &= u64::MAX << (first % 64);
             }
@@ -152,8 +185,9 @@ impl Pairs {
                 }
                 bits &= bits - 1;
             }
-            false
-        })
+            (of_i.start, of_j.start) = (of_i.start + 1, of_j.start + 1);
+        }
+        false
     }
 }
 
@@ -233,6 +267,19 @@ mod tests {
                 assert!(all.ends().all(|[i, j]| kept.has(i, j) == reach(i, j)), "{threshold}");
             }
         }
+    }
+
+    /// From 40,000 vertices on all edges passed for such that reach any angle, and then none was found.
+    #[test]
+    fn a_large_polygon_does_not_reach_what_it_cannot() {
+        let n = 40_002_u32;
+        let fan: Vec<_> = (2..n - 1).map(|j| [0, j]).collect();
+        let chords = Chords::new(n as usize, &[fan]);
+        let at = |v: u32| DVec2::from_angle(f64::from(v) * std::f64::consts::TAU / f64::from(n));
+        let points: Vec<DVec2> = (0..n).map(at).collect();
+        let reaching = |threshold| reaching(&chords, &points, threshold, |_| Ok(())).unwrap();
+        assert_eq!(reaching(1e-5).map(|kept| kept.len()), Some(chords.len()));
+        assert!(reaching(1e-3).is_none());
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! sees others in runs. So the vertices that two rows have in common are found many at a time.
 
 use crate::chords::{Chords, Lists};
+use std::cmp::Ordering;
 use std::ops::ControlFlow;
 
 /// The pieces solved so far, each with a value, from short ones to long ones.
@@ -110,10 +111,8 @@ impl<T: Copy + Default> Rows<T> {
         mut visit: impl FnMut(u32, T, T) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
         let (lefts, rights) = (self.up.values.of(i), self.down.values.of(j));
-        let mut up = self.up.blocks.of(i).iter();
-        let mut down = self.down.blocks.of(j).iter().rev();
-        let (mut left, mut right) = (up.next(), down.next());
-        while let (Some(a), Some(b)) = (left, right) {
+        let (mut up, mut down) = (self.up.blocks.of(i), self.down.blocks.of(j));
+        while let ([a, further_up @ ..], [further_down @ .., b]) = (up, down) {
             if a.index == b.index {
                 let mut both = a.ends & b.ends;
                 while both != 0 {
@@ -128,15 +127,29 @@ impl<T: Copy + Default> Rows<T> {
                     both &= both - 1;
                 }
             }
-            if a.index <= b.index {
-                left = up.next();
-            }
-            if b.index <= a.index {
-                right = down.next();
+            match a.index.cmp(&b.index) {
+                Ordering::Equal => (up, down) = (further_up, further_down),
+                Ordering::Less => up = &up[gallop(up, |block| block.index < b.index)..],
+                Ordering::Greater => {
+                    // Descending: the next one is the last.
+                    let kept = down.partition_point(|block| block.index >= a.index);
+                    down = &down[..kept];
+                }
             }
         }
         ControlFlow::Continue(())
     }
+}
+
+/// The number of items at the start of a sorted list that are before another, in time logarithmic in that
+/// number.
+pub(crate) fn gallop<T>(sorted: &[T], is_before: impl Fn(&T) -> bool) -> usize {
+    let mut step = 1;
+    while step < sorted.len() && is_before(&sorted[step]) {
+        step *= 2;
+    }
+    let from = step / 2;
+    from + sorted[from..sorted.len().min(step + 1)].partition_point(is_before)
 }
 
 #[cfg(test)]

@@ -108,6 +108,12 @@ impl Triangulation {
         beyond
     }
 
+    /// The corners of a triangle after a corner (3 * triangle + corner), counter-clockwise.
+    pub(crate) fn beside(&self, corner: u32) -> [u32; 2] {
+        let (corners, at) = (self.triangles[corner as usize / 3], corner as usize % 3);
+        [corners[(at + 1) % 3], corners[(at + 2) % 3]]
+    }
+
     /// The edges without a triangle beyond, as (from, to), in the order of the triangles.
     pub(crate) fn boundary_edges(&self) -> impl Iterator<Item = [u32; 2]> + Clone + '_ {
         self.triangles.iter().zip(&self.neighbours).flat_map(|(corners, neighbours)| {
@@ -140,6 +146,15 @@ impl Corners {
             next[vertex as usize] += 1;
         }
         Self { offsets, corners }
+    }
+
+    /// Puts the corners of each vertex in the order of a key: of the vertex and the next corner of the
+    /// triangle.
+    pub(crate) fn sort_by_key(&mut self, mesh: &Triangulation, key: impl Fn(u32, u32) -> u32) {
+        for (vertex, ends) in (0..).zip(self.offsets.windows(2)) {
+            self.corners[ends[0] as usize..ends[1] as usize]
+                .sort_unstable_by_key(|&corner| key(vertex, mesh.beside(corner)[0]));
+        }
     }
 
     pub(crate) fn of(&self, vertex: u32) -> &[u32] {

@@ -14,6 +14,7 @@
 //! ```
 
 use crate::chords::Chords;
+use crate::hulls::{Hulls, Which};
 use crate::parallel::map_chunks;
 use crate::progress::Stage;
 use crate::sides::Sides;
@@ -35,11 +36,76 @@ struct View {
 
 /// Finds the vertices that a vertex sees; reuses its memory.
 #[derive(Default)]
-pub(crate) struct Eye {
+pub(crate) struct Eye<'a> {
     open: Vec<View>,
+    /// With a polygon's ring it passes over many triangles at once.
+    ring: Option<&'a Ring<'a>>,
 }
 
-impl Eye {
+/// The ring 0, 1, 2, … of a polygon, where the vertices beyond an edge follow each other.
+pub(crate) struct Ring<'a> {
+    mesh: &'a Triangulation,
+    hulls: Hulls<'a>,
+    /// The corners at each vertex counter-clockwise.
+    corners: Corners,
+}
+
+impl<'a> Ring<'a> {
+    fn new(mesh: &'a Triangulation, points: &'a [DVec2]) -> Self {
+        let count = points.len();
+        let mut corners = Corners::new(count, &mesh.triangles);
+        corners.sort_by_key(mesh, |vertex, next| after(vertex, next, count));
+        Self { mesh, hulls: Hulls::new(points), corners }
+    }
+
+    /// Goes on with a view past triangles with no corner in the cone, whose vertices are all on one side
+    /// of it; false if nothing more can be seen.
+    fn skip(&self, points: &[DVec2], eye: DVec2, view: &mut View) -> bool {
+        let View { right, left, .. } = *view;
+        let [right_limit, left_limit] =
+            [view.right_limit, view.left_limit].map(|limit| points[limit as usize]);
+        let beyond = right + 1..left;
+        let first = self.hulls.left_of([eye, right_limit], beyond.clone(), Which::First);
+        let last = self.hulls.left_of([left_limit, eye], beyond, Which::Last);
+        let (Some(first), Some(last)) = (first, last) else { return false };
+        // All others are beside the cone, and so are the triangles at an end of the edge that have none but
+        // these: the view passes from one to the next.
+        let count = points.len();
+        if after(right, first, count) > after(right, last, count) {
+            return false;
+        }
+        let fan = self.corners.of(right);
+        let is_short = |&corner: &u32| {
+            let [_, end] = self.mesh.beside(corner);
+            after(right, end, count) <= after(right, last, count)
+        };
+        let corner = fan[fan.partition_point(is_short)];
+        let [_, end] = self.mesh.beside(corner);
+        if end != left {
+            (view.triangle, view.left) = (corner / 3, end);
+            return true;
+        }
+        let fan = self.corners.of(left);
+        let is_before = |&corner: &u32| {
+            let [start, _] = self.mesh.beside(corner);
+            after(left, start, count) < after(left, first, count)
+        };
+        let corner = fan[fan.partition_point(is_before) - 1];
+        let [start, _] = self.mesh.beside(corner);
+        (view.triangle, view.right) = (corner / 3, start);
+        true
+    }
+}
+
+/// How many vertices of a ring a vertex comes after another.
+fn after(from: u32, to: u32, count: usize) -> u32 {
+    if to >= from { to - from } else { to + count as u32 - from }
+}
+
+impl<'a> Eye<'a> {
+    /// The views from one look at the whole ring to the next: about what that takes.
+    const PATIENCE: u32 = if cfg!(test) { 2 } else { 32 };
+
     /// Visits every vertex, once, that corner `corner` (3 * triangle + corner) sees through its
     /// triangle: the last corner of the triangle unless it is a boundary neighbour, and all that is
     /// visible through the opposite edge. All corners of a vertex together visit each vertex that
@@ -64,7 +130,17 @@ impl Eye {
             let (right_limit, left_limit) = (right, left);
             self.open.push(View { triangle: beyond, right, left, right_limit, left_limit });
         }
+        let mut views = 0;
         while let Some(View { triangle, right, left, right_limit, left_limit }) = self.open.pop() {
+            views += 1;
+            let mut view = View { triangle, right, left, right_limit, left_limit };
+            if let Some(ring) = self.ring
+                && views % Self::PATIENCE == 0
+                && !ring.skip(points, at_eye, &mut view)
+            {
+                continue;
+            }
+            let View { triangle, right, left, right_limit, left_limit } = view;
             let (edge, apex) = mesh.enter(triangle, left);
             let is_left_of_right = turn(right_limit, apex) > 0.0;
             let is_right_of_left = turn(apex, left_limit) > 0.0;
@@ -98,7 +174,7 @@ pub(crate) fn chords(
     most: usize,
     stage: &Stage<'_>,
 ) -> Result<Option<Chords>, Cancelled> {
-    let pairs = pairs(mesh, points, sides, most, stage)?;
+    let pairs = seen_pairs(mesh, points, sides, Some(&Ring::new(mesh, points)), most, stage)?;
     Ok(pairs.map(|pairs| Chords::new(points.len(), &pairs)))
 }
 
@@ -112,12 +188,23 @@ pub(crate) fn pairs(
     most: usize,
     stage: &Stage<'_>,
 ) -> Result<Option<Vec<Vec<[u32; 2]>>>, Cancelled> {
+    seen_pairs(mesh, points, sides, None, most, stage)
+}
+
+fn seen_pairs(
+    mesh: &Triangulation,
+    points: &[DVec2],
+    sides: &Sides,
+    ring: Option<&Ring<'_>>,
+    most: usize,
+    stage: &Stage<'_>,
+) -> Result<Option<Vec<Vec<[u32; 2]>>>, Cancelled> {
     const CHUNK: usize = 16;
     const ROUND: usize = 32 * CHUNK;
     let vertices = points.len();
     let corners = Corners::new(vertices, &mesh.triangles);
     let seen_by = |range: Range<usize>| {
-        let mut eye = Eye::default();
+        let mut eye = Eye { open: Vec::new(), ring };
         let mut seen = Vec::new();
         for vertex in range.start as u32..range.end as u32 {
             for &corner in corners.of(vertex) {
@@ -210,6 +297,8 @@ mod tests {
             Outline::comb(4, 9, 2),
             Outline::gear(8, 2),
             Outline::spiral(3),
+            Outline::comb(12, 1, 1),
+            Outline::gear(20, 1),
         ];
         while outlines.len() < 300 {
             let corners = 4 + random.below(17) as usize;
@@ -221,6 +310,16 @@ mod tests {
             let sides = Sides::of_triangulation(&mut mesh, &outline.points, &outline.side_of);
             let found = chords(&mesh, &outline.points, &sides, n * n, stage).unwrap().unwrap();
             let corners = Corners::new(n, &mesh.triangles);
+            // With a look at the whole ring now and then, and without.
+            let [mut with, mut without] =
+                [Some(Ring::new(&mesh, &outline.points)), None].map(|ring| {
+                    let (points, sides) = (&outline.points, &sides);
+                    let pairs = seen_pairs(&mesh, points, sides, ring.as_ref(), n * n, stage);
+                    pairs.unwrap().unwrap().concat()
+                });
+            with.sort_unstable();
+            without.sort_unstable();
+            assert_eq!(with, without);
             for (i, j) in (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))) {
                 assert_eq!(found.has(i as u32, j as u32), outline.may_join(i, j), "{outline:?}");
                 if j > i + 1 && j < i + n - 1 {

@@ -19,7 +19,7 @@ pub(crate) struct Work<'a> {
     /// For each vertex and each triangle its index in the current window, or [`NONE`].
     vertex_in_window: Vec<u32>,
     triangle_in_window: Vec<u32>,
-    eye: Eye,
+    eye: Eye<'a>,
 }
 
 /// Some triangles whose union is a disk.
@@ -256,7 +256,7 @@ impl<'a> Work<'a> {
             Some(if visible <= capacity {
                 Capacity::Unlimited
             } else {
-                Capacity::Limited(capacity as u16)
+                Capacity::Limited(capacity)
             })
         });
         let capacities = capacities.collect::<Option<_>>()?;

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use glam::DVec2;
 use mindeg::{Domain, FoundBy, Goal, Meshed, Progress, Side, Spacing, mesh};
 use mindeg_mesh::quality::TriangleQuality;
 use proptest::prelude::*;
@@ -147,4 +148,20 @@ fn the_formula_serves_a_dominant_side() {
     let refused = mesh(&domain, Goal::MaxDegree(least.least_max_degree - 1), Progress::NONE);
     let message = refused.unwrap_err().to_string();
     assert!(message.contains(&format!("the least is {}", least.least_max_degree)), "{message}");
+}
+
+/// From 40,000 points on a search without an answer passed for one with it: a panic, after a minute.
+#[test]
+fn a_comb_of_40002_points_has_its_mesh_soon() {
+    let teeth = 10_000;
+    let tooth = |tooth: u32| {
+        let left = f64::from(tooth);
+        [[left + 0.9, 1.0], [left + 0.6, 100.0], [left + 0.5, 100.0], [left, 1.0]]
+    };
+    let back = [[-1.0, 0.0], [f64::from(teeth), 0.0]];
+    let points = back.into_iter().chain((0..teeth).rev().flat_map(tooth)).map(DVec2::from);
+    let comb = Domain::from_rings([points.collect()]).unwrap();
+    let meshed = mesh(&comb, Goal::LeastDegree, Progress::NONE).unwrap();
+    assert!(meshed.is_least_proven);
+    assert_eq!(meshed.mesh.max_degree(), 10_002);
 }
