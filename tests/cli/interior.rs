@@ -161,7 +161,7 @@ fn a_domain_file_says_what_is_wanted_inside() {
             r#"{"fixed": {"segments": [[[1, 1], [3, 2]], [[1, 2], [3, 1]]]}}"#,
             "fixed segment 0 touches or crosses fixed segment 1",
         ),
-        (r#"{"growth": 0}"#, "interior.growth: found the number 0, expected a number above 0"),
+        (r#"{"growth": 0}"#, "interior.growth: growth is 0; it is a finite number above 0"),
     ] {
         run(interior, &[]).refuses(&[words]);
     }

@@ -131,8 +131,8 @@ fn materials_of_a_json_model_have_colors() {
     assert_eq!(summary["groups"][1]["color"], json!([0.5, 0.5, 0.75, 1.0]));
     assert_eq!(with("").json()["groups"][1]["color"], Value::Null);
     for (materials, words) in [
-        (r#"{"name": "steel", "color": [2, 0, 0]}"#, "found 2, expected a number from 0 to 1"),
-        (r#"{"name": "steel", "color": [0, 0]}"#, "found a list of 2, expected a list of red"),
+        (r#"{"name": "steel", "color": [2, 0, 0]}"#, "each from 0 to 1"),
+        (r#"{"name": "steel", "color": [0, 0]}"#, "a color is a list of red, green and blue"),
         (r#"{"name": "a"}, {"name": "a"}"#, "the list has two materials \"a\"; drop one"),
         (r#"{"color": [0, 0, 0]}"#, "name"),
         (r#"{"name": " "}"#, "the name of the material is blank"),

@@ -138,6 +138,15 @@ fn every_shell_has_completions() {
     }
 }
 
+#[test]
+fn the_schemas_of_domains_and_models_are_printed() {
+    for (options, key) in [(&["schema"][..], "rectangle"), (&["schema", "--model"], "faces")] {
+        let schema = mindeg(options).json();
+        assert_eq!(schema["additionalProperties"], false, "{options:?}");
+        assert!(schema["properties"][key]["description"].is_string(), "{options:?}");
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn output_that_is_lost_is_an_error() {

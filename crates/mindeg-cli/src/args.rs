@@ -93,7 +93,22 @@ pub(crate) enum Command {
     Convert(ConvertArguments),
     Fill(FillArguments),
     Bridge(BridgeArguments),
+    Schema(SchemaArguments),
     Completions(CompletionsArguments),
+}
+
+const SCHEMA: &str = "\
+Examples:
+  mindeg schema > domain.schema.json
+  mindeg schema --model > model.schema.json";
+
+/// Print the JSON Schema of a domain, by which editors complete and check its keys
+#[derive(Debug, Args)]
+#[command(after_help = SCHEMA)]
+pub(crate) struct SchemaArguments {
+    /// The schema of a model, planar faces in space, instead
+    #[arg(long)]
+    pub(crate) model: bool,
 }
 
 const COMPLETIONS: &str = "\

@@ -31,6 +31,7 @@ mod no_explore;
 mod output;
 mod polygon_degree;
 mod provenance;
+mod schema;
 mod slips;
 mod standard_output;
 mod suggest;
@@ -69,6 +70,7 @@ fn run(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Degree(arguments) => shared(|| degree::run(arguments)),
         Command::Suggest(arguments) => shared(|| suggest::run(arguments)),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Inspect(arguments) => shared(|| inspect::run(arguments)),
         Command::Convert(arguments) => shared(|| convert::run(arguments)),

@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use crate::constraints::Constraints;
-use crate::divided::{Divided, Placed};
+use crate::divided::{Divided, Placed, side_count};
 use crate::domain::Domain;
-use crate::domain_error::DomainError;
-use crate::outline::{Outline, OutlineError, Ring};
+use crate::error::{DomainError, Place};
+use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
 use crate::rings::InRing;
 use crate::side::Side;
@@ -146,8 +146,7 @@ impl Domain {
     pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
         let rings = self.rings();
         if sides.len() != rings.side_count() {
-            let corners = rings.side_count();
-            return Err(DomainError::SideCount { ring: 0, corners, sides: sides.len() });
+            return Err(side_count(0, rings.side_count(), sides.len()));
         }
         let mut sides = sides.into_iter();
         let mut of_ring = |ring| sides.by_ref().take(rings.ring_sides(ring).len()).collect();
@@ -207,14 +206,20 @@ impl DomainBuilder {
     /// See [`Domain::new`] and [`Domain::constrained`].
     pub fn build(self) -> Result<Domain, DomainError> {
         let Self { outline, sides, holes, mut constraints, max_vertices: max } = self;
-        let corners = outline.corners().map_err(OutlineError::from)?;
+        let corners = outline.corners()?;
         let mut given = vec![Ring { corners, sides }];
         given.extend(holes);
 
         let divided = Divided::new(&given)?;
         let vertices = divided.rings.vertex_count();
         if vertices > max {
-            return Err(DomainError::TooManyVertices { vertices, max });
+            return Err(DomainError::new(
+                Place::default(),
+                format!(
+                    "the boundary has {vertices} points; at most {max} are wanted here; use fewer \
+                     intervals"
+                ),
+            ));
         }
         constraints.check_side_count(divided.rings.side_count())?;
         let Placed { placement, straight, turned } = divided.placed(&mut given)?;
@@ -222,15 +227,14 @@ impl DomainBuilder {
             constraints.turn_sides(placement.rings().ring_sides(ring));
         }
         let turning = Turning { placement: &placement, straight: &straight };
-        let constraints = constraints.checked(turning).map_err(|error| {
-            error.with_side(|side| {
-                if turned.contains(&side.ring) {
-                    let sides = placement.rings().ring_sides(side.ring).len();
-                    InRing { index: sides - 1 - side.index, ..side }
-                } else {
-                    side
-                }
-            })
+        let constraints = constraints.checked(turning, |side| {
+            let side = placement.rings().in_ring(side);
+            if turned.contains(&side.ring) {
+                let sides = placement.rings().ring_sides(side.ring).len();
+                InRing { index: sides - 1 - side.index, ..side }
+            } else {
+                side
+            }
         })?;
         let outline = match outline {
             Outline::Rectangle(_) if !turned.contains(&0) => outline,

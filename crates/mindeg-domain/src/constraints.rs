@@ -10,12 +10,14 @@
 //! Limits: formulas ignore constraints. A mesh that keeps them takes the exact solver, which
 //! takes some thousand vertices.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::constraint_error::{Bend, ConstraintError, ConstraintPlace};
+use mindeg_mesh::planar::Turn;
+
+use crate::error::{DomainError, Place, counted};
 use crate::limits::GREATEST_EXTERNAL_DEGREE;
-use crate::rings::Rings;
+use crate::rings::{InRing, Rings};
 use crate::turning::Turning;
 
 /// The external degrees and degree limits of a domain's sides and vertices.
@@ -65,6 +67,9 @@ pub struct SideConstraint {
 /// Where another mesh shares the side, the external degree of a vertex is its degree there less 2
 /// strictly inside the side, and less 1 at either end.
 #[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(feature = "json", serde(untagged))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum ExternalDegree {
     /// The same number at every vertex strictly inside the side, and 0 at its ends.
     Inside(u32),
@@ -180,60 +185,86 @@ impl Constraints {
     }
 
     /// Checks that there is an entry for each side, or none.
-    pub(crate) fn check_side_count(&self, sides: usize) -> Result<(), ConstraintError> {
+    pub(crate) fn check_side_count(&self, sides: usize) -> Result<(), DomainError> {
         let entries = self.sides.len();
         if [0, sides].contains(&entries) {
-            Ok(())
-        } else {
-            Err(ConstraintError::SideCount { entries, sides })
+            return Ok(());
         }
+        Err(DomainError::key(
+            "sides",
+            format!(
+                "found constraints of {entries} sides, and the outline has {sides} sides; give one \
+                 entry for each side, or none"
+            ),
+        ))
     }
 
-    /// Checks these constraints on their boundary and sorts the vertices.
+    /// Checks these constraints on their boundary and sorts the vertices. `given` tells which side of
+    /// the description a side is.
     ///
     /// O(k + m log m) for k straight sides and m vertices, and linear in lists and in the vertices
     /// of sides that are not straight.
-    pub(crate) fn checked(mut self, turning: Turning<'_>) -> Result<Self, ConstraintError> {
-        let rings = turning.placement.rings();
-        let given = std::mem::take(&mut self.vertices);
-        self.check_sides(turning)?;
-        let vertex_count = rings.vertex_count();
-        let mut first_entries = BTreeMap::new();
-        for (entry, &VertexConstraint { vertex, external_degree, .. }) in given.iter().enumerate() {
+    pub(crate) fn checked(
+        mut self,
+        turning: Turning<'_>,
+        given: impl Fn(usize) -> InRing,
+    ) -> Result<Self, DomainError> {
+        let vertex_count = turning.placement.rings().vertex_count();
+        let vertices = std::mem::take(&mut self.vertices);
+        self.check_sides(turning, given)?;
+        let entry_place = |entry: usize| Place::key("vertices").then(entry);
+        let mut seen = BTreeSet::new();
+        for (entry, &VertexConstraint { vertex, external_degree, .. }) in
+            vertices.iter().enumerate()
+        {
+            let place = || entry_place(entry).then("vertex");
             if vertex >= vertex_count {
-                return Err(ConstraintError::NoSuchVertex { entry, vertex, vertex_count });
+                return Err(DomainError::new(
+                    place(),
+                    format!(
+                        "vertex {vertex} does not exist; the {vertex_count} vertices are numbered \
+                         from 0, counter-clockwise from the first corner"
+                    ),
+                ));
             }
-            if let Some(first) = first_entries.insert(vertex, entry) {
-                return Err(ConstraintError::RepeatedVertex { first, second: entry, vertex });
+            if !seen.insert(vertex) {
+                let message = format!("vertex {vertex} is listed twice; give it one entry");
+                return Err(DomainError::new(place(), message));
             }
-            check_external_degree(ConstraintPlace::Entry(entry), external_degree)?;
+            check_external_degree(external_degree).map_err(|error| {
+                error.within(entry_place(entry), &format!("entry {}", entry + 1))
+            })?;
         }
-        self.vertices.clone_from(&given);
+        self.vertices.clone_from(&vertices);
         self.vertices.sort_unstable_by_key(|constraint| constraint.vertex);
-        for (entry, constraint) in given.iter().enumerate() {
-            self.check_capacity(turning, constraint.vertex, ConstraintPlace::Entry(entry))?;
+        for (entry, constraint) in vertices.iter().enumerate() {
+            self.check_capacity(turning, constraint.vertex, || entry_place(entry))?;
         }
         Ok(self)
     }
 
     /// Checks the constraints of the sides, without those of single vertices.
-    fn check_sides(&self, turning: Turning<'_>) -> Result<(), ConstraintError> {
+    fn check_sides(
+        &self,
+        turning: Turning<'_>,
+        given: impl Fn(usize) -> InRing,
+    ) -> Result<(), DomainError> {
         let rings = turning.placement.rings();
         self.check_side_count(rings.side_count())?;
         for (side, SideConstraint { external_degree, .. }) in self.sides.iter().enumerate() {
             let vertices = u64::from(rings.intervals(side)) + 1;
-            let in_ring = rings.in_ring(side);
             if let ExternalDegree::Each(degrees) = external_degree
                 && degrees.len() as u64 != vertices
             {
-                let degrees = degrees.len();
-                return Err(ConstraintError::ExternalDegreeCount {
-                    side: in_ring,
-                    degrees,
-                    vertices,
-                });
+                let message = format!(
+                    "outside_degree lists {}, and the side has {vertices} vertices, both corners \
+                     included; give one for each, or a single number for all that are not corners",
+                    counted(degrees.len(), "number")
+                );
+                return Err(DomainError::key("outside_degree", message).of_side(given(side)));
             }
-            check_external_degree(ConstraintPlace::Side(in_ring), external_degree.greatest())?;
+            check_external_degree(external_degree.greatest())
+                .map_err(|error| error.of_side(given(side)))?;
         }
         for (side, constraint) in self.sides.iter().enumerate() {
             if constraint.degree_limit.is_none() {
@@ -247,8 +278,7 @@ impl Constraints {
             };
             let start = rings.corner(side);
             for vertex in (start..=start + last_inside).chain([rings.side_end(side)]) {
-                let place = ConstraintPlace::Side(rings.in_ring(side));
-                self.check_capacity(turning, vertex, place)?;
+                self.check_capacity(turning, vertex, || Place::side(given(side)))?;
             }
         }
         Ok(())
@@ -259,35 +289,45 @@ impl Constraints {
         &self,
         turning: Turning<'_>,
         vertex: u32,
-        place: ConstraintPlace,
-    ) -> Result<(), ConstraintError> {
+        entry: impl Fn() -> Place,
+    ) -> Result<(), DomainError> {
         let rings = turning.placement.rings();
-        let Some(degree_limit) = self.degree_limit(rings, vertex) else { return Ok(()) };
-        let external_degree = self.external_degree(rings, vertex);
-        let bend = Bend::from(turning.at(vertex));
-        let least_degree = bend.least_degree() + external_degree;
-        if degree_limit >= least_degree {
+        let Some(limit) = self.degree_limit(rings, vertex) else { return Ok(()) };
+        let outside = self.external_degree(rings, vertex);
+        // With 2 edges a straight vertex would be the tip of a triangle without area, and no triangle
+        // has its tip at a reflex one. A needle's tip is convex, or its foot reflex: the former needs
+        // less.
+        let (own, along) = match turning.at(vertex) {
+            Turn::Straight => (3, "2 edges along its straight side"),
+            Turn::By(angle) if angle <= 0.0 => (3, "2 edges along the boundary"),
+            Turn::By(_) | Turn::Back => (2, "2 edges along the boundary"),
+        };
+        let least = own + outside;
+        if limit >= least {
             return Ok(());
         }
-        Err(ConstraintError::Capacity {
-            place,
-            vertex,
-            degree_limit,
-            external_degree,
-            least_degree,
-            bend,
-        })
+        let edges = match (own, outside) {
+            (2, 0) => along.to_owned(),
+            (2, _) => format!("{along} and {outside} outside"),
+            (_, 0) => format!("{along} and 1 into the domain"),
+            _ => format!("{along}, 1 into the domain and {outside} outside"),
+        };
+        Err(DomainError::new(
+            entry().then("max_degree"),
+            format!(
+                "vertex {vertex} has a max_degree of {limit} and needs {least}: {edges}; raise \
+                 max_degree to {least} or more"
+            ),
+        ))
     }
 }
 
-fn check_external_degree(
-    place: ConstraintPlace,
-    external_degree: u32,
-) -> Result<(), ConstraintError> {
-    if external_degree > GREATEST_EXTERNAL_DEGREE {
-        return Err(ConstraintError::ExternalDegree { place, external_degree });
+fn check_external_degree(degree: u32) -> Result<(), DomainError> {
+    if degree <= GREATEST_EXTERNAL_DEGREE {
+        return Ok(());
     }
-    Ok(())
+    let message = format!("outside_degree is {degree}; the maximum is {GREATEST_EXTERNAL_DEGREE}");
+    Err(DomainError::key("outside_degree", message))
 }
 
 #[cfg(test)]

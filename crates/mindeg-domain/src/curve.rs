@@ -11,6 +11,7 @@ use std::f64::consts::{PI, TAU};
 use glam::DVec2;
 use kurbo::{CubicBez, ParamCurve, ParamCurveArclen, Point};
 
+use crate::error::{DomainError, Place};
 use crate::limits::{GREATEST_COORDINATE, LEAST_SIDE};
 
 /// How a side runs from its corner to the next.
@@ -55,55 +56,6 @@ pub enum Arc {
     },
 }
 
-/// Why a curve is none between its corners.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum CurveError {
-    /// A coordinate that is not finite or greater than
-    /// [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE).
-    #[error(
-        "point {} of the curve is at ({x:?}, {y:?}); coordinates must be finite and at most \
-         {:e} in size",
-        index + 1, GREATEST_COORDINATE
-    )]
-    Coordinate {
-        /// The index of the point among those of the curve, from 0.
-        index: usize,
-        /// Its x coordinate.
-        x: f64,
-        /// Its y coordinate.
-        y: f64,
-    },
-    /// An arc through a point on the line through both corners.
-    #[error(
-        "the arc goes through ({x:?}, {y:?}), which lies on the line through its corners; move that \
-         point off, or drop the arc"
-    )]
-    NoArc {
-        /// The x coordinate of the point.
-        x: f64,
-        /// The y coordinate of the point.
-        y: f64,
-    },
-    /// A whole circle given by a point that it goes through.
-    #[error("the arc ends where it starts; give its \"center\"")]
-    WholeCircle,
-    /// A center that is not as far from one corner as from the other.
-    #[error(
-        "the arc's center is {start:?} from the corner where the arc starts and {end:?} from the \
-         corner where it ends; move it to where both are equal"
-    )]
-    Center {
-        /// The distance of the first corner.
-        start: f64,
-        /// The distance of the second.
-        end: f64,
-    },
-    /// A curve without length.
-    #[error("the side has no length; move its points apart")]
-    NoLength,
-}
-
 impl Curve {
     /// The same curve from its end to its start.
     pub(crate) fn reversed(self) -> Self {
@@ -142,19 +94,35 @@ pub(crate) enum Path {
 }
 
 impl Path {
-    pub(crate) fn new(curve: &Curve, start: DVec2, end: DVec2) -> Result<Self, CurveError> {
+    pub(crate) fn new(curve: &Curve, start: DVec2, end: DVec2) -> Result<Self, DomainError> {
         let is_usable =
             |point: &&DVec2| point.abs().max_element() <= GREATEST_COORDINATE && !point.is_nan();
         if let Some(index) = curve.points().iter().position(|point| !is_usable(&point)) {
             let DVec2 { x, y } = curve.points()[index];
-            return Err(CurveError::Coordinate { index, x, y });
+            return Err(DomainError::new(
+                Place::key("points").then(index),
+                format!(
+                    "point {} of the curve is at ({x:?}, {y:?}); coordinates must be finite and at \
+                     most {GREATEST_COORDINATE:e} in size",
+                    index + 1
+                ),
+            ));
         }
         // kurbo takes minutes to measure next to no length.
-        let is_near = |point: &DVec2| (point - start).abs().max_element() < LEAST_SIDE;
-        if is_near(&end) && curve.points().iter().all(is_near) {
-            return Err(CurveError::NoLength);
+        let distance = |point: &DVec2| (point - start).abs().max_element();
+        let size = curve.points().iter().chain([&end]).map(distance).fold(0.0, f64::max);
+        if size < LEAST_SIDE {
+            let message = if size == 0.0 {
+                "the side has no length; move its points apart".to_owned()
+            } else {
+                format!(
+                    "its points are {size:.1e} apart at most; a side is at least {LEAST_SIDE:e} \
+                     long: use another unit of length"
+                )
+            };
+            return Err(DomainError::key("points", message));
         }
-        let path = match curve {
+        Ok(match curve {
             Curve::Line => Self::Line { start, end },
             Curve::Arc(arc) => Self::Arc(ArcPath::new(arc, start, end)?),
             Curve::Cubic([first, second]) => {
@@ -167,8 +135,7 @@ impl Path {
                 let edges = starts.zip(ends).map(|(start, end)| [start, end]);
                 Self::Polyline(Pieces::new(edges, |[start, end]| start.distance(*end)))
             }
-        };
-        if path.length() > 0.0 { Ok(path) } else { Err(CurveError::NoLength) }
+        })
     }
 
     pub(crate) fn length(&self) -> f64 {
@@ -210,16 +177,22 @@ pub(crate) struct ArcPath {
 }
 
 impl ArcPath {
-    fn new(arc: &Arc, start: DVec2, end: DVec2) -> Result<Self, CurveError> {
+    fn new(arc: &Arc, start: DVec2, end: DVec2) -> Result<Self, DomainError> {
+        let error = |message| Err(DomainError::key("points", message));
         let (angle, center) = match *arc {
-            Arc::Through(_) if start == end => return Err(CurveError::WholeCircle),
+            Arc::Through(_) if start == end => {
+                return error("the arc ends where it starts; give its \"center\"".to_owned());
+            }
             Arc::Through(point) => {
                 // The turn at any point of an arc is half of the arc's angle.
                 let (before, after) = (point - start, end - point);
                 let turn = libm::atan2(before.perp_dot(after), before.dot(after));
                 if turn == 0.0 || turn.abs() == PI {
                     let DVec2 { x, y } = point;
-                    return Err(CurveError::NoArc { x, y });
+                    return error(format!(
+                        "the arc goes through ({x:?}, {y:?}), which lies on the line through its \
+                         corners; move that point off, or drop the arc"
+                    ));
                 }
                 let chord = end - start;
                 let center = start.midpoint(end) + chord.perp() / (2.0 * libm::tan(turn));
@@ -231,7 +204,10 @@ impl ArcPath {
                 let is_same = (radii[0] - radii[1]).abs() <= 1e-9 * radii[0].max(radii[1]);
                 if !is_same || radii[0] == 0.0 {
                     let [start, end] = radii;
-                    return Err(CurveError::Center { start, end });
+                    return error(format!(
+                        "the arc's center is {start:?} from the corner where the arc starts and \
+                         {end:?} from the corner where it ends; move it to where both are equal"
+                    ));
                 }
                 let turn = libm::atan2(from.perp_dot(to), from.dot(to));
                 let angle = match (is_clockwise, turn) {
@@ -438,9 +414,12 @@ mod tests {
 
     /// Found by fuzzing: kurbo measured this for minutes.
     #[test]
-    fn a_curve_shorter_than_the_shortest_side_has_no_length() {
+    fn a_curve_shorter_than_the_shortest_side_is_refused() {
         let cubic = Curve::Cubic([DVec2::new(3.56e-307, 0.0), DVec2::ZERO]);
         let refused = Path::new(&cubic, DVec2::ZERO, DVec2::ZERO).err();
-        assert_eq!(refused, Some(CurveError::NoLength));
+        assert_eq!(
+            refused.unwrap().message,
+            "its points are 3.6e-307 apart at most; a side is at least 1e-100 long: use another unit of length"
+        );
     }
 }

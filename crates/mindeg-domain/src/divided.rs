@@ -11,14 +11,14 @@ use glam::DVec2;
 use mindeg_mesh::planar::{PlanarBoundary, Turn};
 
 use crate::curve::{Curve, Path};
-use crate::domain_error::DomainError;
+use crate::error::{DomainError, Place};
 use crate::intersection;
 use crate::limits::{MAX_STORED_VERTICES, STRAIGHT};
 use crate::name;
 use crate::outline::{self, Ring};
 use crate::placement::Placement;
-use crate::rings::{InRing, Rings};
-use crate::side::{Intervals, Side, SideError};
+use crate::rings::{InRing, Rings, ring_name};
+use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;
 use crate::turning::{Orientation, Turning};
@@ -48,8 +48,7 @@ impl Divided {
         }
         for (ring, Ring { corners, sides }) in given.iter().enumerate() {
             if sides.len() != corners.len() {
-                let (corners, sides) = (corners.len(), sides.len());
-                return Err(DomainError::SideCount { ring, corners, sides });
+                return Err(side_count(ring, corners.len(), sides.len()));
             }
         }
         name::check_all(given_sides(given).map(|side| (side.at, side.side.name.as_deref())))?;
@@ -84,14 +83,15 @@ impl Divided {
         if orientation == Orientation::CounterClockwise {
             return Ok(Placed { placement: formula, straight, turned: Vec::new() });
         }
+        // Solved in the order given, so that errors name the sides as given.
+        let of_sides = given_sides(given).zip(&self.paths).zip(self.rings.sides());
+        let laws = of_sides.map(|((side, path), intervals)| side.turned_law(intervals, path));
+        let mut laws = laws.collect::<Result<Vec<_>, _>>()?;
+        laws.reverse();
+        let mut intervals: Vec<u64> = self.rings.sides().map(u64::from).collect();
+        intervals.reverse();
         turn(&mut given[0]);
-        let turned = Self::new(given).map_err(|error| match error {
-            DomainError::Side { side, source } => {
-                let index = straight.len() - 1 - side.index;
-                DomainError::Side { side: InRing { index, ..side }, source }
-            }
-            error => error,
-        })?;
+        let turned = Self { rings: Rings::new(&[intervals])?, laws, ..self };
         Ok(Placed { placement: turned.formula(given), straight, turned: vec![0] })
     }
 
@@ -114,16 +114,15 @@ impl Divided {
             }
             straight.push(match side.side.curve {
                 Curve::Line => true,
-                _ => {
-                    is_straight(&points[first..], side.end).map_err(|source| side.error(source))?
-                }
+                _ => is_straight(&points[first..], side.end)
+                    .map_err(|error| error.of_side(side.at))?,
             });
         }
         let mut lengths: Vec<f64> = paths.iter().map(Path::length).collect();
         let of_ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
         let slices: Vec<&[DVec2]> = rings.rings().map(of_ring).collect();
         let (boundary, turned) = PlanarBoundary::oriented(&slices)
-            .map_err(|faults| intersection::placed(faults.first(), &points, &rings))?;
+            .map_err(|faults| intersection::error(faults.first(), &points, &rings))?;
         let of_sides = |ring| rings.ring_sides(ring).map(|side| u64::from(rings.intervals(side)));
         let mut intervals: Vec<Vec<u64>> =
             (0..rings.ring_count()).map(|ring| of_sides(ring).collect()).collect();
@@ -140,13 +139,31 @@ impl Divided {
     }
 }
 
+/// The error of another number of sides than corners.
+pub(crate) fn side_count(ring: usize, corners: usize, sides: usize) -> DomainError {
+    let are = if sides == 1 { "side is" } else { "sides are" };
+    DomainError::new(
+        Place::ring(ring).then("sides"),
+        format!(
+            "{sides} {are} described and {} has {corners}; describe each side once",
+            ring_name(ring)
+        ),
+    )
+}
+
 /// Room for points that are stored.
 fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
     /// What the checks take besides, for each point.
     const BYTES: usize = 48;
     let max = MAX_STORED_VERTICES;
     if vertices > max {
-        return Err(DomainError::TooManyStored { vertices, max });
+        return Err(DomainError::new(
+            Place::default(),
+            format!(
+                "the boundary has {vertices} points; a domain that is not convex with straight sides \
+                 takes at most {max}; use fewer intervals"
+            ),
+        ));
     }
     let mut points = Vec::new();
     let count = vertices as usize;
@@ -155,7 +172,10 @@ fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
         .and_then(|()| points.try_reserve_exact(count));
     match is_free {
         Ok(()) => Ok(points),
-        Err(_) => Err(DomainError::NoMemory { vertices }),
+        Err(_) => Err(DomainError::new(
+            Place::default(),
+            format!("not enough memory for a boundary of {vertices} points; use fewer intervals"),
+        )),
     }
 }
 
@@ -194,12 +214,8 @@ fn sides_of(ring: usize, given: &Ring) -> impl Iterator<Item = Given<'_>> {
 }
 
 impl Given<'_> {
-    fn error(&self, source: impl Into<SideError>) -> DomainError {
-        DomainError::Side { side: self.at, source: source.into() }
-    }
-
     fn path(&self) -> Result<Path, DomainError> {
-        Path::new(&self.side.curve, self.start, self.end).map_err(|source| self.error(source))
+        Path::new(&self.side.curve, self.start, self.end).map_err(|error| error.of_side(self.at))
     }
 
     fn intervals(&self, path: &Path) -> Result<u64, DomainError> {
@@ -209,20 +225,28 @@ impl Given<'_> {
         };
         let Side { intervals, spacing, .. } = self.side;
         if *intervals == Intervals::Points && *spacing != Spacing::Uniform {
-            return Err(self.error(SideError::SpacedPoints));
+            let message =
+                "the side has its own points, so a spacing law has nothing to say; drop the law";
+            return Err(DomainError::key("spacing", message).of_side(self.at));
         }
-        intervals.on(path.length(), points).map_err(|source| self.error(source))
+        intervals.on(path.length(), points).map_err(|error| error.of_side(self.at))
     }
 
     fn law(&self, intervals: u32, path: &Path) -> Result<SpacingLaw, DomainError> {
         SpacingLaw::solve(&self.side.spacing, intervals, path.length())
-            .map_err(|source| self.error(source))
+            .map_err(|error| error.of_side(self.at))
+    }
+
+    /// The law from the side's end to its start.
+    fn turned_law(&self, intervals: u32, path: &Path) -> Result<SpacingLaw, DomainError> {
+        SpacingLaw::solve(&self.side.spacing.reversed(), intervals, path.length())
+            .map_err(|error| error.of_side(self.at))
     }
 }
 
 /// Whether the points of a side lie on the line to its end, up to [`STRAIGHT`] of its length; then
 /// they must be in order on it.
-fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, SideError> {
+fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, DomainError> {
     let [start, own @ ..] = points else { return Ok(true) };
     let chord = end - start;
     let length = chord.length();
@@ -239,7 +263,14 @@ fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, SideError> {
         let share = along(point);
         if share <= before || share >= length {
             let DVec2 { x, y } = *point;
-            return Err(SideError::OutOfOrder { index, x, y });
+            return Err(DomainError::new(
+                Place::key("points").then(index),
+                format!(
+                    "point {} at ({x:?}, {y:?}) is not farther along the straight side than the one \
+                     before; list the points in the order in which they lie on it",
+                    index + 1
+                ),
+            ));
         }
         before = share;
     }

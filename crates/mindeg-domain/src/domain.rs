@@ -14,7 +14,7 @@ use glam::DVec2;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 
 use crate::constraints::Constraints;
-use crate::domain_error::DomainError;
+use crate::error::{DomainError, Place};
 use crate::interior::Interior;
 use crate::name;
 use crate::outline::Outline;
@@ -64,7 +64,7 @@ impl Domain {
     /// direction of writing.
     pub fn named(self, name: impl Into<String>) -> Result<Self, DomainError> {
         let name = name.into();
-        name::check(&name, None)?;
+        name::check(&name, Place::key("name"), "the domain")?;
         Ok(Self { name: Some(name), ..self })
     }
 
@@ -318,7 +318,7 @@ mod tests {
             ),
             (
                 Domain::rectangle(1.0, 1.0, one()).unwrap().named("a\nb"),
-                "the domain's name contains the line break U+000A; remove this character",
+                "the name of the domain contains the line break U+000A; remove this character",
             ),
             (
                 polygon(&CORNERS, with(2, Side::count(1).named(" "))),

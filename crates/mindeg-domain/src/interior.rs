@@ -1,68 +1,197 @@
 //! What is wanted inside a domain: sizes, degrees, angles, and what is fixed there.
+//!
+//! The fields of [`Interior`] are the one list of these options: JSON, the command line, Python and the
+//! page of `mindeg explore` take their names, texts and types from it.
 
 use std::ops::RangeInclusive;
 
 use glam::DVec2;
 
-/// What the mesh is to be like inside a domain; what is left out has a default.
-///
-/// It holds what was asked for, unchecked; meshing refuses what makes no sense.
+use crate::error::{DomainError, Place};
+
+/// What is wanted of a mesh with interior points; what is left out has a default
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Interior {
-    /// How fast the size grows from the boundary: change of size per distance.
+    /// How fast the size grows from the boundary: change of size per distance [default: 0.5]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub growth: Option<f64>,
-    /// The size far from the boundary.
+    /// The size far from the boundary [default: a mean of the boundary's intervals]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub size_inside: Option<f64>,
-    /// Places with a size of their own.
+    /// Places `[x, y, h]`: the size is at most h there, and grows from there as from the boundary
+    #[cfg_attr(
+        feature = "json",
+        serde(
+            default,
+            deserialize_with = "crate::json::or_default",
+            skip_serializing_if = "Vec::is_empty"
+        )
+    )]
     pub sizes: Vec<SizeAt>,
-    /// The degrees wanted inside.
+    /// The degrees of interior vertices, a range around 6 [default: 5 to 7]
+    #[cfg_attr(feature = "json", serde(default, with = "crate::json::range"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<[u32; 2]>"))]
     pub interior_degree: Option<RangeInclusive<u32>>,
-    /// The greatest degree wanted at the boundary.
+    /// The most edges of a boundary vertex; at a reflex corner 2 + round(angle / 60°), if that is more
+    /// [default: 5]
+    #[cfg_attr(feature = "schema", schemars(range(min = 4)))]
     pub boundary_degree: Option<u32>,
-    /// The minimum angle wanted, in degrees.
+    /// The minimum angle in degrees [default: as much as the boundary allows, up to about 35]
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 60)))]
     pub target_angle: Option<f64>,
-    /// Which aim wins where one costs the other.
+    /// Which aim wins where one costs the other [default: degree]
     pub prefer: Option<Prefer>,
-    /// Points and lines that the mesh must have.
+    /// Points and lines that the mesh must have
+    #[cfg_attr(
+        feature = "json",
+        serde(
+            default,
+            deserialize_with = "crate::json::or_default",
+            skip_serializing_if = "crate::json::is_default"
+        )
+    )]
     pub fixed: FixedLines,
-    /// The mesh is refused where it would have more points than this.
+    /// The most points of the mesh; one that would have more is refused [default: 20 million]
     pub max_points: Option<usize>,
 }
 
-/// A wanted edge length at a place.
+/// A wanted edge length at a place, `[x, y, h]`
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", serde(from = "[f64; 3]", into = "[f64; 3]"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SizeAt {
     /// The place.
+    #[cfg_attr(feature = "schema", schemars(with = "[f64; 2]"))]
     pub at: DVec2,
     /// The greatest edge length there; it grows from here as from the boundary.
     pub size: f64,
 }
 
-/// Which aim wins where one costs the other.
+/// Which aim wins where one costs the other
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Prefer {
-    /// Degrees within their limits.
+    /// Degrees within their limits
     #[default]
     Degree,
     /// The minimum angle: the limit is then the one for any degree, and corners may get more triangles
-    /// than the boundary degree allows.
+    /// than the boundary degree allows
     Angle,
 }
 
-/// Points and lines inside a domain that the mesh must have.
+/// Points and lines inside a domain that the mesh must have
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FixedLines {
-    /// Points inside the domain.
+    /// Points inside the domain, `[x, y]`
+    #[cfg_attr(feature = "json", serde(default, deserialize_with = "crate::json::or_default"))]
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 2]>"))]
     pub points: Vec<DVec2>,
-    /// Lines of straight segments, each from end to end.
+    /// Lines of straight segments, each a list of ends: `[x, y]`, or the index of a fixed point
+    #[cfg_attr(
+        feature = "json",
+        serde(rename = "segments", default, deserialize_with = "crate::json::or_default")
+    )]
     pub lines: Vec<Vec<LineEnd>>,
 }
 
-/// An end of a segment.
+/// An end of a segment
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(feature = "json", serde(untagged))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum LineEnd {
-    /// The fixed point with this index.
+    /// The fixed point with this index
     Point(usize),
-    /// The boundary vertex or fixed point at this place, or a new fixed point.
-    At(DVec2),
+    /// The boundary vertex or fixed point at this place, or a new fixed point
+    At(#[cfg_attr(feature = "schema", schemars(with = "[f64; 2]"))] DVec2),
+}
+
+impl Interior {
+    /// Checks all values that no domain is needed for.
+    ///
+    /// # Errors
+    ///
+    /// The first value that has no meaning.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::Interior;
+    ///
+    /// let wanted = Interior { growth: Some(0.0), ..Interior::default() };
+    /// assert_eq!(wanted.check().unwrap_err().place.to_string(), "growth");
+    /// ```
+    pub fn check(&self) -> Result<(), DomainError> {
+        let error = |place: Place, message: String| Err(DomainError::new(place, message));
+        let is_size = |size: f64| size.is_finite() && size > 0.0;
+        if let Some(growth) = self.growth.filter(|growth| !is_size(*growth)) {
+            let usual = "it is a finite number above 0 (0.5 is usual, less grows slower)";
+            return error(Place::key("growth"), format!("growth is {growth}; {usual}"));
+        }
+        if let Some(size) = self.size_inside.filter(|size| !is_size(*size)) {
+            let message = format!("the size inside is {size}; a size is a finite number above 0");
+            return error(Place::key("size_inside"), message);
+        }
+        for (index, SizeAt { size, .. }) in self.sizes.iter().enumerate() {
+            if !is_size(*size) {
+                let message = format!("size {index} is {size}; a size is a finite number above 0");
+                return error(Place::key("sizes").then(index), message);
+            }
+        }
+        if let Some(degrees) = &self.interior_degree
+            && !((3..=6).contains(degrees.start()) && *degrees.end() >= 6)
+        {
+            let (least, greatest) = (degrees.start(), degrees.end());
+            let message = format!(
+                "interior degrees {least} to {greatest} are out of reach: the range must contain 6 \
+                 and start at 3 or more"
+            );
+            return error(Place::key("interior_degree"), message);
+        }
+        if let Some(degree) = self.boundary_degree.filter(|degree| *degree < 4) {
+            let message =
+                format!("a boundary degree of {degree} is too low; use 4 or more (5 is usual)");
+            return error(Place::key("boundary_degree"), message);
+        }
+        if let Some(angle) = self.target_angle.filter(|angle| !(*angle > 0.0 && *angle < 60.0)) {
+            let message =
+                format!("target angle {angle} is out of range; give degrees above 0 and below 60");
+            return error(Place::key("target_angle"), message);
+        }
+        self.fixed.check()
+    }
+}
+
+impl FixedLines {
+    fn check(&self) -> Result<(), DomainError> {
+        for (index, line) in self.lines.iter().enumerate() {
+            let place = || Place::key("fixed").then("segments").then(index);
+            if line.len() < 2 {
+                let message = format!("fixed line {index} has {} of 2 ends or more", line.len());
+                return Err(DomainError::new(place(), message));
+            }
+            for (end, at) in line.iter().enumerate() {
+                if let LineEnd::Point(point) = *at
+                    && point >= self.points.len()
+                {
+                    let message = format!(
+                        "fixed line {index} names fixed point {point}; \"points\" has {} (counted \
+                         from 0)",
+                        self.points.len()
+                    );
+                    return Err(DomainError::new(place().then(end), message));
+                }
+            }
+        }
+        Ok(())
+    }
 }

@@ -2,206 +2,134 @@
 //!
 //! Limits: of several faults the first from the left is reported.
 
-use std::fmt;
-
 use glam::DVec2;
 use mindeg_mesh::planar::BoundaryFault;
 
+use crate::error::{DomainError, Place};
 use crate::rings::{InRing, Rings};
 
-/// A boundary point, by the side that starts there or that it lies on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PointPlace {
-    /// The side.
-    pub side: InRing,
-    /// The index of the point on its side, from 0 at the corner where the side starts.
-    pub index: u32,
-    /// Whether the side is the whole ring, so that its points are counted with the corner.
-    pub is_alone: bool,
-    /// The x coordinate.
-    pub x: f64,
-    /// The y coordinate.
-    pub y: f64,
-}
-
-/// A boundary edge, by its side.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct EdgePlace {
-    /// The side.
-    pub side: InRing,
-    /// The index of the edge on its side, from 0.
-    pub index: u32,
-    /// Whether the side is one edge.
-    pub is_side: bool,
-    /// Whether the side is the whole ring.
-    pub is_alone: bool,
-}
-
-/// "corner 3", "point 4 of side 2 of hole 1", or "point 12" of a ring that is one side.
-impl fmt::Display for PointPlace {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { side: InRing { ring, .. }, index, .. } = *self;
-        match index {
-            _ if self.is_alone => {
-                f.write_str(&InRing { ring, index: index as usize }.named("point"))
-            }
-            0 => f.write_str(&self.side.corner()),
-            _ => write!(f, "point {index} of {}", self.side.side()),
-        }
-    }
-}
-
-/// "side 3", "interval 5 of side 3 of hole 1", or "edge 12" of a ring that is one side.
-impl fmt::Display for EdgePlace {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.is_alone {
-            let edge = InRing { index: self.index as usize, ..self.side };
-            return f.write_str(&edge.named("edge"));
-        }
-        if !self.is_side {
-            write!(f, "interval {} of ", self.index + 1)?;
-        }
-        f.write_str(&self.side.side())
-    }
-}
-
-/// Why rings are not the boundary of a domain.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum IntersectionError {
-    /// The boundary passes a point twice.
-    #[error(
-        "{second} is at ({:?}, {:?}), where {first} is too; a boundary passes each point once: move \
-         one of them, or split the ring there",
-        second.x, second.y
-    )]
-    RepeatedPoint {
-        /// The one.
-        first: PointPlace,
-        /// The other.
-        second: PointPlace,
-    },
-    /// A point lies on an edge that it is no end of.
-    #[error(
-        "{point} at ({:?}, {:?}) lies on {edge}; rings may not touch: move the point off, or split \
-         the ring there",
-        point.x, point.y
-    )]
-    Touch {
-        /// The point.
-        point: PointPlace,
-        /// The edge.
-        edge: EdgePlace,
-    },
-    /// Two edges cross.
-    #[error(
-        "{first} and {second} cross near ({x:?}, {y:?}); list the points in the order in which they \
-         lie around the domain, and keep rings apart"
-    )]
-    Crossing {
-        /// The one.
-        first: EdgePlace,
-        /// The other.
-        second: EdgePlace,
-        /// The x coordinate of the crossing, rounded.
-        x: f64,
-        /// The y coordinate of the crossing, rounded.
-        y: f64,
-    },
-    /// The edges at a point lie on each other.
-    #[error(
-        "the boundary folds back on itself at {point} at ({:?}, {:?}) (0°); drop the point or move it",
-        point.x, point.y
-    )]
-    FoldsBack {
-        /// The point.
-        point: PointPlace,
-    },
-    /// A hole outside the outer ring.
-    #[error(
-        "hole {hole} lies outside the outline, with its first corner at ({x:?}, {y:?}); move it \
-         inside, or drop it"
-    )]
-    HoleOutside {
-        /// The hole, from 1.
-        hole: usize,
-        /// The x coordinate of its first corner.
-        x: f64,
-        /// The y coordinate of its first corner.
-        y: f64,
-    },
-    /// A hole inside another hole.
-    #[error(
-        "hole {hole} lies inside hole {around}, with its first corner at ({x:?}, {y:?}); drop one of \
-         them"
-    )]
-    HoleInHole {
-        /// The hole, from 1.
-        hole: usize,
-        /// The hole around it, from 1.
-        around: usize,
-        /// The x coordinate of its first corner.
-        x: f64,
-        /// The y coordinate of its first corner.
-        y: f64,
-    },
-    /// A hole around the outer ring.
-    #[error(
-        "the outline lies inside hole {hole}; give the outer ring first, and the holes inside it"
-    )]
-    HoleAround {
-        /// The hole, from 1.
-        hole: usize,
-    },
-    /// Any other fault of the points.
-    #[error("{0}; move the point")]
-    Other(BoundaryFault),
-}
-
-/// A fault of the rings with its places in words.
-pub(crate) fn placed(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> IntersectionError {
+/// What is wrong with the rings of points, by the sides that they are on.
+pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> DomainError {
+    let names = Names(rings);
     let vertex = |at: InRing| rings.ring(at.ring).start + at.index as u32;
-    let is_alone = |ring: usize| rings.ring_sides(ring).len() == 1;
-    let point = |at: InRing| {
-        let (vertex, is_alone) = (vertex(at), is_alone(at.ring));
-        let side = rings.side_of(vertex);
-        let DVec2 { x, y } = points[vertex as usize];
-        let index = vertex - rings.corner(side);
-        PointPlace { side: rings.in_ring(side), index, is_alone, x, y }
+    let name = |at| names.point_name(vertex(at));
+    let edge_name = |at| names.edge_name(vertex(at));
+    let position = |at| {
+        let DVec2 { x, y } = points[vertex(at) as usize];
+        format!("at ({x:?}, {y:?})")
     };
-    let edge = |at: InRing| {
-        let (begin, is_alone) = (vertex(at), is_alone(at.ring));
-        let side = rings.side_of(begin);
-        let (index, is_side) = (begin - rings.corner(side), rings.intervals(side) == 1);
-        EdgePlace { side: rings.in_ring(side), index, is_side, is_alone }
-    };
-    let corner = |ring: usize| points[rings.ring(ring).start as usize];
-    match fault {
-        BoundaryFault::SamePoint(vertices) => {
-            let [first, second] = vertices.map(point);
-            IntersectionError::RepeatedPoint { first, second }
+    let first = |ring| format!("with its first corner {}", position(InRing { ring, index: 0 }));
+    let (place, message) = match fault {
+        BoundaryFault::SamePoint([first, second]) => {
+            let (first, name, at) = (name(first), name(second), position(second));
+            let message = format!(
+                "{name} is {at}, where {first} is too; a boundary passes each point once: move one of \
+                 them, or split the ring there"
+            );
+            (names.point_place(vertex(second)), message)
         }
-        BoundaryFault::Touch { vertex, edge: on } => {
-            IntersectionError::Touch { point: point(vertex), edge: edge(on) }
+        BoundaryFault::Touch { vertex: at, edge } => {
+            let message = format!(
+                "{} {} lies on {}; rings may not touch: move the point off, or split the ring there",
+                name(at),
+                position(at),
+                edge_name(edge)
+            );
+            (names.point_place(vertex(at)), message)
         }
-        BoundaryFault::FoldsBack(vertex) => IntersectionError::FoldsBack { point: point(vertex) },
+        BoundaryFault::FoldsBack(at) => {
+            let message = format!(
+                "the boundary folds back on itself at {} {} (0°); drop the point or move it",
+                name(at),
+                position(at)
+            );
+            (names.point_place(vertex(at)), message)
+        }
         BoundaryFault::Crossing(edges) => {
             let ends = |at| [vertex(at), rings.next(vertex(at))].map(|v| points[v as usize]);
             let DVec2 { x, y } = crossing(edges.map(ends));
-            let [first, second] = edges.map(edge);
-            IntersectionError::Crossing { first, second, x, y }
+            let [first, second] = edges.map(edge_name);
+            let message = format!(
+                "{first} and {second} cross near ({x:?}, {y:?}); list the points in the order in \
+                 which they lie around the domain, and keep rings apart"
+            );
+            let (side, index) = names.on_side(vertex(edges[1]));
+            let place = match index {
+                0 => Place::side(side),
+                _ => names.point_place(vertex(edges[1])),
+            };
+            (place, message)
         }
         BoundaryFault::HoleInHole { hole, around } => {
-            let DVec2 { x, y } = corner(hole);
-            IntersectionError::HoleInHole { hole, around, x, y }
+            let first = first(hole);
+            let message =
+                format!("hole {hole} lies inside hole {around}, {first}; drop one of them");
+            (Place::ring(hole), message)
         }
-        BoundaryFault::HoleAround { hole } => IntersectionError::HoleAround { hole },
         BoundaryFault::HoleOutside { hole } => {
-            let DVec2 { x, y } = corner(hole);
-            IntersectionError::HoleOutside { hole, x, y }
+            let first = first(hole);
+            let message = format!(
+                "hole {hole} lies outside the outline, {first}; move it inside, or drop it"
+            );
+            (Place::ring(hole), message)
+        }
+        BoundaryFault::HoleAround { hole } => {
+            let message = format!(
+                "the outline lies inside hole {hole}; give the outer ring first, and the holes inside \
+                 it"
+            );
+            (Place::ring(hole), message)
         }
         // Rings are long enough, their points finite, and either way round is taken.
-        fault => IntersectionError::Other(fault),
+        fault => (Place::default(), format!("{fault}; move the point")),
+    };
+    DomainError::touch(place, message)
+}
+
+/// The vertices and edges of a boundary by their sides.
+#[derive(Clone, Copy)]
+struct Names<'a>(&'a Rings);
+
+impl Names<'_> {
+    /// The side that starts at a vertex or that it lies on, and the vertex's index on it.
+    fn on_side(self, vertex: u32) -> (InRing, u32) {
+        let side = self.0.side_of(vertex);
+        (self.0.in_ring(side), vertex - self.0.corner(side))
+    }
+
+    /// A vertex as a point of a ring that is one side.
+    fn in_lone_side(self, vertex: u32) -> Option<InRing> {
+        let (InRing { ring, .. }, index) = self.on_side(vertex);
+        let is_alone = self.0.ring_sides(ring).len() == 1;
+        is_alone.then_some(InRing { ring, index: index as usize })
+    }
+
+    fn point_place(self, vertex: u32) -> Place {
+        match self.on_side(vertex) {
+            (corner, 0) => Place::corner(corner),
+            (side, index) => Place::side(side).then("points").then(index as usize - 1),
+        }
+    }
+
+    /// "corner 3", "point 4 of side 2 of hole 1", or "point 12" of a ring that is one side.
+    fn point_name(self, vertex: u32) -> String {
+        match (self.in_lone_side(vertex), self.on_side(vertex)) {
+            (Some(point), _) => point.named("point"),
+            (None, (corner, 0)) => corner.corner(),
+            (None, (side, index)) => format!("point {index} of {}", side.side()),
+        }
+    }
+
+    /// "side 3", "interval 5 of side 3 of hole 1", or "edge 12" of a ring that is one side.
+    fn edge_name(self, begin: u32) -> String {
+        if let Some(edge) = self.in_lone_side(begin) {
+            return edge.named("edge");
+        }
+        let (side, index) = self.on_side(begin);
+        match self.0.intervals(self.0.side_of(begin)) {
+            1 => side.side(),
+            _ => format!("interval {} of {}", index + 1, side.side()),
+        }
     }
 }
 

@@ -5,25 +5,27 @@
 //!
 //! Limits: JSON has no comments and no infinities. The whole text is held in memory.
 
-mod constraint;
 mod description;
 mod error;
+mod fault;
 mod guess;
-mod interior;
 mod model;
-mod place;
-mod point;
-mod ring;
+mod reader;
+#[cfg(feature = "schema")]
+mod schema;
 mod side;
-mod spacing;
 mod syntax;
-mod value;
-mod write;
+mod text;
+mod values;
 
+pub use self::description::DomainDescription;
 pub use self::error::DomainJsonError;
+pub use self::model::ModelDescription;
+pub(crate) use self::values::{is_default, or_default, range};
 
-use self::value::Value;
 use crate::domain::Domain;
+use crate::error::Place;
+use crate::model::Model;
 
 impl Domain {
     /// Reads a domain from JSON text.
@@ -42,46 +44,7 @@ impl Domain {
     /// }
     /// ```
     ///
-    /// | key | value |
-    /// |---|---|
-    /// | `name` | optional: the domain's name |
-    /// | `rectangle` | `width`, `height`, and optionally `origin`, the corner where the bottom starts, and `rotation` in degrees about it. Sides run bottom, right, top, left |
-    /// | `polygon` | instead: `corners`, a list of `[x, y]` pairs around a simple polygon; one or two are enough where sides are curved |
-    /// | `ring` | instead: a list of `[x, y]` pairs, all points of the boundary, which come back bit for bit. They are one side; `sides` may have one entry with its name, kind and degrees |
-    /// | `holes` | optional: a list of `{"corners": [[x, y], …], "sides": […], "size": h}` or `{"ring": [[x, y], …]}`, as for the outline; a hole's size goes before that of the domain |
-    /// | `sides` | one entry for each side, from the first corner on; may be left out where `size` says it all |
-    /// | `size` | optional: the target interval length of every side that gives neither `intervals` nor `size` nor `parameters` |
-    /// | `vertices` | optional: constraints on single vertices, each `{"vertex": v, "outside_degree": d, "max_degree": D}` with one of the last two or both. Vertices have the indices of the mesh: from 0 at the first corner, counter-clockwise, also where the corners are given clockwise |
-    /// | `interior` | optional: what is wanted of a mesh with interior points, see below |
-    ///
-    /// and in each side, all optional:
-    ///
-    /// | key | value |
-    /// |---|---|
-    /// | `intervals` | a whole number, at least 1 |
-    /// | `size` | instead: a target length, above 0, that the side's length is divided by |
-    /// | `spacing` | `"uniform"`, `{"geometric": {"ratio": r}}`, `{"bump": {"ratio": c}}`, `{"beta": {"beta": b}}`, `{"first_length": h}`, `{"last_length": h}` or `{"parameters": [t1, …]}`; see [`Spacing`](crate::Spacing) |
-    /// | `points` | instead: the side's own points between its corners, `[[x, y], …]`, which come back bit for bit. The side is straight if all of them are within 1e-9 of its length from the line between its corners |
-    /// | `arc` | the side runs along a circle: `{"through": [x, y]}`, or `{"center": [x, y]}` counter-clockwise about the center, with `"clockwise": true` the other way |
-    /// | `bezier` | it runs along a cubic Bézier curve with these two control points: `[[x, y], [x, y]]` |
-    /// | `polyline` | it runs through these points, `[[x, y], …]`, and is divided by its length |
-    /// | `name` | the side's name; no two sides may have the same |
-    /// | `kind` | `"open"`, `"land"` or `"island"`: what kind of boundary ocean models take it for |
-    /// | `outside_degree` | the external degree of its vertices, which counts their edges on the other side of the boundary and none of the boundary itself: one number for all vertices that are not corners, or a list of one for each from the side's first corner to its last |
-    /// | `max_degree` | the degree limit of each of its vertices, corners included: the most edges that they may have, external degree included |
-    ///
-    /// and in `interior`, all optional:
-    ///
-    /// | key | value |
-    /// |---|---|
-    /// | `growth` | how fast the size grows from the boundary: change of size per distance |
-    /// | `size_inside` | the size far from the boundary |
-    /// | `sizes` | a list of `[x, y, h]`: the size is at most h at this place, and grows from there |
-    /// | `interior_degree` | the least and the greatest degree of interior vertices, such as `[5, 7]` |
-    /// | `boundary_degree` | the greatest degree of boundary vertices |
-    /// | `target_angle` | the minimum angle in degrees |
-    /// | `prefer` | `"degree"` or `"angle"`: which wins where one costs the other |
-    /// | `fixed` | `points`, a list of `[x, y]`, and `segments`, a list of lines: each a list of ends, which are `[x, y]` or the index of a fixed point |
+    /// `docs/domains.md` explains every key, and `mindeg schema` prints the JSON Schema.
     ///
     /// The value `null` counts as left out. Constraints on one vertex in several places count
     /// together: external degrees add up, and the least degree limit holds.
@@ -137,18 +100,97 @@ impl Domain {
     /// # Ok::<(), mindeg_domain::DomainJsonError>(())
     /// ```
     pub fn from_json_up_to(text: &str, max_vertices: u32) -> Result<Self, DomainJsonError> {
-        // A mark that some Windows programs put before UTF-8 text.
-        let text = Value::document(text.strip_prefix('\u{feff}').unwrap_or(text))?;
-        let (builder, name, interior) = description::description(&text)?;
-        let domain = builder.max_vertices(max_vertices).build().and_then(|domain| match name {
-            Some(name) => domain.named(name),
-            None => Ok(domain),
-        });
-        let domain = domain.map(|domain| match interior {
-            Some(interior) => domain.with_interior(interior),
-            None => domain,
-        });
-        domain.map_err(|error| place::located(&text, &error))
+        let description: DomainDescription =
+            reader::read(text).map_err(|error| guess::explained(text, error))?;
+        description.domain_up_to(max_vertices).map_err(|error| text::located(text, error))
+    }
+
+    /// The domain as JSON text, which [`Domain::from_json`] reads as the same points, bit for bit.
+    ///
+    /// Rings run as in the mesh; the sides of one that was given the other way round have their
+    /// points in place of a spacing law. Every number is the shortest that reads back as the same f64.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::{Domain, Side};
+    ///
+    /// let corners = [[0.0, 0.0], [0.1 + 0.2, 0.0], [0.0, 1.0 / 3.0]];
+    /// let domain = Domain::polygon(corners, vec![Side::count(2).named("a"), Side::size(0.1), Side::count(1)])?;
+    /// let again = Domain::from_json(&domain.to_json()).unwrap();
+    /// assert!(again.placement().points().eq(domain.placement().points()));
+    /// assert_eq!(again.sides(), domain.sides());
+    /// # Ok::<(), mindeg_domain::DomainError>(())
+    /// ```
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        let mut json = serde_json::json!(self.description());
+        drop_nulls(&mut json);
+        json.to_string()
+    }
+}
+
+/// Leaves out the keys without a value.
+fn drop_nulls(json: &mut serde_json::Value) {
+    match json {
+        serde_json::Value::Array(items) => items.iter_mut().for_each(drop_nulls),
+        serde_json::Value::Object(keys) => {
+            keys.retain(|_, value| !value.is_null());
+            keys.values_mut().for_each(drop_nulls);
+        }
+        _ => {}
+    }
+}
+
+impl Model {
+    /// Whether a JSON text is an object with the key `faces`, which makes it a model.
+    #[must_use]
+    pub fn is_model_json(text: &str) -> bool {
+        text::has(text, &Place::key("faces"))
+    }
+
+    /// Reads a model from JSON text.
+    ///
+    /// ```json
+    /// {
+    ///   "name": "wedge",
+    ///   "corners": [[0, 0, 0], [4, 0, 0], [0, 3, 0], [0, 0, 2]],
+    ///   "size": 0.5,
+    ///   "materials": [{"name": "steel", "color": [0.6, 0.6, 0.65]}],
+    ///   "edges": [
+    ///     {"corners": [0, 1], "intervals": 8, "spacing": {"geometric": {"ratio": 1.2}}, "name": "toe"}
+    ///   ],
+    ///   "faces": [
+    ///     [0, 2, 1], [0, 1, 3], [1, 2, 3],
+    ///     {"corners": [0, 3, 2], "name": "back", "group": "walls", "material": "steel"}
+    ///   ]
+    /// }
+    /// ```
+    ///
+    /// `docs/domains.md` explains every key, and `mindeg schema --model` prints the JSON Schema. The
+    /// value `null` counts as left out.
+    ///
+    /// # Errors
+    ///
+    /// Text that is no JSON, keys or values that are not the format's, and everything that
+    /// [`Model::new`] refuses; each with its path, line and column.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_domain::Model;
+    ///
+    /// let model = Model::from_json(
+    ///     r#"{"corners": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    ///         "faces": [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]], "size": 0.25}"#,
+    /// )?;
+    /// assert!(model.is_closed());
+    /// assert_eq!(model.face_size(0), 4 + 4 + 6);
+    /// # Ok::<(), mindeg_domain::DomainJsonError>(())
+    /// ```
+    pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
+        let description: ModelDescription = reader::read(text)?;
+        description.model().map_err(|error| text::located(text, error))
     }
 }
 

@@ -24,12 +24,11 @@
 //! The plane. Rings may not touch, themselves or each other.
 
 mod build;
-mod constraint_error;
 mod constraints;
 mod curve;
 mod divided;
 mod domain;
-mod domain_error;
+mod error;
 mod interior;
 mod intersection;
 #[cfg(feature = "json")]
@@ -39,7 +38,6 @@ mod model;
 mod name;
 mod outline;
 mod placement;
-mod placement_error;
 mod rectangle;
 mod rings;
 mod side;
@@ -48,31 +46,27 @@ mod spacing_law;
 mod turning;
 
 pub use build::DomainBuilder;
-pub use constraint_error::{Bend, ConstraintError, ConstraintPlace};
 pub use constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstraint};
-pub use curve::{Arc, Curve, CurveError};
+pub use curve::{Arc, Curve};
 pub use domain::Domain;
-pub use domain_error::DomainError;
+pub use error::{DomainError, Place};
 pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
-pub use intersection::{EdgePlace, IntersectionError, PointPlace};
 #[cfg(feature = "json")]
-pub use json::DomainJsonError;
+pub use json::{DomainDescription, DomainJsonError, ModelDescription};
 pub use limits::{
     GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE, MAX_STORED_VERTICES,
 };
 pub use mindeg_mesh::LineKind;
 pub use mindeg_mesh::planar::InRing;
 pub use model::{
-    FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelError, ModelFace, ModelParts,
-    ModelPlace, PLANAR_SHARE, Plane,
+    FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace,
+    PLANAR_SHARE, Plane,
 };
-pub use name::NameError;
-pub use outline::{Outline, OutlineError, Ring};
+pub use outline::{Outline, Ring};
 pub use placement::{Placement, Walk};
-pub use placement_error::PlacementError;
-pub use rectangle::{Rectangle, RectangleError};
-pub use rings::{Rings, RingsError};
-pub use side::{Intervals, Side, SideError};
-pub use spacing::{Spacing, SpacingError};
+pub use rectangle::Rectangle;
+pub use rings::Rings;
+pub use side::{Intervals, Side};
+pub use spacing::Spacing;
 pub use spacing_law::SpacingLaw;
 pub use turning::ConvexForm;

@@ -6,8 +6,9 @@
 use glam::DVec2;
 
 use crate::curve::Curve;
+use crate::error::{DomainError, Place, counted};
 use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
-use crate::rectangle::{Rectangle, RectangleError};
+use crate::rectangle::Rectangle;
 use crate::rings::{InRing, ring_name};
 use crate::side::Side;
 
@@ -30,79 +31,9 @@ pub struct Ring {
     pub sides: Vec<Side>,
 }
 
-/// Why corners are not those of a ring.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum OutlineError {
-    /// Measures that are not those of a rectangle.
-    #[error(transparent)]
-    Rectangle(#[from] RectangleError),
-    /// Fewer than three corners.
-    #[error(
-        "found {corners} {}{}; {} of straight sides needs at least 3",
-        if *corners == 1 { "corner" } else { "corners" },
-        if *ring == 0 { String::new() } else { format!(" of {}", ring_name(*ring)) },
-        if *ring == 0 { "an outline" } else { "a hole" }
-    )]
-    TooFewCorners {
-        /// The ring.
-        ring: usize,
-        /// The number of corners.
-        corners: usize,
-    },
-    /// A coordinate that is not finite or greater than
-    /// [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE).
-    #[error(
-        "{} is at ({x:?}, {y:?}); coordinates must be finite and at most \
-         {GREATEST_COORDINATE:e} in size",
-        corner.corner()
-    )]
-    Coordinate {
-        /// The corner.
-        corner: InRing,
-        /// Its x coordinate.
-        x: f64,
-        /// Its y coordinate.
-        y: f64,
-    },
-    /// Two neighbouring corners at the same point.
-    #[error(
-        "corners {} and {} are the same point ({x:?}, {y:?}); give each corner once ({} closes by \
-         itself)",
-        first.index + 1, second.named_last(), if first.ring == 0 { "the outline" } else { "the hole" }
-    )]
-    RepeatedCorner {
-        /// The one.
-        first: InRing,
-        /// The next.
-        second: InRing,
-        /// The x coordinate.
-        x: f64,
-        /// The y coordinate.
-        y: f64,
-    },
-    /// Two neighbouring corners that 64-bit floats hardly tell apart, or nearer than
-    /// [`LEAST_SIDE`](crate::LEAST_SIDE).
-    #[error(
-        "corners {} and {} coincide: their distance is {distance:.1e}, and the minimum at these \
-         coordinates is {least:.1e}; drop one of them",
-        first.index + 1, second.named_last()
-    )]
-    CoincidentCorners {
-        /// The one.
-        first: InRing,
-        /// The next.
-        second: InRing,
-        /// Their distance.
-        distance: f64,
-        /// The least distance that two corners with these coordinates must have.
-        least: f64,
-    },
-}
-
 impl Outline {
     /// The corners as given.
-    pub(crate) fn corners(&self) -> Result<Vec<DVec2>, RectangleError> {
+    pub(crate) fn corners(&self) -> Result<Vec<DVec2>, DomainError> {
         match self {
             Self::Rectangle(rectangle) => rectangle.corners(),
             Self::Polygon(corners) => Ok(corners.clone()),
@@ -127,17 +58,35 @@ impl Ring {
 }
 
 /// Checks the corners of a ring. O(k).
-pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), OutlineError> {
+pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), DomainError> {
     let Ring { corners, sides } = given;
     let count = corners.len();
     let is_curved = sides.iter().any(|side| side.curve != Curve::Line);
     if count == 0 || (count < 3 && !is_curved) {
-        return Err(OutlineError::TooFewCorners { ring, corners: count });
+        let (of, whose) = match ring {
+            0 => (String::new(), "an outline"),
+            _ => (format!(" of {}", ring_name(ring)), "a hole"),
+        };
+        return Err(DomainError::new(
+            Place::corners(ring),
+            format!(
+                "found {}{of}; {whose} of straight sides needs at least 3",
+                counted(count, "corner")
+            ),
+        ));
     }
     for (index, &DVec2 { x, y }) in corners.iter().enumerate() {
         // Not a NaN either.
         if !(x.abs() <= GREATEST_COORDINATE && y.abs() <= GREATEST_COORDINATE) {
-            return Err(OutlineError::Coordinate { corner: InRing { ring, index }, x, y });
+            let corner = InRing { ring, index };
+            return Err(DomainError::new(
+                Place::corner(corner),
+                format!(
+                    "{} is at ({x:?}, {y:?}); coordinates must be finite and at most \
+                     {GREATEST_COORDINATE:e} in size",
+                    corner.corner()
+                ),
+            ));
         }
     }
     if count == 1 {
@@ -147,13 +96,19 @@ pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), OutlineErro
 }
 
 /// Checks that a corner and the next are apart.
-fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), OutlineError> {
+fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), DomainError> {
     let second = (first + 1) % corners.len();
     let (start, end) = (corners[first], corners[second]);
-    let [first, second] = [first, second].map(|index| InRing { ring, index });
+    let second = InRing { ring, index: second };
+    let both = format!("corners {} and {}", first + 1, second.named_last());
+    let error = |message| Err(DomainError::touch(Place::corner(second), message));
     if start == end {
         let DVec2 { x, y } = start;
-        return Err(OutlineError::RepeatedCorner { first, second, x, y });
+        let whole = if ring == 0 { "outline" } else { "hole" };
+        return error(format!(
+            "{both} are the same point ({x:?}, {y:?}); give each corner once (the {whole} closes by \
+             itself)"
+        ));
     }
     // Neither difference overflows or vanishes where its square would.
     let span = (end - start).abs();
@@ -162,7 +117,10 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Ou
     let least = LEAST_SIDE.max(LEAST_ROUNDINGS * rounding);
     // The longer difference alone decides what is too short to be a side.
     if span.max_element() < LEAST_SIDE || distance < LEAST_ROUNDINGS * rounding {
-        return Err(OutlineError::CoincidentCorners { first, second, distance, least });
+        return error(format!(
+            "{both} coincide: their distance is {distance:.1e}, and the minimum at these coordinates \
+             is {least:.1e}; drop one of them"
+        ));
     }
     Ok(())
 }

@@ -11,8 +11,8 @@ use glam::{DVec2, DVec3};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Bounds, Positions};
 
+use crate::error::{DomainError, Place};
 use crate::limits::LEAST_ROUNDINGS;
-use crate::placement_error::PlacementError;
 use crate::rings::{InRing, Rings};
 use crate::spacing_law::SpacingLaw;
 
@@ -100,14 +100,23 @@ impl Placement {
         end: DVec2,
         law: &SpacingLaw,
         side: InRing,
-    ) -> Result<(), PlacementError> {
+    ) -> Result<(), DomainError> {
         let span = (end - start).abs();
         let axis = usize::from(span.y > span.x);
         let (_, share) = law.shortest();
         if share * span[axis] >= LEAST_ROUNDINGS * rounding(start, end)[axis] {
             return Ok(());
         }
-        Err(PlacementError::Interval { side, length: share * start.distance(end) })
+        let length = share * start.distance(end);
+        Err(DomainError::key(
+            "spacing",
+            format!(
+                "its shortest interval is {length:.1e} long, too short to be told from nothing at the \
+                 size of the side's coordinates; use fewer intervals or a gentler law, or move the \
+                 domain towards the origin"
+            ),
+        )
+        .of_side(side))
     }
 
     /// Checks that no points coincide next to the corners of a convex domain, either way round; at
@@ -115,7 +124,7 @@ impl Placement {
     pub(crate) fn check_corners(
         &self,
         is_straight: impl Fn(usize) -> bool,
-    ) -> Result<(), PlacementError> {
+    ) -> Result<(), DomainError> {
         let Points::Formula(laws) = &self.points else { return Ok(()) };
         for side in (0..self.corners.len()).filter(|&side| !is_straight(side)) {
             let before = self.rings.previous_side(side);
@@ -128,7 +137,16 @@ impl Placement {
             let rounding = |side| rounding(self.corners[side], self.end(side));
             let rounding = rounding(before).max(rounding(side)).max_element();
             if distance < LEAST_ROUNDINGS * rounding {
-                return Err(PlacementError::Corner { corner: self.rings.in_ring(side), distance });
+                let corner = self.rings.in_ring(side);
+                return Err(DomainError::new(
+                    Place::corner(corner),
+                    format!(
+                        "{}: the points next to it are {distance:.1e} from the other side, too close \
+                         to be told apart at the size of the coordinates; make the intervals there \
+                         longer or the angle larger, or move the domain towards the origin",
+                        corner.corner()
+                    ),
+                ));
             }
         }
         Ok(())
@@ -395,7 +413,7 @@ mod tests {
     use super::*;
     use crate::spacing::Spacing;
 
-    fn place(corners: &[[f64; 2]], spacing: &Spacing, m: u32) -> Result<Placement, PlacementError> {
+    fn place(corners: &[[f64; 2]], spacing: &Spacing, m: u32) -> Result<Placement, DomainError> {
         let corners: Vec<DVec2> = corners.iter().copied().map(DVec2::from).collect();
         let laws: Vec<SpacingLaw> = (0..corners.len())
             .map(|s| {
@@ -466,18 +484,12 @@ mod tests {
         assert!(place(&far(0.0), &dense, 4).is_ok());
         assert!(place(&far(1e5), &dense, 4).is_ok());
         let refused = place(&far(1e7), &dense, 4).unwrap_err();
-        let PlacementError::Interval { side: InRing { ring: 0, index: 0 }, length } = refused
-        else {
-            panic!("{refused:?}");
-        };
-        assert!((length - 1e-9).abs() < 1e-11);
+        assert_eq!(refused.place.to_string(), "sides[0].spacing");
+        assert!(refused.message.contains("is 1.0e-9 long"), "{refused}");
 
         let needle = |width: f64| [[0.0, 0.0], [1.0, 0.0], [1.0, width]];
         assert!(place(&needle(1e-9), &Spacing::Uniform, 10).is_ok());
         let refused = place(&needle(1e-14), &Spacing::Uniform, 10).unwrap_err();
-        assert!(
-            matches!(refused, PlacementError::Corner { corner: InRing { ring: 0, index: 0 }, .. }),
-            "{refused:?}"
-        );
+        assert_eq!(refused.place.to_string(), "polygon.corners[0]");
     }
 }

@@ -6,73 +6,41 @@
 
 use glam::DVec2;
 
+use crate::error::{DomainError, Place};
 use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
 
 /// A rectangle, which may stand anywhere at any angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Rectangle {
     /// The length of bottom and top, above 0.
     pub width: f64,
     /// The length of left and right, above 0.
     pub height: f64,
     /// The corner where the bottom starts.
+    #[cfg_attr(
+        feature = "json",
+        serde(
+            default,
+            deserialize_with = "crate::json::or_default",
+            skip_serializing_if = "crate::json::is_default"
+        )
+    )]
+    #[cfg_attr(feature = "schema", schemars(with = "Option<[f64; 2]>"))]
     pub origin: DVec2,
     /// The angle from the x axis to the bottom, in degrees counter-clockwise about the origin.
     /// Multiples of 90 are exact.
+    #[cfg_attr(
+        feature = "json",
+        serde(
+            default,
+            deserialize_with = "crate::json::or_default",
+            skip_serializing_if = "crate::json::is_default"
+        )
+    )]
     pub rotation: f64,
-}
-
-/// Why measures are not those of a rectangle.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RectangleError {
-    /// A width or height that is not a finite number above 0, or a rotation that is not finite.
-    #[error(
-        "the rectangle's {key} is {value:?}; it must be a finite number{}",
-        if *key == "rotation" { "" } else { " above 0" }
-    )]
-    Measure {
-        /// `width`, `height` or `rotation`.
-        key: &'static str,
-        /// The number.
-        value: f64,
-    },
-    /// A width or height below [`LEAST_SIDE`](crate::LEAST_SIDE).
-    #[error(
-        "the rectangle's {key} is {value:?}; the minimum is {LEAST_SIDE:e}; use another unit of length"
-    )]
-    Short {
-        /// `width` or `height`.
-        key: &'static str,
-        /// The number.
-        value: f64,
-    },
-    /// A corner with a coordinate that is not finite or greater than
-    /// [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE).
-    #[error(
-        "a corner of the rectangle is at ({x:?}, {y:?}); coordinates must be finite and at most \
-         {GREATEST_COORDINATE:e} in size; use another unit of length"
-    )]
-    Coordinate {
-        /// The corner's x coordinate.
-        x: f64,
-        /// The corner's y coordinate.
-        y: f64,
-    },
-    /// Proportions, or a distance from the origin, at which corners cannot be told apart.
-    #[error(
-        "the rectangle's {key} is {value:?}, and its coordinates are up to {coordinate:?}: 64-bit \
-         floats cannot tell its corners apart; keep width and height within a factor of 1e14, \
-         and the rectangle near the origin"
-    )]
-    Thin {
-        /// `width` or `height`.
-        key: &'static str,
-        /// The number.
-        value: f64,
-        /// The greatest magnitude of a coordinate.
-        coordinate: f64,
-    },
 }
 
 impl Rectangle {
@@ -82,14 +50,15 @@ impl Rectangle {
         Self { width, height, origin: DVec2::ZERO, rotation: 0.0 }
     }
 
-    pub(crate) fn corners(&self) -> Result<Vec<DVec2>, RectangleError> {
+    pub(crate) fn corners(&self) -> Result<Vec<DVec2>, DomainError> {
         for (key, value, is_allowed) in [
             ("width", self.width, self.width > 0.0),
             ("height", self.height, self.height > 0.0),
             ("rotation", self.rotation, true),
         ] {
             if !(is_allowed && value.is_finite()) {
-                return Err(RectangleError::Measure { key, value });
+                let above = if key == "rotation" { "" } else { " above 0" };
+                return Err(error(key, format!("is {value:?}; it must be a finite number{above}")));
             }
         }
         let along = direction(self.rotation);
@@ -101,26 +70,49 @@ impl Rectangle {
     }
 
     /// Checks that 64-bit floats tell the corners apart.
-    fn check_resolution(&self, corners: &[DVec2]) -> Result<(), RectangleError> {
+    fn check_resolution(&self, corners: &[DVec2]) -> Result<(), DomainError> {
         // Not a NaN either, which the greater of two numbers would pass over.
         let is_within = |corner: &DVec2| {
             corner.x.abs() <= GREATEST_COORDINATE && corner.y.abs() <= GREATEST_COORDINATE
         };
         if let Some(&DVec2 { x, y }) = corners.iter().find(|corner| !is_within(corner)) {
-            return Err(RectangleError::Coordinate { x, y });
+            return Err(DomainError::new(
+                Place::key("rectangle"),
+                format!(
+                    "a corner of the rectangle is at ({x:?}, {y:?}); coordinates must be finite and \
+                     at most {GREATEST_COORDINATE:e} in size; use another unit of length"
+                ),
+            ));
         }
         let coordinates = corners.iter().map(|corner| corner.abs().max_element());
         let coordinate = coordinates.fold(0.0, f64::max);
         for (key, value) in [("width", self.width), ("height", self.height)] {
             if value < LEAST_SIDE {
-                return Err(RectangleError::Short { key, value });
+                return Err(error(
+                    key,
+                    format!(
+                        "is {value:?}; the minimum is {LEAST_SIDE:e}; use another unit of length"
+                    ),
+                ));
             }
             if value < LEAST_ROUNDINGS * f64::EPSILON * coordinate {
-                return Err(RectangleError::Thin { key, value, coordinate });
+                return Err(error(
+                    key,
+                    format!(
+                        "is {value:?}, and its coordinates are up to {coordinate:?}: 64-bit floats \
+                         cannot tell its corners apart; keep width and height within a factor of \
+                         1e14, and the rectangle near the origin"
+                    ),
+                ));
             }
         }
         Ok(())
     }
+}
+
+/// An error about a measure.
+fn error(key: &str, is: String) -> DomainError {
+    DomainError::new(Place::key("rectangle").then(key), format!("the rectangle's {key} {is}"))
 }
 
 /// The unit vector at an angle in degrees, exact at multiples of 90.

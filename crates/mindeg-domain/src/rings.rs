@@ -11,6 +11,8 @@ use std::ops::Range;
 use mindeg_core::MAX_VERTICES;
 pub(crate) use mindeg_mesh::planar::{InRing, ring_name};
 
+use crate::error::{DomainError, Place, counted};
+
 /// The rings of a boundary, each divided into sides, each side into intervals; no positions.
 ///
 /// Memory is O(k) for k sides, whatever the number of intervals.
@@ -27,7 +29,7 @@ pub(crate) use mindeg_mesh::planar::{InRing, ring_name};
 /// assert_eq!((rings.corner(5), rings.side_end(5)), (11, 13));
 /// assert_eq!((rings.next(9), rings.next(13), rings.previous(10)), (0, 10, 13));
 /// assert_eq!((rings.side_of(12), rings.ring_of(12)), (5, 1));
-/// # Ok::<(), mindeg_domain::RingsError>(())
+/// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rings {
@@ -37,44 +39,6 @@ pub struct Rings {
     first_sides: Vec<usize>,
 }
 
-/// Why numbers of intervals are not those of rings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[non_exhaustive]
-pub enum RingsError {
-    /// No ring at all.
-    #[error("a boundary needs an outer ring")]
-    NoRing,
-    /// A ring with fewer than three vertices.
-    #[error(
-        "{} has {intervals} {}; a ring needs at least 3",
-        ring_name(*ring), if *intervals == 1 { "interval" } else { "intervals" }
-    )]
-    TooFewVertices {
-        /// The ring.
-        ring: usize,
-        /// Its intervals.
-        intervals: u64,
-    },
-    /// A side without an interval.
-    #[error("{} has 0 intervals; every side needs at least 1", side.side())]
-    NoIntervals {
-        /// The side.
-        side: InRing,
-    },
-    /// More boundary vertices than [`MAX_VERTICES`].
-    #[error(
-        "{} has {intervals} intervals, with which the boundary exceeds the maximum of \
-         {MAX_VERTICES} vertices; use fewer intervals",
-        side.side()
-    )]
-    TooManyVertices {
-        /// The first side with which the sum of the intervals exceeds the maximum.
-        side: InRing,
-        /// The number of intervals of that side.
-        intervals: u64,
-    },
-}
-
 impl Rings {
     /// Rings from the number of intervals of each side of each ring. O(k).
     ///
@@ -82,9 +46,9 @@ impl Rings {
     ///
     /// No ring, a ring with fewer than three intervals, a side without intervals, or more than
     /// [`MAX_VERTICES`] intervals in total.
-    pub fn new<S: AsRef<[u64]>>(rings: &[S]) -> Result<Self, RingsError> {
+    pub fn new<S: AsRef<[u64]>>(rings: &[S]) -> Result<Self, DomainError> {
         if rings.is_empty() {
-            return Err(RingsError::NoRing);
+            return Err(DomainError::new(Place::default(), "a boundary needs an outer ring"));
         }
         let (mut corners, mut first_sides) = (vec![0], vec![0]);
         let mut total = 0_u32;
@@ -93,18 +57,35 @@ impl Rings {
             for (index, &intervals) in sides.as_ref().iter().enumerate() {
                 let side = InRing { ring, index };
                 if intervals == 0 {
-                    return Err(RingsError::NoIntervals { side });
+                    let name = side.side();
+                    return Err(DomainError::new(
+                        Place::side(side).then("intervals"),
+                        format!("{name} has 0 intervals; every side needs at least 1"),
+                    ));
                 }
                 total = u32::try_from(intervals)
                     .ok()
                     .and_then(|count| total.checked_add(count))
                     .filter(|&total| total <= MAX_VERTICES)
-                    .ok_or(RingsError::TooManyVertices { side, intervals })?;
+                    .ok_or_else(|| {
+                        DomainError::new(
+                            Place::side(side).then("intervals"),
+                            format!(
+                                "{} has {intervals} intervals, with which the boundary exceeds the \
+                                 maximum of {MAX_VERTICES} vertices; use fewer intervals",
+                                side.side()
+                            ),
+                        )
+                    })?;
                 corners.push(total);
             }
-            let intervals = u64::from(total - start);
+            let intervals = total - start;
             if intervals < 3 {
-                return Err(RingsError::TooFewVertices { ring, intervals });
+                let found = counted(intervals as usize, "interval");
+                return Err(DomainError::new(
+                    Place::ring(ring).then("sides"),
+                    format!("{} has {found}; a ring needs at least 3", ring_name(ring)),
+                ));
             }
             first_sides.push(corners.len() - 1);
         }

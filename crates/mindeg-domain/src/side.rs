@@ -6,8 +6,9 @@ use glam::DVec2;
 use mindeg_core::MAX_VERTICES;
 use mindeg_mesh::LineKind;
 
-use crate::curve::{Curve, CurveError};
-use crate::spacing::{Spacing, SpacingError};
+use crate::curve::Curve;
+use crate::error::DomainError;
+use crate::spacing::Spacing;
 
 /// One side of a ring: how it runs from its corner to the next, and how it is divided.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,57 +34,8 @@ pub enum Intervals {
     /// rounded, at least 1.
     Size(f64),
     /// From each point of a [`Curve::Polyline`] to the next: these points are the boundary's, bit
-    /// for bit.
+    /// for bit. One where it has none.
     Points,
-}
-
-/// Why a side cannot be divided.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SideError {
-    /// A target size that is zero, negative or not finite.
-    #[error("the size is {size:?}; it must be a finite number above 0")]
-    Size {
-        /// The number.
-        size: f64,
-    },
-    /// A target size that makes more intervals than a boundary may have vertices.
-    #[error(
-        "the size {size:?} makes {intervals:.1e} intervals, and a boundary has at most \
-         {MAX_VERTICES} vertices; give a larger size"
-    )]
-    SizeTooSmall {
-        /// The number.
-        size: f64,
-        /// The intervals that it makes.
-        intervals: f64,
-    },
-    /// A curve that is none.
-    #[error(transparent)]
-    Curve(#[from] CurveError),
-    /// A spacing law on a side that has its own points.
-    #[error("the side has its own points, so a spacing law has nothing to say; drop the law")]
-    SpacedPoints,
-    /// Points to be kept on a side that gives none.
-    #[error("the side is to keep its own points and gives none; give a polyline or a count")]
-    NoPoints,
-    /// A point of a straight side that is not farther along than the one before.
-    #[error(
-        "point {} at ({x:?}, {y:?}) is not farther along the straight side than the one before; list \
-         the points in the order in which they lie on it",
-        index + 1
-    )]
-    OutOfOrder {
-        /// The index of the point among the side's own, from 0.
-        index: usize,
-        /// The x coordinate.
-        x: f64,
-        /// The y coordinate.
-        y: f64,
-    },
-    /// A spacing law that does not fit the side.
-    #[error(transparent)]
-    Spacing(#[from] SpacingError),
 }
 
 impl Side {
@@ -163,19 +115,27 @@ impl Side {
 
 impl Intervals {
     /// How many intervals a side of some length gets, that has `points` of its own.
-    pub(crate) fn on(self, length: f64, points: usize) -> Result<u64, SideError> {
+    pub(crate) fn on(self, length: f64, points: usize) -> Result<u64, DomainError> {
         match self {
             Self::Count(count) => Ok(count),
-            Self::Points if points == 0 => Err(SideError::NoPoints),
             Self::Points => Ok(points as u64 + 1),
             Self::Size(size) if size > 0.0 && size.is_finite() => {
                 let intervals = (length / size).round().max(1.0);
                 if intervals > f64::from(MAX_VERTICES) {
-                    return Err(SideError::SizeTooSmall { size, intervals });
+                    return Err(DomainError::key(
+                        "size",
+                        format!(
+                            "the size {size:?} makes {intervals:.1e} intervals, and a boundary has at \
+                             most {MAX_VERTICES} vertices; give a larger size"
+                        ),
+                    ));
                 }
                 Ok(intervals as u64)
             }
-            Self::Size(size) => Err(SideError::Size { size }),
+            Self::Size(size) => Err(DomainError::key(
+                "size",
+                format!("the size is {size:?}; it must be a finite number above 0"),
+            )),
         }
     }
 }

@@ -10,7 +10,7 @@
 
 use std::str::FromStr;
 
-use crate::limits::LEAST_SHARE;
+use crate::error::DomainError;
 
 /// A spacing law, in the direction of its side (counter-clockwise).
 ///
@@ -34,9 +34,12 @@ use crate::limits::LEAST_SHARE;
 ///
 /// let spacing: Spacing = "geometric:1.2".parse()?;
 /// assert_eq!(spacing, Spacing::Geometric { ratio: 1.2 });
-/// # Ok::<(), mindeg_domain::SpacingError>(())
+/// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", serde(rename_all = "snake_case", deny_unknown_fields))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Spacing {
     /// All intervals are equally long.
     #[default]
@@ -95,10 +98,19 @@ impl Spacing {
 /// `last-length:0.01`: the notation of the command line. The value itself is judged where the
 /// law is solved, since that takes the side.
 impl FromStr for Spacing {
-    type Err = SpacingError;
+    type Err = DomainError;
 
-    fn from_str(text: &str) -> Result<Self, SpacingError> {
-        let unknown = || SpacingError::Notation { text: text.to_owned() };
+    fn from_str(text: &str) -> Result<Self, DomainError> {
+        let unknown = || {
+            DomainError::key(
+                "spacing",
+                format!(
+                    "\"{text}\" is not a spacing law; write uniform, geometric:RATIO, bump:RATIO, \
+                     beta:BETA, first-length:LENGTH or last-length:LENGTH (explicit parameters need a \
+                     domain file)"
+                ),
+            )
+        };
         let (law, value) = match text.split_once(':') {
             None => (text, None),
             Some((law, value)) => (law, Some(value.trim().parse::<f64>().map_err(|_| unknown())?)),
@@ -113,116 +125,6 @@ impl FromStr for Spacing {
             _ => Err(unknown()),
         }
     }
-}
-
-/// Why a spacing law does not fit a side. Intervals and points are counted from 0 here and
-/// from 1 in messages.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum SpacingError {
-    /// A text that names no law.
-    #[error(
-        "\"{text}\" is not a spacing law; write uniform, geometric:RATIO, bump:RATIO, beta:BETA, \
-         first-length:LENGTH or last-length:LENGTH (explicit parameters need a domain file)"
-    )]
-    Notation {
-        /// The text.
-        text: String,
-    },
-    /// A ratio or a length that is zero, negative or not finite.
-    #[error("the {what} is {value:?}; it must be a finite number above 0")]
-    NotPositive {
-        /// What the number stands for.
-        what: &'static str,
-        /// The number.
-        value: f64,
-    },
-    /// A beta in [-1, 1], or not finite.
-    #[error(
-        "beta is {value:?}; it must be above 1 (points crowd at the side's start) or below -1 (at \
-         its end)"
-    )]
-    Beta {
-        /// The number.
-        value: f64,
-    },
-    /// A first or last length that leaves nothing for the other intervals.
-    #[error(
-        "an interval of length {length:?} leaves nothing of the side's {side_length:?} for the other \
-         {others} {}; give a shorter length or 1 interval",
-        if *others == 1 { "interval" } else { "intervals" }
-    )]
-    LengthTooLong {
-        /// The length given.
-        length: f64,
-        /// The length of the side.
-        side_length: f64,
-        /// How many intervals there are besides.
-        others: u32,
-    },
-    /// A first or last length where the side is one interval of another length.
-    #[error(
-        "the side is a single interval of length {side_length:?}, not {length:?}; use more intervals \
-         or drop the law"
-    )]
-    SingleInterval {
-        /// The length given.
-        length: f64,
-        /// The length of the side.
-        side_length: f64,
-    },
-    /// Explicit parameters whose number does not fit the intervals.
-    #[error(
-        "{parameters} {} {} intervals, and the side has {intervals}; drop the interval count or \
-         make them agree",
-        if *parameters == 1 { "parameter makes" } else { "parameters make" },
-        parameters + 1
-    )]
-    ParameterCount {
-        /// How many parameters there are.
-        parameters: usize,
-        /// The intervals of the side.
-        intervals: u64,
-    },
-    /// An explicit parameter outside (0, 1), or not finite.
-    #[error(
-        "parameter {} is {value:?}; parameters are shares of the side, above 0 and below 1",
-        index + 1
-    )]
-    ParameterRange {
-        /// Which parameter, counted from 0.
-        index: usize,
-        /// The number.
-        value: f64,
-    },
-    /// An explicit parameter not above the one before.
-    #[error(
-        "parameter {} ({value:?}) is not above the one before ({previous:?}); parameters must \
-         increase",
-        index + 1
-    )]
-    ParameterOrder {
-        /// Which parameter, counted from 0.
-        index: usize,
-        /// The number.
-        value: f64,
-        /// The number before it.
-        previous: f64,
-    },
-    /// An interval shorter than [`LEAST_SHARE`](crate::LEAST_SHARE) of the side.
-    #[error(
-        "interval {} of {intervals} would be {share:.1e} of the side's length, less than \
-         {LEAST_SHARE:e}; use fewer intervals or a gentler law",
-        interval + 1
-    )]
-    IntervalTooShort {
-        /// The shortest interval, counted from 0.
-        interval: u32,
-        /// The intervals of the side.
-        intervals: u32,
-        /// Its share of the side.
-        share: f64,
-    },
 }
 
 #[cfg(test)]

@@ -16,8 +16,9 @@
 mod curves;
 
 use self::curves::{Crowding, Progression, Stretching};
+use crate::error::{DomainError, Place, counted};
 use crate::limits::LEAST_SHARE;
-use crate::spacing::{Spacing, SpacingError};
+use crate::spacing::Spacing;
 
 /// A spacing law solved for a side: point `i` of `m` intervals lies at `parameter(i)` of the
 /// side's length, from exactly 0 at `i = 0` to exactly 1 at `i = m`, strictly increasing.
@@ -38,7 +39,7 @@ use crate::spacing::{Spacing, SpacingError};
 /// // The same, given by the first interval.
 /// let first = SpacingLaw::solve(&Spacing::FirstLength(1.0), 3, 7.0)?;
 /// assert!((first.parameter(2) - 3.0 / 7.0).abs() < 1e-15);
-/// # Ok::<(), mindeg_domain::SpacingError>(())
+/// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SpacingLaw {
@@ -71,11 +72,7 @@ impl SpacingLaw {
     ///
     /// A ratio, beta, length or parameter outside its range, a number of parameters that does
     /// not fit the intervals, or an interval shorter than [`LEAST_SHARE`](crate::LEAST_SHARE) of the side.
-    pub fn solve(
-        spacing: &Spacing,
-        intervals: u32,
-        side_length: f64,
-    ) -> Result<Self, SpacingError> {
+    pub fn solve(spacing: &Spacing, intervals: u32, side_length: f64) -> Result<Self, DomainError> {
         let intervals = intervals.max(1);
         let form = match spacing {
             Spacing::Uniform => Form::Uniform,
@@ -99,7 +96,11 @@ impl SpacingLaw {
         if share >= LEAST_SHARE {
             Ok(law)
         } else {
-            Err(SpacingError::IntervalTooShort { interval, intervals, share })
+            Err(error(format!(
+                "interval {} of {intervals} would be {share:.1e} of the side's length, less than \
+                 {LEAST_SHARE:e}; use fewer intervals or a gentler law",
+                interval + 1
+            )))
         }
     }
 
@@ -163,11 +164,15 @@ impl SpacingLaw {
     }
 }
 
-fn positive(what: &'static str, value: f64) -> Result<f64, SpacingError> {
+fn error(message: String) -> DomainError {
+    DomainError::key("spacing", message)
+}
+
+fn positive(what: &'static str, value: f64) -> Result<f64, DomainError> {
     if value > 0.0 && value.is_finite() {
         Ok(value)
     } else {
-        Err(SpacingError::NotPositive { what, value })
+        Err(error(format!("the {what} is {value:?}; it must be a finite number above 0")))
     }
 }
 
@@ -177,17 +182,24 @@ fn geometric(log_ratio: f64, m: u32) -> Form {
 
 /// The logarithm of the ratio for which a geometric series of `m` intervals on a side of length
 /// `side_length` starts with `length`.
-fn log_ratio(length: f64, m: u32, side_length: f64) -> Result<f64, SpacingError> {
+fn log_ratio(length: f64, m: u32, side_length: f64) -> Result<f64, DomainError> {
     if m == 1 {
         return if (length - side_length).abs() <= 1e-9 * side_length {
             Ok(0.0)
         } else {
-            Err(SpacingError::SingleInterval { length, side_length })
+            Err(error(format!(
+                "the side is a single interval of length {side_length:?}, not {length:?}; use more \
+                 intervals or drop the law"
+            )))
         };
     }
     let share = length / side_length;
     if share >= 1.0 {
-        return Err(SpacingError::LengthTooLong { length, side_length, others: m - 1 });
+        return Err(error(format!(
+            "an interval of length {length:?} leaves nothing of the side's {side_length:?} for the \
+             other {}; give a shorter length or 1 interval",
+            counted(m as usize - 1, "interval")
+        )));
     }
     let even = share * f64::from(m);
     if even == 1.0 {
@@ -226,10 +238,13 @@ fn bump(ratio: f64) -> Form {
     }
 }
 
-fn roberts(beta: f64) -> Result<Form, SpacingError> {
+fn roberts(beta: f64) -> Result<Form, DomainError> {
     let size = beta.abs();
     if !(size > 1.0 && size.is_finite()) {
-        return Err(SpacingError::Beta { value: beta });
+        return Err(error(format!(
+            "beta is {beta:?}; it must be above 1 (points crowd at the side's start) or below -1 (at \
+             its end)"
+        )));
     }
     // artanh(1/b) = ln((b + 1)/(b - 1))/2
     let width = libm::log1p(2.0 / (size - 1.0)) / 2.0;
@@ -252,18 +267,38 @@ fn mirrored(i: u32, m: u32, first_half: impl Fn(u32) -> f64) -> f64 {
     }
 }
 
-fn explicit(given: &[f64], intervals: u32) -> Result<Form, SpacingError> {
+fn explicit(given: &[f64], intervals: u32) -> Result<Form, DomainError> {
     if given.len() as u64 + 1 != u64::from(intervals) {
-        let (parameters, intervals) = (given.len(), u64::from(intervals));
-        return Err(SpacingError::ParameterCount { parameters, intervals });
+        return Err(error(format!(
+            "{} {} {} intervals, and the side has {intervals}; drop the interval count or make them \
+             agree",
+            counted(given.len(), "parameter"),
+            if given.len() == 1 { "makes" } else { "make" },
+            given.len() + 1
+        )));
     }
     let mut previous = 0.0;
     for (index, &value) in given.iter().enumerate() {
+        let place = || Place::key("spacing").then("parameters").then(index);
         if !(value > 0.0 && value < 1.0) {
-            return Err(SpacingError::ParameterRange { index, value });
+            return Err(DomainError::new(
+                place(),
+                format!(
+                    "parameter {} is {value:?}; parameters are shares of the side, above 0 and below \
+                     1",
+                    index + 1
+                ),
+            ));
         }
         if value <= previous {
-            return Err(SpacingError::ParameterOrder { index, value, previous });
+            return Err(DomainError::new(
+                place(),
+                format!(
+                    "parameter {} ({value:?}) is not above the one before ({previous:?}); parameters \
+                     must increase",
+                    index + 1
+                ),
+            ));
         }
         previous = value;
     }

@@ -2,7 +2,7 @@
 //! reason.
 
 use glam::DVec2;
-use mindeg_domain::{Curve, Domain, DomainError, IntersectionError, Ring, Side};
+use mindeg_domain::{Curve, Domain, Ring, Side};
 use proptest::prelude::*;
 
 /// A star-shaped ring about a center: radii at even angles.
@@ -42,11 +42,16 @@ fn signed_area(ring: &[DVec2]) -> f64 {
     (0..ring.len()).map(|i| ring[i].perp_dot(next(i))).sum::<f64>() / 2.0
 }
 
-fn refusal(rings: Vec<Vec<DVec2>>) -> IntersectionError {
+/// The message about rings that meet.
+fn refusal(rings: Vec<Vec<DVec2>>) -> String {
     match Domain::from_rings(rings).map(|domain| domain.placement().area()) {
-        Err(DomainError::Intersection(error)) => error,
+        Err(error) if error.is_touch => error.message,
         other => unreachable!("the damage is not found: {other:?}"),
     }
+}
+
+fn says(message: &str, any_of: &[&str]) -> bool {
+    any_of.iter().any(|words| message.contains(words))
 }
 
 proptest! {
@@ -113,10 +118,7 @@ proptest! {
         }
         // The moved point makes edges cross too, or fold; that it is repeated comes before crossings.
         let error = refusal(damaged);
-        prop_assert!(
-            matches!(error, IntersectionError::RepeatedPoint { .. } | IntersectionError::FoldsBack { .. }),
-            "{}", error
-        );
+        prop_assert!(says(&error, &["passes each point once", "folds back"]), "{}", error);
     }
 
     #[test]
@@ -125,7 +127,7 @@ proptest! {
         let mut damaged = rings;
         damaged.push(star(on_outline, &radii));
         let error = refusal(damaged);
-        prop_assert!(matches!(error, IntersectionError::Crossing { .. }), "{}", error);
+        prop_assert!(says(&error, &[" cross near "]), "{}", error);
     }
 
     #[test]
@@ -134,14 +136,14 @@ proptest! {
         outside.push(star(DVec2::new(40.0, 0.0), &radii));
         let hole = outside.len() - 1;
         let error = refusal(outside);
-        let is_hole = matches!(error, IntersectionError::HoleOutside { hole: at, .. } if at == hole);
-        prop_assert!(is_hole, "{}", error);
+        let words = format!("hole {hole} lies outside the outline");
+        prop_assert!(says(&error, &[&words]), "{}", error);
 
         let mut around = rings.clone();
         around.push(star(DVec2::ZERO, &[40.0; 7]));
         let error = refusal(around);
-        let is_hole = matches!(error, IntersectionError::HoleAround { hole: at } if at == hole);
-        prop_assert!(is_hole, "{}", error);
+        let words = format!("the outline lies inside hole {hole};");
+        prop_assert!(says(&error, &[&words]), "{}", error);
 
         if rings.len() > 1 {
             let mut nested = rings.clone();
@@ -149,9 +151,8 @@ proptest! {
             let center = star_center(&rings[1]);
             nested.push(star(center, &radii));
             let error = refusal(nested);
-            let is_hole =
-                matches!(error, IntersectionError::HoleInHole { hole: at, around: 1, .. } if at == hole);
-            prop_assert!(is_hole, "{}", error);
+            let words = format!("hole {hole} lies inside hole 1,");
+            prop_assert!(says(&error, &[&words]), "{}", error);
         }
     }
 
@@ -163,7 +164,7 @@ proptest! {
         let at = at.index(count);
         ring.swap(at, (at + 1) % count);
         let error = refusal(vec![ring]);
-        prop_assert!(matches!(error, IntersectionError::Crossing { .. }), "{}", error);
+        prop_assert!(says(&error, &[" cross near "]), "{}", error);
     }
 
     #[test]
@@ -180,15 +181,7 @@ proptest! {
         damaged.truncate(1);
         damaged.push(vec![middle, inside + DVec2::new(5.0, 0.0), inside - DVec2::new(5.0, 0.0)]);
         let error = refusal(damaged);
-        prop_assert!(
-            matches!(
-                error,
-                IntersectionError::Touch { .. }
-                    | IntersectionError::Crossing { .. }
-                    | IntersectionError::FoldsBack { .. }
-            ),
-            "{}", error
-        );
+        prop_assert!(says(&error, &["may not touch", " cross near ", "folds back"]), "{}", error);
     }
 }
 

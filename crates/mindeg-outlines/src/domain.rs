@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
-use mindeg_domain::{Domain, DomainError, OutlineError, Ring, Side};
+use mindeg_domain::{Domain, DomainError, Ring, Side};
 use thiserror::Error;
 
 use super::outline::Feature;
@@ -28,14 +28,7 @@ impl FeatureError {
     /// [`Outlines::repaired`]: super::Outlines::repaired
     #[must_use]
     pub fn is_touch(&self) -> bool {
-        use OutlineError::{CoincidentCorners, RepeatedCorner};
-        match self {
-            Self::Domain(DomainError::Intersection(_)) => true,
-            Self::Domain(DomainError::Outline(error)) => {
-                matches!(error, CoincidentCorners { .. } | RepeatedCorner { .. })
-            }
-            _ => false,
-        }
+        matches!(self, Self::Domain(error) if error.is_touch)
     }
 }
 

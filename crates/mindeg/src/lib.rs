@@ -21,13 +21,14 @@
 //!
 //! # Features
 //!
-//! All are on by default. Without them positions and triangles are left, which build in seconds.
+//! All but `schema` are on by default. Without them positions and triangles are left, which build in seconds.
 //!
 //! | feature | what it adds |
 //! |---|---|
 //! | `exact` | `mesh` for any `Goal`, and `exact`: the solver |
 //! | `interior` | `interior`: meshes with interior points, and improving planar meshes |
 //! | `json` | `Domain::from_json` |
+//! | `schema` | the JSON Schema of domains and models |
 //! | `parallel` | work shared among rayon's threads, with the same results |
 //!
 //! # Limits

@@ -1,58 +1,299 @@
-//! From the keys of a JSON text to the description of a domain.
+//! What a domain's JSON has: its keys, as they are read, written and described by the schema.
 //!
-//! Limits: only what can be told from the text is checked here: keys, kinds of values, and keys
-//! that exclude each other. [`build`](crate::DomainBuilder::build) checks the rest.
+//! Limits: only what can be told from the keys is checked here, such as keys that exclude each other.
+//! [`build`](crate::DomainBuilder::build) checks the rest.
 
-use super::constraint::vertex;
-use super::error::DomainJsonError;
-use super::interior::interior;
-use super::ring::{OWN_POINTS, POLYGON, hole, outline};
-use super::side::name;
-use super::value::{ABOVE_0, Value};
+use glam::DVec2;
+use serde::{Deserialize, Serialize};
+
+use super::side::{SideKeys, lone_side};
 use crate::build::DomainBuilder;
-use crate::constraints::Constraints;
+use crate::constraints::{Constraints, SideConstraint, VertexConstraint};
 use crate::domain::Domain;
+use crate::error::{DomainError, Place};
 use crate::interior::Interior;
+use crate::outline::{Outline, Ring};
+use crate::rectangle::Rectangle;
+use crate::rings::InRing;
+use crate::side::Side;
 
-const DOMAIN: &str = "an object with \"rectangle\", \"polygon\" or \"ring\", and \"sides\" or \"size\"; \
-                      optional: \"name\", \"holes\", \"vertices\"";
-const HOLES: &str = "a list of {\"corners\": [[x, y], …], \"sides\": […]}";
-const VERTICES: &str = "a list of {\"vertex\": v, \"outside_degree\": d, \"max_degree\": D}";
+/// A domain as JSON describes it, or any other format that serde reads; [`domain`](Self::domain) is
+/// the domain that it describes.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_domain::DomainDescription;
+///
+/// let given = serde_json::json!({"rectangle": {"width": 4, "height": 3}, "size": 0.5});
+/// let description: DomainDescription = serde_json::from_value(given)?;
+/// assert_eq!(description.domain()?.rings().vertex_count(), 28);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct DomainDescription {
+    /// The domain's name
+    name: Option<String>,
+    /// The outline as a rectangle. Its sides run bottom, right, top, left
+    pub(super) rectangle: Option<Rectangle>,
+    /// The outline as a simple polygon
+    polygon: Option<Polygon>,
+    /// The outline as all its points, `[x, y]`, which come back bit for bit. They are one side; `sides`
+    /// may have one entry with its name, kind and degrees
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    ring: Option<Vec<DVec2>>,
+    /// One entry for each side, from the first corner on; may be left out where `size` says it all
+    sides: Option<Vec<SideKeys>>,
+    /// The target interval length of every side that gives neither `intervals` nor `size` nor its own
+    /// points
+    pub(super) size: Option<f64>,
+    /// Rings inside the outline and apart from each other
+    holes: Option<Vec<Hole>>,
+    /// Degree limits of single vertices
+    vertices: Option<Vec<VertexKeys>>,
+    /// The wanted mesh with interior points. Commands that mesh add points if this is there
+    interior: Option<Interior>,
+}
 
-/// Reads the whole text: a domain to build, and its name.
-pub(super) fn description(
-    text: &Value<'_>,
-) -> Result<(DomainBuilder, Option<String>, Option<Interior>), DomainJsonError> {
-    if let Some(format) = text.other_format() {
-        return Err(text.error(format!("this looks like {format}; a domain is {DOMAIN}")));
+/// A simple polygon
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Polygon {
+    /// `[x, y]` of each corner around the polygon, either way round; one or two are enough where sides
+    /// are curved
+    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 2]>"))]
+    corners: Vec<DVec2>,
+}
+
+/// A hole: `corners` with `sides` or `size`, or a `ring`
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct Hole {
+    /// `[x, y]` of each corner, either way round
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    corners: Option<Vec<DVec2>>,
+    /// Instead: all points of the hole, as one side
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    ring: Option<Vec<DVec2>>,
+    /// One entry for each side, from the first corner on
+    sides: Option<Vec<SideKeys>>,
+    /// The hole's own target interval length, which goes before that of the domain
+    size: Option<f64>,
+}
+
+/// What limits the degree of a vertex besides its sides
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct VertexKeys {
+    /// Its index in the mesh: from 0 at the first corner, counter-clockwise, also where the corners are
+    /// given clockwise
+    vertex: u32,
+    /// Its external degree: the number of its edges on the other side of the boundary
+    outside_degree: Option<u32>,
+    /// Its degree limit: the most edges that it may have, external degree included
+    max_degree: Option<u32>,
+}
+
+/// What a size has no say in.
+const OWN_POINTS: &str = "a \"ring\" has its own points; drop \"size\"";
+
+/// A ring with the constraints of its sides.
+type Described = (Ring, Vec<SideConstraint>);
+
+impl DomainDescription {
+    /// The domain that this describes.
+    ///
+    /// # Errors
+    ///
+    /// Keys that exclude each other, and what [`DomainBuilder::build`] refuses.
+    pub fn domain(self) -> Result<Domain, DomainError> {
+        self.domain_up_to(u32::MAX)
     }
-    if text.is_list() {
-        return Err(text.error(format!(
-            "found a list; a domain is {DOMAIN}; the corners of a polygon go into \"polygon\": \
-             {POLYGON}"
-        )));
+
+    pub(super) fn domain_up_to(self, max_vertices: u32) -> Result<Domain, DomainError> {
+        let Self { name, rectangle, polygon, ring, sides, size, holes, vertices, interior } = self;
+        let error = |key, message: &str| Err(DomainError::key(key, message));
+        if size.is_some() && ring.is_some() && holes.is_none() {
+            return error("size", OWN_POINTS);
+        }
+        let (outline, (Ring { corners, sides }, mut of_sides)) = match (rectangle, polygon, ring) {
+            (Some(rectangle), None, None) => (
+                Some(Outline::Rectangle(rectangle)),
+                with_sides(0, vec![DVec2::ZERO; 4], sides, size)?,
+            ),
+            (None, Some(polygon), None) => (None, with_sides(0, polygon.corners, sides, size)?),
+            (None, None, Some(points)) => (None, of_points(0, points, sides)?),
+            (None, None, None) => {
+                return Err(DomainError::new(
+                    Place::default(),
+                    "the outline is missing; give \"rectangle\": {\"width\": w, \"height\": h}, \
+                     \"polygon\": {\"corners\": [[x, y], …]} or \"ring\": [[x, y], …]",
+                ));
+            }
+            (Some(_), Some(_), _) => {
+                return error(
+                    "polygon",
+                    "a domain has one outline; drop \"rectangle\" or \"polygon\"",
+                );
+            }
+            (rectangle, ..) => {
+                let other = if rectangle.is_some() { "rectangle" } else { "polygon" };
+                let message = format!("a domain has one outline; drop \"{other}\" or \"ring\"");
+                return error("ring", &message);
+            }
+        };
+        let outline = outline.unwrap_or(Outline::Polygon(corners));
+        let mut builder = DomainBuilder::new(outline, sides).max_vertices(max_vertices);
+        for (hole, given) in holes.unwrap_or_default().into_iter().enumerate() {
+            let (ring, constraints) = given.described(hole + 1, size)?;
+            builder = builder.hole(ring);
+            of_sides.extend(constraints);
+        }
+        let vertices = vertices.unwrap_or_default();
+        let is_idle =
+            |vertex: &VertexKeys| vertex.max_degree.is_none() && vertex.outside_degree.is_none();
+        if let Some(entry) = vertices.iter().position(is_idle) {
+            return Err(DomainError::new(
+                Place::key("vertices").then(entry),
+                "give \"outside_degree\" (edges on the other side of the boundary) or \
+                 \"max_degree\" (a degree limit), or drop the vertex",
+            ));
+        }
+        let vertex = |given: &VertexKeys| VertexConstraint {
+            vertex: given.vertex,
+            external_degree: given.outside_degree.unwrap_or(0),
+            degree_limit: given.max_degree,
+        };
+        let vertices = vertices.iter().map(vertex).collect();
+        let constraints = Constraints { sides: of_sides, vertices };
+        let domain = builder.constraints(constraints).build()?;
+        let domain = match name {
+            Some(name) => domain.named(name)?,
+            None => domain,
+        };
+        Ok(match interior {
+            Some(interior) => {
+                interior.check().map_err(|error| error.inside(Place::key("interior")))?;
+                domain.with_interior(interior)
+            }
+            None => domain,
+        })
     }
-    let allowed =
-        ["name", "rectangle", "polygon", "ring", "holes", "size", "sides", "vertices", "interior"];
-    let keys = text.object(&allowed, DOMAIN)?;
-    let name = name(&keys)?;
-    let size = keys.get("size").map(|size| size.number(ABOVE_0)).transpose()?;
-    if let (Some(size), Some(_), None) = (keys.get("size"), keys.get("ring"), keys.get("holes")) {
-        return Err(size.error(OWN_POINTS));
-    }
-    let (outline, (sides, mut of_sides)) = outline(text, &keys, size)?;
-    let mut builder = Domain::builder(outline, sides);
-    if let Some(given) = keys.get("holes") {
-        for given in given.items(HOLES)? {
-            let (hole, of_hole) = hole(&given, size)?;
-            builder = builder.hole(hole);
-            of_sides.extend(of_hole);
+}
+
+impl Hole {
+    fn described(self, ring: usize, size: Option<f64>) -> Result<Described, DomainError> {
+        let error = |message: &str| Err(DomainError::new(Place::ring(ring), message));
+        match (self.corners, self.ring) {
+            (Some(corners), None) => with_sides(ring, corners, self.sides, self.size.or(size)),
+            (None, Some(_)) if self.size.is_some() => {
+                Err(DomainError::new(Place::ring(ring).then("size"), OWN_POINTS))
+            }
+            (None, Some(points)) => of_points(ring, points, self.sides),
+            (Some(_), Some(_)) => error("a hole has either \"corners\" or a \"ring\"; drop one"),
+            (None, None) => error(
+                "the key \"corners\" or \"ring\" is missing; give \"corners\": [[x, y], …] and \
+                 \"sides\" or \"size\", or \"ring\": [[x, y], …]",
+            ),
         }
     }
-    let vertices = match keys.get("vertices") {
-        Some(given) => given.items(VERTICES)?.iter().map(vertex).collect::<Result<_, _>>()?,
-        None => Vec::new(),
+}
+
+/// A ring of corners, with the sides as given, or as a size makes them.
+fn with_sides(
+    ring: usize,
+    corners: Vec<DVec2>,
+    sides: Option<Vec<SideKeys>>,
+    size: Option<f64>,
+) -> Result<Described, DomainError> {
+    let sides = match (sides, size) {
+        (Some(given), _) => {
+            let side = |(index, side): (usize, SideKeys)| side.side(InRing { ring, index }, size);
+            given.into_iter().enumerate().map(side).collect::<Result<Vec<_>, _>>()?
+        }
+        (None, Some(size)) => vec![(Side::size(size), SideConstraint::default()); corners.len()],
+        (None, None) => {
+            return Err(DomainError::new(
+                Place::ring(ring),
+                "the sides are missing; give \"sides\": [{\"intervals\": n}, …], or a target \
+                 interval length \"size\" for all",
+            ));
+        }
     };
-    let interior = keys.get("interior").map(interior).transpose()?;
-    Ok((builder.constraints(Constraints { sides: of_sides, vertices }), name, interior))
+    let (sides, constraints) = sides.into_iter().unzip();
+    Ok((Ring { corners, sides }, constraints))
+}
+
+/// A ring of points: its first point, and the one side.
+fn of_points(
+    ring: usize,
+    points: Vec<DVec2>,
+    sides: Option<Vec<SideKeys>>,
+) -> Result<Described, DomainError> {
+    let error = |key, message| Err(DomainError::new(Place::ring(ring).then(key), message));
+    if points.len() < 3 {
+        let found = crate::error::counted(points.len(), "point");
+        return error("ring", format!("found {found}; a ring needs at least 3"));
+    }
+    let Ring { corners, sides: own } = Ring::of_points(points);
+    let sides = sides.unwrap_or_else(|| vec![SideKeys::default()]);
+    let count = sides.len();
+    let ([own], Ok([given])) =
+        (<[Side; 1]>::try_from(own).expect("one side"), <[SideKeys; 1]>::try_from(sides))
+    else {
+        return error(
+            "sides",
+            format!(
+                "found {count} sides; a \"ring\" is one side; for several, give corners and the \
+                 \"points\" of each side"
+            ),
+        );
+    };
+    let (side, constraint) = lone_side(given, own, InRing { ring, index: 0 })?;
+    Ok((Ring { corners, sides: vec![side] }, vec![constraint]))
+}
+
+impl Domain {
+    /// What describes this domain: the same points, bit for bit.
+    ///
+    /// Rings run as in the mesh; the sides of one that was given the other way round have their
+    /// points in place of a spacing law.
+    #[must_use]
+    pub fn description(&self) -> DomainDescription {
+        let ring = |ring: usize| {
+            let sides = self.rings().ring_sides(ring);
+            let corners = self.placement().corners()[sides.clone()].to_vec();
+            (corners, sides.map(|side| SideKeys::of(self, ring, side)).collect())
+        };
+        let (corners, sides) = ring(0);
+        let (rectangle, polygon) = match self.outline() {
+            Outline::Rectangle(rectangle) => (Some(*rectangle), None),
+            Outline::Polygon(_) => (None, Some(Polygon { corners })),
+        };
+        let holes = (1..self.rings().ring_count()).map(|hole| {
+            let (corners, sides) = ring(hole);
+            Hole { corners: Some(corners), sides: Some(sides), ..Hole::default() }
+        });
+        let vertex = |constraint: &VertexConstraint| VertexKeys {
+            vertex: constraint.vertex,
+            outside_degree: Some(constraint.external_degree).filter(|degree| *degree > 0),
+            max_degree: constraint.degree_limit,
+        };
+        let vertices: Vec<_> = self.constraints().vertices.iter().map(vertex).collect();
+        DomainDescription {
+            name: self.name().map(str::to_owned),
+            rectangle,
+            polygon,
+            sides: Some(sides),
+            holes: Some(holes.collect()).filter(|holes: &Vec<Hole>| !holes.is_empty()),
+            vertices: Some(vertices).filter(|vertices| !vertices.is_empty()),
+            interior: self.interior().cloned(),
+            ..DomainDescription::default()
+        }
+    }
 }

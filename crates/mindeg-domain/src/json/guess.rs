@@ -3,6 +3,10 @@
 //!
 //! Limits: a guess from the first lines and keys, for a message and for nothing else.
 
+use serde_json::Value;
+
+use super::error::DomainJsonError;
+
 /// What a text that is no JSON looks like.
 pub(super) fn of_text(text: &str) -> Option<&'static str> {
     let mut lines = text.lines().map(str::trim);
@@ -42,8 +46,31 @@ pub(super) fn of_text(text: &str) -> Option<&'static str> {
         .then_some("a list of points (CSV); they go into \"polygon\": {\"corners\": [[x, y], …]}")
 }
 
+/// The same error, or a guess at what the text is where that is JSON for something else.
+pub(super) fn explained(text: &str, error: DomainJsonError) -> DomainJsonError {
+    const DOMAIN: &str = "a domain is an object with \"rectangle\", \"polygon\" or \"ring\", and \
+                          \"sides\" or \"size\"";
+    let json = serde_json::from_str(text.strip_prefix('\u{feff}').unwrap_or(text));
+    let message = match json {
+        Ok(Value::Array(_)) => Some(format!(
+            "found a list; {DOMAIN}; the corners of a polygon go into \"polygon\": {{\"corners\": \
+             [[x, y], …]}}"
+        )),
+        Ok(Value::Object(keys)) => {
+            let kind = keys.get("type").and_then(Value::as_str);
+            let format = of_keys(keys.keys().map(String::as_str), kind);
+            format.map(|format| format!("this looks like {format}; {DOMAIN}"))
+        }
+        _ => None,
+    };
+    match message {
+        Some(message) => DomainJsonError { path: String::new(), line: 1, column: 1, message },
+        None => error,
+    }
+}
+
 /// What a JSON object with these keys and this text under `type` looks like.
-pub(super) fn of_keys<'k>(
+fn of_keys<'k>(
     mut keys: impl Iterator<Item = &'k str>,
     kind: Option<&str>,
 ) -> Option<&'static str> {

@@ -1,153 +1,268 @@
-//! Sides: how they run, how they are divided, what they are called.
+//! Sides as JSON has them: how they run, how they are divided, what they are called.
 
 use glam::DVec2;
+use mindeg_mesh::LineKind;
+use serde::{Deserialize, Serialize};
 
-use super::constraint::side_constraint;
-use super::error::DomainJsonError;
-use super::point::{pair, points};
-use super::spacing::spacing;
-use super::value::{ABOVE_0, Object, Value};
-use crate::constraints::SideConstraint;
+use crate::constraints::{ExternalDegree, SideConstraint};
 use crate::curve::{Arc, Curve};
+use crate::domain::Domain;
+use crate::error::{DomainError, Place};
+use crate::rings::InRing;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
-use mindeg_mesh::LineKind;
 
-const SIDE: &str = "an object such as {\"intervals\": 3} or {\"size\": 0.5}; optional: \"spacing\", \
-                    \"name\", \"kind\", \"outside_degree\", \"max_degree\", and one of \"points\", \
-                    \"polyline\", \"arc\", \"bezier\"";
-const RING_SIDE: &str =
-    "an object; optional: \"name\", \"kind\", \"outside_degree\", \"max_degree\"";
-const ARC: &str = "{\"through\": [x, y]} or {\"center\": [x, y]}; optional: \"clockwise\": true";
-const BEZIER: &str = "a list of two control points [x, y]";
+/// A side
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub(super) struct SideKeys {
+    /// The number of intervals, at least 1
+    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
+    intervals: Option<u64>,
+    /// Instead: a target interval length above 0; the side gets its length divided by this, rounded,
+    /// but at least 1
+    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    size: Option<f64>,
+    /// How the points are spread
+    spacing: Option<Spacing>,
+    /// Its name, which becomes a group in mesh files. No two sides may have the same
+    name: Option<String>,
+    /// Which boundary ocean models take it for
+    kind: Option<Kind>,
+    /// The external degree of its vertices, which counts their edges on the other side of the boundary
+    /// and none of the boundary itself: one number for all vertices that are not corners, or a list of
+    /// one for each from the side's first corner to its last
+    outside_degree: Option<ExternalDegree>,
+    /// The degree limit of each of its vertices, corners included: the most edges that they may have,
+    /// external degree included
+    #[cfg_attr(feature = "schema", schemars(range(min = 2)))]
+    max_degree: Option<u32>,
+    /// The side's own points between its corners, `[x, y]`, which come back bit for bit; none for one
+    /// interval. The side is straight if all are within 1e-9 of its length from the line between its
+    /// corners
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    points: Option<Vec<DVec2>>,
+    /// It runs through these points, `[x, y]`, and is divided by its length
+    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    polyline: Option<Vec<DVec2>>,
+    /// It runs along a circle
+    arc: Option<ArcKeys>,
+    /// It runs along the cubic Bézier curve with these two control points
+    #[cfg_attr(feature = "schema", schemars(with = "Option<[[f64; 2]; 2]>"))]
+    bezier: Option<[DVec2; 2]>,
+}
 
-/// A side of a ring that has corners.
-pub(super) fn side(
-    given: &Value<'_>,
+/// An arc: `through` a point or about a `center`
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+struct ArcKeys {
+    /// A point that the arc goes through, `[x, y]`
+    #[cfg_attr(feature = "schema", schemars(with = "Option<[f64; 2]>"))]
+    through: Option<DVec2>,
+    /// Instead: its center, `[x, y]`, counter-clockwise about which it runs
+    #[cfg_attr(feature = "schema", schemars(with = "Option<[f64; 2]>"))]
+    center: Option<DVec2>,
+    /// Whether it runs clockwise about its center
+    clockwise: Option<bool>,
+}
+
+/// A kind of boundary
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "snake_case")]
+enum Kind {
+    Open,
+    Land,
+    Island,
+}
+
+/// How many intervals a side or an edge gets.
+pub(super) fn intervals(
+    place: &Place,
+    (count, size): (Option<u64>, Option<f64>),
+    spacing: &Spacing,
     default_size: Option<f64>,
-) -> Result<(Side, SideConstraint), DomainJsonError> {
-    let allowed = [
-        "intervals",
-        "size",
-        "spacing",
-        "name",
-        "kind",
-        "outside_degree",
-        "max_degree",
-        "points",
-        "polyline",
-        "arc",
-        "bezier",
-    ];
-    let keys = given.object(&allowed, SIDE)?;
-    let curve = curve(given, &keys)?;
-    let spacing = keys.get("spacing").map_or(Ok(Spacing::Uniform), spacing)?;
-    let (described, constraint) = (described(&keys)?, side_constraint(&keys)?);
-    let intervals = intervals(given, &keys, &spacing, default_size)?;
-    Ok((Side { curve, intervals, spacing, ..described }, constraint))
+) -> Result<Intervals, DomainError> {
+    let error = |message| Err(DomainError::new(place.clone(), message));
+    match (count, size, spacing) {
+        (Some(_), Some(_), _) => error("give either \"intervals\" or \"size\", not both"),
+        (None, Some(_), Spacing::Parameters(_)) => {
+            error("\"parameters\" say how many intervals there are; drop \"size\"")
+        }
+        (Some(count), None, _) => Ok(Intervals::Count(count)),
+        (None, Some(size), _) => Ok(Intervals::Size(size)),
+        (None, None, Spacing::Parameters(given)) => Ok(Intervals::Count(given.len() as u64 + 1)),
+        (None, None, _) => match default_size {
+            Some(size) => Ok(Intervals::Size(size)),
+            None => {
+                error("give \"intervals\" (a whole number) or \"size\" (a target interval length)")
+            }
+        },
+    }
 }
 
 /// The one side of a ring of points.
-pub(super) fn ring_side(
-    given: &Value<'_>,
-    own: Vec<DVec2>,
-) -> Result<(Side, SideConstraint), DomainJsonError> {
-    let keys = given.object(&["name", "kind", "outside_degree", "max_degree"], RING_SIDE)?;
-    let Side { name, kind, .. } = described(&keys)?;
-    Ok((Side { name, kind, ..Side::points(own) }, side_constraint(&keys)?))
-}
-
-/// A side with what says nothing of its points.
-fn described(keys: &Object<'_>) -> Result<Side, DomainJsonError> {
-    let kind = keys.get("kind").map(kind).transpose()?;
-    Ok(Side { name: name(keys)?, kind, ..Side::count(1) })
-}
-
-/// The value of "name".
-pub(super) fn name(keys: &Object<'_>) -> Result<Option<String>, DomainJsonError> {
-    keys.get("name").map(|name| name.text("a text in double quotes")).transpose()
-}
-
-fn kind(given: &Value<'_>) -> Result<LineKind, DomainJsonError> {
-    const KINDS: &str = "\"open\", \"land\" or \"island\"";
-    match given.text(KINDS)?.as_str() {
-        "open" => Ok(LineKind::Open),
-        "land" => Ok(LineKind::Land),
-        "island" => Ok(LineKind::Island),
-        other => Err(given.error(format!("found the text {other:?}, expected {KINDS}"))),
+pub(super) fn lone_side(
+    given: SideKeys,
+    own: Side,
+    at: InRing,
+) -> Result<(Side, SideConstraint), DomainError> {
+    if let Some(key) = given.dividing_keys().chain(given.running_keys()).next() {
+        let message = format!("a \"ring\" has its own points; drop {key:?}");
+        return Err(DomainError::new(Place::side(at).then(key), message));
     }
+    let SideKeys { name, kind, outside_degree, max_degree, .. } = given;
+    let external_degree = outside_degree.unwrap_or_default();
+    let constraint = SideConstraint { external_degree, degree_limit: max_degree };
+    Ok((Side { name, kind: kind.map(LineKind::from), ..own }, constraint))
 }
 
-fn intervals(
-    given: &Value<'_>,
-    keys: &Object<'_>,
-    spacing: &Spacing,
-    default_size: Option<f64>,
-) -> Result<Intervals, DomainJsonError> {
-    if keys.get("points").is_some() {
-        if let Some(key) =
-            ["intervals", "size", "spacing"].into_iter().find(|key| keys.get(key).is_some())
-        {
-            let message = format!("\"points\" say how many intervals there are; drop {key:?}");
-            return Err(given.error(message));
-        }
-        return Ok(Intervals::Points);
+impl SideKeys {
+    fn dividing_keys(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("intervals", self.intervals.is_some()),
+            ("size", self.size.is_some()),
+            ("spacing", self.spacing.is_some()),
+        ];
+        given.into_iter().filter(|(_, is_given)| *is_given).map(|(key, _)| key)
     }
-    let count = keys.get("intervals").map(|n| n.whole("a whole number, at least 1")).transpose()?;
-    let size = keys.get("size").map(|size| size.number(ABOVE_0)).transpose()?;
-    Ok(match (count, size, spacing) {
-        (Some(_), Some(_), _) => {
-            return Err(given.error("give either \"intervals\" or \"size\", not both"));
-        }
-        (None, Some(_), Spacing::Parameters(_)) => {
-            let message = "\"parameters\" say how many intervals there are; drop \"size\"";
-            return Err(given.error(message));
-        }
-        (Some(count), None, _) => Intervals::Count(count),
-        (None, Some(size), _) => Intervals::Size(size),
-        (None, None, Spacing::Parameters(given)) => Intervals::Count(given.len() as u64 + 1),
-        (None, None, _) => Intervals::Size(default_size.ok_or_else(|| {
-            given
-                .error("give \"intervals\" (a whole number) or \"size\" (a target interval length)")
-        })?),
-    })
-}
 
-fn curve(given: &Value<'_>, keys: &Object<'_>) -> Result<Curve, DomainJsonError> {
-    let mut curves = ["points", "polyline", "arc", "bezier"]
-        .into_iter()
-        .filter_map(|key| Some((key, keys.get(key)?)));
-    let Some((key, value)) = curves.next() else { return Ok(Curve::Line) };
-    if let Some((other, _)) = curves.next() {
-        return Err(given.error(format!("a side runs one way: give either {key:?} or {other:?}")));
+    fn running_keys(&self) -> impl Iterator<Item = &'static str> {
+        let given = [
+            ("points", self.points.is_some()),
+            ("polyline", self.polyline.is_some()),
+            ("arc", self.arc.is_some()),
+            ("bezier", self.bezier.is_some()),
+        ];
+        given.into_iter().filter(|(_, is_given)| *is_given).map(|(key, _)| key)
     }
-    Ok(match key {
-        "arc" => Curve::Arc(arc(value)?),
-        "bezier" => match points(value)?[..] {
-            [first, second] => Curve::Cubic([first, second]),
-            ref found => {
-                let count = found.len();
-                return Err(value.error(format!("found {count} points, expected {BEZIER}")));
+
+    /// The side that these describe.
+    pub(super) fn side(
+        self,
+        at: InRing,
+        default_size: Option<f64>,
+    ) -> Result<(Side, SideConstraint), DomainError> {
+        let place = Place::side(at);
+        let error = |message| Err(DomainError::new(place.clone(), message));
+        let ways: Vec<_> = self.running_keys().collect();
+        if let [one, other, ..] = ways[..] {
+            return error(format!("a side runs one way: give either {one:?} or {other:?}"));
+        }
+        if let (Some(_), Some(key)) = (&self.points, self.dividing_keys().next()) {
+            return error(format!("\"points\" say how many intervals there are; drop {key:?}"));
+        }
+        let spacing = self.spacing.unwrap_or_default();
+        let curve = match (self.polyline, self.arc, self.bezier) {
+            (Some(points), ..) => Curve::Polyline(points),
+            (_, Some(arc), _) => Curve::Arc(arc.arc(&place)?),
+            (.., Some(controls)) => Curve::Cubic(controls),
+            _ => Curve::Line,
+        };
+        let side = match self.points {
+            Some(points) => Side::points(points),
+            None => {
+                let given = (self.intervals, self.size);
+                let intervals = intervals(&place, given, &spacing, default_size)?;
+                Side { curve, intervals, spacing, ..Side::count(1) }
             }
-        },
-        _ => Curve::Polyline(points(value)?),
-    })
+        };
+        let side = Side { name: self.name, kind: self.kind.map(LineKind::from), ..side };
+        let external_degree = self.outside_degree.unwrap_or_default();
+        Ok((side, SideConstraint { external_degree, degree_limit: self.max_degree }))
+    }
+
+    /// What describes a side of a domain.
+    pub(super) fn of(domain: &Domain, ring: usize, index: usize) -> Self {
+        let Side { curve, intervals, spacing, name, kind } = domain.sides()[index].clone();
+        let constraint = domain.constraints().sides.get(index).cloned().unwrap_or_default();
+        let outside = Some(constraint.external_degree);
+        let given = Self {
+            name,
+            kind: kind.map(Kind::from),
+            outside_degree: outside.filter(|degree| *degree != ExternalDegree::default()),
+            max_degree: constraint.degree_limit,
+            ..Self::default()
+        };
+        // Points that were worked out the other way round differ in their last bits: so the sides
+        // of a turned ring give them one by one, but where all points are formulas anyway.
+        let is_formula = domain.convex().is_some()
+            && domain.sides().iter().all(|side| side.curve == Curve::Line);
+        let count = domain.rings().intervals(index);
+        if domain.turned.contains(&ring) && !is_formula && count > 1 {
+            let mut points = vec![DVec2::ZERO; count as usize - 1];
+            domain.placement().fill_points(domain.rings().corner(index) + 1, &mut points);
+            return Self { points: Some(points), ..given };
+        }
+        let given = match curve {
+            Curve::Line => given,
+            Curve::Polyline(points) if intervals == Intervals::Points => {
+                Self { points: Some(points), ..given }
+            }
+            Curve::Polyline(points) => Self { polyline: Some(points), ..given },
+            Curve::Cubic(controls) => Self { bezier: Some(controls), ..given },
+            Curve::Arc(arc) => Self { arc: Some(ArcKeys::from(arc)), ..given },
+        };
+        let given = match (intervals, &spacing) {
+            (Intervals::Points, _) | (_, Spacing::Parameters(_)) => given,
+            (Intervals::Count(count), _) => Self { intervals: Some(count), ..given },
+            (Intervals::Size(size), _) => Self { size: Some(size), ..given },
+        };
+        Self { spacing: Some(spacing).filter(|spacing| *spacing != Spacing::Uniform), ..given }
+    }
 }
 
-fn arc(given: &Value<'_>) -> Result<Arc, DomainJsonError> {
-    let keys = given.object(&["through", "center", "clockwise"], ARC)?;
-    let clockwise = keys.get("clockwise");
-    match (keys.get("through"), keys.get("center")) {
-        (Some(through), None) => match clockwise {
-            None => Ok(Arc::Through(pair(through)?)),
-            Some(clockwise) => {
-                Err(clockwise.error("\"through\" says which way the arc runs; drop \"clockwise\""))
+impl ArcKeys {
+    fn arc(self, side: &Place) -> Result<Arc, DomainError> {
+        let place = side.clone().then("arc");
+        match (self.through, self.center, self.clockwise) {
+            (Some(point), None, None) => Ok(Arc::Through(point)),
+            (Some(_), None, Some(_)) => Err(DomainError::new(
+                place.then("clockwise"),
+                "\"through\" says which way the arc runs; drop \"clockwise\"",
+            )),
+            (None, Some(center), way) => {
+                Ok(Arc::Center { center, is_clockwise: way.unwrap_or_default() })
             }
-        },
-        (None, Some(center)) => {
-            let is_clockwise = clockwise.map(|value| value.truth("true or false")).transpose()?;
-            Ok(Arc::Center { center: pair(center)?, is_clockwise: is_clockwise.unwrap_or(false) })
+            _ => Err(DomainError::new(
+                place,
+                "give exactly one of \"through\": [x, y] and \"center\": [x, y]",
+            )),
         }
-        _ => Err(given.error(format!("give exactly one of \"through\" and \"center\": {ARC}"))),
+    }
+}
+
+impl From<Arc> for ArcKeys {
+    fn from(arc: Arc) -> Self {
+        match arc {
+            Arc::Through(point) => Self { through: Some(point), ..Self::default() },
+            Arc::Center { center, is_clockwise } => Self {
+                center: Some(center),
+                clockwise: is_clockwise.then_some(true),
+                ..Self::default()
+            },
+        }
+    }
+}
+
+impl From<Kind> for LineKind {
+    fn from(kind: Kind) -> Self {
+        match kind {
+            Kind::Open => Self::Open,
+            Kind::Land => Self::Land,
+            Kind::Island => Self::Island,
+        }
+    }
+}
+
+impl From<LineKind> for Kind {
+    fn from(kind: LineKind) -> Self {
+        match kind {
+            LineKind::Open => Self::Open,
+            LineKind::Land => Self::Land,
+            LineKind::Island => Self::Island,
+        }
     }
 }

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
+use crate::interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 use crate::side::Side;
 use crate::spacing::Spacing;
 use mindeg_mesh::LineKind;
@@ -219,4 +220,192 @@ fn any_value_in_any_place_is_refused_in_our_words() {
         }
     }
     assert!(refused > 250, "{refused}");
+}
+
+fn with_interior(interior: &str) -> Result<Domain, String> {
+    let text = format!(
+        r#"{{"rectangle": {{"width": 4, "height": 3}}, "size": 1, "interior": {interior}}}"#
+    );
+    Domain::from_json(&text).map_err(|error| error.to_string())
+}
+
+#[test]
+fn reads_every_key_of_the_interior() {
+    let found = with_interior(
+        r#"{"growth": 0.3, "size_inside": 2, "sizes": [[1, 1, 0.1], [3, 2, 0.2]],
+            "interior_degree": [4, 8], "boundary_degree": 6, "target_angle": 25,
+            "prefer": "angle", "fixed": {"points": [[1, 2], [2, 2]],
+            "segments": [[0, 1], [[0, 1], 1, [4, 1]]]}}"#,
+    );
+    let at = DVec2::new;
+    let expected = Interior {
+        growth: Some(0.3),
+        size_inside: Some(2.0),
+        sizes: vec![SizeAt { at: at(1.0, 1.0), size: 0.1 }, SizeAt { at: at(3.0, 2.0), size: 0.2 }],
+        interior_degree: Some(4..=8),
+        boundary_degree: Some(6),
+        target_angle: Some(25.0),
+        prefer: Some(Prefer::Angle),
+        fixed: FixedLines {
+            points: vec![at(1.0, 2.0), at(2.0, 2.0)],
+            lines: vec![
+                vec![LineEnd::Point(0), LineEnd::Point(1)],
+                vec![LineEnd::At(at(0.0, 1.0)), LineEnd::Point(1), LineEnd::At(at(4.0, 1.0))],
+            ],
+        },
+        max_points: None,
+    };
+    assert_eq!(found.unwrap().interior(), Some(&expected));
+    assert_eq!(with_interior("{}").unwrap().interior(), Some(&Interior::default()));
+    assert_eq!(with_interior("null").unwrap().interior(), None);
+}
+
+#[test]
+fn refuses_what_the_interior_cannot_be_with_the_place() {
+    for (interior, message) in [
+        (
+            "true",
+            "interior: found true, expected an object with \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"fixed\", \"max_points\"",
+        ),
+        (
+            r#"{"growth": 0}"#,
+            "interior.growth: growth is 0; it is a finite number above 0 (0.5 is usual, less grows slower)",
+        ),
+        (
+            r#"{"size_inside": -1}"#,
+            "interior.size_inside: the size inside is -1; a size is a finite number above 0",
+        ),
+        (
+            r#"{"sizes": [[1, 2]]}"#,
+            "interior.sizes[0]: found a list of 2 values, expected a list of 3",
+        ),
+        (
+            r#"{"sizes": [[1, 2, 0]]}"#,
+            "interior.sizes[0]: size 0 is 0; a size is a finite number above 0",
+        ),
+        (
+            r#"{"interior_degree": 6}"#,
+            "interior.interior_degree: found the number 6, expected a list of 2",
+        ),
+        (
+            r#"{"prefer": "speed"}"#,
+            "interior.prefer: found the text \"speed\", expected \"degree\" or \"angle\"",
+        ),
+        (
+            r#"{"fixed": {"segments": [[0, 1]]}}"#,
+            "interior.fixed.segments[0][0]: fixed line 0 names fixed point 0; \"points\" has 0 (counted from 0)",
+        ),
+        (
+            r#"{"fixed": {"segments": [[[0, 1]]]}}"#,
+            "interior.fixed.segments[0]: fixed line 0 has 1 of 2 ends or more",
+        ),
+        (
+            r#"{"grow": 1}"#,
+            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"fixed\", \"max_points\"",
+        ),
+    ] {
+        let error = with_interior(interior).unwrap_err();
+        let (place, error) = error.split_once(", interior").unwrap();
+        assert_eq!(format!("interior{error}"), message);
+        // Each error is within the value.
+        let column: usize = place.trim_start_matches("line 1, column ").parse().unwrap();
+        assert!((65..65 + interior.len()).contains(&column), "{place}");
+    }
+}
+
+#[test]
+fn what_is_wanted_inside_survives_writing() {
+    let given = with_interior(
+        r#"{"growth": 0.3, "size_inside": 0.7, "sizes": [[1, 1, 0.1]], "interior_degree": [5, 8],
+            "boundary_degree": 6, "target_angle": 20, "prefer": "angle",
+            "fixed": {"points": [[1, 1]], "segments": [[0, [0.5, 0.25]]]}}"#,
+    )
+    .unwrap();
+    let again = Domain::from_json(&given.to_json()).unwrap();
+    assert!(given.interior().is_some());
+    assert_eq!(again.interior(), given.interior());
+}
+
+#[test]
+fn what_is_written_is_read_as_the_same_domain() {
+    for text in [
+        r#"{"name": "a", "rectangle": {"width": 4, "height": 3, "origin": [1, 0.1], "rotation": 30}, "size": 0.3,
+            "vertices": [{"vertex": 3, "outside_degree": 2}, {"vertex": 1, "max_degree": 9}]}"#,
+        r#"{"rectangle": {"width": 4, "height": 3}, "sides": [
+            {"intervals": 3, "spacing": {"geometric": {"ratio": 1.2}}, "name": "bottom", "kind": "open"},
+            {"intervals": 3, "spacing": {"bump": {"ratio": 1.2}}, "outside_degree": 1, "max_degree": 8},
+            {"intervals": 3, "spacing": {"first_length": 0.1}, "outside_degree": [1, 2, 3, 4], "kind": "land"},
+            {"spacing": {"parameters": [0.1, 0.7]}, "kind": "island"}]}"#,
+        // Clockwise, with curves of all kinds and holes.
+        r#"{"polygon": {"corners": [[0, 0], [0, 6], [6, 6], [6, 0]]}, "sides": [
+            {"size": 0.7, "arc": {"through": [-1, 3]}},
+            {"intervals": 5, "bezier": [[2, 7], [4, 5.5]], "spacing": {"last_length": 0.1}},
+            {"points": [[6.1, 4], [6.3, 2.1]], "name": "x"},
+            {"intervals": 4, "polyline": [[4, -0.1], [2, 0.1]], "spacing": {"beta": {"beta": 1.2}}}],
+            "holes": [
+                {"corners": [[2, 1]], "sides": [{"intervals": 7, "arc": {"center": [2, 2], "clockwise": true}}]},
+                {"corners": [[4, 4]], "sides": [{"intervals": 7, "arc": {"center": [4, 4.5]}}]},
+                {"ring": [[1, 4], [2, 4.1], [1.5, 4.7]]}]}"#,
+    ] {
+        let domain = Domain::from_json(text).unwrap();
+        let again = Domain::from_json(&domain.to_json()).unwrap();
+        assert!(again.placement().points().eq(domain.placement().points()), "{text}");
+        let names = |domain: &Domain| -> Vec<String> {
+            (0..domain.sides().len()).map(|side| domain.side_name(side)).collect()
+        };
+        assert_eq!((names(&again), again.name()), (names(&domain), domain.name()), "{text}");
+        if domain.turned.is_empty() {
+            assert_eq!(again.sides(), domain.sides(), "{text}");
+        }
+        assert_eq!(again.constraints(), domain.constraints(), "{text}");
+        let words: String = domain.to_json().split_whitespace().collect();
+        assert!(!words.contains("\"outside_degree\":0"), "{text}");
+        assert_eq!(again.rings(), domain.rings(), "{text}");
+        assert_eq!(again.to_json(), domain.to_json());
+    }
+}
+
+#[test]
+fn a_side_without_own_points_is_one_interval() {
+    let read = |side: &str| Domain::from_json(&with_side(side)).unwrap();
+    let domain = read(r#"{"points": []}"#);
+    assert!(domain.rings().sides().eq([1, 1, 1, 1]));
+    assert!(domain.is_straight(3) && domain.convex().is_some());
+    let again = Domain::from_json(&domain.to_json()).unwrap();
+    assert_eq!(again.sides(), domain.sides());
+}
+
+/// They said that the side has no length.
+#[test]
+fn a_ring_below_the_smallest_length_is_refused_for_its_size() {
+    let error = Domain::from_json(r#"{"ring": [[0, 0], [1e-140, 0], [0, 1e-140]]}"#).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 1, column 10, ring: side 1: its points are 1.0e-140 apart at most; a side is at least 1e-100 long: use another unit of length"
+    );
+}
+
+#[test]
+fn coordinates_keep_every_bit() {
+    let text = r#"{"ring": [[-0, 0.1], [9007199254740993, -5e-324], [1.7976931348623157e99, 7]]}"#;
+    let description: DomainDescription = reader::read(text).unwrap();
+    let json = serde_json::json!(description);
+    let ring: Vec<[f64; 2]> = serde_json::from_value(json["ring"].clone()).unwrap();
+    assert!(ring[0][0] == 0.0 && ring[0][0].is_sign_negative());
+    assert_eq!(ring[1], [9_007_199_254_740_992.0, -5e-324]);
+    assert_eq!(ring[2], [1.797_693_134_862_315_7e99, 7.0]);
+}
+
+/// Numbers that no JSON text has come from other programs, without a text.
+#[test]
+fn a_number_that_is_none_is_refused_by_the_key() {
+    let mut description = DomainDescription::default();
+    description.size = Some(f64::NAN);
+    description.rectangle = Some(crate::Rectangle::new(f64::NAN, 1.0));
+    let error = description.clone().domain().unwrap_err();
+    assert_eq!(error.place.to_string(), "rectangle.width");
+    assert_eq!(error.message, "the rectangle's width is NaN; it must be a finite number above 0");
+    description.rectangle = Some(crate::Rectangle::new(1.0, 1.0));
+    let error = description.domain().unwrap_err();
+    assert_eq!(error.message, "side 1: the size is NaN; it must be a finite number above 0");
 }

@@ -9,12 +9,12 @@ use mindeg_mesh::Material;
 use super::crossing;
 use super::faults;
 use super::{
-    Edge, Face, FaceGroup, Model, ModelEdge, ModelError, ModelFace, ModelParts, PLANAR_SHARE, Pass,
-    Plane,
+    Edge, Face, FaceGroup, Model, ModelEdge, ModelFace, ModelParts, PLANAR_SHARE, Pass, Plane,
 };
+use crate::error::{DomainError, Place};
 use crate::limits::{LEAST_ROUNDINGS, MAX_STORED_VERTICES};
-use crate::name::{self, NameError};
-use crate::side::{Intervals, Side, SideError};
+use crate::name;
+use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;
 
@@ -24,8 +24,8 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`ModelError`]: each kind names the face, edge or corner.
-    pub fn new(parts: ModelParts) -> Result<Self, ModelError> {
+    /// What is wrong with which face, edge or corner.
+    pub fn new(parts: ModelParts) -> Result<Self, DomainError> {
         let ModelParts { corners, faces, edges, other_edges, planar_tolerance } = parts;
         check_corners(&corners, &faces, &edges)?;
         let extent = faces.iter().flat_map(|face| face.loops.iter().flatten());
@@ -51,7 +51,7 @@ impl Model {
             let first = next;
             next += u64::from(law.intervals()) - 1;
             if next > u64::from(MAX_STORED_VERTICES) {
-                return Err(ModelError::TooManyVertices { vertices: next });
+                return Err(too_many_vertices(next));
             }
             model_edges.push(Edge {
                 corners: *ends,
@@ -67,12 +67,15 @@ impl Model {
             let ModelFace { name, group, material, .. } = face;
             let index = model_faces.len();
             let material_name = material.as_ref().map(|material| &*material.name);
-            for (kind, name) in [
-                ("", name.as_deref()),
-                ("the group of ", group.as_deref()),
-                ("the material of ", material_name),
+            let place = Place::key("faces").then(index);
+            for (key, of, name) in [
+                ("name", "", name.as_deref()),
+                ("group", "the group of ", group.as_deref()),
+                ("material", "the material of ", material_name),
             ] {
-                check_name(name, || format!("{kind}face {index}"))?;
+                if let Some(name) = name {
+                    name::check(name, place.clone().then(key), &format!("{of}face {index}"))?;
+                }
             }
             let passes = |corners: &Vec<u32>| passes(corners, &ends, &mut model_edges);
             let loops = loops.iter().map(passes).collect();
@@ -102,60 +105,74 @@ impl Model {
     /// # Errors
     ///
     /// A division that does not fit an edge.
-    pub fn divided(mut self, side: &Side) -> Result<Self, ModelError> {
+    pub fn divided(mut self, side: &Side) -> Result<Self, DomainError> {
         let mut next = self.used.len() as u64;
         for edge in &mut self.edges {
-            edge.law = law(&self.corners, edge.corners, side)?;
+            edge.law = law(&self.corners, edge.corners, side, &Place::key("size"))?;
             edge.first = next as u32;
             next += u64::from(edge.law.intervals()) - 1;
             if next > u64::from(MAX_STORED_VERTICES) {
-                return Err(ModelError::TooManyVertices { vertices: next });
+                return Err(too_many_vertices(next));
             }
         }
         Ok(self)
     }
 }
 
-/// Checks a name if there is one.
-pub(crate) fn check_name(name: Option<&str>, what: impl Fn() -> String) -> Result<(), ModelError> {
-    let Some(name) = name else { return Ok(()) };
-    name::check(name, None).map_err(|error| match error {
-        NameError::Character { character, .. } => {
-            ModelError::NameCharacter { what: what(), character }
-        }
-        _ => ModelError::BlankName { what: what() },
-    })
+fn too_many_vertices(vertices: u64) -> DomainError {
+    DomainError::new(
+        Place::default(),
+        format!(
+            "the model has {vertices} vertices on its edges; the maximum is {MAX_STORED_VERTICES}; \
+             give fewer intervals, or a larger size"
+        ),
+    )
+}
+
+/// What is wrong with a face.
+pub(super) fn face_error(face: usize, is: impl std::fmt::Display) -> DomainError {
+    DomainError::new(Place::key("faces").then(face), format!("face {face} {is}"))
 }
 
 fn check_corners(
     corners: &[DVec3],
     faces: &[ModelFace],
     edges: &[ModelEdge],
-) -> Result<(), ModelError> {
+) -> Result<(), DomainError> {
     if faces.is_empty() {
-        return Err(ModelError::NoFaces);
+        let message = "the model has no face; give each face as a loop of corners";
+        return Err(DomainError::key("faces", message));
     }
     if let Some(corner) = corners.iter().position(|corner| !corner.is_finite()) {
-        return Err(ModelError::NotFinite { corner: corner as u32 });
+        return Err(DomainError::new(
+            Place::key("corners").then(corner),
+            format!("corner {corner} has a coordinate that is not a finite number"),
+        ));
     }
-    let check = |what, index, corner: u32| {
-        let corners = corners.len();
-        let error = ModelError::NoSuchCorner { what, index, corner, corners };
-        if (corner as usize) < corners { Ok(()) } else { Err(error) }
+    let check = |place: Place, name: String, corner: u32| {
+        if (corner as usize) < corners.len() {
+            return Ok(());
+        }
+        let last = corners.len().saturating_sub(1);
+        let message = format!("{name} names corner {corner}; the model has corners 0 to {last}");
+        Err(DomainError::new(place, message))
     };
     for (index, face) in faces.iter().enumerate() {
-        if face.loops.is_empty() {
-            return Err(ModelError::TooFewCorners { face: index, corners: 0 });
+        let shortest = face.loops.iter().map(Vec::len).min().unwrap_or(0);
+        if shortest < 3 {
+            return Err(face_error(
+                index,
+                format!("has a loop of {shortest} corners; a loop needs at least 3"),
+            ));
         }
-        for corners in &face.loops {
-            if corners.len() < 3 {
-                return Err(ModelError::TooFewCorners { face: index, corners: corners.len() });
-            }
-            corners.iter().try_for_each(|&corner| check("face", index, corner))?;
+        for &corner in face.loops.iter().flatten() {
+            check(Place::key("faces").then(index), format!("face {index}"), corner)?;
         }
     }
     for (index, edge) in edges.iter().enumerate() {
-        edge.corners.iter().try_for_each(|&corner| check("edge", index, corner))?;
+        for corner in edge.corners {
+            check(Place::key("edges").then(index), format!("edge {index}"), corner)?;
+        }
     }
     Ok(())
 }
@@ -173,10 +190,11 @@ fn plane(
     index: usize,
     face: &ModelFace,
     tolerance: f64,
-) -> Result<Plane, ModelError> {
+) -> Result<Plane, DomainError> {
     let at = |&corner: &u32| corners[corner as usize];
     let outer: Vec<DVec3> = face.loops[0].iter().map(at).collect();
-    let plane = Plane::of_loop(&outer).ok_or(ModelError::NoArea { face: index })?;
+    let plane = Plane::of_loop(&outer)
+        .ok_or_else(|| face_error(index, "has no area; remove it or move its corners"))?;
     let mut farthest = (0.0, 0);
     for corner in face.loops.iter().flatten() {
         let distance = plane.distance(at(corner));
@@ -186,7 +204,13 @@ fn plane(
     }
     let (distance, corner) = farthest;
     if distance > tolerance {
-        return Err(ModelError::NotPlanar { face: index, corner, distance, tolerance });
+        return Err(face_error(
+            index,
+            format!(
+                "is not planar: corner {corner} is {distance:.3e} off its plane, and the tolerance is \
+                 {tolerance:.3e}; cut the face in triangles, or raise the tolerance"
+            ),
+        ));
     }
     Ok(plane)
 }
@@ -225,59 +249,102 @@ fn laws(
     ends: &[[u32; 2]],
     given: &[ModelEdge],
     other: Option<&Side>,
-) -> Result<Vec<Division>, ModelError> {
-    let mut divisions: BTreeMap<usize, (&ModelEdge, Side)> = BTreeMap::new();
+) -> Result<Vec<Division>, DomainError> {
+    let place = |index: usize| Place::key("edges").then(index);
+    let mut divisions: BTreeMap<usize, (usize, Side)> = BTreeMap::new();
     for (index, edge) in given.iter().enumerate() {
         let [a, b] = edge.corners;
         let Ok(at) = ends.binary_search(&[a.min(b), a.max(b)]) else {
-            return Err(ModelError::NoSuchEdge { index, corners: edge.corners });
+            return Err(DomainError::new(
+                place(index),
+                format!("edge {index} joins corners {a} and {b}, but no face has such an edge"),
+            ));
         };
         let side = edge.side.clone();
         let side = if a < b { side } else { side.reversed() };
-        if let Some((first, _)) = divisions.insert(at, (edge, side)) {
-            return Err(match (first.side.intervals, edge.side.intervals) {
-                (Intervals::Count(first), Intervals::Count(second)) if first != second => {
-                    ModelError::TwoCounts { corners: ends[at], first, second }
-                }
-                _ => ModelError::EdgeTwice { corners: ends[at] },
-            });
+        if let Some((first, _)) = divisions.insert(at, (index, side)) {
+            let name = edge_name(ends[at]);
+            let message = match (given[first].side.intervals, edge.side.intervals) {
+                (Intervals::Count(first), Intervals::Count(second)) if first != second => format!(
+                    "{name} has {first} intervals in one place and {second} in another; give it one \
+                     count"
+                ),
+                _ => format!("{name} is given twice; give it once"),
+            };
+            return Err(DomainError::new(place(index), message));
         }
     }
     for (index, edge) in given.iter().enumerate() {
-        check_name(edge.side.name.as_deref(), || format!("edge {index}"))?;
+        if let Some(name) = &edge.side.name {
+            name::check(name, place(index).then("name"), &format!("edge {index}"))?;
+        }
     }
     let law = |(at, &corners_of): (usize, &[u32; 2])| {
-        let side = divisions.get(&at).map(|(_, side)| side).or(other);
-        let side = side.ok_or(ModelError::NoDivision { corners: corners_of })?;
-        let law = law(corners, corners_of, side)?;
-        Ok((law, side.name.clone().filter(|_| divisions.contains_key(&at))))
+        let own = divisions.get(&at);
+        let place = own.map_or_else(|| Place::key("size"), |(index, _)| place(*index));
+        let side = own.map(|(_, side)| side).or(other).ok_or_else(|| {
+            DomainError::new(
+                Place::default(),
+                format!(
+                    "{} has no interval count; give \"size\" for all edges, or an entry in \"edges\"",
+                    edge_name(corners_of)
+                ),
+            )
+        })?;
+        let law = law(corners, corners_of, side, &place)?;
+        Ok((law, side.name.clone().filter(|_| own.is_some())))
     };
     ends.iter().enumerate().map(law).collect()
 }
 
-fn law(corners: &[DVec3], ends: [u32; 2], side: &Side) -> Result<SpacingLaw, ModelError> {
+fn edge_name([from, to]: [u32; 2]) -> String {
+    format!("the edge from corner {from} to corner {to}")
+}
+
+/// Two corners of an edge at one place.
+pub(super) fn coincident([first, second]: [u32; 2]) -> DomainError {
+    DomainError::touch(
+        Place::key("corners").then(second as usize),
+        format!(
+            "corners {first} and {second} of an edge are at the same place; merge them or move one"
+        ),
+    )
+}
+
+/// The law of an edge; the place is where its division is given.
+fn law(
+    corners: &[DVec3],
+    ends: [u32; 2],
+    side: &Side,
+    place: &Place,
+) -> Result<SpacingLaw, DomainError> {
     let [from, to] = ends.map(|corner| corners[corner as usize]);
     let length = (to - from).length();
-    let failed = |source: SideError| ModelError::Edge { corners: ends, source };
+    let name = edge_name(ends);
+    let error = |is: String| DomainError::new(place.clone(), format!("{name} {is}"));
+    let within = |error: DomainError| error.within(place.clone(), &name);
     if from == to {
-        return Err(ModelError::CoincidentCorners { corners: ends });
+        return Err(coincident(ends));
     }
     let intervals = match (&side.spacing, side.intervals) {
         (Spacing::Parameters(given), Intervals::Size(_)) => given.len() as u64 + 1,
-        (_, intervals) => intervals.on(length, 0).map_err(failed)?,
+        (_, intervals) => intervals.on(length, 0).map_err(within)?,
     };
     let Ok(intervals) = u32::try_from(intervals) else {
-        return Err(ModelError::TooManyVertices { vertices: intervals });
+        return Err(too_many_vertices(intervals));
     };
     if intervals == 0 {
-        return Err(ModelError::NoIntervals { corners: ends });
+        return Err(error("has 0 intervals; the minimum is 1".to_owned()));
     }
-    let law = SpacingLaw::solve(&side.spacing, intervals, length);
-    let law = law.map_err(|error| failed(error.into()))?;
+    let law = SpacingLaw::solve(&side.spacing, intervals, length).map_err(within)?;
     let (_, share) = law.shortest();
     let rounding = from.abs().max(to.abs()).max_element() * f64::EPSILON;
     if share * (to - from).abs().max_element() < LEAST_ROUNDINGS * rounding {
-        return Err(ModelError::IntervalTooShort { corners: ends, length: share * length });
+        return Err(error(format!(
+            "has intervals of {:.1e}, too short for its coordinates; use fewer intervals, or an origin \
+             near the model",
+            share * length
+        )));
     }
     Ok(law)
 }

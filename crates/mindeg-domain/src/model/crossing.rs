@@ -4,7 +4,9 @@
 use glam::{DVec2, DVec3};
 use mindeg_mesh::planar::{BoundaryFault, InRing, PlanarBoundary};
 
-use super::{ModelError, ModelFace, Plane};
+use super::build::{coincident, face_error};
+use super::{ModelFace, Plane};
+use crate::error::{DomainError, Place};
 
 /// The loops of a face, holes opposite to the outer loop; or why they bound no area.
 pub(super) fn oriented(
@@ -12,7 +14,7 @@ pub(super) fn oriented(
     face: usize,
     given: &ModelFace,
     plane: &Plane,
-) -> Result<Vec<Vec<u32>>, ModelError> {
+) -> Result<Vec<Vec<u32>>, DomainError> {
     check_repeated(face, &given.loops)?;
     let project = |&corner: &u32| plane.project(corners[corner as usize]);
     let rings: Vec<Vec<DVec2>> =
@@ -23,24 +25,34 @@ pub(super) fn oriented(
     };
     let edge = |at: InRing| [corner(at), next(at)];
     let (_, turned) = PlanarBoundary::oriented(&rings).map_err(|faults| match faults.first() {
-        BoundaryFault::SamePoint(places) => {
-            ModelError::CoincidentCorners { corners: places.map(corner) }
-        }
+        BoundaryFault::SamePoint(places) => coincident(places.map(corner)),
         BoundaryFault::Touch { vertex, edge: on } => {
-            ModelError::Touch { face, corner: corner(vertex), edge: edge(on) }
+            let (corner, [a, b]) = (corner(vertex), edge(on));
+            face_error(
+                face,
+                format!("touches itself: corner {corner} lies on its edge {a}-{b} (by corners)"),
+            )
         }
-        BoundaryFault::Crossing(places) => ModelError::Crossing { face, edges: places.map(edge) },
+        BoundaryFault::Crossing(places) => {
+            let [[a, b], [c, d]] = places.map(edge);
+            face_error(
+                face,
+                format!("crosses itself: its edges {a}-{b} and {c}-{d} (by corners) meet"),
+            )
+        }
         BoundaryFault::FoldsBack(tip) => {
             let before =
                 (tip.index + given.loops[tip.ring].len() - 1) % given.loops[tip.ring].len();
-            let from = corner(InRing { index: before, ..tip });
-            ModelError::Spike { face, from, to: corner(tip) }
+            spike(face, corner(InRing { index: before, ..tip }), corner(tip))
         }
         BoundaryFault::HoleOutside { hole }
         | BoundaryFault::HoleInHole { hole, .. }
-        | BoundaryFault::HoleAround { hole } => ModelError::HoleOutside { face, hole: hole - 1 },
+        | BoundaryFault::HoleAround { hole } => DomainError::new(
+            Place::key("faces").then(face),
+            format!("hole {} of face {face} is not inside the face's outer loop", hole - 1),
+        ),
         // Corners are finite, and each loop has three.
-        _ => ModelError::NoArea { face },
+        fault => face_error(face, fault),
     })?;
     let mut loops = given.loops.clone();
     // Newell's normal makes the outer loop counter-clockwise.
@@ -48,18 +60,29 @@ pub(super) fn oriented(
     Ok(loops)
 }
 
-fn check_repeated(face: usize, loops: &[Vec<u32>]) -> Result<(), ModelError> {
+fn spike(face: usize, from: u32, to: u32) -> DomainError {
+    let is = format!("goes from corner {from} to corner {to} and straight back; remove the spike");
+    face_error(face, is)
+}
+
+fn check_repeated(face: usize, loops: &[Vec<u32>]) -> Result<(), DomainError> {
     for corners in loops {
         let n = corners.len();
         // A spike has a better message than a corner that is passed twice.
         if let Some(i) = (0..n).find(|&i| corners[i] == corners[(i + 2) % n] && n > 3) {
-            return Err(ModelError::Spike { face, from: corners[i], to: corners[(i + 1) % n] });
+            return Err(spike(face, corners[i], corners[(i + 1) % n]));
         }
     }
     let mut corners: Vec<u32> = loops.concat();
     corners.sort_unstable();
     match corners.windows(2).find(|pair| pair[0] == pair[1]) {
-        Some(pair) => Err(ModelError::RepeatedCorner { face, corner: pair[0] }),
+        Some(pair) => Err(face_error(
+            face,
+            format!(
+                "passes corner {} twice; a face may not touch itself; cut it in two there",
+                pair[0]
+            ),
+        )),
         None => Ok(()),
     }
 }

@@ -1,13 +1,14 @@
 //! What is wrong with how faces hang together: an error where a mesh would make no sense, else a
 //! note.
 
-use super::{Model, ModelError};
+use super::Model;
+use crate::error::{DomainError, Place};
 
 /// How many items a note names.
 const NAMED: usize = 6;
 
 /// Refuses two faces with the same corners.
-pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), ModelError> {
+pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), DomainError> {
     let mut keys: Vec<(Vec<u32>, usize)> = faces
         .iter()
         .enumerate()
@@ -22,7 +23,10 @@ pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), ModelError
         for (place, (_, second)) in same.iter().enumerate() {
             let has_same = |first: usize| edges(&faces[first]) == edges(&faces[*second]);
             if let Some((_, first)) = same[..place].iter().find(|(_, first)| has_same(*first)) {
-                return Err(ModelError::FaceTwice { first: *first, second: *second });
+                return Err(DomainError::new(
+                    Place::key("faces").then(*second),
+                    format!("faces {first} and {second} have the same corners; remove one of them"),
+                ));
             }
         }
     }

@@ -4,7 +4,8 @@ use glam::DVec3;
 use mindeg_mesh::TriMesh;
 
 use super::build::largest_extent;
-use super::{Model, ModelError, ModelFace, ModelParts, coplanar};
+use super::{Model, ModelFace, ModelParts, coplanar};
+use crate::error::DomainError;
 use crate::side::Side;
 
 /// How a mesh becomes a model.
@@ -36,7 +37,7 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// [`ModelError`]; faces count as in the mesh, or after merging.
+    /// As [`Model::new`]; faces count as in the mesh, or after merging.
     ///
     /// # Example
     ///
@@ -52,7 +53,7 @@ impl Model {
     /// assert_eq!((model.face_count(), model.edge_count()), (1, 4));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of_mesh(mesh: &TriMesh, with: &FromMesh) -> Result<Self, ModelError> {
+    pub fn of_mesh(mesh: &TriMesh, with: &FromMesh) -> Result<Self, DomainError> {
         let corners = mesh.positions();
         let first_of = welded(corners);
         let weld = |corner: &u32| first_of[*corner as usize];

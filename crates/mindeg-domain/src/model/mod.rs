@@ -13,14 +13,10 @@
 mod build;
 mod coplanar;
 mod crossing;
-mod error;
 mod face;
 mod faults;
 mod from_mesh;
 
-#[cfg(feature = "json")]
-pub(crate) use build::check_name;
-pub use error::ModelError;
 pub use face::{FaceRings, Plane};
 pub use from_mesh::FromMesh;
 
@@ -96,7 +92,7 @@ pub const PLANAR_SHARE: f64 = 1e-5;
 /// })?;
 /// assert_eq!((model.edge_count(), model.vertex_count()), (12, 8 + 12 * 2));
 /// assert!(model.is_closed());
-/// # Ok::<(), mindeg_domain::ModelError>(())
+/// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
