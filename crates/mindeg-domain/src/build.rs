@@ -32,22 +32,6 @@ impl Domain {
         Self::builder(outline, sides).build()
     }
 
-    /// [`Domain::new`] with constraints on degrees.
-    ///
-    /// Where the corners run clockwise, the constraints of each side stay on their edge too. Single
-    /// vertices are always those of the mesh, counter-clockwise from the first corner.
-    ///
-    /// # Errors
-    ///
-    /// As [`Domain::new`], and then constraints that do not fit the boundary or that no mesh keeps.
-    pub fn constrained(
-        outline: Outline,
-        sides: Vec<Side>,
-        constraints: Constraints,
-    ) -> Result<Self, DomainError> {
-        Self::builder(outline, sides).constraints(constraints).build()
-    }
-
     /// Starts a domain with holes, constraints or a name.
     ///
     /// # Example
@@ -90,18 +74,17 @@ impl Domain {
     /// # Example
     ///
     /// ```
-    /// use glam::DVec2;
     /// use mindeg_domain::Domain;
     ///
-    /// let square = |x: f64, size: f64| {
-    ///     [[x, x], [x + size, x], [x + size, x + size], [x, x + size]].map(DVec2::from).to_vec()
-    /// };
-    /// let domain = Domain::from_rings(vec![square(0.0, 3.0), square(1.0, 1.0)])?;
+    /// let square = |x: f64, size: f64| [[x, x], [x + size, x], [x + size, x + size], [x, x + size]];
+    /// let domain = Domain::from_rings([square(0.0, 3.0), square(1.0, 1.0)])?;
     /// assert_eq!(domain.rings().vertex_count(), 8);
     /// assert_eq!(domain.placement().point(5).to_array(), [1.0, 2.0]); // a hole runs clockwise
     /// # Ok::<(), mindeg_domain::DomainError>(())
     /// ```
-    pub fn from_rings(rings: impl IntoIterator<Item = Vec<DVec2>>) -> Result<Self, DomainError> {
+    pub fn from_rings<R: IntoIterator<Item: Into<DVec2>>>(
+        rings: impl IntoIterator<Item = R>,
+    ) -> Result<Self, DomainError> {
         Self::of_rings(rings.into_iter().map(Ring::of_points).collect())
     }
 
@@ -186,7 +169,8 @@ impl DomainBuilder {
     }
 
     /// With constraints on degrees. Their sides are those of the outline and then those of each hole,
-    /// in the order given; single vertices are those of the mesh, ring after ring.
+    /// in the order given, and stay on their edges where a ring is turned; single vertices are those of
+    /// the mesh, ring after ring.
     #[must_use]
     pub fn constraints(self, constraints: Constraints) -> Self {
         Self { constraints, ..self }
@@ -203,7 +187,7 @@ impl DomainBuilder {
     ///
     /// # Errors
     ///
-    /// See [`Domain::new`] and [`Domain::constrained`].
+    /// As [`Domain::new`], and then constraints that do not fit the boundary or that no mesh keeps.
     pub fn build(self) -> Result<Domain, DomainError> {
         let Self { outline, sides, holes, mut constraints, max_vertices: max } = self;
         let corners = outline.corners()?;
@@ -227,6 +211,10 @@ impl DomainBuilder {
             constraints.turn_sides(placement.rings().ring_sides(ring));
         }
         let turning = Turning { placement: &placement, straight: &straight };
+        let convex = turning.convex_form();
+        if convex.is_none() {
+            placement.check_exactness()?;
+        }
         let constraints = constraints.checked(turning, |side| {
             let side = placement.rings().in_ring(side);
             if turned.contains(&side.ring) {
@@ -243,7 +231,7 @@ impl DomainBuilder {
         Ok(Domain {
             name: None,
             outline,
-            convex: turning.convex_form(),
+            convex,
             sides: given.into_iter().flat_map(|ring| ring.sides).collect(),
             placement,
             straight,

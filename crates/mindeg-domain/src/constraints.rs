@@ -38,7 +38,7 @@ use crate::turning::Turning;
 /// };
 /// constraints.sides[0].external_degree = ExternalDegree::Inside(2);
 ///
-/// let domain = Domain::constrained(outline, sides, constraints)?;
+/// let domain = Domain::builder(outline, sides).constraints(constraints).build()?;
 /// assert_eq!([0, 1, 2, 3].map(|vertex| domain.external_degree(vertex)), [0, 3, 2, 0]);
 /// assert_eq!((domain.degree_limit(1), domain.degree_limit(2)), (Some(6), None));
 /// assert!(domain.is_constrained());
@@ -375,7 +375,7 @@ mod tests {
         let (sides, of_sides) =
             given.into_iter().map(|(count, constraint)| (Side::count(count), constraint)).unzip();
         let constraints = Constraints { sides: of_sides, vertices: vertices.to_vec() };
-        Domain::constrained(outline, sides, constraints)
+        Domain::builder(outline, sides).constraints(constraints).build()
     }
 
     const COUNTERCLOCKWISE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
@@ -411,11 +411,9 @@ mod tests {
         let domain = square(CLOCKWISE, sides(), &[at(1, 5, None)]).unwrap();
         check(&domain, [1, 5, 20, 10, 7, 4, 3, 2], [12, 30, 30, 35, 0, 12, 12, 12]);
         // What a domain has describes it again.
-        let again = Domain::constrained(
-            domain.outline().clone(),
-            domain.sides().to_vec(),
-            domain.constraints().clone(),
-        );
+        let again = Domain::builder(domain.outline().clone(), domain.sides().to_vec())
+            .constraints(domain.constraints().clone())
+            .build();
         let again = again.unwrap();
         assert_eq!(again.constraints(), domain.constraints());
         assert_eq!(again.placement(), domain.placement());
@@ -477,7 +475,10 @@ mod tests {
         }
         let outline = Outline::Polygon(COUNTERCLOCKWISE.map(DVec2::from).into());
         let three = Constraints { sides: vec![SideConstraint::default(); 3], vertices: vec![] };
-        let refused = Domain::constrained(outline, vec![Side::count(1); 4], three).unwrap_err();
+        let refused = Domain::builder(outline, vec![Side::count(1); 4])
+            .constraints(three)
+            .build()
+            .unwrap_err();
         assert_eq!(
             refused.to_string(),
             "found constraints of 3 sides, and the outline has 4 sides; give one entry for each side, or none"

@@ -52,7 +52,7 @@ impl Domain {
     /// # Errors
     ///
     /// Text that is no JSON, keys or values that are not the format's, and everything that
-    /// [`Domain::constrained`] refuses; each with its path, line and column.
+    /// [`DomainBuilder::build`](crate::DomainBuilder::build) refuses; each with its path, line and column.
     ///
     /// # Example
     ///

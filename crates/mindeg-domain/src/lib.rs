@@ -54,7 +54,8 @@ pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
 #[cfg(feature = "json")]
 pub use json::{DomainDescription, DomainJsonError, ModelDescription};
 pub use limits::{
-    GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE, MAX_STORED_VERTICES,
+    EXACT_COORDINATES, GREATEST_COORDINATE, GREATEST_EXTERNAL_DEGREE, LEAST_SHARE, LEAST_SIDE,
+    MAX_STORED_VERTICES,
 };
 pub use mindeg_mesh::LineKind;
 pub use mindeg_mesh::planar::InRing;

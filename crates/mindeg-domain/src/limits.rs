@@ -1,10 +1,17 @@
 //! How large and how small the numbers of a domain may be.
 
+use std::ops::RangeInclusive;
+
 /// The greatest magnitude of a coordinate: areas, which are products of two, stay finite.
 pub const GREATEST_COORDINATE: f64 = 1e100;
 
 /// The shortest side: areas do not vanish.
 pub const LEAST_SIDE: f64 = 1e-100;
+
+/// The magnitudes of coordinates, besides 0, for which products of four are exact in the predicates that
+/// judge a domain that is not convex.
+pub const EXACT_COORDINATES: RangeInclusive<f64> =
+    1.793_662_034_335_766e-43..=3.213_876_088_517_980_6e60;
 
 /// The shortest interval of a side, as a share of the side's length.
 ///

@@ -12,7 +12,7 @@ use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Bounds, Positions};
 
 use crate::error::{DomainError, Place};
-use crate::limits::LEAST_ROUNDINGS;
+use crate::limits::{EXACT_COORDINATES, LEAST_ROUNDINGS};
 use crate::rings::{InRing, Rings};
 use crate::spacing_law::SpacingLaw;
 
@@ -150,6 +150,23 @@ impl Placement {
             }
         }
         Ok(())
+    }
+
+    /// Checks that decisions on the points are exact, as they must be where a boundary is not convex.
+    pub(crate) fn check_exactness(&self) -> Result<(), DomainError> {
+        let is_exact = |x: f64| x == 0.0 || EXACT_COORDINATES.contains(&x.abs());
+        let inexact = |point: &DVec2| !(is_exact(point.x) && is_exact(point.y));
+        let Some(vertex) = self.points().position(|point| inexact(&point)) else { return Ok(()) };
+        let DVec2 { x, y } = self.point(vertex as u32);
+        Err(DomainError::new(
+            Place::corners(self.rings.ring_of(vertex as u32)),
+            format!(
+                "vertex {vertex} is at ({x:?}, {y:?}); the coordinates of a domain that is not convex \
+                 are 0 or of magnitude {:.1e} to {:.1e}: use another unit of length",
+                EXACT_COORDINATES.start(),
+                EXACT_COORDINATES.end()
+            ),
+        ))
     }
 
     /// Where a side ends.

@@ -89,12 +89,6 @@ impl Side {
         Self { curve, ..self }
     }
 
-    /// The same side of a kind.
-    #[must_use]
-    pub fn of_kind(self, kind: LineKind) -> Self {
-        Self { kind: Some(kind), ..self }
-    }
-
     /// The same side with another spacing law.
     #[must_use]
     pub fn spaced(self, spacing: Spacing) -> Self {

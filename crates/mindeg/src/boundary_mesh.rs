@@ -454,7 +454,7 @@ mod tests {
     /// The unit square with one interval to a side.
     fn constrained(constraints: Constraints) -> Domain {
         let outline = Outline::Rectangle(Rectangle::new(1.0, 1.0));
-        Domain::constrained(outline, vec![Side::count(1); 4], constraints).unwrap()
+        Domain::builder(outline, vec![Side::count(1); 4]).constraints(constraints).build().unwrap()
     }
 
     #[test]

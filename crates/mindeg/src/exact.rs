@@ -271,7 +271,7 @@ mod tests {
             degree_limit: Some(limit),
         });
         let constraints = Constraints { sides: Vec::new(), vertices: vertices.collect() };
-        Domain::constrained(outline, vec![Side::count(2); 4], constraints).unwrap()
+        Domain::builder(outline, vec![Side::count(2); 4]).constraints(constraints).build().unwrap()
     }
 
     #[test]

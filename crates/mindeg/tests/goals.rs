@@ -160,7 +160,7 @@ fn a_comb_of_40002_points_has_its_mesh_soon() {
     };
     let back = [[-1.0, 0.0], [f64::from(teeth), 0.0]];
     let points = back.into_iter().chain((0..teeth).rev().flat_map(tooth)).map(DVec2::from);
-    let comb = Domain::from_rings([points.collect()]).unwrap();
+    let comb = Domain::from_rings([points]).unwrap();
     let meshed = mesh(&comb, Goal::LeastDegree, Progress::NONE).unwrap();
     assert!(meshed.is_least_proven);
     assert_eq!(meshed.mesh.max_degree(), 10_002);

@@ -79,7 +79,7 @@ fn degree_limits_of_vertices_are_kept_with_their_external_degrees() {
     let sides = [8; 4].map(Side::count).to_vec();
     let tight = VertexConstraint { vertex: 4, external_degree: 2, degree_limit: Some(5) };
     let constraints = Constraints { vertices: vec![tight], ..Constraints::default() };
-    let domain = Domain::constrained(outline, sides, constraints).unwrap();
+    let domain = Domain::builder(outline, sides).constraints(constraints).build().unwrap();
     let found = mesh(&domain, &Interior::default(), Progress::NONE).unwrap();
     // Five edges in all, two of them outside; four would be usual.
     assert_eq!(found.mesh.degrees()[4], 3, "{:?}", found.report);

@@ -409,3 +409,26 @@ fn a_number_that_is_none_is_refused_by_the_key() {
     let error = description.domain().unwrap_err();
     assert_eq!(error.message, "side 1: the size is NaN; it must be a finite number above 0");
 }
+
+/// Meshing said so, without the name of the file.
+#[test]
+fn coordinates_too_large_or_small_for_exact_work_are_refused_when_read() {
+    let dart = |scale: f64| {
+        let corners = [[0.0, 0.0], [4.0, 0.0], [1.0, 1.0], [0.0, 4.0]];
+        let corners = corners.map(|corner| corner.map(|x| x * scale));
+        Domain::from_json(&format!(
+            r#"{{"size": {scale:?}, "polygon": {{"corners": {corners:?}}}}}"#
+        ))
+    };
+    for scale in [1e-42, 1.0, 8e59] {
+        assert!(dart(scale).is_ok(), "{scale}");
+    }
+    for scale in [1e-43, 1e60] {
+        let error = dart(scale).unwrap_err();
+        assert_eq!(error.path, "polygon.corners");
+        assert!(error.message.contains("of magnitude 1.8e-43 to 3.2e60"), "{error}");
+    }
+    // Convex ones are formulas, at any scale.
+    let plate = r#"{"rectangle": {"width": 4e80, "height": 3e80}, "size": 1e80}"#;
+    assert!(Domain::from_json(plate).is_ok());
+}

@@ -170,6 +170,9 @@ impl Place {
             [Step::Key(key), .., Step::Index(corner)] if key == "polygon" || key == "corners" => {
                 places.extend([of_ring("ring").then(*corner), Self::key("rectangle")]);
             }
+            [Step::Key(key), ..] if key == "polygon" || key == "corners" => {
+                places.push(of_ring("ring"));
+            }
             [_, _, Step::Key(key)] if key == "intervals" || key == "size" => {
                 places.extend([side("size"), of_ring("size"), Self::key("size")]);
             }

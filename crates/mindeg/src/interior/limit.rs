@@ -249,7 +249,7 @@ mod tests {
         let limited =
             |limit| VertexConstraint { vertex: 0, external_degree: 0, degree_limit: Some(limit) };
         let constraints = Constraints { vertices: vec![limited(2)], ..Constraints::default() };
-        let tight = Domain::constrained(outline, sides, constraints).unwrap();
+        let tight = Domain::builder(outline, sides).constraints(constraints).build().unwrap();
         let angle = |domain| angle_limit(domain, &Interior::default()).unwrap().min_angle;
         assert!(angle(&tight) < 0.9 * angle(&plain));
     }
