@@ -6,6 +6,8 @@ mod convert;
 mod degree;
 #[cfg(target_os = "linux")]
 mod determinism;
+#[cfg(unix)]
+mod documents;
 mod domain;
 mod explore;
 mod fill;
