@@ -1,6 +1,6 @@
 //! mindeg beside other programs, on the same boundaries.
 //!
-//! Without arguments, prints Markdown for `docs/performance.md`; how it gets on goes to standard
+//! Without arguments, prints Markdown for `benches/results`; how it gets on goes to standard
 //! error. With a program and an input, as `spade-bulk 4x100`, runs just these and prints what came
 //! of it as JSON. The script `run` also sets up Triangle, if asked to.
 //!

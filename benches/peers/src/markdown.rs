@@ -1,4 +1,4 @@
-//! The section of `docs/performance.md`.
+//! The section of `benches/results`.
 
 use crate::Row;
 use crate::child::{LIMIT, Outcome};

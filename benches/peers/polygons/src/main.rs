@@ -1,6 +1,6 @@
 //! mindeg beside other programs, on polygons of any shape: degree, minimum angle, time, validity.
 //!
-//! Prints Markdown for `docs/performance.md`. The arguments are folders of ring files, one polygon each,
+//! Prints Markdown for `benches/results`. The arguments are folders of ring files, one polygon each,
 //! with a line `x y` a point and an empty line between rings: every file of `outlines` is an input of
 //! its own, and all files of `icons` together are one. `run` makes these files.
 

@@ -1,6 +1,6 @@
 //! How far mindeg is from what memory, disks and its libraries allow.
 //!
-//! `cargo bench -p mindeg-cli --bench ratios` prints the tables of `docs/performance.md` that are
+//! `cargo bench -p mindeg-cli --bench ratios` prints the tables of `benches/results` that are
 //! about this; names after `--` pick some of them, such as `-- indices writers`. Everything is
 //! measured beside its floor in the same process, in turns, and the best of several rounds
 //! counts; see [`rounds`](clock::rounds).
