@@ -4,23 +4,32 @@
 //! elements around them. Each element is filled by its own `fill-rule`, so one path may be several
 //! polygons with holes; its `id` is their name. Coordinates are user units, with y turned up.
 //!
-//! Limits: style sheets are not read, only attributes and `style`; `use`, `text` and images are
-//! left out, and so are shapes with neither fill nor stroke.
+//! Nested drawings are fitted into their boxes, clips cut, and the first child of a `switch` that a viewer
+//! in English shows is taken.
+//!
+//! Limits: style sheets are not read, only attributes and `style`; `use`, `text`, images and masked
+//! elements are left out, and so is what viewers do not show.
 
 mod arc;
+mod clip;
 mod path;
 mod shapes;
 mod style;
+mod transform;
 
 use std::collections::BTreeMap;
+use std::rc::Rc;
 
-use glam::DAffine2;
+use glam::{DAffine2, DVec2};
 use roxmltree::{Document, Node, ParsingOptions};
+use svgtypes::{ViewBox, ViewBoxError};
 
+use self::clip::Clip;
 use self::path::Subpath;
 use self::style::Style;
+use super::nesting::FillRule;
 use super::outline::{Outlines, Ring};
-use super::text::{at_line, counted, text_of};
+use super::text::{at_line, counted, quoted, text_of};
 use crate::error::ReadError;
 
 /// Reads the shapes of an SVG document.
@@ -51,9 +60,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     }
     let mut reader = Reader {
         document: &document,
+        by_id: document.descendants().filter_map(|it| Some((it.attribute("id")?, it))).collect(),
         outlines: Outlines::default(),
         left_out: BTreeMap::new(),
         gaps: 0,
+        cuts: 0,
     };
     reader.tree(root)?;
     reader.end()
@@ -61,60 +72,136 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
 
 struct Reader<'a, 'input> {
     document: &'a Document<'input>,
+    by_id: BTreeMap<&'a str, Node<'a, 'input>>,
     outlines: Outlines,
     left_out: BTreeMap<&'static str, usize>,
     /// How many small gaps were closed.
     gaps: usize,
+    /// How many shapes were cut by clips.
+    cuts: usize,
 }
 
-impl Reader<'_, '_> {
+impl<'a, 'input> Reader<'a, 'input> {
     /// Reads an element and all below it, in the order of the document.
-    fn tree(&mut self, root: Node<'_, '_>) -> Result<(), ReadError> {
+    fn tree(&mut self, root: Node<'a, 'input>) -> Result<(), ReadError> {
         // y points down in SVG.
         let upright = Style::new(DAffine2::from_cols_array(&[1.0, 0.0, 0.0, -1.0, 0.0, 0.0]));
         let mut open = vec![(root, upright)];
         while let Some((node, outer)) = open.pop() {
             let name = node.tag_name().name();
-            match name {
-                "svg" | "g" | "a" | "switch" | "path" | "rect" | "circle" | "ellipse"
-                | "polygon" | "polyline" => {}
-                "use" | "text" | "image" | "foreignObject" | "line" | "style" => {
-                    self.leave_out(match name {
-                        "use" => "<use>",
-                        "text" => "<text>",
-                        "line" => "<line>",
-                        "style" => "style sheet",
-                        _ => "image",
-                    });
-                    continue;
-                }
+            if !is_drawn(node) {
                 // Definitions, which draw nothing where they stand, and what is not SVG.
-                _ => continue,
+                continue;
             }
-            let style = outer.inherited_by(node).map_err(|problem| self.error(node, problem))?;
-            if style.is_hidden {
+            if !applies(node) {
+                self.leave_out("element for other programs or languages");
+                continue;
+            }
+            if let "use" | "text" | "image" | "foreignObject" | "line" | "style" = name {
+                self.leave_out(match name {
+                    "use" => "<use>",
+                    "text" => "<text>",
+                    "line" => "<line>",
+                    "style" => "style sheet",
+                    _ => "image",
+                });
+                continue;
+            }
+            let mut style =
+                outer.inherited_by(node).map_err(|problem| self.error(node, problem))?;
+            if style.own.is_hidden {
                 self.leave_out("hidden element");
                 continue;
+            }
+            if style.own.is_masked {
+                self.leave_out("masked element");
+                continue;
+            }
+            if let Some(id) = style.clip_path() {
+                let clip = id.and_then(|id| self.clip(id, &style));
+                style.clips.extend(clip.map_err(|problem| self.error(node, problem))?);
+            }
+            if name == "svg" {
+                let size = drawing(node, &mut style, node == root);
+                if !size.map_err(|problem| self.error(node, problem))? {
+                    self.leave_out("hidden element");
+                    continue;
+                }
             }
             let subpaths = shapes::subpaths(node).map_err(|problem| self.error(node, problem))?;
             match subpaths {
                 Some(subpaths) => self.shape(node, &style, subpaths)?,
                 None => {
-                    let children: Vec<_> =
-                        node.children().filter(Node::is_element).map(|it| (it, style)).collect();
-                    open.extend(children.into_iter().rev());
+                    let children = node.children().filter(Node::is_element);
+                    let children: Vec<_> = if name == "switch" {
+                        children.filter(|&it| is_drawn(it) && applies(it)).take(1).collect()
+                    } else {
+                        children.collect()
+                    };
+                    open.extend(children.into_iter().rev().map(|it| (it, style.clone())));
                 }
             }
         }
         Ok(())
     }
 
+    /// The region of a `clipPath` for an element; none if no element has its id.
+    fn clip(&self, id: &str, style: &Style<'_>) -> Result<Option<Rc<Clip>>, String> {
+        let Some(&node) = self.by_id.get(id).filter(|it| it.tag_name().name() == "clipPath") else {
+            return Ok(None);
+        };
+        let unread =
+            |what: &str| Err(format!("the clipPath {} {what}; cut the shape with it", quoted(id)));
+        if node.attribute("clipPathUnits").is_some_and(|units| units != "userSpaceOnUse") {
+            return unread("has units of the shape's box");
+        }
+        let outer = Style::new(style.transform).inherited_by(node)?;
+        let mut shapes = Vec::new();
+        for child in node.children().filter(Node::is_element).filter(|&it| is_drawn(it)) {
+            let mut style = outer.inherited_by(child)?;
+            if style.own.is_hidden || style.is_invisible || !applies(child) {
+                continue;
+            }
+            let child = match self.used(child) {
+                Some(used) => {
+                    let place = ["x", "y"].map(|name| shapes::length(child, name, None));
+                    let [x, y] = place.map(|it| it.map(Option::unwrap_or_default));
+                    style.transform *= DAffine2::from_translation(DVec2::new(x?, y?));
+                    style = style.inherited_by(used)?;
+                    used
+                }
+                None => child,
+            };
+            let Some(subpaths) = shapes::subpaths(child)? else {
+                return unread("holds more than shapes");
+            };
+            if [&outer, &style].iter().any(|it| it.own.clip_path.is_some() || it.own.is_masked) {
+                return unread("is cut itself");
+            }
+            let rings = subpaths.iter().map(|subpath| subpath.ring(&style.transform));
+            shapes.push((rings.collect(), style.clip_rule));
+        }
+        Ok(Some(Rc::new(Clip(shapes))))
+    }
+
+    /// The element that a `use` shows.
+    fn used(&self, node: Node<'_, '_>) -> Option<Node<'a, 'input>> {
+        let of_xlink = node.attribute(("http://www.w3.org/1999/xlink", "href"));
+        let href =
+            node.attribute("href").or(of_xlink).filter(|_| node.tag_name().name() == "use")?;
+        self.by_id.get(href.trim().strip_prefix('#')?).copied()
+    }
+
     fn shape(
         &mut self,
         node: Node<'_, '_>,
-        style: &Style,
+        style: &Style<'_>,
         subpaths: Vec<Subpath>,
     ) -> Result<(), ReadError> {
+        if style.is_invisible {
+            self.leave_out("hidden element");
+            return Ok(());
+        }
         if !style.is_filled && !style.is_stroked {
             self.leave_out("shape with neither fill nor stroke");
             return Ok(());
@@ -137,8 +224,16 @@ impl Reader<'_, '_> {
                 rings.push(ring);
             }
         }
+        let mut rule = style.fill_rule;
+        for clip in &style.clips {
+            let left = clip.cut(&rings, rule).map_err(|problem| self.error(node, problem))?;
+            if let Some(left) = left {
+                (rings, rule) = (left, FillRule::EvenOdd);
+                self.cuts += 1;
+            }
+        }
         let name = node.attribute("id").filter(|id| !id.trim().is_empty());
-        let without_effect = self.outlines.add(rings, style.fill_rule, name)?;
+        let without_effect = self.outlines.add(rings, rule, name)?;
         if without_effect > 0 {
             *self.left_out.entry("ring inside a filled area").or_default() += without_effect;
         }
@@ -172,6 +267,9 @@ impl Reader<'_, '_> {
         if !left_out.is_empty() {
             self.outlines.notes.push(format!("left out {left_out}"));
         }
+        if self.cuts > 0 {
+            self.outlines.notes.push(format!("cut {} by clips", counted(self.cuts, "shape")));
+        }
         if self.gaps > 0 {
             let gaps = counted(self.gaps, "gap");
             self.outlines.notes.push(format!(
@@ -180,6 +278,81 @@ impl Reader<'_, '_> {
         }
         Ok(self.outlines)
     }
+}
+
+/// Whether an element draws something where it stands, or could if it were read.
+fn is_drawn(node: Node<'_, '_>) -> bool {
+    matches!(
+        node.tag_name().name(),
+        "svg"
+            | "g"
+            | "a"
+            | "switch"
+            | "path"
+            | "rect"
+            | "circle"
+            | "ellipse"
+            | "polygon"
+            | "polyline"
+            | "use"
+            | "text"
+            | "image"
+            | "foreignObject"
+            | "line"
+            | "style"
+    )
+}
+
+/// Whether viewers in English show an element.
+fn applies(node: Node<'_, '_>) -> bool {
+    let is_english = |tag: &str| tag.trim() == "en" || tag.trim().starts_with("en-");
+    node.attribute("requiredExtensions").is_none_or(|names| names.trim().is_empty())
+        && node.attribute("systemLanguage").is_none_or(|tags| tags.split(',').any(is_english))
+}
+
+/// Goes from the coordinates around a drawing to those in it. Tells whether it shows anything.
+fn drawing(node: Node<'_, '_>, style: &mut Style<'_>, is_root: bool) -> Result<bool, String> {
+    let view = node.attribute("viewBox").map(str::parse::<ViewBox>).transpose();
+    let view = match view {
+        // A drawing without extent shows nothing; the outermost one is read without its box.
+        Err(ViewBoxError::InvalidSize) => return Ok(is_root),
+        other => other.map_err(|error| error.to_string())?,
+    };
+    let whole = style.drawing;
+    let of_view = view.map(|view| DVec2::new(view.w, view.h));
+    if is_root {
+        let length = |name| shapes::length(node, name, None).ok().flatten();
+        let own = length("width").zip(length("height")).map(DVec2::from);
+        style.drawing = of_view.or(own);
+        return Ok(true);
+    }
+    let x = shapes::length(node, "x", whole.map(|it| it.x))?.unwrap_or(0.0);
+    let y = shapes::length(node, "y", whole.map(|it| it.y))?.unwrap_or(0.0);
+    style.transform *= DAffine2::from_translation(DVec2::new(x, y));
+    // Without a length it is as large as the drawing around it.
+    let width = shapes::length(node, "width", whole.map(|it| it.x))?.or(whole.map(|it| it.x));
+    let height = shapes::length(node, "height", whole.map(|it| it.y))?.or(whole.map(|it| it.y));
+    let size = width.zip(height).map(DVec2::from);
+    style.drawing = of_view.or(size);
+    let Some(size) = size else {
+        let problem = "a drawing inside needs width and height, or a viewBox around it";
+        return if view.is_some() { Err(problem.to_owned()) } else { Ok(true) };
+    };
+    if size.min_element() <= 0.0 {
+        return Ok(false);
+    }
+    if !style.own.overflows {
+        let corners = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
+        let corners = corners.map(|corner| style.transform.transform_point2(corner));
+        let ring = Ring::of_points(corners);
+        style.clips.push(Rc::new(Clip(vec![(vec![ring], FillRule::NonZero)])));
+    }
+    if let Some(view) = view {
+        let ratio = node.attribute("preserveAspectRatio").unwrap_or("xMidYMid");
+        let ratio = ratio.parse().map_err(|error| format!("preserveAspectRatio: {error}"))?;
+        style.transform *= transform::fitted(view, ratio, size);
+    }
+    Ok(true)
 }
 
 #[cfg(test)]

@@ -4,14 +4,15 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use glam::DVec2;
 use roxmltree::Node;
-use svgtypes::{Length, LengthUnit, PointsParser};
+use svgtypes::{Length, PointsParser};
 
 use super::super::curve::{Arc, Curve};
 use super::path::{Subpath, subpaths as of_path};
+use super::transform::in_px;
 
 /// The subpaths of a shape; none for an element that holds others.
 pub(super) fn subpaths(node: Node<'_, '_>) -> Result<Option<Vec<Subpath>>, String> {
-    let length = |name| length(node, name);
+    let length = |name| length(node, name, None);
     let subpath = match node.tag_name().name() {
         "path" => return of_path(node.attribute("d").unwrap_or_default()).map(Some),
         "polygon" | "polyline" => {
@@ -43,27 +44,23 @@ pub(super) fn subpaths(node: Node<'_, '_>) -> Result<Option<Vec<Subpath>>, Strin
 }
 
 fn center(node: Node<'_, '_>) -> Result<DVec2, String> {
-    Ok(DVec2::new(length(node, "cx")?.unwrap_or(0.0), length(node, "cy")?.unwrap_or(0.0)))
+    let length = |name| length(node, name, None);
+    Ok(DVec2::new(length("cx")?.unwrap_or(0.0), length("cy")?.unwrap_or(0.0)))
 }
 
-/// An attribute that is a length, in user units.
-fn length(node: Node<'_, '_>, name: &str) -> Result<Option<f64>, String> {
+/// An attribute that is a length, in user units; `whole` is what shares are shares of.
+pub(super) fn length(
+    node: Node<'_, '_>,
+    name: &str,
+    whole: Option<f64>,
+) -> Result<Option<f64>, String> {
     let Some(text) = node.attribute(name).filter(|text| text.trim() != "auto") else {
         return Ok(None);
     };
     let length: Length = text.trim().parse().map_err(|error| format!("{name}: {error}"))?;
-    let unit = match length.unit {
-        LengthUnit::None | LengthUnit::Px => 1.0,
-        LengthUnit::In => 96.0,
-        LengthUnit::Cm => 96.0 / 2.54,
-        LengthUnit::Mm => 96.0 / 25.4,
-        LengthUnit::Pt => 96.0 / 72.0,
-        LengthUnit::Pc => 16.0,
-        LengthUnit::Em | LengthUnit::Ex | LengthUnit::Percent => {
-            return Err(format!("{name}=\"{text}\" depends on something else; give a number"));
-        }
-    };
-    Ok(Some(length.number * unit))
+    let px = in_px(length, whole);
+    px.ok_or_else(|| format!("{name}=\"{text}\" depends on something else; give a number"))
+        .map(Some)
 }
 
 /// An ellipse from its point on the right.

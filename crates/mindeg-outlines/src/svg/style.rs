@@ -1,106 +1,151 @@
-//! What an element inherits: where it lies, and how it is painted.
+//! What an element inherits and what it says of itself: where it lies, and how it is painted.
+
+use std::rc::Rc;
 
 use glam::{DAffine2, DVec2};
 use roxmltree::Node;
-use svgtypes::{TransformListParser, TransformListToken};
+use svgtypes::FuncIRI;
 
 use super::super::nesting::FillRule;
+use super::super::text::quoted;
+use super::clip::Clip;
+use super::transform;
 
 /// The properties of an element that matter for its outline.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Style {
+#[derive(Clone, Debug)]
+pub(super) struct Style<'a> {
     /// From the element's coordinates to those of the outlines.
     pub(super) transform: DAffine2,
+    /// The size of the nearest drawing around it, in its units, if it has one.
+    pub(super) drawing: Option<DVec2>,
     pub(super) fill_rule: FillRule,
+    pub(super) clip_rule: FillRule,
     pub(super) is_filled: bool,
     pub(super) is_stroked: bool,
-    /// Whether nothing of it is shown.
-    pub(super) is_hidden: bool,
+    /// Whether the element is invisible; its children need not be.
+    pub(super) is_invisible: bool,
+    /// What cuts the element, from the outermost clip on.
+    pub(super) clips: Vec<Rc<Clip>>,
+    pub(super) own: Own<'a>,
 }
 
-impl Style {
+/// What an element does not inherit.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Own<'a> {
+    /// Whether nothing of it is shown, nor of what is in it.
+    pub(super) is_hidden: bool,
+    pub(super) is_masked: bool,
+    /// How its `clip-path` is written.
+    pub(super) clip_path: Option<&'a str>,
+    /// Whether a drawing inside shows what lies outside it.
+    pub(super) overflows: bool,
+    transform: DAffine2,
+    origin: Option<&'a str>,
+    /// A property that moves it and is not read.
+    unread: Option<&'a str>,
+}
+
+/// Properties that may be attributes.
+const ATTRIBUTES: [&str; 14] = [
+    "fill",
+    "stroke",
+    "fill-rule",
+    "clip-rule",
+    "display",
+    "visibility",
+    "opacity",
+    "fill-opacity",
+    "stroke-opacity",
+    "clip-path",
+    "mask",
+    "overflow",
+    "transform-origin",
+    "transform-box",
+];
+
+impl<'a> Style<'a> {
     pub(super) fn new(transform: DAffine2) -> Self {
         Self {
             transform,
+            drawing: None,
             fill_rule: FillRule::NonZero,
+            clip_rule: FillRule::NonZero,
             is_filled: true,
             is_stroked: false,
-            is_hidden: false,
+            is_invisible: false,
+            clips: Vec::new(),
+            own: Own::default(),
         }
     }
 
     /// The style of an element inside one that has this style.
-    pub(super) fn inherited_by(mut self, node: Node<'_, '_>) -> Result<Self, String> {
+    pub(super) fn inherited_by<'b>(&self, node: Node<'b, '_>) -> Result<Style<'b>, String> {
+        let mut style =
+            Style { own: Own::default(), clips: self.clips.clone(), ..Style::new(self.transform) };
+        style.drawing = self.drawing;
+        (style.fill_rule, style.clip_rule) = (self.fill_rule, self.clip_rule);
+        (style.is_filled, style.is_stroked) = (self.is_filled, self.is_stroked);
+        style.is_invisible = self.is_invisible;
         if let Some(text) = node.attribute("transform") {
-            self.transform *= transform(text)?;
+            style.own.transform = transform::of_attribute(text)?;
         }
-        for name in ["fill", "stroke", "fill-rule", "display", "visibility"] {
+        for name in ATTRIBUTES {
             if let Some(value) = node.attribute(name) {
-                self.set(name, value);
+                style.set(name, value)?;
             }
         }
         // Declarations of `style` outrank the attributes.
         for declaration in node.attribute("style").unwrap_or_default().split(';') {
             if let Some((name, value)) = declaration.split_once(':') {
-                self.set(name.trim(), value);
+                style.set(name.trim(), value.trim().trim_end_matches("!important"))?;
             }
         }
-        Ok(self)
+        if let Some(unread) = style.own.unread {
+            return Err(format!("{unread} is not read; write it as transform=\"…\""));
+        }
+        let own = style.own.transform;
+        let origin = match style.own.origin {
+            Some(text) if own != DAffine2::IDENTITY => transform::origin(text, style.drawing)?,
+            _ => DVec2::ZERO,
+        };
+        style.transform *= DAffine2::from_translation(origin) * own;
+        style.transform *= DAffine2::from_translation(-origin);
+        Ok(style)
     }
 
-    fn set(&mut self, name: &str, value: &str) {
+    fn set(&mut self, name: &'a str, value: &'a str) -> Result<(), String> {
         let value = value.trim();
         let is_painted = !matches!(value, "none" | "transparent");
+        let is_nothing = value.trim_end_matches('%').parse() == Ok(0.0);
+        let rule = if value == "evenodd" { FillRule::EvenOdd } else { FillRule::NonZero };
+        let own = &mut self.own;
         match (name, value) {
             (_, "inherit") => {}
             ("fill", _) => self.is_filled = is_painted,
             ("stroke", _) => self.is_stroked = is_painted,
-            ("fill-rule", "evenodd") => self.fill_rule = FillRule::EvenOdd,
-            ("fill-rule", _) => self.fill_rule = FillRule::NonZero,
-            ("display", "none") | ("visibility", "hidden" | "collapse") => self.is_hidden = true,
+            ("fill-opacity", _) => self.is_filled &= !is_nothing,
+            ("stroke-opacity", _) => self.is_stroked &= !is_nothing,
+            ("fill-rule", _) => self.fill_rule = rule,
+            ("clip-rule", _) => self.clip_rule = rule,
+            ("display", _) => own.is_hidden |= value == "none",
+            ("opacity", _) => own.is_hidden |= is_nothing,
+            ("visibility", _) => self.is_invisible = value != "visible",
+            ("mask" | "mask-image", _) => own.is_masked = value != "none",
+            ("clip-path", _) => own.clip_path = Some(value).filter(|value| *value != "none"),
+            ("overflow", _) => own.overflows = matches!(value, "visible" | "auto"),
+            ("transform", _) => own.transform = transform::of_style(value)?,
+            ("transform-origin", _) => own.origin = Some(value),
+            ("transform-box", "view-box") | ("translate" | "rotate" | "scale", "none") => {}
+            ("transform-box" | "translate" | "rotate" | "scale", _) => own.unread = Some(name),
             _ => {}
         }
+        Ok(())
     }
-}
 
-/// The product of a list of transforms.
-fn transform(text: &str) -> Result<DAffine2, String> {
-    let mut product = DAffine2::IDENTITY;
-    for token in TransformListParser::from(text) {
-        let token = token.map_err(|error| format!("transform: {error}"))?;
-        product *= match token {
-            TransformListToken::Matrix { a, b, c, d, e, f } => {
-                DAffine2::from_cols_array(&[a, b, c, d, e, f])
-            }
-            TransformListToken::Translate { tx, ty } => {
-                DAffine2::from_translation(DVec2::new(tx, ty))
-            }
-            TransformListToken::Scale { sx, sy } => DAffine2::from_scale(DVec2::new(sx, sy)),
-            TransformListToken::Rotate { angle } => rotation(angle),
-            TransformListToken::SkewX { angle } => {
-                DAffine2::from_cols_array(&[1.0, 0.0, libm::tan(angle.to_radians()), 1.0, 0.0, 0.0])
-            }
-            TransformListToken::SkewY { angle } => {
-                DAffine2::from_cols_array(&[1.0, libm::tan(angle.to_radians()), 0.0, 1.0, 0.0, 0.0])
-            }
-        };
+    /// The id of the element that clips this one, if it names one.
+    pub(super) fn clip_path(&self) -> Option<Result<&'a str, String>> {
+        let text = self.own.clip_path?;
+        let id = FuncIRI::from_str(text).map(|iri| iri.0);
+        Some(id.map_err(|_| format!("clip-path={} is not read", quoted(text))))
     }
-    Ok(product)
-}
-
-/// A rotation by degrees, exact for right angles.
-fn rotation(degrees: f64) -> DAffine2 {
-    let turned = degrees.rem_euclid(360.0);
-    let (sin, cos) = if turned == 0.0 {
-        (0.0, 1.0)
-    } else if turned == 90.0 {
-        (1.0, 0.0)
-    } else if turned == 180.0 {
-        (0.0, -1.0)
-    } else if turned == 270.0 {
-        (-1.0, 0.0)
-    } else {
-        libm::sincos(degrees.to_radians())
-    };
-    DAffine2::from_cols_array(&[cos, sin, -sin, cos, 0.0, 0.0])
 }

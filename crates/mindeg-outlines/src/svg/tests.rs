@@ -158,3 +158,203 @@ fn errors_say_where_and_what() {
         "the document type: the file defines entities, which are not read; save it as plain SVG"
     );
 }
+
+/// The areas of all polygons, without their holes.
+fn areas(body: &str) -> Vec<f64> {
+    let area = |rings: &[Ring]| {
+        let of = |ring: &Ring| ring.doubled_area().abs() / 2.0;
+        2.0 * of(&rings[0]) - rings.iter().map(of).sum::<f64>()
+    };
+    read(body).unwrap().features.iter().map(|feature| area(&feature.rings)).collect()
+}
+
+#[test]
+fn a_drawing_inside_is_fitted_into_its_box() {
+    let square = "<rect width='10' height='10'/>";
+    for (inner, corners) in [
+        ("x='5' y='5' width='20' height='20' viewBox='0 0 10 10'", [[5.0, -5.0], [25.0, -25.0]]),
+        ("x='5' y='5' width='20' height='10' viewBox='0 0 10 10'", [[10.0, -5.0], [20.0, -15.0]]),
+        (
+            "width='20' height='10' viewBox='0 0 10 10' preserveAspectRatio='xMaxYMid'",
+            [[10.0, 0.0], [20.0, -10.0]],
+        ),
+        (
+            "width='20' height='10' viewBox='0 0 10 10' preserveAspectRatio='none'",
+            [[0.0, 0.0], [20.0, -10.0]],
+        ),
+        ("width='20' height='20' viewBox='-10 0 20 20'", [[10.0, 0.0], [20.0, -10.0]]),
+        ("x='1' y='2' overflow='visible' width='4' height='4'", [[1.0, -2.0], [11.0, -12.0]]),
+        // What lies outside the box is not shown, but for `overflow`.
+        ("x='1' y='2' width='4' height='5'", [[1.0, -2.0], [5.0, -7.0]]),
+        (
+            "width='20' height='10' viewBox='0 0 10 10' preserveAspectRatio='xMidYMin slice'",
+            [[0.0, 0.0], [20.0, -10.0]],
+        ),
+        ("width='50%' height='5' viewBox='0 0 20 5'", [[0.0, 0.0], [10.0, -5.0]]),
+    ] {
+        let body = format!("<svg width='40' height='40'><svg {inner}>{square}</svg></svg>");
+        let text = format!("<svg viewBox='0 0 40 40'>{body}</svg>");
+        let outlines = super::read(text.as_bytes()).unwrap();
+        let [low, high] = corners.map(DVec2::from);
+        let points = outlines.features[0].rings[0].flattened();
+        let found = points.iter().fold((points[0], points[0]), |(a, b), &p| (a.min(p), b.max(p)));
+        assert_eq!(found, (low.min(high), low.max(high)), "{inner}");
+    }
+    let hidden = read(&format!("<svg width='0' height='5'>{square}</svg>{square}")).unwrap();
+    assert_eq!((hidden.features.len(), &*hidden.notes[0]), (1, "left out 1 hidden element"));
+    let error = read("<svg viewBox='0 0 1 1'><rect width='1' height='1'/></svg>").unwrap_err();
+    assert_eq!(
+        error,
+        "line 2: <svg>: a drawing inside needs width and height, or a viewBox around it"
+    );
+}
+
+#[test]
+fn transforms_of_styles_and_their_origins_are_applied() {
+    let of = |attributes: &str| {
+        let text =
+            format!("<svg viewBox='0 0 8 6'><rect width='4' height='2' {attributes}/></svg>");
+        let outlines = super::read(text.as_bytes()).map_err(|error| error.to_string())?;
+        let points = outlines.features[0].rings[0].flattened();
+        let (low, high) =
+            points.iter().fold((points[0], points[0]), |(a, b), &p| (a.min(p), b.max(p)));
+        Ok::<_, String>([low.x, low.y, high.x, high.y])
+    };
+    for (attributes, expected) in [
+        ("style='transform:scale(2)'", [0.0, -4.0, 8.0, 0.0]),
+        ("style='transform: translate(1px, 2px) scale(.5,1)'", [1.0, -4.0, 3.0, -2.0]),
+        (
+            "style='transform: translateX(1px) translatey(2) scaleX(2) scaleY(3)'",
+            [1.0, -8.0, 9.0, -2.0],
+        ),
+        ("style='transform: rotate(0.25turn)'", [-2.0, -4.0, 0.0, 0.0]),
+        ("style='transform: matrix(1,0,0,1,3,4)'", [3.0, -6.0, 7.0, -4.0]),
+        ("style='transform: none' transform='scale(9)'", [0.0, -2.0, 4.0, 0.0]),
+        ("transform='scale(2)' transform-origin='4 2'", [-4.0, -2.0, 4.0, 2.0]),
+        ("transform='scale(2)' transform-origin='center'", [-4.0, -1.0, 4.0, 3.0]),
+        ("transform='scale(2)' style='transform-origin: 50% 0px'", [-4.0, -4.0, 4.0, 0.0]),
+        ("transform-origin='center'", [0.0, -2.0, 4.0, 0.0]),
+    ] {
+        assert_eq!(of(attributes), Ok(expected), "{attributes}");
+    }
+    let skewed = of("style='transform: skew(45deg)'").unwrap();
+    assert!((skewed[2] - 6.0).abs() < 1e-12);
+    for (attributes, message) in [
+        (
+            "style='transform: translate(10%)'",
+            "line 1: <rect>: transform: \"translate(10%)\" is not read;",
+        ),
+        (
+            "style='transform: rotate3d(1,0,0,9deg)'",
+            "line 1: <rect>: transform: \"rotate3d(1,0,0,9deg)\" is",
+        ),
+        (
+            "style='rotate: 45deg'",
+            "line 1: <rect>: rotate is not read; write it as transform=\"…\"",
+        ),
+        ("style='transform-box: fill-box'", "line 1: <rect>: transform-box is not read"),
+        (
+            "transform='scale(2)' transform-origin='2em 0'",
+            "line 1: <rect>: transform-origin=\"2em 0\" depends on something else; give two numbers",
+        ),
+    ] {
+        let error = of(attributes).unwrap_err();
+        assert!(error.starts_with(message), "{error}");
+    }
+}
+
+#[test]
+fn clips_cut_what_viewers_do_not_show() {
+    let square = "<rect width='10' height='10' clip-path='url(#c)'/>";
+    for (clip, expected) in [
+        ("<rect width='3' height='3'/>", &[9.0][..]),
+        ("<rect width='3' height='3'/><rect x='7' width='9' height='1'/>", &[9.0, 3.0]),
+        ("<path d='M0 0h4v4h-4zM1 1h2v2h-2z' clip-rule='evenodd'/>", &[12.0]),
+        ("<path d='M0 0h4v4h-4zM1 1h2v2h-2z'/>", &[16.0]),
+        ("<use href='#r' x='8'/>", &[4.0]),
+        // Nothing to cut.
+        ("<circle cx='5' cy='5' r='8'/>", &[100.0]),
+    ] {
+        let defs = "<defs><rect id='r' width='2' height='2'/></defs>";
+        let body = format!("{defs}<clipPath id='c'>{clip}</clipPath>{square}");
+        assert_eq!(areas(&body), expected, "{clip}");
+    }
+    let clip = "<clipPath id='c'><rect width='3' height='3'/></clipPath>";
+    assert_eq!(
+        areas(&format!("{clip}<g clip-path='url(#c)'><rect x='2' width='5' height='9'/></g>")),
+        [3.0]
+    );
+    assert_eq!(
+        areas(&format!(
+            "{clip}<rect style='clip-path:url(#c)' transform='scale(2)' width='5' height='1'/>"
+        )),
+        [12.0]
+    );
+    assert_eq!(areas("<rect width='5' height='1' clip-path='url(#none)'/>"), [5.0]);
+    let outlines =
+        read(&format!("{clip}{square}<rect x='8' width='1' height='1' clip-path='url(#c)'/>"));
+    let outlines = outlines.unwrap();
+    assert_eq!(
+        (outlines.features.len(), &outlines.notes[..]),
+        (1, &["cut 2 shapes by clips".to_owned()][..])
+    );
+    for (clip, message) in [
+        (
+            "<clipPath id='c'><text>x</text></clipPath>",
+            "line 2: <rect>: the clipPath \"c\" holds more than shapes; cut",
+        ),
+        (
+            "<clipPath id='c' clipPathUnits='objectBoundingBox'/>",
+            "line 2: <rect>: the clipPath \"c\" has units of the shape's box; cut the shape with it",
+        ),
+        (
+            "<clipPath id='c'><rect clip-path='url(#c)' width='1' height='1'/></clipPath>",
+            "line 2: <rect>: the clipPath \"c\" is cut itself",
+        ),
+    ] {
+        let error = read(&format!("{clip}{square}")).unwrap_err();
+        assert!(error.starts_with(message), "{error}");
+    }
+    let error = read("<rect width='1' height='1' style='clip-path: circle(1px)'/>").unwrap_err();
+    assert_eq!(error, "line 2: <rect>: clip-path=\"circle(1px)\" is not read");
+}
+
+#[test]
+fn what_viewers_do_not_show_is_left_out_and_said() {
+    let square = "<rect width='1' height='1'/>";
+    for (body, left_out) in [
+        ("<mask id='m'/><g mask='url(#m)'>S</g>S", "1 masked element"),
+        ("<g opacity='0'>S</g>S", "1 hidden element"),
+        (
+            "<g visibility='hidden'>S<rect width='1' height='1' visibility='visible'/></g>",
+            "1 hidden element",
+        ),
+        ("<g fill-opacity='0'>S</g>S", "1 shape with neither fill nor stroke"),
+        ("<g requiredExtensions='http://x'>S</g>S", "1 element for other programs or languages"),
+        (
+            "<g systemLanguage='de, fr'>S</g><g systemLanguage='de, en-GB'>S</g>",
+            "1 element for other programs or languages",
+        ),
+    ] {
+        let outlines = read(&body.replace('S', square)).unwrap();
+        assert_eq!(outlines.features.len(), 1, "{body}");
+        assert_eq!(outlines.notes, [format!("left out {left_out}")], "{body}");
+    }
+}
+
+#[test]
+fn a_switch_shows_its_first_child_that_applies() {
+    for (children, area) in [
+        ("<title>t</title><rect width='2' height='1'/><rect width='3' height='1'/>", 2.0),
+        (
+            "<foreignObject requiredExtensions='http://ns.adobe.com/x'/><g><rect width='3' height='1'/></g>",
+            3.0,
+        ),
+        (
+            "<rect systemLanguage='de' width='2' height='1'/><rect systemLanguage='en' width='4' height='1'/>",
+            4.0,
+        ),
+    ] {
+        assert_eq!(areas(&format!("<switch>{children}</switch>")), [area], "{children}");
+    }
+}
