@@ -3,8 +3,9 @@
 use crate::hostile::{GridPoint, Hostile, assert_fills, star};
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, Outline, Prefer, SizeAt, generate};
+use mindeg_interior::{Fixed, Options, Prefer, SizeAt, generate};
 use mindeg_mesh::Progress;
+use mindeg_mesh::planar::PlanarBoundary;
 
 #[derive(Arbitrary, Debug)]
 pub(crate) struct Input {
@@ -34,7 +35,7 @@ pub(crate) fn run(input: Input) {
         ring.reverse();
         rings.push(ring);
     }
-    let Ok(outline) = Outline::new(&rings) else { return };
+    let Ok(outline) = PlanarBoundary::new(&rings) else { return };
     let n = outline.points().len() as u32;
     let mut options = Options { max_points: 3_000, ..Options::default() };
     options.growth = input.growth.map_or(options.growth, |growth| growth.0);

@@ -47,12 +47,11 @@ pub(crate) fn run(input: Input) {
         }
     };
     assert!(rings_are_simple(&rings), "rings that meet are taken");
-    let points: Vec<DVec2> = domain.placement().points().collect();
-    let ranges: Vec<_> = domain.rings().rings().collect();
+    let boundary = domain.boundary().expect("a domain of rings has been proven");
     // Too close for triangles of an area is no fault of the mesh; wrong triangles are.
     if let Ok(meshed) = mesh(&domain, Goal::LeastDegree, Progress::NONE) {
         let triangles: Vec<_> = meshed.mesh.triangles().collect();
-        let checked = check::triangulation(&points, &ranges, &triangles).expect("a triangulation");
+        let checked = check::triangulation(&boundary, &[], &triangles).expect("a triangulation");
         assert_eq!(checked.max_degree, meshed.mesh.max_degree());
         assert!(checked.max_degree >= meshed.least_max_degree);
         let answer = degree(&domain, Progress::NONE).expect("what has a mesh has a degree");

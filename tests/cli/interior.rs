@@ -203,7 +203,7 @@ fn degree_and_suggest_tell_the_limit_of_a_domain() {
     assert_eq!(mindeg(["degree", "3,3,2,2", "--json"]).json()["angle_limit"], Value::Null);
 
     let told = mindeg(["degree", text(&domain)]);
-    let words = "With interior points: The boundary allows a minimum angle of at most 7.683° (11.250° at any degree), decided by corner 1";
+    let words = "With interior points: The boundary allows a minimum angle of at most 7.683° within the degree limits (11.250° at any degree), decided by corner 1";
     assert!(told.text().contains(words), "{}", told.text());
 
     let suggested = mindeg(["suggest", text(&domain)]);

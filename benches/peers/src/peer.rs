@@ -65,7 +65,8 @@ pub(crate) const PEERS: [Peer; 12] = [
                  coordinates and reading the faces out",
         run: |input, clock| {
             let domain = input.domain()?;
-            let run = || Reference::Delaunay.triangulate_without_limit(&domain, &input.points);
+            let boundary = domain.boundary()?;
+            let run = || Reference::Delaunay.triangulate_without_limit(&domain, &boundary);
             Ok(clock.time(run)?)
         },
     },

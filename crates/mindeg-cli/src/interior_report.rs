@@ -13,7 +13,8 @@ pub(crate) struct Reached {
     pub(crate) interior_points: usize,
     pub(crate) min_angle: f64,
     pub(crate) max_angle: f64,
-    /// The greatest minimum angle that the boundary allows, at its degree limits.
+    /// The greatest minimum angle that the boundary allows, at its degree limits and at the degrees of
+    /// vertices that break theirs.
     pub(crate) min_angle_limit: f64,
     /// The same at any degree.
     pub(crate) min_angle_limit_at_any_degree: f64,
@@ -52,7 +53,7 @@ impl From<&Report> for Reached {
             interior_points: report.interior_points,
             min_angle: report.min_angle,
             max_angle: report.max_angle,
-            min_angle_limit: report.limits.angle(),
+            min_angle_limit: report.angle_limit,
             min_angle_limit_at_any_degree: report.limits.angle_at_any_degree(),
             share_of_limit: report.share_of_limit,
             interior_degree: report.interior_degree.as_ref().map(ends),

@@ -10,7 +10,8 @@ use mindeg::{BoundaryMesh, Domain, Goal, Mesh, Outline as Shape, Progress, Ring,
 use mindeg_core::{Boundary, RingStrip, suggest};
 use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
 use mindeg_formats::svg;
-use mindeg_interior::{Outline, limits};
+use mindeg_interior::limits;
+use mindeg_mesh::planar::PlanarBoundary;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("name the folder to write into")?;
@@ -108,8 +109,9 @@ fn least_degree(
         points.extend((0..count).map(at));
         sides.extend((0..count).map(|_| side as u32));
     }
-    let delaunay = mindeg_delaunay::of_boundary(&points, &starts, Progress::NONE)?;
-    let problem = Problem::triangulated(&points, &sides, &delaunay)?;
+    let boundary = PlanarBoundary::new(&[&points])?.with_sides(starts, sides);
+    let delaunay = mindeg_delaunay::triangles(&boundary, &[], &[], Progress::NONE)?;
+    let problem = Problem::triangulated(&points, boundary.runs(), &delaunay)?;
     let answer = degree_range(&problem, Progress::NONE)?;
     let points = points.into_iter().map(|point| point.extend(0.0)).collect();
     let mesh = TriMesh::new(points, answer.triangles.clone())?;
@@ -158,7 +160,8 @@ fn tent_limit() -> Result<TriMesh, Box<dyn Error>> {
     const INTERVALS: u32 = 3;
     let corners = (0..=INTERVALS).map(|x| DVec2::new(f64::from(x), 0.0));
     let ring: Vec<_> = corners.clone().chain(corners.rev().map(|at| at + 0.5 * DVec2::Y)).collect();
-    let limit = limits::tent_limit(&Outline::new(&[ring])?, 60.0).ok_or("the tents touch")?;
+    let limit =
+        limits::tent_limit(&PlanarBoundary::new(&[ring])?, 60.0).ok_or("the tents touch")?;
     assert!((limit.angle - libm::atan(0.5).to_degrees()).abs() < 1e-9, "{limit:?}");
     let (mut points, mut triangles) = (Vec::new(), Vec::new());
     for index in 0..INTERVALS {

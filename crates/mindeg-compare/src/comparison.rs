@@ -9,7 +9,8 @@ use glam::DVec2;
 use mindeg::exact::{self, ExactError, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Step};
 use mindeg_answers::advice::KEPT;
-use std::ops::{ControlFlow, Range};
+use mindeg_mesh::planar::PlanarBoundary;
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 /// The largest number of boundary vertices that can be compared: unlike mindeg's own meshes,
@@ -78,11 +79,9 @@ pub enum CompareError {
 #[derive(Clone, Debug)]
 pub struct Comparison {
     report: Report,
-    points: Vec<DVec2>,
+    boundary: PlanarBoundary,
     /// The rings of the domain as closed lines.
     outlines: Vec<Vec<DVec2>>,
-    /// The vertices of each ring.
-    rings: Vec<Range<u32>>,
     /// The triangles of each method of the report, none where it has none.
     triangles: Vec<Vec<[u32; 3]>>,
     trade_off: Option<TradeOff>,
@@ -98,7 +97,7 @@ impl Comparison {
     /// The boundary points, in the order of the vertices.
     #[must_use]
     pub fn points(&self) -> &[DVec2] {
-        &self.points
+        self.boundary.points()
     }
 
     /// The rings of the domain as closed lines.
@@ -106,9 +105,8 @@ impl Comparison {
         &self.outlines
     }
 
-    /// The vertices of each ring.
-    pub(crate) fn rings(&self) -> &[Range<u32>] {
-        &self.rings
+    pub(crate) fn boundary(&self) -> &PlanarBoundary {
+        &self.boundary
     }
 
     /// The methods of the report, each with its triangles: none where it gave none.
@@ -168,9 +166,9 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     let own: Vec<[u32; 3]> = meshed.mesh.triangles().collect();
     let own_time = start.elapsed();
 
-    let points: Vec<DVec2> = domain.placement().points().collect();
+    let boundary = domain.boundary().map_err(MeshError::from)?.into_owned();
     let optimal_max_degree = meshed.least_max_degree;
-    let checker = measure::Checker::new(domain, &points);
+    let checker = measure::Checker::new(&boundary);
     let figures = |method, triangles: &[[u32; 3]]| MethodFigures {
         method,
         description: method.description().into_owned(),
@@ -183,12 +181,12 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     let mut triangles = vec![own];
     for &reference in Reference::of(domain) {
         let method = Method::Reference(reference);
-        let outcome = reference.triangulate(domain, &points, options.time_limit);
+        let outcome = reference.triangulate(domain, &boundary, options.time_limit);
         let (measured, list) = match outcome {
             Ok(timed) => {
                 let measured = figures(method, &timed.triangles);
                 let is_delaunay = reference == Reference::Delaunay && measured.valid;
-                let ties = is_delaunay.then(|| tie_count(&points, &timed.triangles));
+                let ties = is_delaunay.then(|| tie_count(boundary.points(), &timed.triangles));
                 let seconds = Some(timed.time.as_secs_f64());
                 (MethodFigures { ties, seconds, ..measured }, timed.triangles)
             }
@@ -209,7 +207,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         false => Vec::new(),
     };
     let rings = domain.rings();
-    let (outlines, ranges) = (outlines(domain), rings.rings().collect());
+    let outlines = outlines(domain);
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: rings.sides().collect(),
@@ -232,7 +230,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         verdict: String::new(),
     };
     report.verdict = verdict::verdict(&report).text();
-    Ok(Comparison { report, points, outlines, rings: ranges, triangles, trade_off })
+    Ok(Comparison { report, boundary, outlines, triangles, trade_off })
 }
 
 /// The rings as closed lines: of straight sides the corners, of others all points.

@@ -100,10 +100,12 @@ fn spade(domain: &Domain, limit: Option<f64>) -> InteriorFigures {
         ),
         ..InteriorFigures::default()
     };
-    let boundary: Vec<DVec2> = domain.placement().points().collect();
-    let rings: Vec<_> = domain.rings().rings().collect();
+    let boundary = match domain.boundary() {
+        Ok(boundary) => boundary,
+        Err(faults) => return InteriorFigures { failure: Some(faults.to_string()), ..named },
+    };
     let start = Instant::now();
-    match refined(&boundary, &rings, REFINED_TO, MOST_ADDED * boundary.len()) {
+    match refined(&boundary, REFINED_TO, MOST_ADDED * boundary.points().len()) {
         Ok(found) if found.is_complete => {
             let seconds = Some(start.elapsed().as_secs_f64());
             let figures = measured(domain, &found.points, &found.triangles, limit);

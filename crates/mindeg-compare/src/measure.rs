@@ -7,10 +7,9 @@ use crate::figures::{
     DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
 };
 use glam::DVec2;
-use mindeg::Domain;
 use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
 use mindeg_mesh::check;
-use std::ops::Range;
+use mindeg_mesh::planar::PlanarBoundary;
 
 /// The angles, in degrees, below which triangles are counted.
 const BELOW: [u32; 5] = [1, 5, 10, 15, 20];
@@ -20,17 +19,16 @@ const WORST: usize = 5;
 
 /// What triangles of a domain are checked against.
 pub(crate) struct Checker<'a> {
-    points: &'a [DVec2],
-    rings: Vec<Range<u32>>,
+    boundary: &'a PlanarBoundary,
     /// For each vertex the straight runs that end and begin there.
     runs: Vec<[u32; 2]>,
 }
 
 impl<'a> Checker<'a> {
-    pub(crate) fn new(domain: &Domain, points: &'a [DVec2]) -> Self {
-        let (rings, after) = (domain.rings(), domain.straight_runs());
-        let runs = (0..).zip(&after).map(|(v, &run)| [after[rings.previous(v) as usize], run]);
-        Self { points, runs: runs.collect(), rings: rings.rings().collect() }
+    pub(crate) fn new(boundary: &'a PlanarBoundary) -> Self {
+        let after = boundary.runs();
+        let runs = (0..).zip(after).map(|(v, &run)| [after[boundary.previous(v) as usize], run]);
+        Self { boundary, runs: runs.collect() }
     }
 
     /// Whether all vertices of a triangle are on one straight run.
@@ -41,7 +39,7 @@ impl<'a> Checker<'a> {
 
     /// The number of triangles of a triangulation.
     fn triangle_count(&self) -> u64 {
-        (self.points.len() + 2 * self.rings.len() - 4) as u64
+        (self.boundary.points().len() + 2 * self.boundary.ring_count() - 4) as u64
     }
 }
 
@@ -51,9 +49,9 @@ pub(crate) fn figures(
     triangles: &[[u32; 3]],
     optimal_max_degree: u32,
 ) -> MethodFigures {
-    let points = checker.points;
+    let points = checker.boundary.points();
     let defects = defects(checker, triangles);
-    let degrees = degrees(&checker.rings, triangles);
+    let degrees = degrees(checker.boundary, triangles);
     let qualities: Vec<TriangleQuality> =
         triangles.iter().map(|&triangle| quality(points, triangle)).collect();
     let measured = measured(degrees, &qualities, triangles);
@@ -117,19 +115,16 @@ fn metric_figures(summary: &QualitySummary) -> Option<MetricFigures> {
     })
 }
 
-/// The number of neighbours of every vertex of some rings, its two on the boundary included, in a list
+/// The number of neighbours of every vertex of a boundary, its two on the boundary included, in a list
 /// that need not be a triangulation.
-pub(crate) fn degrees(rings: &[Range<u32>], triangles: &[[u32; 3]]) -> Vec<u32> {
-    let edges = rings.iter().flat_map(|ring| {
-        let next = move |v| if v + 1 == ring.end { ring.start } else { v + 1 };
-        ring.clone().map(move |v| [v, next(v)])
-    });
+pub(crate) fn degrees(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Vec<u32> {
+    let edges = boundary.edges();
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let mut edges: Vec<[u32; 2]> =
         edges.chain(sides).map(|[a, b]| [a.min(b), a.max(b)]).filter(|[a, b]| a != b).collect();
     edges.sort_unstable();
     edges.dedup();
-    let mut degrees = vec![0; rings.last().map_or(0, |ring| ring.end as usize)];
+    let mut degrees = vec![0; boundary.points().len()];
     for vertex in edges.into_iter().flatten() {
         degrees[vertex as usize] += 1;
     }
@@ -138,7 +133,7 @@ pub(crate) fn degrees(rings: &[Range<u32>], triangles: &[[u32; 3]]) -> Vec<u32> 
 
 /// What is wrong with a list: counted where that can be.
 fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
-    let checked = check::triangulation(checker.points, &checker.rings, triangles);
+    let checked = check::triangulation(checker.boundary, &[], triangles);
     let flat = triangles.iter().filter(|&&triangle| checker.is_flat(triangle)).count() as u64;
     let first = match checked {
         Ok(_) if flat == 0 => return Vec::new(),
@@ -202,14 +197,13 @@ fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<WorstTria
 #[cfg(test)]
 mod tests {
     use super::*;
-    use mindeg::Side;
+    use mindeg::{Domain, Side};
     use mindeg_core::verify;
 
     /// The figures of some triangles on a square of two intervals a side.
     fn square(triangles: &[[u32; 3]]) -> MethodFigures {
         let domain = Domain::rectangle(2.0, 2.0, vec![Side::count(2); 4]).unwrap();
-        let points: Vec<DVec2> = domain.placement().points().collect();
-        figures(&Checker::new(&domain, &points), triangles, 3)
+        figures(&Checker::new(&domain.boundary().unwrap()), triangles, 3)
     }
 
     /// A fan from vertex 1, the middle of the bottom.
@@ -260,9 +254,10 @@ mod tests {
 
     #[test]
     fn degrees_of_what_is_no_triangulation_count_neighbors_once() {
+        let ring = PlanarBoundary::of_mesh(&[[DVec2::ZERO; 8]]);
         let twice = [FAN[1], FAN[1], FAN[2]];
-        assert_eq!(degrees(std::slice::from_ref(&(0..8)), &twice), [2, 5, 2, 3, 3, 3, 2, 2]);
-        let fan = degrees(std::slice::from_ref(&(0..8)), &FAN);
+        assert_eq!(degrees(&ring, &twice), [2, 5, 2, 3, 3, 3, 2, 2]);
+        let fan = degrees(&ring, &FAN);
         assert_eq!(fan, verify(&[2, 2, 2, 2], FAN).unwrap().degrees);
     }
 }

@@ -22,9 +22,8 @@ mod refine;
 
 pub use refine::{Refined, refined};
 
-use std::ops::Range;
-
 use glam::DVec2;
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Cancelled, Progress};
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
@@ -97,43 +96,11 @@ pub enum DelaunayError {
     Cancelled(#[from] Cancelled),
 }
 
-/// The triangles inside a boundary of one ring, counter-clockwise, in no particular order.
+/// The triangles inside a boundary, counter-clockwise, in no particular order.
 ///
-/// `points` run round the boundary; `corners` are the indices of its corners, in ascending order.
-/// As [`of_rings`] for one ring.
-///
-/// # Errors
-///
-/// [`DelaunayError`].
-///
-/// # Example
-///
-/// ```
-/// use glam::DVec2;
-/// use mindeg_mesh::Progress;
-///
-/// let square = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(DVec2::from);
-/// let triangles = mindeg_delaunay::of_boundary(&square, &[0, 2, 3, 4], Progress::NONE)?;
-/// assert_eq!(triangles.len(), 3);
-/// # Ok::<(), mindeg_delaunay::DelaunayError>(())
-/// ```
-pub fn of_boundary(
-    points: &[DVec2],
-    corners: &[u32],
-    progress: Progress<'_>,
-) -> Result<Vec<[u32; 3]>, DelaunayError> {
-    let ring = 0..points.len() as u32;
-    of_rings(points, std::slice::from_ref(&ring), corners, &[], progress)
-}
-
-/// The triangles on the left of some rings, counter-clockwise, in no particular order.
-///
-/// Each ring is a range of at least three vertices, in the order of the ring; the ranges follow each
-/// other from 0 on, none is empty. The outer ring is counter-clockwise, holes are clockwise. The
-/// points after the last ring are interior points; what lies outside the domain gets no triangle.
-/// `corners` are vertices to insert first, in ascending order: those where sides meet, or none.
-/// `segments` join any two vertices inside the domain; one that passes through a vertex is split
-/// there.
+/// `inner` are points inside; their vertices follow those of the boundary. `segments` join any two
+/// vertices inside the domain; one that passes through a vertex is split there. What lies outside the
+/// domain gets no triangle.
 ///
 /// O(n log n) for sides of like length; more where one vertex gets a large part of all edges.
 ///
@@ -143,42 +110,35 @@ pub fn of_boundary(
 ///
 /// # Panics
 ///
-/// If rings do not follow each other from 0 on, or a corner or a segment has no point.
+/// If a segment names a vertex that is not there.
 ///
 /// # Example
 ///
 /// ```
 /// use glam::DVec2;
 /// use mindeg_mesh::Progress;
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
-/// let outer = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]];
-/// let hole = [[1.0, 1.0], [1.0, 2.0], [2.0, 2.0]];
-/// let interior = [[3.0, 3.0], [3.0, 1.0]];
-/// let points: Vec<_> = [&outer[..], &hole, &interior].concat().into_iter().map(DVec2::from).collect();
-/// let triangles =
-///     mindeg_delaunay::of_rings(&points, &[0..4, 4..7], &[], &[[7, 8]], Progress::NONE)?;
+/// let outer = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+/// let hole = [[1.0, 1.0], [1.0, 2.0], [2.0, 2.0]].map(DVec2::from);
+/// let boundary = PlanarBoundary::new(&[&outer[..], &hole])?;
+/// let inner = [[3.0, 3.0], [3.0, 1.0]].map(DVec2::from);
+/// let triangles = mindeg_delaunay::triangles(&boundary, &inner, &[[7, 8]], Progress::NONE)?;
 /// assert_eq!(triangles.len(), 7 + 2 * 2);
-/// # Ok::<(), mindeg_delaunay::DelaunayError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn of_rings(
-    points: &[DVec2],
-    rings: &[Range<u32>],
-    corners: &[u32],
+pub fn triangles(
+    boundary: &PlanarBoundary,
+    inner: &[DVec2],
     segments: &[[u32; 2]],
     progress: Progress<'_>,
 ) -> Result<Vec<[u32; 3]>, DelaunayError> {
-    let ends = rings.iter().map(|ring| ring.end);
-    assert!(
-        rings.iter().map(|ring| ring.start).eq([0].into_iter().chain(ends).take(rings.len())),
-        "rings follow each other from 0 on"
-    );
     let in_range = |point: &DVec2| spade::validate_vertex(&Point2::from(point.to_array())).is_ok();
-    if let Some(vertex) = points.iter().position(|point| !in_range(point)) {
+    if let Some(vertex) = boundary.points().iter().chain(inner).position(|point| !in_range(point)) {
         return Err(DelaunayError::CoordinateOutOfRange { vertex: vertex as u32 });
     }
-    let (mut sites, handles) = insert(points, rings, corners, progress)?;
-    let next = next_on_rings(rings);
-    for (from, &to) in (0..).zip(&next) {
+    let (mut sites, handles) = insert(boundary, inner, progress)?;
+    for [from, to] in boundary.edges() {
         let (a, b) = (handles[from as usize], handles[to as usize]);
         let is_free = sites.can_add_constraint(a, b);
         if is_free {
@@ -196,33 +156,33 @@ pub fn of_rings(
         }
         sites.add_constraint(a, b);
     }
-    Ok(inside(&sites, &next))
+    Ok(inside(&sites, &next_of(boundary)))
 }
 
-/// For every vertex of a ring the next one.
-fn next_on_rings(rings: &[Range<u32>]) -> Vec<u32> {
-    let of_ring = |ring: &Range<u32>| {
-        let start = ring.start;
-        (start + 1..ring.end).chain((!ring.is_empty()).then_some(start))
-    };
-    rings.iter().flat_map(of_ring).collect()
+/// For every vertex of a boundary the next one.
+fn next_of(boundary: &PlanarBoundary) -> Vec<u32> {
+    boundary.edges().map(|[_, to]| to).collect()
 }
 
 fn insert(
-    points: &[DVec2],
-    rings: &[Range<u32>],
-    corners: &[u32],
+    boundary: &PlanarBoundary,
+    inner: &[DVec2],
     progress: Progress<'_>,
 ) -> Result<(Sites, Vec<FixedVertexHandle>), DelaunayError> {
-    let vertices = points.len() as u32;
+    let on_rings = boundary.vertex_count();
+    let vertices = on_rings + inner.len() as u32;
+    let point = |vertex: u32| match vertex.checked_sub(on_rings) {
+        Some(index) => inner[index as usize],
+        None => boundary.point(vertex),
+    };
     let counter = progress.counter("Delaunay triangulation", vertices.into());
     let mut sites = Sites::new();
-    let mut handles: Vec<Option<FixedVertexHandle>> = vec![None; points.len()];
-    for (vertex, neighbor) in order(vertices, rings, corners) {
+    let mut handles: Vec<Option<FixedVertexHandle>> = vec![None; vertices as usize];
+    for (vertex, neighbor) in order(boundary, vertices) {
         if handles[vertex as usize].is_some() {
             continue;
         }
-        let site = Site { position: points[vertex as usize].to_array().into(), vertex };
+        let site = Site { position: point(vertex).to_array().into(), vertex };
         let before = sites.num_vertices();
         let inserted = match handles[neighbor as usize] {
             Some(hint) => sites.insert_with_hint(site, hint),
@@ -245,9 +205,9 @@ fn insert(
 /// the interior points.
 ///
 /// Corners come first: while all points are on one line, each insertion takes linear time.
-fn order(vertices: u32, rings: &[Range<u32>], corners: &[u32]) -> impl Iterator<Item = (u32, u32)> {
-    let start_before = |ring: usize| rings[ring.saturating_sub(1)].start;
-    let of_rings = rings.iter().enumerate().flat_map(move |(index, ring)| {
+fn order(boundary: &PlanarBoundary, vertices: u32) -> impl Iterator<Item = (u32, u32)> + '_ {
+    let corners = boundary.corners();
+    let of_rings = boundary.rings().enumerate().flat_map(move |(index, ring)| {
         let from = corners.partition_point(|&corner| corner <= ring.start);
         let to = corners.partition_point(|&corner| corner < ring.end);
         let own = &corners[from..to.max(from)];
@@ -255,9 +215,10 @@ fn order(vertices: u32, rings: &[Range<u32>], corners: &[u32]) -> impl Iterator<
         let corners = bisection(own.len() as u32 + 1).map(move |(a, b)| (corner(a), corner(b)));
         let start = ring.start;
         let all = bisection(ring.len() as u32).map(move |(a, b)| (start + a, start + b));
-        [(start, start_before(index))].into_iter().chain(corners).chain(all)
+        let before = boundary.ring(index.saturating_sub(1)).start;
+        [(start, before)].into_iter().chain(corners).chain(all)
     });
-    let end = rings.last().map_or(0, |ring| ring.end);
+    let end = boundary.vertex_count();
     let interior = bisection(vertices - end).map(move |(a, b)| (end + a, end + b));
     let first = (end < vertices).then_some((end, 0));
     of_rings.chain(first).chain(interior)
@@ -353,11 +314,9 @@ mod tests {
         ] {
             for center in [DVec2::ZERO, DVec2::new(500_000.0, 4_650_000.0)] {
                 let domain = regular(center, sides);
-                let points: Vec<DVec2> = domain.placement().points().collect();
-                let boundary = domain.rings();
-                let corners: Vec<u32> =
-                    (0..boundary.side_count()).map(|side| boundary.corner(side)).collect();
-                let triangles = of_boundary(&points, &corners, Progress::NONE).unwrap();
+                let boundary = domain.boundary().unwrap();
+                let points = boundary.points();
+                let triangles = triangles(&boundary, &[], &[], Progress::NONE).unwrap();
                 verify(sides, triangles.iter().copied()).unwrap();
                 let mut edges: Vec<[u32; 3]> = triangles
                     .iter()
@@ -378,7 +337,9 @@ mod tests {
     #[test]
     fn refuses_what_it_cannot_do_exactly() {
         let refusal = |points: [[f64; 2]; 4]| {
-            of_boundary(&points.map(DVec2::from), &[0, 2, 3], Progress::NONE).unwrap_err()
+            // Not proven: what a boundary of rounded points may be.
+            let boundary = PlanarBoundary::of_mesh(&[points.map(DVec2::from)]);
+            triangles(&boundary, &[], &[], Progress::NONE).unwrap_err()
         };
         assert_eq!(
             refusal([[0.0, 0.0], [1.0, 1e-50], [2.0, 0.0], [0.0, 1.0]]),
@@ -414,8 +375,10 @@ mod tests {
             };
             triangles.iter().map(double).sum::<f64>() / 2.0
         };
+        let boundary = PlanarBoundary::new(&[&points[..4], &points[4..8]]).unwrap();
+        let boundary = boundary.with_sides(vec![0, 2, 5], (0..8).collect());
         let of = |vertices: usize, segments: &[[u32; 2]]| {
-            of_rings(&points[..vertices], &[0..4, 4..8], &[0, 2, 5], segments, Progress::NONE)
+            triangles(&boundary, &points[8..vertices], segments, Progress::NONE)
         };
         let plain = of(8, &[]).unwrap();
         assert_eq!((plain.len(), area(&plain)), (8, 32.0));
@@ -445,8 +408,8 @@ mod tests {
         let points = points.map(DVec2::from);
         // The hole is clockwise from 4 by 6 to 5.
         let clockwise = [points[4], points[6], points[5]];
-        let points = [&points[..4], &clockwise].concat();
-        let refusal = of_rings(&points, &[0..4, 4..7], &[], &[], Progress::NONE);
+        let boundary = PlanarBoundary::of_mesh(&[&points[..4], &clockwise]);
+        let refusal = triangles(&boundary, &[], &[], Progress::NONE);
         assert_eq!(refusal, Err(DelaunayError::CrossingBoundary { edge: [1, 2] }));
     }
 
@@ -454,12 +417,19 @@ mod tests {
     #[test]
     fn stops_when_it_is_cancelled() {
         let cancel = |_: mindeg_mesh::Step<'_>| ControlFlow::Break(());
-        let refusal = of_boundary(&[DVec2::ZERO; 3], &[0, 1, 2], Progress::new(&cancel));
+        let boundary = PlanarBoundary::of_mesh(&[[DVec2::ZERO; 3]]);
+        let refusal = triangles(&boundary, &[], &[], Progress::new(&cancel));
         assert_eq!(refusal, Err(DelaunayError::Cancelled(Cancelled)));
     }
 
     #[test]
     fn the_order_has_every_vertex_after_its_neighbor() {
+        let of = |rings: &[u32], corners: &[u32]| {
+            let points = |&count: &u32| vec![DVec2::ZERO; count as usize];
+            let rings: Vec<Vec<DVec2>> = rings.iter().map(points).collect();
+            let count = rings.concat().len() as u32;
+            PlanarBoundary::of_mesh(&rings).with_sides(corners.to_vec(), (0..count).collect())
+        };
         for (vertices, corners) in [
             (3, &[0, 1, 2][..]),
             (7, &[0, 5, 6]),
@@ -467,9 +437,10 @@ mod tests {
             (66, &[0, 64, 65]),
             (9001, &[]),
         ] {
-            for rings in [vec![0..2, 2..vertices], vec![0..2, 2..vertices - 1], Vec::new()] {
+            for rings in [&[2, vertices - 2][..], &[2, vertices - 3], &[]] {
+                let boundary = of(rings, corners);
                 let mut seen = vec![false; vertices as usize];
-                for (vertex, neighbor) in order(vertices, &rings, corners) {
+                for (vertex, neighbor) in order(&boundary, vertices) {
                     assert!(seen[neighbor as usize] || (vertex, neighbor) == (0, 0));
                     seen[vertex as usize] = true;
                 }
@@ -480,9 +451,8 @@ mod tests {
         let last = bisection(16_384).skip(8191).map(|(vertex, _)| vertex).take(4);
         assert!(last.eq([1, 8193, 4097, 12_289]));
         // In the order of the ring, each of many corners would take time for all before it.
-        let corners = Vec::from_iter(0..8);
-        let first =
-            order(8, std::slice::from_ref(&(0..8)), &corners).take(8).map(|(vertex, _)| vertex);
+        let boundary = of(&[8], &Vec::from_iter(0..8));
+        let first = order(&boundary, 8).take(8).map(|(vertex, _)| vertex);
         assert!(first.eq([0, 4, 2, 6, 1, 3, 5, 7]));
     }
 }

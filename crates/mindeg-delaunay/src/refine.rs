@@ -1,13 +1,12 @@
 //! Delaunay refinement of a boundary, as `spade` does it: to compare with.
 
-use std::ops::Range;
-
 use glam::DVec2;
+use mindeg_mesh::planar::PlanarBoundary;
 use spade::{
     AngleLimit, ConstrainedDelaunayTriangulation, Point2, RefinementParameters, Triangulation,
 };
 
-use crate::{DelaunayError, next_on_rings};
+use crate::DelaunayError;
 
 /// Points and triangles inside some rings.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,10 +19,8 @@ pub struct Refined {
     pub is_complete: bool,
 }
 
-/// Adds points inside rings until no triangle away from the boundary has an angle below `min_angle`
+/// Adds points inside a boundary until no triangle away from the boundary has an angle below `min_angle`
 /// degrees; boundary edges are kept whole. At most `most` points are added.
-///
-/// Rings are as for [`of_rings`](crate::of_rings).
 ///
 /// # Errors
 ///
@@ -33,26 +30,26 @@ pub struct Refined {
 ///
 /// ```
 /// use glam::DVec2;
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
 /// let ring = [[0.0, 0.0], [1.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]].map(DVec2::from);
-/// let refined = mindeg_delaunay::refined(&ring, &[0..5], 25.0, 1000)?;
+/// let refined = mindeg_delaunay::refined(&PlanarBoundary::new(&[ring])?, 25.0, 1000)?;
 /// assert_eq!(refined.points[..5], ring);
 /// assert!(refined.is_complete);
-/// # Ok::<(), mindeg_delaunay::DelaunayError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn refined(
-    points: &[DVec2],
-    rings: &[Range<u32>],
+    boundary: &PlanarBoundary,
     min_angle: f64,
     most: usize,
 ) -> Result<Refined, DelaunayError> {
-    let sites: Vec<Point2<f64>> = points.iter().map(|point| point.to_array().into()).collect();
+    let sites: Vec<Point2<f64>> =
+        boundary.points().iter().map(|point| point.to_array().into()).collect();
     let in_range = |site: &Point2<f64>| spade::validate_vertex(site).is_ok();
     if let Some(vertex) = sites.iter().position(|site| !in_range(site)) {
         return Err(DelaunayError::CoordinateOutOfRange { vertex: vertex as u32 });
     }
-    let next = next_on_rings(rings);
-    let edges = next.iter().enumerate().map(|(from, &to)| [from, to as usize]).collect();
+    let edges = boundary.edges().map(|edge| edge.map(|vertex| vertex as usize)).collect();
     let mut conflict = None;
     let mut triangulation =
         ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {

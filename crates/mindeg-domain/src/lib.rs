@@ -60,8 +60,7 @@ pub use limits::{
 pub use mindeg_mesh::LineKind;
 pub use mindeg_mesh::planar::InRing;
 pub use model::{
-    FaceGroup, FaceRings, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace,
-    PLANAR_SHARE, Plane,
+    FaceGroup, FromMesh, Model, ModelEdge, ModelFace, ModelParts, ModelPlace, PLANAR_SHARE, Plane,
 };
 pub use outline::{Outline, Ring};
 pub use placement::{Placement, Walk};

@@ -128,27 +128,7 @@ impl Turning<'_> {
 
     /// For each vertex, the run that the edge beginning there belongs to. O(n).
     pub(crate) fn runs(&self) -> Vec<u32> {
-        let rings = self.rings();
-        let mut runs = vec![0; rings.vertex_count() as usize];
-        let mut run = 0;
-        for (ring, vertices) in rings.rings().enumerate() {
-            let pieces = self.pieces(ring);
-            let first_run = run;
-            let ends = pieces[1..].iter().map(|&(first, _)| first).chain([vertices.end]);
-            for (&(first, turn), end) in pieces.iter().zip(ends) {
-                if turn != Turn::Straight && first != vertices.start {
-                    run += 1;
-                }
-                runs[first as usize..end as usize].fill(run);
-            }
-            if pieces[0].1 == Turn::Straight {
-                // What is left of the last run is the start of the first one.
-                let same = vertices.start as usize..vertices.end as usize;
-                runs[same].iter_mut().filter(|of| **of == run).for_each(|of| *of = first_run);
-            }
-            run += 1;
-        }
-        runs
+        planar::straight_runs(self.rings().rings(), |ring| self.pieces(ring))
     }
 
     /// Which way round a ring runs if it always turns the same way, and once around in all: then it

@@ -2,7 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use mindeg_domain::{FromMesh, Model, ModelPlace, Side, Spacing};
 use mindeg_mesh::{Group, Polygons, TriMesh};
 
@@ -34,7 +34,7 @@ fn neighbours_share_the_points_of_an_edge() {
     let expected = [0.0, 8.0 / 15.0, 12.0 / 15.0, 14.0 / 15.0, 1.0];
     assert!(toe.iter().zip(expected).all(|(x, expected)| (x - expected).abs() < 1e-15), "{toe:?}");
     // The bottom passes the edge downwards, the front upwards.
-    let (bottom, front) = (model.rings(0).vertices, model.rings(2).vertices);
+    let (bottom, front) = (model.face_vertices(0), model.face_vertices(2));
     let upward: Vec<u32> = model.edge_vertices(0).collect();
     assert!(front.windows(5).any(|part| part == upward));
     let downward: Vec<u32> = upward.iter().rev().copied().collect();
@@ -53,23 +53,16 @@ fn faces_are_counter_clockwise_in_their_planes() {
                                [4,2,0.6666666666666666], [2,4,1.3333333333333333]],
                    "faces": [{"corners": [0,1,2], "holes": [[3,4,5]]}], "size": 1}"#;
     let model = Model::from_json(text).unwrap();
-    let rings = model.rings(0);
-    let positions = model.positions();
-    let points: Vec<_> = rings
-        .vertices
-        .iter()
-        .map(|&vertex| model.plane(0).project(positions[vertex as usize]))
-        .collect();
-    let area = |ring: &std::ops::Range<u32>| {
-        let at = |i: u32| points[i as usize];
-        let next = |i| if i + 1 == ring.end { ring.start } else { i + 1 };
-        ring.clone().map(|i| at(i).perp_dot(at(next(i)))).sum::<f64>() / 2.0
+    let (_, boundary) = model.boundary(0, &model.positions()).unwrap();
+    let points = boundary.points();
+    let area = |ring: std::ops::Range<u32>| {
+        let of = |i| boundary.point(i).perp_dot(boundary.point(boundary.next(i)));
+        ring.map(of).sum::<f64>() / 2.0
     };
     let slope = 10.0_f64.sqrt() / 3.0;
-    assert!((area(&rings.rings[0]) / (40.5 * slope) - 1.0).abs() < 1e-12);
-    assert!((area(&rings.rings[1]) / (-2.0 * slope) - 1.0).abs() < 1e-12);
-    let runs = rings.straight_runs(&points);
-    assert_eq!(runs.iter().max(), Some(&5));
+    assert!((area(boundary.ring(0)) / (40.5 * slope) - 1.0).abs() < 1e-12);
+    assert!((area(boundary.ring(1)) / (-2.0 * slope) - 1.0).abs() < 1e-12);
+    assert_eq!(boundary.runs().iter().max(), Some(&5));
     assert_eq!(model.face_size(0) as usize, points.len());
 }
 
@@ -78,20 +71,19 @@ fn a_corner_on_a_line_makes_no_new_run() {
     let text = r#"{"corners": [[0,0,0], [2,0,0], [4,0,0], [4,3,0], [0,3,0]],
                    "faces": [[1,2,3,4,0]], "size": 1}"#;
     let model = Model::from_json(text).unwrap();
-    let rings = model.rings(0);
-    let points: Vec<_> =
-        rings.vertices.iter().map(|&v| model.positions()[v as usize].truncate()).collect();
-    let runs = rings.straight_runs(&points);
+    let runs = |model: &Model| model.boundary(0, &model.positions()).unwrap().1.runs().to_vec();
     // From corner 1 on: 2 + 3 + 4 + 3 + 2 edges, the first and the last on one line.
-    assert_eq!(runs, [0, 0, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 0, 0]);
+    assert_eq!(runs(&model), [0, 0, 1, 1, 1, 2, 2, 2, 2, 3, 3, 3, 0, 0]);
     // A turn is an angle, here of 45 degrees at corners 1 and 2: the unit of length does not matter.
     for unit in [1e-30, 1.0, 1e30] {
-        let text = r#"{"corners": [[0,0,0], [1,0,0], [2,1,0], [2,3,0], [0,3,0]],
-                       "faces": [[1,2,3,4,0]], "size": 9}"#;
-        let rings = Model::from_json(text).unwrap().rings(0);
-        let points = [[1.0, 0.0], [2.0, 1.0], [2.0, 3.0], [0.0, 3.0], [0.0, 0.0]];
-        let points = points.map(|point| unit * DVec2::from(point));
-        assert_eq!(rings.straight_runs(&points), [0, 1, 2, 3, 4], "{unit}");
+        let corner = |[x, y]: [f64; 2]| format!("[{:?},{:?},0]", x * unit, y * unit);
+        let corners = [[0.0, 0.0], [1.0, 0.0], [2.0, 1.0], [2.0, 3.0], [0.0, 3.0]].map(corner);
+        let size = 9.0 * unit;
+        let text = format!(
+            r#"{{"corners": [{}], "faces": [[1,2,3,4,0]], "size": {size:?}}}"#,
+            corners.join(",")
+        );
+        assert_eq!(runs(&Model::from_json(&text).unwrap()), [0, 1, 2, 3, 4], "{unit}");
     }
 }
 
@@ -243,7 +235,8 @@ fn a_polygon_with_a_bridge_has_a_hole() {
     let polygons = Polygons { triangle_starts: vec![0, triangles.len() as u32], corners: polygon };
     let mesh = TriMesh::new(corners, triangles).unwrap().with_polygons(polygons);
     let model = Model::of_mesh(&mesh, &with(false)).unwrap();
-    assert_eq!(model.rings(0).rings, [0..8, 8..14]);
+    let (_, boundary) = model.boundary(0, &model.positions()).unwrap();
+    assert!(boundary.rings().eq([0..8, 8..14]));
     assert_eq!(model.edge_count(), 7);
 }
 

@@ -9,7 +9,6 @@ use mindeg_exact::measure::min_angle_tangent;
 use mindeg_exact::{Block, Cost, LeastWeight, Patch};
 use mindeg_mesh::check;
 use outlines::{Measured, Outline, Random};
-use std::slice;
 
 /// Costs from a table, and triangles that cost by their shape or are not allowed.
 struct Table {
@@ -83,9 +82,7 @@ fn a_polygon_gets_the_triangulation_of_least_cost() {
         let after = table.of(&outline.points, patch.triangles());
         assert_eq!(after, least, "{outline:?}");
         assert_eq!(is_changed, before != after);
-        let ring = 0..n as u32;
-        let checked =
-            check::triangulation(&outline.points, slice::from_ref(&ring), patch.triangles());
+        let checked = check::triangulation(&outline.boundary(), &[], patch.triangles());
         let degrees = checked.unwrap().degrees;
         assert!((0..).zip(degrees).all(|(vertex, degree)| patch.chords(vertex) + 2 == degree));
     }
@@ -110,8 +107,7 @@ fn windows_never_cost_more_and_end_near_the_least() {
             assert!(after <= cost);
             cost = after;
         }
-        let ring = 0..n;
-        check::triangulation(&outline.points, slice::from_ref(&ring), patch.triangles()).unwrap();
+        check::triangulation(&outline.boundary(), &[], patch.triangles()).unwrap();
         count += 1;
         reached += u32::from(Some(cost) == least);
     }

@@ -9,6 +9,7 @@ use mindeg_exact::{
     Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal,
     best_angle, check::Outline as Rings, degree_range, least_max_degree, trade_off, windows,
 };
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Step, check};
 use outlines::{Measured, Outline, Random, Rank};
 use std::ops::ControlFlow;
@@ -43,8 +44,7 @@ fn compare(outline: &Outline, outside: &[u32], own: &[Option<u32>]) {
     };
     assert_eq!(least_max_degree(&problem, Progress::NONE), Ok(least), "{outline:?}");
     let check = |optimum: &mindeg_exact::Optimum, limit: u32| {
-        let checked =
-            check::triangulation(&outline.points, slice::from_ref(&(0..n)), &optimum.triangles);
+        let checked = check::triangulation(&outline.boundary(), &[], &optimum.triangles);
         let measured = Measured::new(&outline.points, &optimum.triangles);
         assert_eq!(checked.unwrap().degrees, measured.degrees);
         let rank = measured.rank(&limits(limit), outside);
@@ -131,7 +131,6 @@ fn known_least_degrees() {
 fn windows_never_go_below_the_least_and_keep_the_angle() {
     let mut reached = 0;
     for_random(3, 300, 11, |outline, random| {
-        let n = outline.len() as u32;
         let problem = outline.problem();
         let all = outline.triangulations();
         let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();
@@ -144,9 +143,7 @@ fn windows_never_go_below_the_least_and_keep_the_angle() {
             .min();
         let goal = WindowGoal { max_degree: 0, min_tangent };
         let windowed = windows(&problem, goal, Progress::NONE).unwrap();
-        let rings = [0..n, n..n];
-        let rings = &rings[..1];
-        let checked = check::triangulation(&outline.points, rings, &windowed.triangles).unwrap();
+        let checked = check::triangulation(&outline.boundary(), &[], &windowed.triangles).unwrap();
         assert_eq!(checked.max_degree, windowed.max_degree);
         let measured = Measured::new(&outline.points, &windowed.triangles);
         assert!(measured.tangent >= min_tangent, "{outline:?}");
@@ -163,7 +160,7 @@ fn check_range(outline: &Outline, range: &DegreeRange) {
     let n = outline.len() as u32;
     let rings = [0..n, n..n];
     let rings = &rings[..1];
-    let checked = check::triangulation(&outline.points, rings, &range.triangles).unwrap();
+    let checked = check::triangulation(&outline.boundary(), &[], &range.triangles).unwrap();
     assert_eq!(checked.max_degree, range.max_degree);
     assert!(range.lower_bound <= range.max_degree);
     let rings = Rings { points: &outline.points, rings, side_of: &outline.side_of };
@@ -234,10 +231,13 @@ fn frame(outer: u32, inner: u32) -> (Outline, [Range<u32>; 2], Vec<[u32; 3]>) {
 fn windows_take_domains_with_holes() {
     for (outer, inner) in [(1, 1), (4, 2), (10, 5), (100, 50)] {
         let (Outline { points, side_of }, rings, triangles) = frame(outer, inner);
-        let before = check::triangulation(&points, &rings, &triangles).unwrap();
+        let slices: Vec<_> =
+            rings.iter().map(|r| &points[r.start as usize..r.end as usize]).collect();
+        let boundary = PlanarBoundary::new(&slices).unwrap();
+        let before = check::triangulation(&boundary, &[], &triangles).unwrap();
         let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
         let range = degree_range(&problem, Progress::NONE).unwrap();
-        let after = check::triangulation(&points, &rings, &range.triangles).unwrap();
+        let after = check::triangulation(&boundary, &[], &range.triangles).unwrap();
         assert_eq!((range.max_degree, range.lower_bound), (after.max_degree, 4));
         assert!(after.max_degree <= before.max_degree);
         if outer == 4 {

@@ -3,7 +3,6 @@
 use std::time::Duration;
 
 use mindeg::exact::ExactError;
-use mindeg::glam::DVec2;
 use mindeg::interior::{self, Report};
 use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
 use mindeg_compare::Reference;
@@ -69,12 +68,12 @@ impl Made {
 
 /// A Delaunay triangulation as `mindeg compare --save-meshes` writes it.
 fn delaunay(domain: &Domain) -> Result<TriMesh, String> {
-    let points: Vec<DVec2> = domain.placement().points().collect();
+    let boundary = domain.boundary().map_err(|faults| faults.to_string())?;
     let triangles = Reference::Delaunay
-        .triangulate(domain, &points, DELAUNAY_TIME)
+        .triangulate(domain, &boundary, DELAUNAY_TIME)
         .map_err(|error| error.to_string())?
         .triangles;
-    let points = points.into_iter().map(|point| point.extend(0.0)).collect();
+    let points = boundary.points().iter().map(|point| point.extend(0.0)).collect();
     let mesh = TriMesh::new(points, triangles).map_err(|error| error.to_string())?;
     Ok(mesh.named(Reference::Delaunay.name()))
 }

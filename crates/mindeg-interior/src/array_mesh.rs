@@ -470,7 +470,7 @@ mod tests {
     #[test]
     fn the_sample_outline_has_boundary_angles() {
         let outline = samples::plate_with_hole();
-        let total: f64 = (0..outline.points().len() as u32).map(|v| outline.angle(v)).sum();
+        let total: f64 = (0..outline.vertex_count()).map(|v| outline.angle(v)).sum();
         // Rings of n and m vertices: (n - 2) pi inside the outer one, (m + 2) pi round the hole.
         assert!((total / std::f64::consts::PI - 92.0).abs() < 1e-9);
     }

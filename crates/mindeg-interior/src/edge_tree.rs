@@ -5,6 +5,8 @@
 //! whichever way it points.
 
 use glam::DVec2;
+use mindeg_mesh::Bounds;
+use mindeg_mesh::planar::PlanarBoundary;
 
 /// One edge, or one point with a size (then both ends are equal).
 #[derive(Debug, Clone, Copy)]
@@ -45,14 +47,28 @@ pub(crate) struct EdgeTree {
     roots: Vec<u32>,
 }
 
-/// Turns below this count as straight: rounded points of one side.
+/// Turns below this count as straight: rounded points of one side. Decides how fast a search is, and no
+/// answer.
 const STRAIGHT: f64 = 1e-7;
 
 impl EdgeTree {
-    /// The tree over the items of rings, each ring from one of its corners on.
-    pub(crate) fn of_rings(rings: impl IntoIterator<Item = Vec<Item>>) -> Self {
+    /// The tree over the edges of a boundary, each ring from one of its corners on; an edge's id is
+    /// its first vertex.
+    pub(crate) fn of_boundary(boundary: &PlanarBoundary) -> Self {
         let mut tree = Self::default();
-        for items in rings {
+        for ring in boundary.rings() {
+            let turns = |vertex: &u32| {
+                let [before, at, after] =
+                    [boundary.previous(*vertex), *vertex, boundary.next(*vertex)]
+                        .map(|v| boundary.point(v));
+                !is_straight(at - before, after - at)
+            };
+            let start = ring.clone().find(turns).unwrap_or(ring.start);
+            let item = |id| {
+                let [from, to] = [id, boundary.next(id)].map(|v| boundary.point(v));
+                Item { id, from, to, size: from.distance(to) }
+            };
+            let items: Vec<Item> = (start..ring.end).chain(ring.start..start).map(item).collect();
             tree.push_root(&items);
         }
         tree
@@ -236,7 +252,7 @@ impl Node {
 }
 
 /// True if a run may go from direction `a` to direction `b` and still count as straight.
-pub(crate) fn is_straight(a: DVec2, b: DVec2) -> bool {
+fn is_straight(a: DVec2, b: DVec2) -> bool {
     a.dot(b) > 0.0 && a.perp_dot(b).abs() <= STRAIGHT * a.dot(b)
 }
 
@@ -256,10 +272,8 @@ fn sort_by_place(items: &mut [Item]) {
     if items.len() < 3 {
         return;
     }
-    let places = items.iter().map(|item| item.from);
-    let (low, high) =
-        places.fold((items[0].from, items[0].from), |(low, high), p| (low.min(p), high.max(p)));
-    let axis = usize::from(high.y - low.y > high.x - low.x);
+    let Some(bounds) = Bounds::of(items.iter().map(|item| item.from)) else { return };
+    let axis = usize::from(bounds.size().y > bounds.size().x);
     let middle = items.len() / 2;
     items.select_nth_unstable_by(middle, |a, b| {
         a.from[axis].total_cmp(&b.from[axis]).then(a.id.cmp(&b.id))
@@ -277,7 +291,7 @@ mod tests {
     #[test]
     fn the_nearest_edge_is_that_of_a_full_search() {
         let outline = samples::plate_with_hole();
-        let tree = outline.edge_tree();
+        let tree = EdgeTree::of_boundary(&outline);
         for i in 0..400 {
             let x = DVec2::new(f64::from(i % 20) * 0.61 - 1.0, f64::from(i / 20) * 0.57 - 1.0);
             let brute = outline
@@ -294,7 +308,7 @@ mod tests {
     #[test]
     fn a_straight_side_is_one_node() {
         let outline = samples::rectangle(4.0, 3.0, [64, 48, 64, 48]);
-        let tree = outline.edge_tree();
+        let tree = EdgeTree::of_boundary(&outline);
         let whole = tree.nodes().iter().filter(|n| n.is_straight && n.length > 2.9);
         assert_eq!(whole.count(), 4);
     }

@@ -1,13 +1,7 @@
 //! Exact answers about positions, where rounding must not decide.
 
 use glam::DVec2;
-use robust::{Coord, orient2d};
-
-/// Positive if `a`, `b`, `c` run counter-clockwise, 0 if they are on one line. Exact in its sign.
-pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let coord = |p: DVec2| Coord { x: p.x, y: p.y };
-    orient2d(coord(a), coord(b), coord(c))
-}
+use mindeg_mesh::planar::orientation;
 
 /// True if segments `a`-`b` and `c`-`d` have a point in common.
 pub(crate) fn meet(a: DVec2, b: DVec2, c: DVec2, d: DVec2) -> bool {

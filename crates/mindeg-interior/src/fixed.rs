@@ -1,14 +1,14 @@
 //! Fixed points and segments inside a domain: checked, and divided as the size field wants.
 
 use crate::edge_tree::{EdgeTree, Item};
-use crate::exact::{meet, orientation};
+use crate::exact::meet;
 use crate::near::Near;
-use crate::options::{Fixed, InteriorError};
-use crate::outline::{Outline, is_usable};
+use crate::options::{Fixed, InteriorError, is_usable};
 use crate::packing::{Piece, is_inside_of};
 use crate::size::SizeField;
 use glam::DVec2;
 use mindeg_domain::SizeAt;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
 /// Fixed points with those that divide segments, and the edges that segments are divided into.
 #[derive(Debug, Clone, Default)]
@@ -19,12 +19,12 @@ pub(crate) struct Breaklines {
 }
 
 impl Breaklines {
-    pub(crate) fn pieces(&self, outline: &Outline) -> Vec<Piece> {
+    pub(crate) fn pieces(&self, outline: &PlanarBoundary) -> Vec<Piece> {
         let at = |v: u32| self.at(outline, v);
         self.edges.iter().map(|[a, b]| Piece { from: at(*a), to: at(*b) }).collect()
     }
 
-    fn at(&self, outline: &Outline, vertex: u32) -> DVec2 {
+    fn at(&self, outline: &PlanarBoundary, vertex: u32) -> DVec2 {
         let boundary = outline.points();
         match boundary.get(vertex as usize) {
             Some(point) => *point,
@@ -36,7 +36,7 @@ impl Breaklines {
 /// Checks and divides. Also gives sizes where fixed points are nearer to each other or to the boundary
 /// than the size field wants.
 pub(crate) fn breaklines(
-    outline: &Outline,
+    outline: &PlanarBoundary,
     fixed: &Fixed,
     field: &SizeField,
 ) -> Result<(Breaklines, Vec<SizeAt>), InteriorError> {
@@ -62,8 +62,8 @@ pub(crate) fn breaklines(
     Ok((lines, crowded))
 }
 
-fn check_points(outline: &Outline, fixed: &Fixed) -> Result<(), InteriorError> {
-    let tree = outline.edge_tree();
+fn check_points(outline: &PlanarBoundary, fixed: &Fixed) -> Result<(), InteriorError> {
+    let tree = EdgeTree::of_boundary(outline);
     for (index, point) in fixed.points.iter().enumerate() {
         let outside = || {
             let what = format!("fixed point {index}");
@@ -91,7 +91,7 @@ fn check_points(outline: &Outline, fixed: &Fixed) -> Result<(), InteriorError> {
 }
 
 fn check_segments(
-    outline: &Outline,
+    outline: &PlanarBoundary,
     fixed: &Fixed,
     lines: &Breaklines,
 ) -> Result<(), InteriorError> {
@@ -104,7 +104,7 @@ fn check_segments(
         let [from, to] = ends.map(|v| lines.at(outline, v));
         items.push(Item { id: segment as u32, from, to, size: from.distance(to) });
     }
-    let boundary = outline.edge_tree();
+    let boundary = EdgeTree::of_boundary(outline);
     let tree = EdgeTree::of_items(items);
     let points = EdgeTree::of_items(
         (0..)
@@ -149,7 +149,7 @@ fn check_segments(
         points.visit(
             |node| node.may_touch(from, to),
             |point| {
-                let vertex = outline.points().len() as u32 + point;
+                let vertex = outline.vertex_count() + point;
                 let at = fixed.points[point as usize];
                 if !ends.contains(&vertex) && meet(from, to, at, at) {
                     touched = Some(format!("fixed point {point}"));
@@ -203,11 +203,9 @@ fn divisions(from: DVec2, to: DVec2, field: &SizeField) -> Vec<f64> {
 }
 
 /// Sizes for fixed points that have a neighbour nearer than the size wants.
-fn crowded(outline: &Outline, lines: &Breaklines, field: &SizeField) -> Vec<SizeAt> {
-    let all = || outline.points().iter().chain(&lines.points).copied();
-    let low = all().reduce(DVec2::min).unwrap_or_default();
-    let high = all().reduce(DVec2::max).unwrap_or_default();
-    let mut near = Near::new(low, high);
+fn crowded(outline: &PlanarBoundary, lines: &Breaklines, field: &SizeField) -> Vec<SizeAt> {
+    // Fixed points lie inside.
+    let mut near = Near::new(outline.bounds());
     outline.points().iter().for_each(|p| near.insert(*p));
     let mut sizes = Vec::new();
     for point in &lines.points {

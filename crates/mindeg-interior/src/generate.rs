@@ -2,16 +2,14 @@
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::edge_tree::{EdgeTree, Item};
-use crate::exact::orientation;
 use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Goal, Weights, goals};
 use crate::limits::limits;
 use crate::optimise::optimise;
-use crate::options::{Fixed, InteriorError, Options};
+use crate::options::{Fixed, InteriorError, Options, check_coordinates};
 use crate::order::along_hilbert_curve;
-use crate::outline::Outline;
 use crate::packing::{Ground, is_inside_of};
-use crate::report::{Report, measure};
+use crate::report::{Report, Violation, degrees_at_boundary, measure};
 use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::triangle::SQRT_3;
@@ -19,7 +17,7 @@ use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
 use mindeg_domain::{Prefer, SizeAt};
 use mindeg_mesh::Progress;
-use std::ops::Range;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
 /// A mesh and what it is like.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,12 +61,13 @@ const SEEDS: [Seed; 5] = [
 /// points or segments are outside or cross, the mesh would be too large, points are too close to triangulate, or
 /// `progress` breaks.
 pub fn generate(
-    outline: &Outline,
+    outline: &PlanarBoundary,
     fixed: &Fixed,
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
     options.check()?;
+    check_coordinates(outline)?;
     let limits = limits(outline, |v| options.degree_limit(outline, v));
     check_target(&limits, options)?;
     let floor = floor(options);
@@ -97,7 +96,12 @@ pub fn generate(
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
         let goal = |v: u32| goals.get(v as usize);
-        let report = measure(&points, &triangles, &options.interior_degree, goal, limits);
+        let limits_at = |broken: &[Violation]| {
+            let has = degrees_at_boundary(broken, |v| v);
+            self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
+        };
+        let report =
+            measure(&points, &triangles, &options.interior_degree, goal, limits, limits_at);
         let found =
             InteriorMesh { points, triangles, fixed_edges: breaklines.edges.clone(), report };
         let is_better = best
@@ -115,11 +119,10 @@ pub fn generate(
 
 /// About how many points the size field asks for, from its sizes at some places: so that far too many
 /// are refused at once.
-fn about_points(outline: &Outline, field: &SizeField) -> f64 {
+fn about_points(outline: &PlanarBoundary, field: &SizeField) -> f64 {
     const ACROSS: u32 = 16;
-    let points = || outline.points().iter().copied();
-    let low = points().reduce(DVec2::min).unwrap_or_default();
-    let cell = (points().reduce(DVec2::max).unwrap_or_default() - low) / f64::from(ACROSS);
+    let bounds = outline.bounds();
+    let (low, cell) = (bounds.min, bounds.size() / f64::from(ACROSS));
     let place = |i: u32| DVec2::new(f64::from(i % ACROSS) + 0.5, f64::from(i / ACROSS) + 0.5);
     let of_cell = |x: DVec2| {
         let (edge, _) = field.boundary().nearest(x, f64::INFINITY)?;
@@ -133,7 +136,7 @@ fn about_points(outline: &Outline, field: &SizeField) -> f64 {
 
 /// The size field, with fixed points and segments taken in.
 fn size_field(
-    outline: &Outline,
+    outline: &PlanarBoundary,
     fixed: &Fixed,
     options: &Options,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
@@ -162,7 +165,7 @@ fn size_field(
 
 /// What all seeds begin with.
 struct Start<'a> {
-    outline: &'a Outline,
+    outline: &'a PlanarBoundary,
     goals: &'a [Goal],
     breaklines: &'a Breaklines,
     field: &'a SizeField,
@@ -209,20 +212,19 @@ impl Start<'_> {
         for at in &self.breaklines.points {
             vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
         }
-        let extent = self.outline.extent();
+        let extent = self.outline.bounds().size().max_element();
         for index in along_hilbert_curve(&packed) {
             let (at, size) = (clean(packed[index as usize], extent), sizes[index as usize]);
             vertices.push(vertex(at, size, Kind::Free, NONE));
         }
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
-        let rings: Vec<Range<u32>> = self.outline.rings().collect();
-        let corners: Vec<u32> = self.outline.corners().collect();
+        let inner = &points[self.outline.points().len()..];
         let edges = &self.breaklines.edges;
-        let mut triangles = mindeg_delaunay::of_rings(&points, &rings, &corners, edges, progress)?;
+        let mut triangles = mindeg_delaunay::triangles(self.outline, inner, edges, progress)?;
         // Near each other in the plane, near each other in memory.
         triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
         let boundary = self.outline.points().len();
-        let expected = 2 * points.len() - boundary + 2 * rings.len() - 4;
+        let expected = 2 * points.len() - boundary + 2 * self.outline.ring_count() - 4;
         if triangles.len() != expected {
             return Err(InteriorError::NotFilled(format!(
                 "found {} triangles inside, expected {expected}",

@@ -2,8 +2,8 @@
 
 use crate::limits::fan_limit_at;
 use crate::options::Options;
-use crate::outline::Outline;
 use mindeg_domain::Prefer;
+use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
@@ -21,7 +21,7 @@ pub(crate) struct Goal {
 }
 
 /// The goals of an outline's vertices.
-pub(crate) fn goals(outline: &Outline, options: &Options) -> Vec<Goal> {
+pub(crate) fn goals(outline: &PlanarBoundary, options: &Options) -> Vec<Goal> {
     let goal = |vertex| {
         let angle = outline.angle(vertex);
         let triangles = options.degree_limit(outline, vertex) - 1;
@@ -29,7 +29,7 @@ pub(crate) fn goals(outline: &Outline, options: &Options) -> Vec<Goal> {
         let limit = fan_limit_at(outline, vertex, fan);
         Goal { triangles, ideal: angle / (PI / 3.0), fan, limit }
     };
-    (0..outline.points().len() as u32).map(goal).collect()
+    (0..outline.vertex_count()).map(goal).collect()
 }
 
 /// How much each aim counts.

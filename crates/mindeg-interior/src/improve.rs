@@ -1,19 +1,18 @@
 //! The optimiser alone, on any planar triangle mesh.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
-use crate::exact::orientation;
 use crate::generate::compact;
 use crate::goal::{Weights, goals};
 use crate::limits::{Limits, limits};
 use crate::optimise::optimise;
-use crate::options::{InteriorError, Options};
-use crate::outline::{MAX_POINTS, Outline, is_usable};
-use crate::report::{Report, measure};
+use crate::options::{InteriorError, MAX_POINTS, Options, is_usable};
+use crate::report::{Report, Violation, degrees_at_boundary, measure};
 use crate::stage::Stage;
 use crate::triangle::{SQRT_3, doubled_area};
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
 use mindeg_mesh::Progress;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
 /// What stays as it is in a mesh, beside its boundary.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -100,6 +99,7 @@ pub fn improve(
 /// A checked mesh, ready to be worked on.
 struct Input {
     mesh: ArrayMesh,
+    boundary: PlanarBoundary,
     limits: Limits,
 }
 
@@ -136,7 +136,7 @@ impl Input {
         let rings = boundary(&mesh);
         let positions: Vec<Vec<DVec2>> =
             rings.iter().map(|ring| ring.iter().map(|v| mesh.at(*v)).collect()).collect();
-        let outline = Outline::of_mesh(&positions);
+        let outline = PlanarBoundary::of_mesh(&positions);
         let names = rings.concat();
         for (goal, v) in (0..).zip(&names) {
             mesh.vertices[*v as usize].kind = Kind::Boundary;
@@ -148,7 +148,7 @@ impl Input {
         name(&mut limits.any_degree.vertex);
         name(&mut limits.with_degree_limit.vertex);
         limits.tent.iter_mut().for_each(|tent| tent.edges.iter_mut().for_each(name));
-        Ok(Self { mesh, limits })
+        Ok(Self { mesh, boundary: outline, limits })
     }
 
     fn measure(
@@ -158,8 +158,12 @@ impl Input {
         options: &Options,
         goal: impl Fn(u32) -> u32,
     ) -> Report {
-        let goal = |v: u32| self.mesh.goals.get(goal(v) as usize);
-        measure(points, triangles, &options.interior_degree, goal, self.limits)
+        let limits_at = |broken: &[Violation]| {
+            let has = degrees_at_boundary(broken, &goal);
+            limits(&self.boundary, |v| options.degree_limit(&self.boundary, v).max(has(v)))
+        };
+        let goal_of = |v: u32| self.mesh.goals.get(goal(v) as usize);
+        measure(points, triangles, &options.interior_degree, goal_of, self.limits, limits_at)
     }
 }
 

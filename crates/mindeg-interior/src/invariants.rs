@@ -3,7 +3,7 @@
 #[cfg(debug_assertions)]
 use crate::array_mesh::Kind;
 use crate::array_mesh::{ArrayMesh, NONE};
-use crate::exact::orientation;
+use mindeg_mesh::planar::orientation;
 
 impl ArrayMesh {
     /// Checks the invariants round some vertices.

@@ -7,15 +7,16 @@
 //!
 //! ```
 //! use glam::DVec2;
-//! use mindeg_interior::{Fixed, Options, Outline, generate};
+//! use mindeg_interior::{Fixed, Options, generate};
 //! use mindeg_mesh::Progress;
+//! use mindeg_mesh::planar::PlanarBoundary;
 //!
 //! // A unit square with 8 intervals on each side.
 //! let corners = [DVec2::ZERO, DVec2::X, DVec2::ONE, DVec2::Y];
 //! let side = |i: usize| (0..8).map(move |j| corners[i].lerp(corners[(i + 1) % 4], f64::from(j) / 8.0));
 //! let ring: Vec<DVec2> = (0..4).flat_map(side).collect();
 //!
-//! let outline = Outline::new(&[&ring])?;
+//! let outline = PlanarBoundary::new(&[&ring])?;
 //! let mesh = generate(&outline, &Fixed::default(), &Options::default(), Progress::NONE)?;
 //! assert_eq!(mesh.points[..32], ring[..]);
 //! assert!(mesh.report.min_angle > 35.0);
@@ -65,7 +66,6 @@ mod operations;
 mod optimise;
 mod options;
 mod order;
-mod outline;
 mod packing;
 mod report;
 #[cfg(test)]
@@ -80,6 +80,5 @@ mod verdict;
 pub use generate::{InteriorMesh, generate};
 pub use improve::{Improved, Keep, improve};
 pub use mindeg_domain::{Prefer, SizeAt};
-pub use options::{Fixed, InteriorError, Options};
-pub use outline::{Outline, OutlineError};
+pub use options::{Fixed, InteriorError, Options, check_coordinates};
 pub use report::{Report, Violation};

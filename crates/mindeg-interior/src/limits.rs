@@ -21,9 +21,10 @@
 //! Fixed interior points and segments have limits of their own, which are left out here: the limits stay true,
 //! but are less tight.
 
-use crate::outline::Outline;
+use crate::edge_tree::EdgeTree;
 use crate::triangle::cross;
 use glam::DVec2;
+use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
 
 /// The limit at one boundary vertex.
@@ -139,7 +140,7 @@ pub fn fan_limit(angle: f64, short: f64, long: f64, max_triangles: Option<u32>) 
 
 /// The fan limit at a vertex of an outline, in degrees.
 #[must_use]
-pub fn fan_limit_at(outline: &Outline, vertex: u32, max_triangles: Option<u32>) -> f64 {
+pub fn fan_limit_at(outline: &PlanarBoundary, vertex: u32, max_triangles: Option<u32>) -> f64 {
     let lengths = [outline.length(vertex), outline.length(outline.previous(vertex))];
     fan_limit(outline.angle(vertex), lengths[0], lengths[1], max_triangles)
 }
@@ -149,10 +150,10 @@ pub fn fan_limit_at(outline: &Outline, vertex: u32, max_triangles: Option<u32>) 
 ///
 /// O(n log n) where edges are short beside the domain.
 #[must_use]
-pub fn limits(outline: &Outline, degree_limit: impl Fn(u32) -> u32) -> Limits {
+pub fn limits(outline: &PlanarBoundary, degree_limit: impl Fn(u32) -> u32) -> Limits {
     let least = |max_triangles: &dyn Fn(u32) -> Option<u32>| {
         let mut least = FanLimit { angle: f64::INFINITY, vertex: 0 };
-        for vertex in 0..outline.points().len() as u32 {
+        for vertex in 0..outline.vertex_count() {
             let angle = fan_limit_at(outline, vertex, max_triangles(vertex));
             if angle < least.angle {
                 least = FanLimit { angle, vertex };
@@ -168,8 +169,8 @@ pub fn limits(outline: &Outline, degree_limit: impl Fn(u32) -> u32) -> Limits {
 
 /// The tent limit of an outline, if it is below `below` degrees.
 #[must_use]
-pub fn tent_limit(outline: &Outline, below: f64) -> Option<TentLimit> {
-    let tree = outline.edge_tree();
+pub fn tent_limit(outline: &PlanarBoundary, below: f64) -> Option<TentLimit> {
+    let tree = EdgeTree::of_boundary(outline);
     let mut tangent = libm::tan(below.min(60.0) * (PI / 180.0));
     let mut found = None;
     if outline.points().len() == 3 {
@@ -288,7 +289,7 @@ mod tests {
     }
 
     /// The limits with so many edges at each boundary vertex.
-    fn limits(outline: &Outline, edges: u32) -> Limits {
+    fn limits(outline: &PlanarBoundary, edges: u32) -> Limits {
         super::limits(outline, |v| degree_limit(outline.angle(v), edges))
     }
 
@@ -326,7 +327,7 @@ mod tests {
         for unit in [1e-3, 1.0, 1e3] {
             let rings = [&outer, &hole].map(|ring| ring.iter().map(|p| *p * unit).collect());
             let rings: [Vec<DVec2>; 2] = rings;
-            let found = limits(&Outline::new(&rings).unwrap(), 5);
+            let found = limits(&PlanarBoundary::new(&rings).unwrap(), 5);
             assert!((found.angle() - expected).abs() < 1e-6, "{unit}: {found:?} {expected}");
         }
     }
@@ -336,7 +337,7 @@ mod tests {
         // Below, one edge of 8; above its right end, a hole with edges of a half.
         let outer = samples::ring(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]], &[1, 8, 8, 8]);
         let hole = samples::ring(&[[6.0, 0.1], [6.0, 2.1], [7.0, 2.1], [7.0, 0.1]], &[4, 2, 4, 2]);
-        let outline = Outline::new(&[outer, hole]).unwrap();
+        let outline = PlanarBoundary::new(&[outer, hole]).unwrap();
         let edges: Vec<[u32; 2]> = outline.edges().collect();
         let ends = |edge: [u32; 2]| edge.map(|v| outline.point(v));
         let mut tangent = libm::tan(PI / 3.0);

@@ -1,10 +1,10 @@
 //! From fixed lines, whose ends may be places, to fixed points and segments between vertices.
 
+use crate::edge_tree::EdgeTree;
 use crate::near::Near;
-use crate::options::{Fixed, InteriorError};
-use crate::outline::{Outline, is_usable};
-use glam::DVec2;
+use crate::options::{Fixed, InteriorError, is_usable};
 use mindeg_domain::{FixedLines, LineEnd};
+use mindeg_mesh::planar::PlanarBoundary;
 
 /// Ends nearer to a vertex than this share of the domain's extent are that vertex.
 const SAME: f64 = 1e-9;
@@ -19,15 +19,13 @@ impl Fixed {
     ///
     /// An end on the boundary between its vertices, at a place that is no pair of ordinary
     /// numbers, or that names a point that is not there.
-    pub fn of_lines(outline: &Outline, wanted: &FixedLines) -> Result<Self, InteriorError> {
+    pub fn of_lines(outline: &PlanarBoundary, wanted: &FixedLines) -> Result<Self, InteriorError> {
         let mut points = wanted.points.clone();
-        let near_enough = SAME * outline.extent();
+        let near_enough = SAME * outline.bounds().size().max_element();
         let boundary = outline.points();
-        let low = boundary.iter().copied().reduce(DVec2::min).unwrap_or_default();
-        let high = boundary.iter().copied().reduce(DVec2::max).unwrap_or_default();
-        let mut near = Near::new(low, high);
+        let mut near = Near::new(outline.bounds());
         boundary.iter().for_each(|point| near.insert(*point));
-        let tree = (!wanted.lines.is_empty()).then(|| outline.edge_tree());
+        let tree = (!wanted.lines.is_empty()).then(|| EdgeTree::of_boundary(outline));
         // Those that are out of range are refused with their index when all is meshed.
         points.iter().for_each(|point| near.insert(*point));
         let mut segments = Vec::new();
@@ -85,6 +83,7 @@ impl Fixed {
 mod tests {
     use super::*;
     use crate::samples;
+    use glam::DVec2;
 
     #[test]
     fn ends_become_vertices() {

@@ -1,6 +1,7 @@
 //! The nearest of a growing set of points, at any mixture of spacings: a quadtree.
 
 use glam::DVec2;
+use mindeg_mesh::Bounds;
 
 const NONE: u32 = u32::MAX;
 /// A cell with more points is divided.
@@ -29,14 +30,14 @@ pub(crate) struct Near {
 }
 
 impl Near {
-    /// An empty set for points of the box `low` to `high`.
-    pub(crate) fn new(low: DVec2, high: DVec2) -> Self {
+    /// An empty set for points of a box.
+    pub(crate) fn new(bounds: Bounds) -> Self {
         Self {
             points: Vec::new(),
             next: Vec::new(),
             cells: vec![Cell { children: 0, head: NONE, count: 0 }],
-            middle: low.midpoint(high),
-            half: (high - low).max_element() / 2.0,
+            middle: bounds.min.midpoint(bounds.max),
+            half: bounds.size().max_element() / 2.0,
         }
     }
 
@@ -132,7 +133,7 @@ mod tests {
             points in prop::collection::vec((0.0..8.0_f64, 0.0..5.0_f64, 0..4), 1..200),
             queries in prop::collection::vec((-1.0..9.0_f64, -1.0..6.0_f64), 20),
         ) {
-            let mut near = Near::new(DVec2::ZERO, DVec2::new(8.0, 5.0));
+            let mut near = Near::new(Bounds { min: DVec2::ZERO, max: DVec2::new(8.0, 5.0) });
             for (x, y, power) in points {
                 // Many points in a corner, and some twice.
                 let scale = 10_f64.powi(-4 * power);
@@ -148,7 +149,7 @@ mod tests {
 
         #[test]
         fn many_equal_points_are_no_trouble(count in 1..100_usize) {
-            let mut near = Near::new(DVec2::ZERO, DVec2::ONE);
+            let mut near = Near::new(Bounds { min: DVec2::ZERO, max: DVec2::ONE });
             (0..count).for_each(|_| near.insert(DVec2::splat(0.3)));
             prop_assert_eq!(near.nearest(DVec2::splat(0.3), 1.0).unwrap().1, 0.0);
         }

@@ -1,14 +1,35 @@
 //! What is wanted, and why it cannot be done.
 
 use crate::limits::degree_limit;
-use crate::outline::{Outline, OutlineError, is_usable};
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::{Prefer, SizeAt};
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 use thiserror::Error;
+
+/// The greatest number of points of a mesh.
+pub(crate) const MAX_POINTS: usize = 1 << 30;
+
+/// True for coordinates whose squares, and areas made of them, neither overflow nor vanish.
+pub(crate) fn is_usable(point: DVec2) -> bool {
+    point.to_array().iter().all(|x| *x == 0.0 || (1e-70..=1e70).contains(&x.abs()))
+}
+
+/// Checks that limits and meshes of a boundary can be computed: squares of its coordinates neither
+/// overflow nor vanish.
+///
+/// # Errors
+///
+/// [`InteriorError::Coordinate`].
+pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError> {
+    match (0..).zip(boundary.points()).find(|(_, point)| !is_usable(**point)) {
+        Some((vertex, at)) => Err(InteriorError::Coordinate { vertex, at: at.to_array() }),
+        None => Ok(()),
+    }
+}
 
 /// What the mesh is to be like.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,7 +87,15 @@ pub struct Fixed {
 pub enum InteriorError {
     /// The rings do not bound a domain.
     #[error(transparent)]
-    Outline(#[from] OutlineError),
+    Boundary(#[from] BoundaryFaults),
+    /// A coordinate that is too great or small to square.
+    #[error("boundary vertex {vertex} is at ({}, {}); coordinates are 0 or of magnitude 1e-70 to 1e70", at[0], at[1])]
+    Coordinate {
+        /// The vertex.
+        vertex: u32,
+        /// Its position.
+        at: [f64; 2],
+    },
     /// A size that is not above 0.
     #[error("{what} is {value}; a size is a finite number above 0")]
     Size {
@@ -201,7 +230,7 @@ impl From<DelaunayError> for InteriorError {
 impl Options {
     /// The greatest degree wanted of a boundary vertex, in edges.
     #[must_use]
-    pub fn degree_limit(&self, outline: &Outline, vertex: u32) -> u32 {
+    pub fn degree_limit(&self, outline: &PlanarBoundary, vertex: u32) -> u32 {
         match self.degree_limits.get(&vertex) {
             Some(limit) => *limit,
             None => degree_limit(outline.angle(vertex), self.boundary_degree),

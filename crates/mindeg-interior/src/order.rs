@@ -1,19 +1,19 @@
 //! An order of points in which neighbours in the plane are mostly neighbours in memory.
 
 use glam::DVec2;
+use mindeg_mesh::Bounds;
 
 /// Steps of the grid on each axis, as a power of 2.
 const BITS: u32 = 24;
 
 /// The indices of points in the order of Hilbert's curve; equal places in the order of their index.
 pub(crate) fn along_hilbert_curve(points: &[DVec2]) -> Vec<u32> {
-    let low = points.iter().copied().reduce(DVec2::min).unwrap_or_default();
-    let high = points.iter().copied().reduce(DVec2::max).unwrap_or_default();
-    let scale = f64::from((1_u32 << BITS) - 1) / (high - low).max_element();
+    let Some(bounds) = Bounds::of(points.iter().copied()) else { return Vec::new() };
+    let scale = f64::from((1_u32 << BITS) - 1) / bounds.size().max_element();
     let mut keys: Vec<(u64, u32)> = (0..)
         .zip(points)
         .map(|(index, point)| {
-            let [x, y] = ((*point - low) * scale).to_array().map(|x| x as u32);
+            let [x, y] = ((*point - bounds.min) * scale).to_array().map(|x| x as u32);
             (hilbert(x, y), index)
         })
         .collect();

@@ -5,16 +5,15 @@
 //! triangle with what is there, and kept if no point is too near for the size field.
 
 use crate::edge_tree::EdgeTree;
-use crate::exact::orientation;
 use crate::goal::Goal;
 use crate::limits::fan_limit;
 use crate::near::Near;
 use crate::options::InteriorError;
-use crate::outline::Outline;
 use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::triangle::SQRT_3;
 use glam::DVec2;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use std::collections::VecDeque;
 use std::f64::consts::PI;
 
@@ -27,7 +26,7 @@ pub(crate) struct Piece {
 
 /// What the packing works on.
 pub(crate) struct Ground<'a> {
-    pub(crate) outline: &'a Outline,
+    pub(crate) outline: &'a PlanarBoundary,
     pub(crate) goals: &'a [Goal],
     pub(crate) field: &'a SizeField,
     /// Interior points that are there already, and pieces of segments between them.
@@ -65,9 +64,7 @@ impl Ground<'_> {
         stage: &mut Stage<'_>,
     ) -> Result<(Vec<DVec2>, Vec<f64>), InteriorError> {
         let points = self.outline.points();
-        let low = points.iter().copied().reduce(DVec2::min).unwrap_or_default();
-        let high = points.iter().copied().reduce(DVec2::max).unwrap_or_default();
-        let mut near = Near::new(low, high);
+        let mut near = Near::new(self.outline.bounds());
         let mut sizes = Vec::with_capacity(points.len());
         for vertex in 0..points.len() as u32 {
             near.insert(points[vertex as usize]);
@@ -99,7 +96,7 @@ impl Ground<'_> {
 
     /// The ends of the spokes at corners between edges of unequal length.
     fn fans(&self, near: &mut Near, sizes: &mut Vec<f64>, queue: &mut VecDeque<Candidate>) {
-        for vertex in 0..self.outline.points().len() as u32 {
+        for vertex in 0..self.outline.vertex_count() {
             let angle = self.outline.angle(vertex);
             let (first, last) =
                 (self.outline.length(vertex), self.outline.length(self.outline.previous(vertex)));
@@ -198,7 +195,7 @@ impl Ground<'_> {
 }
 
 /// True if `x` lies in the domain, given the boundary edge nearest to it.
-pub(crate) fn is_inside_of(outline: &Outline, edge: u32, x: DVec2) -> bool {
+pub(crate) fn is_inside_of(outline: &PlanarBoundary, edge: u32, x: DVec2) -> bool {
     let (a, b) = (edge, outline.next(edge));
     let left = |v: u32| orientation(outline.point(v), outline.point(outline.next(v)), x) > 0.0;
     let (from, to) = (outline.point(a), outline.point(b));
@@ -245,7 +242,7 @@ mod tests {
         let star: Vec<DVec2> = (0..14)
             .map(|i| DVec2::from_angle(f64::from(i) * PI / 7.0) * [4.0, 0.7][i as usize % 2])
             .collect();
-        let outlines = [samples::plate_with_hole(), Outline::new(&[star]).unwrap()];
+        let outlines = [samples::plate_with_hole(), PlanarBoundary::new(&[star]).unwrap()];
         for (outline, low, step) in [(&outlines[0], -1.0, 0.05), (&outlines[1], -5.0, 0.04)] {
             let ends = |[a, b]: [u32; 2]| [a, b].map(|v| outline.point(v));
             // How often a ray to the right crosses the boundary.

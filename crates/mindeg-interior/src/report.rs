@@ -4,6 +4,7 @@ use crate::goal::Goal;
 use crate::limits::Limits;
 use crate::triangle::{doubled_area, max_angle, min_angle};
 use glam::DVec2;
+use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 /// A vertex whose degree is out of its range.
@@ -28,7 +29,10 @@ pub struct Report {
     pub min_angle: f64,
     /// The vertex with the minimum angle.
     pub min_angle_vertex: u32,
-    /// The minimum angle over [`Limits::angle`]. A mesh that breaks a degree limit may exceed 1.
+    /// The proven limit of the minimum angle for boundary vertices with their degree limits, or with the
+    /// degree that they have where that is more.
+    pub angle_limit: f64,
+    /// The minimum angle over [`angle_limit`](Self::angle_limit), never above 1 but for rounding.
     pub share_of_limit: f64,
     /// The maximum angle.
     pub max_angle: f64,
@@ -48,13 +52,15 @@ pub struct Report {
     pub interior_points: usize,
 }
 
-/// Measures a mesh. `goal` gives the goal of a boundary vertex, none of an interior one.
+/// Measures a mesh. `goal` gives the goal of a boundary vertex, none of an interior one; `limits_at` the
+/// limits if vertices have the degrees of these violations.
 pub(crate) fn measure<'a>(
     points: &[DVec2],
     triangles: &[[u32; 3]],
     interior: &RangeInclusive<u32>,
     goal: impl Fn(u32) -> Option<&'a Goal>,
     limits: Limits,
+    limits_at: impl Fn(&[Violation]) -> Limits,
 ) -> Report {
     let corners = |t: &[u32; 3]| t.map(|v| points[v as usize]);
     let mut counts = vec![0_u32; points.len()];
@@ -106,11 +112,14 @@ pub(crate) fn measure<'a>(
             violations.push(Violation { vertex, at, degree, is_boundary });
         }
     }
+    let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
+    let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
     Report {
         limits,
         min_angle: least.0,
         min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),
-        share_of_limit: least.0 / limits.angle(),
+        angle_limit,
+        share_of_limit: least.0 / angle_limit,
         max_angle: greatest,
         interior_degree: inside.map(|(low, high)| low..=high),
         boundary_degree: boundary.0..=boundary.1,
@@ -120,6 +129,16 @@ pub(crate) fn measure<'a>(
         triangles: triangles.len(),
         interior_points,
     }
+}
+
+/// The degree of each vertex of the boundary that breaks its limit, by its index there; 0 of others.
+pub(crate) fn degrees_at_boundary(
+    broken: &[Violation],
+    index: impl Fn(u32) -> u32,
+) -> impl Fn(u32) -> u32 {
+    let own = broken.iter().filter(|violation| violation.is_boundary);
+    let degrees: BTreeMap<u32, u32> = own.map(|own| (index(own.vertex), own.degree)).collect();
+    move |vertex| degrees.get(&vertex).copied().unwrap_or(0)
 }
 
 /// The vertex opposite the shortest edge.
@@ -143,7 +162,7 @@ mod tests {
         for turn in 0..3 {
             let mut triangles = [[3, 0, 2], [0, 1, 2]];
             triangles.iter_mut().for_each(|triangle| triangle.rotate_left(turn));
-            let report = measure(&points, &triangles, &(5..=7), |_| None, limits);
+            let report = measure(&points, &triangles, &(5..=7), |_| None, limits, |_| limits);
             let [small, large] = [libm::atan2(2.0, 4.0), libm::atan2(4.0, 4.0)];
             let least = (large - small).to_degrees();
             assert!((report.min_angle - least).abs() < 1e-9, "{report:?}");

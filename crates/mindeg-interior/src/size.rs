@@ -1,9 +1,9 @@
 //! The size of the mesh at any place: edges' lengths, carried smoothly inside.
 
 use crate::edge_tree::{EdgeTree, Item, Node};
-use crate::outline::Outline;
 use glam::DVec2;
 use mindeg_domain::SizeAt;
+use mindeg_mesh::planar::PlanarBoundary;
 
 /// The wanted edge length at every place of a domain.
 ///
@@ -33,7 +33,7 @@ const FAR: f64 = 0.3;
 
 impl SizeField {
     pub(crate) fn new(
-        outline: &Outline,
+        outline: &PlanarBoundary,
         growth: f64,
         inside: Option<f64>,
         places: &[SizeAt],
@@ -45,7 +45,7 @@ impl SizeField {
             size: place.size,
         });
         Self {
-            boundary: outline.edge_tree(),
+            boundary: EdgeTree::of_boundary(outline),
             places: EdgeTree::of_items(items.collect()),
             growth,
             inside,
@@ -170,7 +170,7 @@ mod tests {
     use super::*;
     use crate::samples;
 
-    fn exact(outline: &Outline, growth: f64, x: DVec2) -> f64 {
+    fn exact(outline: &PlanarBoundary, growth: f64, x: DVec2) -> f64 {
         let (mut weights, mut sum, mut grown) = (0.0, 0.0, f64::INFINITY);
         for [a, b] in outline.edges() {
             let (from, to) = (outline.point(a), outline.point(b));

@@ -1,18 +1,11 @@
 //! Measures of one triangle.
 
 use glam::DVec2;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 /// Twice the area of the triangle of the sides `a` and `b`, positive counter-clockwise.
 pub(crate) fn cross(a: DVec2, b: DVec2) -> f64 {
     a.perp_dot(b)
-}
-
-/// The angle from `from` to `to`, counter-clockwise as seen from `at`: radians, 0 to 2 pi.
-pub(crate) fn angle_at(at: DVec2, from: DVec2, to: DVec2) -> f64 {
-    let (u, v) = (from - at, to - at);
-    let angle = libm::atan2(cross(u, v), u.dot(v));
-    if angle < 0.0 { angle + TAU } else { angle }
 }
 
 /// Twice the signed area.

@@ -8,9 +8,8 @@ mod polygons;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
-use mindeg_interior::{
-    Fixed, InteriorError, InteriorMesh, Options, Outline, Prefer, SizeAt, generate,
-};
+use mindeg_interior::{Fixed, InteriorError, InteriorMesh, Options, Prefer, SizeAt, generate};
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use polygons::{Random, domains, random_polygon, ring};
 use std::ops::ControlFlow;
@@ -25,14 +24,14 @@ fn try_mesh(
     fixed: &Fixed,
     options: &Options,
 ) -> Result<InteriorMesh, InteriorError> {
-    let outline = Outline::new(rings)?;
+    let outline = PlanarBoundary::new(rings)?;
     generate(&outline, fixed, options, Progress::NONE)
 }
 
 /// Meshes, and checks everything that must hold whatever was reached.
 fn mesh(rings: &[Vec<DVec2>], fixed: &Fixed, options: &Options) -> InteriorMesh {
     let mesh = try_mesh(rings, fixed, options).unwrap();
-    let outline = Outline::new(rings).unwrap();
+    let outline = PlanarBoundary::new(rings).unwrap();
     let boundary: Vec<[u32; 2]> = outline.edges().collect();
     let given: Vec<DVec2> = rings.concat();
     let bits = |p: &DVec2| p.to_array().map(f64::to_bits);
@@ -290,7 +289,7 @@ fn a_reachable_target_is_aimed_at() {
 
 #[test]
 fn progress_rises_to_the_end_and_can_cancel() {
-    let outline = Outline::new(&[plate()[0].clone()]).unwrap();
+    let outline = PlanarBoundary::new(&[plate()[0].clone()]).unwrap();
     let seen = Mutex::new(Vec::new());
     let run = |most: u64| {
         let callback = |step: Step<'_>| {
@@ -350,7 +349,7 @@ proptest::proptest! {
             Err(InteriorError::Outside { .. } | InteriorError::SegmentCrosses { .. }) => {
                 drop(mesh(&rings, &Fixed::default(), &options));
             }
-            Err(InteriorError::Outline(_)) => {}
+            Err(InteriorError::Boundary(_)) => {}
             Err(error) => panic!("{error}"),
         }
     }

@@ -5,9 +5,9 @@ mod checker;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
-use mindeg_delaunay::of_rings;
 use mindeg_interior::{Improved, InteriorError, Keep, Options, improve};
 use mindeg_mesh::Progress;
+use mindeg_mesh::planar::PlanarBoundary;
 use proptest::prelude::*;
 
 type Mesh = (Vec<DVec2>, Vec<[u32; 3]>);
@@ -20,9 +20,10 @@ fn square(side: u32, inside: &[(f64, f64)]) -> Mesh {
         let along = |j| corners[i].lerp(corners[(i + 1) % 4], f64::from(j) / f64::from(side));
         points.extend((0..side).map(along));
     }
+    let ring = PlanarBoundary::new(&[&points]).unwrap();
     points.extend(inside.iter().map(|(x, y)| DVec2::new(0.02 + 0.96 * x, 0.02 + 0.96 * y)));
-    let ring = 0..4 * side;
-    let triangles = of_rings(&points, &[ring], &[], &[], Progress::NONE).unwrap();
+    let inner = &points[ring.points().len()..];
+    let triangles = mindeg_delaunay::triangles(&ring, inner, &[], Progress::NONE).unwrap();
     (points, triangles)
 }
 

@@ -5,16 +5,14 @@
 //! and every other edge once in each direction, cover every point as often as the rings wind around
 //! it: where the rings bound a domain, they are a triangulation of it.
 //!
-//! Limits: that the rings do not cross is taken for granted. Interior points without a triangle are
-//! not missed.
-
-use std::ops::Range;
+//! Limits: interior points without a triangle are not missed.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
 use thiserror::Error;
 
 use crate::parallel::{first_of_blocks, sort_all};
+use crate::planar::PlanarBoundary;
 
 /// The degrees of a correct triangulation.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -69,10 +67,9 @@ pub enum CheckError {
     },
 }
 
-/// Checks that `triangles` triangulate the domain on the left of `rings`. O(n log n).
+/// Checks that `triangles` triangulate the domain inside `boundary`. O(n log n).
 ///
-/// Each ring is a range of vertices, in the order of the ring; the outer ring is counter-clockwise,
-/// holes are clockwise. Points after the last ring are interior points.
+/// `inner` are points inside; their vertices follow those of the boundary.
 ///
 /// # Errors
 ///
@@ -83,24 +80,31 @@ pub enum CheckError {
 /// ```
 /// use glam::DVec2;
 /// use mindeg_mesh::check;
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
-/// let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
-/// let ring = [0..4];
-/// let checked = check::triangulation(&points, &ring, &[[0, 1, 2], [0, 2, 3]])?;
+/// let ring = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)].map(DVec2::from);
+/// let square = PlanarBoundary::new(&[ring])?;
+/// let checked = check::triangulation(&square, &[], &[[0, 1, 2], [0, 2, 3]])?;
 /// assert_eq!(checked.degrees, [3, 2, 3, 2]);
-/// let error = check::triangulation(&points, &ring, &[[0, 1, 2], [0, 3, 2]]).unwrap_err();
+/// let error = check::triangulation(&square, &[], &[[0, 1, 2], [0, 3, 2]]).unwrap_err();
 /// assert_eq!(error.to_string(), "the edge from 0 to 3 has a triangle too many on its left");
-/// # Ok::<(), check::CheckError>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn triangulation(
-    points: &[DVec2],
-    rings: &[Range<u32>],
+    boundary: &PlanarBoundary,
+    inner: &[DVec2],
     triangles: &[[u32; 3]],
 ) -> Result<Checked, CheckError> {
-    let on_rings: usize = rings.iter().map(|ring| ring.len()).sum();
-    if on_rings == points.len() && !rings.is_empty() {
+    let on_rings = boundary.points().len();
+    let vertices = on_rings + inner.len();
+    let point = |vertex: u32| match (vertex as usize).checked_sub(on_rings) {
+        Some(index) => inner[index],
+        None => boundary.points()[vertex as usize],
+    };
+    if inner.is_empty() {
         // By Euler's formula; the outer ring is no hole.
-        let (found, expected) = (triangles.len(), (on_rings + 2 * rings.len()).saturating_sub(4));
+        let found = triangles.len();
+        let expected = (on_rings + 2 * boundary.ring_count()).saturating_sub(4);
         if found != expected {
             return Err(CheckError::TriangleCount { found, expected });
         }
@@ -108,17 +112,17 @@ pub fn triangulation(
     let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
     let missing = first_of_blocks(count, |range| {
         range.map(|triangle| triangle as usize).find_map(|triangle| {
-            let vertex = triangles[triangle].into_iter().find(|&v| v as usize >= points.len())?;
+            let vertex = triangles[triangle].into_iter().find(|&v| v as usize >= vertices)?;
             Some(CheckError::NoSuchVertex { triangle, vertex })
         })
     });
     if let Some(missing) = missing {
         return Err(missing);
     }
-    let edges = paired(rings, triangles)?;
+    let edges = paired(boundary, triangles)?;
     let turned = first_of_blocks(count, |range| {
         range.map(|triangle| triangle as usize).find(|&triangle| {
-            let [a, b, c] = triangles[triangle].map(|corner| points[corner as usize]);
+            let [a, b, c] = triangles[triangle].map(point);
             let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
             // A point that is not finite makes this fail, too.
             let is_counter_clockwise = orient2d(a, b, c) > 0.0;
@@ -128,7 +132,7 @@ pub fn triangulation(
     if let Some(triangle) = turned {
         return Err(CheckError::NotCounterClockwise { triangle });
     }
-    let mut degrees = vec![0; points.len()];
+    let mut degrees = vec![0; vertices];
     for vertex in edges.into_iter().flat_map(|edge| [edge >> 32, edge & u64::from(u32::MAX)]) {
         degrees[vertex as usize] += 1;
     }
@@ -138,11 +142,8 @@ pub fn triangulation(
 
 /// All edges, smaller end first, if each has exactly one half-edge in either direction: those of the
 /// triangles, and the outer ones of the rings.
-fn paired(rings: &[Range<u32>], triangles: &[[u32; 3]]) -> Result<Vec<u64>, CheckError> {
-    let outer = rings.iter().flat_map(|ring| {
-        let next = move |from| if from + 1 == ring.end { ring.start } else { from + 1 };
-        ring.clone().map(move |from| [next(from), from])
-    });
+fn paired(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Result<Vec<u64>, CheckError> {
+    let outer = boundary.edges().map(|[from, to]| [to, from]);
     let inner = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     // Half-edges to the larger end, and to the smaller one.
     let mut halves =
@@ -183,8 +184,9 @@ mod tests {
             [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (1.0, 1.0), (1.0, 2.0), (2.0, 2.0)];
         let points = points.map(DVec2::from);
         let square = [[0, 1, 2], [0, 2, 3]];
+        let outer = PlanarBoundary::new(&[&points[..4]]).unwrap();
         let of_square = |triangles: &[[u32; 3]]| {
-            triangulation(&points[..4], std::slice::from_ref(&(0..4)), triangles)
+            triangulation(&outer, &[], triangles)
                 .map(|checked| checked.degrees)
                 .map_err(|error| error.to_string())
         };
@@ -198,16 +200,16 @@ mod tests {
         fails(&[[0, 1, 2], [0, 0, 3]], "the edge from 0 to 3 has a triangle too many on its left");
         // All edges have their partners, and yet a triangle is flat.
         let flat = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0)].map(DVec2::from);
-        let ring = 0..4;
-        let of_flat = triangulation(&flat, std::slice::from_ref(&ring), &[[0, 1, 2], [0, 2, 3]]);
+        let flat = PlanarBoundary::new(&[flat]).unwrap();
+        let of_flat = triangulation(&flat, &[], &[[0, 1, 2], [0, 2, 3]]);
         assert_eq!(of_flat, Err(CheckError::NotCounterClockwise { triangle: 0 }));
         fails(&[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has a triangle too many on its left");
         fails(&[[0, 1, 2], [1, 3, 0]], "the edge from 0 to 1 has a triangle too many on its left");
 
         // A hole: clockwise, and nothing in it.
-        let rings = [0..4, 4..7];
+        let with_hole = PlanarBoundary::new(&[&points[..4], &points[4..]]).unwrap();
         let around = [[0, 1, 4], [1, 6, 4], [1, 2, 6], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
-        let check = |triangles: &[[u32; 3]]| triangulation(&points, &rings, triangles);
+        let check = |triangles: &[[u32; 3]]| triangulation(&with_hole, &[], triangles);
         assert_eq!(check(&around).map(|checked| checked.degrees), Ok(vec![4, 4, 3, 4, 4, 4, 5]));
         let mut filled = around;
         // Instead of a triangle beside the hole, the one in the hole.
@@ -217,10 +219,7 @@ mod tests {
         assert_eq!(check(&filled), Err(CheckError::Overlap { from: 0, to: 1 }));
 
         // With an interior point the number of triangles is open, but not the edges.
-        let ring = 0..4;
-        let with_point = |triangles: &[[u32; 3]]| {
-            triangulation(&points[..5], std::slice::from_ref(&ring), triangles)
-        };
+        let with_point = |triangles: &[[u32; 3]]| triangulation(&outer, &points[4..5], triangles);
         let star = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
         assert_eq!(with_point(&star).map(|checked| checked.max_degree), Ok(4));
         assert_eq!(with_point(&star[..3]), Err(CheckError::Gap { from: 3, to: 0 }));

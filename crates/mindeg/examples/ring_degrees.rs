@@ -4,9 +4,10 @@
 //! `cargo run --release -p mindeg --example ring_degrees -- target/outlines/*.txt`
 
 use mindeg::Progress;
-use mindeg::exact::degree_of_rings;
+use mindeg::exact::degree_of_boundary;
 use mindeg::exact::{LowerBound, Reached};
 use mindeg::glam::DVec2;
+use mindeg_mesh::planar::PlanarBoundary;
 use std::error::Error;
 use std::time::Instant;
 
@@ -18,13 +19,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             let (x, y) = line.split_once(' ').ok_or("a line is not \"x y\"")?;
             points.push(DVec2::new(x.parse()?, y.parse()?));
         }
-        let count = points.len() as u32;
-        let sides: Vec<u32> = (0..count).collect();
+        let count = points.len();
         let start = Instant::now();
-        let ring = 0..count;
-        let most = mindeg_exact::MAX_TRIPLES;
-        let rings = std::slice::from_ref(&ring);
-        match degree_of_rings(&points, rings, &sides, most, Progress::NONE) {
+        let boundary = PlanarBoundary::new(&[points])?;
+        match degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE) {
             Ok(answer) => println!(
                 "{path}: {count} points, degree {} ({}), at least {} ({}), {:.2} s",
                 answer.reached,

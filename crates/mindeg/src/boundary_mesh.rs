@@ -24,6 +24,7 @@ use mindeg_domain::{Domain, Placement, Rings};
 use mindeg_mesh::Progress;
 use mindeg_mesh::check::{self, CheckError, Checked};
 use mindeg_mesh::parallel::{fill_blocks, first_of_blocks};
+use mindeg_mesh::planar::PlanarBoundary;
 
 use self::angles::{cotangents, placed};
 pub use self::error::MeshError;
@@ -117,11 +118,19 @@ impl BoundaryMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn with_triangles(domain: &Domain, triangles: Vec<[u32; 3]>) -> Result<Self, MeshError> {
-        if let Some(index) = first_flat(domain, &triangles) {
+        Self::checked(domain, &*domain.boundary()?, triangles)
+    }
+
+    /// The mesh with the given triangles, of a domain with this boundary.
+    pub(crate) fn checked(
+        domain: &Domain,
+        boundary: &PlanarBoundary,
+        triangles: Vec<[u32; 3]>,
+    ) -> Result<Self, MeshError> {
+        if let Some(index) = first_flat(boundary, &triangles) {
             return Err(MeshError::Flat { triangle: triangles[index as usize] });
         }
-        let rings: Vec<Range<u32>> = domain.rings().rings().collect();
-        let checked = match check::triangulation(&points_of(domain), &rings, &triangles) {
+        let checked = match check::triangulation(boundary, &[], &triangles) {
             // The triangles hang together: if they do not cover the domain, rounding is why.
             Err(CheckError::NotCounterClockwise { triangle }) => {
                 return Err(MeshError::NoArea { triangle: triangles[triangle] });
@@ -375,15 +384,14 @@ pub(crate) fn points_of(domain: &Domain) -> Vec<DVec2> {
     points
 }
 
-/// The first triangle whose vertices are all on one straight run of the domain's boundary.
-pub(crate) fn first_flat(domain: &Domain, triangles: &[[u32; 3]]) -> Option<u32> {
-    let (rings, after) = (domain.rings(), domain.straight_runs());
+/// The first triangle whose vertices are all on one straight run of the boundary.
+pub(crate) fn first_flat(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Option<u32> {
+    let after = boundary.runs();
     // The runs that end and begin at each vertex.
-    let mut runs: Vec<[u32; 2]> = after.iter().map(|&run| [run; 2]).collect();
-    for ring in rings.rings() {
-        let last = ring.end - 1;
-        runs[ring.start as usize][0] = after[last as usize];
-        ring.skip(1).for_each(|vertex| runs[vertex as usize][0] = after[vertex as usize - 1]);
+    let mut runs = vec![[0; 2]; after.len()];
+    for [from, to] in boundary.edges() {
+        runs[from as usize][1] = after[from as usize];
+        runs[to as usize][0] = after[from as usize];
     }
     let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
     first_of_blocks(count, |range| {

@@ -3,12 +3,10 @@
 //!
 //! Limits: with holes, and beyond the solver's budget, there may be a gap.
 
-use std::ops::Range;
-
-use glam::DVec2;
 use mindeg_domain::Domain;
 use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
 use mindeg_mesh::Progress;
+use mindeg_mesh::planar::PlanarBoundary;
 
 use crate::exact_error::ExactError;
 use crate::posed::Posed;
@@ -84,23 +82,18 @@ pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, E
 /// The least maximum degree of all meshes of rings of points, or the gap that is left; as [`degree`]
 /// without a domain.
 ///
-/// `rings` are ranges of `points`, one after the other from 0 on: the outer one counter-clockwise, the
-/// others clockwise. `side_of` names the straight side of the boundary edge that begins at each point.
 /// Beyond `max_triples` triples of vertices that see each other there is a gap.
 ///
 /// # Errors
 ///
-/// Rings that cross or touch, points that coincide, other numbers of sides than of points, and a
-/// `progress` that cancels.
-pub fn degree_of_rings(
-    points: &[DVec2],
-    rings: &[Range<u32>],
-    side_of: &[u32],
+/// Coordinates out of range, and a `progress` that cancels.
+pub fn degree_of_boundary(
+    boundary: &PlanarBoundary,
     max_triples: u64,
     progress: Progress<'_>,
 ) -> Result<DegreeAnswer, ExactError> {
-    let triangles = mindeg_delaunay::of_rings(points, rings, &[], &[], progress)?;
-    let mut problem = Problem::triangulated(points, side_of, &triangles)?;
+    let triangles = mindeg_delaunay::triangles(boundary, &[], &[], progress)?;
+    let mut problem = Problem::triangulated(boundary.points(), boundary.runs(), &triangles)?;
     problem.set_max_triples(max_triples);
     Ok(degree_range(&problem, progress)?.into())
 }

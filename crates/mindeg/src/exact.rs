@@ -13,7 +13,7 @@ use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
-pub use crate::degree::{DegreeAnswer, degree, degree_of_rings};
+pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary};
 pub use crate::exact_error::ExactError;
 use crate::posed::Posed;
 pub use mindeg_exact::{ApexBound, LowerBound, Reached, ZigZag};

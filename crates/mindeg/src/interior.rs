@@ -32,13 +32,12 @@ pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{InteriorError, Report, Violation};
 
-use std::ops::Range;
+use std::borrow::Cow;
 
 use mindeg_domain::{Domain, Interior};
-use mindeg_interior::{Fixed, Options, Outline, generate};
+use mindeg_interior::{Fixed, Options, check_coordinates, generate};
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Line, Progress, TriMesh};
-
-use crate::boundary_mesh::points_of;
 
 /// A mesh with interior points, and what it is like.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,6 +47,8 @@ pub struct InteriorMesh {
     pub mesh: TriMesh,
     /// What was reached.
     pub report: Report,
+    /// Which minimum angle no mesh of the boundary can exceed.
+    pub limit: AngleLimit,
 }
 
 /// Meshes a domain with interior points.
@@ -65,9 +66,10 @@ pub fn mesh(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
-    let outline = outline(domain)?;
-    let fixed = Fixed::of_lines(&outline, &wanted.fixed)?;
-    let found = generate(&outline, &fixed, &options(domain, wanted), progress)?;
+    let boundary = boundary(domain)?;
+    let fixed = Fixed::of_lines(&boundary, &wanted.fixed)?;
+    let found = generate(&boundary, &fixed, &options(domain, wanted), progress)?;
+    let limit = AngleLimit::new(domain, &boundary, &found.report.limits);
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
     let (mut lines, mut segments) = sides(domain);
     let mut pieces = found.fixed_edges.iter().copied();
@@ -97,7 +99,7 @@ pub fn mesh(
         Some(name) => mesh.named(name),
         None => mesh,
     };
-    Ok(InteriorMesh { mesh, report: found.report })
+    Ok(InteriorMesh { mesh, report: found.report, limit })
 }
 
 /// A name that no line has.
@@ -121,11 +123,11 @@ fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
     ((0..rings.side_count()).map(line).collect(), edges)
 }
 
-/// The boundary points of a domain.
-fn outline(domain: &Domain) -> Result<Outline, InteriorError> {
-    let points = points_of(domain);
-    let ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
-    Ok(Outline::new(&domain.rings().rings().map(ring).collect::<Vec<_>>())?)
+/// The boundary of a domain, if limits and meshes can be computed.
+fn boundary(domain: &Domain) -> Result<Cow<'_, PlanarBoundary>, InteriorError> {
+    let boundary = domain.boundary()?;
+    check_coordinates(&boundary)?;
+    Ok(boundary)
 }
 
 /// What is wanted, with defaults for what is left out.

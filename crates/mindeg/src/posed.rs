@@ -80,13 +80,10 @@ impl<'a> Posed<'a> {
         domain: &'a Domain,
         progress: Progress<'_>,
     ) -> Result<Self, ExactError> {
-        let points = points_of(domain);
-        let rings: Vec<_> = domain.rings().rings().collect();
-        let sides = 0..domain.rings().side_count();
-        let corners: Vec<u32> = sides.map(|side| domain.rings().corner(side)).collect();
-        let triangles = mindeg_delaunay::of_rings(&points, &rings, &corners, &[], progress)?;
-        let least_tangent = least_tangent(&points, &triangles);
-        let problem = Problem::triangulated(&points, &domain.straight_runs(), &triangles)?;
+        let boundary = domain.boundary().map_err(MeshError::from)?;
+        let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], progress)?;
+        let least_tangent = least_tangent(boundary.points(), &triangles);
+        let problem = Problem::triangulated(boundary.points(), boundary.runs(), &triangles)?;
         let delaunay_min_angle = Some(libm::atan(least_tangent).to_degrees());
         Ok(Self { domain, problem, first: 0, delaunay_min_angle }.with_constraints())
     }

@@ -233,10 +233,9 @@ fn domains_with_holes_have_a_gap_that_holds() {
         assert_eq!(meshed.mesh.triangle_count(), rings.vertex_count() + 2 * holes - 2);
         assert_eq!((meshed.mesh.max_degree(), meshed.least_max_degree), (reached, at_least));
         assert_eq!(meshed.is_least_proven, reached == at_least);
-        let points: Vec<_> = domain.placement().points().collect();
-        let ranges: Vec<_> = rings.rings().collect();
+        let boundary = domain.boundary().unwrap();
         let triangles: Vec<_> = meshed.mesh.triangles().collect();
-        let checked = check::triangulation(&points, &ranges, &triangles).unwrap();
+        let checked = check::triangulation(&boundary, &[], &triangles).unwrap();
         assert_eq!(checked.max_degree, reached);
         for vertex in 0..rings.vertex_count() {
             let neighbors = meshed.mesh.neighbors(vertex);

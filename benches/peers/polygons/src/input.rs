@@ -8,6 +8,7 @@ mod outlines;
 pub(crate) use outlines::turn;
 
 use glam::DVec2;
+use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 use outlines::Outline;
 use std::error::Error;
 use std::ops::Range;
@@ -42,6 +43,13 @@ impl Input {
     pub(crate) fn contours(&self) -> Vec<Vec<[f64; 2]>> {
         let point = |vertex: u32| self.points[vertex as usize].to_array();
         self.rings.iter().map(|ring| ring.clone().map(point).collect()).collect()
+    }
+
+    /// The boundary as mindeg takes it.
+    pub(crate) fn boundary(&self) -> Result<PlanarBoundary, BoundaryFaults> {
+        let of_ring = |ring: &Range<u32>| &self.points[ring.start as usize..ring.end as usize];
+        let rings: Vec<&[DVec2]> = self.rings.iter().map(of_ring).collect();
+        Ok(PlanarBoundary::new(&rings)?.with_sides(Vec::new(), self.side_of.clone()))
     }
 
     /// The triangles of any triangulation: two fewer than vertices, and two more for each hole.

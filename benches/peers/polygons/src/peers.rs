@@ -45,7 +45,7 @@ pub(crate) const PEERS: [Peer; 9] = [
     },
     Peer {
         name: "Delaunay",
-        called: "`mindeg_delaunay::of_rings`: spade, rings bisected, faces outside dropped",
+        called: "`mindeg_delaunay::triangles`: spade, rings bisected, faces outside dropped",
         run: |input, _| delaunay(input),
     },
     Peer {
@@ -81,7 +81,7 @@ pub(crate) const PEERS: [Peer; 9] = [
 ];
 
 fn delaunay(input: &Input) -> Triangles {
-    Ok(mindeg_delaunay::of_rings(&input.points, &input.rings, &[], &[], Progress::NONE)?)
+    Ok(mindeg_delaunay::triangles(&input.boundary()?, &[], &[], Progress::NONE)?)
 }
 
 fn problem(input: &Input) -> Result<Problem, Box<dyn Error>> {

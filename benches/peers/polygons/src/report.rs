@@ -45,7 +45,11 @@ pub(crate) fn judged(input: &Input, triangles: Triangles, time: Duration) -> Ans
         turn != 0.0
     });
     let flat = given - triangles.len();
-    match check::triangulation(&input.points, &input.rings, &triangles) {
+    let boundary = match input.boundary() {
+        Ok(boundary) => boundary,
+        Err(faults) => return Answer::Invalid(faults.to_string()),
+    };
+    match check::triangulation(&boundary, &[], &triangles) {
         Ok(checked) => {
             let tangents = triangles.iter().map(|triangle| min_angle_tangent(corners(triangle)));
             let min_tangent = tangents.fold(f64::INFINITY, f64::min);

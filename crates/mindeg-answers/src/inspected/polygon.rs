@@ -4,10 +4,11 @@
 //! on it; where edges are not much longer than rounding, nothing is said.
 
 use mindeg::Progress;
-use mindeg::exact::{DegreeAnswer, degree_of_rings};
+use mindeg::exact::{DegreeAnswer, degree_of_boundary};
 use mindeg::glam::{DVec2, DVec3};
 use mindeg::inspection::{Inspection, InspectionOptions, weld};
 use mindeg_mesh::TriMesh;
+use mindeg_mesh::planar::PlanarBoundary;
 use serde::Serialize;
 use std::ops::Range;
 
@@ -75,7 +76,10 @@ pub(super) fn polygon(
     }
     let (points, rings) = rings(mesh, options)?;
     let side_of = straight_runs(&points, &rings, mesh.rounding())?;
-    let answer = degree_of_rings(&points, &rings, &side_of, MOST_TRIPLES, Progress::NONE).ok()?;
+    let of_ring = |ring: &Range<u32>| &points[ring.start as usize..ring.end as usize];
+    let slices: Vec<&[DVec2]> = rings.iter().map(of_ring).collect();
+    let boundary = PlanarBoundary::new(&slices).ok()?.with_sides(Vec::new(), side_of);
+    let answer = degree_of_boundary(&boundary, MOST_TRIPLES, Progress::NONE).ok()?;
     let DegreeAnswer { reached, at_least, .. } = answer;
     Some(OutlinePolygon {
         vertices: points.len(),

@@ -24,7 +24,7 @@ pub fn suggestion(suggestion: &Suggestion) -> String {
 pub fn limit(limit: &AngleLimit, lift: Option<&Lift>) -> String {
     let AngleLimit { min_angle, min_angle_at_any_degree: any, .. } = limit;
     let at_any = if any > &(min_angle * 1.001) {
-        format!(" ({} at any degree)", steady_angle(*any))
+        format!(" within the degree limits ({} at any degree)", steady_angle(*any))
     } else {
         String::new()
     };

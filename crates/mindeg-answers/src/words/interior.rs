@@ -17,8 +17,12 @@ pub fn angles_and_degrees(report: &Report) -> String {
         Some(range) => format!("{} inside, ", degrees(range)),
         None => String::new(),
     };
+    let at_degrees = match report.angle_limit > report.limits.angle() {
+        true => format!(", {} at the degrees of this mesh", steady_angle(report.angle_limit)),
+        false => String::new(),
+    };
     format!(
-        "angles {} ({} of the limit) to {}; degrees {inside}{} at the boundary",
+        "angles {} ({} of the limit{at_degrees}) to {}; degrees {inside}{} at the boundary",
         steady_angle(report.min_angle),
         percent(report.share_of_limit),
         steady_angle(report.max_angle),

@@ -20,7 +20,8 @@ Examples:
 /// come and go: degrees get to 5 to 7 inside and at most 5 at the boundary, and the minimum angle near
 /// its proven limit. Sizes stay about as they are. The mesh may lie in any plane of space. Vertices with
 /// identical coordinates are merged. The result has no more violations than the input and, with equally
-/// many, no smaller minimum angle up to the target.
+/// many, no smaller minimum angle up to the target. With `--prefer angle` it is the other way round: no
+/// smaller minimum angle, and for a larger one more violations.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct ImproveArguments {

@@ -79,11 +79,10 @@ pub(super) fn run(
 
     let callback = bar.callback();
     let meshed = interior::mesh(domain, wanted, Progress::new(&callback));
-    let InteriorMesh { mesh, report } = match meshed {
+    let InteriorMesh { mesh, report, limit } = match meshed {
         Ok(meshed) => meshed,
         Err(error) => return Err(refused(domain, wanted, &error)),
     };
-    let limit = interior::angle_limit(domain, wanted).map_err(|error| input(&error))?;
     let lift = interior::lift(domain, wanted, &limit);
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(&mesh, report.min_angle);
     unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));

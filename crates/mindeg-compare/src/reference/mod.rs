@@ -9,9 +9,9 @@ mod ear_clipping;
 mod fan;
 mod ties;
 
-use glam::DVec2;
 use mindeg::Domain;
 use mindeg_delaunay::DelaunayError;
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -30,9 +30,9 @@ pub use ties::tie_count;
 /// use std::time::Duration;
 ///
 /// let domain = Domain::rectangle(2.0, 1.0, [2, 1, 1, 1].map(Side::count).to_vec())?;
-/// let points: Vec<_> = domain.placement().points().collect();
+/// let boundary = domain.boundary()?;
 /// for reference in Reference::of(&domain) {
-///     let timed = reference.triangulate(&domain, &points, Duration::from_secs(60))?;
+///     let timed = reference.triangulate(&domain, &boundary, Duration::from_secs(60))?;
 ///     assert!(BoundaryMesh::with_triangles(&domain, timed.triangles)?.max_degree() <= 4);
 /// }
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -132,24 +132,18 @@ impl Reference {
     /// # Errors
     ///
     /// [`NoTriangulation`], after `time_limit` at the latest.
-    ///
-    /// # Panics
-    ///
-    /// When there are not as many points as boundary vertices.
     pub fn triangulate(
         self,
         domain: &Domain,
-        points: &[DVec2],
+        boundary: &PlanarBoundary,
         time_limit: Duration,
     ) -> Result<Timed, NoTriangulation> {
-        let vertices = domain.rings().vertex_count() as usize;
-        assert_eq!(points.len(), vertices, "one point for each vertex");
-        let (domain, points) = (domain.clone(), points.to_vec());
+        let (domain, boundary) = (domain.clone(), boundary.clone());
         let (sender, receiver) = mpsc::channel();
         let deadline = Deadline { at: Instant::now().checked_add(time_limit), time_limit };
         let started = thread::Builder::new().spawn(move || {
             let start = Instant::now();
-            let triangles = self.run(&domain, &points, deadline);
+            let triangles = self.run(&domain, &boundary, deadline);
             let time = start.elapsed();
             // Nobody listens any more once the time is up.
             let _ = sender.send(triangles.map(|triangles| Timed { triangles, time }));
@@ -182,29 +176,26 @@ impl Reference {
     ///
     /// # Panics
     ///
-    /// When there are not as many points as boundary vertices, or the library panics.
+    /// When the library panics.
     pub fn triangulate_without_limit(
         self,
         domain: &Domain,
-        points: &[DVec2],
+        boundary: &PlanarBoundary,
     ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
-        let vertices = domain.rings().vertex_count() as usize;
-        assert_eq!(points.len(), vertices, "one point for each vertex");
-        self.run(domain, points, Deadline { at: None, time_limit: Duration::MAX })
+        self.run(domain, boundary, Deadline { at: None, time_limit: Duration::MAX })
     }
 
     fn run(
         self,
         domain: &Domain,
-        points: &[DVec2],
+        boundary: &PlanarBoundary,
         deadline: Deadline,
     ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
         match self {
-            Self::Delaunay => delaunay(domain, points, deadline),
+            Self::Delaunay => delaunay(boundary, deadline),
             Self::EarClipping => {
-                let holes: Vec<u32> =
-                    domain.rings().rings().skip(1).map(|ring| ring.start).collect();
-                Ok(ear_clipping::triangulate(points, &holes))
+                let holes: Vec<u32> = boundary.rings().skip(1).map(|ring| ring.start).collect();
+                Ok(ear_clipping::triangulate(boundary.points(), &holes))
             }
             Self::Fan => {
                 let form = domain.convex().ok_or(NoTriangulation::NotConvex)?;
@@ -232,20 +223,14 @@ struct Deadline {
 
 /// A Delaunay triangulation, unless the deadline comes first.
 fn delaunay(
-    domain: &Domain,
-    points: &[DVec2],
+    boundary: &PlanarBoundary,
     deadline: Deadline,
 ) -> Result<Vec<[u32; 3]>, NoTriangulation> {
-    let domain_rings = domain.rings();
-    let rings: Vec<_> = domain_rings.rings().collect();
-    let corners: Vec<u32> =
-        (0..domain_rings.side_count()).map(|side| domain_rings.corner(side)).collect();
     let in_time = |_: Step<'_>| match deadline.at {
         Some(at) if Instant::now() >= at => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    let triangles =
-        mindeg_delaunay::of_rings(points, &rings, &corners, &[], Progress::new(&in_time));
+    let triangles = mindeg_delaunay::triangles(boundary, &[], &[], Progress::new(&in_time));
     triangles.map_err(|error| match error {
         DelaunayError::Cancelled(_) => NoTriangulation::TimeLimit { limit: deadline.time_limit },
         error => NoTriangulation::Delaunay(error),
@@ -264,9 +249,8 @@ mod tests {
         milliseconds: u64,
     ) -> Result<Timed, NoTriangulation> {
         let domain = Domain::rectangle(4.0, 3.0, sides.map(Side::count).to_vec()).unwrap();
-        let points: Vec<DVec2> = domain.placement().points().collect();
         let limit = Duration::from_millis(milliseconds);
-        reference.triangulate(&domain, &points, limit)
+        reference.triangulate(&domain, &domain.boundary().unwrap(), limit)
     }
 
     #[test]

@@ -75,10 +75,10 @@ mod tests {
     fn ties(rectangle: Rectangle, sides: [u64; 4]) -> u32 {
         let sides = sides.map(Side::count).to_vec();
         let domain = Domain::new(Outline::Rectangle(rectangle), sides).unwrap();
-        let points: Vec<DVec2> = domain.placement().points().collect();
+        let boundary = domain.boundary().unwrap();
         let limit = Duration::from_secs(60);
-        let timed = Reference::Delaunay.triangulate(&domain, &points, limit).unwrap();
-        tie_count(&points, &timed.triangles)
+        let timed = Reference::Delaunay.triangulate(&domain, &boundary, limit).unwrap();
+        tie_count(boundary.points(), &timed.triangles)
     }
 
     #[test]

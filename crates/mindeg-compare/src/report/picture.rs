@@ -127,7 +127,7 @@ pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
         most_drawn: MAX_DRAWN,
         degrees: meshes
             .iter()
-            .map(|(_, triangles)| measure::degrees(comparison.rings(), triangles))
+            .map(|(_, triangles)| measure::degrees(comparison.boundary(), triangles))
             .collect(),
         meshes,
         quality: &|triangle| measure::quality(points, triangle),

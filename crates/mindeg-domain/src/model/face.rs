@@ -1,9 +1,7 @@
 //! One face of a model: its vertices in order, and its plane.
 
-use std::ops::Range;
-
 use glam::{DVec2, DVec3};
-use mindeg_mesh::planar::LEAST_TURN;
+use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 
 use super::{Model, Pass};
 
@@ -85,83 +83,61 @@ impl Plane {
     }
 }
 
-/// The vertices of a face: its outer ring and then its holes.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct FaceRings {
-    /// The vertices of the model, ring by ring: the outer one counter-clockwise, holes clockwise.
-    pub vertices: Vec<u32>,
-    /// The vertices of each ring, as places in `vertices`.
-    pub rings: Vec<Range<u32>>,
-    /// Where an edge of the model begins, as places in `vertices`, ascending.
-    pub corners: Vec<u32>,
-}
-
-impl FaceRings {
-    /// For every place the straight run that the boundary edge beginning there belongs to. Edges of
-    /// the model that follow each other on one line are one run.
-    ///
-    /// `points` are the positions of the vertices in the plane.
-    #[must_use]
-    pub fn straight_runs(&self, points: &[DVec2]) -> Vec<u32> {
-        let mut runs = vec![0; points.len()];
-        let mut run = 0;
-        for ring in &self.rings {
-            let first = self.corners.partition_point(|&corner| corner < ring.start);
-            let last = self.corners.partition_point(|&corner| corner < ring.end);
-            let corners = &self.corners[first..last];
-            let at = |i: usize| points[corners[i % corners.len()] as usize];
-            let first_run = run;
-            for i in 0..corners.len() {
-                let before = at(i) - at(i + corners.len() - 1);
-                let after = at(i + 1) - at(i);
-                let sine = before.perp_dot(after) / (before.length() * after.length());
-                let is_straight = sine.abs() <= LEAST_TURN && before.dot(after) > 0.0;
-                if i > 0 && !is_straight {
-                    run += 1;
-                }
-                let end = corners.get(i + 1).copied().unwrap_or(ring.end);
-                runs[corners[i] as usize..end as usize].fill(run);
-            }
-            // The last run may go on over the first corner.
-            let before = at(0) - at(corners.len() - 1);
-            let after = at(1) - at(0);
-            let sine = before.perp_dot(after) / (before.length() * after.length());
-            if sine.abs() <= LEAST_TURN && before.dot(after) > 0.0 && run > first_run {
-                let ring = &mut runs[ring.start as usize..ring.end as usize];
-                let last = run;
-                ring.iter_mut().filter(|run| **run == last).for_each(|run| *run = first_run);
-            }
-            run += 1;
-        }
-        runs
-    }
-}
-
 impl Model {
-    /// The vertices of a face, ring by ring. O(its vertices).
+    /// The vertices of a face, ring by ring: the outer one counter-clockwise, holes clockwise.
+    /// O(their number).
     ///
     /// # Panics
     ///
     /// If there is no such face.
     #[must_use]
-    pub fn rings(&self, face: usize) -> FaceRings {
-        let mut rings = FaceRings::default();
-        for passes in &self.faces[face].loops {
-            let start = rings.vertices.len() as u32;
-            for &Pass { edge, is_upward } in passes {
-                let edge = &self.edges[edge as usize];
-                let [low, high] = edge.corners;
-                rings.corners.push(rings.vertices.len() as u32);
-                rings.vertices.push(self.vertex_of(if is_upward { low } else { high }));
-                if is_upward {
-                    rings.vertices.extend(edge.inner());
-                } else {
-                    rings.vertices.extend(edge.inner().rev());
-                }
-            }
-            rings.rings.push(start..rings.vertices.len() as u32);
+    pub fn face_vertices(&self, face: usize) -> Vec<u32> {
+        self.face_rings(face).concat()
+    }
+
+    /// The vertices of a face, as in [`face_vertices`](Self::face_vertices), and its boundary in its
+    /// plane, with the straight runs of its edges. `positions` are those of the model's vertices.
+    ///
+    /// # Errors
+    ///
+    /// Points that rounding has moved onto or past each other.
+    ///
+    /// # Panics
+    ///
+    /// If there is no such face.
+    pub fn boundary(
+        &self,
+        face: usize,
+        positions: &[DVec3],
+    ) -> Result<(Vec<u32>, PlanarBoundary), BoundaryFaults> {
+        let rings = self.face_rings(face);
+        let project = |&vertex: &u32| self.plane(face).project(positions[vertex as usize]);
+        let points: Vec<Vec<DVec2>> =
+            rings.iter().map(|ring| ring.iter().map(project).collect()).collect();
+        let boundary = PlanarBoundary::new(&points)?;
+        let mut corners = Vec::new();
+        let mut next = 0;
+        for pass in self.faces[face].loops.iter().flatten() {
+            corners.push(next);
+            next += self.edges[pass.edge as usize].law.intervals();
         }
-        rings
+        Ok((rings.concat(), boundary.with_straight_sides(corners)))
+    }
+
+    /// The vertices of each ring of a face.
+    fn face_rings(&self, face: usize) -> Vec<Vec<u32>> {
+        let of_pass = |&Pass { edge, is_upward }: &Pass| {
+            let edge = &self.edges[edge as usize];
+            let [low, high] = edge.corners;
+            let first = self.vertex_of(if is_upward { low } else { high });
+            let mut inner: Vec<u32> = edge.inner().collect();
+            if !is_upward {
+                inner.reverse();
+            }
+            [first].into_iter().chain(inner)
+        };
+        let rings = self.faces[face].loops.iter();
+        rings.map(|passes| passes.iter().flat_map(of_pass).collect()).collect()
     }
 
     /// The corners of a face, loop by loop: the outer one first, holes opposite to it.

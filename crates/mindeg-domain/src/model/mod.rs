@@ -17,7 +17,7 @@ mod face;
 mod faults;
 mod from_mesh;
 
-pub use face::{FaceRings, Plane};
+pub use face::Plane;
 pub use from_mesh::FromMesh;
 
 use std::ops::Range;

@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 use mindeg_exact::{Problem, measure};
+use mindeg_mesh::planar::PlanarBoundary;
 use robust::{Coord, orient2d};
 use std::cmp::Reverse;
 
@@ -201,6 +202,11 @@ impl Outline {
         }
         triangles.push([ring[0], ring[1], ring[2]]);
         triangles.into_iter().map(|triangle| triangle.map(|v| v as u32)).collect()
+    }
+
+    /// The points as one ring.
+    pub(crate) fn boundary(&self) -> PlanarBoundary {
+        PlanarBoundary::new(&[&self.points]).unwrap()
     }
 
     pub(crate) fn problem(&self) -> Problem {

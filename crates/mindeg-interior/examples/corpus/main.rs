@@ -6,8 +6,9 @@
 mod polygons;
 
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, Outline, Prefer, generate};
+use mindeg_interior::{Fixed, Options, Prefer, generate};
 use mindeg_mesh::Progress;
+use mindeg_mesh::planar::PlanarBoundary;
 use polygons::{Random, domains, random_polygon, random_star};
 use std::time::Instant;
 
@@ -33,7 +34,7 @@ fn main() {
     );
     for (name, rings) in &all {
         let begin = Instant::now();
-        let result = Outline::new(rings)
+        let result = PlanarBoundary::new(rings)
             .map_err(Into::into)
             .and_then(|outline| generate(&outline, &Fixed::default(), &options, Progress::NONE));
         let mesh = match result {

@@ -3,7 +3,8 @@
 //! `cargo run --release --example scale [-- equal|graded [TRIANGLES]]`
 
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, Outline, generate};
+use mindeg_interior::{Fixed, Options, generate};
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use std::ops::ControlFlow;
 use std::sync::{Mutex, PoisonError};
@@ -34,7 +35,7 @@ fn main() {
             let unit = f64::sqrt(aim / triangles_of);
             let ring = square(shape.map(|s| (s * unit).round() as u32));
             let start = Instant::now();
-            let outline = match Outline::new(&[&ring]) {
+            let outline = match PlanarBoundary::new(&[&ring]) {
                 Ok(outline) => outline,
                 Err(error) => return println!("{error}"),
             };

@@ -7,6 +7,7 @@ use glam::DVec2;
 use super::faults::{self, BoundaryFaults};
 use super::in_ring::InRing;
 use super::sweep;
+use super::turning::{straight_runs, turn};
 use crate::Bounds;
 
 /// The boundary of a domain of the plane: points, in rings, with the domain on the left of every
@@ -109,6 +110,25 @@ impl PlanarBoundary {
         assert_eq!(runs.len(), self.points.len(), "each edge is of one run");
         (self.corners, self.runs) = (corners, runs);
         self
+    }
+
+    /// With straight sides alone, which begin at `corners`, in ascending order: the first vertex of
+    /// each ring is one of them. Sides that follow each other without a turn are one straight run.
+    #[must_use]
+    pub fn with_straight_sides(self, corners: Vec<u32>) -> Self {
+        let turns = |ring: usize| {
+            let Range { start, end } = self.ring(ring);
+            let [from, to] = [start, end].map(|v| corners.partition_point(|&corner| corner < v));
+            let own = &corners[from..to];
+            let at = |index: usize| self.point(own[index % own.len()]);
+            let turn_at = |index: usize| {
+                let [before, here, after] = [at(index + own.len() - 1), at(index), at(index + 1)];
+                (own[index], turn([before, here], [here, after]))
+            };
+            (0..own.len()).map(turn_at).collect()
+        };
+        let runs = straight_runs(self.rings(), turns);
+        self.with_sides(corners, runs)
     }
 
     /// The points, ring after ring.

@@ -1,6 +1,7 @@
 //! Whether a boundary is straight at a point.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use glam::DVec2;
 
@@ -43,4 +44,34 @@ pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
     } else {
         Turn::By(angle)
     }
+}
+
+/// For the edge that begins at each vertex, the straight run that it belongs to: straight pieces that
+/// follow each other without a turn are one.
+///
+/// `pieces` gives the first vertices of the straight pieces of a ring, from where the ring starts, and the
+/// turn at each.
+#[must_use]
+pub fn straight_runs(
+    rings: impl Iterator<Item = Range<u32>>,
+    pieces: impl Fn(usize) -> Vec<(u32, Turn)>,
+) -> Vec<u32> {
+    let mut runs: Vec<u32> = Vec::new();
+    let mut run = 0;
+    for (ring, vertices) in rings.enumerate() {
+        let pieces = pieces(ring);
+        let first_run = run;
+        let ends = pieces.iter().skip(1).map(|&(first, _)| first).chain([vertices.end]);
+        for (&(first, turn), end) in pieces.iter().zip(ends) {
+            run += u32::from(turn != Turn::Straight && first != vertices.start);
+            runs.resize(end as usize, run);
+        }
+        if pieces.first().is_some_and(|&(_, turn)| turn == Turn::Straight) {
+            // What is left of the last run is the start of the first one.
+            let own = &mut runs[vertices.start as usize..];
+            own.iter_mut().filter(|of| **of == run).for_each(|of| *of = first_run);
+        }
+        run += 1;
+    }
+    runs
 }

@@ -2,9 +2,10 @@
 
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::check::CheckError;
+use mindeg_mesh::planar::BoundaryFaults;
 
 /// Why a domain has no mesh.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum MeshError {
     /// Every candidate tried has a triangle that is not counter-clockwise once its points are
@@ -29,6 +30,9 @@ pub enum MeshError {
         "the domain is not convex or has holes, which the formula does not take; use the solver"
     )]
     NotConvex,
+    /// Rounding has moved points of the boundary onto or past each other.
+    #[error("once its points are rounded to f64, the boundary is not simple: {0}")]
+    Boundary(#[from] BoundaryFaults),
     /// The [`Progress`](mindeg_mesh::Progress) callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

@@ -3,10 +3,11 @@
 use std::fmt;
 
 use mindeg_domain::{Domain, InRing, Interior};
+use mindeg_interior::InteriorError;
 use mindeg_interior::limits::{Limits, TentLimit, limits};
-use mindeg_interior::{InteriorError, Outline};
+use mindeg_mesh::planar::PlanarBoundary;
 
-use super::{options, outline};
+use super::{boundary, options};
 
 /// The greatest minimum angle that any mesh of a domain's boundary can have, however many interior
 /// points it has, and what decides. Angles are in degrees.
@@ -80,17 +81,17 @@ pub enum Cause {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn angle_limit(domain: &Domain, wanted: &Interior) -> Result<AngleLimit, InteriorError> {
-    let outline = outline(domain)?;
+    let boundary = boundary(domain)?;
     let options = options(domain, wanted);
-    let found = limits(&outline, |vertex| options.degree_limit(&outline, vertex));
-    Ok(AngleLimit::new(domain, &outline, &found))
+    let found = limits(&boundary, |vertex| options.degree_limit(&boundary, vertex));
+    Ok(AngleLimit::new(domain, &boundary, &found))
 }
 
 impl AngleLimit {
-    fn new(domain: &Domain, outline: &Outline, limits: &Limits) -> Self {
+    pub(super) fn new(domain: &Domain, boundary: &PlanarBoundary, limits: &Limits) -> Self {
         let cause = |angle: f64, vertex: u32| match limits.tent {
             Some(tent) if tent.angle <= angle => Cause::of_tent(domain, &tent),
-            _ => Cause::of_fan(domain, outline, vertex),
+            _ => Cause::of_fan(domain, boundary, vertex),
         };
         Self {
             min_angle: limits.angle(),
@@ -108,18 +109,16 @@ impl Cause {
         Self::Facing { sides, names, vertices: tent.edges }
     }
 
-    fn of_fan(domain: &Domain, outline: &Outline, vertex: u32) -> Self {
+    fn of_fan(domain: &Domain, boundary: &PlanarBoundary, vertex: u32) -> Self {
         let rings = domain.rings();
-        let at = |vertex: u32| outline.points()[vertex as usize];
-        let (before, after) = (outline.previous(vertex), outline.next(vertex));
-        let lengths = [before, after].map(|other| at(other).distance(at(vertex)));
+        let lengths = [boundary.previous(vertex), vertex].map(|edge| boundary.length(edge));
         let side = rings.side_of(vertex);
         if rings.is_corner(vertex) {
             let InRing { ring, index } = rings.in_ring(side);
             let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
             let name = format!("corner {}{hole}", index + 1);
             let side_before = rings.previous_side(side);
-            let angle = outline.angle(vertex).to_degrees();
+            let angle = boundary.angle(vertex).to_degrees();
             Self::Corner { corner: side, name, side_before, vertex, angle, lengths }
         } else {
             Self::Vertex { side, name: domain.side_name(side), vertex, lengths }

@@ -109,11 +109,11 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
         return None;
     }
     let plane_face = joint.face(face);
-    let runs = &plane_face.runs;
+    let runs = plane_face.boundary.runs();
     let run_count = runs.iter().max().map_or(0, |&run| run as usize + 1);
     // Of each side its vertices, both corners too.
     let mut on_side = vec![Vec::new(); run_count];
-    for ring in &plane_face.rings {
+    for ring in plane_face.boundary.rings() {
         let mut before = ring.end - 1;
         for place in ring.clone() {
             let [run, run_before] = [place, before].map(|place| runs[place as usize]);
@@ -167,7 +167,7 @@ pub(super) fn with_weights(
         let plane_face = joint.face(face);
         let problem = plane_face.problem(&joint.triangles[face]).ok()?;
         let least = LeastWeight::new(&problem, joint.thresholds[face]).ok();
-        Some((least, plane_face.vertices))
+        Some((least, plane_face.vertices.clone()))
     });
     let mut weights = vec![1.0; joint.totals.len()];
     let mut best = bound;

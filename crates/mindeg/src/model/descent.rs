@@ -132,8 +132,8 @@ impl<'j, 'm> Descent<'j, 'm> {
         for class in order {
             let joint = &*self.joint;
             let solve = |face: usize| {
-                let is_active = is_small
-                    || joint.model.rings(face).vertices.iter().any(|&v| is_crowded[v as usize]);
+                let is_active =
+                    is_small || joint.face(face).vertices.iter().any(|&v| is_crowded[v as usize]);
                 if is_active {
                     improved(joint, face, degree, round, weights, is_small)
                 } else {
@@ -175,7 +175,7 @@ fn improved(
         if is_small { (random % NOISE) as u32 } else { 0 }
     };
     let cost = FaceCost {
-        face: &plane_face,
+        face: plane_face,
         others,
         weights,
         noise: (0..places).map(noise).collect(),
@@ -185,7 +185,8 @@ fn improved(
     let is_crowded =
         |patch: &Patch<'_>, place: usize| cost.others[place] + patch.chords(place as u32) > degree;
     let mut changed = false;
-    let is_whole = is_small && plane_face.rings.len() == 1 && joint.triangles[face].len() <= WHOLE;
+    let is_whole =
+        is_small && plane_face.boundary.ring_count() == 1 && joint.triangles[face].len() <= WHOLE;
     if is_whole {
         changed = patch.improve(Block { vertex: 0, skip: 0, size: WHOLE }, &cost);
     } else {

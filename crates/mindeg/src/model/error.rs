@@ -2,12 +2,21 @@
 
 use mindeg_delaunay::DelaunayError;
 use mindeg_exact::ProblemError;
+use mindeg_mesh::planar::BoundaryFaults;
 use mindeg_mesh::{Cancelled, TriMeshError};
 
 /// Why a model has no mesh. Faces count from 0.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelMeshError {
+    /// Rounding has moved points of a face's boundary onto or past each other.
+    #[error("face {face}: {source}")]
+    Boundary {
+        /// The face.
+        face: usize,
+        /// Where.
+        source: BoundaryFaults,
+    },
     /// A face has no Delaunay triangulation.
     #[error("face {face}: {source}")]
     Delaunay {

@@ -1,67 +1,63 @@
 //! One face as a planar problem, and its first triangulation.
 
-use std::ops::Range;
-
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use mindeg_core::{Boundary, least_degree_triangulation};
 use mindeg_domain::Model;
 use mindeg_exact::Problem;
 use mindeg_exact::measure::min_angle_tangent;
 use mindeg_mesh::Progress;
+use mindeg_mesh::planar::PlanarBoundary;
 
 use super::error::ModelMeshError;
 
-/// The vertices of a face in its plane.
+/// A face: the vertices of the model at each place, and its boundary in its plane.
 pub(super) struct PlaneFace {
-    /// The vertices of the model, at each place.
     pub(super) vertices: Vec<u32>,
-    pub(super) points: Vec<DVec2>,
-    /// The straight run of the boundary edge that begins at each place.
-    pub(super) runs: Vec<u32>,
-    pub(super) rings: Vec<Range<u32>>,
-    corners: Vec<u32>,
+    pub(super) boundary: PlanarBoundary,
 }
 
 impl PlaneFace {
-    pub(super) fn new(model: &Model, positions: &[DVec3], face: usize) -> Self {
-        let rings = model.rings(face);
-        let plane = model.plane(face);
-        let project = |&vertex: &u32| plane.project(positions[vertex as usize]);
-        let points: Vec<DVec2> = rings.vertices.iter().map(project).collect();
-        let runs = rings.straight_runs(&points);
-        Self { vertices: rings.vertices, points, runs, rings: rings.rings, corners: rings.corners }
+    pub(super) fn new(
+        model: &Model,
+        positions: &[DVec3],
+        face: usize,
+    ) -> Result<Self, ModelMeshError> {
+        let (vertices, boundary) = model
+            .boundary(face, positions)
+            .map_err(|source| ModelMeshError::Boundary { face, source })?;
+        Ok(Self { vertices, boundary })
     }
 
     pub(super) fn problem(
         &self,
         triangles: &[[u32; 3]],
     ) -> Result<Problem, mindeg_exact::ProblemError> {
-        Problem::triangulated(&self.points, &self.runs, triangles)
+        Problem::triangulated(self.boundary.points(), self.boundary.runs(), triangles)
     }
 
     pub(super) fn delaunay(&self, face: usize) -> Result<Vec<[u32; 3]>, ModelMeshError> {
-        mindeg_delaunay::of_rings(&self.points, &self.rings, &self.corners, &[], Progress::NONE)
+        mindeg_delaunay::triangles(&self.boundary, &[], &[], Progress::NONE)
             .map_err(|source| ModelMeshError::Delaunay { face, source })
     }
 
     /// The tangent of the minimum angle of some triangles.
     pub(super) fn min_tangent(&self, triangles: &[[u32; 3]]) -> f64 {
         let tangent = |triangle: &[u32; 3]| {
-            min_angle_tangent(triangle.map(|place| self.points[place as usize]))
+            min_angle_tangent(triangle.map(|place| self.boundary.point(place)))
         };
         triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
     }
 
     /// The triangulation of least degree by the formula, if the face is convex.
     pub(super) fn closed_form(&self) -> Option<Vec<[u32; 3]>> {
-        let n = self.points.len();
-        if self.rings.len() > 1 {
+        let (points, runs) = (self.boundary.points(), self.boundary.runs());
+        let n = points.len();
+        if self.boundary.ring_count() > 1 {
             return None;
         }
         // Where runs begin.
-        let starts: Vec<usize> =
-            (0..n).filter(|&v| self.runs[v] != self.runs[(v + n - 1) % n]).collect();
-        let at = |i: usize| self.points[starts[i % starts.len()]];
+        let starts: Vec<usize> = (0..n).filter(|&v| runs[v] != runs[(v + n - 1) % n]).collect();
+        let at = |i: usize| points[starts[i % starts.len()]];
         let turns_left = |i: usize| (at(i + 1) - at(i)).perp_dot(at(i + 2) - at(i + 1)) > 0.0;
         // A loop that is simple and turns left at every corner goes round once.
         if starts.len() < 3 || !(0..starts.len()).all(turns_left) {
@@ -85,7 +81,9 @@ mod tests {
     fn faces(json: &str) -> Vec<PlaneFace> {
         let model = Model::from_json(json).unwrap();
         let positions = model.positions();
-        (0..model.face_count()).map(|face| PlaneFace::new(&model, &positions, face)).collect()
+        (0..model.face_count())
+            .map(|face| PlaneFace::new(&model, &positions, face).unwrap())
+            .collect()
     }
 
     #[test]
@@ -106,7 +104,7 @@ mod tests {
             let least = least_max_degree(&Boundary::new(counts).unwrap());
             assert_eq!(degrees.into_iter().max(), Some(least), "{counts:?}");
             let area = |&[a, b, c]: &[u32; 3]| {
-                let [a, b, c] = [a, b, c].map(|place| face.points[place as usize]);
+                let [a, b, c] = [a, b, c].map(|place| face.boundary.point(place));
                 (b - a).perp_dot(c - a)
             };
             assert!(triangles.iter().all(|triangle| area(triangle) > 1e-9), "{counts:?}");

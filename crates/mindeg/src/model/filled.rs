@@ -1,7 +1,7 @@
 //! Faces with interior points: still watertight, since the points of edges stay bit for bit.
 
 use mindeg_domain::{Interior, Model};
-use mindeg_interior::{Fixed, InteriorMesh, Outline, generate};
+use mindeg_interior::{Fixed, InteriorMesh, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
 use super::error::ModelMeshError;
@@ -61,14 +61,10 @@ pub fn fill_model(
     let options = options_of(wanted);
     let faces: Vec<usize> = (0..model.face_count()).collect();
     let fill = |face: usize| {
-        let plane_face = PlaneFace::new(model, &positions, face);
-        let ring = |ring: &std::ops::Range<u32>| {
-            &plane_face.points[ring.start as usize..ring.end as usize]
-        };
-        let rings: Vec<_> = plane_face.rings.iter().map(ring).collect();
+        let face_of_model = PlaneFace::new(model, &positions, face)?;
         let failed = |source| ModelMeshError::Interior { face, source };
-        let outline = Outline::new(&rings).map_err(|error| failed(error.into()))?;
-        let found = generate(&outline, &Fixed::default(), &options, Progress::NONE);
+        let boundary = &face_of_model.boundary;
+        let found = generate(boundary, &Fixed::default(), &options, Progress::NONE);
         found.map_err(failed)
     };
     let mut filled = Vec::with_capacity(faces.len());

@@ -16,6 +16,7 @@ const REPORT: usize = 1 << 10;
 pub(super) struct Joint<'m> {
     pub(super) model: &'m Model,
     pub(super) positions: Vec<DVec3>,
+    faces: Vec<PlaneFace>,
     /// For each face its triangles, by places on its rings.
     pub(super) triangles: Vec<Vec<[u32; 3]>>,
     /// For each vertex its edges, over all faces.
@@ -28,8 +29,8 @@ pub(super) struct Joint<'m> {
     delaunay: Vec<f64>,
 }
 
-/// A face's first triangles, the tangent it must keep and Delaunay's.
-type First = (Vec<[u32; 3]>, f64, f64);
+/// A face, its first triangles, the tangent it must keep and Delaunay's.
+type First = (PlaneFace, Vec<[u32; 3]>, f64, f64);
 
 impl<'m> Joint<'m> {
     /// Starts from the formula for convex faces and from Delaunay for others; from Delaunay for all
@@ -43,12 +44,14 @@ impl<'m> Joint<'m> {
         let mut triangles = Vec::with_capacity(model.face_count());
         let mut thresholds = Vec::with_capacity(model.face_count());
         let mut delaunay = Vec::new();
-        let faces: Vec<usize> = (0..model.face_count()).collect();
-        let counter = progress.counter("triangulating faces", faces.len() as u64);
-        for chunk in faces.chunks(REPORT) {
+        let mut faces = Vec::with_capacity(model.face_count());
+        let indices: Vec<usize> = (0..model.face_count()).collect();
+        let counter = progress.counter("triangulating faces", indices.len() as u64);
+        for chunk in indices.chunks(REPORT) {
             let firsts = map_indices(chunk, |face| first(model, &positions, face, keep_angle));
             for first in firsts {
-                let (first, threshold, tangent) = first?;
+                let (face, first, threshold, tangent) = first?;
+                faces.push(face);
                 triangles.push(first);
                 thresholds.push(threshold);
                 if keep_angle.is_some() {
@@ -59,17 +62,17 @@ impl<'m> Joint<'m> {
         }
         let edge_degrees = model.edge_degrees();
         let mut totals = edge_degrees.clone();
-        for (face, triangles) in triangles.iter().enumerate() {
-            let vertices = model.rings(face).vertices;
-            for (chords, vertex) in chords(vertices.len(), triangles).iter().zip(vertices) {
+        for (face, triangles) in faces.iter().zip(&triangles) {
+            let vertices = &face.vertices;
+            for (chords, &vertex) in chords(vertices.len(), triangles).iter().zip(vertices) {
                 totals[vertex as usize] += chords;
             }
         }
-        Ok(Self { model, positions, triangles, totals, edge_degrees, thresholds, delaunay })
+        Ok(Self { model, positions, faces, triangles, totals, edge_degrees, thresholds, delaunay })
     }
 
-    pub(super) fn face(&self, face: usize) -> PlaneFace {
-        PlaneFace::new(self.model, &self.positions, face)
+    pub(super) fn face(&self, face: usize) -> &PlaneFace {
+        &self.faces[face]
     }
 
     pub(super) fn max_degree(&self) -> u32 {
@@ -78,10 +81,10 @@ impl<'m> Joint<'m> {
 
     /// Gives a face other triangles.
     pub(super) fn replace(&mut self, face: usize, triangles: Vec<[u32; 3]>) {
-        let vertices = self.model.rings(face).vertices;
+        let vertices = &self.faces[face].vertices;
         let before = chords(vertices.len(), &self.triangles[face]);
         let after = chords(vertices.len(), &triangles);
-        for ((before, after), vertex) in before.iter().zip(&after).zip(vertices) {
+        for ((before, after), &vertex) in before.iter().zip(&after).zip(vertices) {
             let total = &mut self.totals[vertex as usize];
             *total = *total + after - before;
         }
@@ -111,7 +114,7 @@ fn first(
     face: usize,
     keep_angle: Option<f64>,
 ) -> Result<First, ModelMeshError> {
-    let plane_face = PlaneFace::new(model, positions, face);
+    let plane_face = PlaneFace::new(model, positions, face)?;
     let check = |triangles: &[[u32; 3]]| -> Result<Problem, ModelMeshError> {
         let failed = |source| ModelMeshError::Face { face, source };
         plane_face.problem(triangles).map_err(failed)
@@ -119,16 +122,16 @@ fn first(
     let Some(share) = keep_angle else {
         let closed_form = plane_face.closed_form();
         if let Some(triangles) = closed_form.filter(|triangles| check(triangles).is_ok()) {
-            return Ok((triangles, 0.0, 0.0));
+            return Ok((plane_face, triangles, 0.0, 0.0));
         }
         let triangles = plane_face.delaunay(face)?;
         check(&triangles)?;
-        return Ok((triangles, 0.0, 0.0));
+        return Ok((plane_face, triangles, 0.0, 0.0));
     };
     let triangles = plane_face.delaunay(face)?;
     check(&triangles)?;
     let most = plane_face.min_tangent(&triangles);
     // Tangents are compared to 36 bits; the last of them decides nothing.
     let threshold = libm::tan(share * libm::atan(most)) * (1.0 - 1e-10);
-    Ok((triangles, threshold.min(most), most))
+    Ok((plane_face, triangles, threshold.min(most), most))
 }

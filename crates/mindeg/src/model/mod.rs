@@ -186,7 +186,7 @@ fn assembled(
         let start = all.len() as u32;
         for &face in same {
             face_starts[face] = all.len() as u32;
-            all.extend(triangles(face, &model.rings(face).vertices));
+            all.extend(triangles(face, &model.face_vertices(face)));
         }
         let group = &model.groups()[model.group_of(same[0])];
         let triangles = start..all.len() as u32;

@@ -75,12 +75,12 @@ fn improved(joint: &Joint<'_>, face: usize, degree: u32) -> Option<Vec<[u32; 3]>
     let most = (0..).zip(&plane_face.vertices).map(most).collect();
     let cost = Angles { most, threshold: joint.thresholds[face] };
     let is_small = joint.totals.len() <= SMALL;
-    if is_small && plane_face.rings.len() == 1 && patch.triangles().len() <= SMALL_BLOCK {
+    if is_small && plane_face.boundary.ring_count() == 1 && patch.triangles().len() <= SMALL_BLOCK {
         let is_changed = patch.improve(Block { vertex: 0, skip: 0, size: SMALL_BLOCK }, &cost);
         return is_changed.then(|| patch.triangles().to_vec());
     }
     let tangent = |triangle: &[u32; 3]| {
-        min_angle_tangent(triangle.map(|place| plane_face.points[place as usize]))
+        min_angle_tangent(triangle.map(|place| plane_face.boundary.point(place)))
     };
     let mut is_changed = false;
     let tries = if is_small { 8 } else { 1 };
@@ -127,7 +127,7 @@ mod tests {
         assert!(Descent::new(&mut joint, Progress::NONE).reach(7, 100_000).unwrap());
         let costs = |joint: &Joint<'_>| -> Vec<f64> {
             let cost = |face: usize| {
-                let points = joint.face(face).points;
+                let points = joint.face(face).boundary.points();
                 let of = |triangle: &[u32; 3]| {
                     1.0 / min_angle_tangent(triangle.map(|place| points[place as usize]))
                 };

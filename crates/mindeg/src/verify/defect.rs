@@ -4,6 +4,7 @@ use std::fmt;
 
 use glam::DVec2;
 use mindeg_mesh::check::CheckError;
+use mindeg_mesh::planar::BoundaryFaults;
 
 /// A triangle of a mesh: its index, and its vertices by the mesh's indices.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,6 +49,8 @@ pub enum Defect {
         /// The shortest interval.
         shortest: f64,
     },
+    /// Rounding has moved points of the domain's boundary onto or past each other.
+    Boundary(BoundaryFaults),
     /// Faces with more than three corners.
     LargerFaces {
         /// How many.
@@ -133,6 +136,7 @@ impl Defect {
     pub fn kind(&self) -> &'static str {
         match self {
             Self::ToleranceTooLarge { .. } => "tolerance_too_large",
+            Self::Boundary(_) => "boundary",
             Self::LargerFaces { .. } => "larger_faces",
             Self::NotPlanar { .. } => "not_planar",
             Self::NoVertex { .. } => "no_vertex",
@@ -212,6 +216,9 @@ impl fmt::Display for Defect {
                 Short(*tolerance),
                 Short(*shortest)
             ),
+            Self::Boundary(faults) => {
+                write!(f, "the domain's boundary is not simple once it is rounded: {faults}")
+            }
             Self::LargerFaces { count: 1 } => {
                 f.write_str("1 face has more than three corners; cut it into triangles first")
             }

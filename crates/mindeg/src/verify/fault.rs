@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 use mindeg_domain::Domain;
 use mindeg_mesh::check::CheckError;
+use mindeg_mesh::planar::PlanarBoundary;
 use robust::{Coord, orient2d};
 
 use super::defect::{Defect, FaultyEdge, FaultyTriangle};
@@ -28,13 +29,14 @@ pub(super) fn all_clockwise(points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
 }
 
 /// The first triangle with all vertices on one straight run of the boundary.
-pub(super) fn flat_triangle(domain: &Domain, triangles: &[[u32; 3]]) -> Option<usize> {
-    first_flat(domain, triangles).map(|index| index as usize)
+pub(super) fn flat_triangle(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Option<usize> {
+    first_flat(boundary, triangles).map(|index| index as usize)
 }
 
 /// A mesh that failed.
 pub(super) struct Search<'a> {
     pub(super) domain: &'a Domain,
+    pub(super) boundary: &'a PlanarBoundary,
     pub(super) points: &'a [DVec2],
     pub(super) vertex_of: &'a [u32],
 }
@@ -108,7 +110,7 @@ impl Search<'_> {
     }
 
     fn without_area(&self, triangles: &[[u32; 3]]) -> Option<Defect> {
-        if let Some(index) = flat_triangle(self.domain, triangles) {
+        if let Some(index) = flat_triangle(self.boundary, triangles) {
             let mut corners = triangles[index];
             corners.sort_unstable();
             let side = Some(self.side(corners[1]));

@@ -16,6 +16,7 @@ use mindeg_exact::check::Outline;
 use mindeg_mesh::{Progress, check};
 
 use super::triangulation::Verified;
+use crate::boundary_mesh::MeshError;
 use crate::exact::{self, DegreeAnswer};
 use crate::exact_error::ExactError;
 use crate::goal::{Goal, mesh};
@@ -145,12 +146,12 @@ fn of_any(
     let answer = exact::degree(domain, progress)?;
     let max_degree = verified.max_degree;
     let rings: Vec<Range<u32>> = domain.rings().rings().collect();
-    let side_of = domain.straight_runs();
-    let outline = Outline { points: &verified.points, rings: &rings, side_of: &side_of };
+    let boundary = domain.boundary().map_err(MeshError::from)?;
+    let outline = Outline { points: boundary.points(), rings: &rings, side_of: boundary.runs() };
     if answer.reached < max_degree {
         let least = mesh(domain, Goal::LeastDegree, progress)?.mesh;
         let triangles: Vec<[u32; 3]> = least.triangles().collect();
-        let reached = check::triangulation(&verified.points, &rings, &triangles)
+        let reached = check::triangulation(&boundary, &[], &triangles)
             .ok()
             .and_then(|checked| total_degree(domain, &checked.degrees));
         if let Some(reached) = reached.filter(|&reached| reached < max_degree) {

@@ -1,7 +1,5 @@
 //! The check of a mesh against a domain.
 
-use std::ops::Range;
-
 use glam::DVec2;
 use mindeg_domain::Domain;
 use mindeg_mesh::TriMesh;
@@ -87,12 +85,18 @@ fn checked(found: Matched, domain: &Domain) -> Result<Verified, Defect> {
     if is_reversed {
         triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
     }
-    let rings: Vec<Range<u32>> = domain.rings().rings().collect();
-    let is_flat = fault::flat_triangle(domain, &triangles).is_some();
-    let Checked { mut degrees, .. } = match check::triangulation(&points, &rings, &triangles) {
+    let boundary = domain.boundary().map_err(Defect::Boundary)?;
+    let inner = &points[boundary.points().len()..];
+    let is_flat = fault::flat_triangle(&boundary, &triangles).is_some();
+    let Checked { mut degrees, .. } = match check::triangulation(&boundary, inner, &triangles) {
         Ok(checked) if !is_flat => checked,
         failed => {
-            let search = fault::Search { domain, points: &points, vertex_of: &vertex_of };
+            let search = fault::Search {
+                domain,
+                boundary: &boundary,
+                points: &points,
+                vertex_of: &vertex_of,
+            };
             return Err(search.first_defect(&triangles, failed.err()));
         }
     };
