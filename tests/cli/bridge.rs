@@ -34,7 +34,7 @@ fn two_meshes_are_joined_into_one_that_is_closed() {
         let found = run.json();
         // Three edges at each vertex, one of the strip, and the even share of the others.
         let least = json!(4 + 12_usize.div_ceil(n));
-        for key in ["max_degree", "least_max_degree", "lower_bound"] {
+        for key in ["max_degree", "least_max_degree", "at_least"] {
             assert_eq!(found[key], least, "{key}");
         }
         assert_eq!(found["triangles"], 12 + n + 12 + n);

@@ -32,10 +32,14 @@ fn json_has_the_agreed_keys() {
     let answer = mindeg(["degree", "30,2,4,2", "--json"]).json();
     let expected = json!({
         "intervals": [30, 2, 4, 2],
+        "holes": 0,
         "vertices": 38,
         "triangles": 36,
         "interior_edges": 35,
         "least_max_degree": 7,
+        "at_least": 7,
+        "reached": 7,
+        "reached_by": "formula",
         "certificate": {"kind": "long_side", "side": 1, "bound": 7},
     });
     assert_eq!(answer, expected);

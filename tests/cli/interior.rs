@@ -22,9 +22,12 @@ fn every_domain_gets_interior_points() {
         let summary = run.json();
         assert_eq!(summary["found_by"], "interior");
         assert_eq!(summary["violations"], serde_json::json!([]), "{domain:?}");
-        let limit = number(&summary["min_angle_limit"]);
+        let limit = number(&summary["angle_limit"]);
         assert!(number(&summary["min_angle"]) >= 0.95 * limit.min(35.0), "{domain:?}: {summary}");
-        assert_eq!(summary["limit"]["min_angle"], summary["min_angle_limit"]);
+        assert_eq!(summary["limit"]["angle_limit"], summary["angle_limit"]);
+        assert_eq!(summary["least_max_degree"], Value::Null);
+        let most = [&summary["boundary_degree"][1], &summary["interior_degree"][1]];
+        assert_eq!(summary["max_degree"].as_u64(), most.iter().filter_map(|it| it.as_u64()).max());
         let mesh = obj::read(&fs::read(&file).expect("the file was written")[..]).expect("an OBJ");
         assert_eq!(mesh.positions().len() as u64, summary["vertices"].as_u64().expect("a count"));
         let count = summary["boundary_vertices"].as_u64().expect("a count") as u32;
@@ -194,13 +197,13 @@ fn degree_and_suggest_tell_the_limit_of_a_domain() {
     let domain = domains().into_iter().find(|path| path.ends_with("dominated-side.json"));
     let domain = domain.expect("it is there");
     let answer = mindeg(["degree", text(&domain), "--json"]).json();
-    let limit = &answer["angle_limit"];
-    assert!((number(&limit["min_angle"]) - 7.68).abs() < 0.01, "{limit}");
-    assert!((number(&limit["min_angle_at_any_degree"]) - 11.25).abs() < 0.01, "{limit}");
-    assert!(number(&limit["lift"]["min_angle"]) > 7.68, "{limit}");
+    let limit = &answer["limit"];
+    assert!((number(&limit["angle_limit"]) - 7.68).abs() < 0.01, "{limit}");
+    assert!((number(&limit["angle_limit_at_any_degree"]) - 11.25).abs() < 0.01, "{limit}");
+    assert!(number(&limit["lift"]["angle_limit"]) > 7.68, "{limit}");
     let tighter = mindeg(["degree", text(&domain), "--json", "--boundary-degree", "4"]).json();
-    assert!((number(&tighter["angle_limit"]["min_angle"]) - 5.73).abs() < 0.01, "{tighter}");
-    assert_eq!(mindeg(["degree", "3,3,2,2", "--json"]).json()["angle_limit"], Value::Null);
+    assert!((number(&tighter["limit"]["angle_limit"]) - 5.73).abs() < 0.01, "{tighter}");
+    assert_eq!(mindeg(["degree", "3,3,2,2", "--json"]).json()["limit"], Value::Null);
 
     let told = mindeg(["degree", text(&domain)]);
     let words = "With interior points: The boundary allows a minimum angle of at most 7.683° within the degree limits (11.250° at any degree), decided by corner 1";

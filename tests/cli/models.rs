@@ -33,7 +33,7 @@ fn models_become_watertight_meshes() {
         let summary = mesh(&model(name), &files, more).json();
         assert_eq!((&summary["closed"], &summary["notes"]), (&json!(true), &json!([])), "{name}");
         assert_eq!(summary["max_degree"], degree, "{name}");
-        assert_eq!(summary["lower_bound"], degree, "{name}");
+        assert_eq!(summary["at_least"], degree, "{name}");
         for file in &files {
             let found = inspected(file);
             assert_eq!((&found["closed"], &found["manifold"]), (&json!(true), &json!(true)));
@@ -196,7 +196,7 @@ fn a_mesh_of_triangles_becomes_a_model_again() {
     let files = [folder.path().join("again.obj")];
     let summary = mesh(&triangles[0], &files, &["--intervals", "3"]).json();
     assert_eq!((&summary["faces"], &summary["vertices"]), (&json!(6), &json!(32)));
-    assert_eq!((&summary["max_degree"], &summary["lower_bound"]), (&json!(6), &json!(6)));
+    assert_eq!((&summary["max_degree"], &summary["at_least"]), (&json!(6), &json!(6)));
 }
 
 #[test]
@@ -204,8 +204,8 @@ fn the_angle_that_is_asked_for_is_kept() {
     let folder = tempfile::tempdir().expect("a folder");
     let files = [folder.path().join("house.obj")];
     let summary = mesh(&model("house.json"), &files, &["--keep-angle", "95%"]).json();
-    assert!(summary["angle_share"].as_f64().expect("a share") >= 0.95);
-    assert!(summary["max_degree"].as_u64() >= summary["lower_bound"].as_u64());
+    assert!(summary["share_of_delaunay"].as_f64().expect("a share") >= 0.95);
+    assert!(summary["max_degree"].as_u64() >= summary["at_least"].as_u64());
 }
 
 #[test]

@@ -57,7 +57,7 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh --rectangle 4x3 -o x.obj", "how many intervals? give --intervals a,b,… or --size S"),
     (
         "mesh -o x.obj",
-        "no domain: name a JSON file, or - for standard input, or give --rectangle or --corners",
+        "no domain: name its file, or - for standard input, or give --rectangle or --corners",
     ),
     ("mesh plate.json", "where to? name a file, such as -o mesh.obj"),
     ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
@@ -108,12 +108,12 @@ const SLIPS: &[(&str, &str)] = &[
     ("degree 3, 3, 2, 2", "join the counts by commas, without spaces: mindeg degree 3,3,2,2"),
     (
         "degree 18446744073709551616,1,1",
-        "invalid value '18446744073709551616,1,1' for '<INTERVALS|DOMAIN>': side 1: the \
+        "invalid value '18446744073709551616,1,1' for '[INTERVALS|DOMAIN]': side 1: the \
          maximum is 4294967294 intervals",
     ),
     (
         "degree wing",
-        "invalid value 'wing' for '<INTERVALS|DOMAIN>': side 1: give a whole number of \
+        "invalid value 'wing' for '[INTERVALS|DOMAIN]': side 1: give a whole number of \
          intervals for each side, such as 3,3,2,2",
     ),
     (

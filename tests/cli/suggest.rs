@@ -71,11 +71,16 @@ fn a_domain_s_file_has_the_counts_too() {
         let path = domains.iter().find(|path| path.ends_with(name)).expect("it is there");
         crate::mesh::text(path).to_owned()
     };
+    // The options that describe a domain without a file are those of mesh.
+    let options = ["degree", "--rectangle", "4x3", "--intervals", "3,3,2,2", "--json"];
+    let [typed, counts] = [mindeg(options).json(), mindeg(["degree", "3,3,2,2", "--json"]).json()];
+    assert_eq!(typed["certificate"], counts["certificate"]);
+    mindeg(["suggest", "3,3,2,2", "--size", "1"]).refuses(&["the counts are given already"]);
     for command in ["degree", "suggest"] {
         // Counts alone tell nothing of angles.
         let without_angles = |mut answer: serde_json::Value| {
             let keys = answer.as_object_mut().expect("an object");
-            keys.retain(|key, _| !key.starts_with("angle_"));
+            keys.retain(|key, _| key != "limit" && key != "angle_suggestions");
             answer
         };
         let of = |counts: &str| without_angles(mindeg([command, counts, "--json"]).json());

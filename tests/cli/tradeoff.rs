@@ -27,11 +27,11 @@ fn keys(value: &Value) -> Vec<&String> {
 fn json_has_the_angle_that_each_degree_buys() {
     for (intervals, least, angles) in ANGLES {
         let answer = mindeg([rectangle("tradeoff", intervals), vec!["--json"]].concat()).json();
-        assert_eq!(keys(&answer), ["delaunay_min_angle", "points"]);
+        assert_eq!(keys(&answer), ["advised", "delaunay_min_angle", "points"]);
         let points = answer["points"].as_array().expect("a list");
         assert_eq!(points.len(), angles.len(), "{intervals}");
         for (degree, (point, angle)) in (least..).zip(points.iter().zip(angles)) {
-            assert_eq!(keys(point), ["exact", "max_degree", "min_angle"]);
+            assert_eq!(keys(point), ["exact", "max_degree", "min_angle", "share_of_delaunay"]);
             assert_eq!((&point["max_degree"], &point["exact"]), (&json!(degree), &json!(true)));
             let seen = point["min_angle"].as_f64().expect("an angle");
             assert_eq!(format!("{seen:.3}"), *angle, "{intervals}");
@@ -47,13 +47,13 @@ fn the_table_is_for_reading() {
         run.text(),
         "maximum degree   minimum angle  of Delaunay's\n\
          \x20            5          5.528°          87.2%\n\
-         \x20            6          6.340°         100.0%\n"
+         \x20            6          6.340°         100.0%  advised\n"
     );
     assert_eq!((run.code, run.errors.as_str()), (Some(0), ""));
 }
 
 #[test]
-fn a_long_table_keeps_the_first_the_knee_and_the_last() {
+fn a_long_table_keeps_the_first_the_advised_and_the_last() {
     let table = |limit| {
         let run = mindeg([rectangle("tradeoff", "90,3,5,2"), vec!["--limit", limit]].concat());
         run.text().to_owned()
@@ -61,10 +61,10 @@ fn a_long_table_keeps_the_first_the_knee_and_the_last() {
     let all = table("0");
     let rows: Vec<&str> = all.lines().skip(1).collect();
     assert!(rows.len() > 5, "{all}");
-    let knee = *rows.iter().find(|row| row.ends_with("%  knee")).expect("a knee");
+    let advised = *rows.iter().find(|row| row.ends_with("%  advised")).expect("an advised degree");
     let short = table("3");
     let shown: Vec<&str> = short.lines().skip(1).collect();
-    assert_eq!(shown[..3], [rows[0], knee, rows[rows.len() - 1]]);
+    assert_eq!(shown[..3], [rows[0], advised, rows[rows.len() - 1]]);
     assert_eq!(shown[3], format!("3 of {} rows, spread evenly; --limit 0 prints all.", rows.len()));
 }
 

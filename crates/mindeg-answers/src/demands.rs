@@ -125,10 +125,9 @@ mod tests {
 
     #[test]
     fn a_mesh_without_triangles_has_no_triangle_to_name() {
-        let mesh = TriMesh::new(Vec::new(), Vec::new()).unwrap();
         let demands = Demands { target_angle: Some(1.0), ..Demands::default() };
         assert_eq!(
-            demands.unmet_by(&mesh, 0.0),
+            demands.unmet(0, 0.0, WorstPlaces::default),
             ["a triangle has an angle of 0°, below the target angle of 1°"]
         );
     }

@@ -8,8 +8,13 @@
 //! One language; angles are in degrees.
 
 pub mod advice;
+pub mod degree;
 pub mod demands;
 pub mod inspected;
+pub mod interior;
+pub mod limit;
+pub mod mesh;
 pub mod numbers;
 pub mod preset;
-pub mod words;
+pub mod suggest;
+pub mod trade_off;

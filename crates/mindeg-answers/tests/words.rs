@@ -2,13 +2,55 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
-use mindeg::{Domain, Goal, Progress, exact, mesh};
-use mindeg_answers::words;
+use mindeg::{Domain, Goal, Progress, mesh};
+use mindeg_answers::degree::{DegreeProof, DegreeReport, triangle_count};
+use mindeg_answers::mesh as words;
+
+fn report(domain: &str) -> DegreeReport {
+    DegreeReport::of(&Domain::from_json(domain).unwrap(), Progress::NONE).unwrap()
+}
 
 fn degree(domain: &str) -> String {
-    let domain = Domain::from_json(domain).unwrap();
-    let answer = exact::degree(&domain, Progress::NONE).unwrap();
-    words::degree(&domain, &answer)
+    report(domain).words
+}
+
+#[test]
+fn every_proof_has_its_name_and_its_places() {
+    let rectangle = r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5}"#;
+    let DegreeReport { certificate, at_least, reached, .. } = report(rectangle);
+    assert!(matches!(certificate, DegreeProof::BalancedCut { .. }));
+    assert_eq!((at_least, reached), (4, 4), "the formula has both, too");
+    let limited = r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5,
+        "vertices": [{"vertex": 0, "outside_degree": 9}]}"#;
+    let DegreeReport { certificate, at_least, .. } = report(limited);
+    assert!(matches!(certificate, DegreeProof::Counting) && at_least == 11);
+
+    // An L, in which a zig-zag of degree 4 needs chords beyond it.
+    let bent = r#"{"polygon": {"corners": [[0,0],[4,0],[4,2],[2,2],[2,4],[0,4]]}, "sides": [
+        {"intervals": 13}, {"intervals": 6}, {"intervals": 6}, {"intervals": 6},
+        {"intervals": 6}, {"intervals": 13}]}"#;
+    let certificate = report(bent).certificate;
+    assert!(matches!(certificate, DegreeProof::BlockedZigZags { chords } if chords.len() == 50));
+
+    // A U: few vertices see the 60 intervals of its floor.
+    let deep = r#"{"polygon": {"corners": [[0,0],[6,0],[6,4],[4,4],[4,2],[2,2],[2,4],[0,4]]},
+        "sides": [{"intervals": 2}, {"intervals": 2}, {"intervals": 2}, {"intervals": 2},
+        {"intervals": 60}, {"intervals": 2}, {"intervals": 2}, {"intervals": 2}]}"#;
+    let DegreeReport { certificate, reached, .. } = report(deep);
+    assert_eq!(reached, 23);
+    assert!(matches!(certificate, DegreeProof::Apexes { apexes, .. } if !apexes.is_empty()));
+}
+
+#[test]
+fn the_sides_of_the_formula_are_explained_where_they_are_others() {
+    let is_explained = |domain: &str| degree(domain).contains("Sides on one line count as one");
+    assert!(!is_explained(r#"{"rectangle": {"width": 4, "height": 3}, "size": 0.5}"#));
+    let halved = r#"{"polygon": {"corners": [[0,0],[2,0],[4,0],[4,3],[0,3]]}, "size": 0.5}"#;
+    assert!(is_explained(halved));
+    // As many sides, but others: one fewer below, and one more of the arc's two edges.
+    let arched = r#"{"polygon": {"corners": [[2,0],[4,0],[4,3],[0,3],[0,0]]}, "size": 0.5,
+        "sides": [{}, {}, {"intervals": 2, "arc": {"through": [2, 4]}}, {}, {}]}"#;
+    assert!(is_explained(arched));
 }
 
 #[test]
@@ -43,7 +85,7 @@ fn the_reasons_have_the_numbers_of_the_domain() {
          Whether degree 4 is possible is not known: with holes, not all meshes are searched.\n"
     );
     let rings = Domain::from_json(frame).unwrap();
-    assert_eq!(words::triangle_count(rings.rings()), 60);
+    assert_eq!(triangle_count(rings.rings()), 60);
 }
 
 #[test]

@@ -27,7 +27,7 @@ struct Summary<'a> {
     strip: [u32; 2],
     max_degree: u32,
     least_max_degree: u32,
-    lower_bound: u32,
+    at_least: u32,
     min_angle: f64,
     /// With a degree one more; null where that is no better.
     next_min_angle: Option<f64>,
@@ -133,7 +133,7 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
         strip: [result.triangles.start, result.triangles.end],
         max_degree: strip.max_degree,
         least_max_degree: strip.least_max_degree,
-        lower_bound: strip.lower_bound,
+        at_least: strip.lower_bound,
         min_angle: result.min_angle,
         next_min_angle: strip.next_min_angle,
         angle_without_limit: strip.without_limit.0,

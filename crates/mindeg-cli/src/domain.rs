@@ -7,7 +7,7 @@ mod file;
 pub(crate) use file::bytes_of;
 pub(crate) use file::{Content, Polygons};
 
-use crate::args::{Counts, DomainArguments, DomainOptions, FileOptions};
+use crate::args::{Counts, CountsArguments, DomainArguments, DomainOptions};
 use crate::failure::Failure;
 use mindeg::{Domain, Intervals, Outline, Rectangle, Side};
 use std::path::Path;
@@ -33,22 +33,32 @@ pub(crate) fn name_in_text(domain: &Domain) -> &str {
     domain.name().unwrap_or("the domain")
 }
 
-/// The intervals of each side, as typed or as a domain's file has them; and that domain.
-pub(crate) fn counts(
-    counts: &Counts,
-    options: &FileOptions,
-) -> Result<(Vec<u64>, Option<Domain>), Failure> {
-    match counts {
-        Counts::Given(counts) => Ok((counts.clone(), None)),
-        Counts::Domain(path) => {
-            let domain = file_with_size(path, options)?;
-            counts_of(domain).map(|(counts, domain)| (counts, Some(domain)))
+/// What a question about degrees is about.
+pub(crate) enum Counted {
+    /// Interval counts as typed.
+    Counts(Vec<u64>),
+    /// A domain.
+    Domain(Box<Domain>),
+}
+
+/// The interval counts as typed, or the domain that the arguments describe.
+pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
+    let CountsArguments { counts, options } = arguments;
+    let domain = match counts {
+        Some(Counts::Given(_)) if options.divides() => {
+            let message = "--intervals, --size and --spacing divide the sides of a domain; the counts \
+                           are given already";
+            return Err(Failure::Input(message.to_owned()));
         }
-    }
+        Some(Counts::Given(counts)) => return Ok(Counted::Counts(counts.clone())),
+        Some(Counts::Domain(path)) => from_file(path, options)?,
+        None => from_options(options)?,
+    };
+    Ok(Counted::Domain(Box::new(domain)))
 }
 
 /// The intervals of each side of a convex domain without limits, sides on one line counted as one.
-pub(crate) fn counts_of(domain: Domain) -> Result<(Vec<u64>, Domain), Failure> {
+pub(crate) fn counts_of(domain: &Domain) -> Result<Vec<u64>, Failure> {
     if domain.is_constrained() {
         let message = "the domain gives outside_degree or max_degree, which interval counts alone do \
                        not tell; mindeg degree, mesh and tradeoff keep to them";
@@ -59,7 +69,7 @@ pub(crate) fn counts_of(domain: Domain) -> Result<(Vec<u64>, Domain), Failure> {
                        counts; mindeg degree tells its least maximum degree";
         return Err(Failure::Input(message.to_owned()));
     };
-    Ok((convex.boundary().sides().map(u64::from).collect(), domain))
+    Ok(convex.boundary().sides().map(u64::from).collect())
 }
 
 /// The domain in a file, with the options in place of what the file gives for its sides.
@@ -67,19 +77,6 @@ pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, 
     match content(path, options)? {
         Content::Domain(domain) => Ok(*domain),
         Content::Polygons(polygons) => polygons.only(),
-    }
-}
-
-/// The domain in a file, where interval counts might stand instead.
-pub(crate) fn file_with_size(path: &Path, options: &FileOptions) -> Result<Domain, Failure> {
-    match (file::read(path, &options.outline, options.size)?, options.size) {
-        (Content::Domain(domain), None) => Ok(*domain),
-        (Content::Domain(domain), Some(size)) => {
-            let mut sides = domain.sides().to_vec();
-            sides.iter_mut().for_each(|side| side.intervals = Intervals::Size(size));
-            domain.with_sides(sides).map_err(bad)
-        }
-        (Content::Polygons(polygons), _) => polygons.only(),
     }
 }
 
@@ -95,9 +92,7 @@ pub(crate) fn subject(arguments: &DomainArguments) -> Result<Content, Failure> {
 fn content(path: &Path, options: &DomainOptions) -> Result<Content, Failure> {
     let DomainOptions { intervals, size, spacing, outline, .. } = options;
     match file::read(path, outline, *size)? {
-        Content::Domain(domain) if intervals.is_none() && size.is_none() && spacing.is_none() => {
-            Ok(Content::Domain(domain))
-        }
+        Content::Domain(domain) if !options.divides() => Ok(Content::Domain(domain)),
         Content::Domain(domain) => {
             let sides = overridden(domain.sides().to_vec(), options)?;
             let domain = domain.with_sides(sides).map_err(bad)?;
@@ -123,7 +118,7 @@ pub(crate) fn from_options(options: &DomainOptions) -> Result<Domain, Failure> {
             (Outline::Polygon(corners), count)
         }
         (None, None) => {
-            let message = "no domain: name a JSON file, or - for standard input, or give --rectangle or --corners".to_owned();
+            let message = "no domain: name its file, or - for standard input, or give --rectangle or --corners".to_owned();
             return Err(Failure::Input(message));
         }
     };

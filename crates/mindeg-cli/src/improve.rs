@@ -4,7 +4,6 @@ use crate::args::ImproveArguments;
 use crate::bar::Bar;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
-use crate::interior_report::{Reached, grading, unmet_degrees, violations};
 use crate::interrupt::clean_up_on_interrupt;
 use crate::mesh_file;
 use crate::output::Outputs;
@@ -14,8 +13,10 @@ use crate::terminal::say;
 use mindeg::interior::{self, ImprovedMesh};
 use mindeg::{Interior, Progress, Triangles};
 use mindeg_answers::demands::Demands;
+use mindeg_answers::interior::{
+    InteriorAnswer, angles_and_degrees, grading, unmet_degrees, violations,
+};
 use mindeg_answers::numbers::steady_angle;
-use mindeg_answers::words;
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 
@@ -29,8 +30,8 @@ struct Summary {
     merged_vertices: usize,
     /// Edges inside that stayed, since groups meet there or lines run along them.
     kept_edges: usize,
-    before: Reached,
-    after: Reached,
+    before: InteriorAnswer,
+    after: InteriorAnswer,
     files: Vec<String>,
 }
 
@@ -74,8 +75,8 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
             triangles: improved.mesh.triangles().len(),
             merged_vertices: improved.merged,
             kept_edges: improved.kept_edges,
-            before: Reached::from(&improved.before),
-            after: Reached::from(&improved.after),
+            before: InteriorAnswer::from(&improved.before),
+            after: InteriorAnswer::from(&improved.after),
             files,
         })?;
     }
@@ -93,7 +94,7 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -
         format!(
             "  {when:<7} {} triangles, {}, {}",
             report.triangles,
-            words::angles_and_degrees(report),
+            angles_and_degrees(report),
             wrong(report)
         )
     };

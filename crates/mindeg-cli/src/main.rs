@@ -3,7 +3,6 @@
 //! Paths, standard streams and exit codes live in this crate; everything it computes is in the
 //! libraries below it.
 
-mod angle_limit;
 mod args;
 mod bar;
 mod boundary_loops;
@@ -21,7 +20,6 @@ mod fill;
 mod improve;
 mod input;
 mod inspect;
-mod interior_report;
 mod interrupt;
 mod mesh;
 mod mesh_file;
@@ -29,7 +27,6 @@ mod named_files;
 #[cfg(not(feature = "explore"))]
 mod no_explore;
 mod output;
-mod polygon_degree;
 mod provenance;
 mod schema;
 mod slips;

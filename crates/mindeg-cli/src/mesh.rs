@@ -15,33 +15,19 @@ use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
 use mindeg::exact::ExactError;
-use mindeg::{Domain, FoundBy, Goal, Meshed, Progress};
-use mindeg_answers::words::{self, triangle_count};
+use mindeg::{Domain, Goal, Meshed, Progress};
+use mindeg_answers::degree::triangle_count;
+use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
 use serde::Serialize;
 use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
-/// What `--json` prints; angles in degrees. Degrees are total: edges outside the domain count.
+/// What `--json` prints.
 #[derive(Serialize)]
-struct Summary<'a> {
-    name: Option<&'a str>,
-    intervals: Vec<u32>,
-    vertices: u32,
-    triangles: u32,
-    max_degree: u32,
-    /// Null where it is not known; no mesh has less than `at_least`.
-    least_max_degree: Option<u32>,
-    at_least: u32,
-    min_angle: f64,
-    max_angle: f64,
-    /// "formula", "search" (exact), "windows" (the degree is an upper bound), "exhaustive" or "zig_zag"
-    /// (the degree is the least, the angle may not be the largest with it).
-    found_by: &'static str,
-    /// Null where it was not worked out.
-    delaunay_min_angle: Option<f64>,
-    /// Whether the corners ran clockwise.
-    reversed: bool,
+struct Summary {
+    #[serde(flatten)]
+    mesh: MeshAnswer,
     files: Vec<String>,
 }
 
@@ -83,7 +69,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let callback = bar.callback();
     let progress = Progress::new(&callback);
     let meshed = meshed(domain, goal, progress)?;
-    let Meshed { mesh, least_max_degree, .. } = &meshed;
+    let mesh = &meshed.mesh;
     let angles =
         mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
     let demands = arguments.demands(arguments.interior.aims.target_angle);
@@ -94,27 +80,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     drop(callback);
     drop(bar);
 
-    let summary = Summary {
-        name: domain.name(),
-        intervals: domain.rings().sides().collect(),
-        vertices: mesh.vertex_count(),
-        triangles: mesh.triangle_count(),
-        max_degree: mesh.max_total_degree(),
-        least_max_degree: meshed.is_least_proven.then_some(*least_max_degree),
-        at_least: *least_max_degree,
-        min_angle: angles.min,
-        max_angle: angles.max,
-        found_by: match meshed.found_by {
-            FoundBy::Formula => "formula",
-            FoundBy::Search => "search",
-            FoundBy::Windows { .. } => "windows",
-            FoundBy::Exhaustive => "exhaustive",
-            FoundBy::ZigZag => "zig_zag",
-        },
-        delaunay_min_angle: meshed.delaunay_min_angle,
-        reversed: domain.was_reversed(),
-        files,
-    };
+    let summary = Summary { mesh: MeshAnswer::of(&meshed, [angles.min, angles.max]), files };
     if !arguments.quiet {
         say(&text(&meshed, goal, &summary));
     }
@@ -172,13 +138,13 @@ pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
     })
 }
 
-fn text(meshed: &Meshed, goal: Goal, summary: &Summary<'_>) -> String {
+fn text(meshed: &Meshed, goal: Goal, summary: &Summary) -> String {
     let domain = meshed.mesh.domain();
-    let angles = [summary.min_angle, summary.max_angle];
+    let angles = [summary.mesh.min_angle, summary.mesh.max_angle];
     let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
-    lines.extend(words::standing(meshed, goal, summary.min_angle));
+    lines.extend(words::standing(meshed, goal, summary.mesh.min_angle));
     if let Some(higher) = &meshed.higher_degree {
-        lines.push(words::higher_degree(summary.min_angle, higher));
+        lines.push(words::higher_degree(summary.mesh.min_angle, higher));
     }
     lines.extend(domain.notes());
     let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();

@@ -1,83 +1,45 @@
 //! `mindeg suggest`: which interval counts to change, and by how little.
 
-use crate::angle_limit::Lifting;
 use crate::args::SuggestArguments;
-use crate::domain::counts;
+use crate::degree::lifting;
+use crate::domain::{Counted, counted, counts_of};
 use crate::failure::Failure;
-use crate::interior_report::{LiftRow, Limit};
 use crate::standard_output::{print, print_json};
-use mindeg_answers::words;
-use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
-use serde::Serialize;
-
-/// What `--json` prints; sides count from 1, as in the text.
-#[derive(Serialize)]
-struct Answer<'a> {
-    intervals: &'a [u64],
-    least_max_degree: u32,
-    /// Of all suggestions, of which `--limit` leaves some out.
-    suggestion_count: usize,
-    suggestions: Vec<Row>,
-    /// The limit of the minimum angle with interior points, and changes that lift it, each on top of
-    /// the one before; only for a domain.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    angle_limit: Option<Limit>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    angle_suggestions: Vec<LiftRow>,
-}
-
-#[derive(Serialize)]
-struct Row {
-    least_max_degree: u32,
-    /// Intervals added or taken away in all.
-    cost: u64,
-    changes: Vec<SideChange>,
-    /// The counts after the changes.
-    intervals: Vec<u64>,
-}
-
-#[derive(Serialize)]
-struct SideChange {
-    side: usize,
-    by: i64,
-}
+use mindeg_answers::limit::{LiftAnswer, Lifting};
+use mindeg_answers::suggest::{SuggestAnswer, SuggestedChange, in_words};
+use mindeg_core::{Boundary, Suggestion, least_max_degree, suggest, suggestions};
 
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
-    let (intervals, domain) = &counts(&arguments.counts, &arguments.file)?;
-    let boundary = Boundary::new(intervals).map_err(|error| Failure::Input(error.to_string()))?;
+    let (intervals, domain) = match counted(&arguments.counts)? {
+        Counted::Counts(counts) => (counts, None),
+        Counted::Domain(domain) => (counts_of(&domain)?, Some(domain)),
+    };
+    let boundary = Boundary::new(&intervals).map_err(|error| Failure::Input(error.to_string()))?;
     let today = least_max_degree(&boundary);
-    let rows: Vec<Suggestion> = match arguments.max_degree {
+    let all: Vec<Suggestion> = match arguments.max_degree {
         None => suggestions(&boundary).collect(),
-        Some(target) => vec![suggest(&boundary, target).ok_or_else(|| {
+        Some(limit) => vec![suggest(&boundary, limit).ok_or_else(|| {
             Failure::Input(format!(
-                "no counts on {} sides have a least maximum degree of {target} or less",
+                "no counts on {} sides have a least maximum degree of {limit} or less",
                 boundary.side_count()
             ))
         })?],
     };
-    let lifting = domain.as_ref().and_then(|domain| Lifting::of(domain, None, usize::MAX));
-    let suggestion_count = rows.len();
-    let shown = spread(suggestion_count, arguments.limit, None);
-    let rows: Vec<Suggestion> = shown.into_iter().map(|row| rows[row].clone()).collect();
+    let lifting = domain.and_then(|domain| lifting(&domain, None, usize::MAX));
+    let shown = spread(all.len(), arguments.limit, None);
+    let rows: Vec<&Suggestion> = shown.into_iter().map(|row| &all[row]).collect();
     if arguments.json {
-        let row = |suggestion: Suggestion| Row {
-            least_max_degree: suggestion.max_degree,
-            cost: suggestion.cost(),
-            intervals: suggestion.intervals(&boundary),
-            changes: suggestion
-                .changes
-                .iter()
-                .map(|&Change { side, by }| SideChange { side: side + 1, by })
-                .collect(),
-        };
-        let suggestions = rows.into_iter().map(row).collect();
-        return print_json(&Answer {
-            intervals,
+        return print_json(&SuggestAnswer {
             least_max_degree: today,
-            suggestion_count,
-            suggestions,
-            angle_limit: lifting.as_ref().map(Lifting::json),
-            angle_suggestions: lifting.as_ref().map_or_else(Vec::new, Lifting::rows),
+            suggestion_count: all.len(),
+            suggestions: rows.iter().map(|row| SuggestedChange::new(row, &boundary)).collect(),
+            intervals,
+            limit: lifting.as_ref().map(Lifting::answer),
+            angle_suggestions: lifting
+                .iter()
+                .flat_map(|it| &it.steps)
+                .map(LiftAnswer::from)
+                .collect(),
         });
     }
     let mut text = format!("The least maximum degree is {today}.\n");
@@ -89,15 +51,11 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
             "No change is needed.\n".to_owned()
         } else {
             let counts: Vec<String> = row.intervals(&boundary).iter().map(u64::to_string).collect();
-            format!(
-                "For {}: {}, giving {}.\n",
-                row.max_degree,
-                words::suggestion(row),
-                counts.join(",")
-            )
+            let counts = counts.join(",");
+            format!("For {}: {}, giving {counts}.\n", row.max_degree, in_words(row))
         });
     }
-    text.push_str(&left_out(rows.len(), suggestion_count));
+    text.push_str(&left_out(rows.len(), all.len()));
     text.extend(lifting.as_ref().map(Lifting::steps_in_words));
     print(&text)
 }

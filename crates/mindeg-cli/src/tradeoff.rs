@@ -11,11 +11,9 @@ use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
 use mindeg::Progress;
 use mindeg::exact::{self, TradeOff};
-use mindeg_answers::numbers::steady_angle;
-use mindeg_answers::words::knee;
-use mindeg_compare::{
-    TradeOffFigures, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
-};
+use mindeg_answers::numbers::{steady_angle, steady_percent};
+use mindeg_answers::trade_off::TradeOffAnswer;
+use mindeg_compare::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -42,11 +40,8 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
         write_to(path, out, |out| write(&trade_off, out))?;
     }
     outputs.finish()?;
-    if arguments.json {
-        print_json(&TradeOffFigures::of(&trade_off))
-    } else {
-        print(&table(&trade_off, arguments.limit))
-    }
+    let answer = TradeOffAnswer::of(&trade_off);
+    if arguments.json { print_json(&answer) } else { print(&table(&answer, arguments.limit)) }
 }
 
 fn writer(path: &Path) -> Result<Writer, Failure> {
@@ -62,30 +57,29 @@ fn writer(path: &Path) -> Result<Writer, Failure> {
     }
 }
 
-fn table(trade_off: &TradeOff, limit: u32) -> String {
+fn table(answer: &TradeOffAnswer, limit: u32) -> String {
     let mut text = String::from("maximum degree   minimum angle  of Delaunay's\n");
-    let meshes = trade_off.meshes();
-    let points: Vec<_> =
-        meshes.iter().map(|exact| (f64::from(exact.max_degree), exact.min_angle)).collect();
-    let knee = knee(&points);
-    let rows = spread(meshes.len(), limit, knee);
+    let points = &answer.points;
+    let advised = points.iter().position(|point| Some(point.max_degree) == answer.advised);
+    let rows = spread(points.len(), limit, advised);
     for &row in &rows {
-        let exact = &meshes[row];
+        let point = &points[row];
         // Writing to a string cannot fail.
         let _ = writeln!(
             text,
-            "{:>14}  {:>14}  {:>12.1}%{}",
-            exact.max_degree,
-            steady_angle(exact.min_angle),
-            100.0 * trade_off.share(exact),
-            if knee == Some(row) { "  knee" } else { "" },
+            "{:>14}  {:>14}  {:>13}{}",
+            point.max_degree,
+            steady_angle(point.min_angle),
+            steady_percent(point.share_of_delaunay),
+            if advised == Some(row) { "  advised" } else { "" },
         );
     }
-    text.push_str(&left_out(rows.len(), meshes.len()));
-    if !trade_off.is_exact() {
-        text.push_str(
-            "Windows reached these; smaller degrees and larger angles may be possible. All meshes are \
-             searched only\nwithout holes, and where few vertices see each other.\n",
+    text.push_str(&left_out(rows.len(), points.len()));
+    if let Some(question) = answer.open_question() {
+        let _ = writeln!(
+            text,
+            "{question} All meshes are searched only\nwithout holes, and where few vertices see each \
+             other."
         );
     }
     text

@@ -8,6 +8,7 @@
 
 use crate::Method;
 use crate::figures::MethodFigures;
+use mindeg::exact::{keeps, share_of};
 use mindeg_answers::advice::KEPT;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -49,7 +50,7 @@ impl Advice {
         methods
             .iter()
             .filter_map(|method| Some((method.method, method.outcome()?)))
-            .filter(|(_, (_, angle))| *angle >= KEPT * whole)
+            .filter(|(_, (_, angle))| keeps(*angle, KEPT, whole))
             .filter(|(_, (degree, _))| all_looked_at || *degree < degree_there)
             .min_by(|(_, (degree, angle)), (_, (other, its_angle))| {
                 degree.cmp(other).then(its_angle.total_cmp(angle))
@@ -57,7 +58,7 @@ impl Advice {
             .map(|(method, (max_degree, angle))| Self {
                 method,
                 max_degree,
-                share_of_delaunay: (angle / whole).min(1.0),
+                share_of_delaunay: share_of(angle, whole).min(1.0),
             })
     }
 }

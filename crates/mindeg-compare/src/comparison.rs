@@ -3,12 +3,13 @@
 use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 use crate::interior;
 use crate::reference::Reference;
-use crate::report::{Provenance, Report, TradeOffFigures};
+use crate::report::{Provenance, Report};
 use crate::{Advice, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactError, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Step};
 use mindeg_answers::advice::KEPT;
+use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -225,7 +226,7 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         domain,
         advice: Advice::of(&methods, trade_off.is_some()),
         methods,
-        trade_off: trade_off.as_ref().map(TradeOffFigures::of),
+        trade_off: trade_off.as_ref().map(TradeOffAnswer::of),
         interior,
         verdict: String::new(),
     };
@@ -270,8 +271,9 @@ fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
 fn shown(trade_off: &TradeOff) -> impl Iterator<Item = &ExactMesh> {
     let meshes = trade_off.meshes();
     let last = meshes.len().saturating_sub(1);
-    let kept = meshes.iter().position(|exact| trade_off.share(exact) >= KEPT).unwrap_or(last);
-    let is_shown = move |place| place < 2 || place == kept || place == last;
+    let kept = trade_off.keeping(KEPT).map(|exact| exact.max_degree);
+    let is_kept = move |place: usize| Some(meshes[place].max_degree) == kept;
+    let is_shown = move |place| place < 2 || is_kept(place) || place == last;
     meshes.iter().enumerate().filter(move |&(place, _)| is_shown(place)).map(|(_, mesh)| mesh)
 }
 

@@ -49,8 +49,7 @@ pub use interior::InteriorFigures;
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
-    IndexEntry, MeasureFacts, PageLinks, Provenance, Report, TradeOffFigures, TradeOffPoint,
-    measure_facts, report_schema, viewer_script, viewer_style, write_html, write_index, write_json,
-    write_linked_html, write_markdown, write_trade_off_html, write_trade_off_json,
-    write_trade_off_svg, write_view,
+    IndexEntry, MeasureFacts, PageLinks, Provenance, Report, measure_facts, report_schema,
+    viewer_script, viewer_style, write_html, write_index, write_json, write_linked_html,
+    write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg, write_view,
 };

@@ -22,14 +22,13 @@ pub use facts::{MeasureFacts, measure_facts};
 pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;
-pub use trade_off::{
-    TradeOffFigures, TradeOffPoint, write_trade_off_html, write_trade_off_json, write_trade_off_svg,
-};
+pub use trade_off::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
 pub use view::write_view;
 pub use viewer::{viewer_script, viewer_style};
 
 use crate::figures::{DomainFigures, MethodFigures};
 use crate::{Advice, InteriorFigures};
+use mindeg_answers::trade_off::TradeOffAnswer;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
@@ -69,7 +68,7 @@ pub struct Report {
     pub methods: Vec<MethodFigures>,
     /// What every degree buys, exactly; null where the domain is too large for that or the time
     /// limit too short. The methods named exact are meshes of its points.
-    pub trade_off: Option<TradeOffFigures>,
+    pub trade_off: Option<TradeOffAnswer>,
     /// Meshes with interior points on the same boundary; empty unless asked for.
     pub interior: Vec<InteriorFigures>,
     /// What the figures say, in words.

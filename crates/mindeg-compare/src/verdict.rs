@@ -242,7 +242,8 @@ mod tests {
     use super::*;
     use crate::figures::{Distribution, DomainFigures, MethodDefect, MetricFigures};
     use crate::report::Provenance;
-    use crate::{Advice, Reference, TradeOffFigures};
+    use crate::{Advice, Reference};
+    use mindeg_answers::trade_off::TradeOffAnswer;
 
     const FAN: Method = Method::Reference(Reference::Fan);
 
@@ -289,7 +290,7 @@ mod tests {
             optimum_is_proven: true,
         };
         let has_exact = methods.iter().any(|m| matches!(m.method, Method::Exact { .. }));
-        let trade_off = TradeOffFigures { points: vec![], delaunay_min_angle: 1.0 };
+        let trade_off = TradeOffAnswer { points: vec![], delaunay_min_angle: 1.0, advised: None };
         let report = Report {
             provenance: Provenance::default(),
             domain,

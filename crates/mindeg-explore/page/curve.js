@@ -17,7 +17,7 @@ export function angleText(degrees) {
   return `${Number(degrees.toPrecision(4))}°`;
 }
 
-const percent = (share) => `${Number((100 * share).toPrecision(3))}%`;
+const percent = (share) => (share > 0.999 && share < 1 ? ">99.9%" : `${Number((100 * share).toPrecision(3))}%`);
 
 /** Round steps of an axis up to `highest`. */
 function steps(highest, most) {
@@ -78,10 +78,10 @@ export function showCurve(box, rows, curve, shown, choose) {
 }
 
 /** One button for each degree, with its angle. */
-function showRows(rows, { points, is_exact: isExact }, shown, choose) {
+function showRows(rows, { points }, shown, choose) {
   // Buttons are kept, so that the one with the focus keeps it.
   while (rows.children.length > points.length) rows.lastChild.remove();
-  points.forEach(({ max_degree, min_angle, share }, place) => {
+  points.forEach(({ max_degree, min_angle, share_of_delaunay: share, exact }, place) => {
     let button = rows.children[place];
     if (!button) {
       button = document.createElement("button");
@@ -95,7 +95,8 @@ function showRows(rows, { points, is_exact: isExact }, shown, choose) {
     const [name, angle, note] = button.children;
     name.textContent = `degree ${max_degree}`;
     angle.textContent = angleText(min_angle);
-    const more = isExact || share >= 1 ? "" : " or more";
+    // No mesh has more than all of it.
+    const more = exact || share > 0.999 ? "" : " or more";
     note.textContent = `${percent(share)}${more} of Delaunay’s`;
   });
 }

@@ -6,7 +6,7 @@ import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js"
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
-  NAMES, domainTrouble, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused,
+  NAMES, decidingVertices, domainTrouble, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused,
   showSuggestions, showTrouble,
 } from "./show.js";
 import { Stage, view } from "./stage.js";
@@ -167,8 +167,7 @@ function startControls() {
   };
   element("show-limit").addEventListener("click", () => decide(shown.limit.vertices));
   element("show-degree").addEventListener("click", () => {
-    const { vertices, chords } = shown.degree;
-    decide([...vertices, ...chords.flat()]);
+    decide(decidingVertices(shown.degree));
   });
 }
 

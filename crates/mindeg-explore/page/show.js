@@ -91,7 +91,7 @@ export function showCurveNow(choose) {
   if (!curve) return;
   showCurve(element("curve"), element("degrees"), curve, wantedDegree(), choose);
   element("advice").textContent = curve.words;
-  element("curve-note").textContent = curve.is_exact ? "" : "The angles are what was reached; larger ones may be possible.";
+  element("curve-note").textContent = curve.open_question ?? "";
 }
 
 /** Sentences of the server, a paragraph for each line. */
@@ -100,10 +100,13 @@ function paragraphs(box, words) {
   box.textContent = text;
 }
 
+/** The vertices that a proof is about: the ends of chords, or the apexes. */
+export const decidingVertices = ({ certificate: { chords = [], apexes = [] } }) => [...apexes, ...chords.flat()];
+
 export function showDegree(degree) {
   shown.degree = degree;
   paragraphs(element("degree-words"), degree.words);
-  element("show-degree").hidden = !(degree.vertices.length || degree.chords.length);
+  element("show-degree").hidden = decidingVertices(degree).length === 0;
 }
 
 export function showLimit(limit) {

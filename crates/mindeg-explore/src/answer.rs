@@ -4,13 +4,15 @@ use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
 use mindeg::{BoundaryMesh, Domain, is_by_formula};
+use mindeg_answers::degree::DegreeReport;
+use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
 
-use crate::api::{Goal, Line, Part, Request, View};
+use crate::api::{CurveShown, DegreeShown, Goal, Line, Part, Request, View};
+use crate::changes;
 use crate::command::{KnownFiles, command};
 use crate::mesh::Made;
 use crate::shown::{self, Figure};
-use crate::{changes, curve, degree};
 
 /// The most boundary vertices of a domain.
 pub const MAX_VERTICES: u32 = 20_000;
@@ -115,16 +117,25 @@ impl Answering<'_> {
             (self.out)(&Line::Command { text });
         }
         if self.shows(Part::Degree) {
-            match degree::shown(self.domain, self.progress) {
-                Ok(degree) => (self.out)(&Line::Degree(degree)),
+            match DegreeReport::of(self.domain, self.progress) {
+                Ok(report) => {
+                    let words = report.words.clone();
+                    (self.out)(&Line::Degree(DegreeShown { report, words }));
+                }
                 Err(error) => self.refuse(Part::Degree, error.to_string())?,
             }
         }
         if self.shows(Part::Curve) {
             match trade_off(self.domain, self.progress) {
                 Ok(found) => {
-                    let delaunay = delaunay.map(|figure| figure.max_degree());
-                    (self.out)(&Line::Curve(curve::shown(&found, delaunay)));
+                    let delaunay_max_degree = delaunay.map(|figure| figure.max_degree());
+                    let answer = TradeOffAnswer::of(&found);
+                    (self.out)(&Line::Curve(CurveShown {
+                        words: answer.advice(delaunay_max_degree),
+                        open_question: answer.open_question(),
+                        delaunay_max_degree,
+                        answer,
+                    }));
                 }
                 Err(error) => self.refuse(Part::Curve, error.to_string())?,
             }
@@ -203,14 +214,16 @@ impl Answering<'_> {
         }
         let limit = changes::limit(self.domain);
         self.unless_cancelled()?;
-        let lifted = limit.as_ref().and_then(|(_, lifted)| lifted.as_ref());
         if self.shows(Part::Limit)
-            && let Some((limit, lifted)) = &limit
+            && let Some(limit) = &limit
         {
-            (self.out)(&Line::Limit(changes::limit_shown(limit, lifted.as_ref())));
+            (self.out)(&Line::Limit(changes::limit_shown(limit)));
         }
         if self.shows(Part::Suggestions) {
-            let suggestions = changes::suggestions(self.domain, lifted);
+            let suggestions = changes::suggestions(
+                self.domain,
+                limit.as_ref().and_then(|limit| limit.steps.first()),
+            );
             (self.out)(&Line::Suggestions { suggestions });
         }
         Ok(())

@@ -1,10 +1,11 @@
 //! The limit of the minimum angle, and changes of interval counts that bring a smaller degree or a larger
 //! angle.
 
-use mindeg::interior::{AngleLimit, Cause, Lift, angle_limit, lift};
+use mindeg::interior::{Cause, Lift};
 use mindeg::{Domain, Intervals};
+use mindeg_answers::limit::{Lifting, lift_counts};
 use mindeg_answers::numbers::steady_angle;
-use mindeg_answers::words;
+use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, Change};
 use serde_json::value::RawValue;
 
@@ -18,24 +19,21 @@ const LIFTED: u32 = 4000;
 const MOST: usize = 6;
 
 /// The limit of a domain, and the smallest change that lifts it; none for points too close to work with.
-pub(crate) fn limit(domain: &Domain) -> Option<(AngleLimit, Option<Lift>)> {
+pub(crate) fn limit(domain: &Domain) -> Option<Lifting> {
     let wanted = domain.interior().cloned().unwrap_or_default();
-    let limit = angle_limit(domain, &wanted).ok()?;
     let is_small = domain.rings().vertex_count() <= LIFTED;
-    let lifted = is_small.then(|| lift(domain, &wanted, &limit)).flatten();
-    Some((limit, lifted))
+    Lifting::of(domain, &wanted, usize::from(is_small)).ok()
 }
 
-pub(crate) fn limit_shown(limit: &AngleLimit, lifted: Option<&Lift>) -> LimitShown {
-    let (vertices, sides) = match &limit.cause {
+pub(crate) fn limit_shown(found: &Lifting) -> LimitShown {
+    let (vertices, sides) = match &found.limit.cause {
         Cause::Corner { vertex, corner, side_before, .. } => {
             (vec![*vertex], vec![*side_before, *corner])
         }
         Cause::Vertex { vertex, side, .. } => (vec![*vertex], vec![*side]),
         Cause::Facing { vertices, sides, .. } => (vertices.to_vec(), sides.to_vec()),
     };
-    let words = words::limit(limit, lifted);
-    LimitShown { min_angle: limit.min_angle, words, vertices, sides }
+    LimitShown { limit: found.answer(), words: found.text(), vertices, sides }
 }
 
 /// Changes for the degree, the smallest first, then the one for the angle.
@@ -46,7 +44,7 @@ pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<Suggest
         let changes = mindeg_core::suggestions(boundary);
         let changes = changes.take_while(|change| change.max_degree >= 4).take(MOST);
         found.extend(changes.filter_map(|suggestion| {
-            let change = words::suggestion(&suggestion);
+            let change = in_words(&suggestion);
             Some(Suggestion {
                 words: format!("{}: degree {}", capital(&change), suggestion.max_degree),
                 max_degree: Some(suggestion.max_degree),
@@ -59,7 +57,7 @@ pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<Suggest
         Some(Suggestion {
             words: format!(
                 "Give {}: with interior points, a minimum angle of up to {}",
-                words::lift_counts(lift),
+                lift_counts(lift),
                 steady_angle(lift.min_angle)
             ),
             max_degree: None,

@@ -13,8 +13,6 @@ pub mod api;
 mod arrays;
 mod changes;
 mod command;
-mod curve;
-mod degree;
 mod download;
 mod facts;
 mod files;

@@ -1,5 +1,8 @@
 //! The lines of an answer, as JSON has them.
 
+use mindeg_answers::degree::DegreeReport;
+use mindeg_answers::limit::LimitAnswer;
+use mindeg_answers::trade_off::TradeOffAnswer;
 use serde::Serialize;
 use serde_json::value::RawValue;
 
@@ -144,28 +147,22 @@ pub struct Bars {
     pub max: f64,
 }
 
-/// The least maximum degree, in words.
+/// The least maximum degree, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct DegreeShown {
-    /// No mesh of the boundary points has a smaller maximum degree.
-    pub at_least: u32,
-    /// Some mesh has this one; equal to `at_least` where that is proven.
-    pub reached: u32,
+    /// As `mindeg degree --json` has it.
+    #[serde(flatten)]
+    pub report: DegreeReport,
     /// Why it cannot be less, and how it is reached: sentences, as `mindeg degree` has them.
     pub words: String,
-    /// The kind of the proof, such as `no_balanced_cut`, `blocked_zig_zags` or `apexes`.
-    pub certificate: &'static str,
-    /// Chords that do not lie inside, one of which every zig-zag has: pairs of vertices.
-    pub chords: Vec<[u32; 2]>,
-    /// The only vertices that may be the third of certain triangles: those that apexes are counted at.
-    pub vertices: Vec<u32>,
 }
 
-/// The limit of the minimum angle, in words.
+/// The limit of the minimum angle, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct LimitShown {
-    /// In degrees, for meshes whose boundary vertices keep their degree limits.
-    pub min_angle: f64,
+    /// As `mindeg degree --json` has it.
+    #[serde(flatten)]
+    pub limit: LimitAnswer,
     /// A sentence, as `mindeg degree` has it.
     pub words: String,
     /// The vertices that decide: one, or one of each of two intervals that face each other.
@@ -174,32 +171,18 @@ pub struct LimitShown {
     pub sides: Vec<usize>,
 }
 
-/// The largest minimum angle for every maximum degree.
+/// The largest minimum angle for every maximum degree, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct CurveShown {
-    /// From the least degree to the first whose minimum angle is Delaunay's.
-    pub points: Vec<CurvePoint>,
-    /// Whether no mesh is better; else the points are what was reached.
-    pub is_exact: bool,
-    /// The minimum angle of a Delaunay triangulation, in degrees.
-    pub delaunay_min_angle: f64,
-    /// The maximum degree of that Delaunay triangulation.
+    /// As `mindeg tradeoff --json` has it.
+    #[serde(flatten)]
+    pub answer: TradeOffAnswer,
+    /// The maximum degree of a Delaunay triangulation.
     pub delaunay_max_degree: Option<u32>,
-    /// The index of the point where the curve bends most.
-    pub knee: Option<usize>,
     /// Which degree to take and why, in a sentence.
     pub words: String,
-}
-
-/// A point of the curve.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct CurvePoint {
-    /// The limit on the degrees.
-    pub max_degree: u32,
-    /// The largest minimum angle within it, in degrees.
-    pub min_angle: f64,
-    /// As a share of Delaunay's, 0 to 1.
-    pub share: f64,
+    /// What is not proven, in a sentence.
+    pub open_question: Option<&'static str>,
 }
 
 /// A change of interval counts.

@@ -3,8 +3,10 @@
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
+use mindeg_answers::degree::triangle_count;
+use mindeg_answers::interior::angles_and_degrees;
+use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::steady_angle;
-use mindeg_answers::words;
 use mindeg_compare::axis::{Axis, BARS};
 
 use crate::api::{Bars, DomainShown, Request, Shown, SideShown, View};
@@ -40,7 +42,7 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
     DomainShown {
         name: domain.name().map(str::to_owned),
         vertices: rings.vertex_count(),
-        triangles: words::triangle_count(rings),
+        triangles: triangle_count(rings),
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
         size: size.to_array(),
@@ -117,7 +119,7 @@ impl Figure {
                     domain.rings().vertex_count(),
                     report.interior_points,
                     report.triangles,
-                    words::angles_and_degrees(report),
+                    angles_and_degrees(report),
                 );
                 Self { words, ..figure }
             }

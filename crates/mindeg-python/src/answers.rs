@@ -1,8 +1,16 @@
 //! What the library answers besides meshes.
 
 use pyo3::prelude::*;
+use serde::Serialize;
 
 use crate::mesh::Mesh;
+use crate::work::value_error;
+
+/// A value of `mindeg-answers` as a dict, with the keys that the command line prints.
+pub(crate) fn dict<'py>(py: Python<'py>, answer: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
+    let json = serde_json::to_string(answer).map_err(value_error)?;
+    py.import("json")?.call_method1("loads", (json,))
+}
 
 /// The least maximum degree of a domain, and why it is no less.
 #[pyclass(module = "mindeg", frozen, get_all)]
@@ -34,7 +42,7 @@ pub(crate) struct TradeOffPoint {
     /// The largest minimum angle within it, in degrees.
     pub(crate) min_angle: f64,
     /// The share of Delaunay's minimum angle, 0 to 1.
-    pub(crate) share: f64,
+    pub(crate) share_of_delaunay: f64,
     /// The mesh.
     pub(crate) mesh: Py<Mesh>,
 }
@@ -43,8 +51,8 @@ pub(crate) struct TradeOffPoint {
 impl TradeOffPoint {
     fn __repr__(&self) -> String {
         format!(
-            "<mindeg.TradeOffPoint max_degree={} min_angle={:.3} share={:.3}>",
-            self.max_degree, self.min_angle, self.share
+            "<mindeg.TradeOffPoint max_degree={} min_angle={:.3} share_of_delaunay={:.3}>",
+            self.max_degree, self.min_angle, self.share_of_delaunay
         )
     }
 }

@@ -1,14 +1,16 @@
 //! A domain: what to mesh.
 
 use mindeg::glam::DVec3;
-use mindeg::{Domain as Inner, FoundBy, Goal, Positions, exact};
+use mindeg::{Domain as Inner, Goal, Positions, exact};
+use mindeg_answers::interior::InteriorAnswer;
+use mindeg_answers::mesh::found_by;
 use mindeg_mesh::filled;
 use numpy::PyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::answers::{Degree, Suggestion, TradeOffPoint};
+use crate::answers::{Degree, Suggestion, TradeOffPoint, dict};
 use crate::arrays;
 use crate::interior;
 use crate::mesh::{Facts, Mesh};
@@ -77,16 +79,9 @@ impl Domain {
             }
         };
         let meshed = done(py, |progress| mindeg::mesh(&self.inner, goal, progress))?;
-        let found_by = match meshed.found_by {
-            FoundBy::Formula => "formula".to_owned(),
-            FoundBy::Search => "search".to_owned(),
-            FoundBy::Exhaustive => "exhaustive search for the degree".to_owned(),
-            FoundBy::ZigZag => "zig-zag".to_owned(),
-            FoundBy::Windows { share } => format!("windows that keep {share} of the angle"),
-        };
         let facts = Facts {
             least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
-            found_by: Some(found_by),
+            found_by: Some(found_by(meshed.found_by).to_owned()),
             report: None,
         };
         Ok(Mesh::new(meshed.mesh, facts))
@@ -98,7 +93,8 @@ impl Domain {
         let base = self.inner.interior().cloned().unwrap_or_default();
         let wanted = interior::wanted(options, base)?;
         let found = done(py, |progress| mindeg::interior::mesh(&self.inner, &wanted, progress))?;
-        let report = interior::reached(py, &found.report)?.unbind();
+        let report =
+            dict(py, &InteriorAnswer::from(&found.report))?.cast_into::<PyDict>()?.unbind();
         let facts = Facts { report: Some(report), ..Facts::default() };
         Ok(Mesh::new(found.mesh, facts))
     }
@@ -116,7 +112,7 @@ impl Domain {
             Ok(TradeOffPoint {
                 max_degree: exact.max_degree,
                 min_angle: exact.min_angle,
-                share: trade_off.share(exact),
+                share_of_delaunay: trade_off.share(exact),
                 mesh: Py::new(py, Mesh::new(exact.mesh.clone(), facts))?,
             })
         };

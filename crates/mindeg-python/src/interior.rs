@@ -1,7 +1,6 @@
-//! What is wanted of interior points, from Python's keyword arguments; what was reached, as a dict.
+//! What is wanted of interior points, from Python's keyword arguments.
 
 use mindeg::glam::DVec3;
-use mindeg::interior::Report;
 use mindeg::{Interior, Prefer, SizeAt};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -77,24 +76,4 @@ fn prefer(value: &str) -> PyResult<Prefer> {
             Err(PyValueError::new_err(problem))
         }
     }
-}
-
-/// What was reached.
-pub(crate) fn reached<'py>(py: Python<'py>, report: &Report) -> PyResult<Bound<'py, PyDict>> {
-    let dict = PyDict::new(py);
-    dict.set_item("min_angle", report.min_angle)?;
-    dict.set_item("max_angle", report.max_angle)?;
-    dict.set_item("angle_limit", report.limits.angle())?;
-    dict.set_item("share_of_limit", report.share_of_limit)?;
-    let interior = report.interior_degree.as_ref().map(|range| (*range.start(), *range.end()));
-    dict.set_item("interior_degree", interior)?;
-    let boundary = &report.boundary_degree;
-    dict.set_item("boundary_degree", (*boundary.start(), *boundary.end()))?;
-    let violation =
-        |one: &mindeg::interior::Violation| (one.vertex, one.at.x, one.at.y, one.degree);
-    dict.set_item("violations", report.violations.iter().map(violation).collect::<Vec<_>>())?;
-    dict.set_item("area_ratio", report.area_ratio)?;
-    dict.set_item("grading_p99", report.grading_p99)?;
-    dict.set_item("interior_points", report.interior_points)?;
-    Ok(dict)
 }

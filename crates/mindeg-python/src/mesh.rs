@@ -9,6 +9,7 @@ use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Material, Mesh as AnyMesh, TriMesh};
 use mindeg_answers::inspected::InspectionReport;
+use mindeg_answers::interior::InteriorAnswer;
 use mindeg_formats::svg;
 use mindeg_mesh::{LineKind, filled};
 use numpy::{PyArray1, PyArray2};
@@ -16,6 +17,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::answers::dict;
 use crate::arrays;
 use crate::interior;
 use crate::save::{self, Wanted};
@@ -363,11 +365,11 @@ pub(crate) fn inspect<'py>(
     }
     let mesh = arrays::tri_mesh(points, triangles)?;
     let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
-    let json = done(py, |_| {
+    let report = py.detach(|| {
         let found = Inspection::of(&mesh, &options);
-        serde_json::to_string(&InspectionReport::new(None, &mesh, &found, &options))
-    })?;
-    py.import("json")?.call_method1("loads", (json,))
+        InspectionReport::new(None, &mesh, &found, &options)
+    });
+    dict(py, &report)
 }
 
 /// The optimiser alone on a planar mesh; the package names the options.
@@ -382,7 +384,7 @@ pub(crate) fn improve(
     let mesh = arrays::tri_mesh(points, triangles)?;
     let wanted = interior::wanted(options, mindeg::Interior::default())?;
     let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
-    let report = interior::reached(py, &found.after)?;
-    report.set_item("before", interior::reached(py, &found.before)?)?;
+    let report = dict(py, &InteriorAnswer::from(&found.after))?.cast_into::<PyDict>()?;
+    report.set_item("before", dict(py, &InteriorAnswer::from(&found.before))?)?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
 }

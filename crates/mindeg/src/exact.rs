@@ -67,11 +67,33 @@ impl TradeOff {
         self.is_exact
     }
 
-    /// How much of that a mesh has, 0 to 1.
+    /// How much of that a mesh has, 0 to 1; 1 where only rounding keeps them apart.
     #[must_use]
     pub fn share(&self, exact: &ExactMesh) -> f64 {
-        exact.min_angle / self.delaunay_min_angle
+        share_of(exact.min_angle, self.delaunay_min_angle)
     }
+
+    /// The mesh of the smallest degree that keeps this share of Delaunay's minimum angle, 0 to 1.
+    #[must_use]
+    pub fn keeping(&self, share: f64) -> Option<&ExactMesh> {
+        self.meshes.iter().find(|exact| keeps(exact.min_angle, share, self.delaunay_min_angle))
+    }
+}
+
+/// An angle as a share of the largest, `most`; 1 where only rounding keeps them apart.
+#[must_use]
+pub fn share_of(angle: f64, most: f64) -> f64 {
+    /// What rounding may take from a share.
+    const ROUNDING: f64 = 1e-9;
+    let share = angle / most;
+    if (share - 1.0).abs() < ROUNDING { 1.0 } else { share }
+}
+
+/// Whether an angle has this share of the largest, `most`. Angles are compared to 36 bits; the last of them
+/// decides nothing.
+#[must_use]
+pub fn keeps(angle: f64, share: f64, most: f64) -> bool {
+    angle >= share * most * (1.0 - 1e-10)
 }
 
 /// The least maximum degree of all meshes of a domain; O(k) for k sides of a convex domain without

@@ -24,8 +24,7 @@ pub(crate) fn keep_angle(
     if !posed.has_best_angles(progress)? {
         return windowed(&posed, share, 0, progress);
     }
-    // Angles are compared to 36 bits; the last of them decides nothing.
-    let is_kept = |min_angle, most| min_angle >= share * most * (1.0 - 1e-10);
+    let is_kept = |min_angle, most| exact::keeps(min_angle, share, most);
     let trade_off = exact::exact_trade_off(&posed, is_kept, progress)?;
     Ok(Meshed::last_of(&trade_off))
 }

@@ -50,7 +50,7 @@ pub(crate) struct BridgeArguments {
     pub(crate) max_degree: Option<u32>,
 
     /// Print JSON: from and to (loop, vertices, first_vertex), vertices, triangles, strip (its
-    /// triangles), max_degree, least_max_degree, lower_bound, min_angle, next_min_angle,
+    /// triangles), max_degree, least_max_degree, at_least, min_angle, next_min_angle,
     /// angle_without_limit, degree_without_limit, planar, crossings (pairs of triangles), files.
     /// Loops are counted from 1, vertices and triangles from 0
     #[arg(long)]

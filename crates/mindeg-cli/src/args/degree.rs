@@ -1,6 +1,6 @@
-//! Commands that need interval counts alone.
+//! Commands that interval counts alone can answer.
 
-use super::domain::FileOptions;
+use super::domain::DomainOptions;
 use super::values::{IntervalCounts, whole_number};
 use super::with_exit_codes;
 use clap::Args;
@@ -20,21 +20,17 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = DEGREE, after_long_help = with_exit_codes(DEGREE))]
 pub(crate) struct DegreeArguments {
-    /// The intervals of each side, counter-clockwise, such as 3,3,2,2; or the file of a domain
-    /// that has them; - reads a domain from standard input
-    #[arg(id = "domain", value_name = "INTERVALS|DOMAIN")]
-    pub(crate) counts: Counts,
+    #[command(flatten)]
+    pub(crate) counts: CountsArguments,
 
     /// The most edges of a boundary vertex, for the limit of the minimum angle with interior points
     /// [default: 5]
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
     pub(crate) boundary_degree: Option<u32>,
 
-    #[command(flatten)]
-    pub(crate) file: FileOptions,
-
-    /// Print JSON: intervals, vertices, triangles, interior_edges, least_max_degree, certificate
-    /// (sides counted from 1); for a domain angle_limit, which interior points cannot exceed
+    /// Print JSON: intervals, holes, vertices, triangles, interior_edges, least_max_degree (null if
+    /// not known), at_least, reached, reached_by, certificate (sides counted from 1); for a domain limit, with
+    /// angle_limit, which interior points cannot exceed, and the change that lifts it
     #[arg(long)]
     pub(crate) json: bool,
 }
@@ -53,13 +49,8 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
 pub(crate) struct SuggestArguments {
-    /// The intervals of each side, counter-clockwise, such as 30,2,4,2; or the file of a domain
-    /// that has them; - reads a domain from standard input
-    #[arg(id = "domain", value_name = "INTERVALS|DOMAIN")]
-    pub(crate) counts: Counts,
-
     #[command(flatten)]
-    pub(crate) file: FileOptions,
+    pub(crate) counts: CountsArguments,
 
     /// The degree to come down to; without it, every lower degree that a least change leads to
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
@@ -72,9 +63,31 @@ pub(crate) struct SuggestArguments {
 
     /// Print JSON: intervals, least_max_degree, suggestion_count, and suggestions, a list of
     /// least_max_degree, cost, changes (side counted from 1, by) and intervals; for a domain
-    /// angle_limit and angle_suggestions
+    /// limit and angle_suggestions
     #[arg(long)]
     pub(crate) json: bool,
+}
+
+/// Interval counts, or a domain as every command takes it.
+#[derive(Debug, Args)]
+pub(crate) struct CountsArguments {
+    /// The intervals of each side, counter-clockwise, such as 3,3,2,2; or the file of a domain, as mindeg
+    /// mesh takes it; - reads a domain from standard input
+    #[arg(id = "domain", value_name = "INTERVALS|DOMAIN")]
+    pub(crate) counts: Option<Counts>,
+
+    #[command(flatten)]
+    pub(crate) options: DomainOptions,
+}
+
+impl CountsArguments {
+    /// The file of the domain.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        match &self.counts {
+            Some(Counts::Domain(path)) => Some(path),
+            _ => None,
+        }
+    }
 }
 
 /// Interval counts, or the file that has them.
@@ -93,8 +106,10 @@ impl FromStr for Counts {
         let counts = text.parse::<IntervalCounts>();
         let path = Path::new(text);
         let is_file = || {
-            let is_json = path.extension().is_some_and(|name| name.eq_ignore_ascii_case("json"));
-            is_json || text == "-" || text.contains(std::path::is_separator) || path.is_file()
+            // A missing file is told by the letters that its name ends in.
+            let ending = path.extension().unwrap_or_default().to_string_lossy();
+            let is_name = ending.starts_with(|c: char| c.is_ascii_alphabetic());
+            is_name || text == "-" || text.contains(std::path::is_separator) || path.is_file()
         };
         match counts {
             Ok(counts) => Ok(Self::Given(counts.0)),
@@ -111,7 +126,7 @@ mod tests {
     #[test]
     fn counts_are_told_from_files() {
         assert_eq!("3,3,2".parse(), Ok(Counts::Given(vec![3, 3, 2])));
-        for file in ["-", "no/such", "none.json", "none.JSON"] {
+        for file in ["-", "no/such", "none.json", "none.JSON", "none.geojson"] {
             assert_eq!(file.parse(), Ok(Counts::Domain(file.into())));
         }
         for wrong in ["3,three,3", "", "none", "1,2,2.5"] {

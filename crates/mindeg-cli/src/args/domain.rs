@@ -48,15 +48,11 @@ pub(crate) struct DomainOptions {
     pub(crate) outline: OutlineOptions,
 }
 
-/// What replaces a file's sides where interval counts may stand instead of a file.
-#[derive(Debug, Args)]
-pub(crate) struct FileOptions {
-    /// The length that the intervals of every side of a domain should have
-    #[arg(long, value_name = "S", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) size: Option<f64>,
-
-    #[command(flatten)]
-    pub(crate) outline: OutlineOptions,
+impl DomainOptions {
+    /// Whether an option divides the sides.
+    pub(crate) fn divides(&self) -> bool {
+        self.intervals.is_some() || self.size.is_some() || self.spacing.is_some()
+    }
 }
 
 /// What becomes of the outlines of a file that is not JSON. Longitude and latitude are taken as

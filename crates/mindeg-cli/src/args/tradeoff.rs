@@ -15,8 +15,8 @@ Examples:
 /// Tell how large the minimum angle can be for each maximum degree, exactly
 ///
 /// From the least possible degree up to the first one with the largest minimum angle of all,
-/// which is that of a Delaunay triangulation. The knee is the degree whose angle is farthest above
-/// the straight line from the first to the last: beyond it, an edge more buys less. Degrees and
+/// which is that of a Delaunay triangulation. The advised degree is the smallest
+/// that keeps 95% of that angle, as with mindeg mesh --keep-angle 95%. Degrees and
 /// degree limits are total: edges outside count. Up to 4096 boundary vertices.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
@@ -29,13 +29,13 @@ pub(crate) struct TradeoffArguments {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Vec<PathBuf>,
 
-    /// Print at most this many rows: the first, the knee, the last, and others spread evenly
+    /// Print at most this many rows: the first, the advised, the last, and others spread evenly
     /// between; 0 prints all
     #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true)]
     pub(crate) limit: u32,
 
-    /// Print JSON instead of a table: points, a list of max_degree, min_angle and exact, all of
-    /// them; and delaunay_min_angle
+    /// Print JSON instead of a table: points, a list of max_degree, min_angle,
+    /// share_of_delaunay and exact, all of them; delaunay_min_angle; and advised
     #[arg(long)]
     pub(crate) json: bool,
 

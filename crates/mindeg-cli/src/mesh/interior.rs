@@ -5,14 +5,16 @@ use crate::bar::Bar;
 use crate::demands::met_or_written_anyway;
 use crate::domain::name;
 use crate::failure::Failure;
-use crate::interior_report::{Limit, Reached, grading, unmet_degrees, violations};
 use crate::output::Outputs;
 use crate::standard_output::print_json;
 use crate::targets::Targets;
 use crate::terminal::say;
-use mindeg::interior::{self, AngleLimit, InteriorError, InteriorMesh, Lift};
+use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Progress, Triangles};
-use mindeg_answers::words;
+use mindeg_answers::interior::{
+    InteriorAnswer, angles_and_degrees, grading, unmet_degrees, violations,
+};
+use mindeg_answers::limit::{Lifting, LimitAnswer};
 use serde::Serialize;
 
 /// What `--json` prints.
@@ -23,8 +25,10 @@ struct Summary<'a> {
     boundary_vertices: u32,
     vertices: usize,
     #[serde(flatten)]
-    reached: Reached,
-    limit: Limit,
+    reached: InteriorAnswer,
+    /// With interior points the least is not known.
+    least_max_degree: Option<u32>,
+    limit: LimitAnswer,
     /// "interior": how the mesh was found.
     found_by: &'static str,
     /// Whether corners ran clockwise.
@@ -83,7 +87,7 @@ pub(super) fn run(
         Ok(meshed) => meshed,
         Err(error) => return Err(refused(domain, wanted, &error)),
     };
-    let lift = interior::lift(domain, wanted, &limit);
+    let lifting = Lifting::from_limit(domain, wanted, limit, 1).map_err(|error| input(&error))?;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(&mesh, report.min_angle);
     unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));
     let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
@@ -97,14 +101,15 @@ pub(super) fn run(
         intervals: domain.rings().sides().collect(),
         boundary_vertices: domain.rings().vertex_count(),
         vertices: mesh.positions().len(),
-        reached: Reached::from(&report),
-        limit: Limit::new(&limit, lift.as_ref()),
+        reached: InteriorAnswer::from(&report),
+        least_max_degree: None,
+        limit: lifting.answer(),
         found_by: "interior",
         reversed: domain.was_reversed(),
         files,
     };
     if !arguments.quiet {
-        say(&text(domain, &report, &limit, lift.as_ref(), &summary));
+        say(&text(domain, &report, &lifting, &summary));
     }
     if arguments.json {
         print_json(&summary)?;
@@ -115,10 +120,9 @@ pub(super) fn run(
 /// Why there is no mesh, in the words of the domain.
 fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure {
     if let InteriorError::TargetAboveLimit { target, .. } = error
-        && let Ok(limit) = interior::angle_limit(domain, wanted)
+        && let Ok(lifting) = Lifting::of(domain, wanted, 1)
     {
-        let lift = interior::lift(domain, wanted, &limit);
-        let words = words::limit(&limit, lift.as_ref());
+        let words = lifting.text();
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
     input(error)
@@ -131,8 +135,7 @@ fn input(error: &InteriorError) -> Failure {
 fn text(
     domain: &Domain,
     report: &interior::Report,
-    limit: &AngleLimit,
-    lift: Option<&Lift>,
+    lifting: &Lifting,
     summary: &Summary<'_>,
 ) -> String {
     let mut lines = vec![
@@ -142,9 +145,9 @@ fn text(
             summary.boundary_vertices,
             report.interior_points,
             report.triangles,
-            words::angles_and_degrees(report),
+            angles_and_degrees(report),
         ),
-        words::limit(limit, lift),
+        lifting.text(),
         grading(report),
     ];
     lines.extend(violations(report).map(|violations| format!("Warning: {violations}")));

@@ -35,8 +35,10 @@ struct Summary<'a> {
     vertices: u32,
     triangles: u32,
     max_degree: u32,
+    /// The same where that is proven, else null.
+    least_max_degree: Option<u32>,
     /// No mesh from these points has a smaller maximum degree.
-    lower_bound: u32,
+    at_least: u32,
     /// "sum", "edges", "side" or "weights".
     bounded_by: &'static str,
     /// The vertices of maximum degree.
@@ -45,7 +47,7 @@ struct Summary<'a> {
     max_angle: f64,
     /// The smallest share that a face has of its Delaunay triangulation's minimum angle; null
     /// without `--keep-angle`.
-    angle_share: Option<f64>,
+    share_of_delaunay: Option<f64>,
     closed: bool,
     /// By corners.
     boundary_edges: Vec<[u32; 2]>,
@@ -130,7 +132,8 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
         vertices: model.vertex_count(),
         triangles: mesh.triangle_count(),
         max_degree: meshed.max_degree,
-        lower_bound: meshed.lower_bound,
+        least_max_degree: meshed.is_proven().then_some(meshed.max_degree),
+        at_least: meshed.lower_bound,
         bounded_by: match meshed.bounded_by {
             JointBound::Sum { .. } => "sum",
             JointBound::Edges { .. } => "edges",
@@ -140,7 +143,7 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
         worst_vertices: &meshed.worst_vertices,
         min_angle: meshed.min_angle,
         max_angle: max_angle(mesh),
-        angle_share: meshed.angle_share,
+        share_of_delaunay: meshed.angle_share,
         closed: model.is_closed(),
         boundary_edges: model.boundary_edges().map(corners).collect(),
         non_manifold_edges: model.non_manifold_edges().map(corners).collect(),
@@ -278,7 +281,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
         summary.vertices,
         summary.triangles,
         summary.max_degree,
-        summary.lower_bound,
+        summary.at_least,
         steady_angle(summary.min_angle),
         steady_angle(summary.max_angle),
     )];
@@ -294,7 +297,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
         let noun = if count == 1 { "vertex has" } else { "vertices have" };
         lines.push(format!("{count} {noun} degree {}: {}.", meshed.max_degree, named.join(", ")));
     }
-    if let Some(share) = summary.angle_share {
+    if let Some(share) = summary.share_of_delaunay {
         let share = percent(share);
         lines.push(format!("Every face keeps {share} of its Delaunay minimum angle, or more."));
     }

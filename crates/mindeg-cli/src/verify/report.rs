@@ -2,6 +2,7 @@
 
 use crate::domain::name_in_text;
 use mindeg::Domain;
+use mindeg::exact::share_of;
 use mindeg::verify::{Defect, Optimality, Plane, Proof, Verified};
 use mindeg_answers::numbers::{count, four_digits, percent, steady_angle};
 use serde::Serialize;
@@ -74,10 +75,7 @@ pub(super) struct Angles {
 impl Angles {
     /// The share of the limit that the minimum angle has; 1 where only rounding keeps them apart.
     pub(super) fn share(&self) -> Option<f64> {
-        /// What rounding may take from a share.
-        const ROUNDING: f64 = 1e-9;
-        let share = self.limit.map(|limit| self.min / limit);
-        share.map(|share| if (share - 1.0).abs() < ROUNDING { 1.0 } else { share })
+        self.limit.map(|limit| share_of(self.min, limit))
     }
 }
 

@@ -10,59 +10,8 @@ pub use html::write_trade_off_html;
 pub use picture::write_trade_off_svg;
 
 use mindeg::exact::TradeOff;
-use schemars::JsonSchema;
-use serde::Serialize;
+use mindeg_answers::trade_off::TradeOffAnswer;
 use std::io::{self, Write};
-
-/// The figures of a trade-off, as JSON holds them.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_compare::TradeOffFigures;
-/// use mindeg::{Domain, Progress, Side, exact};
-///
-/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-/// let figures = TradeOffFigures::of(&exact::trade_off(&domain, Progress::NONE)?);
-/// assert_eq!(figures.points[0].max_degree, 4);
-/// assert!(figures.points[0].min_angle < figures.delaunay_min_angle);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-#[schemars(description = "What every degree buys.")]
-pub struct TradeOffFigures {
-    /// A point for every maximum degree, in ascending order.
-    pub points: Vec<TradeOffPoint>,
-    /// The minimum angle of a Delaunay triangulation, in degrees.
-    pub delaunay_min_angle: f64,
-}
-
-/// What one maximum degree buys.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct TradeOffPoint {
-    /// The most edges that a vertex may have.
-    pub max_degree: u32,
-    /// The largest minimum angle there is then, in degrees.
-    pub min_angle: f64,
-    /// Whether that is proven; if not, windows reached it.
-    pub exact: bool,
-}
-
-impl TradeOffFigures {
-    /// The figures of a trade-off.
-    #[must_use]
-    pub fn of(trade_off: &TradeOff) -> Self {
-        let point = |exact: &mindeg::exact::ExactMesh| TradeOffPoint {
-            max_degree: exact.max_degree,
-            min_angle: exact.min_angle,
-            exact: trade_off.is_exact(),
-        };
-        Self {
-            points: trade_off.meshes().iter().map(point).collect(),
-            delaunay_min_angle: trade_off.delaunay_min_angle(),
-        }
-    }
-}
 
 /// Writes the figures of a trade-off as JSON.
 ///
@@ -70,7 +19,7 @@ impl TradeOffFigures {
 ///
 /// Those of `out`.
 pub fn write_trade_off_json(trade_off: &TradeOff, mut out: impl Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut out, &TradeOffFigures::of(trade_off))?;
+    serde_json::to_writer_pretty(&mut out, &TradeOffAnswer::of(trade_off))?;
     out.write_all(b"\n")
 }
 

@@ -131,7 +131,7 @@ pub fn write_trade_off_html(trade_off: &TradeOff, mut out: impl Write) -> io::Re
 
 /// The first mesh that keeps enough of Delaunay's minimum angle.
 fn advised(trade_off: &TradeOff) -> Option<&ExactMesh> {
-    trade_off.meshes().iter().find(|exact| trade_off.share(exact) >= KEPT)
+    trade_off.keeping(KEPT)
 }
 
 /// What the curve says, in sentences; the first is the headline.

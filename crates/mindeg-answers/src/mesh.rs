@@ -1,8 +1,75 @@
 //! What is proven of a mesh, and what a higher degree would bring.
 
+use mindeg::exact::share_of;
 use mindeg::{FoundBy, Goal, HigherDegree, Meshed};
+use serde::Serialize;
 
-use crate::numbers::steady_angle;
+use crate::numbers::{percent, steady_angle};
+
+/// A mesh of boundary points; angles are in degrees. Degrees are total: edges outside the domain count.
+#[derive(Clone, Debug, Serialize)]
+pub struct MeshAnswer {
+    /// The name of the domain.
+    pub name: Option<String>,
+    /// The intervals of each side.
+    pub intervals: Vec<u32>,
+    /// Vertices.
+    pub vertices: u32,
+    /// Triangles.
+    pub triangles: u32,
+    /// The most edges at a vertex.
+    pub max_degree: u32,
+    /// Null where it is not known; no mesh has less than `at_least`.
+    pub least_max_degree: Option<u32>,
+    /// No mesh has a smaller maximum degree.
+    pub at_least: u32,
+    /// The minimum angle of all triangles.
+    pub min_angle: f64,
+    /// The maximum angle of all triangles.
+    pub max_angle: f64,
+    /// See [`found_by`].
+    pub found_by: &'static str,
+    /// Null where it was not worked out.
+    pub delaunay_min_angle: Option<f64>,
+    /// Whether the corners ran clockwise.
+    pub reversed: bool,
+}
+
+impl MeshAnswer {
+    /// The answer for a mesh of these angles, the least and the greatest.
+    #[must_use]
+    pub fn of(meshed: &Meshed, [min_angle, max_angle]: [f64; 2]) -> Self {
+        let (mesh, least) = (&meshed.mesh, meshed.least_max_degree);
+        let domain = mesh.domain();
+        Self {
+            name: domain.name().map(str::to_owned),
+            intervals: domain.rings().sides().collect(),
+            vertices: mesh.vertex_count(),
+            triangles: mesh.triangle_count(),
+            max_degree: mesh.max_total_degree(),
+            least_max_degree: meshed.is_least_proven.then_some(least),
+            at_least: least,
+            min_angle,
+            max_angle,
+            found_by: found_by(meshed.found_by),
+            delaunay_min_angle: meshed.delaunay_min_angle,
+            reversed: domain.was_reversed(),
+        }
+    }
+}
+
+/// How a mesh was found: `formula`, `search` (exact), `windows` (the degree is an upper bound), `exhaustive` or
+/// `zig_zag` (the degree is the least, the angle may not be the largest with it).
+#[must_use]
+pub fn found_by(found_by: FoundBy) -> &'static str {
+    match found_by {
+        FoundBy::Formula => "formula",
+        FoundBy::Search => "search",
+        FoundBy::Windows { .. } => "windows",
+        FoundBy::Exhaustive => "exhaustive",
+        FoundBy::ZigZag => "zig_zag",
+    }
+}
 
 /// The size of a mesh, its degree and its angles, the least and the greatest in degrees, in a line.
 #[must_use]
@@ -24,9 +91,10 @@ pub fn mesh(meshed: &Meshed, angles: [f64; 2]) -> String {
 #[must_use]
 pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
     let (max_degree, least) = (meshed.mesh.max_total_degree(), meshed.least_max_degree);
-    let kept = meshed.delaunay_min_angle.map(|most| {
-        let share = 100.0 * min_angle / most;
-        format!("{share:.0}% of Delaunay's minimum angle, {}", steady_angle(most))
+    let share = meshed.delaunay_min_angle.map(|most| share_of(min_angle, most));
+    let kept = meshed.delaunay_min_angle.zip(share).map(|(most, share)| {
+        let share = if share < 1.0 { percent(share) } else { "all".to_owned() };
+        format!("{share} of Delaunay's minimum angle, {}", steady_angle(most))
     });
     match (meshed.found_by, goal, kept) {
         (FoundBy::Formula, Goal::LeastDegree, _) => Some(
@@ -57,9 +125,10 @@ pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
             };
             Some(format!("It has {kept}. Degree {max_degree} was reached; {gap}."))
         }
-        (FoundBy::Exhaustive | FoundBy::ZigZag, _, Some(kept)) => {
+        (FoundBy::Exhaustive | FoundBy::ZigZag, _, Some(kept)) if share < Some(1.0) => {
             Some(format!("It has {kept}; more may be possible with this degree."))
         }
+        (FoundBy::Exhaustive | FoundBy::ZigZag, _, Some(kept)) => Some(format!("It has {kept}.")),
         (_, _, _) => None,
     }
 }
