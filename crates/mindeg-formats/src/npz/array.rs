@@ -60,6 +60,7 @@ impl<'a> Array<'a> {
         let (kind, _) = kind.ok_or_else(|| problem("the array has records, not numbers"))?;
         let is_big_endian = kind.starts_with('>');
         let (kind, size) = match kind.trim_start_matches(['<', '>', '|', '=']) {
+            "f2" => (Kind::Float, 2),
             "f4" => (Kind::Float, 4),
             "f8" => (Kind::Float, 8),
             "i1" => (Kind::Signed, 1),
@@ -73,7 +74,7 @@ impl<'a> Array<'a> {
             "O" => return Err(problem("the array is pickled, which is not read")),
             kind => {
                 return Err(problem(&format!(
-                    "the array has the type {kind:?}; integers, float32 and float64 are read"
+                    "the array has the type {kind:?}; integers and floats of 16, 32 and 64 bits are read"
                 )));
             }
         };
@@ -109,13 +110,13 @@ impl<'a> Array<'a> {
         self.shape
     }
 
-    pub(super) fn is_float(&self) -> bool {
-        self.kind == Kind::Float
-    }
-
-    /// Whether its numbers are floats of 32 bits.
-    pub(super) fn is_single(&self) -> bool {
-        self.is_float() && self.size == 4
+    /// The most that rounding to the type has changed a number, as a share of it; 0 for 64 bits.
+    pub(super) fn rounding(&self) -> f64 {
+        match (self.kind, self.size) {
+            (Kind::Float, 2) => HALF_EPSILON / 2.0,
+            (Kind::Float, 4) => f64::from(f32::EPSILON) / 2.0,
+            _ => 0.0,
+        }
     }
 
     /// The bytes of a number, the least significant first, with its sign continued.
@@ -138,18 +139,23 @@ impl<'a> Array<'a> {
     pub(super) fn float(&self, row: usize, column: usize) -> f64 {
         let bytes = self.bytes(row, column);
         match self.kind {
-            Kind::Float if self.size == 8 => f64::from_le_bytes(bytes),
-            Kind::Float => {
-                let [a, b, c, d, ..] = bytes;
-                f32::from_le_bytes([a, b, c, d]).into()
-            }
+            Kind::Float => match (self.size, bytes) {
+                (2, [a, b, ..]) => half(u16::from_le_bytes([a, b])),
+                (4, [a, b, c, d, ..]) => f32::from_le_bytes([a, b, c, d]).into(),
+                _ => f64::from_le_bytes(bytes),
+            },
             Kind::Signed => i64::from_le_bytes(bytes) as f64,
             Kind::Unsigned => u64::from_le_bytes(bytes) as f64,
         }
     }
 
-    /// A number of an array of integers, if it is one of 0 to 2^32 - 1; or else in words.
+    /// A number, if it is a whole one of 0 to 2^32 - 1; or else in words.
     pub(super) fn index(&self, row: usize, column: usize) -> Result<u32, String> {
+        if self.kind == Kind::Float {
+            let value = self.float(row, column);
+            let index = value as u32;
+            return if f64::from(index) == value { Ok(index) } else { Err(value.to_string()) };
+        }
         let bytes = self.bytes(row, column);
         let (signed, unsigned) = (i64::from_le_bytes(bytes), u64::from_le_bytes(bytes));
         if self.kind == Kind::Signed {
@@ -157,6 +163,21 @@ impl<'a> Array<'a> {
         }
         u32::try_from(unsigned).map_err(|_| unsigned.to_string())
     }
+}
+
+/// The distance from 1 to the next float of 16 bits.
+const HALF_EPSILON: f64 = 1.0 / 1024.0;
+
+/// A float of 16 bits: a sign, 5 bits of exponent, 10 of fraction.
+fn half(bits: u16) -> f64 {
+    let (exponent, fraction) = (i32::from(bits >> 10 & 0x1f), f64::from(bits & 0x3ff));
+    let magnitude = match exponent {
+        0 => fraction * HALF_EPSILON * libm::exp2(-14.0),
+        31 if fraction == 0.0 => f64::INFINITY,
+        31 => f64::NAN,
+        _ => (1.0 + fraction * HALF_EPSILON) * libm::exp2(f64::from(exponent - 15)),
+    };
+    if bits >> 15 == 0 { magnitude } else { -magnitude }
 }
 
 #[cfg(test)]
@@ -190,6 +211,26 @@ mod tests {
         assert_eq!([array.float(0, 0), array.float(0, 1)], [0.5, -1.5]);
     }
 
+    /// The page of formats says any type of numbers, and numpy has these.
+    #[test]
+    fn halves_and_whole_floats_are_read() {
+        let halves: Vec<u8> =
+            [0x3c00_u16, 0xc100, 0x0001, 0x7bff].iter().flat_map(|x| x.to_le_bytes()).collect();
+        let bytes = array("'<f2'", "False", "(2, 2)", &halves);
+        let halves = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
+        let floats = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]| halves.float(i, j));
+        assert_eq!(floats, [1.0, -2.5, 1.0 / 16_777_216.0, 65504.0]);
+        assert_eq!(half(0x7c00), f64::INFINITY);
+        assert!(half(0xfe00).is_nan());
+        let floats: Vec<u8> =
+            [7.0, 1.5, -1.0, 1e10].iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
+        let bytes = array("'<f8'", "False", "(1, 4)", &floats);
+        let array = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
+        let indices = [0, 1, 2, 3].map(|column| array.index(0, column));
+        let refused = |word: &str| Err(word.to_owned());
+        assert_eq!(indices, [Ok(7), refused("1.5"), refused("-1"), refused("10000000000")]);
+    }
+
     #[test]
     fn indices_beyond_32_bits_are_told() {
         let bytes = array("'<i8'", "False", "(1, 1)", &(-1_i64).to_le_bytes());
@@ -199,6 +240,9 @@ mod tests {
             Array::new(0, Cow::Borrowed(&bytes)).unwrap().index(0, 0),
             Err("4294967296".to_owned())
         );
+        let bytes = array("'<u8'", "False", "(1, 1)", &(1_u64 << 63).to_le_bytes());
+        let index = Array::new(0, Cow::Borrowed(&bytes)).unwrap().index(0, 0);
+        assert_eq!(index, Err("9223372036854775808".to_owned()));
     }
 
     #[test]
@@ -209,7 +253,7 @@ mod tests {
             (
                 "'<c8'",
                 "(1, 2)",
-                "the array has the type \"c8\"; integers, float32 and float64 are read",
+                "the array has the type \"c8\"; integers and floats of 16, 32 and 64 bits are read",
             ),
             ("'<f8'", "(2,)", "the array has 1 dimensions, not 2"),
             ("'<f8'", "(9, 9)", "the array has 16 bytes, which is not what its shape (9, 9) takes"),

@@ -9,8 +9,8 @@ use std::io::Read;
 
 /// Reads a mesh from an NPZ: `points`, of two or three columns, and `triangles`, of three.
 ///
-/// Points may be of any type of numbers, triangles of any type of integers, in either byte and array
-/// order. Other arrays are passed over. The file is held in memory; O(n) time.
+/// Both may be integers or floats of up to 64 bits, in either byte and array order; the numbers of
+/// triangles are whole. Other arrays are passed over. The file is held in memory; O(n) time.
 ///
 /// # Errors
 ///
@@ -51,9 +51,7 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     let corners = corners(&triangles, rows)?;
     let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let mesh = TriMesh::new(positions, corners)?;
-    // Half a unit in the last place of a 32-bit float.
-    let rounding = if points.is_single() { largest * f64::from(f32::EPSILON) / 2.0 } else { 0.0 };
-    Ok(mesh.with_rounding(rounding))
+    Ok(mesh.with_rounding(largest * points.rounding()))
 }
 
 fn array<'a>(entries: &[Stored<'a>], name: &str) -> Result<Array<'a>, ReadError> {
@@ -72,10 +70,8 @@ fn array<'a>(entries: &[Stored<'a>], name: &str) -> Result<Array<'a>, ReadError>
 
 fn corners(triangles: &Array<'_>, vertices: usize) -> Result<Vec<[u32; 3]>, ReadError> {
     let [rows, columns] = triangles.shape();
-    if columns != 3 || triangles.is_float() {
-        let numbers = if triangles.is_float() { "floats" } else { "integers" };
-        let problem = format!("has {columns} columns of {numbers}, not 3 of integers");
-        return Err(ReadError::place("triangles", problem));
+    if columns != 3 {
+        return Err(ReadError::place("triangles", format!("has {columns} columns, not 3")));
     }
     let mut corners = Vec::new();
     corners.try_reserve_exact(rows)?;
