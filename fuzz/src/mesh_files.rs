@@ -3,7 +3,7 @@
 
 use mindeg_formats::{Format, WriteOptions, Writer, read, read_as, with_boundary_lines};
 use mindeg_mesh::inspection::{Inspection, InspectionOptions};
-use mindeg_mesh::{TriMesh, Triangles};
+use mindeg_mesh::{Progress, TriMesh, Triangles};
 use std::io;
 use std::path::Path;
 
@@ -46,6 +46,6 @@ fn written(format: Format, mesh: &TriMesh) -> Option<Vec<Vec<u8>>> {
     let writer = Writer::new(format, WriteOptions::default(), mesh, mesh.triangle_count()).ok()?;
     let mut files: Vec<(&str, Vec<u8>)> =
         vec![("a", Vec::new()); format.files(Path::new("a")).len()];
-    writer.write(mesh, &mut files).ok()?;
+    writer.write(mesh, &mut files, Progress::NONE).ok()?;
     Some(files.into_iter().map(|(_, bytes)| bytes).collect())
 }

@@ -34,10 +34,10 @@ const SLOW: &str = "\"$MINDEG\" mesh --rectangle 4x3 --intervals 100000,100000,1
      for part in 1 2 3 4 5 6 7 8 9 10; do head -c 4100000; sleep 0.2; done > /dev/null";
 
 #[test]
-fn bytes_rate_and_time_show_while_files_are_written() {
+fn share_and_time_show_while_files_are_written() {
     let Some(run) = shell(&SLOW.replace("QUIET", ""), true) else { return };
     let shown = run.text();
-    for word in ["writing ", " MB of 40.", " MB/s, ", "s left"] {
+    for word in ["writing .obj ", "%, ", "s left"] {
         assert!(shown.contains(word), "{word:?} is missing in {shown:?}");
     }
     // The line is cleared before the summary.
@@ -46,13 +46,11 @@ fn bytes_rate_and_time_show_while_files_are_written() {
         after.split_once("domain: 400000 vertices").expect("a summary follows");
     assert!(cleared.contains("\u{1b}[2K"), "{cleared:?}");
     assert!(!summary.contains("writing"));
-    // No bar shows more than there is.
-    for bar in shown.split("writing ").skip(1) {
-        let (done, of) = bar.split_once(" MB of ").expect("a bar in MB");
-        let done: f64 = done.rsplit(' ').next().and_then(|it| it.parse().ok()).expect("a number");
-        let of: f64 = of.split(' ').next().and_then(|it| it.parse().ok()).expect("a number");
-        assert!(done <= of, "{bar:?}");
-    }
+    // The share goes up to all there is.
+    let bars = shown.split("writing .obj ").skip(1);
+    let shares = bars.filter_map(|bar| bar.split_once('%')?.0.rsplit(' ').next()?.parse().ok());
+    let shares: Vec<u32> = shares.collect();
+    assert!(shares.is_sorted() && shares.len() > 1 && shares.iter().all(|&share| share <= 100));
 }
 
 #[test]

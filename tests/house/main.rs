@@ -169,6 +169,44 @@ fn no_phrase_is_retired() {
     assert_none(&faults, "write these sentences in plain words");
 }
 
+/// A format is added in `mindeg-formats` alone: no other crate lists extensions of meshes.
+#[test]
+fn no_extensions_are_listed_outside_the_formats() {
+    const ENOUGH_FOR_A_LIST: usize = 4;
+    let formats = mindeg_formats::Format::WRITTEN;
+    let extensions: BTreeSet<&str> =
+        formats.iter().flat_map(|format| format.extensions()).copied().collect();
+    let mut faults = Vec::new();
+    for (name, folder) in crates() {
+        // Outlines tell meshes from domains without reading meshes.
+        if ["mindeg-formats", "mindeg-outlines"].contains(&&*name) {
+            continue;
+        }
+        for path in files(&folder.join("src"), &[".rs"]) {
+            let code = without_tests(&path);
+            let lines: Vec<&str> = code.lines().collect();
+            for (index, window) in lines.windows(3).enumerate() {
+                let text = window.join(" ");
+                let words = text.split(|letter: char| {
+                    !letter.is_ascii_alphanumeric() && letter != '.' && letter != '"'
+                });
+                let is_listed = |word: &&str| {
+                    let bare = word.trim_matches('"');
+                    let is_quoted = bare.len() + 2 == word.len();
+                    let dotted = word.strip_prefix('.').map(|word| word.trim_end_matches('.'));
+                    (is_quoted && extensions.contains(bare))
+                        || dotted.is_some_and(|word| extensions.contains(word))
+                };
+                let found: BTreeSet<&str> = words.filter(is_listed).collect();
+                if found.len() >= ENOUGH_FOR_A_LIST {
+                    faults.push(format!("{}:{}: {found:?}", path.display(), index + 1));
+                }
+            }
+        }
+    }
+    assert_none(&faults, "use mindeg_formats::extensions, or Format::of_path");
+}
+
 #[test]
 fn documents_name_tests_that_exist() {
     let root = root();

@@ -6,7 +6,7 @@
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use mindeg_mesh::Step;
 use std::fmt;
-use std::io::{self, Read, Write};
+use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -30,7 +30,7 @@ pub(crate) fn clear() {
 /// What is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unit {
-    /// Bytes read or written.
+    /// Bytes read.
     Bytes,
     /// Parts of work.
     Parts,
@@ -110,7 +110,7 @@ impl Bar {
         })
     }
 
-    /// Counts bytes on their way to or from a `stream`, of which `expected` were counted in the
+    /// Counts the bytes that come from a `stream`, of which `expected` were counted in the
     /// stage's total.
     pub(crate) fn counting<T>(&self, stream: T, expected: u64) -> Counting<'_, T> {
         Counting { stream, bar: self, left: expected }
@@ -186,18 +186,6 @@ impl<T> Counting<'_, T> {
     }
 }
 
-impl<W: Write> Write for Counting<'_, W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let count = self.stream.write(bytes)?;
-        self.count(count);
-        Ok(count)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.stream.flush()
-    }
-}
-
 impl<R: Read> Read for Counting<'_, R> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.stream.read(buffer)?;
@@ -226,16 +214,19 @@ mod tests {
             (&[100], &[&[]]),
             (&[100, 50, 0], &[&[90], &[70], &[5]]),
         ] {
-            bar.stage("writing", expected.iter().sum(), Unit::Bytes);
+            bar.stage("reading", expected.iter().sum(), Unit::Bytes);
             for (&expected, blocks) in expected.iter().zip(blocks) {
-                let mut out = bar.counting(io::sink(), expected);
+                let mut input = bar.counting(io::repeat(0), expected);
                 for &len in *blocks {
-                    assert_eq!(out.write(&vec![0; len as usize]).expect("a sink"), len as usize);
+                    assert_eq!(
+                        input.read(&mut vec![0; len as usize]).expect("zeros"),
+                        len as usize
+                    );
                     assert!(Some(bar.bar.position()) <= bar.bar.length());
                 }
             }
-            let written = blocks.iter().copied().flatten().sum();
-            assert_eq!((bar.bar.position(), bar.bar.length()), (written, Some(written)));
+            let read = blocks.iter().copied().flatten().sum();
+            assert_eq!((bar.bar.position(), bar.bar.length()), (read, Some(read)));
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Where a mesh goes: each `-o` understood, then opened, then written.
 
-use crate::bar::{Bar, Counting, Unit};
+use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::output::{Outputs, cannot_write, is_standard_output};
 use mindeg_formats::{Format, WriteError, WriteOptions, Writer, extensions};
-use mindeg_mesh::{Mesh, Positions};
+use mindeg_mesh::{Mesh, Positions, Progress};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -107,8 +107,8 @@ impl<'a> Targets<'a> {
         self.targets.iter_mut().try_for_each(|target| target.open(outputs))
     }
 
-    /// Writes a mesh of the positions that were [checked](Self::check) to all of them, lets the bar
-    /// count the bytes, and gives the files their names.
+    /// Writes a mesh of the positions that were [checked](Self::check) to all of them, shows how far
+    /// that is, and gives the files their names.
     ///
     /// # Errors
     ///
@@ -124,17 +124,9 @@ impl<'a> Targets<'a> {
         outputs: Outputs,
         bar: &Bar,
     ) -> Result<(), Failure> {
-        let mut writers = Vec::new();
-        for target in &mut self.targets {
-            let mesh = mesh_for(target.format);
-            let expected = target.expected_lens(mesh)?;
-            writers.push((target, mesh, expected));
-        }
-        let total = writers.iter().flat_map(|(_, _, expected)| expected).sum();
-        bar.stage("writing", total, Unit::Bytes);
         let mut all_taken = true;
-        for (target, mesh, expected) in writers {
-            match target.write(mesh, &expected, bar) {
+        for target in &mut self.targets {
+            match target.write(mesh_for(target.format), bar) {
                 // Nobody reads on, and the other outputs are not for that reader.
                 Err(Failure::ClosedPipe) => all_taken = false,
                 written => written?,
@@ -198,29 +190,18 @@ impl<'a> Target<'a> {
         self.writer.as_ref().expect("checked before")
     }
 
-    /// About how many bytes go to each file.
-    fn expected_lens(&self, mesh: &dyn Mesh) -> Result<Vec<u64>, Failure> {
-        let mut expected =
-            self.writer().expected_lens(mesh).map_err(|error| self.failure(error))?;
-        // A material library is small.
-        expected.resize(self.files.len(), 0);
-        Ok(expected)
-    }
-
-    fn write(&mut self, mesh: &dyn Mesh, expected: &[u64], bar: &Bar) -> Result<(), Failure> {
+    fn write(&mut self, mesh: &dyn Mesh, bar: &Bar) -> Result<(), Failure> {
         let mut streams = std::mem::take(&mut self.out);
         let names: Vec<_> = self
             .files
             .iter()
             .map(|file| file.file_name().unwrap_or_default().to_string_lossy())
             .collect();
-        let mut files: Vec<(&str, Counting<'_, &mut Box<dyn Write>>)> = names
-            .iter()
-            .zip(&mut streams)
-            .zip(expected)
-            .map(|((name, out), &expected)| (&**name, bar.counting(out, expected)))
-            .collect();
-        self.writer().write(mesh, &mut files).map_err(|error| self.failure(error))
+        let mut files: Vec<(&str, &mut Box<dyn Write>)> =
+            names.iter().map(|name| &**name).zip(&mut streams).collect();
+        let callback = bar.callback();
+        let progress = Progress::new(&callback);
+        self.writer().write(mesh, &mut files, progress).map_err(|error| self.failure(error))
     }
 
     fn failure(&self, error: WriteError) -> Failure {

@@ -47,7 +47,7 @@ pub(crate) fn download(
         let mut contents = vec![Vec::new(); names.len()];
         let mut files: Vec<(&str, &mut Vec<u8>)> =
             names.iter().map(String::as_str).zip(&mut contents).collect();
-        writer.write(mesh, &mut files)?;
+        writer.write(mesh, &mut files, Progress::NONE)?;
         Ok(contents)
     };
     let mut contents = written().map_err(|error: mindeg_formats::WriteError| error.to_string())?;

@@ -17,7 +17,7 @@ impl<R: BufRead> Bytes<R> {
 
     /// What is wrong with the bytes before this place.
     pub(crate) fn problem(&self, problem: impl Into<String>) -> ReadError {
-        ReadError::Byte { offset: self.offset, problem: problem.into() }
+        ReadError::byte(self.offset, problem)
     }
 
     /// Reads as many bytes as `out` holds, which are to be `what`.

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use crate::format::{Format, extensions};
-use crate::fort14;
 
 /// Why a file's format is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,27 +59,9 @@ impl Format {
     /// ```
     #[must_use]
     pub fn of_content(head: &[u8]) -> Option<Self> {
-        for (start, format) in
-            [(&b"glTF"[..], Self::Glb), (b"PK\x03\x04", Self::Npz), (b"\x89PNG", Self::Png)]
-        {
-            if head.starts_with(start) {
-                return Some(format);
-            }
-        }
         let text = head.strip_prefix("\u{feff}".as_bytes()).unwrap_or(head).trim_ascii_start();
-        let has = |word: &[u8]| memchr::memmem::find(text, word).is_some();
-        match text {
-            [b'<', ..] if has(b"<VTKFile") => Some(Self::Vtu),
-            [b'<', ..] if has(b"<svg") => Some(Self::Svg),
-            // A domain, or GeoJSON, has none of these keys.
-            [b'{', ..] => {
-                let keys = [&b"\"asset\""[..], b"\"meshes\"", b"\"accessors\"", b"\"bufferViews\""];
-                keys.into_iter().any(has).then_some(Self::Gltf)
-            }
-            [b'$', ..] if has(b"$MeshFormat") => Some(Self::Msh),
-            _ if text.starts_with(b"# vtk DataFile") => Some(Self::Vtk),
-            _ => Self::of_first_word(text),
-        }
+        let begins = |format: &Self| (format.facts().begins)(text);
+        Self::WRITTEN.into_iter().find(begins).or_else(|| Self::of_first_word(text))
     }
 
     /// The format that the first line tells that is no comment.
@@ -88,18 +69,9 @@ impl Format {
         let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
         let mut lines = text.split(is_end).map(<[u8]>::trim_ascii);
         let line = lines.find(|line| !matches!(line, [] | [b'#' | b'%', ..]))?;
-        let mut words = line.split(|byte| byte.is_ascii_whitespace() || *byte == b'=');
-        Some(match words.next()? {
-            b"ply" => Self::Ply,
-            // A binary STL must not begin so, though some do: the reader of STL looks at its length.
-            b"solid" => Self::Stl,
-            b"OFF" | b"COFF" | b"NOFF" | b"STOFF" | b"CNOFF" => Self::Off,
-            b"MESH2D" => Self::Sms2dm,
-            b"NDIME" => Self::Su2,
-            [b'*', ..] => Self::Inp,
-            b"v" | b"vn" | b"vt" | b"o" | b"g" | b"mtllib" => Self::Obj,
-            _ => return None,
-        })
+        let first = line.split(|byte| byte.is_ascii_whitespace() || *byte == b'=').next()?;
+        let is_first = |word: &&str| word.as_bytes() == first;
+        Self::WRITTEN.into_iter().find(|format| format.facts().first_words.iter().any(is_first))
     }
 }
 
@@ -108,18 +80,17 @@ impl Format {
 pub(crate) fn format_of(path: &Path, head: &[u8]) -> Result<Format, Unknown> {
     let named = Format::of_path(path);
     let found = Format::of_content(head);
+    let is_read = |format: Format| match format.facts().read {
+        Some(_) => Ok(format),
+        None => Err(Unknown::OnlyWritten(format)),
+    };
     match (named, found) {
-        // A .gltf may be binary and a .glb may be JSON: one reader takes both.
-        (Some(named @ (Format::Glb | Format::Gltf)), Some(Format::Glb | Format::Gltf)) => Ok(named),
+        (Some(named), Some(_)) if (named.facts().fits)(head) => is_read(named),
         // The first word of an OBJ is too short to be sure of anything else.
-        (Some(named), Some(Format::Obj)) if Format::READ.contains(&named) => Ok(named),
-        // The first line of a fort.14 is free text, which may look like anything.
-        (Some(Format::Fort14), Some(_)) if fort14::fits(head) => Ok(Format::Fort14),
-        (Some(named), Some(found)) if named != found => Err(Unknown::Lie { named, found }),
-        (Some(named), _) if Format::READ.contains(&named) => Ok(named),
-        (Some(named), _) => Err(Unknown::OnlyWritten(named)),
-        (None, Some(found)) if Format::READ.contains(&found) => Ok(found),
-        (None, Some(found)) => Err(Unknown::OnlyWritten(found)),
+        (Some(named), Some(found)) if found != named && found != Format::Obj => {
+            Err(Unknown::Lie { named, found })
+        }
+        (Some(format), _) | (None, Some(format)) => is_read(format),
         (None, None) => Err(Unknown::Nothing),
     }
 }

@@ -2,125 +2,90 @@
 
 use std::path::{Path, PathBuf};
 
-/// A file format.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Format {
-    /// Wavefront OBJ.
-    Obj,
-    /// glTF 2.0 in one binary file.
-    Glb,
-    /// glTF 2.0 as JSON, with a `.bin` beside it.
-    Gltf,
-    /// A picture.
-    Svg,
-    /// A picture in pixels.
-    Png,
-    /// Gmsh's MSH, 4.1 or 2.2.
-    Msh,
-    /// VTK's XML format for unstructured grids.
-    Vtu,
-    /// VTK's legacy format.
-    Vtk,
-    /// SU2's native format.
-    Su2,
-    /// An Abaqus input file.
-    Inp,
-    /// The Stanford polygon format.
-    Ply,
-    /// Stereolithography.
-    Stl,
-    /// The Object File Format of Geomview.
-    Off,
-    /// Triangle's `.node`, with an `.ele` and a `.poly` beside it.
-    Node,
-    /// ADCIRC's `fort.14`.
-    Fort14,
-    /// SMS's `.2dm`.
-    Sms2dm,
-    /// Arrays of numpy.
-    Npz,
+use crate::facts::Facts;
+
+/// Makes the list of formats: each a variant, its summary, and the facts that its module states.
+macro_rules! formats {
+    ($($(#[$doc:meta])* $format:ident => $facts:path,)*) => {
+        /// A file format.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum Format {
+            $($(#[$doc])* $format,)*
+        }
+
+        impl Format {
+            /// All formats that are written, which are all there are.
+            pub const WRITTEN: [Self; [$($facts.name),*].len()] = [$(Self::$format),*];
+
+            pub(crate) const fn facts(self) -> &'static Facts {
+                match self {
+                    $(Self::$format => &$facts,)*
+                }
+            }
+        }
+    };
 }
 
-/// What is known of a format.
-struct Facts {
-    name: &'static str,
-    description: &'static str,
-    /// The first is the usual one.
-    extensions: &'static [&'static str],
-    /// The extensions of all files that are written, if they are several; the first names the
-    /// others, or is the one that people name.
-    files: &'static [&'static str],
+formats! {
+    /// Wavefront OBJ.
+    Obj => crate::obj::FACTS,
+    /// glTF 2.0 in one binary file.
+    Glb => crate::gltf::glb::FACTS,
+    /// glTF 2.0 as JSON, with a `.bin` beside it.
+    Gltf => crate::gltf::FACTS,
+    /// A picture.
+    Svg => crate::svg::FACTS,
+    /// A picture in pixels.
+    Png => crate::png::FACTS,
+    /// Gmsh's MSH, 4.1 or 2.2.
+    Msh => crate::msh::FACTS,
+    /// VTK's XML format for unstructured grids.
+    Vtu => crate::vtu::FACTS,
+    /// VTK's legacy format.
+    Vtk => crate::vtk::FACTS,
+    /// SU2's native format.
+    Su2 => crate::su2::FACTS,
+    /// An Abaqus input file.
+    Inp => crate::inp::FACTS,
+    /// The Stanford polygon format.
+    Ply => crate::ply::FACTS,
+    /// Stereolithography.
+    Stl => crate::stl::FACTS,
+    /// The Object File Format of Geomview.
+    Off => crate::off::FACTS,
+    /// Triangle's `.node`, with an `.ele` and a `.poly` beside it.
+    Node => crate::triangle::FACTS,
+    /// ADCIRC's `fort.14`.
+    Fort14 => crate::fort14::FACTS,
+    /// SMS's `.2dm`.
+    Sms2dm => crate::sms2dm::FACTS,
+    /// Arrays of numpy.
+    Npz => crate::npz::FACTS,
 }
 
 impl Format {
-    /// All formats that are written.
-    pub const WRITTEN: [Self; 17] = [
-        Self::Obj,
-        Self::Glb,
-        Self::Gltf,
-        Self::Svg,
-        Self::Png,
-        Self::Msh,
-        Self::Vtu,
-        Self::Vtk,
-        Self::Su2,
-        Self::Inp,
-        Self::Ply,
-        Self::Stl,
-        Self::Off,
-        Self::Node,
-        Self::Fort14,
-        Self::Sms2dm,
-        Self::Npz,
-    ];
-
     /// All formats that are read.
-    pub const READ: [Self; 13] = [
-        Self::Obj,
-        Self::Glb,
-        Self::Gltf,
-        Self::Msh,
-        Self::Vtu,
-        Self::Vtk,
-        Self::Ply,
-        Self::Stl,
-        Self::Off,
-        Self::Node,
-        Self::Fort14,
-        Self::Sms2dm,
-        Self::Npz,
-    ];
+    pub const READ: [Self; Self::read_count()] = {
+        let mut read = [Self::Obj; Self::read_count()];
+        let (mut index, mut count) = (0, 0);
+        while index < Self::WRITTEN.len() {
+            if Self::WRITTEN[index].facts().read.is_some() {
+                read[count] = Self::WRITTEN[index];
+                count += 1;
+            }
+            index += 1;
+        }
+        read
+    };
 
-    #[rustfmt::skip]
-    const fn facts(self) -> Facts {
-        const fn facts(
-            name: &'static str,
-            description: &'static str,
-            extensions: &'static [&'static str],
-            files: &'static [&'static str],
-        ) -> Facts {
-            Facts { name, description, extensions, files }
+    const fn read_count() -> usize {
+        let (mut index, mut count) = (0, 0);
+        while index < Self::WRITTEN.len() {
+            count += Self::WRITTEN[index].facts().read.is_some() as usize;
+            index += 1;
         }
-        match self {
-            Self::Obj => facts("obj", "Wavefront OBJ", &["obj"], &[]),
-            Self::Glb => facts("glb", "glTF 2.0 in one binary file", &["glb"], &[]),
-            Self::Gltf => facts("gltf", "glTF 2.0 as JSON, with a .bin file beside it", &["gltf"], &["gltf", "bin"]),
-            Self::Svg => facts("svg", "a picture", &["svg"], &[]),
-            Self::Png => facts("png", "a picture in pixels", &["png"], &[]),
-            Self::Msh => facts("msh", "Gmsh MSH", &["msh"], &[]),
-            Self::Vtu => facts("vtu", "VTK's XML unstructured grid", &["vtu"], &[]),
-            Self::Vtk => facts("vtk", "legacy VTK", &["vtk"], &[]),
-            Self::Su2 => facts("su2", "SU2", &["su2"], &[]),
-            Self::Inp => facts("inp", "Abaqus input", &["inp"], &[]),
-            Self::Ply => facts("ply", "Stanford PLY", &["ply"], &[]),
-            Self::Stl => facts("stl", "stereolithography STL", &["stl"], &[]),
-            Self::Off => facts("off", "Object File Format", &["off"], &[]),
-            Self::Node => facts("node", "Triangle's .node, with .ele and .poly beside it", &["node", "ele", "poly"], &["node", "ele", "poly"]),
-            Self::Fort14 => facts("fort14", "ADCIRC fort.14", &["14", "grd"], &[]),
-            Self::Sms2dm => facts("2dm", "SMS .2dm", &["2dm"], &[]),
-            Self::Npz => facts("npz", "arrays of numpy", &["npz"], &[]),
-        }
+        count
     }
 
     /// The short name of the format, as options have it: `obj`, `fort14`.
@@ -135,16 +100,22 @@ impl Format {
         self.facts().extensions[0]
     }
 
-    /// What the format is, in a few words.
+    /// All extensions that ask for the format, without dots; the first is the usual one.
+    #[must_use]
+    pub fn extensions(self) -> &'static [&'static str] {
+        self.facts().extensions
+    }
+
+    /// The name of the format in a sentence.
     #[must_use]
     pub fn description(self) -> &'static str {
         self.facts().description
     }
 
-    /// Whether the format is for solvers, which need to know the boundary.
+    /// Whether solvers, which need to know the boundary, read the format.
     #[must_use]
     pub fn has_boundary(self) -> bool {
-        matches!(self, Self::Msh | Self::Su2 | Self::Inp | Self::Node | Self::Fort14 | Self::Sms2dm)
+        self.facts().has_boundary
     }
 
     /// The format that the extension of a file name asks for, in upper or lower case.
@@ -162,7 +133,7 @@ impl Format {
     pub fn of_path(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?.to_ascii_lowercase();
         let has_extension = |format: &Self| format.facts().extensions.contains(&&*extension);
-        Self::WRITTEN.into_iter().chain(Self::READ).find(has_extension)
+        Self::WRITTEN.into_iter().find(has_extension)
     }
 
     /// All files that a mesh at `path` takes: the one that `path` names, then those beside it.
@@ -180,7 +151,7 @@ impl Format {
         match self.facts().files {
             [] => vec![path.to_path_buf()],
             // The name may be in upper case, or one that the option --format gives a format.
-            [_, others @ ..] if self == Self::Gltf => {
+            [own, others @ ..] if self.facts().extensions == [*own] => {
                 let beside = others.iter().map(|extension| path.with_extension(extension));
                 std::iter::once(path.to_path_buf()).chain(beside).collect()
             }
@@ -202,7 +173,7 @@ impl Format {
     /// ```
     #[must_use]
     pub fn material_library(self, path: &Path) -> Option<PathBuf> {
-        (self == Self::Obj).then(|| path.with_extension("mtl"))
+        self.facts().library.map(|extension| path.with_extension(extension))
     }
 
     /// How many files a mesh takes.
@@ -240,7 +211,7 @@ mod tests {
         names.sort_unstable();
         names.dedup();
         assert_eq!(names.len(), Format::WRITTEN.len());
-        for format in Format::WRITTEN.into_iter().chain(Format::READ) {
+        for format in Format::WRITTEN {
             for extension in format.facts().extensions {
                 let path = format!("a.{}", extension.to_uppercase());
                 assert_eq!(Format::of_path(path.as_ref()), Some(format), "{path}");

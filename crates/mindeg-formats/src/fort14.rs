@@ -10,7 +10,25 @@
 mod read;
 mod write;
 
-pub(crate) use read::fits;
+use crate::WriteError;
+use crate::error::SIGNED;
+use crate::facts::Facts;
+
+use read::fits;
 pub use read::read;
-pub(crate) use write::sections;
-pub use write::{check, write};
+use write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "fort14",
+    description: "ADCIRC fort.14",
+    extensions: &["14", "grd"],
+    has_boundary: true,
+    fits,
+    read: Some(|source| read(source.input)),
+    check_size: |_, vertices, _| {
+        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
+    },
+    check: |positions, _| WriteError::unless_in_plane(FACTS.description, positions).map(|()| None),
+    write: |job, files| job.write(files, [sections(job.mesh)]),
+    ..Facts::NONE
+};

@@ -6,15 +6,14 @@
 //!
 //! Limits: written, not read. For a plane problem, replace `S3` by `CPS3` or `CPE3`.
 
-use std::io::{self, Write};
-
 use mindeg_mesh::Mesh;
 
 use crate::boundary::{Boundary, Chain, chain_vertices};
 use crate::corners::{positions, triangles};
 use crate::decimals::Decimals;
+use crate::facts::Facts;
 use crate::names::{Names, one_line};
-use crate::sections::{Section, write_sections};
+use crate::sections::Section;
 use crate::{GENERATOR, mesh_name};
 
 /// The most numbers in a line.
@@ -23,36 +22,18 @@ const WIDTH: u32 = 16;
 /// The longest label is of 80 letters; this leaves some for a number.
 const LABEL: usize = 72;
 
-/// Writes a mesh as an Abaqus input file. Decimals are the shortest that read back as the same f64.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{inp, obj};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no wall\nl 1 2 3\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// inp::write(&mesh, &mut file)?;
-/// let file = String::from_utf8(file)?;
-/// assert!(file.contains("\n*NODE\n1, 0, 0, 0\n2, 2, 0, 0\n"));
-/// assert!(file.contains("\n*ELEMENT, TYPE=S3, ELSET=mesh\n1, 1, 2, 3\n"));
-/// assert!(file.ends_with("\n*NSET, NSET=wall\n1, 2, 3\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> io::Result<()> {
-    write_sections(&mut out, &sections(mesh))?;
-    out.flush()
-}
+pub(crate) const FACTS: Facts = Facts {
+    name: "inp",
+    description: "Abaqus input",
+    extensions: &["inp"],
+    has_boundary: true,
+    begins: |text| text.starts_with(b"*"),
+    write: |job, files| job.write(files, [sections(job.mesh)]),
+    ..Facts::NONE
+};
 
 /// The file from front to back.
-pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = mesh_name(mesh);
     let mut sections = vec![
         Section::bytes(format!("*HEADING\n{}\n** {GENERATOR}\n*NODE\n", heading(name))),
@@ -136,6 +117,7 @@ fn label(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sections::write_sections;
 
     #[test]
     fn labels_begin_with_a_letter() {
@@ -157,7 +139,7 @@ mod tests {
         let file = "v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no a,b\nl 1 2\no a b\nl 2 3\no a,b\nl 3 1\n";
         let mesh = crate::obj::read(file.as_bytes()).unwrap();
         let mut file = Vec::new();
-        write(&mesh, &mut file).unwrap();
+        write_sections(&mut file, &sections(&mesh)).unwrap();
         let file = String::from_utf8(file).unwrap();
         let sets: Vec<_> =
             file.lines().filter_map(|line| line.strip_prefix("*NSET, NSET=")).collect();

@@ -29,6 +29,7 @@ pub mod degree_color;
 mod detect;
 mod error;
 mod face_list;
+mod facts;
 mod format;
 pub mod fort14;
 pub mod gltf;
@@ -45,7 +46,6 @@ pub mod obj;
 pub mod off;
 mod options;
 pub mod ply;
-#[cfg(feature = "png")]
 pub mod png;
 mod read;
 mod records;
@@ -71,7 +71,7 @@ pub use format::{Format, extensions};
 pub use names::one_line;
 pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};
 pub use read::{read, read_as};
-pub use write::Writer;
+pub use write::{Writer, write};
 
 /// The program and its version, as files name their maker.
 const GENERATOR: &str = concat!("mindeg ", env!("CARGO_PKG_VERSION"));

@@ -24,6 +24,37 @@ mod write;
 mod write2;
 mod write4;
 
+use crate::error::SIGNED;
+use crate::facts::Facts;
+use crate::{MshVersion, WriteError, WriteOptions};
+
 pub use self::read::read;
-pub use self::write::write;
-pub(crate) use self::write::{check_size, sections};
+use self::write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "msh",
+    description: "Gmsh MSH",
+    extensions: &["msh"],
+    has_boundary: true,
+    begins: |text| text.starts_with(b"$") && memchr::memmem::find(text, b"$MeshFormat").is_some(),
+    read: Some(|source| read(source.input)),
+    check_size: |options, vertices, triangles| {
+        check_count(options, "vertices", vertices.into())?;
+        check_count(options, "triangles", triangles.into())
+    },
+    write: |job, files| {
+        let segments = job.mesh.lines().last().map_or(0, |line| line.segments.end);
+        let elements = u64::from(job.mesh.triangle_count()) + u64::from(segments);
+        check_count(job.options, "elements", elements)?;
+        job.write(files, [sections(job.mesh, job.options)])
+    },
+    ..Facts::NONE
+};
+
+/// Version 2.2 counts in 31 bits.
+fn check_count(options: &WriteOptions, what: &str, count: u64) -> Result<(), WriteError> {
+    match options.msh_version {
+        MshVersion::V2 => WriteError::unless_at_most(SIGNED, (FACTS.description, what), count),
+        MshVersion::V4 => Ok(()),
+    }
+}

@@ -6,6 +6,8 @@
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
+use crate::WriteError;
+
 /// A name in one line of a text: blanks for control characters and line breaks, and the replacement
 /// character for the two that XML cannot hold (U+FFFE and U+FFFF).
 ///
@@ -47,6 +49,19 @@ pub(crate) fn quoted(name: &str) -> String {
 /// A name as the text of an XML element.
 pub(crate) fn xml(name: &str) -> String {
     one_line(name).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}
+
+/// Refuses the name of a file beside this one that a text cannot hold: with line breaks or other
+/// control characters, or with the character that stands for bytes that are not UTF-8.
+pub(crate) fn check_file_name(name: &str) -> Result<(), WriteError> {
+    let is_held = |letter: char| !letter.is_control() && letter != char::REPLACEMENT_CHARACTER;
+    if name.chars().all(is_held) {
+        return Ok(());
+    }
+    Err(WriteError::Refused(format!(
+        "the file would have to name {name:?} beside it, which is not UTF-8 or has control \
+         characters; write it under another name"
+    )))
 }
 
 /// The names that a file has so far.

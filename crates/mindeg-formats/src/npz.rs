@@ -13,5 +13,17 @@ mod read;
 mod write;
 mod zip;
 
+use crate::facts::Facts;
+
 pub use read::read;
-pub use write::{file_len, write};
+use write::write;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "npz",
+    description: "arrays of numpy",
+    extensions: &["npz"],
+    begins: |text| text.starts_with(b"PK\x03\x04"),
+    read: Some(|source| read(source.input)),
+    write: |job, files| Ok(write(job.mesh, job.options.fields, &mut files[0].1)?),
+    ..Facts::NONE
+};

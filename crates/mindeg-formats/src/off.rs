@@ -6,40 +6,26 @@ use crate::ReadError;
 use crate::corners::{positions, triangles};
 use crate::decimals::{Decimals, push_integer};
 use crate::face_list::FaceList;
+use crate::facts::Facts;
 use crate::lists::push;
 use crate::records::Records;
-use crate::sections::{Section, write_sections};
+use crate::sections::Section;
 use crate::{GENERATOR, Plane};
 use mindeg_mesh::{Mesh, NonTriangles, TriMesh};
-use std::io::{self, BufRead, Write};
+use std::io::BufRead;
 
-/// Writes a mesh as OFF. Decimals are the shortest that read back as the same f64.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{Plane, obj, off};
-///
-/// let square = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// off::write(&square, Plane::Xy, &mut file)?;
-/// assert!(String::from_utf8(file)?.ends_with("4 2 0\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, plane: Plane, mut out: impl Write) -> io::Result<()> {
-    write_sections(&mut out, &sections(mesh, plane))?;
-    out.flush()
-}
+pub(crate) const FACTS: Facts = Facts {
+    name: "off",
+    description: "Object File Format",
+    extensions: &["off"],
+    first_words: &["OFF", "COFF", "NOFF", "STOFF", "CNOFF"],
+    read: Some(|source| read(source.input)),
+    write: |job, files| job.write(files, [sections(job.mesh, job.options.surface.plane)]),
+    ..Facts::NONE
+};
 
 /// The file from front to back.
-pub(crate) fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {
+fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {
     let (vertices, faces) = (mesh.vertex_count(), mesh.triangle_count());
     let points = Section::new(vertices, 36, move |range, buffer| {
         let mut decimals = [0; 3].map(|_| Decimals::new());

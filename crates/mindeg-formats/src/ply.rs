@@ -10,6 +10,29 @@ mod header;
 mod read;
 mod write;
 
+use crate::WriteError;
+use crate::error::SIGNED;
+use crate::facts::Facts;
+use crate::gltf::Stored;
+
 pub use read::read;
-pub(crate) use write::sections;
-pub use write::{check, write};
+use write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "ply",
+    description: "Stanford PLY",
+    extensions: &["ply"],
+    first_words: &["ply"],
+    read: Some(|source| read(source.input)),
+    check_size: |_, vertices, _| {
+        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
+    },
+    check: |positions, options| {
+        if !options.double {
+            Stored::in_place(positions, options.surface.plane)?;
+        }
+        Ok(None)
+    },
+    write: |job, files| job.write(files, [sections(job.mesh, job.options)]),
+    ..Facts::NONE
+};

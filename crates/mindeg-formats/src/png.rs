@@ -6,42 +6,46 @@
 //!
 //! Limits: those of [`svg`](crate::svg).
 
-use crate::{WriteError, svg};
+use crate::facts::Facts;
+#[cfg(feature = "png")]
+use crate::svg;
+#[cfg(feature = "png")]
 use mindeg_mesh::Mesh;
-use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{Options, Tree};
-use std::io::{self, Write};
 
-/// The width of the picture in pixels; the height is at most as much.
-const WIDTH: f64 = 1200.0;
+pub(crate) const FACTS: Facts = Facts {
+    name: "png",
+    description: "a picture in pixels",
+    extensions: &["png"],
+    begins: |text| text.starts_with(b"\x89PNG"),
+    #[cfg(feature = "png")]
+    check_size: |_, vertices, _| svg::check_size(vertices),
+    #[cfg(feature = "png")]
+    write: |job, files| {
+        files[0].1.write_all(&picture(job.mesh)?)?;
+        Ok(files[0].1.flush()?)
+    },
+    #[cfg(not(feature = "png"))]
+    check_size: |_, _, _| {
+        Err(crate::WriteError::Refused(format!(
+            "this build of mindeg does not write {}; write .svg, or build it with the feature png",
+            FACTS.description
+        )))
+    },
+    ..Facts::NONE
+};
 
-/// Writes a picture of a mesh, 1200 pixels wide.
-///
-/// Takes O(n log n) time and O(n) memory for n vertices.
-///
-/// # Errors
-///
-/// [`TooLargeForSvg`](WriteError::TooLargeForSvg) before the first byte, and those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{obj, png};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n".as_bytes())?;
-/// let mut picture = Vec::new();
-/// png::write(&mesh, &mut picture)?;
-/// assert!(picture.starts_with(b"\x89PNG"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
-    let picture = svg::without_text(mesh, WIDTH)?;
-    let tree = Tree::from_data(&picture, &Options::default()).map_err(io::Error::other)?;
+/// A picture of a mesh, 1200 pixels wide. Takes O(n log n) time and O(n) memory for n vertices.
+#[cfg(feature = "png")]
+fn picture(mesh: &dyn Mesh) -> Result<Vec<u8>, crate::WriteError> {
+    use resvg::tiny_skia::{Pixmap, Transform};
+    use resvg::usvg::{Options, Tree};
+    use std::io::{Error, ErrorKind};
+
+    let picture = svg::without_text(mesh, 1200.0)?;
+    let tree = Tree::from_data(&picture, &Options::default()).map_err(Error::other)?;
     let size = tree.size().to_int_size();
     let pixels = Pixmap::new(size.width(), size.height());
-    let mut pixels = pixels.ok_or_else(|| io::Error::from(io::ErrorKind::OutOfMemory))?;
+    let mut pixels = pixels.ok_or_else(|| Error::from(ErrorKind::OutOfMemory))?;
     resvg::render(&tree, Transform::identity(), &mut pixels.as_mut());
-    let png = pixels.encode_png().map_err(io::Error::other)?;
-    out.write_all(&png)?;
-    Ok(out.flush()?)
+    Ok(pixels.encode_png().map_err(Error::other)?)
 }

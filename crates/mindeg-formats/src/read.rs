@@ -1,15 +1,14 @@
 //! Reading a mesh in any format.
 
-use std::io::{self, BufRead, BufReader, ErrorKind, Read};
+use std::io::{self, BufRead, BufReader, Read};
 use std::path::Path;
 
 use mindeg_mesh::TriMesh;
 
 use crate::bytes::has_more;
 use crate::detect::format_of;
-use crate::{
-    Format, ReadError, fort14, gltf, msh, npz, obj, off, ply, sms2dm, stl, triangle, vtk, vtu,
-};
+use crate::facts::Source;
+use crate::{Format, ReadError};
 
 /// How much of a file is looked at for its format.
 const HEAD: usize = 1 << 16;
@@ -25,8 +24,8 @@ const HEAD: usize = 1 << 16;
 ///
 /// # Errors
 ///
-/// [`ReadError::Format`] if the name and the content do not agree, or tell no format; those of
-/// the format's own reader, with the line or offset; those of the input.
+/// The name and the content do not agree, or tell no format; those of the format's own reader, with
+/// the line or offset; those of the input.
 ///
 /// # Example
 ///
@@ -48,7 +47,7 @@ pub fn read(
     let mut input = BufReader::with_capacity(HEAD, input);
     let head = if has_more(&mut input)? { input.fill_buf()? } else { &[] };
     let format = format_of(name, head);
-    let format = format.map_err(|unknown| ReadError::Format { problem: unknown.problem() })?;
+    let format = format.map_err(|unknown| ReadError::place("", unknown.problem()))?;
     read_as(format, name, input, beside)
 }
 
@@ -60,54 +59,12 @@ pub fn read(
 pub fn read_as(
     format: Format,
     name: &Path,
-    input: impl BufRead,
-    beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
-) -> Result<TriMesh, ReadError> {
-    match format {
-        Format::Obj => obj::read_with_libraries(input, beside),
-        Format::Glb | Format::Gltf => gltf::read(input, beside),
-        Format::Ply => ply::read(input),
-        Format::Stl => stl::read(input),
-        Format::Off => off::read(input),
-        Format::Sms2dm => sms2dm::read(input),
-        Format::Fort14 => fort14::read(input),
-        Format::Msh => msh::read(input),
-        Format::Vtu => vtu::read(input),
-        Format::Vtk => vtk::read(input),
-        Format::Node => read_triangle(name, input, beside),
-        Format::Npz => npz::read(input),
-        Format::Su2 | Format::Inp | Format::Svg | Format::Png => {
-            let problem = format!("{} is not read as a mesh", format.description());
-            Err(ReadError::Format { problem })
-        }
-    }
-}
-
-/// Reads one of Triangle's files and those beside it; the .poly may be missing.
-fn read_triangle(
-    name: &Path,
     mut input: impl BufRead,
     mut beside: impl FnMut(&str) -> io::Result<Vec<u8>>,
 ) -> Result<TriMesh, ReadError> {
-    let mut own = Vec::new();
-    input.read_to_end(&mut own)?;
-    let files = Format::Node.files(Path::new(name.file_name().unwrap_or_default()));
-    let mut own = Some(own);
-    let mut file = |index: usize| {
-        let extension = |path: &Path| path.extension().map(|name| name.to_ascii_lowercase());
-        // A name without an extension is that of the vertices.
-        let is_own = extension(&files[index]) == extension(name)
-            || (index == 0 && Format::of_path(name) != Some(Format::Node));
-        if is_own && let Some(own) = own.take() {
-            return Ok(own);
-        }
-        let uri = files[index].to_string_lossy().into_owned();
-        beside(&uri).map_err(|source| ReadError::External { uri, source })
+    let Some(reader) = format.facts().read else {
+        let problem = format!("{} is not read as a mesh", format.description());
+        return Err(ReadError::place("", problem));
     };
-    let (node, ele) = (file(0)?, file(1)?);
-    let poly = match file(2) {
-        Err(ReadError::External { source, .. }) if source.kind() == ErrorKind::NotFound => None,
-        poly => Some(poly?),
-    };
-    triangle::read(&node[..], &ele[..], poly.as_deref())
+    reader(Source { name, input: &mut input, beside: &mut beside })
 }

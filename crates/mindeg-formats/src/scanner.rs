@@ -46,7 +46,7 @@ impl<'a> Scanner<'a> {
                 let line_ends = memchr::memchr_iter(b'\n', &self.bytes[..self.at]).count();
                 ReadError::line(line_ends as u64 + 1, problem)
             }
-            _ => ReadError::Byte { offset: self.at as u64, problem: problem.into() },
+            _ => ReadError::byte(self.at, problem),
         }
     }
 

@@ -7,47 +7,32 @@
 
 use crate::boundary::{Boundary, Chain, chain_vertices};
 use crate::decimals::push_integer;
+use crate::facts::Facts;
 use crate::names::quoted;
 use crate::numbered::Numbered;
 use crate::records::{Records, Words};
-use crate::sections::{Section, write_sections};
+use crate::sections::Section;
 use crate::tables::{triangle_lines, vertex_lines};
 use crate::{GENERATOR, ReadError, mesh_name};
 use mindeg_mesh::{Mesh, TriMesh};
-use std::io::{self, BufRead, Write};
+use std::io::BufRead;
 
 /// Vertices of a node string to a line of the file.
 const STRING_WIDTH: u32 = 10;
 
-/// Writes a mesh as 2DM. Decimals are the shortest that read back as the same f64; the third
-/// coordinate is z.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{obj, sms2dm};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no inlet\nl 1 2 3\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// sms2dm::write(&mesh, &mut file)?;
-/// let file = String::from_utf8(file)?;
-/// assert!(file.contains("\nE3T 1 1 2 3 1\nND 1 0 0 0\nND 2 2 0 0\n") && file.ends_with("NS 1 2 -3 1\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> io::Result<()> {
-    write_sections(&mut out, &sections(mesh))?;
-    out.flush()
-}
+pub(crate) const FACTS: Facts = Facts {
+    name: "2dm",
+    description: "SMS .2dm",
+    extensions: &["2dm"],
+    has_boundary: true,
+    first_words: &["MESH2D"],
+    read: Some(|source| read(source.input)),
+    write: |job, files| job.write(files, [sections(job.mesh)]),
+    ..Facts::NONE
+};
 
 /// The file from front to back.
-pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = quoted(mesh_name(mesh));
     let ends: Vec<u32> = mesh.groups().iter().map(|group| group.triangles.end).collect();
     let material = move |triangle: u32, buffer: &mut Vec<u8>| {

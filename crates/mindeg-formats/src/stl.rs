@@ -8,6 +8,20 @@
 mod read;
 mod write;
 
+use crate::facts::Facts;
+use crate::gltf::Stored;
+
 pub use read::read;
-pub(crate) use write::sections;
-pub use write::{check, write};
+use write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "stl",
+    description: "stereolithography STL",
+    extensions: &["stl"],
+    // A binary STL must not begin so, though some do: the reader looks at its length.
+    first_words: &["solid"],
+    read: Some(|source| read(source.input)),
+    check: |positions, options| Stored::in_place(positions, options.surface.plane).map(|_| None),
+    write: |job, files| job.write(files, [sections(job.mesh, job.options.surface.plane)]),
+    ..Facts::NONE
+};

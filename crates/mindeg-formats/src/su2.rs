@@ -5,60 +5,34 @@
 //!
 //! Limits: written, not read. Groups are not kept.
 
-use std::io::Write;
 use std::ops::Range;
 
-use mindeg_mesh::{Mesh, Positions};
+use mindeg_mesh::Mesh;
 
 use crate::corners::{positions, segments, triangles};
 use crate::decimals::{Decimals, push_integer};
+use crate::facts::Facts;
 use crate::names::{Names, word};
-use crate::sections::{Section, write_sections};
-use crate::{Format, GENERATOR, WriteError};
+use crate::sections::Section;
+use crate::{GENERATOR, WriteError};
 
 /// VTK's numbers of the elements.
 const LINE: u8 = b'3';
 const TRIANGLE: u8 = b'5';
 
-/// Writes a mesh in the plane for SU2. Decimals are the shortest that read back as the same f64.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Those of [`check`] before the first byte, and those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{obj, su2};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no wall\nl 1 2\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// su2::write(&mesh, &mut file)?;
-/// let file = String::from_utf8(file)?;
-/// assert!(file.contains("\nNELEM= 1\n5 0 1 2 0\nNPOIN= 3\n0 0 0\n2 0 1\n2 1 2\n"));
-/// assert!(file.ends_with("NMARK= 1\nMARKER_TAG= wall\nMARKER_ELEMS= 1\n3 0 1\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
-    check(mesh)?;
-    write_sections(&mut out, &sections(mesh))?;
-    Ok(out.flush()?)
-}
-
-/// Refuses positions that do not all have the same z. O(n).
-///
-/// # Errors
-///
-/// [`NotInPlane`](WriteError::NotInPlane).
-pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
-    WriteError::unless_in_plane(Format::Su2, positions)
-}
+pub(crate) const FACTS: Facts = Facts {
+    name: "su2",
+    description: "SU2",
+    extensions: &["su2"],
+    has_boundary: true,
+    first_words: &["NDIME"],
+    check: |positions, _| WriteError::unless_in_plane(FACTS.description, positions).map(|()| None),
+    write: |job, files| job.write(files, [sections(job.mesh)]),
+    ..Facts::NONE
+};
 
 /// The file from front to back.
-pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
+fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let (vertices, count) = (mesh.vertex_count(), mesh.triangle_count());
     let mut sections = vec![
         Section::bytes(format!("% {GENERATOR}\nNDIME= 2\nNELEM= {count}\n")),

@@ -10,6 +10,28 @@
 mod read;
 mod write;
 
+use crate::WriteError;
+use crate::error::SIGNED;
+use crate::facts::Facts;
+
 pub use read::read;
-pub(crate) use write::sections;
-pub use write::{Files, check, write};
+use read::read_files;
+use write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "node",
+    description: "Triangle's .node, with .ele and .poly beside it",
+    extensions: &EXTENSIONS,
+    files: &EXTENSIONS,
+    has_boundary: true,
+    read: Some(read_files),
+    check_size: |_, vertices, _| {
+        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
+    },
+    check: |positions, _| WriteError::unless_in_plane(FACTS.description, positions).map(|()| None),
+    write: |job, files| job.write(files, sections(job.mesh)),
+    ..Facts::NONE
+};
+
+/// Vertices, triangles, and segments with holes.
+const EXTENSIONS: [&str; 3] = ["node", "ele", "poly"];

@@ -15,6 +15,22 @@ mod kind;
 mod read;
 mod write;
 
+use crate::WriteError;
+use crate::error::SIGNED;
+use crate::facts::Facts;
+
 pub use self::read::read;
-pub use self::write::write;
-pub(crate) use self::write::{check_size, sections};
+use self::write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "vtk",
+    description: "legacy VTK",
+    extensions: &["vtk"],
+    begins: |text| text.starts_with(b"# vtk DataFile"),
+    read: Some(|source| read(source.input)),
+    check_size: |_, vertices, _| {
+        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
+    },
+    write: |job, files| job.write(files, [sections(job.mesh, job.options)]),
+    ..Facts::NONE
+};

@@ -16,6 +16,17 @@ mod read;
 mod write;
 mod xml;
 
+use crate::facts::Facts;
+
 pub use self::read::read;
-pub(crate) use self::write::sections;
-pub use self::write::write;
+use self::write::sections;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "vtu",
+    description: "VTK's XML unstructured grid",
+    extensions: &["vtu"],
+    begins: |text| text.starts_with(b"<") && memchr::memmem::find(text, b"<VTKFile").is_some(),
+    read: Some(|source| read(source.input)),
+    write: |job, files| job.write(files, [sections(job.mesh, job.options)]),
+    ..Facts::NONE
+};

@@ -8,7 +8,7 @@ use mindeg_formats::{
     Encoding, Format, MshVersion, ReadError, SurfaceOptions, WriteError, WriteOptions, Writer,
     read_as, with_boundary_lines,
 };
-use mindeg_mesh::{TriMesh, Triangles};
+use mindeg_mesh::{Progress, TriMesh, Triangles};
 use std::cell::Cell;
 use std::io::{self, BufReader, ErrorKind, Read, Write};
 use std::path::Path;
@@ -58,7 +58,7 @@ fn write<W: Write>(
     (format, options): (Format, WriteOptions),
     files: &mut [(&str, W)],
 ) -> Result<(), WriteError> {
-    Writer::new(format, options, mesh, mesh.triangle_count())?.write(mesh, files)
+    Writer::new(format, options, mesh, mesh.triangle_count())?.write(mesh, files, Progress::NONE)
 }
 
 fn written(mesh: &TriMesh, way: (Format, WriteOptions)) -> Vec<Vec<u8>> {

@@ -9,7 +9,7 @@ mod polygons;
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain};
 use mindeg_formats::{Format, ReadError, WriteOptions, Writer, read, read_as};
-use mindeg_mesh::{Group, Line, LineKind, Mesh, Positions, TriMesh, Triangles};
+use mindeg_mesh::{Group, Line, LineKind, Mesh, Positions, Progress, TriMesh, Triangles};
 use proptest::prelude::*;
 use std::io::{self, ErrorKind};
 use std::path::Path;
@@ -35,7 +35,7 @@ fn write(mesh: &dyn Mesh, format: Format, options: WriteOptions) -> Files {
         paths.iter().map(|path| (path.display().to_string(), Vec::new())).collect();
     let mut open: Vec<(&str, &mut Vec<u8>)> =
         files.iter_mut().map(|(name, file)| (name.as_str(), file)).collect();
-    writer.write(mesh, &mut open).unwrap();
+    writer.write(mesh, &mut open, Progress::NONE).unwrap();
     files
 }
 

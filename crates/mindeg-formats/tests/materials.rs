@@ -8,7 +8,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use mindeg_formats::{Format, SurfaceOptions, WriteOptions, Writer, glb, obj, read};
-use mindeg_mesh::{Group, Material, TriMesh};
+use mindeg_mesh::{Group, Material, Progress, TriMesh};
 
 fn group(name: &str, triangles: Range<u32>, material: Option<(&str, Option<[f32; 4]>)>) -> Group {
     let material = material.map(|(name, color)| Material { name: name.to_owned(), color });
@@ -35,7 +35,7 @@ fn written(mesh: &TriMesh, format: Format) -> Vec<(String, Vec<u8>)> {
     let mut contents = vec![Vec::new(); names.len()];
     let mut files: Vec<(&str, &mut Vec<u8>)> =
         names.iter().map(|name| &**name).zip(&mut contents).collect();
-    writer.write(mesh, &mut files).unwrap();
+    writer.write(mesh, &mut files, Progress::NONE).unwrap();
     names.into_iter().zip(contents).collect()
 }
 

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use mindeg_formats::{Encoding, Format, MshVersion, SurfaceOptions, WriteOptions, Writer, read};
-use mindeg_mesh::{Group, Line, Material, TriMesh, Triangles};
+use mindeg_mesh::{Group, Line, Material, Progress, TriMesh, Triangles};
 use proptest::prelude::*;
 
 /// Names that mean something to one format or another, or that XML or a line of text cannot hold.
@@ -129,7 +129,7 @@ fn written(mesh: &TriMesh, format: Format, options: WriteOptions) -> Vec<(String
         paths.iter().map(|path| (path.display().to_string(), Vec::new())).collect();
     let mut open: Vec<_> =
         files.iter_mut().map(|(name, file)| (name.as_str(), &mut *file)).collect();
-    writer.write(mesh, &mut open).unwrap();
+    writer.write(mesh, &mut open, Progress::NONE).unwrap();
     files
 }
 

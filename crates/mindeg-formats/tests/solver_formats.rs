@@ -6,9 +6,9 @@
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain, Side};
 use mindeg_formats::{
-    Encoding, Format, MshVersion, ReadError, WriteOptions, Writer, msh, read_as, su2, vtk, vtu,
+    Encoding, Format, MshVersion, ReadError, WriteOptions, Writer, msh, read_as, vtk, vtu, write,
 };
-use mindeg_mesh::{Group, Line, Mesh, TriMesh, Triangles};
+use mindeg_mesh::{Group, Line, Mesh, Progress, TriMesh, Triangles};
 use proptest::prelude::*;
 
 /// Every way to write a format that is read again.
@@ -30,9 +30,7 @@ fn ways() -> Vec<(Format, WriteOptions)> {
 fn written(mesh: &dyn Mesh, format: Format, options: WriteOptions) -> Vec<u8> {
     let mut file = Vec::new();
     let writer = Writer::new(format, options, mesh, mesh.triangle_count()).unwrap();
-    writer.write(mesh, &mut [("a", &mut file)]).unwrap();
-    let expected = writer.expected_lens(mesh).unwrap()[0] as f64;
-    assert!((expected / file.len() as f64 - 1.0).abs() < 0.1, "{format:?}: {expected}");
+    writer.write(mesh, &mut [("a", &mut file)], Progress::NONE).unwrap();
     file
 }
 
@@ -137,7 +135,7 @@ fn markers_of_one_name_are_one() {
         .with_lines(strip.lines().into_owned(), strip.segments().to_vec())
         .unwrap();
     let mut file = Vec::new();
-    su2::write(&mesh, &mut file).unwrap();
+    write(Format::Su2, &mesh, &WriteOptions::default(), &mut file).unwrap();
     let file = String::from_utf8(file).unwrap();
     let markers = "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 6\n3 0 2\n3 2 4\n3 4 6\n3 7 5\n3 5 3\n\
                    3 3 1\nMARKER_TAG= end\nMARKER_ELEMS= 1\n3 6 7\n";

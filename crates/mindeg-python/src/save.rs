@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use mindeg::Mesh;
+use mindeg::{Mesh, Progress};
 use mindeg_formats::{
     Encoding, Format, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
 };
@@ -88,7 +88,7 @@ pub(crate) fn save(mesh: &dyn Mesh, path: &Path, wanted: &Wanted<'_>) -> PyResul
             .collect();
         let mut outs: Vec<(&str, &mut NamedTempFile)> =
             names.iter().map(String::as_str).zip(&mut files).collect();
-        writer.write(mesh, &mut outs)?;
+        writer.write(mesh, &mut outs, Progress::NONE)?;
         Ok(files)
     };
     let files = made().map_err(|error| match error {

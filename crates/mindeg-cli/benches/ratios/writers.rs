@@ -3,7 +3,7 @@
 
 use crate::clock::rounds;
 use crate::{even, table};
-use mindeg::BoundaryMesh;
+use mindeg::{BoundaryMesh, Progress};
 use mindeg_formats::{
     Encoding, Format, MshVersion, SurfaceOptions, WriteOptions, Writer, glb, obj,
 };
@@ -63,7 +63,7 @@ pub(crate) fn print() {
 
         for (name, format, options, aim) in others() {
             let writer = Writer::new(format, options, &mesh, mesh.triangle_count()).unwrap();
-            let write = |file| writer.write(&mesh, &mut [("", file)]).unwrap();
+            let write = |file| writer.write(&mesh, &mut [("", file)], Progress::NONE).unwrap();
             let bytes = written(&write);
             let [raw, ours] = rounds(
                 often,

@@ -1,7 +1,7 @@
 //! `mindeg inspect`.
 
 use super::demands::DemandArguments;
-use super::values::{format_parser, whole_number};
+use super::values::{format_parser, mesh_help, whole_number};
 use super::with_exit_codes;
 use clap::Args;
 use mindeg_formats::Format;
@@ -24,10 +24,8 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct InspectArguments {
-    /// The mesh, by extension, else by content: .obj, .glb, .gltf (with the files it names in its
-    /// folder), .msh, .vtu, .vtk, .ply, .stl, .off, .node (with its .ele), .14, .2dm or .npz; - is
-    /// standard input
-    #[arg(value_name = "MESH")]
+    /// The mesh.
+    #[arg(value_name = "MESH", help = mesh_help("; - is standard input"))]
     pub(crate) file: PathBuf,
 
     /// The format of standard input, where its content does not tell it

@@ -3,16 +3,19 @@
 use super::values::format_parser;
 use clap::Args;
 use clap::ValueEnum;
-use mindeg_formats::{Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteOptions};
+use mindeg_formats::{
+    Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteOptions, extensions,
+};
 use std::path::PathBuf;
 
 /// The files of a mesh.
 #[derive(Debug, Args)]
 pub(crate) struct SurfaceArguments {
-    /// Where to write, by extension: .obj, .glb, .gltf (with its .bin), .msh, .vtu, .vtk, .su2, .inp,
-    /// .ply, .stl, .off, .node (with its .ele and .poly), .14, .2dm, .npz, .svg or .png; - is standard
-    /// output. May be given several times
-    #[arg(short, long, value_name = "FILE", required = true)]
+    /// Where to write.
+    #[arg(short, long, value_name = "FILE", required = true, help = format!(
+        "Where to write, by extension: {}; - is standard output. May be given several times",
+        extensions(&Format::WRITTEN)
+    ))]
     pub(crate) output: Vec<PathBuf>,
 
     /// The format where the extension does not tell it

@@ -1,7 +1,7 @@
 //! Values of options: how they are read, and what to say to one that cannot be.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use mindeg_formats::Format;
+use mindeg_formats::{Format, extensions};
 use std::str::FromStr;
 
 /// Width and height.
@@ -114,6 +114,14 @@ pub(super) fn target_angle(text: &str) -> Result<f64, String> {
     let number = text.trim().trim_end_matches('°');
     let angle = number.parse().ok().filter(|angle| (0.0..=60.0).contains(angle));
     angle.ok_or_else(|| "give degrees from 0 to 60; no triangle has only larger angles".to_owned())
+}
+
+/// The help of an argument that is a mesh, and what it may be besides.
+pub(super) fn mesh_help(more: &str) -> String {
+    let list = extensions(&Format::READ);
+    format!(
+        "The mesh, by extension, else by content: {list}; files that it needs are in its folder{more}"
+    )
 }
 
 /// One of some formats, by name.

@@ -2,6 +2,7 @@
 
 use super::demands::DemandArguments;
 use super::domain::DomainOptions;
+use super::values::mesh_help;
 use super::with_exit_codes;
 use clap::Args;
 use mindeg::Goal;
@@ -24,9 +25,8 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct VerifyArguments {
-    /// The mesh, by extension, else by content: .obj, .glb, .gltf (with the files it names in its
-    /// folder), .msh, .vtu, .vtk, .ply, .stl, .off, .node (with its .ele), .14, .2dm or .npz
-    #[arg(value_name = "MESH")]
+    /// The mesh.
+    #[arg(value_name = "MESH", help = mesh_help(""))]
     pub(crate) file: PathBuf,
 
     /// The domain: JSON, or an outline in any format that mindeg reads; - reads standard input

@@ -2,6 +2,7 @@
 
 use super::domain::DomainOptions;
 use super::goal::GoalArguments;
+use super::values::mesh_help;
 use super::with_exit_codes;
 use clap::Args;
 use std::path::PathBuf;
@@ -20,10 +21,12 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct ViewArguments {
-    /// A mesh, by extension .obj, .glb, .gltf (with the files it names in its folder), .msh, .vtu,
-    /// .vtk, .ply, .stl, .off, .node (with its .ele), .14, .2dm or .npz, or a domain in .json; - reads
-    /// a domain from standard input
-    #[arg(id = "domain", value_name = "MESH|DOMAIN.json")]
+    /// The mesh, or a domain.
+    #[arg(
+        id = "domain",
+        value_name = "MESH|DOMAIN.json",
+        help = mesh_help("; or a domain in .json; - reads a domain from standard input")
+    )]
     pub(crate) file: Option<PathBuf>,
 
     #[command(flatten)]

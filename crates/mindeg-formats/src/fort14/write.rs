@@ -3,51 +3,11 @@
 use crate::boundary::{Boundary, Chain, chain_vertices};
 use crate::decimals::{Decimals, push_integer};
 use crate::names::one_line;
-use crate::sections::{Section, write_sections};
+use crate::sections::Section;
 use crate::tables::triangle_lines;
-use crate::{Format, GENERATOR, WriteError, mesh_name};
+use crate::{GENERATOR, mesh_name};
 use glam::DVec3;
-use mindeg_mesh::{LineKind, Mesh, Positions, filled};
-use std::io::Write;
-
-/// Writes a mesh as fort.14, with the depths that it has, or 0. Decimals are the shortest that read
-/// back as the same f64.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Before the first byte: those of [`check`]. After it: those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{fort14, obj};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no pier\nl 1 2 3\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// fort14::write(&mesh, &mut file)?;
-/// let file = String::from_utf8(file)?;
-/// assert!(file.contains("\n 1 0 0 0\n 2 2 0 0\n 3 2 1 0\n 1 3 1 2 3\n"));
-/// assert!(file.ends_with(" 3 0 = nodes of land boundary 1 (pier)\n 1\n 2\n 3\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, mut out: impl Write) -> Result<(), WriteError> {
-    check(mesh)?;
-    write_sections(&mut out, &sections(mesh))?;
-    Ok(out.flush()?)
-}
-
-/// Refuses positions that the format cannot hold. O(n).
-///
-/// # Errors
-///
-/// [`NotInPlane`](WriteError::NotInPlane), and more vertices than Fortran's integers count.
-pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
-    WriteError::unless_numbered(Format::Fort14, positions)?;
-    WriteError::unless_in_plane(Format::Fort14, positions)
-}
+use mindeg_mesh::{LineKind, Mesh, filled};
 
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {

@@ -4,6 +4,7 @@ use super::document::Layout;
 use super::numbers::compact;
 use super::positions::Stored;
 use super::write::Arrays;
+use crate::facts::Facts;
 use crate::sections::{Section, write_sections};
 use crate::{SurfaceOptions, WriteError};
 use mindeg_mesh::Mesh;
@@ -11,13 +12,29 @@ use std::io::Write;
 
 pub use super::read::read;
 
+pub(crate) const FACTS: Facts = Facts {
+    name: "glb",
+    description: "glTF 2.0 in one binary file",
+    extensions: &["glb"],
+    begins: super::is_binary,
+    fits: super::FACTS.fits,
+    read: super::FACTS.read,
+    check_size: |options, vertices, triangles| check_size(vertices, triangles, &options.surface),
+    check: super::FACTS.check,
+    write: |job, files| {
+        let arrays = Arrays::new(job.mesh, job.stored(), &job.options.surface);
+        job.write(files, [sections(&arrays)?])
+    },
+    ..Facts::NONE
+};
+
 /// Writes a mesh as one binary file. Time and memory are those of
 /// [`gltf::write`](super::write()).
 ///
 /// # Errors
 ///
 /// Before the first byte: those of [`Stored::new`], and
-/// [`TooLargeForGlb`](WriteError::TooLargeForGlb). After it: those of `out`.
+/// More bytes than 32 bits count. After it: those of `out`.
 ///
 /// # Example
 ///
@@ -30,44 +47,24 @@ pub use super::read::read;
 /// assert!(file.starts_with(b"glTF"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write(mesh: &dyn Mesh, options: &SurfaceOptions, out: impl Write) -> Result<(), WriteError> {
-    let stored = Stored::new(mesh, options.plane)?;
-    write_stored(mesh, &stored, options, out)
-}
-
-/// [`write`](write()), of a mesh whose positions have been looked at before.
-///
-/// # Errors
-///
-/// As [`write`](write()), but for those of [`Stored::new`].
-pub fn write_stored(
+pub fn write(
     mesh: &dyn Mesh,
-    stored: &Stored,
     options: &SurfaceOptions,
     mut out: impl Write,
 ) -> Result<(), WriteError> {
-    let arrays = Arrays::new(mesh, stored, options);
-    let len = arrays.layout.binary_len();
-    let mut sections = vec![Section::bytes(head(&arrays)?)];
-    sections.extend(arrays.sections());
-    let padding = len.next_multiple_of(4) - len;
-    sections.push(Section::bytes(&[0; 3][..padding as usize]));
-    write_sections(&mut out, &sections)?;
+    let stored = Stored::new(mesh, options.plane)?;
+    write_sections(&mut out, &sections(&Arrays::new(mesh, &stored, options))?)?;
     Ok(out.flush()?)
 }
 
-/// The length of the file in bytes. O(1) but for a mesh's groups and lines.
-///
-/// # Errors
-///
-/// [`TooLargeForGlb`](WriteError::TooLargeForGlb).
-pub fn file_len(
-    mesh: &dyn Mesh,
-    stored: &Stored,
-    options: &SurfaceOptions,
-) -> Result<u64, WriteError> {
-    let arrays = Arrays::new(mesh, stored, options);
-    Ok(head(&arrays)?.len() as u64 + arrays.layout.binary_len().next_multiple_of(4))
+/// The file from front to back.
+fn sections<'a>(arrays: &Arrays<'a>) -> Result<Vec<Section<'a>>, WriteError> {
+    let len = arrays.layout.binary_len();
+    let mut sections = vec![Section::bytes(head(arrays)?)];
+    sections.extend(arrays.sections());
+    let padding = len.next_multiple_of(4) - len;
+    sections.push(Section::bytes(&[0; 3][..padding as usize]));
+    Ok(sections)
 }
 
 /// Refuses a mesh in the plane that takes more than a `.glb` holds, lines apart. O(1); the mesh
@@ -75,13 +72,9 @@ pub fn file_len(
 ///
 /// # Errors
 ///
-/// [`TooLargeForGlb`](WriteError::TooLargeForGlb). What passes here can be refused by a few
+/// More bytes than 32 bits count. What passes here can be refused by a few
 /// bytes all the same when names and numbers are known.
-pub fn check_size(
-    vertices: u32,
-    triangles: u32,
-    options: &SurfaceOptions,
-) -> Result<(), WriteError> {
+fn check_size(vertices: u32, triangles: u32, options: &SurfaceOptions) -> Result<(), WriteError> {
     let layout = Layout::in_plane(vertices, triangles, options);
     len(0, layout.binary_len().next_multiple_of(4)).map(|_| ())
 }
@@ -109,7 +102,12 @@ fn head(arrays: &Arrays<'_>) -> Result<Vec<u8>, WriteError> {
 fn len(json: u64, binary: u64) -> Result<u32, WriteError> {
     const HEADERS: u64 = 12 + 8 + 8;
     let bytes = HEADERS + json + binary;
-    u32::try_from(bytes).map_err(|_| WriteError::TooLargeForGlb { bytes })
+    u32::try_from(bytes).map_err(|_| {
+        WriteError::Refused(format!(
+            "a .glb holds 4 GiB at most, and this mesh would take at least {bytes} bytes; write a \
+             .gltf with its .bin or an OBJ, which may be larger, or use fewer intervals"
+        ))
+    })
 }
 
 #[cfg(test)]

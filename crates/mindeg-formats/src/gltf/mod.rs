@@ -33,6 +33,39 @@ mod read;
 mod schema;
 mod write;
 
+use crate::facts::Facts;
+use crate::names::check_file_name;
+
 pub use positions::Stored;
 pub use read::read;
-pub use write::{file_lens, write, write_stored};
+pub use write::write;
+use write::{Arrays, sections};
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "gltf",
+    description: "glTF 2.0 as JSON, with a .bin file beside it",
+    extensions: &["gltf"],
+    files: &["gltf", "bin"],
+    begins: is_document,
+    fits: |text| is_document(text) || is_binary(text),
+    read: Some(|source| read(source.input, source.beside)),
+    check: |positions, options| Stored::new(positions, options.surface.plane).map(Some),
+    write: |job, files| {
+        let bin_name = files[1].0;
+        check_file_name(bin_name)?;
+        let arrays = Arrays::new(job.mesh, job.stored(), &job.options.surface);
+        job.write(files, sections(&arrays, bin_name)?)
+    },
+    ..Facts::NONE
+};
+
+/// Whether a file is a `.glb`.
+fn is_binary(text: &[u8]) -> bool {
+    text.starts_with(b"glTF")
+}
+
+/// Whether a text is a document of glTF. A domain, or GeoJSON, has none of these keys.
+fn is_document(text: &[u8]) -> bool {
+    let keys = [&b"\"asset\""[..], b"\"meshes\"", b"\"accessors\"", b"\"bufferViews\""];
+    text.starts_with(b"{") && keys.iter().any(|key| memchr::memmem::find(text, key).is_some())
+}

@@ -27,9 +27,8 @@ impl Stored {
     ///
     /// # Errors
     ///
-    /// [`OutOfRange`](WriteError::OutOfRange) and, for vertices round a boundary,
-    /// [`Coincident`](WriteError::Coincident), if the middle of the box as origin does not help
-    /// either. The first vertex of such is named.
+    /// A coordinate beyond the range of 32-bit floats, and two vertices round a boundary that become one
+    /// point, if the middle of the box as origin does not help either. The first vertex is named.
     pub fn new(positions: &dyn Positions, plane: Plane) -> Result<Self, WriteError> {
         let bounds = positions.bounds();
         let no_range = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
@@ -82,7 +81,7 @@ impl Stored {
             None => Ok(self),
             Some(vertices) => {
                 let point = points[vertices[1] as usize];
-                Err(WriteError::Coincident { vertices, point })
+                Err(WriteError::coincident(vertices, point))
             }
         }
     }
@@ -128,12 +127,12 @@ impl Stored {
         for (vertex, point) in vertices.zip(points) {
             let stored = self.of(point);
             if !stored.is_finite() {
-                return Err(WriteError::OutOfRange { vertex, point });
+                return Err(WriteError::out_of_range(vertex, point));
             }
             if before[1].is_some() {
                 let coincident = before.into_iter().flatten().find(|(_, other)| *other == stored);
                 if let Some((other, _)) = coincident {
-                    return Err(WriteError::Coincident { vertices: [other, vertex], point });
+                    return Err(WriteError::coincident([other, vertex], point));
                 }
                 before = [before[1], Some((vertex, stored))];
             }

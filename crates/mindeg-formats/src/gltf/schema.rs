@@ -268,7 +268,7 @@ impl<'a> Document<'a> {
                 path if matches!(&*path, "." | "?") => "the JSON document".to_owned(),
                 path => path,
             };
-            ReadError::Place { place, problem: json_words::problem(error.inner()) }
+            ReadError::place(place, json_words::problem(error.inner()))
         })?;
         parser
             .end()

@@ -42,45 +42,28 @@ pub fn write(
     mesh: &dyn Mesh,
     options: &SurfaceOptions,
     bin_name: &str,
-    gltf_out: impl Write,
-    bin_out: impl Write,
-) -> Result<(), WriteError> {
-    let stored = Stored::new(mesh, options.plane)?;
-    Ok(write_stored(mesh, &stored, options, bin_name, gltf_out, bin_out)?)
-}
-
-/// [`write`](write()), of a mesh whose positions have been looked at before.
-///
-/// # Errors
-///
-/// Those of the writers.
-pub fn write_stored(
-    mesh: &dyn Mesh,
-    stored: &Stored,
-    options: &SurfaceOptions,
-    bin_name: &str,
     mut gltf_out: impl Write,
     mut bin_out: impl Write,
-) -> io::Result<()> {
+) -> Result<(), WriteError> {
+    let stored = Stored::new(mesh, options.plane)?;
+    let [document, binary] = sections(&Arrays::new(mesh, &stored, options), bin_name)?;
+    write_sections(&mut gltf_out, &document)?;
+    gltf_out.flush()?;
+    write_sections(&mut bin_out, &binary)?;
+    Ok(bin_out.flush()?)
+}
+
+/// The document and the binary, each from front to back.
+pub(super) fn sections<'a>(
+    arrays: &Arrays<'a>,
+    bin_name: &str,
+) -> io::Result<[Vec<Section<'a>>; 2]> {
     const ESCAPED: &AsciiSet =
         &NON_ALPHANUMERIC.remove(b'/').remove(b'.').remove(b'-').remove(b'_').remove(b'~');
-    let arrays = Arrays::new(mesh, stored, options);
     let uri = utf8_percent_encode(bin_name, ESCAPED).to_string();
     let mut json = pretty(&arrays.document(Some(uri)))?;
     json.push(b'\n');
-    gltf_out.write_all(&json)?;
-    gltf_out.flush()?;
-    write_sections(&mut bin_out, &arrays.sections())?;
-    bin_out.flush()
-}
-
-/// About how many bytes the document and the binary take. O(1) but for a mesh's groups and lines.
-#[must_use]
-pub fn file_lens(mesh: &dyn Mesh, stored: &Stored, options: &SurfaceOptions) -> [u64; 2] {
-    let arrays = Arrays::new(mesh, stored, options);
-    // A name that cannot be written shows when it is.
-    let json = pretty(&arrays.document(None)).unwrap_or_default();
-    [json.len() as u64, arrays.layout.binary_len()]
+    Ok([vec![Section::bytes(json)], arrays.sections()])
 }
 
 /// What the binary holds.

@@ -1,6 +1,5 @@
 //! Writing MSH: what both versions share.
 
-use std::io::Write;
 use std::ops::Range;
 
 use mindeg_mesh::Mesh;
@@ -9,65 +8,11 @@ use super::entities::Entities;
 use super::record::{Record, end_of};
 use super::{write2, write4};
 use crate::corners::{degrees, min_angles};
-use crate::sections::{Section, write_sections};
-use crate::{Encoding, Format, MshVersion, WriteError, WriteOptions};
+use crate::sections::Section;
+use crate::{Encoding, MshVersion, WriteOptions};
 
 /// The best minimum angle.
 const EQUILATERAL: f64 = 60.0;
-
-/// Writes a mesh as MSH, in the version and encoding of the options.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// [`TooLarge`](WriteError::TooLarge) in version 2.2, which counts in 31 bits, and those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{Encoding, WriteOptions, msh, obj};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no wall\nl 1 2\n".as_bytes())?;
-/// let options = WriteOptions { encoding: Encoding::Ascii, ..WriteOptions::default() };
-/// let mut file = Vec::new();
-/// msh::write(&mesh, &options, &mut file)?;
-/// let read = msh::read(&file[..])?;
-/// assert_eq!((read.triangles(), read.segments()), (mesh.triangles(), mesh.segments()));
-/// assert!(String::from_utf8(file)?.contains("\n1 1 \"wall\"\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(
-    mesh: &dyn Mesh,
-    options: &WriteOptions,
-    mut out: impl Write,
-) -> Result<(), WriteError> {
-    let segments = mesh.lines().last().map_or(0, |line| line.segments.end);
-    let elements = u64::from(mesh.triangle_count()) + u64::from(segments);
-    check_count(options, "elements", elements)?;
-    check_size(options, mesh.vertex_count(), mesh.triangle_count())?;
-    write_sections(&mut out, &sections(mesh, options))?;
-    Ok(out.flush()?)
-}
-
-/// Refuses a mesh that version 2.2 does not count. O(1).
-pub(crate) fn check_size(
-    options: &WriteOptions,
-    vertex_count: u32,
-    triangle_count: u32,
-) -> Result<(), WriteError> {
-    check_count(options, "vertices", vertex_count.into())?;
-    check_count(options, "triangles", triangle_count.into())
-}
-
-fn check_count(options: &WriteOptions, what: &'static str, count: u64) -> Result<(), WriteError> {
-    const LIMIT: u64 = i32::MAX as u64;
-    if options.msh_version == MshVersion::V2 && count > LIMIT {
-        return Err(WriteError::TooLarge { format: Format::Msh, what, count, limit: LIMIT });
-    }
-    Ok(())
-}
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Section<'a>> {

@@ -1,7 +1,7 @@
 //! Writing NPZ.
 
 use super::array::head;
-use super::zip::{Archive, archive_len};
+use super::zip::Archive;
 use crate::corners::{degrees, min_angles, positions, triangles};
 use crate::sections::{Section, write_sections};
 use mindeg_mesh::Mesh;
@@ -9,26 +9,7 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 /// Writes a mesh as NPZ, with `degrees` and `min_angles` if `fields` are asked for.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{npz, obj};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// npz::write(&mesh, true, &mut file)?;
-/// assert_eq!(file.len() as u64, npz::file_len(&mesh, true));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, fields: bool, out: impl Write) -> io::Result<()> {
+pub(super) fn write(mesh: &dyn Mesh, fields: bool, out: impl Write) -> io::Result<()> {
     let mut archive = Archive::new(out);
     for Array { name, head, rows, row_len, format } in arrays(mesh, fields) {
         let len = len(&head, rows, row_len);
@@ -36,15 +17,6 @@ pub fn write(mesh: &dyn Mesh, fields: bool, out: impl Write) -> io::Result<()> {
         archive.entry(name, len, |mut out| write_sections(&mut out, &sections))?;
     }
     archive.finish()
-}
-
-/// How many bytes [`write()`] writes. O(1).
-#[must_use]
-pub fn file_len(mesh: &dyn Mesh, fields: bool) -> u64 {
-    let arrays = arrays(mesh, fields);
-    archive_len(
-        arrays.iter().map(|array| (array.name, len(&array.head, array.rows, array.row_len))),
-    )
 }
 
 fn len(head: &[u8], rows: u32, row_len: u32) -> u64 {

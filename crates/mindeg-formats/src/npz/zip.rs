@@ -22,11 +22,6 @@ const FLAGS: u16 = 1 << 3;
 /// 1 January 1980, the first day that there is: no clock reaches the file.
 const DATE: u16 = (1 << 5) | 1;
 
-/// What an entry takes besides its bytes and twice its name.
-const ENTRY: u64 = 30 + 20 + 24 + 46 + 28;
-/// What the ends of the directory take.
-const ENDS: u64 = 56 + 20 + 22;
-
 /// An entry that has been written.
 struct Entry {
     name: String,
@@ -40,12 +35,6 @@ pub(super) struct Archive<W> {
     out: W,
     offset: u64,
     entries: Vec<Entry>,
-}
-
-/// How long an archive of entries with these names and lengths is.
-pub(super) fn archive_len<'a>(entries: impl IntoIterator<Item = (&'a str, u64)>) -> u64 {
-    let len = |(name, len): (&str, u64)| ENTRY + 2 * name.len() as u64 + len;
-    ENDS + entries.into_iter().map(len).sum::<u64>()
 }
 
 /// The little-endian bytes of numbers, one after the other.

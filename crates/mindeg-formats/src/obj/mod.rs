@@ -22,6 +22,27 @@ mod read;
 mod references;
 mod write;
 
+use crate::facts::Facts;
+use crate::names::check_file_name;
+
 pub use read::{read, read_with_libraries};
-pub(crate) use write::sections;
-pub use write::{estimated_len, write};
+use write::sections;
+pub use write::write;
+
+pub(crate) const FACTS: Facts = Facts {
+    name: "obj",
+    description: "Wavefront OBJ",
+    extensions: &["obj"],
+    library: Some("mtl"),
+    first_words: &["v", "vn", "vt", "o", "g", "mtllib"],
+    read: Some(|source| read_with_libraries(source.input, source.beside)),
+    write: |job, files| {
+        let library = files.get(1).map(|(name, _)| *name);
+        if let Some(name) = library {
+            check_file_name(name)?;
+        }
+        let written = sections(job.mesh, &job.options.surface, library);
+        job.write(files, [written.object, written.library])
+    },
+    ..Facts::NONE
+};

@@ -157,7 +157,7 @@ struct Contents {
 
 impl Contents {
     fn problem(&self, problem: impl Into<String>) -> ReadError {
-        ReadError::Line { line: self.number, problem: problem.into() }
+        ReadError::line(self.number, problem)
     }
 
     fn take_line(&mut self, line: &[u8]) -> Result<(), ReadError> {
@@ -376,7 +376,7 @@ impl Contents {
     fn into_mesh(mut self, colors: &HashMap<String, [f32; 4]>) -> Result<TriMesh, ReadError> {
         if let Some(unknown) = self.vertices.unknown() {
             let problem = unknown.message("vertex");
-            return Err(ReadError::Line { line: unknown.line, problem });
+            return Err(ReadError::line(unknown.line, problem));
         }
         if u32::try_from(self.segments.len()).is_err() {
             return Err(self.problem("the file has too many lines to be numbered in 32 bits"));

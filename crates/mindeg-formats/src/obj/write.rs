@@ -6,7 +6,7 @@ use crate::decimals::Decimals;
 use crate::materials::is_same_object;
 use crate::names::{Names, word};
 use crate::options::in_box;
-use crate::sections::{self, Section, write_sections};
+use crate::sections::{Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
 use glam::DVec3;
 use mindeg_mesh::{Mesh, filled, vertex_normals};
@@ -44,32 +44,6 @@ use std::ops::Range;
 pub fn write(mesh: &dyn Mesh, options: &SurfaceOptions, mut out: impl Write) -> io::Result<()> {
     write_sections(&mut out, &sections(mesh, options, None).object)?;
     out.flush()
-}
-
-/// About how many bytes [`write()`] will write.
-///
-/// Takes a millisecond at most for a mesh in the plane: some thousand lines are formatted. On the
-/// domains tried, from tens of bytes to gigabytes, evenly spaced and graded, it was off by half a
-/// percent at most.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{SurfaceOptions, obj};
-/// use mindeg::{BoundaryMesh, Domain, Side};
-///
-/// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(1000); 4])?;
-/// let mesh = BoundaryMesh::least_degree(&domain)?;
-/// let options = SurfaceOptions::default();
-/// let mut file = Vec::new();
-/// obj::write(&mesh, &options, &mut file)?;
-/// let share = obj::estimated_len(&mesh, &options) as f64 / file.len() as f64;
-/// assert!((share - 1.0).abs() < 0.01);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[must_use]
-pub fn estimated_len(mesh: &dyn Mesh, options: &SurfaceOptions) -> u64 {
-    sections::estimated_len(&sections(mesh, options, None).object)
 }
 
 /// An OBJ and its material library, each from front to back.

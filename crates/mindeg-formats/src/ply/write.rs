@@ -1,59 +1,9 @@
 //! Writing PLY.
 
-use crate::gltf::Stored;
-use crate::sections::{Section, write_sections};
-use crate::{Format, GENERATOR, WriteError, WriteOptions, degree_color};
+use crate::sections::Section;
+use crate::{GENERATOR, WriteOptions, degree_color};
 use glam::DVec3;
-use mindeg_mesh::{Mesh, Positions, filled};
-use std::io::Write;
-
-/// Writes a mesh as binary PLY. Of the options, it takes the precision, the degree colors and the
-/// plane.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Before the first byte: those of [`check`]. After it: those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{WriteOptions, obj, ply};
-///
-/// let square = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n".as_bytes())?;
-/// let options = WriteOptions { double: true, ..WriteOptions::default() };
-/// let mut file = Vec::new();
-/// ply::write(&square, &options, &mut file)?;
-/// let read = ply::read(&file[..])?;
-/// assert_eq!((read.positions(), read.triangles()), (square.positions(), square.triangles()));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(
-    mesh: &dyn Mesh,
-    options: &WriteOptions,
-    mut out: impl Write,
-) -> Result<(), WriteError> {
-    check(mesh, options)?;
-    write_sections(&mut out, &sections(mesh, options))?;
-    Ok(out.flush()?)
-}
-
-/// Refuses positions that the format cannot hold. O(n) for 32-bit coordinates, else O(1).
-///
-/// # Errors
-///
-/// More vertices than an `int` counts; and for 32-bit coordinates
-/// [`OutOfRange`](WriteError::OutOfRange) and, for vertices round a boundary,
-/// [`Coincident`](WriteError::Coincident).
-pub fn check(positions: &dyn Positions, options: &WriteOptions) -> Result<(), WriteError> {
-    WriteError::unless_numbered(Format::Ply, positions)?;
-    if !options.double {
-        Stored::in_place(positions, options.surface.plane)?;
-    }
-    Ok(())
-}
+use mindeg_mesh::{Mesh, filled};
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Vec<Section<'a>> {

@@ -1,50 +1,10 @@
 //! Writing STL.
 
 use crate::corners::{Corners, triangles};
-use crate::gltf::Stored;
-use crate::sections::{Section, write_sections};
-use crate::{GENERATOR, Plane, WriteError};
+use crate::sections::Section;
+use crate::{GENERATOR, Plane};
 use glam::{DVec3, Vec3};
-use mindeg_mesh::{Mesh, Positions};
-use std::io::Write;
-
-/// Writes a mesh as binary STL.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Before the first byte: those of [`check`]. After it: those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{Plane, obj, stl};
-///
-/// let square = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nf 1 2 3 4\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// stl::write(&square, Plane::Xy, &mut file)?;
-/// assert_eq!(file.len(), 84 + 2 * 50);
-/// let read = stl::read(&file[..])?;
-/// assert_eq!((read.positions(), read.triangles()), (square.positions(), square.triangles()));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, plane: Plane, mut out: impl Write) -> Result<(), WriteError> {
-    check(mesh, plane)?;
-    write_sections(&mut out, &sections(mesh, plane))?;
-    Ok(out.flush()?)
-}
-
-/// Refuses positions that 32-bit floats do not hold. O(n).
-///
-/// # Errors
-///
-/// [`OutOfRange`](WriteError::OutOfRange) and, for vertices round a boundary,
-/// [`Coincident`](WriteError::Coincident).
-pub fn check(positions: &dyn Positions, plane: Plane) -> Result<(), WriteError> {
-    Stored::in_place(positions, plane).map(drop)
-}
+use mindeg_mesh::Mesh;
 
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {

@@ -26,6 +26,7 @@ use self::frame::Frame;
 pub use self::style::{MAX_DOTS, MAX_VERTICES, STYLE};
 use self::style::{SIDE_MARGIN, WIDTH, hex};
 use self::view::View;
+use crate::facts::Facts;
 use crate::names::xml;
 use crate::{GENERATOR, WriteError, degree_color, mesh_name};
 use glam::DVec2;
@@ -33,13 +34,23 @@ use mindeg_mesh::{Bounds, Mesh};
 use std::fmt::Write as _;
 use std::io::Write;
 
+pub(crate) const FACTS: Facts = Facts {
+    name: "svg",
+    description: "a picture",
+    extensions: &["svg"],
+    begins: |text| text.starts_with(b"<") && memchr::memmem::find(text, b"<svg").is_some(),
+    check_size: |_, vertices, _| check_size(vertices),
+    write: |job, files| write(job.mesh, &mut files[0].1),
+    ..Facts::NONE
+};
+
 /// Writes a picture of a mesh.
 ///
 /// Takes O(n log n) time and O(n) memory for n vertices.
 ///
 /// # Errors
 ///
-/// [`TooLargeForSvg`](WriteError::TooLargeForSvg) before the first byte, and those of `out`.
+/// Too many vertices, before the first byte, and those of `out`.
 ///
 /// # Example
 ///
@@ -147,15 +158,14 @@ pub(crate) fn without_text(mesh: &dyn Mesh, width: f64) -> Result<Vec<u8>, Write
 }
 
 /// Refuses a mesh with more vertices than a picture shows. O(1).
-///
-/// # Errors
-///
-/// [`TooLargeForSvg`](WriteError::TooLargeForSvg).
-pub fn check_size(vertices: u32) -> Result<(), WriteError> {
-    if vertices > MAX_VERTICES {
-        return Err(WriteError::TooLargeForSvg { vertices, limit: MAX_VERTICES });
+pub(crate) fn check_size(vertices: u32) -> Result<(), WriteError> {
+    if vertices <= MAX_VERTICES {
+        return Ok(());
     }
-    Ok(())
+    Err(WriteError::Refused(format!(
+        "an SVG shows {MAX_VERTICES} vertices at most, and this mesh has {vertices}; write OBJ or \
+         glTF, or use fewer intervals"
+    )))
 }
 
 fn head(mesh: &dyn Mesh, frame: &Frame) -> String {

@@ -1,12 +1,15 @@
 //! Reading .node, .ele and .poly.
 
+use super::EXTENSIONS;
 use crate::ReadError;
+use crate::facts::Source;
 use crate::numbered::Numbered;
 use crate::records::{Records, Words};
 use crate::words::number;
 use mindeg_mesh::TriMesh;
 use std::collections::BTreeMap;
-use std::io::BufRead;
+use std::io::{BufRead, ErrorKind};
+use std::path::Path;
 
 /// Reads a mesh from a `.node` and an `.ele`, and its boundary segments from a `.poly`, if there is
 /// one.
@@ -22,7 +25,7 @@ use std::io::BufRead;
 ///
 /// Those of the inputs; lines that are not as the format has them; elements and segments that name
 /// vertices that the `.node` does not have; files without elements, and such in three dimensions.
-/// [`ReadError::Place`] names the file that a line is in.
+/// Places name the file that a line is in.
 ///
 /// # Example
 ///
@@ -51,6 +54,32 @@ pub fn read(
         read_poly(poly, &mut contents).map_err(|error| error.within("the .poly"))?;
     }
     contents.into_mesh("region")
+}
+
+/// Reads one of the three files and those beside it; the .poly may be missing.
+pub(super) fn read_files(source: Source<'_>) -> Result<TriMesh, ReadError> {
+    let mut own = Vec::new();
+    source.input.read_to_end(&mut own)?;
+    let mut own = Some(own);
+    let name = Path::new(source.name.file_name().unwrap_or_default());
+    let extension = name.extension().map(|name| name.to_string_lossy().to_lowercase());
+    let named = EXTENSIONS.into_iter().find(|known| Some(*known) == extension.as_deref());
+    let mut file = |extension: &str| {
+        // A name with another extension is that of the vertices.
+        if named.unwrap_or(EXTENSIONS[0]) == extension
+            && let Some(own) = own.take()
+        {
+            return Ok(own);
+        }
+        let uri = name.with_extension(extension).to_string_lossy().into_owned();
+        (source.beside)(&uri).map_err(|source| ReadError::External { uri, source })
+    };
+    let [node, ele, poly] = EXTENSIONS.map(&mut file);
+    let poly = match poly {
+        Err(ReadError::External { source, .. }) if source.kind() == ErrorKind::NotFound => None,
+        poly => Some(poly?),
+    };
+    read(&node?[..], &ele?[..], poly.as_deref())
 }
 
 fn read_node(node: impl BufRead, contents: &mut Numbered) -> Result<(), ReadError> {

@@ -1,71 +1,15 @@
 //! Writing .node, .ele and .poly.
 
+use crate::GENERATOR;
 use crate::boundary::{Boundary, Chain};
 use crate::corners::segments;
 use crate::decimals::{Decimals, push_integer};
 use crate::names::one_line;
-use crate::sections::{Section, write_sections};
+use crate::sections::Section;
 use crate::tables::{triangle_lines, vertex_lines};
-use crate::{Format, GENERATOR, WriteError};
-use mindeg_mesh::{Mesh, Positions};
+use mindeg_mesh::Mesh;
 use std::fmt::Write as _;
-use std::io::Write;
 use std::sync::Arc;
-
-/// Where the three files go.
-#[derive(Debug)]
-pub struct Files<W> {
-    /// The vertices.
-    pub node: W,
-    /// The triangles.
-    pub ele: W,
-    /// The boundary segments.
-    pub poly: W,
-}
-
-/// Writes a mesh as .node, .ele and .poly. Decimals are the shortest that read back as the same f64.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more; besides, that of the vertices of one hole. Writes are
-/// large: the files need no buffers around them.
-///
-/// # Errors
-///
-/// Before the first byte: those of [`check`]. After it: those of the files.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{obj, triangle};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no pier\nl 1 2 3\n".as_bytes())?;
-/// let [mut node, mut ele, mut poly] = [(); 3].map(|()| Vec::new());
-/// let files = triangle::Files { node: &mut node, ele: &mut ele, poly: &mut poly };
-/// triangle::write(&mesh, files)?;
-/// assert!(String::from_utf8(node)?.ends_with("\n3 2 0 1\n 1 0 0 1\n 2 2 0 1\n 3 2 1 1\n"));
-/// assert!(String::from_utf8(ele)?.ends_with("\n1 3 0\n 1 1 2 3\n"));
-/// assert!(String::from_utf8(poly)?.ends_with("\n0 2 0 1\n2 1\n 1 1 2 1\n 2 2 3 1\n0\n"));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write<W: Write>(mesh: &dyn Mesh, files: Files<W>) -> Result<(), WriteError> {
-    check(mesh)?;
-    let Files { node, ele, poly } = files;
-    for (mut out, sections) in [node, ele, poly].into_iter().zip(sections(mesh)) {
-        write_sections(&mut out, &sections)?;
-        out.flush()?;
-    }
-    Ok(())
-}
-
-/// Refuses positions that the format cannot hold. O(n).
-///
-/// # Errors
-///
-/// [`NotInPlane`](WriteError::NotInPlane), and more vertices than C's `int` counts.
-pub fn check(positions: &dyn Positions) -> Result<(), WriteError> {
-    WriteError::unless_numbered(Format::Node, positions)?;
-    WriteError::unless_in_plane(Format::Node, positions)
-}
 
 /// Each file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {

@@ -1,62 +1,15 @@
 //! Writing legacy VTK.
 
-use std::io::Write;
-
 use mindeg_mesh::Mesh;
 
 use crate::grid::Arrays;
 use crate::names::one_line;
 use crate::scanner::Numbers;
-use crate::sections::{Section, write_sections};
-use crate::{Encoding, Format, WriteError, WriteOptions, mesh_name};
+use crate::sections::Section;
+use crate::{Encoding, WriteOptions, mesh_name};
 
 /// The longest second line, with its end.
 const TITLE: usize = 256;
-
-/// Writes a mesh as legacy VTK, in binary or text.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// [`TooLarge`](WriteError::TooLarge) before the first byte, and those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{WriteOptions, obj, vtk};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no wall\nl 1 2\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// vtk::write(&mesh, &WriteOptions::default(), &mut file)?;
-/// let read = vtk::read(&file[..])?;
-/// assert_eq!((read.triangles(), read.segments()), (mesh.triangles(), mesh.segments()));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(
-    mesh: &dyn Mesh,
-    options: &WriteOptions,
-    mut out: impl Write,
-) -> Result<(), WriteError> {
-    check_size(mesh.vertex_count())?;
-    write_sections(&mut out, &sections(mesh, options))?;
-    Ok(out.flush()?)
-}
-
-/// Refuses a mesh whose vertices 31 bits do not tell apart. O(1).
-pub(crate) fn check_size(vertices: u32) -> Result<(), WriteError> {
-    const LIMIT: u32 = i32::MAX as u32;
-    if vertices > LIMIT {
-        return Err(WriteError::TooLarge {
-            format: Format::Vtk,
-            what: "vertices",
-            count: vertices.into(),
-            limit: LIMIT.into(),
-        });
-    }
-    Ok(())
-}
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Section<'a>> {

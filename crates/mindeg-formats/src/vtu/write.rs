@@ -1,39 +1,11 @@
 //! Writing VTU.
 
-use std::io::{self, Write};
-
 use mindeg_mesh::Mesh;
 
 use crate::grid::{Arrays, text_of_names};
 use crate::scanner::Numbers;
-use crate::sections::{Section, write_sections};
+use crate::sections::Section;
 use crate::{Encoding, GENERATOR, WriteOptions};
-
-/// Writes a mesh as VTU: binary numbers after the XML, or all of it as text.
-///
-/// O(n) time, shared by all threads of rayon's current pool, and the memory of one block of about
-/// half a MiB for each of them, and one more. Writes are large: `out` needs no buffer around it.
-///
-/// # Errors
-///
-/// Those of `out`.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::{WriteOptions, obj, vtu};
-///
-/// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\no wall\nl 1 2\n".as_bytes())?;
-/// let mut file = Vec::new();
-/// vtu::write(&mesh, &WriteOptions::default(), &mut file)?;
-/// let read = vtu::read(&file[..])?;
-/// assert_eq!((read.triangles(), read.segments()), (mesh.triangles(), mesh.segments()));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn write(mesh: &dyn Mesh, options: &WriteOptions, mut out: impl Write) -> io::Result<()> {
-    write_sections(&mut out, &sections(mesh, options))?;
-    out.flush()
-}
 
 /// One array of the file.
 struct Array<'a> {
