@@ -1,12 +1,12 @@
 //! Every reader of outlines: the first byte tells the format, the rest is the file. What is read is
 //! repaired and divided as the command line does.
 
-use mindeg_outlines::{Division, OutlineFormat, format_of, read};
+use mindeg_outlines::{Division, OutlineFormat, read};
 use std::io;
 
 pub(crate) fn run(file: &[u8]) {
     let Some((&first, bytes)) = file.split_first() else { return };
-    let _ = format_of(None, bytes);
+    let _ = OutlineFormat::of_content(bytes);
     let format = OutlineFormat::ALL[usize::from(first) % OutlineFormat::ALL.len()];
     // The file beside a .poly is made of the same bytes.
     let beside = |extension: &str| match extension {

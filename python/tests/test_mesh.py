@@ -80,12 +80,49 @@ def test_a_file_is_replaced_whole_or_not_at_all(mesh, tmp_path):
     path.write_text("old")
     with pytest.raises(ValueError, match="names no format"):
         mesh.save(tmp_path / "plate.foo")
-    with pytest.raises(OSError, match="missing"):
+    with pytest.raises(FileNotFoundError, match=r"missing/plate\.obj: .*its folder does not exist") as told:
         mesh.save(tmp_path / "missing" / "plate.obj")
+    assert ".part" not in str(told.value)
     assert path.read_text() == "old"
     mesh.save(path)
     assert path.read_text().count("\nf ") == 27
     assert os.listdir(tmp_path) == ["plate.obj"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+def test_a_link_is_not_replaced(mesh, tmp_path):
+    target, link = tmp_path / "target.obj", tmp_path / "link.obj"
+    target.write_text("old")
+    link.symlink_to(target)
+    with pytest.raises(OSError, match=r"link\.obj: it is a link"):
+        mesh.save(link)
+    assert link.is_symlink() and target.read_text() == "old"
+
+
+def test_a_mesh_names_no_file_outside_its_folder(tmp_path):
+    inside = tmp_path / "in"
+    inside.mkdir()
+    (tmp_path / "outside.bin").write_bytes(bytes(36))
+    (tmp_path / "outside.mtl").write_text("newmtl steel\nKd 1 0 0\n")
+    gltf = inside / "a.gltf"
+    gltf.write_text(
+        '{"asset": {"version": "2.0"}, "buffers": [{"byteLength": 36, "uri": "../outside.bin"}]}'
+    )
+    with pytest.raises(ValueError, match="outside.bin"):
+        mindeg.read(gltf)
+    obj = inside / "a.obj"
+    obj.write_text("mtllib ../outside.mtl\nusemtl steel\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    mindeg.read(obj).save(inside / "b.obj")
+    assert "Kd 1 0 0" not in "".join(path.read_text() for path in inside.glob("b.*"))
+
+
+@pytest.mark.skipif(os.name == "nt", reason="pipes have no names there")
+def test_what_a_poly_names_is_a_regular_file(tmp_path):
+    poly = tmp_path / "a.poly"
+    poly.write_text("0 2 0 0\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n")
+    os.mkfifo(tmp_path / "a.node")
+    with pytest.raises(ValueError, match="it is a pipe or a device"):
+        mindeg.Domain(poly)
 
 
 def test_inspecting_arrays_finds_what_is_wrong():

@@ -218,7 +218,7 @@ fn standard_input_is_read_in_every_format() {
     let obj = fs::read(&files[0]).expect("it is there");
     assert_eq!(inspect_input(&obj, &["--format", "obj"]).code, Some(0));
     inspect_input(&obj, &["--format", "glb"]).refuses(&["standard input", "JSON"]);
-    inspect_input(b"", &[]).refuses(&["standard input", "no triangle"]);
+    inspect_input(b"", &[]).refuses(&["standard input is empty; a mesh is expected"]);
     let outside = br#"{"asset":{"version":"2.0"},"buffers":[{"uri":"a.bin","byteLength":4}]}"#;
     inspect_input(outside, &[]).refuses(&["standard input", "a.bin", "no folder"]);
     mindeg(["inspect", text(&files[0]), "--format", "obj"])

@@ -10,6 +10,8 @@ mod determinism;
 mod documents;
 mod domain;
 mod explore;
+#[cfg(unix)]
+mod files;
 mod fill;
 #[cfg(target_os = "linux")]
 mod hostile_files;

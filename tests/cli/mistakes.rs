@@ -90,8 +90,8 @@ const MISTAKES: &[Case] = &[
         &[("a.stl", b"solid a\nendsolid a\n")],
         "mesh a.stl -o x.obj",
         2,
-        "error: a.stl: the name of the file: it ends as a mesh does, and a domain is expected; of a mesh in the plane, \
-         mindeg convert FILE -o outline.poly writes the boundary, which is a domain\n",
+        "error: a.stl: it is a mesh, and a domain is expected; of a mesh in the plane, `mindeg convert a.stl \
+         -o outline.poly` writes the boundary, which is a domain\n",
     ),
     (
         &[PLATE],
@@ -105,7 +105,7 @@ const MISTAKES: &[Case] = &[
         &[PLATE, SQUARE],
         "verify plate.json square.obj",
         2,
-        "error: plate.json is a domain; the mesh comes first: mindeg verify square.obj plate.json\n",
+        "error: plate.json is a domain; swap the two: mindeg verify square.obj plate.json\n",
     ),
     // Another unit of length, and another domain.
     (
@@ -165,7 +165,7 @@ const MISTAKES: &[Case] = &[
         &[("a.csv", b"0,0\n4,5,0\n4,5,3\n0,3\n")],
         "mesh a.csv --size 1 -o x.obj",
         2,
-        "a.csv: took the points from columns 1 and 2\nerror: a.csv: polygon 1: corners 2 and 3 are the \
+        "a.csv: took the points from columns 1 and 2\nerror: a.csv: a: corners 2 and 3 are the \
          same point (4.0, 5.0); give each corner once (the outline closes by itself); --repair parts \
          rings that touch themselves\n",
     ),
@@ -193,7 +193,7 @@ const MISTAKES: &[Case] = &[
         &[PLATE],
         "mesh plate.json -o .",
         2,
-        "error: -o .: the name tells no format; end it in .obj, .glb, .gltf, .svg, .png, .msh, .vtu, \
+        "error: .: the name tells no format; end it in .obj, .glb, .gltf, .svg, .png, .msh, .vtu, \
          .vtk, .su2, .inp, .ply, .stl, .off, .node, .14, .2dm or .npz, or give --format\n",
     ),
     (

@@ -297,21 +297,21 @@ fn mistakes_are_named_with_what_to_do() {
             "lie.svg",
             &[][..],
             &[
-                "lie.svg: the name of the file: it ends as SVG does, and the content looks like WKT; rename the file to end in .wkt",
+                "lie.svg: the name ends as SVG does, and the content looks like WKT; rename the file to end in .wkt",
             ][..],
         ),
         (
             "lie.json",
             &[],
             &[
-                "lie.json: the name of the file: it ends in .json, and the content looks like a list of points; rename the file to end in .csv",
+                "lie.json: the name ends in .json, and the content looks like a list of points; rename the file to end in .csv",
             ],
         ),
         (
             "domain.wkt",
             &[],
             &[
-                "domain.wkt: the name of the file: it ends as WKT does, and the content is JSON; rename the file to end in .json",
+                "domain.wkt: the name ends as WKT does, and the content is JSON; rename the file to end in .json",
             ],
         ),
         (
@@ -360,7 +360,7 @@ fn the_boundary_of_a_mesh_becomes_a_domain() {
         mindeg(["mesh", &at(mesh), "-o", &at("x.obj")]).refuses(&[
             mesh,
             "a domain is expected",
-            "mindeg convert FILE -o outline.poly",
+            "-o outline.poly` writes the boundary",
         ]);
     }
     run(&["convert", &at("a.14"), "-q", "-o", &at("b.poly")]);

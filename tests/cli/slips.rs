@@ -63,7 +63,8 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh - -o x.obj", "standard input is empty; a domain is expected"),
     (
         "mesh a.stl -o b.obj",
-        "a.stl: the name of the file: it ends as a mesh does, and a domain is expected; of a mesh in the plane, mindeg convert FILE -o outline.poly writes the boundary, which is a domain",
+        "a.stl: it is a mesh, and a domain is expected; of a mesh in the plane, `mindeg convert a.stl -o \
+         outline.poly` writes the boundary, which is a domain",
     ),
     (
         "mesh a.json b.json -o x.obj",
@@ -72,7 +73,7 @@ const SLIPS: &[(&str, &str)] = &[
     ("mesh a.json x.obj", "give every output with -o: -o x.obj"),
     (
         "mesh --rectangle 4x3 --size 1 -o q.fbx --format obj",
-        "-o q.fbx: mindeg does not write .fbx files; end the name in .obj for what --format asks \
+        "q.fbx: mindeg does not write .fbx files; end the name in .obj for what --format asks \
          for",
     ),
     (

@@ -93,13 +93,15 @@ fn triangles_left_out_of_the_drawing_are_told() {
 #[test]
 fn what_is_no_mesh_and_no_domain_is_refused() {
     let view = |arguments: &[&str]| -> Run { mindeg([&["view"], arguments].concat()) };
+    let folder = tempfile::tempdir().expect("a folder");
+    let mesh = folder.path().join("a.obj");
+    fs::write(&mesh, "v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n").expect("a file");
+    let mesh = text(&mesh);
     for (arguments, words) in [
-        (&["a.fbx", "-o", "a.html"][..], &["neither a mesh nor a domain", ".obj, .glb, .gltf"][..]),
-        (&["a.svg", "-o", "a.html"], &["neither a mesh nor a domain"]),
-        (&["-o", "a.html"], &["no domain: name a JSON file"]),
+        (&["-o", "a.html"][..], &["no domain: name its file"][..]),
         (&["a.obj", "-o", "a.png"], &["-o a.png: a view ends in .html"]),
-        (&["a.obj", "--size", "1", "-o", "a.html"], &["a.obj is a mesh", "--size is for domains"]),
-        (&["a.obj", "--keep-angle", "1", "-o", "a.html"], &["--keep-angle is for domains"]),
+        (&[mesh, "--size", "1", "-o", "a.html"], &["a.obj is a mesh", "--size is for domains"]),
+        (&[mesh, "--keep-angle", "1", "-o", "a.html"], &["--keep-angle is for domains"]),
         (&["a.obj"], &["where to? name a file, such as -o view.html"]),
         (&["a.obj", "a.html"], &["give every output with -o: -o a.html"]),
         (&["a.obj", "b.obj", "-o", "a.html"], &["one mesh at a time: b.obj is a second one"]),

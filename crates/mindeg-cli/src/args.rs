@@ -34,6 +34,7 @@ pub(crate) use improve::ImproveArguments;
 pub(crate) use inspect::InspectArguments;
 pub(crate) use loop_choice::LoopChoice;
 pub(crate) use mesh::{MeshArguments, Optimize};
+pub(crate) use surface::SurfaceArguments;
 pub(crate) use tradeoff::TradeoffArguments;
 pub(crate) use values::point;
 pub(crate) use verify::VerifyArguments;

@@ -3,10 +3,11 @@
 //! There is a bar only where standard error is a terminal, and only from a second on. It is gone
 //! when the work is done, or interrupted.
 
+use crate::terminal::shown;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
-use mindeg_mesh::Step;
+use mindeg_files::READING;
+use mindeg_mesh::{Progress, Step};
 use std::fmt;
-use std::io::{self, Read};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, RecvTimeoutError};
@@ -29,7 +30,7 @@ pub(crate) fn clear() {
 
 /// What is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unit {
+enum Unit {
     /// Bytes read.
     Bytes,
     /// Parts of work.
@@ -62,7 +63,7 @@ impl Bar {
     }
 
     /// The work from here on, and how much it is; the bar starts anew.
-    pub(crate) fn stage(&self, name: impl Into<String>, total: u64, unit: Unit) {
+    fn stage(&self, name: impl Into<String>, total: u64, unit: Unit) {
         // In this order, nothing is drawn that is half of this stage and half of the last.
         self.bar.set_style(style(name.into(), unit));
         self.bar.update(|state| {
@@ -72,24 +73,20 @@ impl Bar {
         self.bar.reset_eta();
     }
 
-    /// So much of the stage is done.
-    pub(crate) fn reach(&self, done: u64) {
-        self.bar.set_position(done);
-        self.show_when_due();
-    }
-
-    /// A progress callback that shows each stage and never cancels.
-    pub(crate) fn callback(&self) -> impl Fn(Step<'_>) -> ControlFlow<()> + Sync {
-        |Step { stage, done, total }| {
+    /// Does work that reports its progress, shows each stage and never cancels.
+    pub(crate) fn work<T>(&self, work: impl FnOnce(Progress<'_>) -> T) -> T {
+        work(Progress::new(&|Step { stage, done, total }| {
             let mut last = self.last_stage.lock().unwrap_or_else(PoisonError::into_inner);
             if *last != stage {
                 stage.clone_into(&mut last);
-                self.stage(stage, total, Unit::Parts);
+                let unit = if stage == READING { Unit::Bytes } else { Unit::Parts };
+                self.stage(stage, total, unit);
             }
             drop(last);
-            self.reach(done);
+            self.bar.set_position(done.min(total));
+            self.show_when_due();
             ControlFlow::Continue(())
-        }
+        }))
     }
 
     /// Does work that nothing can be counted of, and shows how long it has been going on.
@@ -108,12 +105,6 @@ impl Bar {
             });
             work()
         })
-    }
-
-    /// Counts the bytes that come from a `stream`, of which `expected` were counted in the
-    /// stage's total.
-    pub(crate) fn counting<T>(&self, stream: T, expected: u64) -> Counting<'_, T> {
-        Counting { stream, bar: self, left: expected }
     }
 
     fn show_when_due(&self) {
@@ -147,7 +138,7 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
     ProgressStyle::with_template(template)
         .expect("the templates are well formed")
         .with_key("name", move |_: &ProgressState, out: &mut dyn fmt::Write| {
-            let _ = out.write_str(&name);
+            let _ = out.write_str(&shown(&name));
         })
         .with_key("million", move |state: &ProgressState, out: &mut dyn fmt::Write| {
             let total = state.len().unwrap_or_default();
@@ -160,73 +151,4 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
                 let _ = out.write_str("/s");
             }
         })
-}
-
-/// Passes bytes on and counts them.
-///
-/// What was expected need not be what comes. The total grows with what comes beyond it, and
-/// shrinks in the end by what is missing: so the bar ends with the work, and not before.
-pub(crate) struct Counting<'a, T> {
-    stream: T,
-    bar: &'a Bar,
-    /// How many more bytes are expected.
-    left: u64,
-}
-
-impl<T> Counting<'_, T> {
-    fn count(&mut self, bytes: usize) {
-        let bytes = bytes as u64;
-        let beyond = bytes.saturating_sub(self.left);
-        if beyond > 0 {
-            self.bar.bar.inc_length(beyond);
-        }
-        self.left = self.left.saturating_sub(bytes);
-        self.bar.bar.inc(bytes);
-        self.bar.show_when_due();
-    }
-}
-
-impl<R: Read> Read for Counting<'_, R> {
-    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        let count = self.stream.read(buffer)?;
-        self.count(count);
-        Ok(count)
-    }
-}
-
-impl<T> Drop for Counting<'_, T> {
-    fn drop(&mut self) {
-        self.bar.bar.dec_length(self.left);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_stage_ends_at_its_total_whatever_was_expected() {
-        let bar = Bar::new(true);
-        for (expected, blocks) in [
-            (&[100_u64][..], &[&[40_u64, 60][..]][..]),
-            (&[100], &[&[40, 50, 60]]),
-            (&[100], &[&[40, 50]]),
-            (&[100], &[&[]]),
-            (&[100, 50, 0], &[&[90], &[70], &[5]]),
-        ] {
-            bar.stage("reading", expected.iter().sum(), Unit::Bytes);
-            for (&expected, blocks) in expected.iter().zip(blocks) {
-                let mut input = bar.counting(io::repeat(0), expected);
-                for &len in *blocks {
-                    assert_eq!(
-                        input.read(&mut vec![0; len as usize]).expect("zeros"),
-                        len as usize
-                    );
-                    assert!(Some(bar.bar.position()) <= bar.bar.length());
-                }
-            }
-            let read = blocks.iter().copied().flatten().sum();
-            assert_eq!((bar.bar.position(), bar.bar.length()), (read, Some(read)));
-        }
-    }
 }

@@ -1,17 +1,11 @@
 //! `mindeg bridge`: two boundary loops joined by a strip.
 
 use crate::args::{BridgeArguments, LoopChoice};
-use crate::bar::Bar;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
-use crate::mesh_file;
-use crate::output::Outputs;
-use crate::standard_output::print_json;
-use crate::targets::Targets;
-use crate::terminal::say;
+use crate::making::Making;
 use mindeg::bridge::{Bridged, bridge};
-use mindeg::{Loops, Progress, TriMesh};
+use mindeg::{Loops, TriMesh};
 use mindeg_answers::numbers::steady_angle;
 use serde::Serialize;
 use std::path::Path;
@@ -19,8 +13,8 @@ use std::path::Path;
 /// What `--json` prints; angles in degrees.
 #[derive(Serialize)]
 struct Summary<'a> {
-    from: LoopName,
-    to: LoopName,
+    from: &'a LoopName,
+    to: &'a LoopName,
     vertices: usize,
     triangles: usize,
     /// The first triangle of the strip, and the one after the last.
@@ -35,7 +29,6 @@ struct Summary<'a> {
     degree_without_limit: u32,
     planar: bool,
     crossings: &'a [[u32; 2]],
-    files: Vec<String>,
 }
 
 /// A mesh that was read, and its loops.
@@ -46,8 +39,8 @@ struct Side<'a> {
 }
 
 impl<'a> Side<'a> {
-    fn read(path: &'a Path, bar: &Bar) -> Result<Self, Failure> {
-        let mesh = mesh_file::read(path, bar)?;
+    fn read(path: &'a Path, making: &mut Making) -> Result<Self, Failure> {
+        let mesh = making.read(path)?;
         let loops = Loops::of(&mesh);
         Ok(Self { path, mesh, loops })
     }
@@ -77,13 +70,10 @@ impl<'a> Side<'a> {
 
 pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut targets =
-        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
-    let bar = Bar::new(arguments.quiet);
-    clean_up_on_interrupt()?;
-    let first = Side::read(&arguments.file, &bar)?;
+    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let first = Side::read(&arguments.file, &mut making)?;
     let second = match &arguments.other {
-        Some(path) => Some(Side::read(path, &bar)?),
+        Some(path) => Some(Side::read(path, &mut making)?),
         None => None,
     };
     let (from, to) = match &second {
@@ -94,40 +84,29 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     };
     let (from_name, to_name) = (first.name(from), second.as_ref().unwrap_or(&first).name(to));
     let Side { mesh, .. } = first;
-    let others_have = second.as_ref().is_some_and(|second| second.mesh.has_materials());
-    targets.expect_materials(mesh.has_materials() || others_have);
     // What can be refused is refused before the search.
-    let check = |targets: &mut Targets<'_>, whole: &TriMesh| {
+    let check = |making: &mut Making, whole: &TriMesh| {
         let most = whole.triangles().len().saturating_add(whole.positions().len());
-        targets.check(whole, u32::try_from(most).unwrap_or(u32::MAX))
+        making.check(whole, u32::try_from(most).unwrap_or(u32::MAX))
     };
     match &second {
         Some(second) => {
             let whole = mesh.clone().with_mesh_added(&second.mesh);
-            check(&mut targets, &whole.map_err(|error| Failure::Input(error.to_string()))?)?;
+            check(&mut making, &whole.map_err(|error| Failure::Input(error.to_string()))?)?;
         }
-        None => check(&mut targets, &mesh)?,
+        None => check(&mut making, &mesh)?,
     }
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-    let callback = bar.callback();
+    making.open()?;
     let other = second.as_ref().map(|side| &side.mesh);
-    let result = bridge(mesh, other, [from, to], arguments.max_degree, Progress::new(&callback))
+    let result = making
+        .work(|progress| bridge(mesh, other, [from, to], arguments.max_degree, progress))
         .map_err(|error| Failure::Input(error.to_string()))?;
-    targets.write(&result.mesh, outputs, &bar)?;
-    drop(callback);
-    drop(bar);
-    if !arguments.quiet {
-        say(&text(&result, &from_name, &to_name, &files));
-    }
-    if !arguments.json {
-        return Ok(());
-    }
+    let made = making.write_checked(&result.mesh)?;
     let strip = &result.strip;
-    print_json(&Summary {
-        from: from_name,
-        to: to_name,
+    let text = || text(&result, &from_name, &to_name);
+    made.say(text, || Summary {
+        from: &from_name,
+        to: &to_name,
         vertices: result.mesh.positions().len(),
         triangles: result.mesh.triangles().len(),
         strip: [result.triangles.start, result.triangles.end],
@@ -140,7 +119,6 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
         degree_without_limit: strip.without_limit.1,
         planar: strip.is_planar,
         crossings: &result.crossings,
-        files,
     })
 }
 
@@ -166,7 +144,7 @@ fn both_of_one(side: &Side<'_>, arguments: &BridgeArguments) -> Result<(usize, u
     }
 }
 
-fn text(result: &Bridged, from: &LoopName, to: &LoopName, files: &[String]) -> String {
+fn text(result: &Bridged, from: &LoopName, to: &LoopName) -> String {
     let strip = &result.strip;
     let optimal = match (strip.max_degree, strip.least_max_degree, strip.lower_bound) {
         (degree, least, bound) if degree == least && least == bound => {
@@ -199,9 +177,5 @@ fn text(result: &Bridged, from: &LoopName, to: &LoopName, files: &[String]) -> S
         );
     }
     text += &crossing_text(&result.crossings);
-    let files: Vec<&str> = files.iter().map(|file| &**file).filter(|file| *file != "-").collect();
-    if !files.is_empty() {
-        text += &format!("\nwrote {}", files.join(", "));
-    }
     text
 }

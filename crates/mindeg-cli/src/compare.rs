@@ -7,12 +7,13 @@ mod saved_meshes;
 use crate::args::{CompareArguments, ReportFormat};
 use crate::domain::{from_file, from_options};
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
-use crate::output::{Outputs, is_standard_output, write_to};
+use crate::interrupt::{SESSION, clean_up_on_interrupt};
+use crate::making::wrote;
 use crate::provenance::provenance;
 use crate::terminal::say;
 use comparing::{check, compared};
 use mindeg_compare::{Comparison, Options, write_html, write_json, write_markdown};
+use mindeg_files::{Outputs, is_standard_output, write_to};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -61,7 +62,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
         None => from_options(&arguments.options)?,
     };
     // What cannot be written is refused before the work, which can take minutes.
-    let mut outputs = Outputs::default();
+    let mut outputs = Outputs::new(&SESSION);
     let opened: Vec<Box<dyn Write>> =
         reports.iter().map(|path| outputs.open(path)).collect::<Result<_, _>>()?;
 
@@ -73,7 +74,7 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     }
     let mut all_taken = true;
     for ((path, format), out) in reports.iter().zip(formats).zip(opened) {
-        match write_to(path, out, |out| write(format, &comparison, out)) {
+        match write_to(path, out, |out| write(format, &comparison, out)).map_err(Failure::from) {
             // Nobody reads on, and the other outputs are not for that reader.
             Err(Failure::ClosedPipe) => all_taken = false,
             written => written?,
@@ -83,7 +84,8 @@ fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failur
     written.extend(reports.into_iter().filter(|path| !is_standard_output(path)));
     if !arguments.quiet {
         say(&comparison.report().verdict);
-        say_written(&written);
+        let files: Vec<_> = written.iter().map(|path| path.display().to_string()).collect();
+        wrote(&files).iter().for_each(|line| say(line));
     }
     check(&arguments.demands.demands(), &comparison)?;
     if all_taken { Ok(()) } else { Err(Failure::ClosedPipe) }
@@ -108,13 +110,5 @@ fn write(format: ReportFormat, comparison: &Comparison, out: &mut dyn Write) -> 
         ReportFormat::Html => write_html(comparison, out),
         ReportFormat::Json => write_json(comparison.report(), out),
         ReportFormat::Md => write_markdown(comparison, out),
-    }
-}
-
-/// Says which files were written.
-fn say_written(files: &[PathBuf]) {
-    if !files.is_empty() {
-        let files: Vec<_> = files.iter().map(|path| path.display().to_string()).collect();
-        say(&format!("wrote {}", files.join(", ")));
     }
 }

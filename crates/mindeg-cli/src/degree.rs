@@ -25,8 +25,7 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
         }
         Counted::Domain(domain) => {
             let bar = Bar::new(arguments.json);
-            let callback = bar.callback();
-            let found = DegreeReport::of(&domain, Progress::new(&callback));
+            let found = bar.work(|progress| DegreeReport::of(&domain, progress));
             (found.map_err(|error| input(&error))?, Some(domain))
         }
     };

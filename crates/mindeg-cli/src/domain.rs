@@ -1,16 +1,35 @@
 //! From arguments to a validated domain.
 
 pub(crate) mod describe;
-mod file;
 
-#[cfg(feature = "explore")]
-pub(crate) use file::bytes_of;
-pub(crate) use file::{Content, Polygons};
-
-use crate::args::{Counts, CountsArguments, DomainArguments, DomainOptions};
+use crate::args::{Counts, CountsArguments, DomainArguments, DomainOptions, OutlineOptions};
+use crate::bar::Bar;
 use crate::failure::Failure;
-use mindeg::{Domain, Intervals, Outline, Rectangle, Side};
+use crate::interrupt::SESSION;
+use crate::terminal::say;
+use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
+use mindeg_files::{Content, Division, Input, Polygons, ReadOptions, Wanted};
 use std::path::Path;
+
+/// What the arguments describe.
+pub(crate) enum Subject {
+    Domain(Box<Domain>),
+    /// The polygons of a file, not in JSON.
+    Polygons(Polygons),
+    Model(Box<Model>),
+    Mesh(Box<TriMesh>),
+}
+
+impl Subject {
+    /// The one domain that it is, or why there are several.
+    pub(crate) fn only(self) -> Result<Domain, Failure> {
+        match self {
+            Self::Domain(domain) => Ok(*domain),
+            Self::Polygons(polygons) => Ok(polygons.only()?),
+            Self::Model(_) | Self::Mesh(_) => unreachable!("opened as a domain"),
+        }
+    }
+}
 
 /// What a domain without a name is called.
 pub(crate) const UNNAMED: &str = "domain";
@@ -74,37 +93,71 @@ pub(crate) fn counts_of(domain: &Domain) -> Result<Vec<u64>, Failure> {
 
 /// The domain in a file, with the options in place of what the file gives for its sides.
 pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, Failure> {
-    match content(path, options)? {
-        Content::Domain(domain) => Ok(*domain),
-        Content::Polygons(polygons) => polygons.only(),
-    }
+    in_file(path, options, Wanted::Domain, &Bar::new(true))?.only()
 }
 
-/// What the arguments describe: one domain, or the polygons of a file.
-pub(crate) fn subject(arguments: &DomainArguments) -> Result<Content, Failure> {
+/// What the arguments describe, which is or becomes a domain unless something else is wanted, too.
+pub(crate) fn subject(
+    arguments: &DomainArguments,
+    wanted: Wanted,
+    bar: &Bar,
+) -> Result<Subject, Failure> {
     match &arguments.file {
-        None => from_options(&arguments.options).map(|domain| Content::Domain(Box::new(domain))),
-        Some(path) => content(path, &arguments.options),
+        None => from_options(&arguments.options).map(|domain| Subject::Domain(Box::new(domain))),
+        Some(path) => in_file(path, &arguments.options, wanted, bar),
     }
 }
 
-/// What a file holds, with the options in place of what it gives for the sides.
-fn content(path: &Path, options: &DomainOptions) -> Result<Content, Failure> {
+/// What a file holds, with the options in place of what it gives for the sides of a domain.
+pub(crate) fn in_file(
+    path: &Path,
+    options: &DomainOptions,
+    wanted: Wanted,
+    bar: &Bar,
+) -> Result<Subject, Failure> {
     let DomainOptions { intervals, size, spacing, outline, .. } = options;
-    match file::read(path, outline, *size)? {
-        Content::Domain(domain) if !options.divides() => Ok(Content::Domain(domain)),
-        Content::Domain(domain) => {
+    match opened(path, outline, *size, wanted, bar)? {
+        Subject::Domain(domain) if options.divides() => {
             let sides = overridden(domain.sides().to_vec(), options)?;
-            let domain = domain.with_sides(sides).map_err(bad)?;
-            Ok(Content::Domain(Box::new(domain)))
+            Ok(Subject::Domain(Box::new(domain.with_sides(sides).map_err(bad)?)))
         }
-        Content::Polygons(_) if intervals.is_some() || spacing.is_some() => {
+        Subject::Polygons(_) if intervals.is_some() || spacing.is_some() => {
             let message = "--intervals and --spacing divide the sides of a domain in JSON; give \
                            --size here, or write the domain with mindeg domain and edit it";
             Err(Failure::Input(message.to_owned()))
         }
-        Content::Polygons(polygons) => Ok(Content::Polygons(polygons)),
+        subject => Ok(subject),
     }
+}
+
+/// What a file holds, or standard input where the path is `-`.
+fn opened(
+    path: &Path,
+    options: &OutlineOptions,
+    size: Option<f64>,
+    wanted: Wanted,
+    bar: &Bar,
+) -> Result<Subject, Failure> {
+    let input = Input::of(path);
+    let name = input.name();
+    let division = Division { corner_angle: options.corner_angle, size };
+    let OutlineOptions { repair, fill_rule, .. } = *options;
+    let read = ReadOptions { feature: options.feature.clone(), repair, fill_rule, division };
+    let bad = |error: &dyn ToString| Failure::Input(format!("{name}: {}", error.to_string()));
+    Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
+        Content::Domain(text) => {
+            options.refuse_for_json(&name)?;
+            Subject::Domain(Box::new(Domain::from_json(&text).map_err(|error| bad(&error))?))
+        }
+        Content::Model(text) => {
+            Subject::Model(Box::new(Model::from_json(&text).map_err(|error| bad(&error))?))
+        }
+        Content::Polygons(polygons) => {
+            polygons.notes.iter().for_each(|note| say(&format!("{name}: {note}")));
+            Subject::Polygons(polygons)
+        }
+        Content::Mesh(mesh) => Subject::Mesh(mesh),
+    })
 }
 
 /// The domain that options describe without a file.
@@ -118,8 +171,8 @@ pub(crate) fn from_options(options: &DomainOptions) -> Result<Domain, Failure> {
             (Outline::Polygon(corners), count)
         }
         (None, None) => {
-            let message = "no domain: name its file, or - for standard input, or give --rectangle or --corners".to_owned();
-            return Err(Failure::Input(message));
+            let message = "no domain: name its file, or - for standard input, or give --rectangle or --corners";
+            return Err(Failure::Input(message.to_owned()));
         }
     };
     if intervals.is_none() && size.is_none() {

@@ -1,12 +1,12 @@
 //! `mindeg explore`: a page to edit a boundary on.
 
 use crate::args::ExploreArguments;
-use crate::domain::bytes_of;
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
+use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print;
 use crate::terminal::say;
 use mindeg_explore::{KnownFiles, Server, ServerError, Setup, Source, presets, sources};
+use mindeg_files::Input;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -30,8 +30,9 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
 
 /// The domain of the command line, or the first polygon of its file that is one.
 fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
-    let (name, bytes) = bytes_of(path)?;
-    let sources = sources(&name, &bytes).map_err(Failure::Input)?;
+    let input = Input::of(path);
+    let name = input.name();
+    let sources = sources(&SESSION, &input).map_err(Failure::Input)?;
     let count = sources.len();
     let problem = sources.first().and_then(|source| source.message.clone());
     let Some(mut source) = sources.into_iter().find(|source| source.domain.is_some()) else {
@@ -41,8 +42,8 @@ fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
     if count > 1 {
         source.notes.push(format!("{name} has {count} polygons; {} is shown.", source.name));
     }
-    if let (Ok(text), true) = (std::str::from_utf8(&bytes), path != Path::new("-")) {
-        known.add(&name, text);
+    if let (Ok(text), Input::File(_)) = (fs::read_to_string(path), input) {
+        known.add(&name, &text);
     }
     Ok(source)
 }

@@ -1,6 +1,7 @@
 //! How a run ends when it does not succeed.
 
 use crate::terminal::say_error;
+use mindeg_files::{FileError, plainly};
 use std::io;
 use std::process::ExitCode;
 
@@ -59,19 +60,12 @@ impl Failure {
     }
 }
 
-/// An error of the same kind that says only what [`plainly`] does: for those who print it as it is.
-pub(crate) fn plain(error: io::Error) -> io::Error {
-    io::Error::new(error.kind(), plainly(&error))
-}
-
-/// An error of the system in its words: without its number, and without the name of a temporary
-/// file, which the user never gave.
-pub(crate) fn plainly(error: &io::Error) -> String {
-    let source = error.get_ref().and_then(|wrapper| wrapper.source());
-    let cause = source.and_then(|source| source.downcast_ref::<io::Error>()).unwrap_or(error);
-    let text = cause.to_string();
-    match text.split_once(" (os error ") {
-        Some((words, _)) => words.to_owned(),
-        None => text,
+impl From<FileError> for Failure {
+    fn from(error: FileError) -> Self {
+        match error.kind() {
+            Some(io::ErrorKind::BrokenPipe) => Self::ClosedPipe,
+            Some(_) => Self::Io(error.to_string()),
+            None => Self::Input(error.to_string()),
+        }
     }
 }

@@ -1,17 +1,11 @@
 //! `mindeg fill`: the holes of a mesh closed.
 
 use crate::args::FillArguments;
-use crate::bar::Bar;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
-use crate::mesh_file;
-use crate::output::Outputs;
-use crate::standard_output::print_json;
-use crate::targets::Targets;
-use crate::terminal::say;
+use crate::making::Making;
+use mindeg::Loops;
 use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop, fill};
-use mindeg::{Loops, Progress};
 use mindeg_answers::numbers::{four_digits, percent, steady_angle};
 use mindeg_mesh::Triangles;
 use serde::Serialize;
@@ -27,7 +21,6 @@ struct Summary<'a> {
     filled: Vec<FilledSummary>,
     left_open: Vec<LeftSummary>,
     crossings: &'a [[u32; 2]],
-    files: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -57,13 +50,9 @@ struct LeftSummary {
 
 pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut targets =
-        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
-    let bar = Bar::new(arguments.quiet);
-    clean_up_on_interrupt()?;
+    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     let file = &arguments.file;
-    let mesh = mesh_file::read(file, &bar)?;
-    targets.expect_materials(mesh.has_materials());
+    let mesh = making.read(file)?;
     let loops = Loops::of(&mesh);
     if loops.list().is_empty() {
         let message = format!("{} has no boundary loop; it is closed", file.display());
@@ -86,13 +75,11 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
 
     // What can be refused is refused before the search, which can take minutes.
     let most = mesh.triangle_count().saturating_add(lengths.sum::<usize>() as u32);
-    targets.check(&mesh, most)?;
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-    let callback = bar.callback();
+    making.check(&mesh, most)?;
+    making.open()?;
     let listed = listed(&loops, &mesh);
-    let result = fill(mesh, &options, Progress::new(&callback))
+    let result = making
+        .work(|progress| fill(mesh, &options, progress))
         .map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
     if result.filled.is_empty() {
         let reasons: Vec<String> = left(&result, &loops)
@@ -102,16 +89,8 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         let name = file.display();
         return Err(Failure::Input(format!("{name} has no loop to fill{message}")));
     }
-    targets.write(&result.mesh, outputs, &bar)?;
-    drop(callback);
-    drop(bar);
-    if !arguments.quiet {
-        say(&text(file, &result, &loops, &files, &options));
-    }
-    if !arguments.json {
-        return Ok(());
-    }
-    print_json(&Summary {
+    let made = making.write_checked(&result.mesh)?;
+    let summary = || Summary {
         file: file.display().to_string(),
         vertices: result.mesh.positions().len(),
         triangles: result.mesh.triangles().len(),
@@ -119,8 +98,8 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         filled: result.filled.iter().map(|found| summary(found, &loops)).collect(),
         left_open: left(&result, &loops).collect(),
         crossings: &result.crossings,
-        files,
-    })
+    };
+    made.say(|| text(file, &result, &loops, &options), summary)
 }
 
 fn summary(found: &FilledLoop, loops: &Loops) -> FilledSummary {
@@ -148,13 +127,7 @@ fn left<'a>(result: &'a Filled, loops: &'a Loops) -> impl Iterator<Item = LeftSu
 /// How many loops a summary describes one by one.
 const DESCRIBED: usize = 8;
 
-fn text(
-    file: &Path,
-    result: &Filled,
-    loops: &Loops,
-    files: &[String],
-    options: &FillOptions,
-) -> String {
+fn text(file: &Path, result: &Filled, loops: &Loops, options: &FillOptions) -> String {
     let (filled, open) = (result.filled.len(), result.left.len());
     let triangles: usize = result.filled.iter().map(|found| found.triangles.len()).sum();
     let largest = result.filled.iter().map(|found| found.max_degree).max().unwrap_or(0);
@@ -204,9 +177,5 @@ fn text(
         text += &format!("\n  and {} more stay open", open - DESCRIBED);
     }
     text += &crossing_text(&result.crossings);
-    let files: Vec<&str> = files.iter().map(|file| &**file).filter(|file| *file != "-").collect();
-    if !files.is_empty() {
-        text += &format!("\nwrote {}", files.join(", "));
-    }
     text
 }

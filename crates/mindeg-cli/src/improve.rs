@@ -1,17 +1,11 @@
 //! `mindeg improve`: degrees and the minimum angle of any planar mesh.
 
 use crate::args::ImproveArguments;
-use crate::bar::Bar;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
-use crate::mesh_file;
-use crate::output::Outputs;
-use crate::standard_output::print_json;
-use crate::targets::Targets;
-use crate::terminal::say;
+use crate::making::Making;
+use mindeg::Interior;
 use mindeg::interior::{self, ImprovedMesh};
-use mindeg::{Interior, Progress, Triangles};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, grading, unmet_degrees, violations,
@@ -32,26 +26,17 @@ struct Summary {
     kept_edges: usize,
     before: InteriorAnswer,
     after: InteriorAnswer,
-    files: Vec<String>,
 }
 
 pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut targets =
-        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
-    let bar = Bar::new(arguments.quiet);
-    clean_up_on_interrupt()?;
-    let mesh = mesh_file::read(&arguments.file, &bar)?;
-    targets.expect_materials(mesh.has_materials());
+    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let mesh = making.read(&arguments.file)?;
     let file = arguments.file.display().to_string();
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-
+    making.open()?;
     let wanted = arguments.aims.over(Interior::default());
-    let callback = bar.callback();
-    let improved = interior::improve(&mesh, &wanted, Progress::new(&callback))
-        .map_err(|error| Failure::Input(format!("{file}: {error}")))?;
+    let improved = making.work(|progress| interior::improve(&mesh, &wanted, progress));
+    let improved = improved.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     let demands = Demands {
         max_degree: arguments.max_degree,
         target_angle: wanted.target_angle,
@@ -61,29 +46,21 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     unmet.extend(unmet_degrees(&improved.after, &wanted, false));
     let end = met_or_written_anyway(&unmet, arguments.aims.write_anyway)?;
 
-    targets.check(&improved.mesh, improved.mesh.triangle_count())?;
-    targets.write(&improved.mesh, outputs, &bar)?;
-    drop(callback);
-    drop(bar);
-    if !arguments.quiet {
-        say(&text(&file, &mesh, &improved, &files));
-    }
-    if arguments.json {
-        print_json(&Summary {
-            file,
-            vertices: improved.mesh.positions().len(),
-            triangles: improved.mesh.triangles().len(),
-            merged_vertices: improved.merged,
-            kept_edges: improved.kept_edges,
-            before: InteriorAnswer::from(&improved.before),
-            after: InteriorAnswer::from(&improved.after),
-            files,
-        })?;
-    }
+    let made = making.write(&improved.mesh)?;
+    let summary = || Summary {
+        file: file.clone(),
+        vertices: improved.mesh.positions().len(),
+        triangles: improved.mesh.triangles().len(),
+        merged_vertices: improved.merged,
+        kept_edges: improved.kept_edges,
+        before: InteriorAnswer::from(&improved.before),
+        after: InteriorAnswer::from(&improved.after),
+    };
+    made.say(|| text(&file, &mesh, &improved), summary)?;
     end
 }
 
-fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -> String {
+fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
     let ImprovedMesh { before, after, merged, kept_edges, .. } = improved;
     let wrong = |report: &interior::Report| match report.violations.len() {
         0 => "no degree out of range".to_owned(),
@@ -117,9 +94,5 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh, files: &[String]) -
     let others = mesh.non_triangles();
     note((others.quads + others.polygons) as usize, "larger faces were cut into triangles.");
     lines.extend(violations(after).map(|violations| format!("Warning: {violations}")));
-    let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
-    if !files.is_empty() {
-        lines.push(format!("wrote {}", files.join(", ")));
-    }
     lines.join("\n")
 }

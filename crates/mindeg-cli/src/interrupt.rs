@@ -5,25 +5,19 @@
 //! system. Only Linux tells which signals are to be ignored; elsewhere all are heard.
 
 use crate::bar;
-use crate::failure::{Failure, plainly};
+use crate::failure::Failure;
+use mindeg_files::{Session, plainly};
 use std::fs;
 use std::io;
-use std::path::PathBuf;
-use std::sync::{Mutex, MutexGuard, PoisonError, mpsc};
+use std::sync::mpsc;
 use std::thread;
 use std::time::Duration;
 
 /// How long a terminal may take to clear the bar: one that is stopped takes for ever.
 const CLEARING: Duration = Duration::from_millis(100);
 
-/// The temporary files there are.
-static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
-
-/// The list of the temporary files. An interrupt waits for as long as it is held: for a file to be
-/// made and listed, or for several to get their names, all or none.
-pub(crate) fn temporary() -> MutexGuard<'static, Vec<PathBuf>> {
-    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
-}
+/// The files that this run has read and is writing.
+pub(crate) static SESSION: Session = Session::new("--");
 
 /// From here on, Ctrl-C and its like delete the temporary files before they end the process.
 pub(crate) fn clean_up_on_interrupt() -> Result<(), Failure> {
@@ -33,7 +27,7 @@ pub(crate) fn clean_up_on_interrupt() -> Result<(), Failure> {
 /// Deletes the temporary files and ends the process.
 fn end(process: impl FnOnce()) {
     // Never given back: what would make or rename a file from here on must wait for the end.
-    let temporary = temporary();
+    let temporary = SESSION.temporary();
     for path in temporary.iter() {
         // A file renamed or deleted meanwhile is no longer there under this name.
         let _ = fs::remove_file(path);

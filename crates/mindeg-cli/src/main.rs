@@ -18,21 +18,18 @@ mod explore;
 mod failure;
 mod fill;
 mod improve;
-mod input;
 mod inspect;
 mod interrupt;
+mod making;
 mod mesh;
-mod mesh_file;
 mod named_files;
 #[cfg(not(feature = "explore"))]
 mod no_explore;
-mod output;
 mod provenance;
 mod schema;
 mod slips;
 mod standard_output;
 mod suggest;
-mod targets;
 mod terminal;
 mod threads;
 mod tradeoff;
@@ -42,10 +39,12 @@ mod view;
 use args::{Arguments, Command};
 use clap::{CommandFactory, FromArgMatches};
 use failure::Failure;
+use std::borrow::Cow;
 use std::env;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
+use terminal::safe;
 use threads::shared;
 
 fn main() -> ExitCode {
@@ -92,7 +91,14 @@ fn without_a_run(error: &clap::Error, words: &[OsString]) -> ExitCode {
     if let Some(message) = slips::guess(error, words) {
         return Failure::Input(message).report();
     }
-    match error.print().and_then(|()| io::stdout().flush()) {
+    let steers = |word: &OsString| matches!(safe(&word.to_string_lossy()), Cow::Owned(_));
+    let printed = if error.use_stderr() && words.iter().any(steers) {
+        // Without colors, which are escapes as those in a name are.
+        writeln!(io::stderr(), "{}", safe(&error.render().to_string()))
+    } else {
+        error.print()
+    };
+    match printed.and_then(|()| io::stdout().flush()) {
         Err(failed) if !error.use_stderr() => Failure::from_standard_output(&failed).report(),
         _ => ExitCode::from(if error.use_stderr() { 2 } else { 0 }),
     }

@@ -7,86 +7,57 @@ mod model;
 use crate::args::{GoalArguments, MeshArguments, Optimize};
 use crate::bar::Bar;
 use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
-use crate::domain::{Content, name, name_in_text, subject};
+use crate::domain::{Subject, name, name_in_text, subject};
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
-use crate::output::Outputs;
-use crate::standard_output::print_json;
-use crate::targets::Targets;
-use crate::terminal::say;
+use crate::making::Making;
 use mindeg::exact::ExactError;
 use mindeg::{Domain, Goal, Meshed, Progress};
 use mindeg_answers::degree::triangle_count;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, ProblemError};
-use serde::Serialize;
-use std::io::{self, IsTerminal};
+use mindeg_files::Wanted;
 use std::path::PathBuf;
 
-/// What `--json` prints.
-#[derive(Serialize)]
-struct Summary {
-    #[serde(flatten)]
-    mesh: MeshAnswer,
-    files: Vec<String>,
-}
-
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
-    if let Some(path) = arguments.domain.file.as_deref().filter(|path| model::is_model(path)) {
-        return model::run(path, arguments);
-    }
     let output = &arguments.surface.output;
-    match subject(&arguments.domain)? {
-        Content::Domain(domain) => mesh_of(&domain, arguments, output),
-        Content::Polygons(polygons) if polygons.polygons.len() > 1 => {
+    match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
+        Subject::Domain(domain) => mesh_of(&domain, arguments, output),
+        Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
             features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
         }
-        Content::Polygons(polygons) => {
+        Subject::Polygons(polygons) => {
             let output = features::outputs_of_one(arguments, &polygons)?;
             mesh_of(&polygons.only()?, arguments, &output)
         }
+        Subject::Model(model) => model::run(&model::divided(*model, arguments)?, arguments),
+        Subject::Mesh(mesh) => model::run(&model::of_mesh(&mesh, arguments)?, arguments),
     }
 }
 
 /// Meshes one domain into files.
 fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Result<(), Failure> {
-    let surface = &arguments.surface;
-    let mut targets = Targets::new(output, surface.format, surface.options(), arguments.json)?;
-    let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
-    let bar = Bar::new(arguments.quiet || to_terminal);
-    clean_up_on_interrupt()?;
-
+    let mut making = Making::new(&arguments.surface, output, arguments.quiet, arguments.json)?;
     if let Some(wanted) = interior::wanted(arguments, domain)? {
-        return interior::run(arguments, domain, &wanted, targets, bar);
+        return interior::run(arguments, domain, &wanted, making);
     }
     // What can be refused is refused before the mesh is looked for, which can take minutes.
-    targets.check(domain.placement(), triangle_count(domain.rings()))?;
+    making.check(domain.placement(), triangle_count(domain.rings()))?;
     let goal = goal(&arguments.goal, arguments.optimize, domain)?;
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-
-    let callback = bar.callback();
-    let progress = Progress::new(&callback);
-    let meshed = meshed(domain, goal, progress)?;
+    making.open()?;
+    let (meshed, angles) = making.work(|progress| {
+        let meshed = meshed(domain, goal, progress)?;
+        let angles = meshed.mesh.measure_angles(progress);
+        let angles = angles.map_err(|error| Failure::Input(error.to_string()))?;
+        Ok::<_, Failure>((meshed, angles))
+    })?;
     let mesh = &meshed.mesh;
-    let angles =
-        mesh.measure_angles(progress).map_err(|error| Failure::Input(error.to_string()))?;
     let demands = arguments.demands(arguments.interior.aims.target_angle);
-    let unmet = unmet_by_boundary_mesh(&demands, mesh, angles.min, &bar)?;
+    let unmet = unmet_by_boundary_mesh(&demands, mesh, angles.min, making.bar())?;
     let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
+    let made = making.write_checked(mesh)?;
 
-    targets.write(mesh, outputs, &bar)?;
-    drop(callback);
-    drop(bar);
-
-    let summary = Summary { mesh: MeshAnswer::of(&meshed, [angles.min, angles.max]), files };
-    if !arguments.quiet {
-        say(&text(&meshed, goal, &summary));
-    }
-    if arguments.json {
-        print_json(&summary)?;
-    }
+    let answer = MeshAnswer::of(&meshed, [angles.min, angles.max]);
+    made.say(|| text(&meshed, goal, &answer), || &answer)?;
     end
 }
 
@@ -138,18 +109,14 @@ pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
     })
 }
 
-fn text(meshed: &Meshed, goal: Goal, summary: &Summary) -> String {
+fn text(meshed: &Meshed, goal: Goal, answer: &MeshAnswer) -> String {
     let domain = meshed.mesh.domain();
-    let angles = [summary.mesh.min_angle, summary.mesh.max_angle];
+    let angles = [answer.min_angle, answer.max_angle];
     let mut lines = vec![format!("{}: {}", name(domain), words::mesh(meshed, angles))];
-    lines.extend(words::standing(meshed, goal, summary.mesh.min_angle));
+    lines.extend(words::standing(meshed, goal, answer.min_angle));
     if let Some(higher) = &meshed.higher_degree {
-        lines.push(words::higher_degree(summary.mesh.min_angle, higher));
+        lines.push(words::higher_degree(answer.min_angle, higher));
     }
     lines.extend(domain.notes());
-    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
-    if !files.is_empty() {
-        lines.push(format!("wrote {}", files.join(", ")));
-    }
     lines.join("\n")
 }

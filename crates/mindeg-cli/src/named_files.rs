@@ -1,8 +1,7 @@
 //! A file for each polygon: names from a pattern, none of which exists yet.
 
 use crate::failure::Failure;
-use crate::output::{cannot_write, is_standard_output};
-use mindeg_outlines::Polygon;
+use mindeg_files::{Polygon, cannot_write, is_standard_output};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

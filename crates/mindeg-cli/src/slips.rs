@@ -2,7 +2,7 @@
 
 use crate::args::point;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use mindeg_formats::Format;
+use mindeg_files::Format;
 use std::ffi::OsString;
 use std::path::Path;
 

@@ -4,6 +4,7 @@
 use anstream::AutoStream;
 use clap::ColorChoice;
 use clap::builder::styling::Styles;
+use std::borrow::Cow;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use terminal_size::{Width, terminal_size_of};
@@ -39,7 +40,7 @@ pub(crate) fn set_color(choice: ColorChoice) {
 /// Says why a run ends.
 pub(crate) fn say_error(message: &str) {
     let style = *Styles::styled().get_error();
-    let text = wrapped(&format!("error: {message}"));
+    let text = wrapped(&safe(&format!("error: {message}")));
     let text = text.strip_prefix("error:").unwrap_or(&text);
     // With standard error closed too there is nobody left to tell.
     let _ = writeln!(AutoStream::auto(io::stderr()), "{style}error:{style:#}{text}");
@@ -47,7 +48,36 @@ pub(crate) fn say_error(message: &str) {
 
 /// Says what a run has done. That it cannot be shown is no reason to fail.
 pub(crate) fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{}", wrapped(text));
+    let _ = writeln!(io::stderr(), "{}", wrapped(&safe(text)));
+}
+
+/// A text of several lines in which nothing steers a terminal: names come from files, and files from
+/// anywhere. What would, is shown as an escape. All that the command line prints passes here.
+pub(crate) fn safe(text: &str) -> Cow<'_, str> {
+    escaped(text, |c| c != '\n' && steers(c))
+}
+
+/// A name as part of a line: as in [`safe`], and it ends no line.
+pub(crate) fn shown(name: &str) -> Cow<'_, str> {
+    escaped(name, steers)
+}
+
+/// Whether a character moves, colors, ends or turns round what a terminal shows.
+fn steers(c: char) -> bool {
+    c.is_control() && c != '\t'
+        || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
+        || matches!(c, '\u{2066}'..='\u{2069}')
+}
+
+fn escaped(text: &str, is_escaped: impl Fn(char) -> bool) -> Cow<'_, str> {
+    if !text.contains(&is_escaped) {
+        return Cow::Borrowed(text);
+    }
+    let mut safe = String::with_capacity(text.len() + 8);
+    for c in text.chars() {
+        if is_escaped(c) { safe.extend(c.escape_default()) } else { safe.push(c) }
+    }
+    Cow::Owned(safe)
 }
 
 /// Wraps a text to the terminal; it stays as it is where standard error is none.
@@ -77,6 +107,14 @@ mod tests {
         let lines = "the\nleast-degree\nmesh\n/a/long/path/of/a/file.obj\nhas\ntwo lines";
         assert_eq!(wrap(long, 12), lines);
         assert_eq!(wrap(long, 100), long);
+    }
+
+    #[test]
+    fn nothing_in_a_text_steers_a_terminal() {
+        let name = "a\u{1b}[31mb\u{7}\0\u{9b}c\u{202e}d\r\ne\tf\u{2028}";
+        assert_eq!(safe(name), "a\\u{1b}[31mb\\u{7}\\u{0}\\u{9b}c\\u{202e}d\\r\ne\tf\\u{2028}");
+        assert!(shown(name).contains("d\\r\\ne") && !shown(name).contains('\n'));
+        assert!(matches!(safe("Côte d'Ivoire °\n"), Cow::Borrowed(_)));
     }
 
     #[test]

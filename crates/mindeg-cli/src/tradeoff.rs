@@ -4,16 +4,17 @@ use crate::args::TradeoffArguments;
 use crate::bar::Bar;
 use crate::domain::domain;
 use crate::failure::Failure;
-use crate::interrupt::clean_up_on_interrupt;
+use crate::interrupt::{SESSION, clean_up_on_interrupt};
+use crate::making::wrote;
 use crate::mesh::unsolved;
-use crate::output::{Outputs, write_to};
 use crate::standard_output::{print, print_json};
 use crate::suggest::{left_out, spread};
-use mindeg::Progress;
+use crate::terminal::say;
 use mindeg::exact::{self, TradeOff};
 use mindeg_answers::numbers::{steady_angle, steady_percent};
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_compare::{write_trade_off_html, write_trade_off_json, write_trade_off_svg};
+use mindeg_files::{Outputs, write_to};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -26,20 +27,21 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
     // What cannot be written is refused before the work, which can take minutes.
-    let mut outputs = Outputs::default();
+    let mut outputs = Outputs::new(&SESSION);
     let open = |path: &PathBuf| outputs.open(path);
     let opened: Vec<_> = arguments.output.iter().map(open).collect::<Result<_, _>>()?;
 
-    let bar = Bar::new(arguments.quiet);
-    let callback = bar.callback();
-    let trade_off = exact::trade_off(&domain, Progress::new(&callback))
+    let trade_off = Bar::new(arguments.quiet)
+        .work(|progress| exact::trade_off(&domain, progress))
         .map_err(|error| unsolved(&error, "take mindeg mesh for the mesh of least degree"))?;
-    drop(callback);
-    drop(bar);
     for ((path, out), write) in arguments.output.iter().zip(opened).zip(writers) {
         write_to(path, out, |out| write(&trade_off, out))?;
     }
     outputs.finish()?;
+    let files: Vec<_> = arguments.output.iter().map(|path| path.display().to_string()).collect();
+    if let Some(line) = wrote(&files).filter(|_| !arguments.quiet) {
+        say(&line);
+    }
     let answer = TradeOffAnswer::of(&trade_off);
     if arguments.json { print_json(&answer) } else { print(&table(&answer, arguments.limit)) }
 }

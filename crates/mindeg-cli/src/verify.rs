@@ -8,17 +8,17 @@ use crate::demands::met;
 use crate::domain::{from_file, from_options, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
+use crate::making::read_mesh;
 use crate::mesh::unsolved;
-use crate::mesh_file;
 use crate::standard_output::{print, print_json};
 use mindeg::quality::TriangleQuality;
 use mindeg::verify::{self, Defect, Optimality, Verified};
 use mindeg::{Domain, Interior, Progress, exact, interior};
 use mindeg_answers::demands::WorstPlaces;
 use mindeg_answers::numbers::{percent, steady_angle};
+use mindeg_files::is_domain_name;
 use mindeg_mesh::TriMesh;
 use report::{Angles, Report};
-use std::path::Path;
 
 /// Up to this many boundary points the largest possible angle is worked out.
 const MOST_VERTICES: u32 = 1_000_000;
@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         None => from_options(&arguments.options)?,
     };
     let bar = Bar::new(arguments.quiet);
-    let mesh = mesh_file::read(&arguments.file, &bar)?;
+    let mesh = read_mesh(&arguments.file, None, &bar)?;
     let file = arguments.file.display().to_string();
     let checked = bar.waiting("matching the mesh to the domain", || {
         verify::triangulation(&mesh, &domain, arguments.tolerance)
@@ -51,12 +51,11 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
             return Err(Failure::Gate(message));
         }
     };
-    let callback = bar.callback();
-    let progress = Progress::new(&callback);
-    let optimality = verify::optimality(&verified, &domain, progress)
-        .map_err(|error| unsolved(&error, "leave out --optimal"))?;
-    let angles = angles(&verified, &domain, progress);
-    drop(callback);
+    let (optimality, angles) = bar.work(|progress| {
+        let optimality = verify::optimality(&verified, &domain, progress)
+            .map_err(|error| unsolved(&error, "leave out --optimal"))?;
+        Ok::<_, Failure>((optimality, angles(&verified, &domain, progress)))
+    })?;
     drop(bar);
 
     let mut failed = failed(arguments, &verified, &optimality, &angles);
@@ -69,16 +68,14 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
 
 /// Refuses a domain where the mesh is expected.
 fn check_order(arguments: &VerifyArguments) -> Result<(), Failure> {
-    let extension =
-        |path: &Path| path.extension().map(|name| name.to_string_lossy().to_lowercase());
-    if extension(&arguments.file).as_deref() != Some("json") {
+    if !is_domain_name(&arguments.file) {
         return Ok(());
     }
     let file = arguments.file.display();
     Err(Failure::Input(match &arguments.domain {
         Some(mesh) => {
             let mesh = mesh.display();
-            format!("{file} is a domain; the mesh comes first: mindeg verify {mesh} {file}")
+            format!("{file} is a domain; swap the two: mindeg verify {mesh} {file}")
         }
         None => {
             format!("{file} is a domain; give the mesh before it: mindeg verify mesh.obj {file}")

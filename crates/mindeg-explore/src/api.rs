@@ -33,7 +33,7 @@
 //! the same view takes the place of an earlier one.
 
 use mindeg::quality::METRICS;
-use mindeg_formats::Format;
+use mindeg_files::Format;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
 

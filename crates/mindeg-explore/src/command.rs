@@ -2,7 +2,7 @@
 
 use mindeg::Domain;
 use mindeg_answers::advice::shell_word;
-use mindeg_formats::Format;
+use mindeg_files::Format;
 use serde_json::Value;
 
 use crate::api::{Goal, Request, View};

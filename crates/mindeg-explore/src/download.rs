@@ -1,6 +1,6 @@
 //! The files of a mesh.
 
-use mindeg_formats::{WriteOptions, Writer};
+use mindeg_files::{WriteOptions, Writer};
 use mindeg_mesh::Progress;
 use std::path::PathBuf;
 
@@ -50,7 +50,7 @@ pub(crate) fn download(
         writer.write(mesh, &mut files, Progress::NONE)?;
         Ok(contents)
     };
-    let mut contents = written().map_err(|error: mindeg_formats::WriteError| error.to_string())?;
+    let mut contents = written().map_err(|error: mindeg_files::WriteError| error.to_string())?;
     Ok(Download { name, bytes: contents.swap_remove(file) })
 }
 

@@ -1,6 +1,6 @@
 //! The formats that the page downloads.
 
-use mindeg_formats::{Format, WriteOptions, Writer};
+use mindeg_files::{Format, WriteOptions, Writer};
 
 /// All formats that this program writes.
 pub(crate) fn formats() -> impl Iterator<Item = Format> {

@@ -1,10 +1,7 @@
 //! Domains in files of any format that mindeg takes.
 
-use std::io;
-use std::path::Path;
-
-use mindeg::Domain;
-use mindeg_outlines::{Division, Outlines, Polygon, format_of, labelled, read};
+use mindeg::{Domain, Progress};
+use mindeg_files::{Content, Input, Polygon, Polygons, ReadOptions, Session, Wanted};
 use serde_json::value::RawValue;
 
 use crate::answer::MAX_VERTICES;
@@ -13,7 +10,7 @@ use crate::api::Source;
 /// The most polygons of a file that are given.
 const MOST: usize = 200;
 
-/// The domain or the polygons of a file; the name tells its format where it has one.
+/// The domain or the polygons of a file.
 ///
 /// # Errors
 ///
@@ -22,47 +19,43 @@ const MOST: usize = 200;
 /// # Example
 ///
 /// ```
-/// let svg = b"<svg><circle id='lid' cx='5' cy='5' r='2'/></svg>";
-/// let sources = mindeg_explore::sources("lid.svg", svg)?;
+/// use mindeg_files::{Input, Session};
+///
+/// let lid = Input::Bytes("lid.svg", b"<svg><circle id='lid' cx='5' cy='5' r='2'/></svg>");
+/// let sources = mindeg_explore::sources(&Session::new(""), &lid)?;
 /// assert_eq!(sources[0].name, "lid");
 /// # Ok::<(), String>(())
 /// ```
-pub fn sources(name: &str, bytes: &[u8]) -> Result<Vec<Source>, String> {
-    let failed = |error: String| format!("{name}: {error}");
-    if bytes.trim_ascii().is_empty() {
-        return Err(failed("the file is empty; a domain is expected".to_owned()));
-    }
-    let format = format_of(Some(Path::new(name)), bytes);
-    let Some(format) = format.map_err(|error| failed(error.to_string()))? else {
-        let text = std::str::from_utf8(bytes)
-            .map_err(|error| failed(format!("the file is not UTF-8 text: {error}")))?;
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let domain = Domain::from_json_up_to(text, MAX_VERTICES)
-            .map_err(|error| failed(error.to_string()))?;
-        let name = domain.name().unwrap_or(name).to_owned();
-        let domain = RawValue::from_string(text.trim().to_owned()).ok();
-        return Ok(vec![Source { name, domain, notes: Vec::new(), message: None }]);
+pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, String> {
+    let name = input.name();
+    let content = session.open(input, Wanted::Domain, &ReadOptions::default(), Progress::NONE);
+    let mut polygons = match content.map_err(|error| error.to_string())? {
+        Content::Polygons(polygons) => polygons,
+        Content::Domain(text) | Content::Model(text) => {
+            let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
+            let domain = Domain::from_json_up_to(text, MAX_VERTICES)
+                .map_err(|error| format!("{name}: {error}"))?;
+            let name = domain.name().unwrap_or(&name).to_owned();
+            let domain = RawValue::from_string(text.trim().to_owned()).ok();
+            return Ok(vec![Source { name, domain, notes: Vec::new(), message: None }]);
+        }
+        Content::Mesh(_) => return Err(format!("{name}: it is a mesh; a domain is expected")),
     };
-    // A page gives one file at a time.
-    let alone = |_: &str| Err(io::Error::other("the page takes one file; mindeg mesh reads both"));
-    let outlines = read(bytes, format, alone).map_err(|error| failed(error.to_string()))?;
-    let Outlines { features, mut notes, .. } = outlines;
-    let count = features.len();
+    let count = polygons.polygons.len();
     if count > MOST {
-        notes.push(format!("The first {MOST} of {count} polygons are given."));
+        polygons.notes.push(format!("The first {MOST} of {count} polygons are given."));
     }
-    let polygons = labelled(features).into_iter().take(MOST);
-    Ok(polygons.map(|polygon| source(&polygon, &notes)).collect())
+    Ok(polygons.polygons.iter().take(MOST).map(|polygon| source(&polygons, polygon)).collect())
 }
 
-fn source(polygon: &Polygon, notes: &[String]) -> Source {
+fn source(polygons: &Polygons, polygon: &Polygon) -> Source {
     let name = polygon.name();
-    let notes = notes.to_vec();
+    let notes = polygons.notes.clone();
     let points: usize = polygon.feature.rings.iter().map(|ring| ring.pieces.len()).sum();
     let domain = if points > MAX_VERTICES as usize {
         Err(format!("the outline has {points} points; the page takes up to {MAX_VERTICES}"))
     } else {
-        polygon.domain(&Division::default()).map_err(|error| error.to_string())
+        polygons.domain(polygon).map_err(|error| error.to_string())
     };
     match domain {
         Ok(domain) => {
@@ -82,7 +75,9 @@ mod tests {
         let drawing = |count: usize| {
             let square = |place: usize| format!("<rect x='{}' width='1' height='1'/>", 2 * place);
             let squares: String = (0..count).map(square).collect();
-            sources("many.svg", format!("<svg>{squares}</svg>").as_bytes()).unwrap()
+            let drawing = format!("<svg>{squares}</svg>");
+            let input = Input::Bytes("many.svg", drawing.as_bytes());
+            sources(&Session::new(""), &input).unwrap()
         };
         for (count, expected) in
             [(MOST, None), (MOST + 2, Some("The first 200 of 202 polygons are given."))]
@@ -103,7 +98,8 @@ mod tests {
             let others = [format!("{count},{count}"), format!("0,{count}")];
             let points: Vec<String> = teeth.chain(others).collect();
             let drawing = format!("<svg><polygon points='{}'/></svg>", points.join(" "));
-            sources("saw.svg", drawing.as_bytes()).unwrap().remove(0)
+            let input = Input::Bytes("saw.svg", drawing.as_bytes());
+            sources(&Session::new(""), &input).unwrap().remove(0)
         };
         assert_eq!(outline(MAX_VERTICES).message, None);
         assert_eq!(

@@ -18,6 +18,7 @@ use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 use http_body::Frame;
+use mindeg_files::{Input, Session};
 use mindeg_mesh::{Progress, Step};
 use rayon::ThreadPoolBuildError;
 use serde::{Deserialize, Serialize};
@@ -300,7 +301,10 @@ struct Named {
 async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refusal> {
     let Named { name } = asked(query)?;
     let bytes = body(request).await?;
-    let read = tokio::task::spawn_blocking(move || sources(&name, &bytes)).await;
+    let read = tokio::task::spawn_blocking(move || {
+        sources(&Session::new(""), &Input::Bytes(&name, &bytes))
+    })
+    .await;
     match read {
         Ok(Ok(sources)) => Ok(json(&sources)),
         Ok(Err(message)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &message)),

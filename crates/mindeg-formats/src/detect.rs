@@ -64,6 +64,24 @@ impl Format {
         Self::WRITTEN.into_iter().find(begins).or_else(|| Self::of_first_word(text))
     }
 
+    /// The format that all bytes of a file tell, for a file without a name: also one of numbers, by
+    /// its length or its first lines.
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use mindeg_formats::Format;
+    ///
+    /// assert_eq!(Format::of_all(b"3 2 0 1\n1 0 0 1\n"), Some(Format::Node));
+    /// assert_eq!(Format::of_all(&[&[0; 80][..], &[1, 0, 0, 0], &[0; 50]].concat()), Some(Format::Stl));
+    /// assert_eq!(Format::of_all(b"a letter\n"), None);
+    /// ```
+    #[must_use]
+    pub fn of_all(bytes: &[u8]) -> Option<Self> {
+        let fits = |format: &Self| (format.facts().fits)(bytes);
+        Self::of_content(bytes).or_else(|| Self::READ.into_iter().find(fits))
+    }
+
     /// The format that the first line tells that is no comment.
     fn of_first_word(text: &[u8]) -> Option<Self> {
         let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');

@@ -20,8 +20,15 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["stl"],
     // A binary STL must not begin so, though some do: the reader looks at its length.
     first_words: &["solid"],
+    fits: has_binary_length,
     read: Some(|source| read(source.input)),
     check: |positions, options| Stored::in_place(positions, options.surface.plane).map(|_| None),
     write: |job, files| job.write(files, [sections(job.mesh, job.options.surface.plane)]),
     ..Facts::NONE
 };
+
+/// Whether a file is as long as a binary STL of the number of triangles that it gives.
+fn has_binary_length(bytes: &[u8]) -> bool {
+    let count = bytes.get(80..84).and_then(|count| count.try_into().ok()).map(u32::from_le_bytes);
+    count.is_some_and(|count| count > 0 && bytes.len() as u64 == 84 + 50 * u64::from(count))
+}

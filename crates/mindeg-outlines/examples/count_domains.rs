@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use mindeg_outlines::{Division, Outlines, ReadError, format_of, read};
+use mindeg_outlines::{Division, OutlineFormat, Outlines, ReadError, read};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut paths: Vec<String> = std::env::args().skip(1).collect();
@@ -42,8 +42,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 fn outlines(bytes: &[u8], path: &str, repair: bool) -> Result<Outlines, ReadError> {
     let path = Path::new(path);
+    let format = OutlineFormat::of_path(path).or_else(|| OutlineFormat::of_content(bytes));
     // Domains in JSON are no outlines, and count as none.
-    let Some(format) = format_of(Some(path), bytes)? else { return Ok(Outlines::default()) };
+    let Some(format) = format else { return Ok(Outlines::default()) };
     let beside = |extension: &str| std::fs::read(path.with_extension(extension));
     let outlines = read(bytes, format, beside)?;
     if repair { outlines.repaired(None) } else { Ok(outlines) }

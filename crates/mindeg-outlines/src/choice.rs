@@ -9,13 +9,14 @@ use thiserror::Error;
 use super::domain::FeatureError;
 use super::outline::Feature;
 use super::sides::Division;
+use super::text::clean;
 
 /// One polygon of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     /// Its number among all polygons of the file, from 1.
     pub index: usize,
-    /// Its name, with a number if several polygons have it; empty if it has none.
+    /// Its name as the domain has it, with a number if several polygons have it; empty if it has none.
     pub label: String,
     /// The rings, under the name that the file gives.
     pub feature: Feature,
@@ -50,11 +51,11 @@ pub fn labelled(features: Vec<Feature>) -> Vec<Polygon> {
     let polygon = |(index, feature): (usize, Feature)| {
         let label = match &feature.name {
             None => String::new(),
-            Some(name) if counts[name] == 1 => name.clone(),
+            Some(name) if counts[name] == 1 => clean(name),
             Some(name) => {
                 let number = numbers.entry(name.clone()).or_default();
                 *number += 1;
-                format!("{name} {number}")
+                format!("{} {number}", clean(name))
             }
         };
         Polygon { index: index + 1, label, feature }

@@ -165,74 +165,6 @@ pub fn read(
     }
 }
 
-/// The format of the outlines in a file; none if it is, or should be, a domain in JSON.
-///
-/// The extension tells, if the content does not look like another format; without a known extension
-/// the content does. Where neither tells, it counts as JSON, whose reader says best what is wrong.
-///
-/// # Errors
-///
-/// An extension and a content that tell different formats; meshes.
-pub fn format_of(path: Option<&Path>, bytes: &[u8]) -> Result<Option<OutlineFormat>, ReadError> {
-    path.map_or(Ok(()), refuse_mesh)?;
-    let is_named_json = path.is_some_and(|path| extension(path) == "json");
-    let told = path.and_then(OutlineFormat::of_path);
-    let looks_like = OutlineFormat::of_content(bytes);
-    let is_json = bytes.trim_ascii_start().starts_with(b"{") && looks_like.is_none();
-    match (told, looks_like) {
-        (None, Some(format)) if is_named_json && format != GeoJson => Err(wrong_name(format!(
-            "it ends in .json, and the content looks like {}; rename the file to end in .{}",
-            format.name(),
-            format.extensions()[0]
-        ))),
-        (Some(told), None) if is_json && told != GeoJson => Err(wrong_name(format!(
-            "it ends as {} does, and the content is JSON; rename the file to end in .json",
-            told.name()
-        ))),
-        // Tables of points have many names.
-        (None | Some(Csv), Some(format)) | (Some(format), None) => Ok(Some(format)),
-        (Some(told), Some(looks_like)) if told == looks_like => Ok(Some(told)),
-        (Some(told), Some(looks_like)) => Err(wrong_name(format!(
-            "it ends as {} does, and the content looks like {}; rename the file to end in .{}",
-            told.name(),
-            looks_like.name(),
-            looks_like.extensions()[0],
-        ))),
-        (None, None) => Ok(None),
-    }
-}
-
-/// Refuses a file that is a mesh by its name, which can be done before it is read.
-///
-/// # Errors
-///
-/// What to do with a mesh instead.
-pub fn refuse_mesh(path: &Path) -> Result<(), ReadError> {
-    if MESHES.contains(&&*extension(path)) {
-        return Err(wrong_name(
-            "it ends as a mesh does, and a domain is expected; of a mesh in the plane, mindeg convert \
-             FILE -o outline.poly writes the boundary, which is a domain"
-                .to_owned(),
-        ));
-    }
-    Ok(())
-}
-
-/// The extension in lower case.
-fn extension(path: &Path) -> String {
-    path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
-}
-
-/// Extensions of meshes, which are no domains.
-const MESHES: [&str; 16] = [
-    "14", "2dm", "ele", "fbx", "glb", "gltf", "grd", "inp", "node", "npz", "off", "ply", "stl",
-    "su2", "vtk", "vtu",
-];
-
-fn wrong_name(problem: String) -> ReadError {
-    ReadError::place("the name of the file", problem)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -265,41 +197,6 @@ mod tests {
             ("", None),
         ] {
             assert_eq!(OutlineFormat::of_content(text.as_bytes()), format, "{text:?}");
-        }
-    }
-
-    #[test]
-    fn a_lie_is_named_on_both_sides() {
-        let told = |path: Option<&str>, text: &str| {
-            format_of(path.map(Path::new), text.as_bytes()).map_err(|error| error.to_string())
-        };
-        assert_eq!(told(Some("a.WKT"), "POLYGON((0 0"), Ok(Some(Wkt)));
-        assert_eq!(told(Some("a.svg"), "half a file"), Ok(Some(Svg)));
-        assert_eq!(told(Some("a.txt"), "POLYGON((0 0"), Ok(Some(Wkt)));
-        assert_eq!(told(Some("a.json"), "{\"type\": \"Feature\"}"), Ok(Some(GeoJson)));
-        assert_eq!(told(None, "0 0\n1 1"), Ok(Some(Csv)));
-        assert_eq!(told(Some("a.json"), "{\"size\": 1}"), Ok(None));
-        assert_eq!(told(Some("a.bin"), "hello"), Ok(None));
-        for (path, text, message) in [
-            (
-                "a.svg",
-                "POLYGON((0 0",
-                "it ends as SVG does, and the content looks like WKT; rename the file to end in .wkt",
-            ),
-            (
-                "a.json",
-                "POLYGON((0 0",
-                "it ends in .json, and the content looks like WKT; rename the file to end in .wkt",
-            ),
-            (
-                "a.wkt",
-                "{\"size\": 1}",
-                "it ends as WKT does, and the content is JSON; rename the file to end in .json",
-            ),
-            ("a.14", "grid\n3 3", "it ends as a mesh does, and a domain is expected"),
-        ] {
-            let error = told(Some(path), text).unwrap_err();
-            assert!(error.starts_with(&format!("the name of the file: {message}")), "{error}");
         }
     }
 }

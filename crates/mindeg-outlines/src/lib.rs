@@ -53,7 +53,7 @@ pub use choice::{Listed, NoSuchPolygon, Polygon, chosen, labelled};
 pub use curve::{Arc, Curve, Segment};
 pub use domain::FeatureError;
 pub use error::ReadError;
-pub use format::{OutlineFormat, format_of, read, refuse_mesh};
+pub use format::{OutlineFormat, read};
 pub use nesting::FillRule;
 pub use outline::{Feature, Outlines, Piece, Ring};
 pub use sides::{DividedSide, Division, SizeTooSmall};

@@ -165,7 +165,7 @@ proptest! {
             bytes.splice(start..end, word);
         }
         use_all(&bytes, format);
-        let _ = outlines::format_of(None, &bytes);
+        let _ = outlines::OutlineFormat::of_content(&bytes);
     }
 
     #[test]
@@ -174,7 +174,7 @@ proptest! {
         bytes in prop::collection::vec(any::<u8>(), 0..200),
     ) {
         use_all(&bytes, format);
-        let _ = outlines::format_of(None, &bytes);
+        let _ = outlines::OutlineFormat::of_content(&bytes);
     }
 
     /// Files of the words of a format in any order reach deeper than bytes.

@@ -1,7 +1,6 @@
 //! A mesh: numpy arrays, its figures, its files.
 
-use std::fs::File;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use mindeg::glam::DVec3;
@@ -10,7 +9,7 @@ use mindeg::quality::TriangleQuality;
 use mindeg::{Group, Material, Mesh as AnyMesh, TriMesh};
 use mindeg_answers::inspected::InspectionReport;
 use mindeg_answers::interior::InteriorAnswer;
-use mindeg_formats::svg;
+use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{LineKind, filled};
 use numpy::{PyArray1, PyArray2};
 use pyo3::exceptions::PyValueError;
@@ -330,14 +329,9 @@ fn kind_of(name: &str) -> Option<LineKind> {
 /// Read a mesh from a file of any format that mindeg reads.
 #[pyfunction]
 pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
-    let read = || -> PyResult<TriMesh> {
-        let file = File::open(&path).map_err(|error| save::os_error(&path, &error))?;
-        let folder = path.parent().unwrap_or(Path::new("."));
-        let beside = |name: &str| std::fs::read(folder.join(name));
-        mindeg_formats::read(&path, file, beside)
-            .map_err(|error| value_error(format!("{}: {error}", path.display())))
-    };
-    Ok(Mesh::new(py.detach(read)?, Facts::default()))
+    let read = || Session::new("").mesh(&Input::File(&path), None, mindeg::Progress::NONE);
+    let mesh = py.detach(read).map_err(save::file_error)?;
+    Ok(Mesh::new(mesh, Facts::default()))
 }
 
 /// What is wrong with a mesh, or with points and triangles, and how good it is: a dict with the keys of

@@ -1,21 +1,13 @@
 //! Domains from files: JSON, or outlines that other programs drew.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use mindeg_outlines::{self as outlines, Division, FillRule, Listed, Outlines};
+use mindeg::Progress;
+use mindeg_files::{Content, Division, FillRule, Input, ReadOptions, Session, Wanted};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::save::os_error;
-
-/// What is taken of a file of outlines, and how it is divided.
-struct Options<'a> {
-    division: Division,
-    feature: Option<&'a str>,
-    repair: bool,
-    fill_rule: Option<FillRule>,
-}
+use crate::save::file_error;
 
 /// The domain in a file, or in the text of GeoJSON, as JSON, and what its reader left out.
 #[pyfunction]
@@ -27,78 +19,46 @@ pub(crate) fn domain_of_outline(
     text: Option<String>,
     corner_angle: f64,
     size: Option<f64>,
-    feature: Option<&str>,
+    feature: Option<String>,
     repair: bool,
     fill_rule: Option<&str>,
 ) -> PyResult<(String, Vec<String>)> {
+    let wrong = |problem: String| Err(PyValueError::new_err(problem));
     if let Some(size) = size.filter(|size| !(size.is_finite() && *size > 0.0)) {
-        let problem = format!("size is {size}; give a length above 0");
-        return Err(PyValueError::new_err(problem));
+        return wrong(format!("size is {size}; give a length above 0"));
     }
     if !(0.0..=180.0).contains(&corner_angle) {
-        let problem = format!("corner_angle is {corner_angle}; give degrees from 0 to 180");
-        return Err(PyValueError::new_err(problem));
+        return wrong(format!("corner_angle is {corner_angle}; give degrees from 0 to 180"));
     }
-    let fill_rule = fill_rule.map(str::parse).transpose();
+    let fill_rule = fill_rule.map(str::parse::<FillRule>).transpose();
     let fill_rule =
         fill_rule.map_err(|error: String| PyValueError::new_err(format!("fill_rule: {error}")))?;
     if fill_rule.is_some() && !repair {
-        return Err(PyValueError::new_err("fill_rule is for repair=True alone"));
+        return wrong("fill_rule is for repair=True alone".to_owned());
     }
-    let options = Options { division: Division { corner_angle, size }, feature, repair, fill_rule };
+    let division = Division { corner_angle, size };
+    let options = ReadOptions { feature, repair, fill_rule, division };
     py.detach(|| {
-        let Some(path) = &path else {
-            let bytes = text.unwrap_or_default().into_bytes();
-            return domain(None, bytes, &options).map_err(PyValueError::new_err);
+        let text = text.unwrap_or_default();
+        let input = match &path {
+            Some(path) => Input::File(path),
+            None => Input::Bytes("the outline", text.as_bytes()),
         };
-        let bytes = fs::read(path).map_err(|error| os_error(path, &error))?;
-        let bad = |problem| PyValueError::new_err(format!("{}: {problem}", path.display()));
-        domain(Some(path), bytes, &options).map_err(bad)
-    })
-}
-
-fn domain(
-    path: Option<&Path>,
-    bytes: Vec<u8>,
-    options: &Options<'_>,
-) -> Result<(String, Vec<String>), String> {
-    let text = |error: &dyn ToString| error.to_string();
-    let Some(format) = outlines::format_of(path, &bytes).map_err(|error| text(&error))? else {
-        if options.feature.is_some() || options.repair || options.division.size.is_some() {
-            let problem = "size, feature and repair are for outlines such as GeoJSON or SVG; this is \
-                           a domain in JSON";
-            return Err(problem.to_owned());
+        let opened = Session::new("").open(&input, Wanted::Domain, &options, Progress::NONE);
+        match opened.map_err(file_error)? {
+            Content::Polygons(polygons) => {
+                let domain = polygons.only().map_err(file_error)?;
+                Ok((domain.to_json(), polygons.notes))
+            }
+            Content::Domain(_) if options.feature.is_some() || repair || size.is_some() => {
+                let name = input.name();
+                wrong(format!(
+                    "{name}: size, feature and repair are for outlines such as GeoJSON or SVG; this is a \
+                     domain in JSON"
+                ))
+            }
+            Content::Domain(text) | Content::Model(text) => Ok((text, Vec::new())),
+            Content::Mesh(_) => wrong(format!("{}: it is a mesh; a domain is expected", input.name())),
         }
-        let json = String::from_utf8(bytes).map_err(|error| format!("no UTF-8 text: {error}"))?;
-        return Ok((json, Vec::new()));
-    };
-    let beside = |extension: &str| match path {
-        Some(path) => fs::read(path.with_extension(extension)),
-        None => Err(std::io::ErrorKind::NotFound.into()),
-    };
-    let mut read = outlines::read(&bytes, format, beside).map_err(|error| text(&error))?;
-    if options.repair {
-        read = read.repaired(options.fill_rule).map_err(|error| text(&error))?;
-    }
-    let Outlines { features, notes, .. } = read;
-    let mut polygons = outlines::labelled(features);
-    if let Some(wanted) = options.feature {
-        polygons = outlines::chosen(polygons, wanted).map_err(|error| text(&error))?;
-    }
-    let [polygon] = &polygons[..] else {
-        return Err(format!(
-            "{} polygons; choose one with feature, by its name or index: {}",
-            polygons.len(),
-            Listed(&polygons)
-        ));
-    };
-    let domain = polygon.domain(&options.division).map_err(|error| {
-        let hint = if error.is_touch() && !options.repair {
-            "; repair=True parts rings that touch themselves"
-        } else {
-            ""
-        };
-        format!("{}: {error}{hint}", polygon.name())
-    })?;
-    Ok((domain.to_json(), notes))
+    })
 }

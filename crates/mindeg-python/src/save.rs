@@ -3,15 +3,12 @@
 use std::io;
 use std::path::Path;
 
-use mindeg::{Mesh, Progress};
-use mindeg_formats::{
-    Encoding, Format, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
+use mindeg::Mesh;
+use mindeg_files::{
+    Encoding, FileError, Format, MshVersion, Session, SurfaceOptions, WriteOptions,
 };
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use tempfile::NamedTempFile;
-
-use crate::work::value_error;
 
 /// What `Mesh.save` takes besides the path.
 pub(crate) struct Wanted<'a> {
@@ -24,20 +21,16 @@ pub(crate) struct Wanted<'a> {
 }
 
 impl Wanted<'_> {
-    fn format(&self, path: &Path) -> PyResult<Format> {
-        let written = || Format::WRITTEN.iter().copied();
-        match self.format {
-            Some(name) => written().find(|format| format.name() == name),
-            None => Format::of_path(path).filter(|format| written().any(|other| other == *format)),
+    fn format(&self) -> PyResult<Option<Format>> {
+        let Some(name) = self.format else { return Ok(None) };
+        match Format::WRITTEN.into_iter().find(|format| format.name() == name) {
+            Some(format) => Ok(Some(format)),
+            None => {
+                let names: Vec<&str> = Format::WRITTEN.into_iter().map(Format::name).collect();
+                let problem = format!("format is {name:?}; give one of {}", names.join(", "));
+                Err(PyValueError::new_err(problem))
+            }
         }
-        .ok_or_else(|| {
-            let names: Vec<&str> = written().map(Format::name).collect();
-            PyValueError::new_err(format!(
-                "{} names no format; give format= one of {}",
-                path.display(),
-                names.join(", ")
-            ))
-        })
     }
 
     fn options(&self) -> PyResult<WriteOptions> {
@@ -62,46 +55,17 @@ impl Wanted<'_> {
     }
 }
 
-/// Writes the files of a format beside their names and then gives them these names, so that a fault
-/// leaves what was there.
+/// Writes a mesh to the files of a format; a fault leaves what was there.
 pub(crate) fn save(mesh: &dyn Mesh, path: &Path, wanted: &Wanted<'_>) -> PyResult<()> {
-    let format = wanted.format(path)?;
-    let writer = Writer::new(format, wanted.options()?, mesh, mesh.triangle_count());
-    let writer = writer.map_err(value_error)?;
-    let mut paths = format.files(path);
-    if mesh.groups().iter().any(|group| group.material.is_some()) {
-        paths.extend(format.material_library(path));
-    }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
-    let folder = folder.unwrap_or(Path::new("."));
-    let made = || -> Result<Vec<NamedTempFile>, WriteError> {
-        let mut new = tempfile::Builder::new();
-        new.prefix(".mindeg-").suffix(".part");
-        // Like any other new file, not for the owner alone.
-        #[cfg(unix)]
-        new.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let new = |_| new.tempfile_in(folder);
-        let mut files = paths.iter().map(new).collect::<io::Result<Vec<_>>>()?;
-        let names: Vec<String> = paths
-            .iter()
-            .map(|path| path.file_name().unwrap_or_default().to_string_lossy().into_owned())
-            .collect();
-        let mut outs: Vec<(&str, &mut NamedTempFile)> =
-            names.iter().map(String::as_str).zip(&mut files).collect();
-        writer.write(mesh, &mut outs, Progress::NONE)?;
-        Ok(files)
-    };
-    let files = made().map_err(|error| match error {
-        WriteError::Io(error) => os_error(path, &error),
-        error => value_error(error),
-    })?;
-    for (file, path) in files.into_iter().zip(&paths) {
-        file.persist(path).map_err(|failed| os_error(path, &failed.error))?;
-    }
-    Ok(())
+    let saved = Session::new("").save(mesh, path, wanted.format()?, wanted.options()?);
+    saved.map_err(file_error)
 }
 
-/// An `OSError`, such as a `FileNotFoundError`, that names the file.
-pub(crate) fn os_error(path: &Path, error: &io::Error) -> PyErr {
-    io::Error::new(error.kind(), format!("{}: {error}", path.display())).into()
+/// An `OSError`, such as a `FileNotFoundError`, for what the system refuses, else a `ValueError`; each
+/// names the file.
+pub(crate) fn file_error(error: FileError) -> PyErr {
+    match error.kind() {
+        Some(kind) => io::Error::new(kind, error).into(),
+        None => PyValueError::new_err(error.to_string()),
+    }
 }

@@ -4,7 +4,7 @@ use super::values::{Corners, IntervalCounts, RectangleSize, length};
 use crate::failure::Failure;
 use clap::Args;
 use mindeg::Spacing;
-use mindeg_outlines::FillRule;
+use mindeg_files::FillRule;
 use std::path::PathBuf;
 
 /// One domain, from a file or from options.

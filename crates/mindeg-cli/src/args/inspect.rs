@@ -4,7 +4,7 @@ use super::demands::DemandArguments;
 use super::values::{format_parser, mesh_help, whole_number};
 use super::with_exit_codes;
 use clap::Args;
-use mindeg_formats::Format;
+use mindeg_files::Format;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\

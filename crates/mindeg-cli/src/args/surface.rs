@@ -3,9 +3,7 @@
 use super::values::format_parser;
 use clap::Args;
 use clap::ValueEnum;
-use mindeg_formats::{
-    Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteOptions, extensions,
-};
+use mindeg_files::{Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteOptions, extensions};
 use std::path::PathBuf;
 
 /// The files of a mesh.

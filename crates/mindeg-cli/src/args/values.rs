@@ -1,7 +1,7 @@
 //! Values of options: how they are read, and what to say to one that cannot be.
 
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use mindeg_formats::{Format, extensions};
+use mindeg_files::{Format, extensions};
 use std::str::FromStr;
 
 /// Width and height.

@@ -5,12 +5,12 @@ use super::saved_meshes;
 use crate::args::CompareArguments;
 use crate::domain::{UNNAMED, from_file, from_options};
 use crate::failure::Failure;
-use crate::input;
-use crate::output::{Outputs, cannot_write, write_to};
+use crate::interrupt::SESSION;
 use crate::provenance::provenance;
 use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_compare::{Comparison, IndexEntry, Options, PageLinks, write_index, write_linked_html};
+use mindeg_files::{Outputs, cannot_write, write_to};
 use std::collections::BTreeSet;
 use std::fs;
 use std::io::{self, Write};
@@ -24,11 +24,11 @@ pub(super) fn run(
 ) -> Result<(), Failure> {
     let jobs = jobs(arguments)?;
     // Every input is known before the first page is written.
-    arguments.files.iter().for_each(|path| input::note(path, "domain"));
+    arguments.files.iter().for_each(|path| SESSION.note(path, "domain"));
     let index = folder.join("index.html");
-    input::refuse_as_output(&index)?;
+    SESSION.refuse_input(&index)?;
     for job in &jobs {
-        input::refuse_as_output(&job.page(folder))?;
+        SESSION.refuse_input(&job.page(folder))?;
     }
     fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
 
@@ -61,7 +61,7 @@ pub(super) fn run(
             }
         }
     }
-    let mut outputs = Outputs::default();
+    let mut outputs = Outputs::new(&SESSION);
     let out = outputs.open(&index)?;
     write_to(&index, out, |out| write_index(&entries, out))?;
     outputs.finish()?;
@@ -121,7 +121,7 @@ impl Job<'_> {
     ) -> Result<Comparison, Failure> {
         let domain = self.domain(arguments)?;
         let page = self.page(folder);
-        let mut outputs = Outputs::default();
+        let mut outputs = Outputs::new(&SESSION);
         let out = outputs.open(&page)?;
         let comparison = compared(&domain, options, arguments.quiet)?;
         let comparison = comparison.made_by(provenance(self.file));

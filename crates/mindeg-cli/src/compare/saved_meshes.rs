@@ -1,9 +1,8 @@
 //! The meshes of a comparison, as files.
 
 use crate::failure::Failure;
-use crate::output::{Outputs, cannot_write, write_to};
 use mindeg_compare::Comparison;
-use mindeg_formats::{SurfaceOptions, obj};
+use mindeg_files::{Outputs, SurfaceOptions, cannot_write, obj, write_to};
 use mindeg_mesh::TriMesh;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +12,7 @@ use std::path::{Path, PathBuf};
 pub(super) fn save(
     folder: &Path,
     comparison: &Comparison,
-    outputs: &mut Outputs,
+    outputs: &mut Outputs<'_>,
 ) -> Result<Vec<PathBuf>, Failure> {
     fs::create_dir_all(folder).map_err(|error| cannot_write(folder, &error))?;
     let mut files = Vec::new();

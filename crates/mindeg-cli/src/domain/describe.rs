@@ -1,16 +1,17 @@
 //! `mindeg domain`: what was understood of a file, and the domain in JSON.
 
-use super::{Content, Polygons, subject};
+use super::{Subject, subject};
 use crate::args::DescribeArguments;
+use crate::bar::Bar;
 use crate::failure::Failure;
+use crate::interrupt::SESSION;
+use crate::making::wrote;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
-use crate::output::{Outputs, is_standard_output, write_to};
 use crate::standard_output::{print, print_json};
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_outlines::Polygon;
+use mindeg_files::{Outputs, Polygon, Polygons, Wanted, is_standard_output, write_to};
 use serde::Serialize;
-use std::fmt::Write as _;
 use std::path::Path;
 
 /// What `--json` prints for each polygon.
@@ -49,41 +50,43 @@ impl Shape {
 }
 
 pub(crate) fn run(arguments: &DescribeArguments) -> Result<(), Failure> {
-    match (subject(&arguments.domain)?, &arguments.output) {
-        (Content::Domain(domain), Some(path)) => write(&domain, path),
-        (Content::Polygons(polygons), Some(path)) if is_pattern(path) => write_all(&polygons, path),
-        (Content::Polygons(polygons), Some(path)) => write(&polygons.only()?, path),
-        (content, None) => show(&content, arguments.json),
+    let subject = subject(&arguments.domain, Wanted::Domain, &Bar::new(true))?;
+    match (subject, &arguments.output) {
+        (Subject::Polygons(polygons), Some(path)) if is_pattern(path) => write_all(&polygons, path),
+        (subject, Some(path)) => write(&subject.only()?, path),
+        (subject, None) => show(&subject, arguments.json),
     }
 }
 
-fn show(content: &Content, json: bool) -> Result<(), Failure> {
-    let rows: Vec<Row> = match content {
-        Content::Domain(domain) => {
+fn show(subject: &Subject, json: bool) -> Result<(), Failure> {
+    let (rows, title): (Vec<Row>, _) = match subject {
+        Subject::Polygons(polygons) => {
+            let rows: Vec<Row> =
+                polygons.polygons.iter().map(|polygon| row(polygons, polygon)).collect();
+            let what = if rows.len() == 1 { "polygon" } else { "polygons" };
+            let format = polygons.format.name();
+            let title = format!("{}: {format}, {} {what}\n", polygons.file, rows.len());
+            (rows, title)
+        }
+        Subject::Domain(domain) => {
             let name = domain.name().map(str::to_owned);
-            vec![Row { index: 1, name, error: None, shape: Some(Shape::of(domain)) }]
+            (
+                vec![Row { index: 1, name, error: None, shape: Some(Shape::of(domain)) }],
+                String::new(),
+            )
         }
-        Content::Polygons(polygons) => {
-            polygons.polygons.iter().map(|polygon| row(polygons, polygon)).collect()
-        }
+        Subject::Model(_) | Subject::Mesh(_) => unreachable!("opened as a domain"),
     };
     if json {
         return print_json(&rows);
     }
-    let mut text = String::new();
-    if let Content::Polygons(polygons) = content {
-        let count = rows.len();
-        let what = if count == 1 { "polygon" } else { "polygons" };
-        let _ = writeln!(text, "{}: {}, {count} {what}", polygons.file, polygons.format.name());
-    }
-    rows.iter().for_each(|row| text.push_str(&line(row)));
-    print(&text)
+    print(&rows.iter().map(line).fold(title, |text, line| text + &line))
 }
 
 fn row(polygons: &Polygons, polygon: &Polygon) -> Row {
     let (shape, error) = match polygons.domain(polygon) {
         Ok(domain) => (Some(Shape::of(&domain)), None),
-        Err(failure) => (None, failure.message().map(str::to_owned)),
+        Err(error) => (None, Some(error.to_string())),
     };
     let name = (!polygon.label.is_empty()).then(|| polygon.label.clone());
     Row { index: polygon.index, name, error, shape }
@@ -109,12 +112,12 @@ fn line(row: &Row) -> String {
 
 /// Writes the JSON of one domain.
 fn write(domain: &Domain, path: &Path) -> Result<(), Failure> {
-    let mut outputs = Outputs::default();
+    let mut outputs = Outputs::new(&SESSION);
     let out = outputs.open(path)?;
     write_to(path, out, |out| writeln!(out, "{}", domain.to_json()))?;
     outputs.finish()?;
     if !is_standard_output(path) {
-        say(&format!("wrote {}", path.display()));
+        say(&wrote(&[path.display().to_string()]).unwrap_or_default());
     }
     Ok(())
 }
@@ -125,7 +128,8 @@ fn write_all(polygons: &Polygons, pattern: &Path) -> Result<(), Failure> {
     prepare(&files)?;
     let mut failures = Vec::new();
     for (polygon, file) in polygons.polygons.iter().zip(&files) {
-        let written = polygons.domain(polygon).and_then(|domain| write(&domain, file));
+        let domain = polygons.domain(polygon).map_err(Failure::from);
+        let written = domain.and_then(|domain| write(&domain, file));
         failures.extend(written.err());
     }
     summed_up(failures, files.len(), "are no domains; the others were written")

@@ -1,11 +1,10 @@
 //! Several polygons of a file: a mesh for each, in files of their own.
 
 use crate::args::MeshArguments;
-use crate::domain::Polygons;
 use crate::failure::Failure;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
 use mindeg::Domain;
-use mindeg_formats::Format;
+use mindeg_files::{Format, Polygons};
 use std::path::PathBuf;
 
 /// Meshes every polygon. One that has no mesh, or fails a gate, does not keep the others from it.
@@ -33,7 +32,8 @@ pub(super) fn run(
     for (index, polygon) in polygons.polygons.iter().enumerate() {
         let outputs: Vec<PathBuf> =
             files.iter().map(|of_pattern| of_pattern[index].clone()).collect();
-        let meshed = polygons.domain(polygon).and_then(|domain| {
+        let domain = polygons.domain(polygon).map_err(Failure::from);
+        let meshed = domain.and_then(|domain| {
             mesh(&domain, &outputs).map_err(|failure| failure.of(&polygon.name()))
         });
         match meshed {

@@ -1,16 +1,12 @@
 //! `mindeg mesh --interior`: a domain with points inside.
 
 use crate::args::MeshArguments;
-use crate::bar::Bar;
 use crate::demands::met_or_written_anyway;
 use crate::domain::name;
 use crate::failure::Failure;
-use crate::output::Outputs;
-use crate::standard_output::print_json;
-use crate::targets::Targets;
-use crate::terminal::say;
+use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
-use mindeg::{Domain, Interior, Progress, Triangles};
+use mindeg::{Domain, Interior};
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, grading, unmet_degrees, violations,
 };
@@ -33,7 +29,6 @@ struct Summary<'a> {
     found_by: &'static str,
     /// Whether corners ran clockwise.
     reversed: bool,
-    files: Vec<String>,
 }
 
 /// What is wanted inside, if interior points are; refuses options that do not go together.
@@ -74,15 +69,10 @@ pub(super) fn run(
     arguments: &MeshArguments,
     domain: &Domain,
     wanted: &Interior,
-    mut targets: Targets<'_>,
-    bar: Bar,
+    mut making: Making,
 ) -> Result<(), Failure> {
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-
-    let callback = bar.callback();
-    let meshed = interior::mesh(domain, wanted, Progress::new(&callback));
+    making.open()?;
+    let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
     let InteriorMesh { mesh, report, limit } = match meshed {
         Ok(meshed) => meshed,
         Err(error) => return Err(refused(domain, wanted, &error)),
@@ -92,10 +82,7 @@ pub(super) fn run(
     unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));
     let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
 
-    targets.check(&mesh, mesh.triangle_count())?;
-    targets.write(&mesh, outputs, &bar)?;
-    drop(callback);
-    drop(bar);
+    let made = making.write(&mesh)?;
     let summary = Summary {
         name: domain.name(),
         intervals: domain.rings().sides().collect(),
@@ -106,14 +93,8 @@ pub(super) fn run(
         limit: lifting.answer(),
         found_by: "interior",
         reversed: domain.was_reversed(),
-        files,
     };
-    if !arguments.quiet {
-        say(&text(domain, &report, &lifting, &summary));
-    }
-    if arguments.json {
-        print_json(&summary)?;
-    }
+    made.say(|| text(domain, &report, &lifting, &summary), || &summary)?;
     end
 }
 
@@ -153,10 +134,6 @@ fn text(
     lines.extend(violations(report).map(|violations| format!("Warning: {violations}")));
     if summary.reversed {
         lines.push("Corners ran clockwise and were reversed; each side kept its edge.".to_owned());
-    }
-    let files: Vec<_> = summary.files.iter().filter(|file| *file != "-").cloned().collect();
-    if !files.is_empty() {
-        lines.push(format!("wrote {}", files.join(", ")));
     }
     lines.join("\n")
 }

@@ -2,26 +2,18 @@
 
 mod source;
 
-pub(super) use source::is_model;
+pub(super) use source::{divided, of_mesh};
 
 use crate::args::MeshArguments;
-use crate::bar::Bar;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
-use crate::input;
-use crate::interrupt::clean_up_on_interrupt;
-use crate::output::Outputs;
-use crate::standard_output::print_json;
-use crate::targets::Targets;
-use crate::terminal::say;
+use crate::making::Making;
 use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Model, ModelPlace, Progress};
+use mindeg::{Model, ModelPlace};
 use mindeg_answers::numbers::{percent, steady_angle};
 use mindeg_mesh::{TriMesh, Triangles};
 use serde::Serialize;
-use std::io::{self, IsTerminal};
-use std::path::Path;
 
 /// How many vertices and edges a message names.
 const NAMED: usize = 5;
@@ -55,7 +47,6 @@ struct Summary<'a> {
     non_manifold_edges: Vec<[u32; 2]>,
     groups: Vec<GroupSummary<'a>>,
     notes: &'a [String],
-    files: Vec<String>,
 }
 
 /// What `--json` prints with `--interior`.
@@ -75,7 +66,6 @@ struct FilledSummary<'a> {
     max_angle: f64,
     closed: bool,
     notes: &'a [String],
-    files: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -88,41 +78,28 @@ struct GroupSummary<'a> {
     triangles: u32,
 }
 
-pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure> {
-    let file = input::name_of(path);
+pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
-    let mut targets =
-        Targets::new(&surface.output, surface.format, surface.options(), arguments.json)?;
+    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
     if arguments.optimize.is_some() {
         let message = "--optimize is for domains; for a model give --keep-angle or --max-degree";
         return Err(Failure::Input(message.to_owned()));
     }
-    let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
-    let bar = Bar::new(arguments.quiet || to_terminal);
-    clean_up_on_interrupt()?;
-    let model = source::read(path, arguments, &bar)?;
-    targets.expect_materials(model.groups().iter().any(|group| group.material.is_some()));
+    making.expect_materials(model.groups().iter().any(|group| group.material.is_some()))?;
     if arguments.interior.interior {
-        return fill(&file, &model, arguments, targets, bar);
+        return fill(model, arguments, making);
     }
     let goal = ModelGoal {
         keep_angle: arguments.goal.keep_angle,
         max_degree: arguments.goal.max_degree,
         effort: arguments.model.effort,
     };
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-
-    let callback = bar.callback();
-    let meshed = mesh_model(&model, goal, Progress::new(&callback));
-    let meshed = meshed.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
-    drop(callback);
+    making.open()?;
+    let meshed = making.work(|progress| mesh_model(model, goal, progress));
+    let meshed = meshed.map_err(|error| source::bad(arguments, &error))?;
     let mesh = &meshed.mesh;
     let end = judged(arguments, mesh, meshed.min_angle)?;
-    targets.check(mesh, mesh.triangle_count())?;
-    targets.write(mesh, outputs, &bar)?;
-    drop(bar);
+    let made = making.write(mesh)?;
 
     let corners = |edge: usize| model.edge_corners(edge);
     let summary = Summary {
@@ -147,16 +124,10 @@ pub(super) fn run(path: &Path, arguments: &MeshArguments) -> Result<(), Failure>
         closed: model.is_closed(),
         boundary_edges: model.boundary_edges().map(corners).collect(),
         non_manifold_edges: model.non_manifold_edges().map(corners).collect(),
-        groups: groups(&model, mesh),
+        groups: groups(model, mesh),
         notes: model.notes(),
-        files,
     };
-    if !arguments.quiet {
-        say(&text(&model, &meshed, &summary));
-    }
-    if arguments.json {
-        print_json(&summary)?;
-    }
+    made.say(|| text(model, &meshed, &summary), || &summary)?;
     end
 }
 
@@ -172,30 +143,19 @@ fn judged(
 }
 
 /// Fills the faces with interior points.
-fn fill(
-    file: &str,
-    model: &Model,
-    arguments: &MeshArguments,
-    mut targets: Targets<'_>,
-    bar: Bar,
-) -> Result<(), Failure> {
+fn fill(model: &Model, arguments: &MeshArguments, mut making: Making) -> Result<(), Failure> {
     if arguments.goal.keep_angle.is_some() {
         let message =
             "--keep-angle is for meshes of boundary points alone; leave it out, or --interior";
         return Err(Failure::Input(message.to_owned()));
     }
-    let mut outputs = Outputs::default();
-    targets.open(&mut outputs)?;
-    let files = targets.files();
-    let callback = bar.callback();
-    let filled = fill_model(model, &arguments.interior.over(None), Progress::new(&callback));
-    let filled = filled.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
-    drop(callback);
+    making.open()?;
+    let interior = arguments.interior.over(None);
+    let filled = making.work(|progress| fill_model(model, &interior, progress));
+    let filled = filled.map_err(|error| source::bad(arguments, &error))?;
     let mesh = &filled.mesh;
     let end = judged(arguments, mesh, filled.min_angle)?;
-    targets.check(mesh, mesh.triangle_count())?;
-    targets.write(mesh, outputs, &bar)?;
-    drop(bar);
+    let made = making.write(mesh)?;
     let summary = FilledSummary {
         name: model.name(),
         faces: model.face_count(),
@@ -209,9 +169,8 @@ fn fill(
         max_angle: max_angle(mesh),
         closed: model.is_closed(),
         notes: model.notes(),
-        files,
     };
-    if !arguments.quiet {
+    let text = || {
         let mut lines = vec![format!(
             "{}: {} faces, {} vertices, {} of them inside faces, {} triangles, maximum degree {} over \
              all faces and {} within one, angles {} to {}",
@@ -226,19 +185,10 @@ fn fill(
             steady_angle(summary.max_angle),
         )];
         lines.extend(model.notes().iter().cloned());
-        lines.extend(written(&summary.files));
-        say(&lines.join("\n"));
-    }
-    if arguments.json {
-        print_json(&summary)?;
-    }
+        lines.join("\n")
+    };
+    made.say(text, || &summary)?;
     end
-}
-
-/// The line on the files that were written.
-fn written(files: &[String]) -> Option<String> {
-    let files: Vec<_> = files.iter().filter(|file| *file != "-").cloned().collect();
-    (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
 }
 
 fn quality(mesh: &TriMesh, triangle: [u32; 3]) -> TriangleQuality {
@@ -302,7 +252,6 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
         lines.push(format!("Every face keeps {share} of its Delaunay minimum angle, or more."));
     }
     lines.extend(model.notes().iter().cloned());
-    lines.extend(written(&summary.files));
     lines.join("\n")
 }
 

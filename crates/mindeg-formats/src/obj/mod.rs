@@ -34,7 +34,7 @@ pub(crate) const FACTS: Facts = Facts {
     description: "Wavefront OBJ",
     extensions: &["obj"],
     library: Some("mtl"),
-    first_words: &["v", "vn", "vt", "o", "g", "mtllib"],
+    first_words: &["v", "vn", "vt", "o", "g", "f", "mtllib", "usemtl"],
     read: Some(|source| read_with_libraries(source.input, source.beside)),
     write: |job, files| {
         let library = files.get(1).map(|(name, _)| *name);

@@ -11,17 +11,17 @@
 //! Limits: a rename that fails leaves the files renamed before it. A process that runs out of
 //! memory cleans nothing up.
 
-use crate::failure::{Failure, plainly};
-use crate::input;
-use crate::interrupt::temporary;
+use crate::error::{FileError, plainly};
+use crate::session::Session;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempPath;
 
 /// The outputs of one run.
-#[derive(Debug, Default)]
-pub(crate) struct Outputs {
+#[derive(Debug)]
+pub struct Outputs<'a> {
+    session: &'a Session,
     staged: Vec<Staged>,
 }
 
@@ -33,25 +33,38 @@ struct Staged {
     target: PathBuf,
 }
 
-impl Outputs {
+impl<'a> Outputs<'a> {
+    /// No outputs as yet.
+    #[must_use]
+    pub fn new(session: &'a Session) -> Self {
+        Self { session, staged: Vec::new() }
+    }
+
     /// Opens `path` for writing, or standard output where it names that; until
     /// [`finish`](Self::finish), what is written to a file goes beside it.
-    pub(crate) fn open(&mut self, path: &Path) -> Result<Box<dyn Write>, Failure> {
+    ///
+    /// # Errors
+    ///
+    /// An output that cannot be written, is a link, a folder or read-only, or is a file that was read.
+    pub fn open(&mut self, path: &Path) -> Result<Box<dyn Write>, FileError> {
         if !is_standard_output(path) {
             return Ok(Box::new(self.create(path)?));
         }
-        input::refuse_as_standard_output()?;
+        self.session.refuse_input_as_standard_output()?;
         if standard_output_is_closed() {
             let message = "cannot write to standard output: it is closed";
-            return Err(Failure::Io(message.to_owned()));
+            return Err(FileError::system(message, io::ErrorKind::NotConnected));
         }
         Ok(Box::new(io::stdout()))
     }
 
-    fn create(&mut self, path: &Path) -> Result<File, Failure> {
+    fn create(&mut self, path: &Path) -> Result<File, FileError> {
         let failed = |error: io::Error| cannot_write(path, &error);
-        let refused = |why| Failure::Io(format!("cannot write {}: it is {why}", path.display()));
-        input::refuse_as_output(path)?;
+        let refused = |why| {
+            let message = format!("cannot write {}: it is {why}", path.display());
+            FileError::system(message, io::ErrorKind::AlreadyExists)
+        };
+        self.session.refuse_input(path)?;
         if path.as_os_str().as_encoded_bytes().ends_with(b"/") {
             return Err(refused("the name of a folder; name a file in it"));
         }
@@ -81,24 +94,52 @@ impl Outputs {
             Err(error) => return Err(failed(error)),
         };
         if let Some(other) = self.staged.iter().find(|other| other.target == target) {
-            return Err(Failure::Input(same_file(&other.name, path)));
+            return Err(FileError::wrong(same_file(&other.name, path)));
         }
-        let (file, temporary) =
-            stage(&target, permissions).map_err(|error| cannot_create(path, &error))?;
+        let staged = self.stage(&target, permissions);
+        let (file, temporary) = staged.map_err(|error| cannot_create(path, &error))?;
         self.staged.push(Staged { temporary, name: path.to_path_buf(), target });
         Ok(file)
     }
 
+    /// A temporary file beside `target`, with the permissions of the file that it replaces.
+    fn stage(
+        &self,
+        target: &Path,
+        permissions: Option<fs::Permissions>,
+    ) -> io::Result<(File, TempPath)> {
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".mindeg-").suffix(".part");
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            // As any new file: what the user's mask leaves of this.
+            builder.permissions(fs::Permissions::from_mode(0o666));
+        }
+        // Held while the file is made, so that an interrupt finds it listed.
+        let mut listed = self.session.temporary();
+        let made = builder.tempfile_in(target.parent().unwrap_or(Path::new(".")))?;
+        listed.push(made.path().to_path_buf());
+        if let Some(permissions) = permissions {
+            made.as_file().set_permissions(permissions)?;
+        }
+        Ok(made.into_parts())
+    }
+
     /// Gives every file its name.
-    pub(crate) fn finish(self) -> Result<(), Failure> {
+    ///
+    /// # Errors
+    ///
+    /// A name that has become a folder's meanwhile, or that the system refuses.
+    pub fn finish(self) -> Result<(), FileError> {
         // An interrupt now finds all files renamed, or none.
-        let _all_or_none = temporary();
-        // What can be seen to fail fails before the first of them.
+        let _all_or_none = self.session.temporary();
+        // Check what can be checked before renaming the first file.
         if let Some(folder) = self.staged.iter().find(|file| file.target.is_dir()) {
             let error = io::ErrorKind::IsADirectory.into();
             return Err(cannot_write(&folder.name, &error));
         }
-        for Staged { temporary, name, target, .. } in self.staged {
+        for Staged { temporary, name, target } in self.staged {
             temporary.persist(target).map_err(|error| cannot_write(&name, &error.error))?;
         }
         Ok(())
@@ -106,7 +147,8 @@ impl Outputs {
 }
 
 /// Whether a path stands for standard output.
-pub(crate) fn is_standard_output(path: &Path) -> bool {
+#[must_use]
+pub fn is_standard_output(path: &Path) -> bool {
     ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"].map(Path::new).contains(&path)
 }
 
@@ -168,26 +210,6 @@ fn has_other_names(_: &fs::Metadata) -> bool {
     false
 }
 
-/// A temporary file beside `target`, with the permissions of the file that it replaces.
-fn stage(target: &Path, permissions: Option<fs::Permissions>) -> io::Result<(File, TempPath)> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".mindeg-").suffix(".part");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // As any new file: what the user's mask leaves of this.
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    // Held while the file is made, so that an interrupt finds it listed.
-    let mut listed = temporary();
-    let made = builder.tempfile_in(target.parent().unwrap_or(Path::new(".")))?;
-    listed.push(made.path().to_path_buf());
-    if let Some(permissions) = permissions {
-        made.as_file().set_permissions(permissions)?;
-    }
-    Ok(made.into_parts())
-}
-
 /// Two outputs are one file: says so, and how, where the user named only one of them.
 fn same_file(first: &Path, second: &Path) -> String {
     let of_gltf = |path: &Path| match path.extension() {
@@ -202,35 +224,37 @@ fn same_file(first: &Path, second: &Path) -> String {
 }
 
 /// Writes to the output opened for `path`; `write` need not write much at a time.
-pub(crate) fn write_to(
+///
+/// # Errors
+///
+/// Those of `write`, with the name of the file.
+pub fn write_to(
     path: &Path,
     out: Box<dyn Write>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
-) -> Result<(), Failure> {
+) -> Result<(), FileError> {
     let mut out = BufWriter::new(out);
-    write(&mut out).and_then(|()| out.flush()).map_err(|error| {
-        if is_standard_output(path) {
-            Failure::from_standard_output(&error)
-        } else {
-            cannot_write(path, &error)
-        }
-    })
+    write(&mut out).and_then(|()| out.flush()).map_err(|error| cannot_write(path, &error))
 }
 
 /// The failure of making a file in the folder where the user wants one.
-fn cannot_create(path: &Path, error: &io::Error) -> Failure {
+fn cannot_create(path: &Path, error: &io::Error) -> FileError {
     let advice = match error.kind() {
         io::ErrorKind::PermissionDenied => "; its folder takes no new files",
         io::ErrorKind::NotFound => "; its folder does not exist",
         _ => "",
     };
-    Failure::Io(format!("cannot write {}: {}{advice}", path.display(), plainly(error)))
+    let message = format!("cannot write {}: {}{advice}", path.display(), plainly(error));
+    FileError::system(message, error.kind())
 }
 
 /// The failure of writing to the file that the user named.
-pub(crate) fn cannot_write(path: &Path, error: &io::Error) -> Failure {
-    if error.kind() == io::ErrorKind::BrokenPipe {
-        return Failure::ClosedPipe;
-    }
-    Failure::Io(format!("cannot write {}: {}", path.display(), plainly(error)))
+#[must_use]
+pub fn cannot_write(path: &Path, error: &io::Error) -> FileError {
+    let name = if is_standard_output(path) {
+        "to standard output".to_owned()
+    } else {
+        path.display().to_string()
+    };
+    FileError::system(format!("cannot write {name}: {}", plainly(error)), error.kind())
 }

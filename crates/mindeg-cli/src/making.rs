@@ -1,0 +1,156 @@
+//! What all commands that write a mesh have in common: the outputs, the bar, and what is said in the end.
+
+use crate::args::SurfaceArguments;
+use crate::bar::Bar;
+use crate::failure::Failure;
+use crate::interrupt::{SESSION, clean_up_on_interrupt};
+use crate::standard_output::print_json;
+use crate::terminal::{say, shown};
+use mindeg::{Positions, Progress, TriMesh};
+use mindeg_files::{Format, Input, Targets};
+use mindeg_mesh::{Mesh, Triangles};
+use serde::Serialize;
+use std::io::{self, IsTerminal};
+use std::path::{Path, PathBuf};
+
+/// A mesh on its way to files.
+pub(crate) struct Making {
+    targets: Targets<'static>,
+    bar: Bar,
+    quiet: bool,
+    json: bool,
+}
+
+impl Making {
+    /// Understands the outputs; from here on an interrupt leaves nothing behind.
+    pub(crate) fn new(
+        surface: &SurfaceArguments,
+        output: &[PathBuf],
+        quiet: bool,
+        json: bool,
+    ) -> Result<Self, Failure> {
+        let targets = Targets::new(&SESSION, output, surface.format, surface.options())?;
+        if targets.use_standard_output() && json {
+            let message = "standard output can take one mesh, or the summary of --json, not both";
+            return Err(Failure::Input(message.to_owned()));
+        }
+        // A bar would be in the way of a mesh on the terminal.
+        let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();
+        clean_up_on_interrupt()?;
+        Ok(Self { targets, bar: Bar::new(quiet || to_terminal), quiet, json })
+    }
+
+    /// Reads a mesh that the command takes; its materials will be those of the outputs.
+    pub(crate) fn read(&mut self, path: &Path) -> Result<TriMesh, Failure> {
+        let mesh = read_mesh(path, None, &self.bar)?;
+        self.expect_materials(mesh.has_materials())?;
+        Ok(mesh)
+    }
+
+    pub(crate) fn expect_materials(&mut self, has_materials: bool) -> Result<(), Failure> {
+        Ok(self.targets.expect_materials(has_materials)?)
+    }
+
+    /// Refuses what the formats cannot hold, before there are triangles.
+    pub(crate) fn check(
+        &mut self,
+        positions: &dyn Positions,
+        most_triangles: u32,
+    ) -> Result<(), Failure> {
+        Ok(self.targets.check(positions, most_triangles)?)
+    }
+
+    /// Opens the outputs: what cannot be written is refused before the work, which can take minutes.
+    pub(crate) fn open(&mut self) -> Result<(), Failure> {
+        Ok(self.targets.open()?)
+    }
+
+    /// Whether a format among the outputs is to know the boundary.
+    pub(crate) fn need_boundary(&self) -> bool {
+        self.targets.need_boundary()
+    }
+
+    /// Does work, and shows how far it is.
+    pub(crate) fn work<T>(&self, work: impl FnOnce(Progress<'_>) -> T) -> T {
+        self.bar.work(work)
+    }
+
+    /// The bar, for work that tells no progress.
+    pub(crate) fn bar(&self) -> &Bar {
+        &self.bar
+    }
+
+    /// Writes a mesh of the positions and triangles that were checked.
+    pub(crate) fn write_checked(self, mesh: &dyn Mesh) -> Result<Made, Failure> {
+        self.write_each(|_| mesh)
+    }
+
+    /// Checks a mesh and writes it.
+    pub(crate) fn write(mut self, mesh: &TriMesh) -> Result<Made, Failure> {
+        self.check(mesh, mesh.triangle_count())?;
+        self.write_checked(mesh)
+    }
+
+    /// Writes the mesh for each format.
+    pub(crate) fn write_each<'m>(
+        self,
+        mesh_for: impl Fn(Format) -> &'m dyn Mesh,
+    ) -> Result<Made, Failure> {
+        let Self { targets, bar, quiet, json } = self;
+        let files = targets.files();
+        bar.work(|progress| targets.write(mesh_for, progress))?;
+        Ok(Made { files, quiet, json })
+    }
+}
+
+/// A mesh that was written.
+pub(crate) struct Made {
+    files: Vec<String>,
+    quiet: bool,
+    json: bool,
+}
+
+impl Made {
+    /// Says the text and which files were written, and prints the summary where JSON is wanted.
+    pub(crate) fn say<T: Serialize>(
+        self,
+        text: impl FnOnce() -> String,
+        summary: impl FnOnce() -> T,
+    ) -> Result<(), Failure> {
+        if !self.quiet {
+            let text = text();
+            let lines = (!text.is_empty()).then_some(text).into_iter().chain(wrote(&self.files));
+            let lines = lines.collect::<Vec<_>>().join("\n");
+            if !lines.is_empty() {
+                say(&lines);
+            }
+        }
+        if self.json {
+            print_json(&WithFiles { summary: summary(), files: self.files })?;
+        }
+        Ok(())
+    }
+}
+
+/// A summary and the files that were written.
+#[derive(Serialize)]
+struct WithFiles<T> {
+    #[serde(flatten)]
+    summary: T,
+    files: Vec<String>,
+}
+
+/// The line on the files that were written; none for standard output alone.
+pub(crate) fn wrote(files: &[String]) -> Option<String> {
+    let files: Vec<_> = files.iter().filter(|file| *file != "-").map(|file| shown(file)).collect();
+    (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
+}
+
+/// Reads the mesh in a file, or on standard input where the path is `-`, and shows how far it is.
+pub(crate) fn read_mesh(
+    path: &Path,
+    format: Option<Format>,
+    bar: &Bar,
+) -> Result<TriMesh, Failure> {
+    Ok(bar.work(|progress| SESSION.mesh(&Input::of(path), format, progress))?)
+}

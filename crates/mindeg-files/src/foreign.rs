@@ -1,0 +1,58 @@
+//! Files of other programs that mindeg neither reads nor writes, and how to get them in.
+
+/// Extensions, what such a file is, and what turns it into one that mindeg reads.
+const FOREIGN: &[(&[&str], &str, &str)] = &[
+    (
+        &["shp", "shx", "dbf", "gpkg", "kml", "gml", "gdb"],
+        "a map of a geographic program",
+        "`ogr2ogr outline.geojson FILE` writes its polygons as GeoJSON",
+    ),
+    (
+        &["geo"],
+        "a script for Gmsh",
+        "`gmsh -1 FILE -o outline.msh` writes its curves as an outline",
+    ),
+    (
+        &["step", "stp", "iges", "igs", "brep", "sat", "3dm"],
+        "a solid of a CAD program",
+        "`gmsh -1 FILE -o outline.msh` writes the edges of a flat part as an outline, and `gmsh -2 FILE -o \
+         part.msh` a mesh of its faces",
+    ),
+    (
+        &["dae", "fbx", "3mf", "usd", "usda", "usdc", "usdz", "x3d", "blend", "3ds", "wrl"],
+        "a scene of a 3D program",
+        "save it as .glb or .obj there",
+    ),
+    (
+        &["vtp", "mesh", "cgns", "bdf", "nas", "med", "xdmf", "e", "exo", "unv"],
+        "a mesh of another program",
+        "`meshio convert FILE part.vtu` or Gmsh can turn it into a format that mindeg reads",
+    ),
+    (&["pdf", "dwg", "ai", "eps"], "a drawing of another program", "save it as .svg or .dxf there"),
+    (&["html", "htm"], "a page", "give the mesh or the domain that it was made from"),
+];
+
+/// What a file with this extension is, and what to do with it; `file` stands in the commands.
+pub(crate) fn advice(extension: &str, file: &str) -> Option<String> {
+    let is_one = |(extensions, ..): &&(&[&str], _, _)| extensions.contains(&extension);
+    let (_, what, way) = FOREIGN.iter().find(is_one)?;
+    Some(format!("it is {what}, which mindeg does not read; {}", way.replace("FILE", file)))
+}
+
+/// What the first bytes of such a file tell: its usual extension.
+pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
+    let text = bytes.trim_ascii_start();
+    let starts: [(&[u8], &str); 8] = [
+        (&[0, 0, 0x27, 0x0a], "shp"),
+        (b"ISO-10303-21", "step"),
+        (b"SetFactory", "geo"),
+        (b"Point(", "geo"),
+        (b"Point (", "geo"),
+        (b"%PDF", "pdf"),
+        (b"Kaydara FBX", "fbx"),
+        (b"SQLite format 3", "gpkg"),
+    ];
+    let start =
+        starts.iter().find(|(start, _)| bytes.starts_with(start) || text.starts_with(start));
+    start.map(|(_, extension)| *extension)
+}

@@ -1,0 +1,145 @@
+//! What one run has read, and what it is writing.
+
+use crate::error::FileError;
+use std::fs::{self, Metadata};
+use std::io::{self, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// The files of one run: those that it has read, which no output may replace, and the temporary files
+/// of outputs that are not complete.
+#[derive(Debug)]
+pub struct Session {
+    inputs: Mutex<Vec<Noted>>,
+    temporary: Mutex<Vec<PathBuf>>,
+    /// What options begin with where a message names one: `--` on a command line.
+    dashes: &'static str,
+}
+
+/// A regular file that was opened for reading.
+#[derive(Debug)]
+struct Noted {
+    /// As the user named it.
+    name: String,
+    /// Such as "domain".
+    what: &'static str,
+    identity: Identity,
+}
+
+/// What all names of a file have in common: the device, and the file's number on it.
+#[cfg(unix)]
+type Identity = (u64, u64);
+
+/// What all names of a file but hard links have in common: the path without links.
+#[cfg(not(unix))]
+type Identity = PathBuf;
+
+impl Session {
+    /// A run that has read and written nothing. Where messages name an option, it begins with
+    /// `dashes`: `--` on a command line, nothing for keyword arguments.
+    #[must_use]
+    pub const fn new(dashes: &'static str) -> Self {
+        Self { inputs: Mutex::new(Vec::new()), temporary: Mutex::new(Vec::new()), dashes }
+    }
+
+    /// The temporary files of outputs that are not complete, for whoever ends the process.
+    ///
+    /// While this lock is held, no file is created and no set of files is renamed.
+    pub fn temporary(&self) -> MutexGuard<'_, Vec<PathBuf>> {
+        self.temporary.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// An option as a message names it.
+    pub(crate) fn option(&self, name: &str) -> String {
+        format!("{}{name}", self.dashes)
+    }
+
+    /// What options begin with.
+    pub(crate) fn dashes(&self) -> &'static str {
+        self.dashes
+    }
+
+    /// Notes that the file at `path` is read as a `what`, such as "domain": from then on no output may
+    /// replace it.
+    pub fn note(&self, path: &Path, what: &'static str) {
+        if let Ok(metadata) = fs::metadata(path) {
+            self.note_file(path.display().to_string(), what, path, &metadata);
+        }
+    }
+
+    /// All of standard input, which is noted as a `what`.
+    pub(crate) fn standard_input(&self, what: &'static str) -> io::Result<Vec<u8>> {
+        #[cfg(unix)]
+        if let Some(metadata) = stream_metadata(&io::stdin()) {
+            self.note_file("standard input".to_owned(), what, Path::new("-"), &metadata);
+        }
+        #[cfg(not(unix))]
+        let _ = what;
+        let mut bytes = Vec::new();
+        io::stdin().lock().read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    fn note_file(&self, name: String, what: &'static str, path: &Path, metadata: &Metadata) {
+        if metadata.is_file()
+            && let Some(identity) = identity(path, metadata)
+        {
+            self.inputs().push(Noted { name, what, identity });
+        }
+    }
+
+    fn inputs(&self) -> MutexGuard<'_, Vec<Noted>> {
+        self.inputs.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Fails if `path` is a file that was read.
+    ///
+    /// # Errors
+    ///
+    /// Which file it is.
+    pub fn refuse_input(&self, path: &Path) -> Result<(), FileError> {
+        match fs::metadata(path) {
+            Ok(metadata) => self.refuse(&path.display().to_string(), path, &metadata),
+            // What does not exist was not read; what else is wrong shows when it is opened.
+            Err(_) => Ok(()),
+        }
+    }
+
+    /// Fails if standard output is a file that was read.
+    pub(crate) fn refuse_input_as_standard_output(&self) -> Result<(), FileError> {
+        #[cfg(unix)]
+        if let Some(metadata) = stream_metadata(&io::stdout()) {
+            return self.refuse("standard output", Path::new("-"), &metadata);
+        }
+        Ok(())
+    }
+
+    fn refuse(&self, name: &str, path: &Path, metadata: &Metadata) -> Result<(), FileError> {
+        let Some(identity) = identity(path, metadata) else { return Ok(()) };
+        let inputs = self.inputs();
+        let Some(input) = inputs.iter().find(|input| input.identity == identity) else {
+            return Ok(());
+        };
+        let what = input.what;
+        let itself =
+            if input.name == name { String::new() } else { format!(" that {} names", input.name) };
+        Err(FileError::wrong(format!("{name} is the {what} itself{itself}; give another output")))
+    }
+}
+
+#[cfg(unix)]
+fn identity(_: &Path, metadata: &Metadata) -> Option<Identity> {
+    use std::os::unix::fs::MetadataExt;
+    Some((metadata.dev(), metadata.ino()))
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path, _: &Metadata) -> Option<Identity> {
+    fs::canonicalize(path).ok()
+}
+
+#[cfg(unix)]
+fn stream_metadata(stream: &impl std::os::fd::AsFd) -> Option<Metadata> {
+    let descriptor = stream.as_fd().try_clone_to_owned().ok()?;
+    fs::File::from(descriptor).metadata().ok()
+}
