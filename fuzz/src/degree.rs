@@ -70,7 +70,13 @@ pub(crate) fn run(input: Input) {
     }
     let Ok(answer) = answer else { return };
     assert!(answer.at_least <= answer.reached);
-    let outline = Checked { points: boundary.points(), rings: &rings, side_of: boundary.runs() };
+    let outline = Checked {
+        points: boundary.points(),
+        rings: &rings,
+        side_of: boundary.runs(),
+        // What blocks without the tolerance blocks with it.
+        keeps_clear: true,
+    };
     match answer.bounded_by {
         LowerBound::BlockedZigZags(chords) => assert!(outline.blocks_all_zigzags(&chords)),
         LowerBound::Apexes(bound) => assert!(outline.bounds_apexes(&bound)),

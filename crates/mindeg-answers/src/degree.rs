@@ -281,6 +281,8 @@ pub fn triangle_count(rings: &Rings) -> u32 {
 
 /// Why the degree cannot be less, in sentences.
 fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
+    /// The tolerance of docs/theory.md, section 8.
+    const STRAIGHT: &str = "A chord passes a vertex if it turns there by less than 1e-9 radians.\n";
     let vertices = domain.rings().vertex_count();
     let bound = answer.at_least;
     match &answer.bounded_by {
@@ -288,15 +290,15 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
             let [from, to] = chords.first().copied().unwrap_or_default();
             format!(
                 "No mesh has less than {bound}: from 7 vertices on, a mesh of degree 4 is one of {} zig-zags across \
-                 the whole polygon,\nand each of these has a chord that does not lie inside, such as \
-                 the one from vertex {from} to vertex {to}.\n",
+                 the whole polygon,\nand each of these has a chord that does not lie inside or passes a vertex, such \
+                 as the one from vertex {from} to vertex {to}.\n{STRAIGHT}",
                 count(vertices)
             )
         }
         LowerBound::Apexes(apexes) => format!(
             "No mesh has less than {bound}: {} boundary edges, the first from vertex {} on, are the side of no ear, \
              and only {} vertices\nsee both ends of one of them. A vertex of degree {} is the apex of \
-             at most {} of these edges.\n",
+             at most {} of these edges.\n{STRAIGHT}",
             count(apexes.edges.len() as u32),
             apexes.edges.first().copied().unwrap_or_default(),
             count(apexes.apexes.len() as u32),
@@ -314,7 +316,7 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
             "It cannot be less, by the formula for convex domains.\n".to_owned()
         }
         _ => format!(
-            "No mesh has less than {bound}: of all triangulations, none {}has a maximum degree of {}.\n",
+            "No mesh has less than {bound}: of all triangulations, none {}has a maximum degree of {}.\n{STRAIGHT}",
             if domain.is_constrained() { "that keeps the limits " } else { "" },
             bound.saturating_sub(1)
         ),

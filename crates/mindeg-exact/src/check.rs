@@ -2,8 +2,9 @@
 //! with the solver but the predicate [`robust::orient2d`]. [`mindeg_mesh::check`] checks the
 //! triangulation that reaches the degree.
 //!
-//! A chord is admissible if it lies inside, touches no vertex on its way, and no straight side has both
-//! of its ends. The checkers test that against every boundary edge.
+//! A chord is admissible if it lies inside, passes no vertex on its way, and no straight side has both
+//! of its ends. The checkers test that against every boundary edge. Whether a chord [passes](is_passed) a
+//! vertex has the tolerance by which the points of a side are on a line.
 //!
 //! Limits: an exhaustive search leaves nothing to check but its repetition
 //! ([`Outline::has_triangulation`]), which is for hundreds of vertices.
@@ -26,7 +27,8 @@ use std::ops::Range;
 /// // An L of six corners.
 /// let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
 /// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
-/// let outline = Outline { points: &points, rings: &[0..6], side_of: &[0, 1, 2, 3, 4, 5] };
+/// let side_of = [0, 1, 2, 3, 4, 5];
+/// let outline = Outline { points: &points, rings: &[0..6], side_of: &side_of, keeps_clear: true };
 /// assert!(outline.is_admissible([3, 0]));
 /// assert!(!outline.is_admissible([2, 4]));
 /// ```
@@ -39,6 +41,28 @@ pub struct Outline<'a> {
     /// The straight side of each boundary edge, named as for
     /// [`Problem::triangulated`](crate::Problem::triangulated).
     pub side_of: &'a [u32],
+    /// Chords keep the tolerance: those of a domain that is as thin as it pass only what they touch
+    /// ([`Problem::keeps_clear`](crate::Problem::keeps_clear)).
+    pub keeps_clear: bool,
+}
+
+/// Whether a chord passes a vertex: a boundary from one of its ends by the vertex to the other one turns there
+/// by less than a billionth of a radian, or by less than the rounding of the coordinates, half a unit in the
+/// last place of the largest one for either end of an edge, and by less than a thousandth.
+#[must_use]
+pub fn is_passed(vertex: DVec2, [from, to]: [DVec2; 2]) -> bool {
+    let (to_from, to_to) = (from - vertex, to - vertex);
+    // Most vertices are elsewhere.
+    if to_from.perp_dot(to_to).abs() > -0.01 * to_from.dot(to_to) {
+        return false;
+    }
+    let straight = std::f64::consts::PI;
+    let angle = libm::atan2(to_from.perp_dot(to_to), to_from.dot(to_to)).abs();
+    let largest = [from, to, vertex].map(|point| point.abs().max_element());
+    let largest = largest.into_iter().fold(0.0, f64::max);
+    let of_edge = |edge: DVec2| f64::EPSILON * largest / edge.length();
+    let rounding = of_edge(to_from) + of_edge(to_to);
+    straight - angle < rounding.clamp(1e-9, 1e-3)
 }
 
 impl Outline<'_> {
@@ -104,7 +128,8 @@ impl Outline<'_> {
     /// # use mindeg_exact::check::Outline;
     /// # let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
     /// # let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
-    /// let outline = Outline { points: &points, rings: &[0..6], side_of: &[0, 1, 2, 3, 4, 5] };
+    /// let side_of = [0, 1, 2, 3, 4, 5];
+    /// let outline = Outline { points: &points, rings: &[0..6], side_of: &side_of, keeps_clear: true };
     /// assert_eq!(outline.counting_bound(|_| 0), 4);
     /// assert_eq!(outline.counting_bound(|vertex| if vertex == 2 { 7 } else { 0 }), 9);
     /// ```
@@ -154,6 +179,9 @@ impl Outline<'_> {
         self.rings.iter().flat_map(Range::clone).all(|c| {
             let d = self.next(c);
             let [r, s] = [c, d].map(|vertex| self.points[vertex as usize]);
+            if self.keeps_clear && c != a && c != b && is_passed(r, [p, q]) {
+                return false;
+            }
             // Most edges are elsewhere.
             if r.max(s).cmplt(low).any() || r.min(s).cmpgt(high).any() {
                 return true;
@@ -233,7 +261,7 @@ mod tests {
         let points: Vec<DVec2> = (0..12).map(at).collect();
         let side_of: Vec<u32> = (0..12).collect();
         let rings = std::slice::from_ref(&(0..12));
-        let star = Outline { points: &points, rings, side_of: &side_of };
+        let star = Outline { points: &points, rings, side_of: &side_of, keeps_clear: true };
         let tips = (0..6).map(|tip| [(2 * tip + 11) % 12, 2 * tip, 2 * tip + 1]);
         let within = [[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]];
         let triangles: Vec<_> = tips.chain(within).collect();

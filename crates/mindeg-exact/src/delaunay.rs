@@ -6,7 +6,7 @@ use crate::triangulation::{Triangulation, is_convex};
 use glam::DVec2;
 use robust::{Coord, incircle};
 
-/// Flips edges until the triangulation is constrained Delaunay, except for chords within a side; or
+/// Flips edges until the triangulation is constrained Delaunay, except for forbidden chords; or
 /// until 1000 flips a vertex, which leaves some other triangulation.
 pub(crate) fn make_delaunay(mesh: &mut Triangulation, points: &[DVec2], sides: &Sides) {
     let mut flips_left = 1000 * points.len();
@@ -17,7 +17,7 @@ pub(crate) fn make_delaunay(mesh: &mut Triangulation, points: &[DVec2], sides: &
         let at = |vertex: u32| points[vertex as usize];
         let coord = |vertex: u32| Coord { x: at(vertex).x, y: at(vertex).y };
         let is_better = incircle(coord(a), coord(b), coord(c), coord(d)) > 0.0
-            && !sides.has_both(c, d)
+            && !sides.forbids(points, [c, d, a, b])
             && is_convex(corners.map(at));
         if !is_better || flips_left == 0 {
             continue;

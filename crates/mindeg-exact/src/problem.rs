@@ -97,8 +97,10 @@ impl Problem {
     ///
     /// Rings that cross, and triangles that overlap without a common edge, are not detected.
     ///
-    /// No chord joins two vertices of one side. An edge of `triangles` that does is flipped; where it
-    /// cannot be, the side is not straight, and each of its edges counts as a side of its own.
+    /// No chord joins two vertices of one side, and none [passes](mindeg_mesh::planar::passes) a vertex. An
+    /// edge of `triangles` that does is flipped; where it cannot be, the side is not straight, and each of
+    /// its edges counts as a side of its own, or the domain [is too thin](Self::keeps_clear) for the
+    /// tolerance.
     ///
     /// # Errors
     ///
@@ -235,6 +237,14 @@ impl Problem {
     pub(crate) fn no_limit(&self) -> u32 {
         let external = self.external_degrees.iter().copied().max().unwrap_or(0);
         external.saturating_add(self.points.len() as u32 - 1)
+    }
+
+    /// Whether its chords keep the tolerance of [`mindeg_mesh::planar::passes`]. If not, its domain is
+    /// convex, so that they pass no vertices but those of a side, or so thin that they pass only what they
+    /// touch.
+    #[must_use]
+    pub fn keeps_clear(&self) -> bool {
+        self.sides.clear.is_some()
     }
 
     /// The straight sides.

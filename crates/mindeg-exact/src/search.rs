@@ -77,8 +77,14 @@ impl<'a> Search<'a> {
             bounds: Stage::new(progress, "bounding the angles"),
             passes: Passes::new(),
         };
-        let chords = search.reaching(known)?.expect("a known triangulation reaches it");
-        (search.chords, search.floor) = (chords, known);
+        // A triangulation of these very edges reaches it; one of other edges would only bound nothing.
+        let known = match search.reaching(known)? {
+            Some(chords) => {
+                (search.chords, search.floor) = (chords, known);
+                known
+            }
+            None => 0.0,
+        };
         // Usually the first pass ends it: nothing is above the known tangent.
         let (mut possible, mut bound) = (known, LARGEST_TANGENT);
         let mut threshold = possible.next_up();

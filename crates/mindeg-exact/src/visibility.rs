@@ -3,7 +3,7 @@
 //! Vertex w is visible from v when the open segment between them is in the open interior. A
 //! segment that touches a vertex or runs along the boundary is no chord: as an edge it would
 //! pass a vertex. From v the view is a cone, and every edge that it crosses narrows it; the strict
-//! signs of [`orientation`] decide where it touches.
+//! signs of [`orientation`] decide where it touches, and [`passes`] what is as good as touched.
 //!
 //! ```text
 //!        L  w        v looks through the edge (r, l) at the third corner w.
@@ -21,6 +21,7 @@ use crate::sides::Sides;
 use crate::triangulation::{Corners, NONE, Triangulation, orientation};
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::planar::passes;
 use std::ops::Range;
 
 /// The view through one edge.
@@ -35,11 +36,12 @@ struct View {
 }
 
 /// Finds the vertices that a vertex sees; reuses its memory.
-#[derive(Default)]
 pub(crate) struct Eye<'a> {
     open: Vec<View>,
     /// With a polygon's ring it passes over many triangles at once.
     ring: Option<&'a Ring<'a>>,
+    /// That of [`Sides`].
+    clear: Option<f64>,
 }
 
 /// The ring 0, 1, 2, … of a polygon, where the vertices beyond an edge follow each other.
@@ -103,6 +105,11 @@ fn after(from: u32, to: u32, count: usize) -> u32 {
 }
 
 impl<'a> Eye<'a> {
+    /// An eye that sees past no vertex that a chord may not pass.
+    pub(crate) fn new(sides: &Sides, ring: Option<&'a Ring<'a>>) -> Self {
+        Self { open: Vec::new(), ring, clear: sides.clear }
+    }
+
     /// The views from one look at the whole ring to the next: about what that takes.
     const PATIENCE: u32 = if cfg!(test) { 2 } else { 32 };
 
@@ -145,7 +152,15 @@ impl<'a> Eye<'a> {
             let is_left_of_right = turn(right_limit, apex) > 0.0;
             let is_right_of_left = turn(apex, left_limit) > 0.0;
             if is_left_of_right && is_right_of_left {
-                visit(apex);
+                // Few chords come so near to a vertex that it takes a look at all of them.
+                let is_near = |limit: u32| {
+                    let [a, b] = [limit, apex].map(|vertex| points[vertex as usize] - at_eye);
+                    self.clear.is_some_and(|angle| a.perp_dot(b).abs() <= angle * a.dot(b))
+                };
+                let may_pass = is_near(right_limit) || is_near(left_limit);
+                if !may_pass || sees_from(mesh, points, corner, apex, true, &mut 0) {
+                    visit(apex);
+                }
             }
             let neighbours = &mesh.neighbours[triangle as usize];
             let over_right = neighbours[(edge + 1) % 3];
@@ -204,7 +219,7 @@ fn seen_pairs(
     let vertices = points.len();
     let corners = Corners::new(vertices, &mesh.triangles);
     let seen_by = |range: Range<usize>| {
-        let mut eye = Eye { open: Vec::new(), ring };
+        let mut eye = Eye::new(sides, ring);
         let mut seen = Vec::new();
         for vertex in range.start as u32..range.end as u32 {
             for &corner in corners.of(vertex) {
@@ -239,41 +254,57 @@ pub(crate) fn sees(
     points: &[DVec2],
     corners: &Corners,
     [from, to]: [u32; 2],
+    is_clear: bool,
     steps: &mut u64,
 ) -> bool {
-    let (at_from, at_to) = (points[from as usize], points[to as usize]);
+    let [at_from, at_to] = [from, to].map(|vertex| points[vertex as usize]);
     for &corner in corners.of(from) {
         *steps += 1;
-        let (triangle, at) = (corner as usize / 3, corner as usize % 3);
-        let corners = mesh.triangles[triangle];
-        let [mut right, mut left] = [corners[(at + 1) % 3], corners[(at + 2) % 3]];
-        if right == to || left == to {
+        let ends = mesh.beside(corner);
+        if ends.contains(&to) {
             return true;
         }
-        let is_within = orientation(at_from, points[right as usize], at_to) > 0.0
-            && orientation(at_from, at_to, points[left as usize]) > 0.0;
-        if !is_within {
-            continue;
+        let [right, left] = ends.map(|vertex| points[vertex as usize]);
+        if orientation(at_from, right, at_to) > 0.0 && orientation(at_from, at_to, left) > 0.0 {
+            return sees_from(mesh, points, corner, to, is_clear, steps);
         }
-        let mut beyond = mesh.neighbours[triangle][(at + 1) % 3];
-        while beyond != NONE {
-            *steps += 1;
-            let (edge, apex) = mesh.enter(beyond, left);
-            if apex == to {
-                return true;
-            }
-            let side = orientation(at_from, at_to, points[apex as usize]);
-            let neighbours = &mesh.neighbours[beyond as usize];
-            if side > 0.0 {
-                (left, beyond) = (apex, neighbours[(edge + 1) % 3]);
-            } else if side < 0.0 {
-                (right, beyond) = (apex, neighbours[(edge + 2) % 3]);
-            } else {
-                return false;
-            }
-        }
-        let _ = right;
+    }
+    false
+}
+
+/// Whether a corner (3 * triangle + corner) sees a vertex within the angle of its triangle; if `is_clear`,
+/// past no vertex of the triangles between by less than the tolerance of [`passes`].
+fn sees_from(
+    mesh: &Triangulation,
+    points: &[DVec2],
+    corner: u32,
+    to: u32,
+    is_clear: bool,
+    steps: &mut u64,
+) -> bool {
+    let (triangle, at) = (corner as usize / 3, corner as usize % 3);
+    let chord = [mesh.triangles[triangle][at], to].map(|vertex| points[vertex as usize]);
+    let is_passed = |vertex: u32| is_clear && passes(chord, points[vertex as usize]);
+    let [right, mut left] = mesh.beside(corner);
+    if is_passed(right) || is_passed(left) {
         return false;
+    }
+    let mut beyond = mesh.neighbours[triangle][(at + 1) % 3];
+    while beyond != NONE {
+        *steps += 1;
+        let (edge, apex) = mesh.enter(beyond, left);
+        if apex == to {
+            return true;
+        }
+        let side = orientation(chord[0], chord[1], points[apex as usize]);
+        if side == 0.0 || is_passed(apex) {
+            return false;
+        }
+        let next = if side > 0.0 { 1 } else { 2 };
+        if side > 0.0 {
+            left = apex;
+        }
+        beyond = mesh.neighbours[beyond as usize][(edge + next) % 3];
     }
     false
 }
@@ -324,7 +355,7 @@ mod tests {
                 assert_eq!(found.has(i as u32, j as u32), outline.may_join(i, j), "{outline:?}");
                 if j > i + 1 && j < i + n - 1 {
                     let ends = [i as u32, j as u32];
-                    let sees = sees(&mesh, &outline.points, &corners, ends, &mut 0);
+                    let sees = sees(&mesh, &outline.points, &corners, ends, false, &mut 0);
                     assert_eq!(sees, outline.is_visible(i, j), "{i}, {j}: {outline:?}");
                 }
             }

@@ -75,7 +75,7 @@ impl<'a> Work<'a> {
         }
         let triangle_in_window = vec![NONE; mesh.triangles.len()];
         let vertex_in_window = vec![NONE; vertices];
-        let eye = Eye::default();
+        let eye = Eye::new(problem.sides(), None);
         Self { problem, mesh, first, totals, vertex_in_window, triangle_in_window, eye }
     }
 

@@ -85,8 +85,10 @@ pub(crate) fn find(problem: &Problem, mesh: &Triangulation, mut most_steps: u64)
         let mut first_blocked = None;
         for [low, high] in zigzag.chords() {
             let mut steps = 1;
-            let is_admissible = !problem.sides().has_both(low, high)
-                && sees(mesh, problem.points(), &corners, [low, high], &mut steps);
+            let sides = problem.sides();
+            let is_clear = sides.clear.is_some();
+            let is_admissible = !sides.has_both(low, high)
+                && sees(mesh, problem.points(), &corners, [low, high], is_clear, &mut steps);
             if !is_admissible {
                 first_blocked = Some([low.min(high), low.max(high)]);
                 break;

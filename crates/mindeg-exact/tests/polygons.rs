@@ -163,7 +163,8 @@ fn check_range(outline: &Outline, range: &DegreeRange) {
     let checked = check::triangulation(&outline.boundary(), &[], &range.triangles).unwrap();
     assert_eq!(checked.max_degree, range.max_degree);
     assert!(range.lower_bound <= range.max_degree);
-    let rings = Rings { points: &outline.points, rings, side_of: &outline.side_of };
+    let rings =
+        Rings { points: &outline.points, rings, side_of: &outline.side_of, keeps_clear: true };
     match &range.bounded_by {
         LowerBound::BlockedZigZags(blocked) => {
             assert_eq!((range.lower_bound, blocked.len()), (5, n as usize));
@@ -335,7 +336,12 @@ fn the_checkers_bounds_are_those_of_all_triangulations() {
         let n = outline.len() as u32;
         let rings = slice::from_ref(&(0..n)).to_vec();
         let problem = outline.problem();
-        let checker = Rings { points: &outline.points, rings: &rings, side_of: &outline.side_of };
+        let checker = Rings {
+            points: &outline.points,
+            rings: &rings,
+            side_of: &outline.side_of,
+            keeps_clear: true,
+        };
         let external: Vec<u32> = (0..n).map(|_| random.below(3) as u32).collect();
         let all = outline.triangulations();
         let all: Vec<Measured> = all.iter().map(|t| Measured::new(&outline.points, t)).collect();

@@ -184,6 +184,7 @@ fn exact_rings(placed: &Outline) -> impl Fn(&[[u32; 2]]) -> bool + '_ {
             points: &placed.points,
             rings: std::slice::from_ref(&ring),
             side_of: &placed.side_of,
+            keeps_clear: true,
         }
         .blocks_all_zigzags(blocked)
     }
@@ -274,7 +275,12 @@ fn all_of_rings(domain: &Domain) -> Vec<Vec<[u32; 3]>> {
     let points: Vec<DVec2> = domain.placement().points().collect();
     let rings: Vec<_> = domain.rings().rings().collect();
     let runs = domain.straight_runs();
-    let outline = mindeg_exact::check::Outline { points: &points, rings: &rings, side_of: &runs };
+    let outline = mindeg_exact::check::Outline {
+        points: &points,
+        rings: &rings,
+        side_of: &runs,
+        keeps_clear: true,
+    };
     let n = points.len() as u32;
     let is_edge = |a: u32, b: u32| domain.rings().next(a) == b || domain.rings().next(b) == a;
     let joins: Vec<Vec<bool>> = (0..n)

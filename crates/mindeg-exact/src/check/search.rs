@@ -24,7 +24,8 @@ impl Outline<'_> {
     ///
     /// let points = [(0, 0), (1, 0), (1, 1), (0, 1)];
     /// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
-    /// let square = Outline { points: &points, rings: &[0..4], side_of: &[0, 1, 2, 3] };
+    /// let side_of = [0, 1, 2, 3];
+    /// let square = Outline { points: &points, rings: &[0..4], side_of: &side_of, keeps_clear: true };
     /// assert_eq!(square.has_triangulation(&[1, 0, 1, 0], 1000), Some(true));
     /// assert_eq!(square.has_triangulation(&[1, 0, 0, 1], 1000), Some(false));
     /// assert_eq!(square.has_triangulation(&[1, 0, 0, 1], 10), None);

@@ -15,7 +15,7 @@ use glam::DVec2;
 pub use boundary::PlanarBoundary;
 pub use faults::{BoundaryFault, BoundaryFaults, MOST_FAULTS};
 pub use in_ring::{InRing, ring_name};
-pub use turning::{LEAST_TURN, Turn, straight_runs, turn};
+pub use turning::{LEAST_TURN, Turn, passes, straight_runs, turn};
 
 /// Positive if three points run counter-clockwise, 0 if they are on one line; the sign is exact.
 #[must_use]

@@ -75,3 +75,26 @@ pub fn straight_runs(
     }
     runs
 }
+
+/// Whether the segment between two points passes a third one: whether a boundary from one end by that point
+/// to the other would be [straight](Turn::Straight).
+///
+/// So a chord of a domain passes a vertex by the same tolerance as three vertices of one side lie on a
+/// line, and a domain that was turned by any angle has the chords of the one that was not.
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_mesh::planar::passes;
+///
+/// let chord = [DVec2::ZERO, DVec2::new(3.0, 1.0)];
+/// assert!(passes(chord, DVec2::new(0.3, 0.1))); // which rounding has moved off the line
+/// assert!(!passes(chord, DVec2::new(0.3, 0.1001)));
+/// assert!(!passes(chord, DVec2::new(6.0, 2.0)));
+/// ```
+#[must_use]
+pub fn passes([from, to]: [DVec2; 2], point: DVec2) -> bool {
+    let (before, after) = (point - from, to - point);
+    // Far more than any turn that counts as straight; most points end here.
+    before.perp_dot(after).abs() <= 2.0 * MOST_ROUNDED * before.dot(after)
+        && turn([from, point], [point, to]) == Turn::Straight
+}

@@ -96,6 +96,15 @@ pub enum Defect {
         /// The side that all its vertices are on, if they are.
         side: Option<String>,
     },
+    /// A triangle with a chord that passes its third vertex by less than what counts as straight.
+    Passes {
+        /// The triangle.
+        triangle: FaultyTriangle,
+        /// The ends of the chord.
+        chord: [u32; 2],
+        /// The vertex.
+        vertex: u32,
+    },
     /// A triangle that runs the other way round than the others.
     TurnedOver(FaultyTriangle),
     /// Two triangles on the same side of an edge.
@@ -142,7 +151,7 @@ impl Defect {
             Self::NoVertex { .. } => "no_vertex",
             Self::RepeatedVertex(_) => "repeated_vertex",
             Self::RepeatedTriangle { .. } => "repeated_triangle",
-            Self::NoArea { .. } => "no_area",
+            Self::NoArea { .. } | Self::Passes { .. } => "no_area",
             Self::TurnedOver(_) => "turned_over",
             Self::Overlap { .. } => "overlap",
             Self::Outside { .. } => "outside",
@@ -161,6 +170,9 @@ impl Defect {
         }
     }
 }
+
+/// Why a triangle has no area whose points are not on a line.
+const STRAIGHT: &str = "a turn of less than 1e-9 radians counts as straight";
 
 /// A number with four digits, for a place or a length.
 struct Short(f64);
@@ -263,8 +275,16 @@ impl fmt::Display for Defect {
                 write!(f, "{triangle} has the same vertices as triangle {first}")
             }
             Self::NoArea { triangle, side: Some(side) } => {
-                write!(f, "{triangle} has no area: all its vertices are on {side}")
+                write!(
+                    f,
+                    "{triangle} has no area: all its vertices are on {side}, where {STRAIGHT}"
+                )
             }
+            Self::Passes { triangle, chord: [from, to], vertex } => write!(
+                f,
+                "{triangle} has no area: vertex {vertex} is on its edge from {from} to {to}, where \
+                 {STRAIGHT}"
+            ),
             Self::NoArea { triangle, side: None } => write!(f, "{triangle} has no area"),
             Self::TurnedOver(triangle) => {
                 write!(f, "{triangle} is turned over: it runs the other way round than the others")

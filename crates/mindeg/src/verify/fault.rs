@@ -6,12 +6,15 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 use mindeg_domain::Domain;
+use mindeg_exact::check::is_passed;
+use mindeg_mesh::Progress;
 use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::PlanarBoundary;
 use robust::{Coord, orient2d};
 
 use super::defect::{Defect, FaultyEdge, FaultyTriangle};
 use crate::boundary_mesh::first_flat;
+use crate::posed::Posed;
 
 /// Of how many open edges the most telling one is named.
 const MOST_OPEN: usize = 100;
@@ -31,6 +34,34 @@ pub(super) fn all_clockwise(points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
 /// The first triangle with all vertices on one straight run of the boundary.
 pub(super) fn flat_triangle(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Option<usize> {
     first_flat(boundary, triangles).map(|index| index as usize)
+}
+
+/// The first triangle of boundary points with a chord that passes the third one: the chord and that point.
+///
+/// In a convex domain no chord passes a vertex but those of a side. A domain may be too thin for the
+/// tolerance.
+pub(super) fn passing_triangle(
+    domain: &Domain,
+    points: &[DVec2],
+    triangles: &[[u32; 3]],
+) -> Option<(usize, [u32; 2], u32)> {
+    let rings = domain.rings();
+    if domain.convex().is_some() {
+        return None;
+    }
+    let passing = |(index, &[a, b, c]): (usize, &[u32; 3])| {
+        let is_passing = |&([from, to], vertex): &([u32; 2], u32)| {
+            from.max(to).max(vertex) < rings.vertex_count()
+                && rings.next(from) != to
+                && is_passed(points[vertex as usize], [from, to].map(|v| points[v as usize]))
+        };
+        let found = [([a, b], c), ([b, c], a), ([c, a], b)].into_iter().find(is_passing);
+        found.map(|(chord, vertex)| (index, chord, vertex))
+    };
+    let found = triangles.iter().enumerate().find_map(passing)?;
+    // Without a problem nobody knows; then the tolerance holds.
+    let posed = Posed::new(domain, Progress::NONE);
+    posed.map_or(true, |posed| posed.problem.keeps_clear()).then_some(found)
 }
 
 /// A mesh that failed.
@@ -115,6 +146,13 @@ impl Search<'_> {
             corners.sort_unstable();
             let side = Some(self.side(corners[1]));
             return Some(Defect::NoArea { triangle: self.triangle(triangles, index), side });
+        }
+        if let Some((index, chord, vertex)) = passing_triangle(self.domain, self.points, triangles)
+        {
+            let [from, to, vertex] =
+                [chord[0], chord[1], vertex].map(|v| self.vertex_of[v as usize]);
+            let triangle = self.triangle(triangles, index);
+            return Some(Defect::Passes { triangle, chord: [from, to], vertex });
         }
         let index = triangles.iter().position(|&t| orientation(self.points, t) == 0.0)?;
         Some(Defect::NoArea { triangle: self.triangle(triangles, index), side: None })

@@ -20,6 +20,7 @@ use crate::boundary_mesh::MeshError;
 use crate::exact::{self, DegreeAnswer};
 use crate::exact_error::ExactError;
 use crate::goal::{Goal, mesh};
+use crate::posed::Posed;
 
 /// The steps of a search that is repeated: some seconds.
 const MOST_STEPS: u64 = 2_000_000_000;
@@ -147,7 +148,12 @@ fn of_any(
     let max_degree = verified.max_degree;
     let rings: Vec<Range<u32>> = domain.rings().rings().collect();
     let boundary = domain.boundary().map_err(MeshError::from)?;
-    let outline = Outline { points: boundary.points(), rings: &rings, side_of: boundary.runs() };
+    let outline = Outline {
+        points: boundary.points(),
+        rings: &rings,
+        side_of: boundary.runs(),
+        keeps_clear: Posed::new(domain, progress)?.problem.keeps_clear(),
+    };
     if answer.reached < max_degree {
         let least = mesh(domain, Goal::LeastDegree, progress)?.mesh;
         let triangles: Vec<[u32; 3]> = least.triangles().collect();

@@ -87,7 +87,8 @@ fn checked(found: Matched, domain: &Domain) -> Result<Verified, Defect> {
     }
     let boundary = domain.boundary().map_err(Defect::Boundary)?;
     let inner = &points[boundary.points().len()..];
-    let is_flat = fault::flat_triangle(&boundary, &triangles).is_some();
+    let is_flat = fault::flat_triangle(&boundary, &triangles).is_some()
+        || fault::passing_triangle(domain, &points, &triangles).is_some();
     let Checked { mut degrees, .. } = match check::triangulation(&boundary, inner, &triangles) {
         Ok(checked) if !is_flat => checked,
         failed => {
