@@ -23,6 +23,13 @@ impl FaceList {
         self.triangles.len()
     }
 
+    /// How many faces there are.
+    pub(crate) fn face_count(&self) -> u64 {
+        // What comes after the start of a polygon is the next one.
+        let polygons = self.polygons.as_ref().map(|polygons| polygons.triangle_starts.len());
+        polygons.unwrap_or(self.triangles.len()) as u64
+    }
+
     /// Adds a face. One with fewer than three corners is left out.
     pub(crate) fn push(&mut self, corners: &[u32]) -> Result<(), TryReserveError> {
         let &[a, b, ref others @ ..] = corners else { return Ok(()) };

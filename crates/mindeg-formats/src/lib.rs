@@ -71,6 +71,7 @@ pub use format::{Format, extensions};
 pub use names::one_line;
 pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};
 pub use read::{read, read_as};
+pub use runs::Polylines;
 pub use write::{Writer, write};
 
 /// The program and its version, as files name their maker.

@@ -28,7 +28,7 @@ use crate::error::SIGNED;
 use crate::facts::Facts;
 use crate::{MshVersion, WriteError, WriteOptions};
 
-pub use self::read::read;
+pub use self::read::{read, read_lines};
 use self::write::sections;
 
 pub(crate) const FACTS: Facts = Facts {

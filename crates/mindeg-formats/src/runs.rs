@@ -2,9 +2,23 @@
 
 use std::collections::{HashMap, TryReserveError};
 
+use glam::DVec3;
 use mindeg_mesh::{Group, Line, TriMesh, TriMeshError};
 
 use crate::lists::push;
+
+/// The lines of a file, whether or not it has faces.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Polylines {
+    /// All points of the file.
+    pub positions: Vec<DVec3>,
+    /// The segments of all lines.
+    pub segments: Vec<[u32; 2]>,
+    /// The runs of segments; those without a name have an empty one.
+    pub lines: Vec<Line>,
+    /// How many faces and volumes the file has besides.
+    pub others: u64,
+}
 
 /// Segments in the order of a file, with what each belongs to: a curve, a side, a part.
 #[derive(Default)]
@@ -37,6 +51,12 @@ impl Segments {
 
     /// The mesh with a line for each thing, in the order in which they first come.
     pub(crate) fn give_to(self, mesh: TriMesh) -> Result<TriMesh, TriMeshError> {
+        let (lines, segments) = self.into_lines();
+        mesh.with_lines(lines, segments)
+    }
+
+    /// A line for each thing, in the order in which they first come, and all segments.
+    pub(crate) fn into_lines(self) -> (Vec<Line>, Vec<[u32; 2]>) {
         let Self { mut segments, mut runs } = self;
         let mut order = HashMap::new();
         for (of, _, _) in &runs {
@@ -70,7 +90,7 @@ impl Segments {
             start = end;
             Line { name, segments, is_straight: false }
         };
-        mesh.with_lines(runs.into_iter().map(line).collect(), segments)
+        (runs.into_iter().map(line).collect(), segments)
     }
 }
 

@@ -4,7 +4,7 @@ use std::io;
 use std::path::Path;
 
 use super::outline::Outlines;
-use super::{csv, dxf, geojson, msh, obj_lines, poly, svg, wkt};
+use super::{csv, dxf, geojson, mesh_lines, poly, svg, wkt};
 use crate::error::ReadError;
 
 /// A format that holds outlines.
@@ -158,8 +158,8 @@ pub fn read(
         Wkt => wkt::read(bytes),
         Svg => svg::read(bytes),
         Csv => csv::read(bytes),
-        Obj => obj_lines::read(bytes),
-        Msh => msh::read(bytes),
+        Obj => mesh_lines::read_obj(bytes),
+        Msh => mesh_lines::read_msh(bytes),
         Poly => poly::read(bytes, beside),
         Dxf => dxf::read(bytes),
     }

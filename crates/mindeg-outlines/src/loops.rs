@@ -26,11 +26,10 @@ pub(super) struct Link {
 ///
 /// # Errors
 ///
-/// Three or more lines at a point, or no ring at all. `name` tells what the file calls a point.
+/// Three or more lines at a point, or no ring at all.
 pub(super) fn rings(
     points: &[DVec2],
     links: &[Link],
-    name: impl Fn(u32) -> String,
 ) -> Result<(Vec<Ring>, Option<String>), ReadError> {
     /// No link.
     const NONE: u32 = u32::MAX;
@@ -41,12 +40,9 @@ pub(super) fn rings(
             let slots = &mut at_point[point as usize];
             let Some(slot) = slots.iter_mut().find(|slot| **slot == NONE) else {
                 return Err(ReadError::place(
-                    name(point),
-                    format!(
-                        "three or more lines meet at {}; rings must not touch or branch; export \
-                         the boundary of one region, without lines inside it",
-                        shown(points[point as usize])
-                    ),
+                    format!("the point {}", shown(points[point as usize])),
+                    "three or more lines meet there; rings must not touch or branch; export the \
+                     boundary of one region, without lines inside it",
                 ));
             };
             *slot = index;
@@ -82,11 +78,8 @@ pub(super) fn rings(
     });
     match (rings.is_empty(), open.first()) {
         (true, Some(&(_, point))) => Err(ReadError::place(
-            name(point as u32),
-            format!(
-                "no line closes: the first one ends at {}; close the boundary",
-                shown(points[point])
-            ),
+            format!("the point {}", shown(points[point])),
+            "no line closes: the first one ends there; close the boundary",
         )),
         _ => Ok((rings, note)),
     }
@@ -150,8 +143,7 @@ mod tests {
     fn joined(links: &[[u32; 2]]) -> Result<(Vec<Vec<f64>>, Option<String>), String> {
         let points: Vec<DVec2> = (0..10).map(|x| DVec2::new(f64::from(x), 0.0)).collect();
         let links: Vec<Link> = links.iter().map(|&[a, b]| link(a, b)).collect();
-        let (rings, note) =
-            rings(&points, &links, |point| format!("point {point}")).map_err(|e| e.to_string())?;
+        let (rings, note) = rings(&points, &links).map_err(|e| e.to_string())?;
         let xs = |ring: &Ring| ring.pieces.iter().map(|piece| piece.start.x).collect();
         Ok((rings.iter().map(xs).collect(), note))
     }
@@ -181,10 +173,13 @@ mod tests {
         let error = joined(&[[0, 1], [1, 2]]).unwrap_err();
         assert_eq!(
             error,
-            "point 0: no line closes: the first one ends at (0.0, 0.0); close the boundary"
+            "the point (0.0, 0.0): no line closes: the first one ends there; close the boundary"
         );
         let error = joined(&[[0, 1], [1, 2], [2, 0], [2, 3]]).unwrap_err();
-        assert!(error.starts_with("point 2: three or more lines meet at (2.0, 0.0)"), "{error}");
+        assert!(
+            error.starts_with("the point (2.0, 0.0): three or more lines meet there"),
+            "{error}"
+        );
         assert!(joined(&[[0, 1], [1, 2], [2, 0], [2, 2]]).is_err());
     }
 
@@ -193,7 +188,7 @@ mod tests {
         let points: Vec<DVec2> = (0..4).map(|x| DVec2::new(f64::from(x), 0.0)).collect();
         let link = |a, b, part_of| Link { part_of, ..link(a, b) };
         let links = [link(0, 1, 7), link(1, 2, 8), link(2, 3, 8), link(3, 0, 7)];
-        let (rings, _) = rings(&points, &links, |_| String::new()).unwrap();
+        let (rings, _) = rings(&points, &links).unwrap();
         let begins: Vec<bool> = rings[0].pieces.iter().map(|piece| piece.begins_side).collect();
         assert_eq!(begins, [false, true, false, true]);
     }

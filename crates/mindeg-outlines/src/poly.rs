@@ -40,8 +40,7 @@ pub(super) fn read(
     };
     let links = segments(&mut rows, points.len(), first, &names(text))?;
     let holes = hole_points(&mut rows)?;
-    let (rings, note) =
-        loops::rings(&points, &links, |point| format!("vertex {}", u64::from(point) + first))?;
+    let (rings, note) = loops::rings(&points, &links)?;
     let mut outlines = Outlines::of_rings(rings, note.into_iter().collect())?;
     outlines.notes.extend(check_holes(&outlines.features, &holes)?);
     Ok(outlines)
@@ -317,7 +316,7 @@ mod tests {
                 "3 3",
                 "the list of holes: the closed line through (1.1, 1.0) lies inside",
             ),
-            ("4 4 1 1", "4 4 2 1", "vertex 2: three or more lines meet"),
+            ("4 4 1 1", "4 4 2 1", "the point (4.0, 0.0): three or more lines meet"),
         ] {
             let error = read(&FILE.replacen(from, to, 1)).unwrap_err();
             assert!(error.starts_with(message), "{error}");

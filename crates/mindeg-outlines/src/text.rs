@@ -21,7 +21,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> {
 }
 
 pub(super) fn at_line(line: u64, problem: impl Into<String>) -> ReadError {
-    ReadError::Line { line, problem: problem.into() }
+    ReadError::place(format!("line {line}"), problem)
 }
 
 /// A finite number.

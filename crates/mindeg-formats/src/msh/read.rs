@@ -11,7 +11,7 @@ use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, shape};
 use crate::ReadError;
 use crate::face_list::FaceList;
-use crate::runs::{Segments, TriangleRuns};
+use crate::runs::{Polylines, Segments, TriangleRuns};
 use crate::scanner::{Numbers, Scanner};
 
 /// Reads a mesh from MSH 4.1, or any 2.x, in text or binary of either byte order.
@@ -46,8 +46,27 @@ use crate::scanner::{Numbers, Scanner};
 pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
-    let mut contents = Contents::default();
-    let mut scanner = Scanner::new(&file);
+    contents(&file, Contents::default())?.into_mesh()
+}
+
+/// Reads the line elements of an MSH, as [`read()`] does, but that faces are none of the mesh: a line for each
+/// curve, without a name where its physical group has none and it is in no group.
+///
+/// # Errors
+///
+/// As [`read()`], but a file may have no faces.
+pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
+    let mut file = Vec::new();
+    input.read_to_end(&mut file)?;
+    let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
+    let others = contents.faces.face_count() + contents.volumes;
+    let positions = contents.nodes.map(Nodes::into_positions).unwrap_or_default();
+    let (lines, segments) = contents.segments.into_lines();
+    Ok(Polylines { positions, segments, lines, others })
+}
+
+fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> {
+    let mut scanner = Scanner::new(file);
     let encoding = format(&mut scanner, &mut contents)?;
     loop {
         scanner.encoding = Numbers::Text;
@@ -80,7 +99,7 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
         }
         end_part(&mut scanner, name)?;
     }
-    contents.into_mesh()
+    Ok(contents)
 }
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -94,6 +113,8 @@ enum Version {
 #[derive(Default)]
 struct Contents {
     version: Version,
+    /// Whether curves without a physical group have no name.
+    lines_alone: bool,
     /// By dimension and tag.
     physical_names: HashMap<(i64, i64), String>,
     /// The first physical tag of each entity, by dimension and tag.
@@ -171,7 +192,8 @@ impl Contents {
                     scanner.double("the box of an entity")?;
                 }
                 for index in 0..scanner.size("the number of physical tags")? {
-                    let physical = scanner.int("a physical tag")?;
+                    // Negative where the group runs the other way.
+                    let physical = scanner.int("a physical tag")?.saturating_abs();
                     if index == 0 {
                         self.physical_of.insert((dimension, tag), physical);
                     }
@@ -299,7 +321,7 @@ impl Contents {
                         *known = Some(tag);
                     }
                 }
-                let physical = known[0].filter(|&tag| tag != 0);
+                let physical = known[0].filter(|&tag| tag != 0).map(i64::saturating_abs);
                 let entity = known[1].or(physical).unwrap_or(0);
                 self.take_element(scanner, shape, (entity, physical), start, |scanner| {
                     let node = scanner.int("a node of an element")?;
@@ -338,7 +360,7 @@ impl Contents {
                 Some(name) if !name.trim().is_empty() => name.clone(),
                 _ => format!("physical {tag}"),
             },
-            None if dimension == 1 => format!("{kind} {entity}"),
+            None if dimension == 1 && !self.lines_alone => format!("{kind} {entity}"),
             None => String::new(),
         };
         match (shape.dimension, &corners[..shape.corners]) {

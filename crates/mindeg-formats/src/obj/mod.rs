@@ -25,7 +25,7 @@ mod write;
 use crate::facts::Facts;
 use crate::names::check_file_name;
 
-pub use read::{read, read_with_libraries};
+pub use read::{read, read_lines, read_with_libraries};
 use write::sections;
 pub use write::write;
 

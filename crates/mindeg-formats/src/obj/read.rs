@@ -6,6 +6,7 @@ use crate::ReadError;
 use crate::face_list::FaceList;
 use crate::lines::Lines;
 use crate::lists::push;
+use crate::runs::Polylines;
 use glam::DVec3;
 use mindeg_mesh::{Group, Line, NonTriangles, TriMesh};
 use std::collections::HashMap;
@@ -90,6 +91,19 @@ pub fn read_with_libraries(
     }
     notes.append(&mut libraries.notes);
     Ok(contents.into_mesh(&libraries.colors)?.with_notes(notes))
+}
+
+/// Reads the lines of an OBJ as [`read()`] does, whether or not it has faces; those of no object and no group
+/// have no name.
+///
+/// # Errors
+///
+/// As [`read()`], but a file may have no faces.
+pub fn read_lines(input: impl BufRead) -> Result<Polylines, ReadError> {
+    let contents = contents(input)?;
+    contents.check()?;
+    let Contents { positions, segments, lines, .. } = contents;
+    Ok(Polylines { positions, segments, lines, others: contents.faces.face_count() })
 }
 
 fn contents(input: impl BufRead) -> Result<Contents, ReadError> {
@@ -305,8 +319,7 @@ impl Contents {
         match self.lines.last_mut() {
             Some(line) if self.line_is_open => line.segments.end = end,
             _ => {
-                let name = self.groups.last().map_or("", |group| &group.name);
-                let name = if name.is_empty() { "line" } else { name }.to_owned();
+                let name = self.groups.last().map(|group| group.name.clone()).unwrap_or_default();
                 push(&mut self.lines, Line { name, segments: start..end, is_straight: false })?;
                 self.line_is_open = true;
             }
@@ -373,7 +386,8 @@ impl Contents {
         notes
     }
 
-    fn into_mesh(mut self, colors: &HashMap<String, [f32; 4]>) -> Result<TriMesh, ReadError> {
+    /// Refuses vertices that are not there, and more segments than 32 bits count.
+    fn check(&self) -> Result<(), ReadError> {
         if let Some(unknown) = self.vertices.unknown() {
             let problem = unknown.message("vertex");
             return Err(ReadError::line(unknown.line, problem));
@@ -381,6 +395,15 @@ impl Contents {
         if u32::try_from(self.segments.len()).is_err() {
             return Err(self.problem("the file has too many lines to be numbered in 32 bits"));
         }
+        Ok(())
+    }
+
+    fn into_mesh(mut self, colors: &HashMap<String, [f32; 4]>) -> Result<TriMesh, ReadError> {
+        self.check()?;
+        self.lines
+            .iter_mut()
+            .filter(|line| line.name.is_empty())
+            .for_each(|line| line.name = "line".into());
         self.end_group();
         self.non_triangles.line_segments = self.segments.len() as u64;
         self.materials.give_to(&mut self.groups, colors);

@@ -4,7 +4,6 @@ use glam::DVec2;
 
 use super::super::loops::{self, Link};
 use super::super::outline::Ring;
-use super::super::text::shown;
 use super::super::vertices::Vertices;
 use super::entities::Entity;
 use crate::error::ReadError;
@@ -40,7 +39,7 @@ pub(super) fn rings(entities: Vec<Entity>) -> Result<(Vec<Ring>, Option<String>)
     if links.is_empty() {
         return Ok((Vec::new(), None));
     }
-    loops::rings(&points, &links, |point| format!("the point {}", shown(points[point as usize])))
+    loops::rings(&points, &links)
 }
 
 /// The points without those near an earlier one, and for each point as given its index among them;
