@@ -188,6 +188,7 @@ impl Start<'_> {
             to: piece.to,
             size: piece.from.distance(piece.to),
         });
+        let bounds = self.outline.bounds();
         let ground = Ground {
             outline: self.outline,
             goals: self.goals,
@@ -197,6 +198,7 @@ impl Start<'_> {
             pieces: &pieces,
             spacing,
             fan_angle: floor + 3.0,
+            rounding: f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element(),
             max_points,
         };
         let (packed, sizes) = ground.pack(stage)?;
@@ -212,7 +214,7 @@ impl Start<'_> {
         for at in &self.breaklines.points {
             vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
         }
-        let extent = self.outline.bounds().size().max_element();
+        let extent = bounds.size().max_element();
         for index in along_hilbert_curve(&packed) {
             let (at, size) = (clean(packed[index as usize], extent), sizes[index as usize]);
             vertices.push(vertex(at, size, Kind::Free, NONE));

@@ -196,6 +196,21 @@ pub enum InteriorError {
         /// What it touches.
         what: String,
     },
+    /// Coordinates that cannot hold a point and its neighbours apart.
+    #[error(
+        "no point fits at ({}, {}): edges there would be {size:.3e} long, and the largest coordinate of \
+         the boundary is rounded to {rounding:.1e}; move the domain towards the origin, or mesh it \
+         without interior points",
+        at[0], at[1]
+    )]
+    NoRoom {
+        /// The place.
+        at: [f64; 2],
+        /// The size that the mesh should have there.
+        size: f64,
+        /// The rounding of the largest coordinate.
+        rounding: f64,
+    },
     /// More points than allowed.
     #[error(
         "the mesh needs more than {max} points; raise the size inside or the sizes at places, or allow more points"

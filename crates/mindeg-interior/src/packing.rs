@@ -37,6 +37,8 @@ pub(crate) struct Ground<'a> {
     pub(crate) spacing: f64,
     /// The minimum angle that fans aim at, in degrees.
     pub(crate) fan_angle: f64,
+    /// The rounding of the largest coordinate.
+    pub(crate) rounding: f64,
     pub(crate) max_points: usize,
 }
 
@@ -77,10 +79,11 @@ impl Ground<'_> {
         }
         let given = sizes.len();
         let mut queue = VecDeque::new();
-        self.fans(&mut near, &mut sizes, &mut queue);
+        self.fans(&mut near, &mut sizes, &mut queue)?;
         self.start(&mut queue);
         while let Some(candidate) = queue.pop_front() {
             let Some((place, size)) = self.place(&near, &sizes, candidate) else { continue };
+            self.check_room(place, size)?;
             near.insert(place);
             sizes.push(size);
             if sizes.len() > self.max_points {
@@ -95,7 +98,12 @@ impl Ground<'_> {
     }
 
     /// The ends of the spokes at corners between edges of unequal length.
-    fn fans(&self, near: &mut Near, sizes: &mut Vec<f64>, queue: &mut VecDeque<Candidate>) {
+    fn fans(
+        &self,
+        near: &mut Near,
+        sizes: &mut Vec<f64>,
+        queue: &mut VecDeque<Candidate>,
+    ) -> Result<(), InteriorError> {
         for vertex in 0..self.outline.vertex_count() {
             let angle = self.outline.angle(vertex);
             let (first, last) =
@@ -122,12 +130,14 @@ impl Ground<'_> {
                 let is_free = near.nearest(place, 0.3 * length).is_none();
                 if is_free && self.is_inside(place, f64::INFINITY) {
                     let size = self.field.at(place);
+                    self.check_room(place, size)?;
                     near.insert(place);
                     sizes.push(size);
                     surround(place, size, direction, queue);
                 }
             }
         }
+        Ok(())
     }
 
     /// The apexes over the boundary edges, then over both sides of fixed pieces; short edges first.
@@ -183,6 +193,18 @@ impl Ground<'_> {
             }
         }
         near.nearest(place, self.spacing * size).is_none().then_some((place, size))
+    }
+
+    /// Refuses a point where distances, which are as exact as the coordinates of the boundary, do not tell
+    /// a neighbour from another, or inside from outside: there the packing finds no end.
+    fn check_room(&self, at: DVec2, size: f64) -> Result<(), InteriorError> {
+        /// A size of fewer roundings is too small.
+        const LEAST_ROUNDINGS: f64 = 64.0;
+        // A size that is not a number is too small, too.
+        if size > LEAST_ROUNDINGS * self.rounding {
+            return Ok(());
+        }
+        Err(InteriorError::NoRoom { at: at.to_array(), size, rounding: self.rounding })
     }
 
     /// True if `x` lies in the domain. `within`: a distance at which a point inside is known.

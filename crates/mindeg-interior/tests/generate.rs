@@ -354,3 +354,27 @@ proptest::proptest! {
         }
     }
 }
+
+/// Found by hand: the packing never ended where coordinates hold no point between two others.
+#[test]
+fn coordinates_without_room_for_points_end_at_once() {
+    let far = [[0.0, 0.0], [4.0, 0.0], [1e16, 3.0], [0.0, 3.0]];
+    let hole = [[1.0, 1.0], [1.0, 2.0], [2.0, 2.0], [2.0, 1.0]];
+    let exact = [[11.0, 3.0], [11.0, 9.0], [0.0, 9.0], [1.0, 7.0], [9.0, 2.0], [5.0, 5.0]];
+    let exact_hole = [[5.0, 7.0], [10.0, 6.0], [7.0, 6.0]];
+    let shift = |ring: &[[f64; 2]]| {
+        ring.iter().map(|&[x, y]| DVec2::new(x, y) + 4_503_599_627_370_496.0).collect()
+    };
+    for rings in [[points(&far), points(&hole)], [shift(&exact), shift(&exact_hole)]] {
+        let outline = PlanarBoundary::oriented(&rings).unwrap().0;
+        let start = std::time::Instant::now();
+        let in_time = |_: Step<'_>| match start.elapsed().as_secs() {
+            0..20 => ControlFlow::Continue(()),
+            _ => ControlFlow::Break(()),
+        };
+        let found =
+            generate(&outline, &Fixed::default(), &Options::default(), Progress::new(&in_time));
+        let error = found.unwrap_err().to_string();
+        assert!(error.starts_with("no point fits at ("), "{error}");
+    }
+}
