@@ -16,6 +16,8 @@ pub(crate) struct Item {
     pub(crate) to: DVec2,
     /// The size that the mesh has here: an edge's length.
     pub(crate) size: f64,
+    /// How far round it the size is the same.
+    pub(crate) reach: f64,
 }
 
 /// A run of edges: the first end of the first, the last end of the last, and sums.
@@ -66,7 +68,7 @@ impl EdgeTree {
             let start = ring.clone().find(turns).unwrap_or(ring.start);
             let item = |id| {
                 let [from, to] = [id, boundary.next(id)].map(|v| boundary.point(v));
-                Item { id, from, to, size: from.distance(to) }
+                Item { id, from, to, size: from.distance(to), reach: 0.0 }
             };
             let items: Vec<Item> = (start..ring.end).chain(ring.start..start).map(item).collect();
             tree.push_root(&items);
@@ -195,7 +197,7 @@ impl Node {
         Self {
             from: item.from,
             to: item.to,
-            spread: 0.0,
+            spread: item.reach,
             least: item.size,
             greatest: item.size,
             length,

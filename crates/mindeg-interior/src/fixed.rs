@@ -102,14 +102,14 @@ fn check_segments(
             return Err(InteriorError::Segment { segment, ends: *ends, vertices });
         }
         let [from, to] = ends.map(|v| lines.at(outline, v));
-        items.push(Item { id: segment as u32, from, to, size: from.distance(to) });
+        items.push(Item { id: segment as u32, from, to, size: from.distance(to), reach: 0.0 });
     }
     let boundary = EdgeTree::of_boundary(outline);
     let tree = EdgeTree::of_items(items);
     let points = EdgeTree::of_items(
         (0..)
             .zip(&fixed.points)
-            .map(|(id, at)| Item { id, from: *at, to: *at, size: 0.0 })
+            .map(|(id, at)| Item { id, from: *at, to: *at, size: 0.0, reach: 0.0 })
             .collect(),
     );
     for (segment, ends) in fixed.segments.iter().enumerate() {
@@ -228,7 +228,7 @@ mod tests {
     #[test]
     fn pieces_of_a_segment_are_as_long_as_the_size_wants() {
         let outline = samples::rectangle(40.0, 20.0, [40, 20, 40, 20]);
-        let field = SizeField::new(&outline, 1.2, Some(2.0), &[]);
+        let field = SizeField::new(&outline, 1.2, Some(2.0), &[], &[]);
         // In the middle of the plate, one size.
         let [from, to] = [[10.0, 10.0], [30.0, 10.0]].map(DVec2::from);
         let shares = divisions(from, to, &field);
@@ -238,7 +238,7 @@ mod tests {
         }
         // Towards a small size at one end, every piece has the same share of the sizes along it.
         let places = [SizeAt { at: to, size: 0.1 }];
-        let field = SizeField::new(&outline, 1.2, Some(2.0), &places);
+        let field = SizeField::new(&outline, 1.2, Some(2.0), &[], &places);
         let shares = divisions(from, to, &field);
         let ends: Vec<f64> = [0.0].into_iter().chain(shares).chain([1.0]).collect();
         let sizes = |from_share: f64, to_share: f64| -> f64 {

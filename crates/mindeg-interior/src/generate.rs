@@ -140,9 +140,10 @@ fn size_field(
     fixed: &Fixed,
     options: &Options,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
-    let field =
-        |sizes: &[SizeAt]| SizeField::new(outline, options.growth, options.size_inside, sizes);
-    let plain = field(&options.sizes);
+    let field = |crowded: &[SizeAt]| {
+        SizeField::new(outline, options.growth, options.size_inside, &options.sizes, crowded)
+    };
+    let plain = field(&[]);
     for (index, place) in options.sizes.iter().enumerate() {
         let nearest = plain.boundary().nearest(place.at, f64::INFINITY);
         // On the boundary is fine.
@@ -157,8 +158,7 @@ fn size_field(
     if crowded.is_empty() {
         return Ok((breaklines, plain));
     }
-    let sizes: Vec<SizeAt> = options.sizes.iter().chain(&crowded).copied().collect();
-    let finer = field(&sizes);
+    let finer = field(&crowded);
     let (breaklines, _) = crate::fixed::breaklines(outline, fixed, &finer)?;
     Ok((breaklines, finer))
 }
@@ -187,6 +187,7 @@ impl Start<'_> {
             from: piece.from,
             to: piece.to,
             size: piece.from.distance(piece.to),
+            reach: 0.0,
         });
         let bounds = self.outline.bounds();
         let ground = Ground {

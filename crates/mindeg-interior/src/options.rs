@@ -38,7 +38,8 @@ pub struct Options {
     pub growth: f64,
     /// The size far from the boundary; by default a mean of the boundary edges' lengths.
     pub size_inside: Option<f64>,
-    /// Places with a size of their own; they make the mesh finer, never coarser.
+    /// Places with a size of their own: up to the default growth no edge at the vertex nearest to a place is
+    /// longer. They make the mesh finer, never coarser.
     pub sizes: Vec<SizeAt>,
     /// The degrees wanted inside; 5..=7 by default. Contains 6, as the mean degree is near 6.
     pub interior_degree: RangeInclusive<u32>,

@@ -378,3 +378,30 @@ fn coordinates_without_room_for_points_end_at_once() {
         assert!(error.starts_with("no point fits at ("), "{error}");
     }
 }
+
+/// With a size of 0.06 at a place, the edges at the vertex nearest to it were 0.12 to 0.18 long.
+#[test]
+fn no_edge_at_a_place_is_longer_than_its_size() {
+    let corners = [[0.0, 0.0], [6.0, 0.0], [6.0, 2.0], [2.0, 2.0], [2.0, 5.0], [0.0, 5.0]];
+    let outline = ring(&points(&corners), &[12, 4, 8, 6, 4, 10]);
+    let mut random = Random(7);
+    let mut worst = Vec::new();
+    for (index, size) in [0.06, 0.12, 0.2, 0.06, 0.3, 0.1, 0.04, 0.15].into_iter().enumerate() {
+        let at = match index {
+            0 => DVec2::new(0.69, 0.63),
+            _ => DVec2::new(0.4 + 1.2 * random.unit(), 0.4 + 4.2 * random.unit()),
+        };
+        let options = Options { sizes: vec![SizeAt { at, size }], ..Options::default() };
+        let found = mesh(std::slice::from_ref(&outline), &Fixed::default(), &options);
+        let distance = |v: &u32| found.points[*v as usize].distance(at);
+        let nearest =
+            (0..found.points.len() as u32).min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        let nearest = nearest.unwrap();
+        let own = found.triangles.iter().filter(|t| t.contains(&nearest)).flatten();
+        let longest = own
+            .map(|v| found.points[*v as usize].distance(found.points[nearest as usize]))
+            .fold(0.0, f64::max);
+        worst.push((longest / size, found.report.violations.len(), found.triangles.len()));
+    }
+    assert!(worst.iter().all(|(share, ..)| *share <= 1.0), "{worst:.2?}");
+}
