@@ -34,7 +34,7 @@ mod targets;
 
 // What callers say and ask of formats: nobody else than this crate reads and writes them.
 pub use mindeg_formats::{
-    Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteError, WriteOptions, Writer,
+    Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
     extensions, obj, svg, with_boundary_lines,
 };
 pub use mindeg_outlines::{Division, FillRule, OutlineFormat, Polygon};

@@ -50,7 +50,7 @@ const BLOCK: u32 = 1 << 12;
 
 /// Segments of one line of which each begins where the one before ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Chain {
+pub(crate) struct MarkedChain {
     /// The index of the line.
     pub(crate) line: usize,
     pub(crate) segments: Range<u32>,
@@ -59,9 +59,9 @@ pub(crate) struct Chain {
 }
 
 /// All lines of a mesh.
-pub(crate) struct Boundary<'a> {
+pub(crate) struct MarkedChains<'a> {
     mesh: &'a dyn Mesh,
-    pub(crate) chains: Vec<Chain>,
+    pub(crate) chains: Vec<MarkedChain>,
     /// The line of each vertex, from 1; 0 for none.
     markers: Markers,
 }
@@ -73,12 +73,12 @@ enum Markers {
     Listed(Vec<u32>),
 }
 
-impl<'a> Boundary<'a> {
+impl<'a> MarkedChains<'a> {
     /// Looks at every segment. O(n) time; next to no memory where segments come in the order of
     /// vertices, as round a domain, else O(n).
     pub(crate) fn of(mesh: &'a dyn Mesh) -> Self {
         let lines = mesh.lines();
-        let mut chains: Vec<Chain> = Vec::new();
+        let mut chains: Vec<MarkedChain> = Vec::new();
         let mut is_in_order = true;
         for (line, range) in lines.iter().map(|line| line.segments.clone()).enumerate() {
             for start in range.clone().step_by(BLOCK as usize) {
@@ -92,7 +92,7 @@ impl<'a> Boundary<'a> {
                         }
                         _ => {
                             let segments = index..index + 1;
-                            chains.push(Chain { line, segments, start: a, end: b });
+                            chains.push(MarkedChain { line, segments, start: a, end: b });
                         }
                     }
                 }
@@ -137,7 +137,7 @@ impl<'a> Boundary<'a> {
     }
 
     /// The vertices of a ring in order, without the first once more.
-    fn vertices<'b>(&'b self, ring: &'b [Chain]) -> impl Iterator<Item = u32> + 'b {
+    fn vertices<'b>(&'b self, ring: &'b [MarkedChain]) -> impl Iterator<Item = u32> + 'b {
         let blocks = ring.iter().flat_map(|chain| {
             let end = chain.segments.end;
             let starts = chain.segments.clone().step_by(BLOCK as usize);
@@ -147,7 +147,7 @@ impl<'a> Boundary<'a> {
     }
 
     /// Whether a ring runs clockwise, seen along the z axis: the mesh lies around it.
-    pub(crate) fn is_hole(&self, ring: &[Chain]) -> bool {
+    pub(crate) fn is_hole(&self, ring: &[MarkedChain]) -> bool {
         let mut corners = crate::corners::Corners::new(self.mesh);
         let mut points = self.vertices(ring).map(|vertex| corners.position(vertex).truncate());
         let Some(origin) = points.next() else { return false };
@@ -161,7 +161,7 @@ impl<'a> Boundary<'a> {
     }
 
     /// A point inside a ring: the middle of the largest triangle that it can be cut into.
-    pub(crate) fn point_inside(&self, ring: &[Chain]) -> DVec2 {
+    pub(crate) fn point_inside(&self, ring: &[MarkedChain]) -> DVec2 {
         let mut corners = crate::corners::Corners::new(self.mesh);
         let points: Vec<DVec3> =
             self.vertices(ring).map(|vertex| corners.position(vertex)).collect();
@@ -175,7 +175,7 @@ impl<'a> Boundary<'a> {
 }
 
 /// The line of each vertex, from 1: the one of the last segment that begins there, or else ends.
-fn listed_markers(mesh: &dyn Mesh, chains: &[Chain]) -> Vec<u32> {
+fn listed_markers(mesh: &dyn Mesh, chains: &[MarkedChain]) -> Vec<u32> {
     let mut markers = vec![0; mesh.vertex_count() as usize];
     let ends = chains.iter().map(|chain| (chain.end, chain));
     for (end, chain) in ends {
@@ -191,7 +191,7 @@ fn listed_markers(mesh: &dyn Mesh, chains: &[Chain]) -> Vec<u32> {
 
 /// The vertices of a chain from one index to another; the last one has the index of the number of
 /// segments.
-pub(crate) fn chain_vertices(mesh: &dyn Mesh, chain: &Chain, range: Range<u32>) -> Vec<u32> {
+pub(crate) fn chain_vertices(mesh: &dyn Mesh, chain: &MarkedChain, range: Range<u32>) -> Vec<u32> {
     let first = chain.segments.start;
     filled(range, 0, |start, out| {
         let mut out = out.iter_mut();

@@ -15,7 +15,7 @@ impl<R: BufRead> Bytes<R> {
         Self { input, offset }
     }
 
-    /// What is wrong with the bytes before this place.
+    /// An error at this offset.
     pub(crate) fn problem(&self, problem: impl Into<String>) -> ReadError {
         ReadError::byte(self.offset, problem)
     }
@@ -36,7 +36,7 @@ impl<R: BufRead> Bytes<R> {
     }
 }
 
-/// Whether an input goes on; if so, its buffer holds some of it. A signal is no end and no error.
+/// Whether an input goes on; if so, its buffer holds some of it. A signal neither ends it nor is an error.
 pub(crate) fn has_more(input: &mut impl BufRead) -> io::Result<bool> {
     loop {
         match input.fill_buf() {

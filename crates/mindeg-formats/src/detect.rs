@@ -9,9 +9,9 @@ use crate::format::{Format, extensions};
 pub(crate) enum Unknown {
     /// The name says one format and the content another.
     Lie {
-        /// What the extension says.
+        /// The format of the extension.
         named: Format,
-        /// What the content is.
+        /// The format of the content.
         found: Format,
     },
     /// The extension is that of a format that is written and not read.
@@ -82,7 +82,7 @@ impl Format {
         Self::of_content(bytes).or_else(|| Self::READ.into_iter().find(fits))
     }
 
-    /// The format that the first line tells that is no comment.
+    /// The format of the first word in the first line that is not a comment.
     fn of_first_word(text: &[u8]) -> Option<Self> {
         let is_end = |byte: &u8| matches!(byte, b'\n' | b'\r');
         let mut lines = text.split(is_end).map(<[u8]>::trim_ascii);

@@ -21,7 +21,7 @@ pub enum ReadError {
     External {
         /// The file, as the first one names it.
         uri: String,
-        /// What went wrong.
+        /// The error of the input.
         source: io::Error,
     },
     /// The file breaks the rules of its format, or has what is not read.
@@ -30,7 +30,7 @@ pub enum ReadError {
         /// The line, counted from 1; the byte, counted from 0; or a path into the document. Empty
         /// for the whole file.
         place: String,
-        /// What is wrong, and what would be right.
+        /// The fault, and what would be right.
         problem: String,
     },
 }
@@ -85,9 +85,6 @@ pub enum WriteError {
     #[error("{0}")]
     Refused(String),
 }
-
-/// The most vertices that a 32-bit integer with a sign counts from 1.
-pub(crate) const SIGNED: u32 = i32::MAX as u32;
 
 impl WriteError {
     /// Refuses a mesh with more of something than a format holds.

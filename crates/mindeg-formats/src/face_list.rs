@@ -6,12 +6,12 @@ use mindeg_mesh::ear_clipping::cut_polygon;
 use mindeg_mesh::{NonTriangles, Polygons, TriMesh, TriMeshError};
 use std::collections::TryReserveError;
 
-/// The faces of a file so far. Those of more than three corners are cut at the end, when all
+/// The faces of a file so far. Faces of more than three corners are cut at the end, when all
 /// positions are known.
 #[derive(Default)]
 pub(crate) struct FaceList {
     triangles: Vec<[u32; 3]>,
-    /// From the first face on that is no triangle.
+    /// Set when the first face with more than three corners is read.
     polygons: Option<Polygons>,
     quads: u64,
     larger: u64,
@@ -60,7 +60,7 @@ impl FaceList {
     ///
     /// # Errors
     ///
-    /// Those of [`TriMesh::new`].
+    /// As [`TriMesh::new`].
     pub(crate) fn into_mesh(
         self,
         positions: Vec<DVec3>,
@@ -77,7 +77,7 @@ impl FaceList {
         let exists = |&corner: &u32| {
             positions.get(corner as usize).is_some_and(|position| position.is_finite())
         };
-        // Else there is no mesh, and the reason is found below.
+        // Otherwise the faces are not a mesh; the code below finds the reason.
         if polygons.corners.iter().all(exists) {
             cut_polygons(&polygons, &positions, &mut triangles);
         }

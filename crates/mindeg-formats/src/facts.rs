@@ -26,18 +26,25 @@ pub(crate) struct Facts {
     pub(crate) has_boundary: bool,
     /// Whether a file begins as this format alone does. Blanks at its start are left out.
     pub(crate) begins: fn(&[u8]) -> bool,
-    /// The words with which the first line that is no comment begins, if that tells the format.
+    /// First words that tell the format, in the first line that is not a comment.
     pub(crate) first_words: &'static [&'static str],
     /// Whether a file that is named so is of this format, whatever it looks like.
     pub(crate) fits: fn(&[u8]) -> bool,
     /// The reader, if meshes are read.
     pub(crate) read: Option<fn(Source<'_>) -> Result<TriMesh, ReadError>>,
+    /// The most vertices that the format holds.
+    pub(crate) max_vertices: u32,
+    /// Whether the format is for meshes in the plane.
+    pub(crate) in_plane: bool,
     /// Refuses a number of vertices or of triangles that the format cannot hold. O(1).
     pub(crate) check_size: fn(&WriteOptions, u32, u32) -> Result<(), WriteError>,
     /// Refuses positions that the format cannot hold; for glTF also how they are stored.
     pub(crate) check: fn(&dyn Positions, &WriteOptions) -> Result<Option<Stored>, WriteError>,
     pub(crate) write: fn(&Job<'_>, &mut Files<'_, '_>) -> Result<(), WriteError>,
 }
+
+/// The most vertices of a format that counts in 32 bits with a sign.
+pub(crate) const SIGNED: u32 = i32::MAX as u32;
 
 /// The files of a mesh that is written: each a name and where it goes.
 pub(crate) type Files<'n, 'w> = [(&'n str, &'w mut dyn Write)];
@@ -55,6 +62,8 @@ impl Facts {
         first_words: &[],
         fits: |_| false,
         read: None,
+        max_vertices: u32::MAX,
+        in_plane: false,
         check_size: |_, _, _| Ok(()),
         check: |_, _| Ok(None),
         write: |_, _| Ok(()),
@@ -73,7 +82,7 @@ pub(crate) struct Source<'a> {
 pub(crate) struct Job<'a> {
     pub(crate) mesh: &'a dyn Mesh,
     pub(crate) options: &'a WriteOptions,
-    /// What [`Facts::check`] found.
+    /// The result of [`Facts::check`].
     pub(crate) stored: Option<&'a Stored>,
     /// Hears how much is written, under the name of a stage.
     pub(crate) progress: Progress<'a>,

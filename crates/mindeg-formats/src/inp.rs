@@ -8,7 +8,7 @@
 
 use mindeg_mesh::Mesh;
 
-use crate::boundary::{Boundary, Chain, chain_vertices};
+use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
 use crate::corners::{positions, triangles};
 use crate::decimals::Decimals;
 use crate::facts::Facts;
@@ -58,8 +58,7 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     for (group, of_group) in groups {
         let set = sets.of(if group.is_empty() { name } else { group }, label);
         sections.push(Section::bytes(format!("*ELEMENT, TYPE=S3, ELSET={set}\n")));
-        sections.push(Section::new(of_group.len() as u32, 44, move |range, buffer| {
-            let range = of_group.start + range.start..of_group.start + range.end;
+        sections.push(Section::of(of_group, 44, move |range, buffer| {
             for (index, triangle) in range.clone().zip(triangles(mesh, range)) {
                 push_number(index, buffer);
                 for vertex in triangle {
@@ -72,7 +71,7 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     }
     let lines = mesh.lines();
     let mut sets = Names::folding_case();
-    for chain in Boundary::of(mesh).chains {
+    for chain in MarkedChains::of(mesh).chains {
         let set = sets.of(&lines[chain.line].name, label);
         sections.push(Section::bytes(format!("*NSET, NSET={set}\n")));
         sections.push(node_set(mesh, chain));
@@ -81,7 +80,7 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
 }
 
 /// The vertices of a chain; the last only if it is not the first.
-fn node_set(mesh: &dyn Mesh, chain: Chain) -> Section<'_> {
+fn node_set(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
     let is_open = chain.start != chain.end;
     let count = (chain.segments.len() as u32).saturating_add(u32::from(is_open));
     Section::new(count, 12, move |range, buffer| {

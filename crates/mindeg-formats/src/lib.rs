@@ -1,8 +1,11 @@
 //! Triangle meshes in and out of files.
 //!
-//! One module a format, reader and writer side by side: [`obj`], [`gltf`] and [`glb`], and [`svg`]
-//! for pictures. Every reader gives a [`TriMesh`](mindeg_mesh::TriMesh), every writer takes any
-//! [`Mesh`](mindeg_mesh::Mesh): so what was read can be written in any format.
+//! Seventeen formats, each a module with reader and writer side by side: surfaces ([`obj`], [`gltf`],
+//! [`glb`], [`ply`], [`stl`], [`off`]), solver files ([`msh`], [`vtu`], [`vtk`], [`su2`], [`inp`],
+//! [`triangle`], [`fort14`], [`sms2dm`]), arrays of numpy ([`npz`]), and pictures ([`svg`], [`png`]).
+//! [`Format`] lists them; [`read()`] and [`Writer`] choose among them. Every reader gives a
+//! [`TriMesh`](mindeg_mesh::TriMesh), every writer takes any [`Mesh`](mindeg_mesh::Mesh), so each mesh that
+//! is read can be written in any format.
 //!
 //! ```
 //! use mindeg_formats::{SurfaceOptions, glb, obj};
@@ -69,7 +72,7 @@ pub use boundary::with_boundary_lines;
 pub use error::{ReadError, WriteError};
 pub use format::{Format, extensions};
 pub use names::one_line;
-pub use options::{Encoding, MshVersion, Plane, SurfaceOptions, WriteOptions};
+pub use options::{Encoding, MeshPlane, MshVersion, SurfaceOptions, WriteOptions};
 pub use read::{read, read_as};
 pub use runs::Polylines;
 pub use write::{Writer, write};

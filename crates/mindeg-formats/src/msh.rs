@@ -7,7 +7,7 @@
 //!
 //! With data fields, `degree` is node data. In 4.1 `min_angle` is element data in degrees: that of the
 //! triangle, and 60, the best there is, for a segment, since meshio wants a value for every element;
-//! in 2.2 meshio cannot read element data of a mesh with segments, so there is none. Tags in data are 32 bits, also in 4.1: Gmsh reads no others, whatever its
+//! in 2.2 meshio cannot read element data of a mesh with segments, so 2.2 files have none. Tags in data are 32 bits, also in 4.1: Gmsh reads only these, whatever its
 //! manual says.
 //!
 //! Limits: names end at a line's end and have no `"`. Of what is read, only nodes, triangles,
@@ -24,8 +24,7 @@ mod write;
 mod write2;
 mod write4;
 
-use crate::error::SIGNED;
-use crate::facts::Facts;
+use crate::facts::{Facts, SIGNED};
 use crate::{MshVersion, WriteError, WriteOptions};
 
 pub use self::read::{read, read_lines};

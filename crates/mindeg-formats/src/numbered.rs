@@ -8,7 +8,7 @@ use glam::DVec3;
 use mindeg_mesh::{Group, Line, LineKind, NonTriangles, TriMesh};
 use std::collections::TryReserveError;
 
-/// What the lines of a file so far say.
+/// The contents of the lines read so far.
 #[derive(Default)]
 pub(crate) struct Numbered {
     ids: Vec<u32>,
@@ -34,7 +34,7 @@ struct Element {
 type Named = (u32, u64);
 
 impl Numbered {
-    /// What several files say: the elements are in the first, the segments in the second.
+    /// The contents of several files: the elements are in the first, the segments in the second.
     pub(crate) fn of_files(files: [&'static str; 2]) -> Self {
         Self { files: Some(files), ..Self::default() }
     }

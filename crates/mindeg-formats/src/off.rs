@@ -10,7 +10,7 @@ use crate::facts::Facts;
 use crate::lists::push;
 use crate::records::Records;
 use crate::sections::Section;
-use crate::{GENERATOR, Plane};
+use crate::{GENERATOR, MeshPlane};
 use mindeg_mesh::{Mesh, NonTriangles, TriMesh};
 use std::io::BufRead;
 
@@ -25,7 +25,7 @@ pub(crate) const FACTS: Facts = Facts {
 };
 
 /// The file from front to back.
-fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {
+fn sections(mesh: &dyn Mesh, plane: MeshPlane) -> Vec<Section<'_>> {
     let (vertices, faces) = (mesh.vertex_count(), mesh.triangle_count());
     let points = Section::new(vertices, 36, move |range, buffer| {
         let mut decimals = [0; 3].map(|_| Decimals::new());
@@ -57,7 +57,7 @@ fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {
 ///
 /// # Errors
 ///
-/// Those of the input; lines that are not as the format has them; corners that the file has no
+/// Errors of the input; lines that are not as the format has them; corners that the file has no
 /// vertex for; a file without faces.
 ///
 /// # Example

@@ -1,4 +1,4 @@
-//! What a file holds besides points and triangles, how it lies, and how numbers are written.
+//! Options of writers: contents besides points and triangles, the plane, and how numbers are written.
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::Bounds;
@@ -15,7 +15,7 @@ use mindeg_mesh::Bounds;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WriteOptions {
-    /// What OBJ and glTF hold besides points and triangles. PLY takes the degree colors.
+    /// The contents of OBJ and glTF besides points and triangles. PLY takes the degree colors.
     pub surface: SurfaceOptions,
     /// Binary or text, where a format has both.
     pub encoding: Encoding,
@@ -61,16 +61,16 @@ pub enum MshVersion {
     V2,
 }
 
-/// What a surface file (OBJ, glTF) holds besides points and triangles, and how it lies.
+/// The contents of a surface file (OBJ, glTF) besides points and triangles, and its plane.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg_formats::{Plane, SurfaceOptions};
+/// use mindeg_formats::{MeshPlane, SurfaceOptions};
 ///
 /// let options = SurfaceOptions { boundary_lines: true, ..SurfaceOptions::default() };
 /// assert!(options.normals && options.texture_coordinates && !options.degree_colors);
-/// assert_eq!(options.plane, Plane::Xy);
+/// assert_eq!(options.plane, MeshPlane::Xy);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SurfaceOptions {
@@ -87,7 +87,7 @@ pub struct SurfaceOptions {
     /// 2025.7 can crash on them.
     pub boundary_lines: bool,
     /// The plane the mesh lies in.
-    pub plane: Plane,
+    pub plane: MeshPlane,
 }
 
 impl Default for SurfaceOptions {
@@ -97,7 +97,7 @@ impl Default for SurfaceOptions {
             texture_coordinates: true,
             degree_colors: false,
             boundary_lines: false,
-            plane: Plane::Xy,
+            plane: MeshPlane::Xy,
         }
     }
 }
@@ -105,7 +105,7 @@ impl Default for SurfaceOptions {
 /// The plane of space a mesh is put into. Triangles stay counter-clockwise seen from where
 /// the normal points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Plane {
+pub enum MeshPlane {
     /// Points stay where they are. A mesh in the plane has the normal `+Z`: it faces the viewer in
     /// programs where `+Y` is up, as it is in glTF.
     #[default]
@@ -116,7 +116,7 @@ pub enum Plane {
     Floor,
 }
 
-impl Plane {
+impl MeshPlane {
     /// Where a point of the mesh lies in space. No coordinate is a negative zero.
     pub(crate) fn place(self, point: DVec3) -> DVec3 {
         // Adding zero turns -0 into 0.

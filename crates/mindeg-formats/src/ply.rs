@@ -10,9 +10,7 @@ mod header;
 mod read;
 mod write;
 
-use crate::WriteError;
-use crate::error::SIGNED;
-use crate::facts::Facts;
+use crate::facts::{Facts, SIGNED};
 use crate::gltf::Stored;
 
 pub use read::read;
@@ -24,9 +22,7 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["ply"],
     first_words: &["ply"],
     read: Some(|source| read(source.input)),
-    check_size: |_, vertices, _| {
-        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
-    },
+    max_vertices: SIGNED,
     check: |positions, options| {
         if !options.double {
             Stored::in_place(positions, options.surface.plane)?;

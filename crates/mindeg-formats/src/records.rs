@@ -9,7 +9,7 @@ use std::io::BufRead;
 /// The lines of a text file that say something: without comments, without blank ones.
 pub(crate) struct Records<R> {
     lines: Lines<R>,
-    /// What starts a comment, if anything does.
+    /// The letter that starts a comment, if one does.
     comment: Option<u8>,
     /// How many lines of the file come before the first.
     before: u64,
@@ -90,12 +90,12 @@ impl<'a> Words<'a> {
         (!word.is_empty()).then_some(word)
     }
 
-    /// What is wrong with the line.
+    /// An error in this line.
     pub(crate) fn problem(&self, problem: impl Into<String>) -> ReadError {
         ReadError::line(self.line, problem)
     }
 
-    /// What follows the words so far.
+    /// The rest of the line.
     pub(crate) fn text(&self) -> String {
         String::from_utf8_lossy(self.rest.trim_ascii()).into_owned()
     }

@@ -97,7 +97,7 @@ impl Segments {
 /// Runs of triangles in the order of a file, with what each belongs to.
 #[derive(Default)]
 pub(crate) struct TriangleRuns {
-    /// What a run belongs to, its name, and the end of its triangles.
+    /// The owner of a run, its name, and the end of its triangles.
     runs: Vec<(i64, String, u32)>,
 }
 

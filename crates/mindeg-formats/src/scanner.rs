@@ -34,12 +34,12 @@ impl<'a> Scanner<'a> {
         self.at = offset.min(self.bytes.len());
     }
 
-    /// What has not been read.
+    /// The bytes that remain.
     pub(crate) fn rest(&self) -> &'a [u8] {
         &self.bytes[self.at..]
     }
 
-    /// What is wrong at the place: by its line in a text, else by its byte.
+    /// An error at this place: by its line in a text, else by its byte.
     pub(crate) fn problem(&self, problem: impl Into<String>) -> ReadError {
         match self.encoding {
             Numbers::Text => {

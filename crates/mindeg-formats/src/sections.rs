@@ -31,7 +31,7 @@ type Format<'a> = dyn Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a;
 
 /// Items of one kind that follow one another in a file.
 pub(crate) struct Section<'a> {
-    count: u32,
+    items: Range<u32>,
     /// How many items go into a block.
     block: u32,
     format: Box<Format<'a>>,
@@ -45,7 +45,16 @@ impl<'a> Section<'a> {
         item_len: u32,
         format: impl Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a,
     ) -> Self {
-        Self { count, block: (BLOCK_LEN / item_len).max(1), format: Box::new(format) }
+        Self::of(0..count, item_len, format)
+    }
+
+    /// [`new`](Self::new), of the items in a range.
+    pub(crate) fn of(
+        items: Range<u32>,
+        item_len: u32,
+        format: impl Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a,
+    ) -> Self {
+        Self { items, block: (BLOCK_LEN / item_len).max(1), format: Box::new(format) }
     }
 
     /// Some bytes as they are.
@@ -70,9 +79,9 @@ impl<'a> Section<'a> {
 
     /// The items of each block.
     fn blocks(&self) -> impl Iterator<Item = Block<'_, 'a>> {
-        let starts = (0..self.count).step_by(self.block as usize);
+        let starts = self.items.clone().step_by(self.block as usize);
         starts.map(move |start| {
-            let end = start.saturating_add(self.block).min(self.count);
+            let end = start.saturating_add(self.block).min(self.items.end);
             Block { section: self, items: start..end }
         })
     }
@@ -97,7 +106,7 @@ impl Block<'_, '_> {
 
 /// How many blocks some sections have.
 pub(crate) fn block_count(sections: &[Section<'_>]) -> u64 {
-    sections.iter().map(|section| u64::from(section.count.div_ceil(section.block))).sum()
+    sections.iter().map(|section| section.items.len().div_ceil(section.block as usize) as u64).sum()
 }
 
 /// Writes the sections one after the other.

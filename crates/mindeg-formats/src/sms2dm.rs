@@ -5,7 +5,7 @@
 //!
 //! Limits: names of groups and lines are not kept, since the format has numbers for them.
 
-use crate::boundary::{Boundary, Chain, chain_vertices};
+use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
 use crate::decimals::push_integer;
 use crate::facts::Facts;
 use crate::names::quoted;
@@ -44,13 +44,13 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         triangle_lines(mesh, b"E3T", b"", material),
         vertex_lines(mesh, b"ND", 3, |_, _| {}),
     ];
-    let chains = Boundary::of(mesh).chains;
+    let chains = MarkedChains::of(mesh).chains;
     sections.extend(chains.into_iter().zip(1..).map(|(chain, id)| node_string(mesh, chain, id)));
     sections
 }
 
 /// The vertices of a chain, the last with a minus sign before it.
-fn node_string(mesh: &dyn Mesh, chain: Chain, id: u32) -> Section<'_> {
+fn node_string(mesh: &dyn Mesh, chain: MarkedChain, id: u32) -> Section<'_> {
     let last = chain.segments.len() as u32;
     Section::new(last.saturating_add(1), 11, move |range, buffer| {
         for (index, vertex) in range.clone().zip(chain_vertices(mesh, &chain, range)) {
@@ -82,7 +82,7 @@ fn node_string(mesh: &dyn Mesh, chain: Chain, id: u32) -> Section<'_> {
 ///
 /// # Errors
 ///
-/// Those of the input; lines that are not as the format has them; elements and node strings that
+/// Errors of the input; lines that are not as the format has them; elements and node strings that
 /// name vertices that the file does not have; a file without elements.
 ///
 /// # Example

@@ -9,12 +9,12 @@ use std::ops::Range;
 
 use mindeg_mesh::Mesh;
 
+use crate::GENERATOR;
 use crate::corners::{positions, segments, triangles};
 use crate::decimals::{Decimals, push_integer};
 use crate::facts::Facts;
 use crate::names::{Names, word};
 use crate::sections::Section;
-use crate::{GENERATOR, WriteError};
 
 /// VTK's numbers of the elements.
 const LINE: u8 = b'3';
@@ -26,7 +26,7 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["su2"],
     has_boundary: true,
     first_words: &["NDIME"],
-    check: |positions, _| WriteError::unless_in_plane(FACTS.description, positions).map(|()| None),
+    in_plane: true,
     write: |job, files| job.write(files, [sections(job.mesh)]),
     ..Facts::NONE
 };
@@ -66,8 +66,7 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
 }
 
 fn marker_elements(mesh: &dyn Mesh, of_line: Range<u32>) -> Section<'_> {
-    Section::new(of_line.len() as u32, 24, move |range, buffer| {
-        let range = of_line.start + range.start..of_line.start + range.end;
+    Section::of(of_line, 24, move |range, buffer| {
         for segment in segments(mesh, range) {
             buffer.push(LINE);
             segment.into_iter().for_each(|vertex| push_integer(vertex, buffer));

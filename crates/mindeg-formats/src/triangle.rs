@@ -10,9 +10,7 @@
 mod read;
 mod write;
 
-use crate::WriteError;
-use crate::error::SIGNED;
-use crate::facts::Facts;
+use crate::facts::{Facts, SIGNED};
 
 pub use read::read;
 use read::read_files;
@@ -26,10 +24,8 @@ pub(crate) const FACTS: Facts = Facts {
     has_boundary: true,
     fits: counts_vertices,
     read: Some(read_files),
-    check_size: |_, vertices, _| {
-        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
-    },
-    check: |positions, _| WriteError::unless_in_plane(FACTS.description, positions).map(|()| None),
+    max_vertices: SIGNED,
+    in_plane: true,
     write: |job, files| job.write(files, sections(job.mesh)),
     ..Facts::NONE
 };

@@ -1,4 +1,4 @@
-//! What deflate has compressed, as zip archives and VTU files have it.
+//! Decompression of deflated bytes in zip archives and VTU files.
 
 use miniz_oxide::inflate::decompress_slice_iter_to_slice;
 use std::collections::TryReserveError;
@@ -9,7 +9,7 @@ const LARGEST_RATIO: usize = 1040;
 /// Why bytes do not unfold.
 #[derive(Debug)]
 pub(crate) enum UnfoldError {
-    /// They are no compressed bytes, or more than was said.
+    /// The bytes are not compressed, or give more than was said.
     Damaged,
     /// There is too little memory.
     Memory(TryReserveError),

@@ -1,12 +1,12 @@
 //! VTK's legacy format, `.vtk`.
 //!
-//! What is written: an unstructured grid in the layout of version 4.2, which all readers know; binary
+//! Written: an unstructured grid in the layout of version 4.2, which all readers know; binary
 //! numbers are big-endian. With data fields, the segments of all sides are cells after the triangles;
 //! `degree` is point data; `min_angle` (degrees; 60 for a segment) and `side` (the index of the side;
 //! -1 for a triangle) are cell data, and so is `group` where the mesh has several. The second line is
 //! the mesh's name.
 //!
-//! What is read: unstructured grids and polygonal data, in text and binary, up to version 5.1.
+//! Read: unstructured grids and polygonal data, in text and binary, up to version 5.1.
 //!
 //! Limits: 31 bits for vertices. Names of sides and groups are not kept: field data before the points,
 //! where they would be, is more than Gmsh reads. Gmsh 4.15 reads such files as text only.
@@ -15,9 +15,7 @@ mod kind;
 mod read;
 mod write;
 
-use crate::WriteError;
-use crate::error::SIGNED;
-use crate::facts::Facts;
+use crate::facts::{Facts, SIGNED};
 
 pub use self::read::read;
 use self::write::sections;
@@ -28,9 +26,7 @@ pub(crate) const FACTS: Facts = Facts {
     extensions: &["vtk"],
     begins: |text| text.starts_with(b"# vtk DataFile"),
     read: Some(|source| read(source.input)),
-    check_size: |_, vertices, _| {
-        WriteError::unless_at_most(SIGNED, (FACTS.description, "vertices"), vertices.into())
-    },
+    max_vertices: SIGNED,
     write: |job, files| job.write(files, [sections(job.mesh, job.options)]),
     ..Facts::NONE
 };

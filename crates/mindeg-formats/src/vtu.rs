@@ -1,6 +1,6 @@
 //! VTU, VTK's XML format for unstructured grids.
 //!
-//! What is written: version 1.0, one piece; numbers raw in an appended part (`header_type` UInt64),
+//! Written: version 1.0, one piece; numbers raw in an appended part (`header_type` UInt64),
 //! or inline as text. Connectivity and offsets are both Int64, which all versions of ParaView read.
 //! With data fields, the segments of all sides are cells after the triangles; `degree` is point data;
 //! `min_angle` (degrees; 60 for a segment) and `side` (the index of the side; -1 for a triangle) are
@@ -8,7 +8,7 @@
 //! `side_names` and `group_names`: UTF-8 bytes, each name ended by a zero, since readers such as
 //! meshio stop at strings.
 //!
-//! What is read: inline text and base64, appended base64 and raw, of either byte order, as they are
+//! Read: inline text and base64, appended base64 and raw, of either byte order, as they are
 //! or compressed by zlib, in any number of pieces.
 
 mod array;

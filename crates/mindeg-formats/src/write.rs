@@ -34,11 +34,11 @@ pub struct Writer {
 }
 
 impl Writer {
-    /// A writer of meshes with these positions and so many triangles.
+    /// A writer of meshes with these positions and this number of triangles.
     ///
     /// # Errors
     ///
-    /// What the format cannot hold, as far as that is known before there are triangles: a mesh
+    /// A mesh that the format cannot hold, as far as that is known before there are triangles: one
     /// that is too large, coordinates beyond 32-bit floats, a mesh in space where the format is
     /// for the plane.
     pub fn new(
@@ -48,7 +48,11 @@ impl Writer {
         triangle_count: u32,
     ) -> Result<Self, WriteError> {
         Self::check_size(format, &options, positions.vertex_count(), triangle_count)?;
-        let stored = (format.facts().check)(positions, &options)?;
+        let facts = format.facts();
+        if facts.in_plane {
+            WriteError::unless_in_plane(facts.description, positions)?;
+        }
+        let stored = (facts.check)(positions, &options)?;
         Ok(Self { format, options, stored })
     }
 
@@ -63,7 +67,10 @@ impl Writer {
         vertex_count: u32,
         triangle_count: u32,
     ) -> Result<(), WriteError> {
-        (format.facts().check_size)(options, vertex_count, triangle_count)
+        let facts = format.facts();
+        let vertices = (facts.description, "vertices");
+        WriteError::unless_at_most(facts.max_vertices, vertices, vertex_count.into())?;
+        (facts.check_size)(options, vertex_count, triangle_count)
     }
 
     /// The format.
@@ -79,7 +86,7 @@ impl Writer {
     ///
     /// # Errors
     ///
-    /// Those of the files, another number of files, and what the format cannot hold.
+    /// Errors of the files, another number of files, and what the format cannot hold.
     pub fn write<W: Write>(
         &self,
         mesh: &dyn Mesh,
@@ -110,7 +117,7 @@ impl Writer {
 ///
 /// # Errors
 ///
-/// Those of `out`, and before the first byte what the format cannot hold.
+/// Errors of `out`, and before the first byte what the format cannot hold.
 ///
 /// # Example
 ///

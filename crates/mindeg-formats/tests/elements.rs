@@ -90,7 +90,12 @@ fn numbers_of_either_byte_order_are_read() {
     assert_eq!(little, big);
     let mixed = file([0, 1, 0, 0], i32::to_le_bytes, f64::to_le_bytes);
     let error = read(Format::Msh, &mixed).unwrap_err().to_string();
-    assert!(error.ends_with("the byte order is not told by a 1 in 4 bytes"), "{error}");
+    assert!(
+        error.ends_with(
+            "the 4-byte integer 1 after the version is missing; cannot tell the byte order"
+        ),
+        "{error}"
+    );
 }
 
 /// An empty block would be read for ever.

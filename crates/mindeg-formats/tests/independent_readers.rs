@@ -23,7 +23,7 @@ const OPTIONS: SurfaceOptions = SurfaceOptions {
     texture_coordinates: false,
     degree_colors: false,
     boundary_lines: false,
-    plane: mindeg_formats::Plane::Xy,
+    plane: mindeg_formats::MeshPlane::Xy,
 };
 
 /// The corners of all faces, as tobj sees them.

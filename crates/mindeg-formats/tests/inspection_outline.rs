@@ -5,7 +5,7 @@
 use glam::{DQuat, DVec2, DVec3};
 use mindeg::inspection::{ConvexOutline, Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::{BoundaryMesh, Domain, Side, Spacing};
-use mindeg_formats::{Plane, SurfaceOptions, glb, obj};
+use mindeg_formats::{MeshPlane, SurfaceOptions, glb, obj};
 use mindeg_mesh::TriMesh;
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -73,7 +73,7 @@ fn the_example_domains_are_recognized() {
             continue;
         }
         let mesh = BoundaryMesh::least_degree(&domain).unwrap();
-        let floor = SurfaceOptions { plane: Plane::Floor, ..SurfaceOptions::default() };
+        let floor = SurfaceOptions { plane: MeshPlane::Floor, ..SurfaceOptions::default() };
         for read in [obj(&mesh, &SurfaceOptions::default()), glb(&mesh, &floor)] {
             check(&mesh, &read).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
             let found = inspect(&read);

@@ -497,7 +497,7 @@ fn errors_name_the_place() {
         (
             "/nodes/0/rotation",
             json!([0, 0, 0, 0]),
-            "nodes[0].rotation: is no rotation; its length must be 1",
+            "nodes[0].rotation: is not a rotation; its length must be 1",
         ),
         (
             "/meshes/0/primitives/0/indices",
@@ -585,7 +585,7 @@ fn errors_name_the_place() {
         (
             "/buffers/0/uri",
             json!("data:;base64,@"),
-            "buffers[0].uri: is no base64: Invalid symbol 64, offset 0.",
+            "buffers[0].uri: is not base64: Invalid symbol 64, offset 0.",
         ),
         (
             "/buffers/0",

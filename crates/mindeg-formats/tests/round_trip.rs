@@ -7,13 +7,13 @@ mod polygons;
 
 use glam::{DVec2, DVec3};
 use mindeg::BoundaryMesh;
-use mindeg_formats::{Plane, SurfaceOptions, glb, gltf, obj};
+use mindeg_formats::{MeshPlane, SurfaceOptions, glb, gltf, obj};
 use mindeg_mesh::TriMesh;
 use proptest::prelude::*;
 use std::io;
 
 fn options() -> impl Strategy<Value = SurfaceOptions> {
-    (any::<[bool; 4]>(), prop_oneof![Just(Plane::Xy), Just(Plane::Floor)]).prop_map(
+    (any::<[bool; 4]>(), prop_oneof![Just(MeshPlane::Xy), Just(MeshPlane::Floor)]).prop_map(
         |([normals, texture_coordinates, degree_colors, boundary_lines], plane)| SurfaceOptions {
             normals,
             texture_coordinates,
@@ -25,10 +25,10 @@ fn options() -> impl Strategy<Value = SurfaceOptions> {
 }
 
 /// Where the options put a point.
-fn place(point: DVec2, plane: Plane) -> DVec3 {
+fn place(point: DVec2, plane: MeshPlane) -> DVec3 {
     match plane {
-        Plane::Xy => DVec3::new(point.x, point.y, 0.0),
-        Plane::Floor => DVec3::new(point.x, 0.0, -point.y),
+        MeshPlane::Xy => DVec3::new(point.x, point.y, 0.0),
+        MeshPlane::Floor => DVec3::new(point.x, 0.0, -point.y),
     }
 }
 

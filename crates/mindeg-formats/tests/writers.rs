@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::{BoundaryMesh, Domain};
-use mindeg_formats::{Plane, SurfaceOptions, WriteError, glb, gltf, obj, svg};
+use mindeg_formats::{MeshPlane, SurfaceOptions, WriteError, glb, gltf, obj, svg};
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -32,7 +32,7 @@ const BARE: SurfaceOptions = SurfaceOptions {
     texture_coordinates: false,
     degree_colors: false,
     boundary_lines: false,
-    plane: Plane::Xy,
+    plane: MeshPlane::Xy,
 };
 
 const EVERYTHING: SurfaceOptions = SurfaceOptions {
@@ -40,7 +40,7 @@ const EVERYTHING: SurfaceOptions = SurfaceOptions {
     texture_coordinates: true,
     degree_colors: true,
     boundary_lines: true,
-    plane: Plane::Floor,
+    plane: MeshPlane::Floor,
 };
 
 fn obj_text(mesh: &BoundaryMesh, options: &SurfaceOptions) -> String {
@@ -215,7 +215,7 @@ fn arrays_follow_one_another_aligned_and_cover_the_binary() {
                 texture_coordinates: bits & 2 != 0,
                 degree_colors: bits & 4 != 0,
                 boundary_lines: bits & 8 != 0,
-                plane: Plane::Xy,
+                plane: MeshPlane::Xy,
             };
             let (json, binary) = chunks(&glb_bytes(&mesh, &options));
             let mut end = 0;

@@ -3,7 +3,9 @@
 use super::values::format_parser;
 use clap::Args;
 use clap::ValueEnum;
-use mindeg_files::{Encoding, Format, MshVersion, Plane, SurfaceOptions, WriteOptions, extensions};
+use mindeg_files::{
+    Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteOptions, extensions,
+};
 use std::path::PathBuf;
 
 /// The files of a mesh.
@@ -55,7 +57,7 @@ impl SurfaceArguments {
             surface: SurfaceOptions {
                 degree_colors: self.degree_colors,
                 boundary_lines: self.boundary_lines,
-                plane: if self.floor { Plane::Floor } else { Plane::Xy },
+                plane: if self.floor { MeshPlane::Floor } else { MeshPlane::Xy },
                 ..SurfaceOptions::default()
             },
             encoding: if self.ascii { Encoding::Ascii } else { Encoding::Binary },

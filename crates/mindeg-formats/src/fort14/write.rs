@@ -1,12 +1,12 @@
 //! Writing fort.14.
 
-use crate::boundary::{Boundary, Chain, chain_vertices};
+use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
+use crate::corners::positions;
 use crate::decimals::{Decimals, push_integer};
 use crate::names::one_line;
 use crate::sections::Section;
 use crate::tables::triangle_lines;
 use crate::{GENERATOR, mesh_name};
-use glam::DVec3;
 use mindeg_mesh::{LineKind, Mesh, filled};
 
 /// The file from front to back.
@@ -36,8 +36,7 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
 fn vertices(mesh: &dyn Mesh) -> Section<'_> {
     Section::new(mesh.vertex_count(), 48, |range, buffer| {
         let mut decimals = [0; 3].map(|_| Decimals::new());
-        let points =
-            filled(range.clone(), DVec3::ZERO, |first, out| mesh.fill_positions(first, out));
+        let points = positions(mesh, range.clone());
         let depths = filled(range.clone(), 0.0, |first, out| mesh.fill_depths(first, out));
         for ((vertex, point), depth) in range.zip(points).zip(depths) {
             push_integer(u64::from(vertex) + 1, buffer);
@@ -54,18 +53,18 @@ fn vertices(mesh: &dyn Mesh) -> Section<'_> {
 struct Segment {
     kind: LineKind,
     /// Several for an island.
-    chains: Vec<Chain>,
+    chains: Vec<MarkedChain>,
 }
 
 /// The open ones, then the others.
 fn segments(mesh: &dyn Mesh) -> [Vec<Segment>; 2] {
-    let boundary = Boundary::of(mesh);
+    let boundary = MarkedChains::of(mesh);
     let mut segments = Vec::new();
     let mut taken = 0;
-    let mut push = |ring: &[Chain], is_ring: bool| {
+    let mut push = |ring: &[MarkedChain], is_ring: bool| {
         let others =
             if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
-        let kind = |chain: &Chain| mesh.line_kind(chain.line).unwrap_or(others);
+        let kind = |chain: &MarkedChain| mesh.line_kind(chain.line).unwrap_or(others);
         if is_ring && ring.iter().all(|chain| kind(chain) == LineKind::Island) {
             segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });
             return;

@@ -12,7 +12,7 @@ pub(super) struct Arrays<'a> {
     pub(super) buffers: &'a Buffers<'a>,
 }
 
-/// What an array's components are.
+/// The type of an array's components.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Component {
     I8,
@@ -117,7 +117,7 @@ impl<'a> Arrays<'a> {
         self.decoded(accessor, component, 1, 0, |bytes| index(component, bytes))
     }
 
-    /// The items of an accessor of which the type has been checked, each of so many components.
+    /// The items of an accessor whose type was checked, each of this number of components.
     /// Those that have no bytes are `zero`.
     fn decoded<T: Clone>(
         &self,

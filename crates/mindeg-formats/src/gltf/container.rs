@@ -119,8 +119,8 @@ fn load(
         bytes.resize(len, 0);
         let decoded = STANDARD.decode_slice(data, &mut bytes);
         bytes.truncate(decoded.map_err(|error| match error {
-            DecodeSliceError::DecodeError(error) => problem(format!("is no base64: {error}")),
-            error => problem(format!("is no base64: {error}")),
+            DecodeSliceError::DecodeError(error) => problem(format!("is not base64: {error}")),
+            error => problem(format!("is not base64: {error}")),
         })?);
         return Ok(bytes);
     }

@@ -34,7 +34,7 @@ pub(crate) const FACTS: Facts = Facts {
 /// # Errors
 ///
 /// Before the first byte: those of [`Stored::new`], and
-/// More bytes than 32 bits count. After it: those of `out`.
+/// More bytes than 32 bits count. After it: errors of `out`.
 ///
 /// # Example
 ///
@@ -72,14 +72,14 @@ fn sections<'a>(arrays: &Arrays<'a>) -> Result<Vec<Section<'a>>, WriteError> {
 ///
 /// # Errors
 ///
-/// More bytes than 32 bits count. What passes here can be refused by a few
+/// More bytes than 32 bits count. A mesh that passes here can be refused by a few
 /// bytes all the same when names and numbers are known.
 fn check_size(vertices: u32, triangles: u32, options: &SurfaceOptions) -> Result<(), WriteError> {
     let layout = Layout::in_plane(vertices, triangles, options);
     len(0, layout.binary_len().next_multiple_of(4)).map(|_| ())
 }
 
-/// What goes before the arrays.
+/// The bytes before the arrays.
 fn head(arrays: &Arrays<'_>) -> Result<Vec<u8>, WriteError> {
     let mut json = compact(&arrays.document(None))?;
     json.resize(json.len().next_multiple_of(4), b' ');

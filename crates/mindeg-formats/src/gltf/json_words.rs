@@ -1,4 +1,4 @@
-//! What is wrong with a JSON document, in words for people who have the file and not its reader.
+//! Faults of a JSON document, in words for people who have the file and not its reader.
 
 use serde_json::Error;
 use serde_json::error::Category;
@@ -13,7 +13,7 @@ pub(super) fn problem(error: &Error) -> String {
     }
 }
 
-/// What is wrong with a value that is JSON and does not fit.
+/// The fault of a value that is JSON and does not fit.
 fn unfit(error: &Error) -> String {
     let message = error.to_string();
     let message = message.rsplit_once(" at line ").map_or(&*message, |(message, _)| message);
@@ -35,7 +35,7 @@ fn unfit(error: &Error) -> String {
     }
 }
 
-/// What stands in backticks behind some words.
+/// The text in backticks behind some words.
 fn quoted<'a>(message: &'a str, words: &str) -> Option<&'a str> {
     message.strip_prefix(words)?.strip_prefix('`')?.strip_suffix('`')
 }

@@ -50,7 +50,7 @@ pub(super) fn placed_nodes(document: &Document<'_>) -> Result<Vec<(usize, DMat4)
     Ok(placed)
 }
 
-/// What moves a node to its parent.
+/// The transform of a node relative to its parent.
 fn matrix(node: &Node, index: usize) -> Result<DMat4, ReadError> {
     if let Some(matrix) = node.matrix {
         return Ok(DMat4::from_cols_array(&matrix.map(|Real(number)| number)));
@@ -63,7 +63,7 @@ fn matrix(node: &Node, index: usize) -> Result<DMat4, ReadError> {
         Some(numbers) => {
             let rotation = DQuat::from_array(numbers.map(|Real(number)| number)).normalize();
             if !rotation.is_finite() {
-                let problem = "is no rotation; its length must be 1";
+                let problem = "is not a rotation; its length must be 1";
                 return Err(ReadError::place(format!("nodes[{index}].rotation"), problem));
             }
             rotation

@@ -1,6 +1,6 @@
 //! Positions as glTF stores them: 32-bit floats, near the origin.
 
-use crate::{Plane, WriteError};
+use crate::{MeshPlane, WriteError};
 use glam::{DVec3, Vec3};
 use mindeg_mesh::parallel::{first_of_blocks, sort_all, try_blocks};
 use mindeg_mesh::{Bounds, Positions, filled};
@@ -14,10 +14,10 @@ const FAR: f64 = 8.0;
 /// before the mesh has triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stored {
-    /// What is taken off every point: a point of 32-bit floats, so that a reader that adds
+    /// The offset taken off every point: a point of 32-bit floats, so that a reader that adds
     /// it again adds what was taken off.
     offset: DVec3,
-    plane: Plane,
+    plane: MeshPlane,
     /// The range of the stored positions, which 32-bit floats hold exactly.
     pub(super) range: Bounds<DVec3>,
 }
@@ -29,7 +29,7 @@ impl Stored {
     ///
     /// A coordinate beyond the range of 32-bit floats, and two vertices round a boundary that become one
     /// point, if the middle of the box as origin does not help either. The first vertex is named.
-    pub fn new(positions: &dyn Positions, plane: Plane) -> Result<Self, WriteError> {
+    pub fn new(positions: &dyn Positions, plane: MeshPlane) -> Result<Self, WriteError> {
         let bounds = positions.bounds();
         let no_range = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
         let near = Self { offset: offset(bounds, FAR), plane, range: no_range };
@@ -53,7 +53,10 @@ impl Stored {
     /// # Errors
     ///
     /// As [`new`](Self::new).
-    pub(crate) fn in_place(positions: &dyn Positions, plane: Plane) -> Result<Self, WriteError> {
+    pub(crate) fn in_place(
+        positions: &dyn Positions,
+        plane: MeshPlane,
+    ) -> Result<Self, WriteError> {
         let range = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
         let stored = Self { offset: DVec3::ZERO, plane, range };
         let count = positions.vertex_count();
@@ -92,7 +95,7 @@ impl Stored {
         self.plane.place(point - self.offset).as_vec3() + Vec3::ZERO
     }
 
-    /// What moves the stored positions back to the points; `None` where they are near the origin.
+    /// The translation from stored positions back to the points; `None` where they are near the origin.
     pub(super) fn translation(&self) -> Option<[f32; 3]> {
         let moved = self.offset != DVec3::ZERO;
         moved.then(|| self.plane.place(self.offset).as_vec3().to_array())

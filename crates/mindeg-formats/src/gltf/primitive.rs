@@ -5,7 +5,7 @@ use super::schema::{Primitive, Whole, named};
 use crate::ReadError;
 use std::ops::Range;
 
-/// What a primitive is made of.
+/// The shapes of a primitive.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Mode {
     Points,

@@ -37,8 +37,8 @@ use std::sync::Arc;
 ///
 /// # Errors
 ///
-/// Those of the input and of `resolve`, a document or binary that is not as the format has
-/// it, what the limits name, too little memory, positions that are not finite, and a file without
+/// Errors of the input and of `resolve`, a malformed document or binary, an unsupported feature (see Limits),
+/// too little memory, positions that are not finite, and a file without
 /// triangles.
 ///
 /// # Example
@@ -85,11 +85,11 @@ pub fn read(
         .with_lines(surface.lines, surface.segments)?
         .with_non_triangles(surface.non_triangles)
         .with_notes(surface.notes.list());
-    // One that is beyond f64 is none of a finite position.
+    // A transform that overflows f64 gives no finite position.
     Ok(mesh.with_rounding(surface.rounding.min(f64::MAX)))
 }
 
-/// What is not read of nodes that are read.
+/// The features of nodes that are not read.
 #[derive(Default)]
 struct Notes {
     skins: usize,
@@ -140,7 +140,7 @@ struct Surface<'a> {
 }
 
 impl<'a> Surface<'a> {
-    /// An empty one, of a file of so many bytes.
+    /// An empty surface of a file of this length.
     fn new(arrays: Arrays<'a>, bytes: usize) -> Self {
         Self {
             arrays,
@@ -158,7 +158,7 @@ impl<'a> Surface<'a> {
         }
     }
 
-    /// Refuses an accessor without bytes, as long as it says, that there is no room for. One with bytes
+    /// Rejects an accessor without a buffer view whose declared length does not fit in memory. One with bytes
     /// is not longer than they are.
     fn check_zeros(&mut self, accessor: usize) -> Result<(), ReadError> {
         let source = &self.arrays.document.accessors[accessor];
@@ -168,7 +168,7 @@ impl<'a> Surface<'a> {
         self.take_room(source.count.0, || format!("accessors[{accessor}]"))
     }
 
-    /// Takes room for so many items.
+    /// Reserves memory for a number of items.
     fn take_room(&mut self, count: u64, place: impl FnOnce() -> String) -> Result<(), ReadError> {
         let Some(room) = self.room.checked_sub(count) else {
             let problem = format!(

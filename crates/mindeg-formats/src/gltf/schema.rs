@@ -1,4 +1,4 @@
-//! What a document says about where triangles are.
+//! The parts of a document that place triangles.
 //!
 //! These are the names and shapes of the glTF 2.0 specification; what triangles do not depend on
 //! is passed over. Whole numbers keep 64 bits, and so do the others: a node's translation may be
@@ -257,7 +257,7 @@ impl<'a> Document<'a> {
     /// The document that a JSON text holds.
     pub(super) fn parse(json: &'a [u8]) -> Result<Self, ReadError> {
         let json = json.strip_prefix(b"\xef\xbb\xbf").unwrap_or(json);
-        // What a parser takes is taken by objects and lists: a few hundred bytes for an object.
+        // The parser's memory goes to objects and lists: a few hundred bytes for an object.
         // Too little memory for that is an error here, where it would end the process there.
         let count = |byte| json.iter().filter(|&&b| b == byte).count();
         Vec::<u8>::new().try_reserve_exact(512 * count(b'{') + 32 * count(b','))?;

@@ -3,13 +3,13 @@
 use super::document::{Layout, document};
 use super::numbers::pretty;
 use super::positions::Stored;
+use crate::corners::{degrees, positions, segments, triangles};
 use crate::degree_color;
 use crate::options::in_box;
 use crate::sections::{Section, write_sections};
 use crate::{SurfaceOptions, WriteError};
-use glam::DVec3;
 use gltf_json::Root;
-use mindeg_mesh::{Mesh, filled, vertex_normals};
+use mindeg_mesh::{Mesh, vertex_normals};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
@@ -66,7 +66,7 @@ pub(super) fn sections<'a>(
     Ok([vec![Section::bytes(json)], arrays.sections()])
 }
 
-/// What the binary holds.
+/// The arrays of the binary.
 pub(super) struct Arrays<'a> {
     mesh: &'a dyn Mesh,
     stored: &'a Stored,
@@ -86,10 +86,8 @@ impl<'a> Arrays<'a> {
     /// The arrays in the order of the document.
     pub(super) fn sections(&self) -> Vec<Section<'a>> {
         let Self { mesh, stored, options, layout } = *self;
-        let points =
-            move |range| filled(range, DVec3::ZERO, |first, out| mesh.fill_positions(first, out));
         let mut sections = vec![Section::new(layout.vertices, 12, move |range, buffer| {
-            for point in points(range) {
+            for point in positions(mesh, range) {
                 push_floats(buffer, stored.of(point).to_array());
             }
         })];
@@ -99,7 +97,7 @@ impl<'a> Arrays<'a> {
         if layout.texture_coordinates {
             let bounds = mesh.bounds();
             sections.push(Section::new(layout.vertices, 8, move |range, buffer| {
-                for point in points(range) {
+                for point in positions(mesh, range) {
                     let [s, t] = in_box(bounds, point).to_array();
                     push_floats(buffer, [s as f32, (1.0 - t) as f32]);
                 }
@@ -107,7 +105,7 @@ impl<'a> Arrays<'a> {
         }
         if layout.degree_colors {
             sections.push(Section::new(layout.vertices, 4, move |range, buffer| {
-                for degree in filled(range, 0, |first, out| mesh.fill_degrees(first, out)) {
+                for degree in degrees(mesh, range) {
                     let [red, green, blue] = degree_color::linear(degree);
                     buffer.extend_from_slice(&[red, green, blue, u8::MAX]);
                 }
@@ -115,13 +113,15 @@ impl<'a> Arrays<'a> {
         }
         let wide = layout.has_wide_indices();
         sections.push(Section::new(layout.triangles, 12, move |range, buffer| {
-            let triangles = filled(range, [0; 3], |first, out| mesh.fill_triangles(first, out));
-            triangles.into_iter().for_each(|triangle| push_indices(buffer, triangle, wide));
+            for triangle in triangles(mesh, range) {
+                push_indices(buffer, triangle, wide);
+            }
         }));
         if layout.segments > 0 {
             sections.push(Section::new(layout.segments, 8, move |range, buffer| {
-                let segments = filled(range, [0; 2], |first, out| mesh.fill_segments(first, out));
-                segments.into_iter().for_each(|segment| push_indices(buffer, segment, wide));
+                for segment in segments(mesh, range) {
+                    push_indices(buffer, segment, wide);
+                }
             }));
         }
         sections
@@ -151,7 +151,7 @@ fn push_indices<const N: usize>(buffer: &mut Vec<u8>, vertices: [u32; N], wide: 
     if wide {
         buffer.extend_from_slice(vertices.map(u32::to_le_bytes).as_flattened());
     } else {
-        // There are no more vertices than that.
+        // Narrow indices are used only for fewer vertices.
         buffer.extend_from_slice(vertices.map(|v| (v as u16).to_le_bytes()).as_flattened());
     }
 }

@@ -29,7 +29,7 @@ pub(crate) struct Cells<'a> {
     pub(crate) data: &'a CellData,
 }
 
-/// What is known of the cells of a piece besides corners; lists are empty or have a value for each.
+/// The data of a piece's cells besides corners; each list is empty or has a value for each cell.
 #[derive(Default)]
 pub(crate) struct CellData {
     pub(crate) sides: Vec<i64>,

@@ -205,7 +205,7 @@ fn put<T: Number, const N: usize>(record: [T; N], numbers: Numbers, buffer: &mut
     }
 }
 
-/// What arrays are made of.
+/// A number in an array.
 trait Number: Copy + Send + Sync {
     /// About how long it is as text, with what follows.
     const TEXT_LEN: usize;

@@ -57,7 +57,7 @@ impl Entities {
 struct Physical<'a> {
     tags: HashMap<(i32, String), i32>,
     names: &'a mut Vec<(i32, i32, String)>,
-    /// Those of curves, and those of surfaces.
+    /// The names of curves, and of surfaces.
     of: [Names; 2],
 }
 

@@ -26,7 +26,7 @@ use crate::scanner::{Numbers, Scanner};
 ///
 /// # Errors
 ///
-/// Those of the input; other versions; parts that are not as the format has them, by line or byte;
+/// Errors of the input; other versions; parts that are not as the format has them, by line or byte;
 /// elements of nodes that the file does not have; a file without faces.
 ///
 /// # Example
@@ -109,7 +109,7 @@ enum Version {
     V2,
 }
 
-/// What the parts of the file so far say.
+/// The contents of the parts read so far.
 #[derive(Default)]
 struct Contents {
     version: Version,
@@ -151,15 +151,18 @@ fn format(scanner: &mut Scanner<'_>, contents: &mut Contents) -> Result<Numbers,
         return Err(scanner.problem(format!("numbers of {size} bytes are not read, only of 8")));
     }
     scanner.line();
-    let encoding = match kind {
-        0 => Numbers::Text,
-        1 => match scanner.take(4, "the byte order")? {
-            [1, 0, 0, 0] => Numbers::LittleEndian,
-            [0, 0, 0, 1] => Numbers::BigEndian,
-            _ => return Err(scanner.problem("the byte order is not told by a 1 in 4 bytes")),
-        },
-        _ => return Err(scanner.problem(format!("the kind of file is {kind}, not 0 or 1"))),
-    };
+    let encoding =
+        match kind {
+            0 => Numbers::Text,
+            1 => match scanner.take(4, "the byte order")? {
+                [1, 0, 0, 0] => Numbers::LittleEndian,
+                [0, 0, 0, 1] => Numbers::BigEndian,
+                _ => return Err(scanner.problem(
+                    "the 4-byte integer 1 after the version is missing; cannot tell the byte order",
+                )),
+            },
+            _ => return Err(scanner.problem(format!("the kind of file is {kind}, not 0 or 1"))),
+        };
     end_part(scanner, b"MeshFormat")?;
     Ok(encoding)
 }

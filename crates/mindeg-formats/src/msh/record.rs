@@ -55,7 +55,7 @@ impl<'a> Record<'a> {
     }
 }
 
-/// What ends a part of the file.
+/// The end of a part of the file.
 pub(super) fn end_of<'a>(kind: &str, is_binary: bool) -> Section<'a> {
     let line_end = if is_binary { "\n" } else { "" };
     Section::bytes(format!("{line_end}$End{kind}\n"))

@@ -6,7 +6,7 @@ pub(super) const LINE: i32 = 1;
 /// The number of a triangle of three nodes.
 pub(super) const TRIANGLE: i32 = 2;
 
-/// What an element of one type is.
+/// The shape of elements of one type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Shape {
     pub(super) dimension: u32,

@@ -27,19 +27,15 @@ pub(super) fn add_sections<'a>(
         sections.push(head_of_block(LINE, segment_count, is_binary));
     }
     for (curve, tag) in entities.curves.iter().zip(1..) {
-        let start = curve.elements.start;
-        let before = Before { element: start, tags: [curve.physical, tag] };
-        sections.push(elements_of(curve, LINE, before, is_binary, move |range| {
-            segments(mesh, start + range.start..start + range.end)
-        }));
+        let before = Before { element: 0, tags: [curve.physical, tag] };
+        let of = move |range| segments(mesh, range);
+        sections.push(elements_of(curve, LINE, before, is_binary, of));
     }
     sections.push(head_of_block(TRIANGLE, mesh.triangle_count(), is_binary));
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
-        let start = surface.elements.start;
-        let before = Before { element: segment_count + start, tags: [surface.physical, tag] };
-        sections.push(elements_of(surface, TRIANGLE, before, is_binary, move |range| {
-            triangles(mesh, start + range.start..start + range.end)
-        }));
+        let before = Before { element: segment_count, tags: [surface.physical, tag] };
+        let of = move |range| triangles(mesh, range);
+        sections.push(elements_of(surface, TRIANGLE, before, is_binary, of));
     }
     sections.push(end_of("Elements", is_binary));
 }
@@ -77,10 +73,10 @@ fn nodes(mesh: &dyn Mesh, is_binary: bool) -> Section<'_> {
     })
 }
 
-/// What comes before the nodes of the elements of an entity.
+/// The numbers before the nodes of an entity's elements.
 #[derive(Clone, Copy)]
 struct Before {
-    /// The number of elements before them.
+    /// The number of elements of other kinds before them.
     element: u32,
     tags: [i32; 2],
 }
@@ -93,7 +89,7 @@ fn elements_of<'a, const N: usize>(
     of: impl Fn(std::ops::Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
 ) -> Section<'a> {
     let len = if is_binary { 4 * (3 + N) } else { 20 + 11 * N };
-    Section::new(entity.elements.len() as u32, len as u32, move |range, buffer| {
+    Section::of(entity.elements.clone(), len as u32, move |range, buffer| {
         let numbers = before.element + range.start + 1..;
         if is_binary {
             let tags = before.tags.map(i32::to_le_bytes);

@@ -1,5 +1,7 @@
 //! Writing MSH 4.1.
 
+use std::ops::Range;
+
 use mindeg_mesh::{Bounds, Mesh};
 
 use super::entities::{Entities, bounds_of_line};
@@ -43,19 +45,15 @@ pub(super) fn add_sections<'a>(
         .end();
     sections.push(Section::bytes(head));
     for (curve, tag) in entities.curves.iter().zip(1..) {
-        let (start, len) = (curve.elements.start, curve.elements.len());
-        sections.push(head_of_block(1, tag, LINE, len, is_binary));
-        sections.push(elements_of(len as u32, u64::from(start), is_binary, move |range| {
-            segments(mesh, start + range.start..start + range.end)
-        }));
+        let elements = curve.elements.clone();
+        sections.push(head_of_block(1, tag, LINE, elements.len(), is_binary));
+        sections.push(elements_of(elements, 0, is_binary, move |range| segments(mesh, range)));
     }
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
-        let (start, len) = (surface.elements.start, surface.elements.len());
-        let before = u64::from(segment_count) + u64::from(start);
-        sections.push(head_of_block(2, tag, TRIANGLE, len, is_binary));
-        sections.push(elements_of(len as u32, before, is_binary, move |range| {
-            triangles(mesh, start + range.start..start + range.end)
-        }));
+        let elements = surface.elements.clone();
+        sections.push(head_of_block(2, tag, TRIANGLE, elements.len(), is_binary));
+        let of = move |range| triangles(mesh, range);
+        sections.push(elements_of(elements, segment_count, is_binary, of));
     }
     sections.push(end_of("Elements", is_binary));
 }
@@ -141,14 +139,14 @@ fn coordinates(mesh: &dyn Mesh, is_binary: bool) -> Section<'_> {
 
 /// Elements with tags that follow `before`, each its tag and its nodes.
 fn elements_of<'a, const N: usize>(
-    count: u32,
-    before: u64,
+    elements: Range<u32>,
+    before: u32,
     is_binary: bool,
-    of: impl Fn(std::ops::Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
+    of: impl Fn(Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
 ) -> Section<'a> {
     let len = if is_binary { 8 * (1 + N) } else { 11 * (1 + N) };
-    Section::new(count, len as u32, move |range, buffer| {
-        let first = before + u64::from(range.start) + 1;
+    Section::of(elements, len as u32, move |range, buffer| {
+        let first = u64::from(before) + u64::from(range.start) + 1;
         if is_binary {
             for (tag, element) in (first..).zip(of(range)) {
                 buffer.extend_from_slice(&tag.to_le_bytes());

@@ -14,7 +14,7 @@ use std::io::Read;
 ///
 /// # Errors
 ///
-/// Those of the input; an archive or arrays that are not as the format has them, or
+/// Errors of the input; an archive or arrays that are not as the format has them, or
 /// have another shape; coordinates that are not finite, and indices of vertices that are not there.
 ///
 /// # Example

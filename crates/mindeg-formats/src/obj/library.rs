@@ -11,7 +11,7 @@ use crate::GENERATOR;
 use crate::materials::Materials;
 use crate::names::{Names, word};
 
-/// What faces without a material use where others have one: the format cannot say "none".
+/// The material of faces without one, where others have one: the format cannot say "none".
 pub(super) const NONE: &str = "none";
 
 /// The materials of a mesh under the names that an OBJ can hold.
@@ -117,12 +117,12 @@ impl UsedMaterials {
     }
 }
 
-/// What some libraries say.
+/// The contents of some libraries.
 #[derive(Default)]
 pub(super) struct Libraries {
     /// The colors of materials, by name. The first definition of a name counts.
     pub(super) colors: HashMap<String, [f32; 4]>,
-    /// What is not read, and why.
+    /// The parts that are not read, and why.
     pub(super) notes: Vec<String>,
 }
 
@@ -179,7 +179,7 @@ fn colors(text: &[u8]) -> Result<HashMap<String, [f32; 4]>, String> {
                 let name = line.trim_start().strip_prefix("newmtl").unwrap_or_default().trim();
                 material = Definition { name: name.to_owned(), ..Definition::default() };
             }
-            // A color by a spectrum or in XYZ is none that is read.
+            // Spectral and XYZ colors are not read.
             "Kd" if !line.contains("spectral") && !line.contains("xyz") => {
                 let values = values()?;
                 let channel = |i: usize| values.get(i).copied().unwrap_or(values[0]);

@@ -16,7 +16,7 @@ const KEPT: usize = 8;
 /// Some names are kept: along a strip a vertex is a corner of three triangles or more.
 pub(super) struct CornerNames {
     kept: [CornerName; KEPT],
-    /// What separates the numbers, in a row.
+    /// The separators before each of the numbers.
     separators: &'static [&'static [u8]],
 }
 

@@ -29,10 +29,10 @@ use std::io::{self, BufRead};
 ///
 /// # Errors
 ///
-/// Those of the input, an over-long line and too little memory among them; lines that are not as
+/// Errors of the input, an over-long line and too little memory among them; lines that are not as
 /// the format has them; faces, lines and points with vertices that the file does not define;
 /// positions that are not finite; and a file without faces. A texture coordinate or normal that is
-/// not there is no error.
+/// not there is not an error.
 ///
 /// # Example
 ///
@@ -59,7 +59,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
 /// [`read()`], with the colors of materials.
 ///
 /// `beside` is asked for the libraries (`mtllib`), by the names in the file. One that cannot be read
-/// is no error: a note says so, and its materials have names alone.
+/// is not an error: a note says so, and its materials have only names.
 ///
 /// # Errors
 ///
@@ -141,7 +141,7 @@ impl Words<'_> {
     }
 }
 
-/// What the lines up to one say.
+/// The contents of the lines read so far.
 #[derive(Default)]
 struct Contents {
     /// The number of the line.
@@ -271,7 +271,7 @@ impl Contents {
     }
 
     /// Notes the texture coordinate (0) or normal (1) that a corner names, if it names one, and
-    /// gives what follows; none if that is no number.
+    /// returns the rest of the text; `None` if it does not begin with a number.
     fn take_reference<'a>(&mut self, kind: usize, text: &'a [u8]) -> Option<&'a [u8]> {
         if matches!(text, [] | [b'/', ..]) {
             return Some(text);
@@ -367,7 +367,7 @@ impl Contents {
         }
     }
 
-    /// What the mesh does not tell about the file.
+    /// Notes about the file that the mesh does not show.
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
         if self.short > 0 {

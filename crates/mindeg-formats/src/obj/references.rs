@@ -49,7 +49,7 @@ pub(super) struct Unknown {
 }
 
 impl Unknown {
-    /// What is wrong, for things of this kind.
+    /// The error in words, for things of this kind.
     pub(super) fn message(&self, what: &str) -> String {
         let Self { number, count, .. } = self;
         match number {

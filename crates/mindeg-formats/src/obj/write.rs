@@ -2,14 +2,14 @@
 
 use super::library::NamedMaterials;
 use super::numbers::CornerNames;
+use crate::corners::{self, positions};
 use crate::decimals::Decimals;
 use crate::materials::is_same_object;
 use crate::names::{Names, word};
 use crate::options::in_box;
 use crate::sections::{Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
-use glam::DVec3;
-use mindeg_mesh::{Mesh, filled, vertex_normals};
+use mindeg_mesh::{Mesh, vertex_normals};
 use std::io::{self, Write};
 use std::ops::Range;
 
@@ -23,7 +23,7 @@ use std::ops::Range;
 ///
 /// # Errors
 ///
-/// Those of `out`; what was written until then is part of the file.
+/// Errors of `out`; what was written until then is part of the file.
 ///
 /// # Example
 ///
@@ -103,12 +103,11 @@ pub(crate) fn sections<'a>(
 }
 
 fn faces(mesh: &dyn Mesh, triangles: Range<u32>, texture: bool, normals: bool) -> Section<'_> {
-    let start = triangles.start;
-    Section::new(triangles.len() as u32, 80, move |range, buffer| {
+    Section::of(triangles, 80, move |range, buffer| {
         let mut names = CornerNames::new(texture, normals);
-        let range = start + range.start..start + range.end;
-        let triangles = filled(range, [0; 3], |first, out| mesh.fill_triangles(first, out));
-        triangles.into_iter().for_each(|triangle| names.push_face(triangle, buffer));
+        for triangle in corners::triangles(mesh, range) {
+            names.push_face(triangle, buffer);
+        }
     })
 }
 
@@ -125,12 +124,9 @@ fn coordinates<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Section<'
     Section::new(mesh.vertex_count(), 32, |range, buffer| {
         let mut decimals = [0; 3].map(|_| Decimals::new());
         let mut levels = [0; 3].map(|_| Decimals::new());
-        let degrees = if options.degree_colors {
-            filled(range.clone(), 0, |first, out| mesh.fill_degrees(first, out))
-        } else {
-            Vec::new()
-        };
-        for (i, point) in points(mesh, range).into_iter().enumerate() {
+        let degrees =
+            if options.degree_colors { corners::degrees(mesh, range.clone()) } else { Vec::new() };
+        for (i, point) in positions(mesh, range).enumerate() {
             buffer.push(b'v');
             for (decimals, value) in decimals.iter_mut().zip(options.plane.place(point).to_array())
             {
@@ -153,7 +149,7 @@ fn texture_coordinates(mesh: &dyn Mesh) -> Section<'_> {
     let bounds = mesh.bounds();
     Section::new(mesh.vertex_count(), 24, move |range, buffer| {
         let mut decimals = [0; 2].map(|_| Decimals::new());
-        for point in points(mesh, range) {
+        for point in positions(mesh, range) {
             buffer.extend_from_slice(b"vt");
             let place = in_box(bounds, point).as_vec2().to_array();
             for (decimals, value) in decimals.iter_mut().zip(place) {
@@ -186,11 +182,9 @@ fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
 }
 
 fn segments(mesh: &dyn Mesh, segments: Range<u32>) -> Section<'_> {
-    let start = segments.start;
-    Section::new(segments.len() as u32, 20, move |range, buffer| {
+    Section::of(segments, 20, move |range, buffer| {
         let mut digits = itoa::Buffer::new();
-        let range = start + range.start..start + range.end;
-        for segment in filled(range, [0; 2], |first, out| mesh.fill_segments(first, out)) {
+        for segment in corners::segments(mesh, range) {
             buffer.push(b'l');
             for vertex in segment {
                 buffer.push(b' ');
@@ -199,8 +193,4 @@ fn segments(mesh: &dyn Mesh, segments: Range<u32>) -> Section<'_> {
             buffer.push(b'\n');
         }
     })
-}
-
-fn points(mesh: &dyn Mesh, range: Range<u32>) -> Vec<DVec3> {
-    filled(range, DVec3::ZERO, |first, out| mesh.fill_positions(first, out))
 }

@@ -83,7 +83,7 @@ pub(super) struct Element {
     pub(super) properties: Vec<Property>,
 }
 
-/// What the header says, and how long it is.
+/// The header and its length.
 pub(super) struct Header {
     pub(super) encoding: Encoding,
     pub(super) elements: Vec<Element>,
@@ -142,8 +142,10 @@ fn encoding_of(mut words: Words<'_>) -> Result<Encoding, ReadError> {
         Some(b"ascii") => Ok(Encoding::Ascii),
         Some(b"binary_little_endian") => Ok(Encoding::LittleEndian),
         Some(b"binary_big_endian") => Ok(Encoding::BigEndian),
-        _ => Err(words
-            .problem("the format is none of ascii, binary_little_endian and binary_big_endian")),
+        _ => {
+            Err(words
+                .problem("the format must be ascii, binary_little_endian or binary_big_endian"))
+        }
     }
 }
 

@@ -21,7 +21,7 @@ use std::io::BufRead;
 ///
 /// # Errors
 ///
-/// Those of the input; a header or rows that are not as the format has them, corners that the
+/// Errors of the input; a header or rows that are not as the format has them, corners that the
 /// file has no vertex for, positions that are not finite, and a file without faces.
 ///
 /// # Example
@@ -140,7 +140,7 @@ impl<R: BufRead> Source<R> {
     }
 }
 
-/// What the rows so far say.
+/// The contents of the rows read so far.
 struct Contents<R> {
     source: Source<R>,
     /// How many vertices the header names.

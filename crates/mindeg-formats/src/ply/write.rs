@@ -1,9 +1,9 @@
 //! Writing PLY.
 
+use crate::corners::{degrees, positions, triangles};
 use crate::sections::Section;
 use crate::{GENERATOR, WriteOptions, degree_color};
-use glam::DVec3;
-use mindeg_mesh::{Mesh, filled};
+use mindeg_mesh::Mesh;
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Vec<Section<'a>> {
@@ -30,13 +30,9 @@ fn vertices<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Section<'a> {
     let len =
         if options.double { 24 } else { 12 } + if options.surface.degree_colors { 3 } else { 0 };
     Section::new(mesh.vertex_count(), len, move |range, buffer| {
-        let degrees = if options.surface.degree_colors {
-            filled(range.clone(), 0, |first, out| mesh.fill_degrees(first, out))
-        } else {
-            Vec::new()
-        };
-        let points = filled(range, DVec3::ZERO, |first, out| mesh.fill_positions(first, out));
-        for (i, point) in points.into_iter().enumerate() {
+        let degrees =
+            if options.surface.degree_colors { degrees(mesh, range.clone()) } else { Vec::new() };
+        for (i, point) in positions(mesh, range).enumerate() {
             let point = options.surface.plane.place(point);
             if options.double {
                 buffer.extend_from_slice(point.to_array().map(f64::to_le_bytes).as_flattened());
@@ -54,7 +50,7 @@ fn vertices<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Section<'a> {
 
 fn faces(mesh: &dyn Mesh) -> Section<'_> {
     Section::new(mesh.triangle_count(), 13, |range, buffer| {
-        for triangle in filled(range, [0; 3], |first, out| mesh.fill_triangles(first, out)) {
+        for triangle in triangles(mesh, range) {
             let [a, b, c] = triangle.map(u32::to_le_bytes);
             let mut face = [3; 13];
             face[1..5].copy_from_slice(&a);

@@ -25,7 +25,7 @@ const FACET: usize = 50;
 ///
 /// # Errors
 ///
-/// Those of the input; lines or bytes that are not as the format has them; coordinates that are not
+/// Errors of the input; lines or bytes that are not as the format has them; coordinates that are not
 /// finite; a binary file with fewer or more triangles than it says; a file without triangles.
 ///
 /// # Example

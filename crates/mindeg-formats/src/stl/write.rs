@@ -2,12 +2,12 @@
 
 use crate::corners::{Corners, triangles};
 use crate::sections::Section;
-use crate::{GENERATOR, Plane};
+use crate::{GENERATOR, MeshPlane};
 use glam::{DVec3, Vec3};
 use mindeg_mesh::Mesh;
 
 /// The file from front to back.
-pub(crate) fn sections(mesh: &dyn Mesh, plane: Plane) -> Vec<Section<'_>> {
+pub(crate) fn sections(mesh: &dyn Mesh, plane: MeshPlane) -> Vec<Section<'_>> {
     let count = mesh.triangle_count();
     // The first word must not be "solid", which is how a text begins.
     let mut header = GENERATOR.as_bytes().to_vec();

@@ -23,7 +23,7 @@ impl Frame {
     }
 
     pub(super) fn new(bounds: Bounds, room: Bounds) -> Self {
-        // What is one point, or too large or small for numbers, is drawn as of size 1.
+        // A single point, or a size that numbers cannot hold, is drawn as of size 1.
         let mut length = bounds.size();
         if !(1e-300..=1e300).contains(&length.max_element()) {
             length = DVec2::ONE;
@@ -40,7 +40,7 @@ impl Frame {
         self.to + (point - self.from) * self.scale * DVec2::new(1.0, -1.0)
     }
 
-    /// What the picture makes larger than it is, if anything.
+    /// How the picture distorts the mesh, if it does.
     pub(super) fn stretch(&self) -> Option<String> {
         let DVec2 { x, y } = self.scale;
         let (what, factor) = if x > y { ("width", x / y) } else { ("height", y / x) };

@@ -50,7 +50,7 @@ pub(crate) const FACTS: Facts = Facts {
 ///
 /// # Errors
 ///
-/// Too many vertices, before the first byte, and those of `out`.
+/// Too many vertices, before the first byte, and errors of `out`.
 ///
 /// # Example
 ///
@@ -119,7 +119,7 @@ impl Inset {
         self.frame.size
     }
 
-    /// What the picture makes larger than it is, if anything: words such as "height drawn 20
+    /// How the picture distorts the mesh, if it does: words such as "height drawn 20
     /// times too large".
     #[must_use]
     pub fn stretch(&self) -> Option<String> {
@@ -195,7 +195,7 @@ fn head(mesh: &dyn Mesh, frame: &Frame) -> String {
     )
 }
 
-/// What the colors mean, and how many vertices have each.
+/// The meaning of the colors, and how many vertices have each.
 fn legend(mesh: &dyn Mesh, drawing: &Drawing<'_>, frame: &Frame) -> String {
     let classes = drawing.degree_classes();
     let y = frame.height() - 34.0;

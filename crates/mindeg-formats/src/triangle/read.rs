@@ -23,7 +23,7 @@ use std::path::Path;
 ///
 /// # Errors
 ///
-/// Those of the inputs; lines that are not as the format has them; elements and segments that name
+/// Errors of the inputs; lines that are not as the format has them; elements and segments that name
 /// vertices that the `.node` does not have; files without elements, and such in three dimensions.
 /// Places name the file that a line is in.
 ///

@@ -1,7 +1,7 @@
 //! Writing .node, .ele and .poly.
 
 use crate::GENERATOR;
-use crate::boundary::{Boundary, Chain};
+use crate::boundary::{MarkedChain, MarkedChains};
 use crate::corners::segments;
 use crate::decimals::{Decimals, push_integer};
 use crate::names::one_line;
@@ -13,11 +13,11 @@ use std::sync::Arc;
 
 /// Each file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {
-    let boundary = Arc::new(Boundary::of(mesh));
+    let boundary = Arc::new(MarkedChains::of(mesh));
     [node(mesh, Arc::clone(&boundary)), ele(mesh), poly(mesh, &boundary)]
 }
 
-fn node<'a>(mesh: &'a dyn Mesh, boundary: Arc<Boundary<'a>>) -> Vec<Section<'a>> {
+fn node<'a>(mesh: &'a dyn Mesh, boundary: Arc<MarkedChains<'a>>) -> Vec<Section<'a>> {
     let head = format!("# {GENERATOR}\n{} 2 0 1\n", mesh.vertex_count());
     let marker = move |vertex, buffer: &mut Vec<u8>| push_integer(boundary.marker(vertex), buffer);
     vec![Section::bytes(head), vertex_lines(mesh, b"", 2, marker)]
@@ -35,7 +35,7 @@ fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     vec![Section::bytes(head), triangle_lines(mesh, b"", b"", attribute)]
 }
 
-fn poly<'a>(mesh: &'a dyn Mesh, boundary: &Boundary<'_>) -> Vec<Section<'a>> {
+fn poly<'a>(mesh: &'a dyn Mesh, boundary: &MarkedChains<'_>) -> Vec<Section<'a>> {
     let mut head = format!("# {GENERATOR}\n");
     for (line, marker) in mesh.lines().iter().zip(1..) {
         let _ = writeln!(head, "# marker {marker}: {}", one_line(&line.name));
@@ -59,10 +59,8 @@ fn poly<'a>(mesh: &'a dyn Mesh, boundary: &Boundary<'_>) -> Vec<Section<'a>> {
 }
 
 /// Number, ends and marker of each segment.
-fn chain_lines(mesh: &dyn Mesh, chain: Chain) -> Section<'_> {
-    let first = chain.segments.start;
-    Section::new(chain.segments.len() as u32, 32, move |range, buffer| {
-        let range = first + range.start..first + range.end;
+fn chain_lines(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
+    Section::of(chain.segments, 32, move |range, buffer| {
         for (index, ends) in range.clone().zip(segments(mesh, range)) {
             push_integer(u64::from(index) + 1, buffer);
             ends.into_iter().for_each(|vertex| push_integer(u64::from(vertex) + 1, buffer));

@@ -1,9 +1,9 @@
-//! What the numbers of a legacy VTK file are.
+//! The types of numbers in a legacy VTK file.
 
 use crate::ReadError;
 use crate::scanner::Scanner;
 
-/// What numbers are, and how many bytes each takes.
+/// A type of numbers, and how many bytes each takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Kind {
     Bit,

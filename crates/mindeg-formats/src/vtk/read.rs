@@ -21,7 +21,7 @@ use crate::scanner::{Numbers, Scanner};
 ///
 /// # Errors
 ///
-/// Those of the input; other datasets; what is not as the format has it, by line or byte; a file
+/// Errors of the input; other datasets; what is not as the format has it, by line or byte; a file
 /// without faces.
 ///
 /// # Example
@@ -66,7 +66,7 @@ fn head(scanner: &mut Scanner<'_>) -> Result<Numbers, ReadError> {
     }
 }
 
-/// What the file says so far.
+/// The contents of the file read so far.
 struct Contents {
     encoding: Numbers,
     positions: Vec<f64>,
@@ -175,7 +175,7 @@ impl Contents {
             b"TEXTURE_COORDINATES" => 0,
             _ => {
                 let shown = String::from_utf8_lossy(&word[..word.len().min(40)]).into_owned();
-                let problem = format!("{shown:?} is no keyword of legacy VTK that is read");
+                let problem = format!("{shown:?} is not a keyword of legacy VTK that is read");
                 return Err(scanner.problem_at(start, problem));
             }
         };

@@ -31,7 +31,7 @@ pub(super) struct Storage<'a> {
     pub(super) appended: Option<(usize, bool)>,
 }
 
-/// What the numbers of an array are.
+/// The type of an array's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Kind {
     Signed(usize),
@@ -65,9 +65,9 @@ impl Kind {
     }
 }
 
-/// Why there are no bytes for an array.
+/// Why an array has no bytes.
 enum Problem {
-    /// What is wrong with them.
+    /// An error of this array.
     Fault(String),
     /// There is too little memory.
     Memory(TryReserveError),
@@ -163,7 +163,7 @@ pub(super) fn values<T: Value>(storage: &Storage<'_>, tag: &Tag<'_>) -> Result<V
     Ok(list)
 }
 
-/// What is between a tag and the next.
+/// The text between a tag and the next.
 fn inline<'a>(storage: &Storage<'a>, tag: &Tag<'_>) -> &'a [u8] {
     if tag.is_empty {
         return &[];
@@ -243,7 +243,7 @@ impl Storage<'_> {
     }
 }
 
-/// How many characters of base64 so many bytes take.
+/// The number of base64 characters for a number of bytes.
 fn chars(bytes: usize) -> usize {
     bytes.div_ceil(3) * 4
 }

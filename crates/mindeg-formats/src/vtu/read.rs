@@ -21,7 +21,7 @@ use crate::grid::{CellData, Cells, Grid};
 ///
 /// # Errors
 ///
-/// Those of the input; other types of VTK files; data compressed by anything but zlib; what is not as
+/// Errors of the input; other types of VTK files; data compressed by anything but zlib; what is not as
 /// the format has it, by the byte where its element begins; a file without faces.
 ///
 /// # Example
@@ -46,7 +46,7 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     input.read_to_end(&mut file)?;
     let (mut storage, mut offset) = head(&file)?;
     storage.appended = appended(&file)?;
-    // What follows is no XML.
+    // Raw bytes follow, not XML.
     let end = storage.appended.map_or(file.len(), |(start, _)| start);
     let mut grid = Grid::default();
     let mut names = Names::default();
@@ -230,7 +230,7 @@ impl<'a> Piece<'a> {
         let types: Vec<i64> = values(storage, &needed(&self.types, "types")?)?;
         check(types.len(), self.cells, "types")?;
         let connectivity: Vec<i64> = values(storage, &needed(&self.connectivity, "connectivity")?)?;
-        // Data of other programs may have these names: what is no whole number for each is not ours.
+        // Other programs may use these names too: only whole numbers, one for each, are ours.
         let of_cells = |tag: &Option<Tag<'a>>| {
             let values: Option<Vec<i64>> = tag.and_then(|tag| values(storage, &tag).ok());
             values.filter(|values| values.len() as u64 == self.cells).unwrap_or_default()
