@@ -250,16 +250,96 @@ test("changes that come faster than the answers are all made", async () => {
   await answered(page);
   assert.match(await text(page, "#corner"), /^Corner 2 of 5$/);
   assert.equal(await facts(page), before);
-  // A hole beyond the outline is refused, and can be taken away again.
-  await page.locator("#add-hole").click();
-  const box = await page.locator(".stage").first().boundingBox();
-  await page.mouse.click(box.x + 4, box.y + 4);
+  await page.context().close();
+});
+
+test("a hole that fits nowhere is refused there and then, and nothing waits for it", async () => {
+  const page = await open();
+  const before = [await facts(page), ...await figures(page)];
+  // Beyond the outline; each click once added a hole that nobody saw and nothing but Undo removed.
+  for (let click = 0; click < 2; click++) {
+    await page.locator("#add-hole").click();
+    const box = await page.locator(".stage").first().boundingBox();
+    await page.mouse.click(box.x + 4, box.y + 4);
+    await page.waitForFunction(() => document.querySelector("#trouble-text").textContent.startsWith("No hole fits there."));
+    await answered(page);
+    assert.doesNotMatch(await text(page, "#trouble-text"), /line \d+, column/);
+  }
+  assert.equal(await page.getByRole("button", { name: /^Remove hole/ }).count(), 0);
+  // What is wrong does not lie over what is taken.
+  const [message, button] = await Promise.all(["#trouble", "#download"].map((id) => page.locator(id).boundingBox()));
+  assert.ok(message.x >= button.x + button.width || message.y >= button.y + button.height || message.y + message.height <= button.y);
+  assert.deepEqual([await facts(page), ...await figures(page)], before);
+  await page.selectOption("#beside", "interior");
   await answered(page);
+  assert.match((await figures(page))[1], /minimum angle/);
+  assert.match(mindeg("inspect", (await downloaded(page, "#download")).path).stdout, /nothing wrong found/);
+  // A corner across the outline is a fault that is seen: it can be dragged back. No picture waits for its mesh.
+  await page.selectOption("#beside", "none");
+  await choose(page, "figure-1");
+  await page.locator("#next").click();
+  for (const [axis, value] of [["x", 5], ["y", 1.5]]) {
+    await page.locator(`#${axis}`).fill(String(value));
+    await page.keyboard.press("Enter");
+    await answered(page);
+  }
   assert.ok(await page.locator("#trouble").isVisible());
-  for (const control of ["#add", "#next", "#add", "#remove"]) if (await page.locator(control).isEnabled()) await page.locator(control).click();
-  await page.getByRole("button", { name: "Remove hole 1" }).click();
+  await page.selectOption("#beside", "interior");
   await answered(page);
-  assert.equal(await facts(page), before);
+  assert.doesNotMatch((await figures(page))[1], /Working/);
+  await page.locator("#download").click();
+  await page.waitForFunction(() => document.querySelector("#download").disabled === false);
+  assert.doesNotMatch(await text(page, "#trouble-text"), /line \d+, column/);
+  await page.context().close();
+});
+
+test("a boundary too large to compare all degrees still has advice", async () => {
+  const page = await open();
+  const sides = [1500, 1000, 1500, 1000].map((intervals) => ({ intervals }));
+  const large = { name: "large", rectangle: { width: 4, height: 3 }, sides };
+  await page.locator("#file").setInputFiles({ name: "large.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(large)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "large");
+  await answered(page);
+  assert.match(await text(page, "#advice"), /^Take the mesh that keeps a share of the angle\./);
+  assert.match(await text(page, "#curve-note"), /^Not compared: .*5000.*\.$/);
+  assert.ok(!await page.locator("#curve").isVisible());
+  await choose(page, "figure-1");
+  assert.ok(await page.locator("#curve").isVisible());
+  await page.context().close();
+});
+
+test("no name in a menu is cut", async () => {
+  const page = await open();
+  const cut = await page.evaluate(() => [...document.querySelectorAll("#format, #presets")].flatMap((select) => {
+    const style = getComputedStyle(select);
+    const context = document.createElement("canvas").getContext("2d");
+    context.font = style.font;
+    const room = select.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+    return [...select.options].map(({ text }) => text).filter((text) => context.measureText(text).width > room);
+  }));
+  assert.deepEqual(cut, []);
+  await page.selectOption("#format", "gltf");
+  assert.match(await text(page, "#format-note"), /glTF.*2 files that belong together, \.gltf, \.bin/);
+  await page.context().close();
+});
+
+test("what is advised is what is shown", async () => {
+  const page = await open();
+  const ring = (count, x, y, radius) => Array.from({ length: count }, (_, i) => {
+    const rough = radius * (1 + 0.03 * Math.sin(7 * i * i));
+    return [x + rough * Math.cos(2 * Math.PI * i / count), y + rough * Math.sin(2 * Math.PI * i / count)];
+  });
+  const rough = { name: "rough", ring: ring(60, 0, 0, 10), holes: [{ ring: ring(20, 2, 1, 3) }] };
+  await page.locator("#file").setInputFiles({ name: "rough.json", mimeType: "application/json", buffer: Buffer.from(JSON.stringify(rough)) });
+  await page.waitForFunction(() => document.querySelector("#title").textContent === "rough");
+  await answered(page);
+  for (const button of [null, ...Array(await page.locator("#degrees button").count()).keys()]) {
+    if (button !== null) await page.locator("#degrees button").nth(button).click();
+    await answered(page);
+    const [degree, angle] = await page.locator("#degrees [aria-pressed=true]").evaluate((chosen) => [chosen.children[0].textContent, chosen.children[1].textContent]);
+    const [wanted] = await figures(page);
+    assert.ok(wanted.toLowerCase().startsWith(degree) && wanted.includes(angle), `${degree} ${angle}: ${wanted}`);
+  }
   await page.context().close();
 });
 

@@ -6,10 +6,11 @@ export function test(name, body) {
   tests.push([name, body]);
 }
 
-/** Runs all tests; the exit code says whether all have passed. */
+/** Runs all tests, or those whose names have the text ONLY; the exit code says whether all have passed. */
 export async function run() {
   let failed = 0;
-  for (const [name, body] of tests) {
+  const chosen = tests.filter(([name]) => name.includes(process.env.ONLY ?? ""));
+  for (const [name, body] of chosen) {
     try {
       await body();
       console.log(`ok    ${name}`);
@@ -18,6 +19,6 @@ export async function run() {
       console.log(`FAIL  ${name}\n      ${String(error.stack).replaceAll("\n", "\n      ")}`);
     }
   }
-  console.log(`${tests.length - failed} passed, ${failed} failed`);
+  console.log(`${chosen.length - failed} passed, ${failed} failed`);
   process.exitCode = failed ? 1 : 0;
 }

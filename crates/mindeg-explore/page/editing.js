@@ -5,7 +5,8 @@ import { apply, ask } from "./asking.js";
 import { addCorner, addHole, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { redraw, setCursor, stages } from "./pictures.js";
-import { element, showUndo } from "./show.js";
+import * as server from "./server.js";
+import { domainTrouble, element, showTrouble, showUndo } from "./show.js";
 import { SidesTable } from "./sides.js";
 import { bounds, view } from "./stage.js";
 import { remember, selection, shown, state } from "./state.js";
@@ -120,10 +121,19 @@ function setPlacing(isOn) {
   stages[0].element.classList.toggle("placing", isOn);
 }
 
-function placeHole(x, y) {
+/** Adds a hole, unless there can be none: then what is wrong is said, and the domain stays as it is. */
+async function placeHole(x, y) {
   setPlacing(false);
   letGo();
-  apply(addHole(state.domain, snapped([x, y], grid(), false), Math.min(...bounds.size) / 8, 3));
+  const before = state.domain;
+  const domain = addHole(before, snapped([x, y], grid(), false), Math.min(...bounds.size) / 8, 3);
+  try {
+    const refused = await server.refusal(domain);
+    if (refused) showTrouble(`No hole fits there. ${domainTrouble(refused)}`);
+    else if (state.domain === before) apply(domain);
+  } catch (error) {
+    showTrouble(error.message);
+  }
 }
 
 /** A pointer goes down on the picture: on a corner, beside a side, or to move the picture. */

@@ -6,7 +6,7 @@ import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js"
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
 import {
-  NAMES, decidingVertices, domainTrouble, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused,
+  NAMES, decidingVertices, element, showCharts, showCurveNow, showDegree, showDomain, showLimit, showMesh, showPartRefused, showRefused,
   showSuggestions, showTrouble,
 } from "./show.js";
 import { Stage, view } from "./stage.js";
@@ -54,7 +54,7 @@ const take = {
     element("command").textContent = text;
   },
   refused({ part, message, path }) {
-    if (!part) return showTrouble(domainTrouble(message, path), true);
+    if (!part) return showRefused(stages, { message, path });
     showPartRefused(stages, part, message);
     laterCharts();
   },

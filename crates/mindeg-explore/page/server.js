@@ -21,6 +21,14 @@ async function ask(path, options = {}) {
 
 export const getJson = async (path) => (await ask(path)).json();
 
+/** Why a domain is refused, as the answer's line says it; null if it is not. */
+export async function refusal(domain) {
+  const body = JSON.stringify({ domain, show: [] });
+  const answer = await ask(`/api/answer?tab=${newName()}`, { method: "POST", body });
+  const lines = (await answer.text()).split("\n").filter(Boolean).map((line) => JSON.parse(line));
+  return lines.find(({ kind }) => kind === "refused") ?? null;
+}
+
 /** The domains in a file of any format that mindeg reads. */
 export async function readFile(file) {
   const body = await file.arrayBuffer();

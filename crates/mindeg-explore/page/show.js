@@ -37,7 +37,7 @@ export function showUndo() {
 }
 
 /** What is wrong with a domain, and where. The lines and columns of JSON that nobody has seen tell nothing. */
-export function domainTrouble(message, path) {
+export function domainTrouble({ message, path }) {
   const text = message.replace(/^line \d+, column \d+,? ?/, "");
   return path && !text.includes(path) ? `${text} (at ${path})` : text;
 }
@@ -65,21 +65,32 @@ export function showMesh(stage, mesh) {
   figure.querySelector(".words-of").textContent = mesh.words;
 }
 
+/** A picture without a mesh, and why it has none. */
+function showNoMesh(stage, message) {
+  stage.worst = null;
+  delete shown.meshes[stage.view];
+  stage.figure.querySelector("h3").textContent = stage.view === "wanted" ? "No such mesh" : NAMES[stage.view];
+  stage.figure.querySelector(".figures").textContent = "";
+  stage.figure.querySelector(".words-of").textContent = message;
+}
+
+/** What is wrong with the whole domain. Meshes of the one before stay, and no picture waits for one. */
+export function showRefused(stages, line) {
+  showTrouble(domainTrouble(line), true);
+  for (const stage of stages) if (!shown.meshes[stage.view]) showNoMesh(stage, "The domain has a fault, so it has no mesh.");
+}
+
 /** Why a part has no answer, where its answer would stand. */
 export function showPartRefused(stages, part, message) {
   const stage = stages.find(({ view }) => view === part);
-  if (stage) {
-    stage.worst = null;
-    delete shown.meshes[part];
-    stage.figure.querySelector("h3").textContent = part === "wanted" ? "No such mesh" : NAMES[part];
-    stage.figure.querySelector(".figures").textContent = "";
-    stage.figure.querySelector(".words-of").textContent = message;
-  } else if (part === "curve") {
+  if (stage) showNoMesh(stage, message);
+  else if (part === "curve") {
     shown.curve = null;
     element("curve").replaceChildren();
     element("degrees").replaceChildren();
-    element("advice").textContent = "";
-    element("curve-note").textContent = message;
+    element("curve").closest("figure").hidden = true;
+    element("advice").textContent = "Take the mesh that keeps a share of the angle. The degrees are not compared here.";
+    element("curve-note").textContent = `Not compared: ${message}.`;
   } else if (part === "degree") element("degree-words").textContent = message;
   else if (part === "limit") element("limit-words").textContent = message;
   else if (part === "suggestions") element("suggestions").replaceChildren(make("p", "", message));
@@ -89,6 +100,7 @@ export function showPartRefused(stages, part, message) {
 export function showCurveNow(choose) {
   const { curve } = shown;
   if (!curve) return;
+  element("curve").closest("figure").hidden = false;
   showCurve(element("curve"), element("degrees"), curve, wantedDegree(), choose);
   element("advice").textContent = curve.words;
   element("curve-note").textContent = curve.open_question ?? "";

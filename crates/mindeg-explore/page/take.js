@@ -2,7 +2,7 @@
 
 import { ask, request } from "./asking.js";
 import * as server from "./server.js";
-import { element, showTrouble } from "./show.js";
+import { domainTrouble, element, showTrouble } from "./show.js";
 import { state } from "./state.js";
 
 /** Hands a file to the browser, which puts it where downloads go. */
@@ -19,12 +19,12 @@ const baseName = () => (state.domain.name ?? "mesh").replace(/[^\p{L}\p{N}._-]+/
 /** Offers the formats, and downloads. */
 export function offerFiles(formats) {
   const select = element("format");
-  select.append(...formats.map(({ name, description }) => new Option(`${name.toUpperCase()}: ${description}`, name)));
+  select.append(...formats.map(({ name }) => new Option(name.toUpperCase(), name)));
   const format = () => formats.find(({ name }) => name === select.value);
   const explain = () => {
-    const { files } = format();
-    const isSeveral = files.length > 1;
-    element("format-note").textContent = isSeveral ? `Two or more files that belong together: ${files.map((file) => `.${file}`).join(", ")}.` : "";
+    const { description, files } = format();
+    const several = files.length > 1 ? `: ${files.length} files that belong together, ${files.map((file) => `.${file}`).join(", ")}` : "";
+    element("format-note").textContent = `${description}${several}.`;
   };
   select.value = state.format;
   select.addEventListener("change", () => {
@@ -44,7 +44,7 @@ export function offerFiles(formats) {
       }
       element("spoken").textContent = "The mesh is downloaded.";
     } catch (error) {
-      showTrouble(error.message);
+      showTrouble(domainTrouble(error));
     }
     button.disabled = false;
   };

@@ -3,12 +3,12 @@
 use std::time::{Duration, Instant};
 
 use mindeg::exact::trade_off;
-use mindeg::{BoundaryMesh, Domain, is_by_formula};
+use mindeg::{BoundaryMesh, Domain, Goal, is_by_formula};
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
 
-use crate::api::{CurveShown, DegreeShown, Goal, Line, Part, Request, View};
+use crate::api::{CurveShown, DegreeShown, Line, Part, Request, View};
 use crate::changes;
 use crate::command::{KnownFiles, command};
 use crate::mesh::Made;

@@ -32,7 +32,9 @@
 //! [`Request::show`] lists is worked out: the curve, say, stays the same for another goal. A later mesh of
 //! the same view takes the place of an earlier one.
 
+use mindeg::Goal;
 use mindeg::quality::METRICS;
+use mindeg_compare::MeasureFacts;
 use mindeg_files::Format;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;
@@ -51,7 +53,7 @@ pub use crate::part::{Part, View};
 ///     "color": "min_angle"
 /// }"#;
 /// let request: mindeg_explore::Request = serde_json::from_str(body)?;
-/// assert_eq!(request.goal, mindeg_explore::Goal::KeepAngle(0.95));
+/// assert_eq!(request.goal, mindeg::Goal::KeepAngle(0.95));
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Clone, Debug, Deserialize)]
@@ -60,7 +62,7 @@ pub struct Request {
     /// The domain, as every command of mindeg takes it. Its `interior` is what is wanted of the view
     /// [`View::Interior`].
     pub domain: Box<RawValue>,
-    /// What [`View::Wanted`] is chosen for.
+    /// What [`View::Wanted`] is chosen for: `"least_degree"`, `{"keep_angle": 0.95}` or `{"max_degree": 5}`.
     #[serde(default)]
     pub goal: Goal,
     /// What is to be answered; all but [`Part::Interior`] by default.
@@ -75,19 +77,6 @@ pub struct Request {
     /// The format of [`Line::Command`]: one of [`Facts::formats`], OBJ by default.
     #[serde(default)]
     pub format: Option<String>,
-}
-
-/// What a mesh is chosen for: `"least_degree"`, `{"keep_angle": 0.95}` or `{"max_degree": 5}`.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Serialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Goal {
-    /// The least maximum degree.
-    #[default]
-    LeastDegree,
-    /// The least maximum degree with this share, 0 to 1, of the minimum angle of a Delaunay triangulation.
-    KeepAngle(f64),
-    /// The largest minimum angle with no more than so many edges at a vertex.
-    MaxDegree(u32),
 }
 
 /// A domain to start from.
@@ -107,28 +96,13 @@ pub struct Source {
 #[derive(Clone, Debug, Serialize)]
 pub struct Facts {
     /// The measures of a triangle.
-    pub measures: Vec<Measure>,
+    pub measures: Vec<MeasureFacts>,
     /// The formats to download.
     pub formats: Vec<FormatFact>,
     /// The most boundary vertices of a domain.
     pub max_vertices: u32,
     /// The most bytes of a body.
     pub max_bytes: usize,
-}
-
-/// A measure of a triangle.
-#[derive(Clone, Debug, Serialize)]
-pub struct Measure {
-    /// For [`Request::color`].
-    pub name: &'static str,
-    /// What people call it.
-    pub title: &'static str,
-    /// `1`, `degrees` or `length`.
-    pub unit: &'static str,
-    /// The formula and which direction is better.
-    pub explanation: String,
-    /// Whether larger values are better.
-    pub higher_is_better: bool,
 }
 
 /// A format to download.
@@ -163,15 +137,5 @@ impl Request {
     /// The format that is named.
     pub(crate) fn format(&self) -> Option<Format> {
         format_named(self.format.as_deref()?)
-    }
-}
-
-impl From<Goal> for mindeg::Goal {
-    fn from(goal: Goal) -> Self {
-        match goal {
-            Goal::LeastDegree => Self::LeastDegree,
-            Goal::KeepAngle(share) => Self::KeepAngle(share),
-            Goal::MaxDegree(limit) => Self::MaxDegree(limit),
-        }
     }
 }

@@ -1,11 +1,11 @@
 //! The command line that makes a mesh of the page.
 
-use mindeg::Domain;
+use mindeg::{Domain, Goal};
 use mindeg_answers::advice::shell_word;
 use mindeg_files::Format;
 use serde_json::Value;
 
-use crate::api::{Goal, Request, View};
+use crate::api::{Request, View};
 
 /// The line that ends a domain within a command. No line of JSON can be this word.
 const END: &str = "END";

@@ -3,6 +3,9 @@
 //! A page of another origin can send requests to this machine but not set the header of the token, cannot
 //! forge `Host`, `Origin` or `Sec-Fetch-Site`, and does not know the token.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
 use axum::http::{HeaderMap, HeaderName, Method, StatusCode, header};
 
 use crate::token;
@@ -20,12 +23,26 @@ pub(crate) struct Guard {
     pub(crate) token: String,
 }
 
+/// Whether a request of a connection had the token.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct HasToken(Arc<AtomicBool>);
+
+impl HasToken {
+    pub(crate) fn show(&self) {
+        self.0.store(true, Relaxed);
+    }
+
+    pub(crate) fn is_shown(&self) -> bool {
+        self.0.load(Relaxed)
+    }
+}
+
 /// Why a request is refused, with a status.
 pub(crate) type Refusal = (StatusCode, &'static str);
 
 impl Guard {
     /// The names of this machine to itself.
-    const HOSTS: [&'static str; 3] = ["127.0.0.1", "localhost", "[::1]"];
+    const HOSTS: [&'static str; 2] = ["127.0.0.1", "localhost"];
 
     /// Checks a request; `needs_token` for all but the page's own files.
     pub(crate) fn check(

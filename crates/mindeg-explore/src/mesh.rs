@@ -44,7 +44,7 @@ impl Made {
                 .map_err(|error: ExactError| error.to_string())
         };
         match view {
-            View::Wanted => boundary(request.goal.into()),
+            View::Wanted => boundary(request.goal),
             View::Least => boundary(Goal::LeastDegree),
             View::Delaunay => delaunay(domain).map(Self::Delaunay),
             View::Interior => {

@@ -8,7 +8,6 @@ use std::sync::Arc;
 use std::task::{Context, Poll};
 use std::time::Duration;
 
-use axum::Router;
 use axum::body::{Body, Bytes, HttpBody};
 use axum::extract::rejection::QueryRejection;
 use axum::extract::{Path, Query, Request, State};
@@ -17,6 +16,7 @@ use axum::http::header::{self, HeaderName, HeaderValue};
 use axum::middleware::{Next, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
+use axum::{Extension, Router};
 use http_body::Frame;
 use mindeg_files::{Input, Session};
 use mindeg_mesh::{Progress, Step};
@@ -30,7 +30,7 @@ use crate::command::KnownFiles;
 use crate::download::download;
 use crate::facts::facts;
 use crate::files::{self, File};
-use crate::guard::Guard;
+use crate::guard::{Guard, HasToken};
 use crate::presets::presets;
 use crate::reading::sources;
 use crate::states::States;
@@ -93,11 +93,21 @@ pub(crate) fn router(all: Arc<All>) -> Router {
 }
 
 /// Checks who asks, and tells the browser to keep others out.
-async fn guarded(State(all): State<Arc<All>>, request: Request, next: Next) -> Response {
+async fn guarded(
+    State(all): State<Arc<All>>,
+    Extension(has_token): Extension<HasToken>,
+    request: Request,
+    next: Next,
+) -> Response {
     let needs_token = request.uri().path().starts_with("/api/");
     let checked = all.guard.check(request.method(), request.headers(), needs_token);
     let mut response = match checked {
-        Ok(()) => next.run(request).await,
+        Ok(()) => {
+            if needs_token {
+                has_token.show();
+            }
+            next.run(request).await
+        }
         Err((status, message)) => refused(status, message).into_response(),
     };
     let fixed = [

@@ -3,27 +3,38 @@
 use std::convert::Infallible;
 use std::io;
 use std::net::{Ipv4Addr, SocketAddr};
+use std::pin::pin;
 use std::sync::Arc;
 use std::time::Duration;
 
-use axum::Router;
+use axum::{Extension, Router};
 use hyper::server::conn::http1;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use hyper_util::service::TowerToHyperService;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
+use tokio::time::timeout;
 
 use crate::api::Source;
 use crate::command::KnownFiles;
-use crate::guard::Guard;
+use crate::guard::{Guard, HasToken};
 use crate::routes::{All, router};
 use crate::token::token;
 
 /// The most connections at once; further ones wait.
 const MOST_CONNECTIONS: usize = 64;
 
-/// How long the head of a request may take to come.
-const HEAD_TIME: Duration = Duration::from_secs(10);
+/// How long connections may last, so that nobody who does not send, or does not read, keeps others waiting
+/// for theirs: at the end of its time a connection takes no further request, and as long again later it is closed.
+#[derive(Clone, Copy, Debug)]
+struct Times {
+    /// Of one whose requests had no token: for the head of a request, or for the page's files, which are small.
+    stranger: Duration,
+    /// Of any other: longer than any answer takes.
+    page: Duration,
+}
+
+const TIMES: Times = Times { stranger: Duration::from_secs(5), page: Duration::from_secs(300) };
 
 /// What a server starts with.
 #[derive(Clone, Debug, Default)]
@@ -97,13 +108,16 @@ impl Server {
     /// Connections that can no longer be waited for.
     pub fn run(self) -> Result<Infallible, ServerError> {
         let Self { runtime, listener, all, .. } = self;
-        runtime.block_on(serve(listener, router(all)))
+        runtime.block_on(serve(listener, router(all), TIMES))
     }
 }
 
-async fn serve(listener: TcpListener, router: Router) -> Result<Infallible, ServerError> {
+async fn serve(
+    listener: TcpListener,
+    router: Router,
+    times: Times,
+) -> Result<Infallible, ServerError> {
     let connections = Arc::new(Semaphore::new(MOST_CONNECTIONS));
-    let service = TowerToHyperService::new(router);
     loop {
         let permit = Arc::clone(&connections).acquire_owned().await;
         let stream = match listener.accept().await {
@@ -114,16 +128,97 @@ async fn serve(listener: TcpListener, router: Router) -> Result<Infallible, Serv
                 continue;
             }
         };
-        let service = service.clone();
+        let router = router.clone();
         tokio::spawn(async move {
             let _permit = permit;
             let _ = stream.set_nodelay(true);
+            let has_token = HasToken::default();
+            let service = TowerToHyperService::new(router.layer(Extension(has_token.clone())));
             let connection = http1::Builder::new()
                 .timer(TokioTimer::new())
-                .header_read_timeout(HEAD_TIME)
+                .header_read_timeout(2 * times.stranger)
                 .serve_connection(TokioIo::new(stream), service);
             // Who closes a connection early has no use for an error.
-            let _ = connection.await;
+            let mut connection = pin!(connection);
+            let mut last = times.stranger;
+            let mut is_over = timeout(last, connection.as_mut()).await.is_ok();
+            if !is_over && has_token.is_shown() {
+                last = times.page;
+                is_over = timeout(last, connection.as_mut()).await.is_ok();
+            }
+            if !is_over {
+                connection.as_mut().graceful_shutdown();
+                let _ = timeout(last, connection).await;
+            }
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use axum::routing::get;
+    use std::io::{Read, Write};
+    use std::net::TcpStream;
+    use std::thread::{sleep, spawn};
+    use std::time::Instant;
+
+    /// A server of more bytes than sockets hold, at `/` without the token and at `/api` with it.
+    fn served(times: Times) -> SocketAddr {
+        let (sender, receiver) = std::sync::mpsc::channel();
+        spawn(move || {
+            let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
+            runtime.block_on(async {
+                let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, 0)).await?;
+                sender.send(listener.local_addr()?).unwrap();
+                let shown = async |Extension(token): Extension<HasToken>| {
+                    token.show();
+                    vec![b' '; 8 << 20]
+                };
+                let router = Router::new().route("/", get(async || vec![b' '; 8 << 20]));
+                serve(listener, router.route("/api", get(shown)), times).await
+            })
+        });
+        receiver.recv().unwrap()
+    }
+
+    fn asked(address: SocketAddr, path: &str) -> TcpStream {
+        let mut stream = TcpStream::connect(address).unwrap();
+        stream.set_read_timeout(Some(Duration::from_secs(60))).unwrap();
+        write!(stream, "GET {path} HTTP/1.1\r\nHost: x\r\n\r\n").unwrap();
+        stream
+    }
+
+    /// Whether all of the answer comes.
+    fn is_whole(stream: &mut TcpStream) -> bool {
+        let mut answer = vec![0; 8 << 20];
+        stream.read_exact(&mut answer).is_ok()
+    }
+
+    const SHORT: Duration = Duration::from_millis(300);
+
+    #[test]
+    fn readers_that_read_nothing_keep_nobody_out() {
+        let address = served(Times { stranger: SHORT, page: SHORT });
+        for path in ["/", "/api"] {
+            let held: Vec<_> = (0..MOST_CONNECTIONS).map(|_| asked(address, path)).collect();
+            assert!(is_whole(&mut asked(address, "/")), "{path}");
+            drop(held);
+        }
+    }
+
+    #[test]
+    fn a_reader_of_a_byte_at_a_time_is_closed() {
+        let address = served(Times { stranger: SHORT, page: Duration::from_secs(600) });
+        let mut slow = asked(address, "/");
+        let start = Instant::now();
+        // What is in the sockets' buffers still comes, and then the end.
+        while slow.read(&mut [0]).is_ok_and(|count| count > 0) && start.elapsed() < 3 * SHORT {
+            sleep(Duration::from_millis(20));
+        }
+        assert!(!is_whole(&mut slow));
+        let mut with_token = asked(address, "/api");
+        sleep(3 * SHORT);
+        assert!(is_whole(&mut with_token));
     }
 }

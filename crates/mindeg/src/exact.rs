@@ -15,6 +15,8 @@ use mindeg_mesh::Progress;
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
 pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary};
 pub use crate::exact_error::ExactError;
+use crate::keep_angle::{SHARES, within};
+use crate::meshed::Meshed;
 use crate::posed::Posed;
 pub use mindeg_exact::{ApexBound, LowerBound, Reached, ZigZag};
 
@@ -251,18 +253,14 @@ fn trade_off_by_windows(
     mut is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
 ) -> Result<TradeOff, ExactError> {
-    /// The shares of the Delaunay triangulation's angle that windows keep.
-    const SHARES: [f64; 9] = [1.0, 0.95, 0.9, 0.8, 0.6, 0.4, 0.2, 0.1, 0.0];
     let most = posed.delaunay_min_angle.unwrap_or(0.0);
     let mut meshes = Vec::<ExactMesh>::new();
-    // From the largest share to the smallest one, the degree falls.
     for share in SHARES {
-        let Some(mesh) = posed.windows(share, 0, progress)? else { continue };
+        let limit = meshes.last().map_or(u32::MAX, |last| last.max_degree - 1);
+        let Some(Meshed { mesh, .. }) = within(posed, [share], limit, progress)? else { continue };
         let max_degree = mesh.max_total_degree();
-        if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
-            let min_angle = mesh.measure_angles(progress).map_err(MeshError::from)?.min;
-            meshes.push(ExactMesh { max_degree, min_angle, mesh });
-        }
+        let min_angle = mesh.measure_angles(progress).map_err(MeshError::from)?.min;
+        meshes.push(ExactMesh { max_degree, min_angle, mesh });
     }
     meshes.reverse();
     if meshes.is_empty() {

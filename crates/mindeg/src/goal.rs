@@ -8,7 +8,7 @@ use mindeg_mesh::Progress;
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
 use crate::exact;
 use crate::exact_error::ExactError;
-use crate::keep_angle::{keep_angle, windowed};
+use crate::keep_angle::{SHARES, keep_angle, within};
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 use crate::posed::Posed;
 
@@ -25,7 +25,11 @@ const FEW_TRIPLES: u64 = 1_000_000;
 const MUCH: f64 = 1.5;
 
 /// What a mesh is chosen for.
+///
+/// In JSON, `"least_degree"`, `{"max_degree": 5}` or `{"keep_angle": 0.95}`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Deserialize, serde::Serialize))]
+#[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
 pub enum Goal {
     /// The least maximum degree, at any size.
     ///
@@ -184,8 +188,6 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError
 }
 
 fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    /// The shares of Delaunay's angle that windows try to keep, in this order.
-    const SHARES: [f64; 4] = [0.95, 0.75, 0.4, 0.0];
     let posed = Posed::of_any_size(domain, progress)?;
     if posed.has_best_angles(progress)? {
         let answer = exact::degree(domain, progress)?;
@@ -206,13 +208,8 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
             return Err(Unsolved::Infeasible { max_degree: limit, least }.into());
         }
     }
-    for share in SHARES {
-        let meshed = windowed(&posed, share, limit, progress);
-        match meshed {
-            Ok(windowed) if windowed.mesh.max_total_degree() <= limit => return Ok(windowed),
-            Ok(_) | Err(ExactError::LimitsNotReached) => {}
-            Err(error) => return Err(error),
-        }
+    if let Some(meshed) = within(&posed, SHARES, limit, progress)? {
+        return Ok(meshed);
     }
     if domain.convex().is_some() && !domain.is_constrained() {
         // What no window reaches, as round a dominant side, the formula does.

@@ -22,28 +22,48 @@ pub(crate) fn keep_angle(
 ) -> Result<Meshed, ExactError> {
     let posed = Posed::of_any_size(domain, progress)?;
     if !posed.has_best_angles(progress)? {
-        return windowed(&posed, share, 0, progress);
+        let kept = windowed(&posed, share, progress)?;
+        // The same degree may keep more.
+        let more = SHARES.into_iter().filter(|&more| more > share);
+        let best = within(&posed, more, kept.mesh.max_total_degree(), progress)?;
+        return Ok(best.unwrap_or(kept));
     }
     let is_kept = |min_angle, most| exact::keeps(min_angle, share, most);
     let trade_off = exact::exact_trade_off(&posed, is_kept, progress)?;
     Ok(Meshed::last_of(&trade_off))
 }
 
-/// The mesh that windows reach: with `share` of Delaunay's minimum angle, and no vertex above
-/// `max_degree` if that can be reached, else as few edges as can be.
-pub(crate) fn windowed(
+/// The shares of Delaunay's minimum angle that windows try to keep: from the largest to the smallest one, the
+/// degree falls. Every goal and the trade-off choose among these meshes, so that a degree has one mesh.
+pub(crate) const SHARES: [f64; 9] = [1.0, 0.95, 0.9, 0.8, 0.6, 0.4, 0.2, 0.1, 0.0];
+
+/// The mesh with the largest share of these that windows reach within a degree limit.
+pub(crate) fn within(
     posed: &Posed<'_>,
-    share: f64,
-    max_degree: u32,
+    shares: impl IntoIterator<Item = f64>,
+    limit: u32,
     progress: Progress<'_>,
-) -> Result<Meshed, ExactError> {
+) -> Result<Option<Meshed>, ExactError> {
+    for share in shares {
+        match windowed(posed, share, progress) {
+            Ok(meshed) if meshed.mesh.max_total_degree() <= limit => return Ok(Some(meshed)),
+            Ok(_) | Err(ExactError::LimitsNotReached) => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(None)
+}
+
+/// The mesh that windows reach: with `share` of Delaunay's minimum angle, and as few edges at a vertex as can
+/// be.
+fn windowed(posed: &Posed<'_>, share: f64, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     let (least_max_degree, is_known) = match posed.domain().convex() {
         Some(form) if !posed.domain().is_constrained() => {
             (mindeg_core::least_max_degree(form.boundary()), true)
         }
         _ => (lower_bound(&posed.problem).0, false),
     };
-    let mesh = posed.windows(share, max_degree.max(least_max_degree), progress)?;
+    let mesh = posed.windows(share, least_max_degree, progress)?;
     let mesh = mesh.ok_or(ExactError::LimitsNotReached)?;
     Ok(Meshed {
         is_least_proven: is_known || mesh.max_total_degree() == least_max_degree,

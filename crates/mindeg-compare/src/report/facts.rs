@@ -1,9 +1,11 @@
 //! The measures of reports, for pages that draw meshes in the same way.
 
+use serde::Serialize;
+
 use super::metric::SHOWN;
 
 /// A measure of a triangle, as reports show it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeasureFacts {
     /// The name in [`METRICS`](mindeg::quality::METRICS).
     pub name: &'static str,
