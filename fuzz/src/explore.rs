@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-use mindeg_explore::{KnownFiles, Line, answer, sources};
+use mindeg_explore::{AnswerLine, KnownFiles, answer, sources};
 use mindeg_mesh::{Progress, Step};
 
 pub(crate) fn run(request: &[u8]) {
@@ -26,7 +26,7 @@ pub(crate) fn run(request: &[u8]) {
         false => ControlFlow::Continue(()),
     };
     let mut lines = 0;
-    let mut count = |_: &Line| lines += 1;
+    let mut count = |_: &AnswerLine| lines += 1;
     let done = answer(bytes, &KnownFiles::default(), Progress::new(&newer), &mut count);
     assert!(lines > 0 || done.is_err(), "a request without an answer");
 }

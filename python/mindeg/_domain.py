@@ -1,7 +1,6 @@
 """Domains from what Python users have: numbers, arrays, dicts, JSON, files, shapely's polygons."""
 
 import json
-import math
 import os
 import warnings
 from collections.abc import Mapping, Sequence
@@ -11,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _mindeg
-from ._interior import InteriorOptions, names_its_options
+from ._interior import InteriorOptions, as_json, names_its_options
+from ._plain import number, plain, whole_number
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
@@ -53,7 +53,7 @@ class Domain(_mindeg._Domain):
             "repair": repair,
             "fill_rule": fill_rule,
         }
-        text = _json_of(source, {key: given for key, given in options.items() if given not in (None, False)})
+        text = _json_of(source, {key: given for key, given in options.items() if given is not None and given is not False})
         if name is not None:
             text = json.dumps({**json.loads(text), "name": name})
         return super().__new__(cls, text)
@@ -67,7 +67,7 @@ class Domain(_mindeg._Domain):
         its proven limit. ``sizes`` are rows x, y, size; ``fixed_points`` rows x, y; ``mesh.report`` has what was
         reached. ``docs/interior.md`` explains the options.
         """
-        return self._interior(options)
+        return self._interior(as_json(options))
 
     def compare(self) -> dict[str, Any]:
         """Delaunay, ear clipping and a fan beside mindeg: a dict, as ``mindeg compare`` writes it."""
@@ -90,7 +90,7 @@ def rectangle(
 
     ``intervals`` is one number for all sides or one for each; ``size`` is the length to aim at instead.
     """
-    outline = {"rectangle": {"width": _number(width, "width"), "height": _number(height, "height")}}
+    outline = {"rectangle": {"width": number(width, "width"), "height": number(height, "height")}}
     return _with_sides(outline, 4, intervals, size, names, name)
 
 
@@ -121,16 +121,16 @@ def _with_sides(outline, count, intervals, size, names, name):
         raise ValueError("give either intervals or size")
     sides = [{} for _ in range(count)]
     if size is not None:
-        outline["size"] = _number(size, "size")
+        outline["size"] = number(size, "size")
     elif np.ndim(intervals) == 0:
-        intervals = _count(intervals, "intervals")
+        intervals = whole_number(intervals, "intervals")
         for hole in outline.get("holes", []):
             hole["sides"] = [{"intervals": intervals} for _ in hole["corners"]]
         sides = [{"intervals": intervals} for _ in range(count)]
     else:
         if len(intervals) != count:
             raise ValueError(f"found {len(intervals)} intervals for {count} sides; give one for each")
-        sides = [{"intervals": _count(of_side, f"intervals[{side}]")} for side, of_side in enumerate(intervals)]
+        sides = [{"intervals": whole_number(of_side, f"intervals[{side}]")} for side, of_side in enumerate(intervals)]
     if names is not None:
         if len(names) != count:
             raise ValueError(f"found {len(names)} names for {count} sides; give one for each")
@@ -152,7 +152,7 @@ def _json_of(source, options):
             keys = " and ".join(options)
             raise ValueError(f"{keys} is for points, polygons and files; a domain in JSON has its own keys for that")
         if is_mapping:
-            return json.dumps(_plain(source, ""))
+            return json.dumps(plain(source, ""))
         return source if isinstance(source, str) else source.to_json()
     geometry = source if is_mapping else getattr(source, "__geo_interface__", None)
     if geometry is None:
@@ -160,7 +160,7 @@ def _json_of(source, options):
     elif geometry.get("type") == "Polygon":
         rings = {f"coordinates[{index}]": [point[:2] for point in ring] for index, ring in enumerate(geometry["coordinates"])}
     else:
-        return _outline(None, json.dumps(geometry, default=_plain), **options)
+        return _outline(None, json.dumps(geometry, default=plain), **options)
     if not rings:
         raise ValueError("the polygon is empty; give at least three points")
     outer, *holes = [_ring(ring, key) for key, ring in rings.items()]
@@ -196,40 +196,3 @@ def _ring(points, key):
     """Points of a ring in the plane, without the last one where it repeats the first, as it does in files."""
     rows = _mindeg._rows_of_two(points, key)
     return rows[:-1] if len(rows) > 1 and rows[0] == rows[-1] else rows
-
-
-def _native(value):
-    """A number of numpy's as Python's own."""
-    if isinstance(value, (np.ndarray, np.generic)) and np.ndim(value) == 0 and value is not np.ma.masked:
-        return float(value) if isinstance(value.item(), np.generic) else value.item()
-    return value
-
-
-def _number(value, key):
-    value = _native(value)
-    if isinstance(value, int) and not isinstance(value, bool) or isinstance(value, float) and math.isfinite(value):
-        return value
-    raise ValueError(f"{key} is {value!r}; give a finite number")
-
-
-def _count(value, key):
-    value = _native(value)
-    if isinstance(value, (int, float)) and not isinstance(value, bool) and value % 1 == 0:
-        return int(value)
-    raise ValueError(f"{key} is {value!r}; give a whole number")
-
-
-def _plain(value, key="value"):
-    """What a dict holds as JSON has it. Numbers that JSON has not are refused by their key."""
-    value = _native(value)
-    if isinstance(value, Mapping):
-        return {name: _plain(inner, f"{key}.{name}".lstrip(".")) for name, inner in value.items()}
-    if isinstance(value, np.ndarray) and np.ma.is_masked(value):
-        raise ValueError(f"{key} has masked values; give finite numbers")
-    if isinstance(value, (list, tuple, np.ndarray)):
-        return [_plain(inner, f"{key}[{index}]") for index, inner in enumerate(value)]
-    if value is None or isinstance(value, (str, bool)):
-        return value
-    if isinstance(value, (int, float)):
-        return _number(value, key)
-    raise TypeError(f"{key} is of the type {type(value).__name__}; a domain holds numbers, texts, lists and dicts")

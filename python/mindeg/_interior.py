@@ -1,12 +1,14 @@
 """Interior points: their options, written once for everything that takes them, and the optimiser alone."""
 
 import inspect
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar
 
 import numpy.typing as npt
 
 from . import _mindeg
+from ._plain import plain
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
@@ -39,6 +41,15 @@ def names_its_options(function: _Function) -> _Function:
     return function
 
 
+def as_json(options: Mapping[str, object]) -> str:
+    """The options that are given, as the library reads them."""
+    names = InteriorOptions.__annotations__
+    for name in options:
+        if name not in names:
+            raise ValueError(f'no option is named "{name}"; give {", ".join(names)}')
+    return json.dumps({key: plain(value, key) for key, value in options.items() if value is not None})
+
+
 @names_its_options
 def improve(
     points: "_mindeg.Mesh | npt.ArrayLike", triangles: "npt.ArrayLike | None" = None, **options: "Unpack[InteriorOptions]"
@@ -47,4 +58,4 @@ def improve(
 
     Options as for ``Domain.interior``; ``report["before"]`` has what the mesh was like.
     """
-    return _mindeg._improve(points, triangles, options)
+    return _mindeg._improve(points, triangles, as_json(options))

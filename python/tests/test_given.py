@@ -66,8 +66,8 @@ def test_a_number_that_is_none_is_refused_by_its_key():
         ("corners[0]", lambda: mindeg.polygon([[nan, 0], [1, 0], [1, 1]], intervals=1)),
         ("holes[0][3]", lambda: mindeg.polygon(SQUARE, holes=[[[1, 1], [2, 1], [2, 2], [nan, 1]]], size=1)),
         ("points[1]", lambda: mindeg.Mesh([[0, 0], [1, nan], [1, 1]], [[0, 1, 2]])),
-        ("sizes[0]", lambda: mindeg.Domain(SQUARE).interior(sizes=[(1, 1, nan)])),
-        ("fixed_points[1]", lambda: mindeg.Domain(SQUARE).interior(fixed_points=[(1, 1), (nan, 1)])),
+        ("sizes[0][2]", lambda: mindeg.Domain(SQUARE).interior(sizes=[(1, 1, nan)])),
+        ("fixed_points[1][0]", lambda: mindeg.Domain(SQUARE).interior(fixed_points=[(1, 1), (nan, 1)])),
     ]:
         said = refusal(call)
         assert said.startswith((f"{key} is ", f"{key} has ")) and "finite number" in said, said

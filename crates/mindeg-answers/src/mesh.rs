@@ -111,6 +111,8 @@ pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
             Some(format!("It has {kept}. No smaller degree keeps {percent:.0}%."))
         }
         (FoundBy::Windows { share }, _, Some(kept)) => {
+            // More may have come at the same degree than was asked for.
+            let share = if let Goal::KeepAngle(wanted) = goal { wanted } else { share };
             let percent = 100.0 * share;
             let gap = if max_degree == least {
                 "no degree is smaller".to_owned()

@@ -25,6 +25,7 @@ pub(crate) use self::values::{is_default, or_default, range};
 
 use crate::domain::Domain;
 use crate::error::Place;
+use crate::interior::Interior;
 use crate::model::Model;
 
 impl Domain {
@@ -191,6 +192,17 @@ impl Model {
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
         let description: ModelDescription = reader::read(text)?;
         description.model().map_err(|error| text::located(text, error))
+    }
+}
+
+impl Interior {
+    /// What is wanted inside, from the JSON text of a domain's key `"interior"` alone.
+    ///
+    /// # Errors
+    ///
+    /// Text that is no JSON, and keys or values that are not the format's.
+    pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
+        reader::read(text)
     }
 }
 

@@ -8,7 +8,7 @@ use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::{Cancelled, Progress};
 
-use crate::api::{CurveShown, DegreeShown, Line, Part, Request, View};
+use crate::api::{AnswerLine, CurveShown, DegreeShown, Part, Request, View};
 use crate::changes;
 use crate::command::{KnownFiles, command};
 use crate::mesh::Made;
@@ -17,9 +17,9 @@ use crate::shown::{self, Figure};
 /// The most boundary vertices of a domain.
 pub const MAX_VERTICES: u32 = 20_000;
 
-type Out<'a> = &'a mut dyn FnMut(&Line);
+type Out<'a> = &'a mut dyn FnMut(&AnswerLine);
 
-/// Answers a request: its lines go to `out` one by one, the last of them [`Line::Done`], unless the request
+/// Answers a request: its lines go to `out` one by one, the last of them [`AnswerLine::Done`], unless the request
 /// or its domain is refused.
 ///
 /// # Errors
@@ -29,13 +29,13 @@ type Out<'a> = &'a mut dyn FnMut(&Line);
 /// # Example
 ///
 /// ```
-/// use mindeg_explore::{KnownFiles, Line, answer};
+/// use mindeg_explore::{KnownFiles, AnswerLine, answer};
 /// use mindeg_mesh::Progress;
 ///
 /// let body = br#"{"domain": {"rectangle": {"width": 4, "height": 3}, "size": 0.5}, "show": ["wanted"]}"#;
 /// let mut degree = None;
 /// answer(body, &KnownFiles::default(), Progress::NONE, &mut |line| {
-///     if let Line::Mesh(mesh) = line {
+///     if let AnswerLine::Mesh(mesh) = line {
 ///         degree = Some(mesh.max_degree);
 ///     }
 /// })?;
@@ -56,9 +56,9 @@ pub fn answer(
             return Ok(());
         }
     };
-    out(&Line::Domain(shown::domain(&domain)));
+    out(&AnswerLine::Domain(shown::domain(&domain)));
     Answering { request: &request, domain: &domain, known, progress, out }.all()?;
-    out(&Line::Done { milliseconds: 1e3 * start.elapsed().as_secs_f64() });
+    out(&AnswerLine::Done { milliseconds: 1e3 * start.elapsed().as_secs_f64() });
     Ok(())
 }
 
@@ -67,20 +67,20 @@ pub fn answer(
 /// # Errors
 ///
 /// The line that says what is wrong.
-pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<Line>> {
+pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<AnswerLine>> {
     let request: Request = serde_json::from_slice(body)
         .map_err(|error| format!("the request is not what the page sends: {error}"))
         .and_then(|request: Request| request.checked())
         .map_err(|message| Box::new(refused(None, message)))?;
     let domain = Domain::from_json_up_to(request.domain.get(), MAX_VERTICES).map_err(|error| {
         let message = error.to_string();
-        Box::new(Line::Refused { part: None, message, path: Some(error.path) })
+        Box::new(AnswerLine::Refused { part: None, message, path: Some(error.path) })
     })?;
     Ok((request, domain))
 }
 
 /// What is said when the time of an answer is over.
-pub(crate) fn late(limit: Duration) -> Line {
+pub(crate) fn late(limit: Duration) -> AnswerLine {
     let seconds = limit.as_secs();
     refused(
         None,
@@ -88,8 +88,8 @@ pub(crate) fn late(limit: Duration) -> Line {
     )
 }
 
-pub(crate) fn refused(part: Option<Part>, message: String) -> Line {
-    Line::Refused { part, message, path: None }
+pub(crate) fn refused(part: Option<Part>, message: String) -> AnswerLine {
+    AnswerLine::Refused { part, message, path: None }
 }
 
 /// An answer in the making.
@@ -114,13 +114,13 @@ impl Answering<'_> {
         }
         if self.shows(Part::Command) {
             let text = command(self.request, self.domain, self.known);
-            (self.out)(&Line::Command { text });
+            (self.out)(&AnswerLine::Command { text });
         }
         if self.shows(Part::Degree) {
             match DegreeReport::of(self.domain, self.progress) {
                 Ok(report) => {
                     let words = report.words.clone();
-                    (self.out)(&Line::Degree(DegreeShown { report, words }));
+                    (self.out)(&AnswerLine::Degree(DegreeShown { report, words }));
                 }
                 Err(error) => self.refuse(Part::Degree, error.to_string())?,
             }
@@ -130,7 +130,7 @@ impl Answering<'_> {
                 Ok(found) => {
                     let delaunay_max_degree = delaunay.map(|figure| figure.max_degree());
                     let answer = TradeOffAnswer::of(&found);
-                    (self.out)(&Line::Curve(CurveShown {
+                    (self.out)(&AnswerLine::Curve(CurveShown {
                         words: answer.advice(delaunay_max_degree),
                         open_question: answer.open_question(),
                         delaunay_max_degree,
@@ -184,7 +184,7 @@ impl Answering<'_> {
         {
             if self.shows(part) {
                 let shown = figure.shown(view, is_last, self.request);
-                (self.out)(&Line::Mesh(Box::new(shown)));
+                (self.out)(&AnswerLine::Mesh(Box::new(shown)));
             }
         }
     }
@@ -196,7 +196,7 @@ impl Answering<'_> {
                 let figure = Figure::made(self.domain, &made);
                 if self.shows(part) {
                     let shown = figure.shown(view, true, self.request);
-                    (self.out)(&Line::Mesh(Box::new(shown)));
+                    (self.out)(&AnswerLine::Mesh(Box::new(shown)));
                 }
                 Ok(Some(figure))
             }
@@ -217,14 +217,14 @@ impl Answering<'_> {
         if self.shows(Part::Limit)
             && let Some(limit) = &limit
         {
-            (self.out)(&Line::Limit(changes::limit_shown(limit)));
+            (self.out)(&AnswerLine::Limit(changes::limit_shown(limit)));
         }
         if self.shows(Part::Suggestions) {
             let suggestions = changes::suggestions(
                 self.domain,
                 limit.as_ref().and_then(|limit| limit.steps.first()),
             );
-            (self.out)(&Line::Suggestions { suggestions });
+            (self.out)(&AnswerLine::Suggestions { suggestions });
         }
         Ok(())
     }

@@ -10,25 +10,25 @@
 //! | `GET /api/start` | | [`Source`]: the domain of the command line, or else a preset |
 //! | `GET /api/presets` | | a list of [`Source`]: the domains of `assets/domains` |
 //! | `GET /api/facts` | | [`Facts`]: measures and formats by name, limits |
-//! | `POST /api/answer?tab=ID` | [`Request`] | [`Line`]s, one JSON object a line, each as soon as it is known |
+//! | `POST /api/answer?tab=ID` | [`Request`] | [`AnswerLine`]s, one JSON object a line, each as soon as it is known |
 //! | `POST /api/read?name=FILE` | a file's bytes | a list of [`Source`]: its polygons, or its one domain |
 //! | `POST /api/download?format=NAME&view=VIEW&file=0` | [`Request`] | the bytes of a file of the mesh |
 //! | `PUT /api/state/ID`, `GET /api/state/ID` | any JSON | kept while the process runs |
 //!
 //! `tab` is any name of up to 64 letters, digits, `-` and `_`, as is a state's ID. A newer request of a tab to
-//! `/api/answer` ends the one before: its answer then stops without [`Line::Done`]. So does closing the
+//! `/api/answer` ends the one before: its answer then stops without [`AnswerLine::Done`]. So does closing the
 //! connection.
 //!
 //! # Arrays
 //!
 //! Arrays are base64 of little-endian numbers, as in the reports' pages: `f64` points as x, y, x, y, …
-//! from the center of the boundary, which [`Line::Domain`] gives; `u32` triangles, three vertices each,
+//! from the center of the boundary, which [`AnswerLine::Domain`] gives; `u32` triangles, three vertices each,
 //! counter-clockwise; `f32` values. Vertices, sides and triangles count from 0; vertices run
 //! counter-clockwise round the outer ring and clockwise round each hole; y points up.
 //!
 //! # Order
 //!
-//! First [`Line::Domain`] or [`Line::Refused`]; then what is fast; last [`Line::Done`]. Only what
+//! First [`AnswerLine::Domain`] or [`AnswerLine::Refused`]; then what is fast; last [`AnswerLine::Done`]. Only what
 //! [`Request::show`] lists is worked out: the curve, say, stays the same for another goal. A later mesh of
 //! the same view takes the place of an earlier one.
 
@@ -71,10 +71,10 @@ pub struct Request {
     /// The measure of [`Shown::values`]: one of [`Facts::measures`]. Without it there are no values.
     #[serde(default)]
     pub color: Option<String>,
-    /// The mesh of [`Line::Command`].
+    /// The mesh of [`AnswerLine::Command`].
     #[serde(default)]
     pub view: View,
-    /// The format of [`Line::Command`]: one of [`Facts::formats`], OBJ by default.
+    /// The format of [`AnswerLine::Command`]: one of [`Facts::formats`], OBJ by default.
     #[serde(default)]
     pub format: Option<String>,
 }

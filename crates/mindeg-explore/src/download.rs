@@ -5,7 +5,7 @@ use mindeg_mesh::Progress;
 use std::path::PathBuf;
 
 use crate::answer::understood;
-use crate::api::{FormatFact, Line, View};
+use crate::api::{AnswerLine, FormatFact, View};
 use crate::command::file_stem;
 use crate::format::{format_named, formats};
 use crate::mesh::Made;
@@ -32,7 +32,7 @@ pub(crate) fn download(
     let format =
         format_named(format).ok_or_else(|| format!("no format {format:?} is written here"))?;
     let (request, domain) = understood(body).map_err(|line| match *line {
-        Line::Refused { message, .. } => message,
+        AnswerLine::Refused { message, .. } => message,
         _ => String::new(),
     })?;
     let path = PathBuf::from(format!("{}.{}", file_stem(&domain), format.extension()));

@@ -31,7 +31,7 @@ mod token;
 mod work;
 
 pub use answer::{MAX_VERTICES, answer};
-pub use api::{Line, Part, Request, Source, View};
+pub use api::{AnswerLine, Part, Request, Source, View};
 pub use command::KnownFiles;
 pub use presets::presets;
 pub use reading::sources;

@@ -11,7 +11,7 @@ use crate::part::{Part, View};
 /// A line of an answer.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
-pub enum Line {
+pub enum AnswerLine {
     /// The domain as it was understood.
     Domain(DomainShown),
     /// A mesh.
@@ -25,7 +25,7 @@ pub enum Line {
     /// Changes that bring a smaller degree or a larger angle.
     Suggestions {
         /// The least change first.
-        suggestions: Vec<Suggestion>,
+        suggestions: Vec<SuggestedChange>,
     },
     /// How to make the mesh without the page.
     Command {
@@ -187,7 +187,7 @@ pub struct CurveShown {
 
 /// A change of interval counts.
 #[derive(Clone, Debug, Serialize)]
-pub struct Suggestion {
+pub struct SuggestedChange {
     /// The change and what it brings: "add 2 to side 2: degree 4".
     pub words: String,
     /// The least maximum degree after it, if that is what it is for.

@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use tokio::sync::mpsc;
 
 use crate::answer::{self, answer};
-use crate::api::{Line, Source, View};
+use crate::api::{AnswerLine, Source, View};
 use crate::command::KnownFiles;
 use crate::download::download;
 use crate::facts::facts;
@@ -264,7 +264,7 @@ async fn answers(
                 false => ControlFlow::Continue(()),
             };
             let progress = Progress::new(&callback);
-            let mut out = |line: &Line| send(&lines, line);
+            let mut out = |line: &AnswerLine| send(&lines, line);
             let done = turn.work(|| answer(&bytes, &all.known, progress, &mut out));
             if done.is_err() && work.is_late() {
                 send(&lines, &answer::late(TIME_LIMIT));
@@ -279,7 +279,7 @@ async fn answers(
 }
 
 /// Sends a line of an answer.
-fn send(lines: &mpsc::UnboundedSender<Bytes>, line: &Line) {
+fn send(lines: &mpsc::UnboundedSender<Bytes>, line: &AnswerLine) {
     if let Ok(mut text) = serde_json::to_vec(line) {
         text.push(b'\n');
         // Nobody reads on: the next step of the work ends it.

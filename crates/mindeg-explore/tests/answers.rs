@@ -210,8 +210,8 @@ fn a_cancelled_answer_stops_within_the_step() {
             false => ControlFlow::Break(()),
         };
         let is_done = Cell::new(false);
-        let mut out = |line: &mindeg_explore::Line| {
-            is_done.set(matches!(line, mindeg_explore::Line::Done { .. }));
+        let mut out = |line: &mindeg_explore::AnswerLine| {
+            is_done.set(matches!(line, mindeg_explore::AnswerLine::Done { .. }));
         };
         let progress = Progress::new(&callback);
         let answered = answer(body.as_bytes(), &KnownFiles::default(), progress, &mut out);

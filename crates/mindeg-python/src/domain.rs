@@ -89,9 +89,9 @@ impl Domain {
 
     /// A mesh with interior points; the package names the options.
     #[pyo3(name = "_interior")]
-    fn interior(&self, py: Python<'_>, options: &Bound<'_, PyDict>) -> PyResult<Mesh> {
+    fn interior(&self, py: Python<'_>, options: &str) -> PyResult<Mesh> {
         let base = self.inner.interior().cloned().unwrap_or_default();
-        let wanted = interior::wanted(options, base)?;
+        let wanted = interior::wanted(options, &base)?;
         let found = done(py, |progress| mindeg::interior::mesh(&self.inner, &wanted, progress))?;
         let report =
             dict(py, &InteriorAnswer::from(&found.report))?.cast_into::<PyDict>()?.unbind();

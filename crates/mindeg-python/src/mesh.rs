@@ -373,10 +373,10 @@ pub(crate) fn improve(
     py: Python<'_>,
     points: &Bound<'_, PyAny>,
     triangles: Option<&Bound<'_, PyAny>>,
-    options: &Bound<'_, PyDict>,
+    options: &str,
 ) -> PyResult<Mesh> {
     let mesh = arrays::tri_mesh(points, triangles)?;
-    let wanted = interior::wanted(options, mindeg::Interior::default())?;
+    let wanted = interior::wanted(options, &mindeg::Interior::default())?;
     let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
     let report = dict(py, &InteriorAnswer::from(&found.after))?.cast_into::<PyDict>()?;
     report.set_item("before", dict(py, &InteriorAnswer::from(&found.before))?)?;
