@@ -86,7 +86,7 @@ fn a_domain_is_told_what_one_degree_more_brings() {
     assert_eq!(run.code, Some(0), "{}", run.errors);
     let text = String::from_utf8_lossy(&run.output).into_owned();
     for words in [
-        "Hint: degree 4 has a minimum angle of 0.125°, degree 5 of 2.010°:",
+        "hint: degree 4 has a minimum angle of 0.125°, degree 5 of 2.010°:",
         "boundary-layer-channel.json --max-degree 5 -o mesh.obj",
     ] {
         assert!(text.contains(words), "{words:?} is missing in {text}");

@@ -85,7 +85,7 @@ fn what_cannot_be_improved_is_refused() {
     let bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 0\nf 1 2 3\nf 1 3 4\n";
     refuses(bent, &[], &["the mesh is not planar: vertex "]);
     let both = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n";
-    refuses(both, &[], &["the triangles face opposite ways or have no area"]);
+    refuses(both, &[], &["the mesh is not planar, or parts of it are turned over"]);
     let bow = "v 0 0 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n";
     refuses(bow, &[], &["the mesh cannot be improved"]);
     refuses(

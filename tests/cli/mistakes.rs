@@ -149,7 +149,7 @@ const MISTAKES: &[Case] = &[
         &[("a.geojson", br#"{"type": "LineString", "coordinates": [[0, 0], [1, 0]]}"#)],
         "mesh a.geojson --size 1 -o x.obj",
         2,
-        "error: a.geojson: the top of the document: no Polygon or MultiPolygon, only 1 LineString\n",
+        "error: a.geojson: no Polygon or MultiPolygon, only 1 LineString\n",
     ),
     (
         &[(

@@ -70,6 +70,15 @@ const SLIPS: &[(&str, &str)] = &[
         "mesh a.json b.json -o x.obj",
         "one domain at a time: b.json is a second one; mindeg compare takes several",
     ),
+    (
+        "mesh a.geojson bow.geojson -o x.obj",
+        "one domain at a time: bow.geojson is a second one; mindeg compare takes several",
+    ),
+    (
+        "coast.geojson",
+        "coast.geojson is no command; name one before the file, such as mindeg mesh coast.geojson -o \
+         mesh.obj",
+    ),
     ("mesh a.json x.obj", "give every output with -o: -o x.obj"),
     (
         "mesh --rectangle 4x3 --size 1 -o q.fbx --format obj",

@@ -54,7 +54,7 @@ fn degree_ends_with_a_hint_above_four() {
         let run = mindeg(["degree", intervals]);
         run.text().lines().last().expect("some text").to_owned()
     };
-    assert_eq!(last("12,9,4,4"), "Hint: add 2 to side 2 and it is 4; mindeg suggest tells more.");
+    assert_eq!(last("12,9,4,4"), "hint: add 2 to side 2 and it is 4; mindeg suggest tells more.");
     assert!(!last("3,3,2,2").contains("Hint"));
 }
 

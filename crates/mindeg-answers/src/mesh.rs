@@ -139,7 +139,7 @@ pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
 #[must_use]
 pub fn higher_degree(min_angle: f64, higher: &HigherDegree) -> String {
     format!(
-        "Hint: degree {} has a minimum angle of {}, {:.1} times as much: add --max-degree {}",
+        "hint: degree {} has a minimum angle of {}, {:.1} times as much: add --max-degree {}",
         higher.max_degree,
         steady_angle(higher.min_angle),
         higher.min_angle / min_angle,

@@ -97,7 +97,7 @@ fn the_hint_names_the_degree_and_the_option() {
     let higher = meshed.higher_degree.unwrap();
     assert_eq!(
         words::higher_degree(min_angle, &higher),
-        "Hint: degree 5 has a minimum angle of 2.010°, 16.1 times as much: add --max-degree 5"
+        "hint: degree 5 has a minimum angle of 2.010°, 16.1 times as much: add --max-degree 5"
     );
 }
 

@@ -65,7 +65,7 @@ fn fewer(report: &DegreeReport) -> Option<String> {
     }
     let suggestion = suggest(&Boundary::new(&report.intervals).ok()?, report.reached - 1)?;
     let words = in_words(&suggestion);
-    Some(format!("Hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
+    Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 
 /// What one or two degrees more bring on a domain, if that is much and found in about half a second.
@@ -74,7 +74,7 @@ fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
     let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE).ok()?;
     let higher = meshed.higher_degree?;
     Some(format!(
-        "Hint: degree {} has a minimum angle of {}, degree {} of {}:\n\
+        "hint: degree {} has a minimum angle of {}, degree {} of {}:\n\
          mindeg mesh {} --max-degree {} -o mesh.obj\n",
         meshed.least_max_degree,
         steady_angle(meshed.mesh.angle_range().min),

@@ -93,6 +93,6 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
     note(*kept_edges, "edges inside were kept, since groups meet there or lines run along them.");
     let others = mesh.non_triangles();
     note((others.quads + others.polygons) as usize, "larger faces were cut into triangles.");
-    lines.extend(violations(after).map(|violations| format!("Warning: {violations}")));
+    lines.extend(violations(after).map(|violations| format!("warning: {violations}")));
     lines.join("\n")
 }

@@ -2,7 +2,7 @@
 
 use crate::args::point;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use mindeg_files::Format;
+use mindeg_files::{Format, is_domain_name, is_mesh_name};
 use std::ffi::OsString;
 use std::path::Path;
 
@@ -93,19 +93,14 @@ fn after<'a>(
 fn file_for_command(error: &clap::Error) -> Option<String> {
     let word = text(error, ContextKind::InvalidSubcommand)?;
     match extension(&word).as_deref() {
-        Some("json") => Some(format!(
+        Some(_) if is_domain_name(word.as_ref()) => Some(format!(
             "{word} is no command; name one before the file, such as mindeg mesh {word} -o mesh.obj"
         )),
-        Some(_) if is_mesh(&word) => Some(format!(
+        Some(_) if is_mesh_name(word.as_ref()) => Some(format!(
             "{word} is no command; name one before the file, such as mindeg inspect {word}"
         )),
         _ => None,
     }
-}
-
-/// Whether the extension of a name is that of a format that is read.
-fn is_mesh(word: &str) -> bool {
-    Format::of_path(word.as_ref()).is_some_and(|format| Format::READ.contains(&format))
 }
 
 /// Options of an earlier version, and their names today.
@@ -126,17 +121,21 @@ fn one_too_many(command: &str, word: &str) -> Option<String> {
     if word.starts_with('-') {
         return None;
     }
+    // A name such as icon.svg is more likely that of an output.
+    let is_domain = is_domain_name(word.as_ref()) && Format::of_path(word.as_ref()).is_none();
     match (command, extension(word).as_deref()) {
-        ("mesh" | "tradeoff", Some("json")) => Some(format!(
-            "one domain at a time: {word} is a second one; mindeg compare takes several"
-        )),
+        ("mesh" | "tradeoff" | "degree" | "suggest" | "domain", Some(_)) if is_domain => Some(
+            format!("one domain at a time: {word} is a second one; mindeg compare takes several"),
+        ),
         ("mesh", Some(_)) if Format::of_path(word.as_ref()).is_some() => {
             Some(format!("give every output with -o: -o {word}"))
         }
         ("convert", Some(_)) | ("tradeoff" | "view", Some("html" | "svg")) => {
             Some(format!("give every output with -o: -o {word}"))
         }
-        ("verify", Some("json")) => Some(format!("one domain at a time: {word} is a second one")),
+        ("verify", Some(_)) if is_domain => {
+            Some(format!("one domain at a time: {word} is a second one"))
+        }
         ("inspect" | "view", Some(_)) => {
             Some(format!("one mesh at a time: {word} is a second one"))
         }

@@ -31,18 +31,16 @@ pub(crate) enum Kind {
     MeshOrOutlines(Format, OutlineFormat),
 }
 
-/// Whether a name is that of a mesh: it ends as a format does that is read, and as no outline does.
+/// Whether a name is that of a mesh that is read.
 #[must_use]
 pub fn is_mesh_name(path: &Path) -> bool {
-    mesh_format(path).is_some_and(|format| Format::READ.contains(&format))
+    Format::of_path(path).is_some_and(|format| Format::READ.contains(&format))
 }
 
 /// Whether a name is that of a domain: JSON, or an outline in a format that has no meshes.
 #[must_use]
 pub fn is_domain_name(path: &Path) -> bool {
-    let is_read = |format: Format| Format::READ.contains(&format);
-    extension(path) == "json"
-        || OutlineFormat::of_path(path).is_some() && !Format::of_path(path).is_some_and(is_read)
+    extension(path) == "json" || OutlineFormat::of_path(path).is_some() && !is_mesh_name(path)
 }
 
 /// The format of meshes that a name tells, where it does not stand for outlines, too.

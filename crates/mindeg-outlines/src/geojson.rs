@@ -91,11 +91,7 @@ impl Path<'_> {
     }
 
     fn error(&self, problem: impl Into<String>) -> ReadError {
-        let place = match self {
-            Self::Start => "the top of the document".to_owned(),
-            _ => self.text(),
-        };
-        ReadError::place(place, problem)
+        ReadError::place(self.text(), problem)
     }
 }
 
@@ -356,8 +352,8 @@ mod tests {
                 "line 1: column 128: more than 127 objects and lists inside each other",
             ),
             ("{\n\"type\":}", "line 2: column 8: this is not JSON"),
-            ("3", "the top of the document: found the number 3, expected a GeoJSON object"),
-            (r#"{"type": "Polygon"}"#, "the top of the document: \"coordinates\" is missing"),
+            ("3", "found the number 3, expected a GeoJSON object"),
+            (r#"{"type": "Polygon"}"#, "\"coordinates\" is missing"),
             (
                 r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, "a"]]]}"#,
                 "coordinates[0][1]: found the text \"a\" in a position, expected a number",
@@ -376,15 +372,15 @@ mod tests {
             ),
             (
                 r#"{"type": "Topology", "arcs": []}"#,
-                "the top of the document: this is TopoJSON; convert it to GeoJSON first, such as with topojson-client's topo2geo",
+                "this is TopoJSON; convert it to GeoJSON first, such as with topojson-client's topo2geo",
             ),
             (
                 r#"{"type": "LineString", "coordinates": []}"#,
-                "the top of the document: no Polygon or MultiPolygon, only 1 LineString",
+                "no Polygon or MultiPolygon, only 1 LineString",
             ),
             (
                 r#"{"type": "FeatureCollection", "features": []}"#,
-                "the top of the document: no Polygon or MultiPolygon; the collection is empty",
+                "no Polygon or MultiPolygon; the collection is empty",
             ),
         ] {
             assert_eq!(read(text).unwrap_err(), message, "{text}");

@@ -238,10 +238,7 @@ impl<'a> Reader<'a> {
                 [] => "the text is empty".to_owned(),
                 skipped => format!("only {}", skipped.join(", ")),
             };
-            return Err(ReadError::place(
-                "the whole text",
-                format!("no POLYGON or MULTIPOLYGON: {only}"),
-            ));
+            return Err(ReadError::place("", format!("no POLYGON or MULTIPOLYGON: {only}")));
         }
         let notes = &mut self.outlines.notes;
         if !skipped.is_empty() {
@@ -337,8 +334,8 @@ mod tests {
     #[test]
     fn errors_say_where_and_what() {
         for (text, message) in [
-            ("", "the whole text: no POLYGON or MULTIPOLYGON: the text is empty"),
-            ("POINT(1 2)", "the whole text: no POLYGON or MULTIPOLYGON: only 1 POINT"),
+            ("", "no POLYGON or MULTIPOLYGON: the text is empty"),
+            ("POINT(1 2)", "no POLYGON or MULTIPOLYGON: only 1 POINT"),
             ("POLYGON((0 0, 1 é))", "line 1, column 17: found \"é))\", expected a finite number"),
             (
                 "POLYGON((0 0, 1 nan))",

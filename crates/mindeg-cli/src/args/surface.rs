@@ -38,7 +38,7 @@ pub(crate) struct SurfaceArguments {
     #[arg(long)]
     pub(crate) no_fields: bool,
 
-    /// Give each vertex a colour by its degree (OBJ, glTF, PLY)
+    /// Give each vertex a color by its degree (OBJ, glTF, PLY)
     #[arg(long)]
     pub(crate) degree_colors: bool,
 

@@ -24,8 +24,8 @@ pub(crate) struct ViewArguments {
     /// The mesh, or a domain.
     #[arg(
         id = "domain",
-        value_name = "MESH|DOMAIN.json",
-        help = mesh_help("; or a domain in .json; - reads a domain from standard input")
+        value_name = "MESH|DOMAIN",
+        help = mesh_help("; or a domain: JSON, or an outline in any format that mindeg reads; - is standard input")
     )]
     pub(crate) file: Option<PathBuf>,
 

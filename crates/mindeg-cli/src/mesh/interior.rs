@@ -131,7 +131,7 @@ fn text(
         lifting.text(),
         grading(report),
     ];
-    lines.extend(violations(report).map(|violations| format!("Warning: {violations}")));
+    lines.extend(violations(report).map(|violations| format!("warning: {violations}")));
     if summary.reversed {
         lines.push("Corners ran clockwise and were reversed; each side kept its edge.".to_owned());
     }

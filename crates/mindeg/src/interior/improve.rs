@@ -34,8 +34,8 @@ pub struct ImprovedMesh {
 pub enum ImproveError {
     /// Triangles that face both ways, or none with an area.
     #[error(
-        "the triangles face opposite ways or have no area, so they lie on the front of no plane; \
-         turn them to one side first"
+        "the mesh is not planar, or parts of it are turned over: its triangles face opposite ways or have \
+         no area; give a flat mesh whose triangles face one way"
     )]
     NoFront,
     /// A vertex off the plane of the others.
