@@ -175,8 +175,11 @@ impl<'a> Posed<'a> {
 
     /// Why the solver has no answer, with the vertices whose degree limits no mesh keeps together.
     pub(crate) fn unsolved(&self, error: Unsolved, progress: Progress<'_>) -> ExactError {
-        if error != Unsolved::VertexLimits {
-            return error.into();
+        match error {
+            Unsolved::VertexLimits => {}
+            // Windows did not keep the limits, and there is no search: of meshes with holes, or of so many.
+            Unsolved::NotAPolygon => return ExactError::LimitsNotReached,
+            _ => return error.into(),
         }
         match self.vertices_in_conflict(progress) {
             Ok(vertices) => ExactError::DegreeLimits { vertices },

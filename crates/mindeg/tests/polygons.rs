@@ -466,3 +466,28 @@ fn the_same_bytes_on_any_number_of_threads() {
         assert_eq!(solve(7), one);
     }
 }
+
+/// It ended with advice to use windows, which only the library has.
+#[test]
+fn limits_round_holes_that_are_not_kept_are_told() {
+    for json in [
+        r#"{"ring": [[0, 0], [6, 0], [8, 0], [8, 8], [0, 8], [0, 6]], "holes": [{"ring": [[1, 7], [2, 5], [6, 7],
+            [1, 3]]}], "vertices": [{"vertex": 7, "outside_degree": 2}, {"vertex": 3, "max_degree": 4},
+            {"vertex": 4, "max_degree": 4}, {"vertex": 2, "max_degree": 7}, {"vertex": 9, "max_degree": 4},
+            {"vertex": 8, "outside_degree": 1, "max_degree": 7}, {"vertex": 1, "max_degree": 5},
+            {"vertex": 6, "outside_degree": 1, "max_degree": 7}]}"#,
+        r#"{"ring": [[4, 6], [2, 6], [2, 4], [0, 0], [6, 2], [6, 6]], "holes": [{"ring": [[4, 2], [5, 5], [5, 3]]}],
+            "vertices": [{"vertex": 3, "outside_degree": 2}, {"vertex": 2, "outside_degree": 2},
+            {"vertex": 8, "outside_degree": 3}, {"vertex": 7, "outside_degree": 3, "max_degree": 8},
+            {"vertex": 1, "outside_degree": 1}, {"vertex": 0, "max_degree": 4},
+            {"vertex": 5, "outside_degree": 3, "max_degree": 6}]}"#,
+    ] {
+        let domain = Domain::from_json(json).unwrap();
+        let refusals = [
+            exact::degree(&domain, Progress::NONE).err(),
+            exact::trade_off(&domain, Progress::NONE).err(),
+            mesh(&domain, Goal::LeastDegree, Progress::NONE).err(),
+        ];
+        assert_eq!(refusals, [const { Some(ExactError::LimitsNotReached) }; 3]);
+    }
+}

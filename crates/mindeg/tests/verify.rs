@@ -554,3 +554,21 @@ fn optimality_is_proven_refuted_or_open() {
         "unknown: no mesh has less than 4, and none with less than 5 was found"
     );
 }
+
+/// A vertex inside was taken for a boundary point near it, which has a vertex of its own.
+#[test]
+fn a_mesh_in_metres_of_a_domain_in_micrometres_passes() {
+    let domain = Domain::from_json(
+        r#"{"ring": [[9e-06, 2e-06], [8e-06, 6e-06], [0.0, 1e-06]], "holes": [{"ring":
+            [[4e-06, 2e-06], [4.9999999999999996e-06, 3e-06], [4.9999999999999996e-06, 2e-06]]}]}"#,
+    )
+    .unwrap();
+    let list = List::interior(&domain);
+    let verified = list.verify(&domain).unwrap();
+    assert_eq!(verified.interior_points, list.points.len() - 6);
+    // With a tolerance as wide, too.
+    let mesh = list.mesh(Plane::Xy);
+    assert!(verify::triangulation(&mesh, &domain, Some(2.4e-7)).is_ok());
+    // The default is a share of the domain's extent.
+    assert!((verified.tolerance / (1e-6 * 9e-6) - 1.0).abs() < 0.2, "{}", verified.tolerance);
+}

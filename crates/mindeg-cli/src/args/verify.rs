@@ -37,8 +37,8 @@ pub(crate) struct VerifyArguments {
     pub(crate) options: DomainOptions,
 
     /// How far a vertex may be from its boundary point, in the domain's unit of length. By default a
-    /// millionth of the unit, or of the domain's extent, or what 32-bit floats round, whichever is the
-    /// largest; at most a quarter of the shortest interval
+    /// millionth of the domain's extent, or what 32-bit floats round, whichever is larger; at most a
+    /// quarter of the shortest interval
     #[arg(long, value_name = "LENGTH", value_parser = tolerance, allow_hyphen_values = true)]
     pub(crate) tolerance: Option<f64>,
 

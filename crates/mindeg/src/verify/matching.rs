@@ -9,8 +9,7 @@ use super::defect::{Change, Defect};
 use super::near::Near;
 use crate::boundary_mesh::points_of;
 
-/// How far a vertex may be from its boundary point: this share of a domain's extent, and as much in units of
-/// length, since many programs write six digits behind the point.
+/// How far a vertex may be from its boundary point: this share of a domain's extent.
 pub const DEFAULT_TOLERANCE: f64 = 1e-6;
 
 /// How a planar mesh lies in space: where the domain's x and y are.
@@ -72,7 +71,7 @@ pub(super) fn tolerance_of(
     let used = corners.map(|&vertex| mesh.positions()[vertex as usize].abs().max_element());
     let used = used.fold(0.0, f64::max) / f64::from(1 << 22);
     let rounding = (2.0 * mesh.rounding()).min(used).max(largest / f64::from(1 << 23));
-    let extent = bounds.size().max_element().max(1.0);
+    let extent = bounds.size().max_element();
     Ok((DEFAULT_TOLERANCE * extent).max(rounding).min(shortest / 4.0))
 }
 
@@ -113,16 +112,23 @@ pub(super) fn matched(
     let mut farthest = 0.0_f64;
     let boundary = points.clone();
     let near = Near::new(&boundary, tolerance, extent);
+    let point = |vertex: u32| plane.place(positions[vertex as usize]).0;
+    // A point with a vertex at the very place needs no other: what is near it lies inside.
+    let mut is_exact = vec![false; boundary_count];
+    let nearest = used().filter_map(|vertex| near.nearest(point(vertex)));
+    nearest
+        .filter(|&(_, distance)| distance == 0.0)
+        .for_each(|(at, _)| is_exact[at as usize] = true);
     for vertex in used() {
         let same = first[vertex as usize] as usize;
         if point_of[same] == NONE {
-            let (point, _) = plane.place(positions[vertex as usize]);
+            let point = point(vertex);
             point_of[same] = match near.nearest(point) {
-                Some((index, distance)) => {
+                Some((index, distance)) if distance == 0.0 || !is_exact[index as usize] => {
                     farthest = farthest.max(distance);
                     index
                 }
-                None => {
+                _ => {
                     points.push(point);
                     points.len() as u32 - 1
                 }

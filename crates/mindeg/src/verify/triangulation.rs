@@ -45,8 +45,9 @@ pub struct Verified {
 ///
 /// Vertices count as one if they are in one place or belong to one boundary point. A vertex belongs to the
 /// nearest boundary point that is no farther than `tolerance`, in units of length; without one,
-/// [`DEFAULT_TOLERANCE`](super::DEFAULT_TOLERANCE) of the domain's extent or of 1, or what 32-bit floats
-/// round its coordinates by, whichever is the largest, but no more than a quarter of the shortest interval.
+/// [`DEFAULT_TOLERANCE`](super::DEFAULT_TOLERANCE) of the domain's extent, or what 32-bit floats round its
+/// coordinates by, whichever is larger, but no more than a quarter of the shortest interval. Where a vertex
+/// is at the very place of a boundary point, others near it are interior points.
 ///
 /// # Errors
 ///
