@@ -2,6 +2,8 @@
 //!
 //! Other geometries are left out and counted. Names are `properties.name`, else `id`. Longitude
 //! and latitude are taken as planar coordinates; heights are left out.
+//!
+//! The crate `geojson` tells what is wrong, but not in which feature or ring.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
