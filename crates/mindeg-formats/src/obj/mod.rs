@@ -20,6 +20,7 @@ mod library;
 mod numbers;
 mod read;
 mod references;
+mod words;
 mod write;
 
 use crate::facts::Facts;

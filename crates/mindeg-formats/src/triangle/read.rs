@@ -1,6 +1,5 @@
 //! Reading .node, .ele and .poly.
 
-use super::EXTENSIONS;
 use crate::ReadError;
 use crate::facts::Source;
 use crate::numbered::Numbered;
@@ -10,6 +9,9 @@ use mindeg_mesh::TriMesh;
 use std::collections::BTreeMap;
 use std::io::{BufRead, ErrorKind};
 use std::path::Path;
+
+/// The extensions of the vertices, of the triangles, and of the segments with the holes.
+pub(super) const EXTENSIONS: [&str; 3] = ["node", "ele", "poly"];
 
 /// Reads a mesh from a `.node` and an `.ele`, and its boundary segments from a `.poly`, if there is
 /// one.
