@@ -135,8 +135,8 @@ const MISTAKES: &[Case] = &[
         &[],
         "mesh --rectangle 4x3 --size 1 --interior --target-angle 80 -o x.obj",
         2,
-        "error: invalid value '80' for '--target-angle <A>': give degrees above 0 and below 60, such as \
-         25\n\nFor more information, try '--help'.\n",
+        "error: invalid value '80' for '--target-angle <A>': give degrees from 0 to 60; no triangle has \
+         only larger angles\n\nFor more information, try '--help'.\n",
     ),
     (
         &[],

@@ -168,7 +168,7 @@ fn a_model_may_come_by_standard_input() {
     let run = shell(folder.path(), script);
     assert_eq!(run.code, Some(0), "{run:?}");
     let run = shell(folder.path(), "echo '{\"faces\": 3}' | \"$MINDEG\" mesh - -o out.obj");
-    run.refuses(&["standard input: ", "corners"]);
+    run.refuses(&["standard input: ", "faces"]);
     let domain = r#"{"polygon": {"corners": [[0, 0], [2, 0], [0, 1]]}, "size": 1}"#;
     let run = shell(folder.path(), &format!("echo '{domain}' | \"$MINDEG\" mesh - -q -o out.obj"));
     assert_eq!(run.code, Some(0), "{run:?}");

@@ -24,6 +24,7 @@
 mod beside;
 mod error;
 mod foreign;
+mod input;
 mod kind;
 mod mesh;
 mod open;
@@ -40,9 +41,10 @@ pub use mindeg_formats::{
 pub use mindeg_outlines::{Division, FillRule, OutlineFormat, Polygon};
 
 pub use error::{FileError, plainly};
+pub use input::Input;
 pub use kind::{Wanted, is_domain_name, is_mesh_name};
 pub use mesh::READING;
-pub use open::{Content, Input};
+pub use open::Content;
 pub use outputs::{Outputs, cannot_write, is_standard_output, write_to};
 pub use polygons::{Polygons, ReadOptions};
 pub use session::Session;

@@ -3,7 +3,7 @@
 use crate::beside::Beside;
 use crate::error::{FileError, extension, plain};
 use crate::foreign;
-use crate::open::Input;
+use crate::input::Input;
 use crate::session::Session;
 use mindeg_formats::{Format, ReadError};
 use mindeg_mesh::{Progress, TriMesh};

@@ -1,7 +1,7 @@
 //! The polygons of a file.
 
 use crate::error::FileError;
-use crate::open::Input;
+use crate::input::Input;
 use crate::session::Session;
 use mindeg_domain::Domain;
 use mindeg_outlines::{
