@@ -52,6 +52,5 @@ pub use curve::{Arc, Curve, Segment};
 pub use domain::FeatureError;
 pub use error::ReadError;
 pub use format::{OutlineFormat, read};
-pub use nesting::FillRule;
-pub use outline::{Feature, Outlines, Piece, Ring};
+pub use outline::{Feature, FillRule, Outlines, Piece, Ring};
 pub use sides::{DividedSide, Division, SizeTooSmall};

@@ -7,35 +7,11 @@
 //! Limits: rings must not cross; crossings are found later, when the domain is made. Curves are
 //! compared by their points every 15 degrees.
 
-use std::str::FromStr;
-
 use glam::DVec2;
 
 use super::orientation::orientation;
-use super::outline::{Feature, Ring, doubled_area};
-use super::text::quoted;
+use super::outline::{Feature, FillRule, Outlines, Ring, Shape, doubled_area};
 use crate::error::ReadError;
-
-/// Which points are inside.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum FillRule {
-    /// Those that the rings wind around an odd number of times.
-    EvenOdd,
-    /// Those that the rings do not wind around zero times in all.
-    NonZero,
-}
-
-impl FromStr for FillRule {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "evenodd" => Ok(Self::EvenOdd),
-            "nonzero" => Ok(Self::NonZero),
-            other => Err(format!("found {}, expected evenodd or nonzero", quoted(other))),
-        }
-    }
-}
 
 /// The most comparisons of a point with an edge, which take some seconds: 90,000 squares beside each
 /// other, or 40,000 inside each other.
@@ -55,6 +31,29 @@ struct Loop {
     winding: i64,
     /// How many rings are around it.
     depth: usize,
+}
+
+impl Outlines {
+    /// The polygons that rings bound by the even-odd rule.
+    pub(super) fn of_rings(rings: Vec<Ring>, notes: Vec<String>) -> Result<Self, ReadError> {
+        let mut outlines = Self { notes, ..Self::default() };
+        outlines.add(rings, FillRule::EvenOdd, None)?;
+        Ok(outlines)
+    }
+
+    /// Adds the polygons that rings bound, and tells how many rings bound nothing.
+    pub(super) fn add(
+        &mut self,
+        rings: Vec<Ring>,
+        rule: FillRule,
+        name: Option<&str>,
+    ) -> Result<usize, ReadError> {
+        let (features, without_effect) = polygons(rings, rule, name)?;
+        self.features.extend(features);
+        let count = without_effect.len();
+        self.shapes.push(Shape { end: self.features.len(), rule, without_effect });
+        Ok(count)
+    }
 }
 
 /// The polygons that the rings bound, in the order of their outer rings, and the rings that bound

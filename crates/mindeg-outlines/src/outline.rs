@@ -1,12 +1,12 @@
 //! What a file of outlines holds: polygons with holes, whose boundary may be curved.
 
+use std::str::FromStr;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
 
 use super::curve::{Curve, Segment};
-use super::nesting::{FillRule, polygons};
-use crate::error::ReadError;
+use super::text::quoted;
 
 /// What was read from a file of outlines.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -17,6 +17,27 @@ pub struct Outlines {
     pub notes: Vec<String>,
     /// What the file drew as one, in the order of the polygons.
     pub(super) shapes: Vec<Shape>,
+}
+
+/// Which points are inside.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FillRule {
+    /// Those that the rings wind around an odd number of times.
+    EvenOdd,
+    /// Those that the rings do not wind around zero times in all.
+    NonZero,
+}
+
+impl FromStr for FillRule {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "evenodd" => Ok(Self::EvenOdd),
+            "nonzero" => Ok(Self::NonZero),
+            other => Err(format!("found {}, expected evenodd or nonzero", quoted(other))),
+        }
+    }
 }
 
 /// Rings that one fill rule turned into polygons.
@@ -59,27 +80,6 @@ pub struct Piece {
 }
 
 impl Outlines {
-    /// The polygons that rings bound by the even-odd rule.
-    pub(super) fn of_rings(rings: Vec<Ring>, notes: Vec<String>) -> Result<Self, ReadError> {
-        let mut outlines = Self { notes, ..Self::default() };
-        outlines.add(rings, FillRule::EvenOdd, None)?;
-        Ok(outlines)
-    }
-
-    /// Adds the polygons that rings bound, and tells how many rings bound nothing.
-    pub(super) fn add(
-        &mut self,
-        rings: Vec<Ring>,
-        rule: FillRule,
-        name: Option<&str>,
-    ) -> Result<usize, ReadError> {
-        let (features, without_effect) = polygons(rings, rule, name)?;
-        self.features.extend(features);
-        let count = without_effect.len();
-        self.shapes.push(Shape { end: self.features.len(), rule, without_effect });
-        Ok(count)
-    }
-
     /// Makes one shape of the polygons that are in none.
     pub(super) fn end_shape(&mut self) {
         let (end, without_effect) = (self.features.len(), Vec::new());

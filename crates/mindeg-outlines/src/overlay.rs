@@ -9,22 +9,20 @@
 //! something.
 
 pub(super) mod crossings;
+mod edge;
 mod faces;
 
 use glam::DVec2;
 
+pub(super) use self::edge::Layer;
+use self::edge::{Edge, Step};
+
 use super::curve::Curve;
 use super::loops::reversed;
-use super::nesting::{FillRule, contains};
+use super::nesting::contains;
 use super::orientation::orientation;
 use super::outline::{Piece, Ring, doubled_area};
 use super::vertices::Vertices;
-
-/// Rings that one fill rule counts.
-pub(super) struct Layer<'a> {
-    pub(super) rings: Vec<&'a Ring>,
-    pub(super) rule: FillRule,
-}
 
 /// What rings laid over each other give.
 #[derive(Debug, Default)]
@@ -40,13 +38,6 @@ pub(super) struct Overlay {
     pub(super) dropped: usize,
 }
 
-/// A straight edge: a chord, or a part of one.
-#[derive(Clone, Copy)]
-struct Edge {
-    ends: [u32; 2],
-    chord: u32,
-}
-
 /// A straight piece of a ring, or one of the chords of a curved piece.
 struct Chord<'a> {
     layer: usize,
@@ -57,15 +48,6 @@ struct Chord<'a> {
     /// Which of how many chords of the piece it is.
     part: (usize, usize),
     ends: [u32; 2],
-}
-
-/// An edge of a boundary, on the way round it.
-#[derive(Clone, Copy)]
-struct Step {
-    from: u32,
-    chord: u32,
-    /// Whether it runs as its chord does.
-    forward: bool,
 }
 
 /// The greatest and the least size of a coordinate with which no decision overflows or vanishes.

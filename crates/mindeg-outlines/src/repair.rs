@@ -10,7 +10,8 @@ use std::collections::BTreeSet;
 use glam::DVec2;
 
 use super::curve::{Curve, norm};
-use super::nesting::{FillRule, contains};
+use super::nesting::contains;
+use super::outline::FillRule;
 use super::outline::{Feature, Outlines, Ring, Shape, key};
 use super::overlay::crossings::meeting;
 use super::overlay::{Layer, Overlay, overlay};

@@ -27,7 +27,7 @@ use svgtypes::{ViewBox, ViewBoxError};
 use self::clip::Clip;
 use self::path::Subpath;
 use self::style::Style;
-use super::nesting::FillRule;
+use super::outline::FillRule;
 use super::outline::{Outlines, Ring};
 use super::text::{at_line, counted, quoted, text_of};
 use crate::error::ReadError;

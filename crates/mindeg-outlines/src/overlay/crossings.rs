@@ -11,7 +11,7 @@ use glam::DVec2;
 use super::super::orientation::orientation;
 use super::super::text::shown;
 use super::super::vertices::Vertices;
-use super::Edge;
+use super::edge::Edge;
 
 /// The most comparisons of two edges, which take some seconds.
 const MOST_COMPARISONS: u64 = 1_000_000_000;

@@ -4,9 +4,10 @@ use std::cmp::Ordering;
 
 use glam::DVec2;
 
-use super::super::nesting::{FillRule, too_deep};
+use super::super::nesting::too_deep;
 use super::super::orientation::orientation;
-use super::{Edge, Layer, Step};
+use super::super::outline::FillRule;
+use super::edge::{Edge, Layer, Step};
 
 /// The most comparisons of a vertex with an edge, which take some seconds.
 const MOST_COMPARISONS: u64 = 4_000_000_000;

@@ -1,7 +1,7 @@
 //! Clips: regions outside which nothing of an element is shown.
 
-use super::super::nesting::FillRule;
 use super::super::orientation::orientation;
+use super::super::outline::FillRule;
 use super::super::outline::Ring;
 use super::super::overlay::{Layer, overlay};
 

@@ -6,7 +6,7 @@ use glam::{DAffine2, DVec2};
 use roxmltree::Node;
 use svgtypes::FuncIRI;
 
-use super::super::nesting::FillRule;
+use super::super::outline::FillRule;
 use super::super::text::quoted;
 use super::clip::Clip;
 use super::transform;

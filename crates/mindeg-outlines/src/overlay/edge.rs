@@ -1,0 +1,25 @@
+//! What goes into a planar subdivision, and what comes out.
+
+use super::super::outline::{FillRule, Ring};
+
+/// Rings that one fill rule counts.
+pub(in super::super) struct Layer<'a> {
+    pub(in super::super) rings: Vec<&'a Ring>,
+    pub(in super::super) rule: FillRule,
+}
+
+/// A straight edge: a chord, or a part of one.
+#[derive(Clone, Copy)]
+pub(super) struct Edge {
+    pub(super) ends: [u32; 2],
+    pub(super) chord: u32,
+}
+
+/// An edge of a boundary, on the way round it.
+#[derive(Clone, Copy)]
+pub(super) struct Step {
+    pub(super) from: u32,
+    pub(super) chord: u32,
+    /// Whether it runs as its chord does.
+    pub(super) forward: bool,
+}
