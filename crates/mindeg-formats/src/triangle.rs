@@ -29,3 +29,14 @@ pub(crate) const FACTS: Facts = Facts {
     write: |job, files| job.write(files, sections(job.mesh)),
     ..Facts::NONE
 };
+
+/// Whether the first line that is no comment is that of a `.node`: a number of vertices in two
+/// dimensions.
+fn counts_vertices(bytes: &[u8]) -> bool {
+    let mut lines = bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
+    let first = lines.find(|line| !matches!(line, [] | [b'#', ..])).unwrap_or_default();
+    let words = first.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    let number = |word| std::str::from_utf8(word).ok()?.parse::<u32>().ok();
+    let numbers: Vec<Option<u32>> = words.map(number).collect();
+    matches!(numbers[..], [Some(_), Some(2), Some(_), Some(0 | 1)])
+}
