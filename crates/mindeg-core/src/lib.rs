@@ -33,8 +33,7 @@
 //!   [`bound`] has the theorems that it uses, and [`suggest`] finds the smallest change of counts
 //!   for a lower optimum.
 //! - [`RingStrip`] joins two closed loops of vertices, as a tube or an annulus has them.
-//! - [`verify`] checks a list of triangles from any source, and [`exact`] finds the optimum by
-//!   search. Neither shares code with the constructions.
+//! - [`verify`] checks a list of triangles from any source. It shares no code with the constructions.
 //!
 //! # Indices
 //!
@@ -57,7 +56,6 @@ mod candidates;
 mod certificate;
 mod construction;
 mod cut;
-pub mod exact;
 mod least_degree;
 mod ring;
 mod ring_strip;

@@ -3,8 +3,10 @@
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod exact;
+
 use mindeg_core::{
-    Boundary, Candidates, Certificate, bound, certificate, exact, least_max_degree, verify,
+    Boundary, Candidates, Certificate, bound, certificate, least_max_degree, verify,
 };
 use std::collections::HashSet;
 

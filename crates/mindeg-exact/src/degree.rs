@@ -3,9 +3,9 @@
 use crate::apex::{ApexBound, apex_bound};
 use crate::delaunay::least_tangent;
 use crate::feasibility::{any_triangulation, least_by_search};
+use crate::linked::Linked;
 use crate::problem::{Domain, MANY_EDGES, Problem};
 use crate::progress::Stage;
-use crate::triangulation::Triangulation;
 use crate::unsolved::Unsolved;
 use crate::visibility;
 use crate::windows::{WindowGoal, windows};
@@ -183,13 +183,13 @@ pub fn lower_bound(problem: &Problem) -> (u32, LowerBound) {
 }
 
 /// The test of all zig-zags, from the number of vertices on for which it decides about degree 4.
-fn zigzags(problem: &Problem, mesh: &Triangulation) -> Option<Found> {
+fn zigzags(problem: &Problem, mesh: &Linked) -> Option<Found> {
     (problem.points().len() >= 7).then(|| zigzag::find(problem, mesh, ZIGZAG_STEPS))
 }
 
 fn polygon(
     problem: &Problem,
-    mesh: &Triangulation,
+    mesh: &Linked,
     progress: Progress<'_>,
 ) -> Result<DegreeRange, Unsolved> {
     let vertices = problem.points().len();
@@ -253,7 +253,7 @@ fn polygon(
 /// Of a domain with holes: what windows reach, and bounds.
 fn rings(
     problem: &Problem,
-    mesh: &Triangulation,
+    mesh: &Linked,
     progress: Progress<'_>,
 ) -> Result<DegreeRange, Unsolved> {
     let lower_bound = counting_bound(problem, mesh.triangles.len());
@@ -278,7 +278,7 @@ fn rings(
 /// The least degree that windows reach, with the largest of the shares that reaches it.
 fn by_windows(
     problem: &Problem,
-    mesh: &Triangulation,
+    mesh: &Linked,
     lower_bound: u32,
     progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {

@@ -1,14 +1,14 @@
 //! Delaunay by flips: a lower bound on the largest minimum angle.
 
+use crate::linked::{Linked, is_convex};
 use crate::measure::min_angle_tangent;
 use crate::sides::Sides;
-use crate::triangulation::{Triangulation, is_convex};
 use glam::DVec2;
 use robust::{Coord, incircle};
 
 /// Flips edges until the triangulation is constrained Delaunay, except for forbidden chords; or
 /// until 1000 flips a vertex, which leaves some other triangulation.
-pub(crate) fn make_delaunay(mesh: &mut Triangulation, points: &[DVec2], sides: &Sides) {
+pub(crate) fn make_delaunay(mesh: &mut Linked, points: &[DVec2], sides: &Sides) {
     let mut flips_left = 1000 * points.len();
     let mut open: Vec<(u32, usize)> =
         (0..mesh.triangles.len() as u32).flat_map(|t| (0..3).map(move |edge| (t, edge))).collect();
@@ -29,7 +29,7 @@ pub(crate) fn make_delaunay(mesh: &mut Triangulation, points: &[DVec2], sides: &
 }
 
 /// The tangent of the minimum angle.
-pub(crate) fn least_tangent(mesh: &Triangulation, points: &[DVec2]) -> f64 {
+pub(crate) fn least_tangent(mesh: &Linked, points: &[DVec2]) -> f64 {
     let at = |corners: &[u32; 3]| corners.map(|corner| points[corner as usize]);
     let tangents = mesh.triangles.iter().map(|corners| min_angle_tangent(at(corners)));
     tangents.fold(f64::INFINITY, f64::min)
@@ -48,7 +48,7 @@ mod tests {
         };
         let points: Vec<DVec2> = (0..15).map(point).collect();
         let fan = (1..14).map(|vertex| [0, vertex, vertex + 1]).collect();
-        let mut mesh = Triangulation::new(fan).unwrap();
+        let mut mesh = Linked::new(fan).unwrap();
         let sides = Sides::of_boundary(&Boundary::new(&[1; 15]).unwrap());
         let before = least_tangent(&mesh, &points);
         make_delaunay(&mut mesh, &points, &sides);

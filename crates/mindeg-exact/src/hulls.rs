@@ -1,7 +1,7 @@
 //! Convex hulls of consecutive vertices, which tell whether any of them is on one side of a line without
 //! a look at each. Exact. O(n log n) to build, O(log² n) for each question.
 
-use crate::triangulation::orientation;
+use crate::linked::orientation;
 use glam::DVec2;
 use std::ops::Range;
 

@@ -2,11 +2,11 @@
 
 use crate::chords::Chords;
 use crate::limits::DegreeLimits;
+use crate::linked::{Linked, orientation};
 use crate::problem_error::ProblemError;
 use crate::progress::Stage;
 use crate::sides::Sides;
 use crate::size::{MAX_TRIPLES, MAX_VERTICES};
-use crate::triangulation::{Triangulation, orientation};
 use crate::unsolved::Unsolved;
 use crate::visibility;
 use glam::DVec2;
@@ -53,9 +53,9 @@ pub(crate) enum Domain {
     Convex(Boundary),
     /// A polygon whose ring is 0, 1, 2 and so on, with a triangulation that shows which vertices
     /// see each other.
-    Simple(Triangulation),
+    Simple(Linked),
     /// Any other domain, with a triangulation.
-    Rings(Triangulation),
+    Rings(Linked),
 }
 
 impl Problem {
@@ -147,7 +147,7 @@ impl Problem {
                 return Err(ProblemError::NotCounterClockwise { triangle });
             }
         }
-        let mut mesh = Triangulation::new(triangles.to_vec())
+        let mut mesh = Linked::new(triangles.to_vec())
             .map_err(|[from, to]| ProblemError::Overlap { from, to })?;
         let mut passes = vec![0_u32; vertices];
         let mut is_ring = true;
@@ -264,11 +264,11 @@ impl Problem {
     }
 
     /// Some triangulation of the points.
-    pub(crate) fn triangulation(&self) -> Triangulation {
+    pub(crate) fn triangulation(&self) -> Linked {
         match &self.domain {
             Domain::Convex(boundary) => {
                 let triangles = least_degree_triangulation(boundary).triangles().collect();
-                Triangulation::new(triangles).expect("the formula makes a triangulation")
+                Linked::new(triangles).expect("the formula makes a triangulation")
             }
             Domain::Simple(mesh) | Domain::Rings(mesh) => mesh.clone(),
         }

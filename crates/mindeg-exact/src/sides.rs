@@ -12,7 +12,7 @@
 //! exactly. After that the given triangulation has no forbidden chord, and what is proven of all others
 //! holds beside it.
 
-use crate::triangulation::{Triangulation, is_convex};
+use crate::linked::{Linked, is_convex};
 use glam::DVec2;
 use mindeg_core::Boundary;
 use mindeg_mesh::planar::{LEAST_TURN, passes};
@@ -43,11 +43,7 @@ impl Sides {
     /// that begins at each vertex. Flips edges of the triangulation until none is forbidden, and breaks
     /// the sides, or lets chords pass vertices, where that leaves some. O(n), and O(n) more for each round
     /// of flips.
-    pub(crate) fn of_triangulation(
-        mesh: &mut Triangulation,
-        points: &[DVec2],
-        side_of: &[u32],
-    ) -> Self {
+    pub(crate) fn of_triangulation(mesh: &mut Linked, points: &[DVec2], side_of: &[u32]) -> Self {
         let mut sides = Self::of_boundary_edges(mesh, side_of);
         sides.clear = Some(largest_angle(mesh, points));
         let mut forbidden = sides.forbidden(mesh, points);
@@ -77,7 +73,7 @@ impl Sides {
         if sides.forbidden(mesh, points).is_empty() { sides } else { Self { clear: None, ..sides } }
     }
 
-    fn of_boundary_edges(mesh: &Triangulation, side_of: &[u32]) -> Self {
+    fn of_boundary_edges(mesh: &Linked, side_of: &[u32]) -> Self {
         let mut of = vec![[u32::MAX; 2]; side_of.len()];
         for [from, to] in mesh.boundary_edges() {
             of[from as usize][1] = side_of[from as usize];
@@ -87,7 +83,7 @@ impl Sides {
     }
 
     /// The edges between two triangles that are forbidden, each with one of the two.
-    fn forbidden(&self, mesh: &Triangulation, points: &[DVec2]) -> Vec<(u32, usize)> {
+    fn forbidden(&self, mesh: &Linked, points: &[DVec2]) -> Vec<(u32, usize)> {
         let is_forbidden = |&(triangle, edge): &(u32, usize)| {
             triangle < mesh.neighbours[triangle as usize][edge]
                 && mesh
@@ -100,12 +96,7 @@ impl Sides {
 
     /// Flips those of these chords that may be flipped to one that is not forbidden; whether it flipped
     /// any.
-    fn flip_out(
-        &self,
-        mesh: &mut Triangulation,
-        points: &[DVec2],
-        forbidden: &[(u32, usize)],
-    ) -> bool {
+    fn flip_out(&self, mesh: &mut Linked, points: &[DVec2], forbidden: &[(u32, usize)]) -> bool {
         let mut has_flipped = false;
         for &(triangle, edge) in forbidden {
             let Some(corners @ [a, b, c, d]) = mesh.corners_at(triangle, edge) else { continue };
@@ -139,7 +130,7 @@ impl Sides {
 /// A vertex at height h above a chord, r and s from its ends, turns it by h / r + h / s. It is passed if that
 /// is less than [`LEAST_TURN`], or if h is less than the rounding of a coordinate. From either end the
 /// angle is less than that turn, and not above h / r.
-fn largest_angle(mesh: &Triangulation, points: &[DVec2]) -> f64 {
+fn largest_angle(mesh: &Linked, points: &[DVec2]) -> f64 {
     let edges = mesh.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     let lengths = edges.map(|[a, b]| points[a as usize].distance(points[b as usize]));
     let shortest = lengths.fold(f64::INFINITY, f64::min);
@@ -157,7 +148,7 @@ mod tests {
         triangles: &[[u32; 3]],
     ) -> (Sides, Vec<[u32; 3]>) {
         let points: Vec<DVec2> = points.iter().copied().map(DVec2::from).collect();
-        let mut mesh = Triangulation::new(triangles.to_vec()).unwrap();
+        let mut mesh = Linked::new(triangles.to_vec()).unwrap();
         let sides = Sides::of_triangulation(&mut mesh, &points, side_of);
         (sides, mesh.triangles)
     }

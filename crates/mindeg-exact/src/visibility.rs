@@ -15,10 +15,10 @@
 
 use crate::chords::Chords;
 use crate::hulls::{Hulls, Which};
+use crate::linked::{Corners, Linked, NONE, orientation};
 use crate::parallel::map_chunks;
 use crate::progress::Stage;
 use crate::sides::Sides;
-use crate::triangulation::{Corners, NONE, Triangulation, orientation};
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::passes;
@@ -46,14 +46,14 @@ pub(crate) struct Eye<'a> {
 
 /// The ring 0, 1, 2, … of a polygon, where the vertices beyond an edge follow each other.
 pub(crate) struct Ring<'a> {
-    mesh: &'a Triangulation,
+    mesh: &'a Linked,
     hulls: Hulls<'a>,
     /// The corners at each vertex counter-clockwise.
     corners: Corners,
 }
 
 impl<'a> Ring<'a> {
-    fn new(mesh: &'a Triangulation, points: &'a [DVec2]) -> Self {
+    fn new(mesh: &'a Linked, points: &'a [DVec2]) -> Self {
         let count = points.len();
         let mut corners = Corners::new(count, &mesh.triangles);
         corners.sort_by_key(mesh, |vertex, next| after(vertex, next, count));
@@ -119,7 +119,7 @@ impl<'a> Eye<'a> {
     /// it sees, without its boundary neighbours. O(triangles seen).
     pub(crate) fn look(
         &mut self,
-        mesh: &Triangulation,
+        mesh: &Linked,
         points: &[DVec2],
         corner: u32,
         mut visit: impl FnMut(u32),
@@ -183,7 +183,7 @@ impl<'a> Eye<'a> {
 /// All admissible chords of a simple polygon; none if they are more than `most`. O(triangles seen),
 /// in parallel.
 pub(crate) fn chords(
-    mesh: &Triangulation,
+    mesh: &Linked,
     points: &[DVec2],
     sides: &Sides,
     most: usize,
@@ -197,7 +197,7 @@ pub(crate) fn chords(
 /// out, smaller ones first and ascending; none if they are more than `most`. With holes a triangle is
 /// seen more than once, on either side of a hole.
 pub(crate) fn pairs(
-    mesh: &Triangulation,
+    mesh: &Linked,
     points: &[DVec2],
     sides: &Sides,
     most: usize,
@@ -207,7 +207,7 @@ pub(crate) fn pairs(
 }
 
 fn seen_pairs(
-    mesh: &Triangulation,
+    mesh: &Linked,
     points: &[DVec2],
     sides: &Sides,
     ring: Option<&Ring<'_>>,
@@ -250,7 +250,7 @@ fn seen_pairs(
 /// Whether two vertices see each other or are the ends of an edge, by a walk from one to the other.
 /// O(triangles crossed), which `steps` counts.
 pub(crate) fn sees(
-    mesh: &Triangulation,
+    mesh: &Linked,
     points: &[DVec2],
     corners: &Corners,
     [from, to]: [u32; 2],
@@ -275,7 +275,7 @@ pub(crate) fn sees(
 /// Whether a corner (3 * triangle + corner) sees a vertex within the angle of its triangle; if `is_clear`,
 /// past no vertex of the triangles between by less than the tolerance of [`passes`].
 fn sees_from(
-    mesh: &Triangulation,
+    mesh: &Linked,
     points: &[DVec2],
     corner: u32,
     to: u32,
@@ -337,7 +337,7 @@ mod tests {
         }
         for outline in outlines {
             let n = outline.points.len();
-            let mut mesh = Triangulation::new(outline.ears()).unwrap();
+            let mut mesh = Linked::new(outline.ears()).unwrap();
             let sides = Sides::of_triangulation(&mut mesh, &outline.points, &outline.side_of);
             let found = chords(&mesh, &outline.points, &sides, n * n, stage).unwrap().unwrap();
             let corners = Corners::new(n, &mesh.triangles);

@@ -2,16 +2,16 @@
 
 use crate::chords::Chords;
 use crate::limits::Capacity;
+use crate::linked::{Linked, NONE};
 use crate::pieces::{Pieces, Rules};
 use crate::problem::Problem;
-use crate::triangulation::{NONE, Triangulation};
 use crate::visibility::Eye;
 use glam::DVec2;
 
 /// A triangulation that windows change, and the memory that they share.
 pub(crate) struct Work<'a> {
     problem: &'a Problem,
-    pub(crate) mesh: Triangulation,
+    pub(crate) mesh: Linked,
     /// For each vertex the triangle on the boundary edge that begins there.
     first: Vec<u32>,
     /// For each vertex its number of edges, external ones included.
@@ -36,7 +36,7 @@ pub(crate) struct Local {
     /// The vertex at each place.
     pub(crate) ring: Vec<u32>,
     pub(crate) points: Vec<DVec2>,
-    pub(crate) mesh: Triangulation,
+    pub(crate) mesh: Linked,
     /// The triangles at each place: one more than its chords.
     pub(crate) triangle_counts: Vec<u32>,
     /// All chords that a triangulation of the window may use.
@@ -208,7 +208,7 @@ impl<'a> Work<'a> {
         let points: Vec<DVec2> =
             ring.iter().map(|&vertex| self.problem.points()[vertex as usize]).collect();
         let place = |vertex: u32| position[self.vertex_in_window[vertex as usize] as usize];
-        let local = Triangulation {
+        let local = Linked {
             triangles: window
                 .triangles
                 .iter()

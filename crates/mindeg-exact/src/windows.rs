@@ -1,9 +1,9 @@
 //! Fewer edges at the vertices with the most, by windows around them, in near-linear time.
 
+use crate::linked::Linked;
 use crate::measure::{self, min_angle_tangent};
 use crate::problem::Problem;
 use crate::progress::Stage;
-use crate::triangulation::Triangulation;
 use crate::unsolved::Unsolved;
 use crate::window::{Aim, Work};
 use mindeg_mesh::Progress;
@@ -154,7 +154,7 @@ pub fn windows(
 
 fn finished(problem: &Problem, work: Work<'_>, keeps_vertex_limits: bool) -> Windowed {
     let max_degree = work.totals.iter().copied().max().unwrap_or(0);
-    let Triangulation { mut triangles, .. } = work.mesh;
+    let Linked { mut triangles, .. } = work.mesh;
     for triangle in &mut triangles {
         let least = (0..3).min_by_key(|&corner| triangle[corner]).unwrap_or(0);
         triangle.rotate_left(least);

@@ -15,8 +15,8 @@
 //!         r+1  r+2  r+3
 //! ```
 
+use crate::linked::{Corners, Linked};
 use crate::problem::Problem;
-use crate::triangulation::{Corners, Triangulation};
 use crate::visibility::sees;
 
 /// A triangulation of maximum degree 4, as a strip of alternating chords between two ears.
@@ -77,7 +77,7 @@ impl ZigZag {
 }
 
 /// Looks for an admissible zig-zag of a polygon, in at most `most_steps` steps.
-pub(crate) fn find(problem: &Problem, mesh: &Triangulation, mut most_steps: u64) -> Found {
+pub(crate) fn find(problem: &Problem, mesh: &Linked, mut most_steps: u64) -> Found {
     let vertices = problem.points().len();
     let corners = Corners::new(vertices, &mesh.triangles);
     let mut blocked = Vec::with_capacity(vertices);

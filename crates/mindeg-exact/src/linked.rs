@@ -22,13 +22,13 @@ pub(crate) fn is_convex([a, b, c, d]: [DVec2; 4]) -> bool {
 ///
 /// Edge e of a triangle is the half-edge from its corner e to its corner e + 1.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Triangulation {
+pub(crate) struct Linked {
     pub(crate) triangles: Vec<[u32; 3]>,
     /// The triangle beyond each edge, or [`NONE`].
     pub(crate) neighbours: Vec<[u32; 3]>,
 }
 
-impl Triangulation {
+impl Linked {
     /// Finds the neighbours. O(n log n).
     ///
     /// # Errors
@@ -150,7 +150,7 @@ impl Corners {
 
     /// Puts the corners of each vertex in the order of a key: of the vertex and the next corner of the
     /// triangle.
-    pub(crate) fn sort_by_key(&mut self, mesh: &Triangulation, key: impl Fn(u32, u32) -> u32) {
+    pub(crate) fn sort_by_key(&mut self, mesh: &Linked, key: impl Fn(u32, u32) -> u32) {
         for (vertex, ends) in (0..).zip(self.offsets.windows(2)) {
             self.corners[ends[0] as usize..ends[1] as usize]
                 .sort_unstable_by_key(|&corner| key(vertex, mesh.beside(corner)[0]));
@@ -169,7 +169,7 @@ mod tests {
 
     #[test]
     fn neighbours_are_mutual() {
-        let mesh = Triangulation::new(vec![[0, 1, 2], [0, 2, 3], [2, 4, 3]]).unwrap();
+        let mesh = Linked::new(vec![[0, 1, 2], [0, 2, 3], [2, 4, 3]]).unwrap();
         assert_eq!(mesh.neighbours, [[NONE, NONE, 1], [0, 2, NONE], [NONE, NONE, 1]]);
         assert_eq!(mesh.enter(1, 2), (1, 0));
         let boundary: Vec<_> = mesh.boundary_edges().collect();
@@ -181,8 +181,8 @@ mod tests {
 
     #[test]
     fn edges_met_twice_in_one_direction_are_refused() {
-        assert_eq!(Triangulation::new(vec![[0, 1, 2], [0, 1, 3]]), Err([0, 1]));
+        assert_eq!(Linked::new(vec![[0, 1, 2], [0, 1, 3]]), Err([0, 1]));
         let three = vec![[0, 1, 2], [1, 0, 3], [0, 1, 4]];
-        assert_eq!(Triangulation::new(three), Err([0, 1]));
+        assert_eq!(Linked::new(three), Err([0, 1]));
     }
 }

@@ -7,35 +7,17 @@
 //! Limits: O(n³ D) time and 8 n² (D-1) bytes for a degree D, without a guard against long times or
 //! lack of memory. Use it to check the closed forms on boundaries of up to a few hundred vertices.
 
-use crate::Boundary;
-use alloc::vec::Vec;
+use mindeg_core::Boundary;
 
 /// The least possible maximum degree: tries 2, 3, … until [`is_feasible`]. O(n³ D²).
-///
-/// ```
-/// # use mindeg_core::{Boundary, exact};
-/// assert_eq!(exact::least_max_degree(&Boundary::new(&[2, 2, 2])?), 4);
-/// assert_eq!(exact::least_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
-/// ```
-#[must_use]
-pub fn least_max_degree(boundary: &Boundary) -> u32 {
+pub(crate) fn least_max_degree(boundary: &Boundary) -> u32 {
     (2..boundary.vertex_count())
         .find(|&max_degree| is_feasible(boundary, max_degree))
         .expect("a vertex has at most n - 1 neighbours")
 }
 
 /// Whether some triangulation has no vertex of degree above `max_degree`. O(n³ D).
-///
-/// ```
-/// # use mindeg_core::{Boundary, exact};
-/// let boundary = Boundary::new(&[12, 9, 4, 4])?;
-/// assert!(!exact::is_feasible(&boundary, 4));
-/// assert!(exact::is_feasible(&boundary, 5));
-/// # Ok::<(), mindeg_core::BoundaryError>(())
-/// ```
-#[must_use]
-pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
+pub(crate) fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
     // No vertex has more than n - 1 neighbours, so a higher limit has no effect.
     let max_degree = max_degree.min(boundary.vertex_count() - 1);
     let Some(most) = max_degree.checked_sub(2) else { return false };
@@ -43,7 +25,7 @@ pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
     let states = most as usize + 1;
     // For chord (i, j): entry a is the least number of edges at j if i may have a edges; neither
     // count includes the chord. None if that is impossible.
-    let mut least: Vec<Option<u32>> = alloc::vec![None; vertices * vertices * states];
+    let mut least: Vec<Option<u32>> = vec![None; vertices * vertices * states];
     let at = |i: usize, j: usize| (i * vertices + j) * states;
 
     for i in 0..vertices - 1 {
@@ -76,7 +58,6 @@ pub fn is_feasible(boundary: &Boundary, max_degree: u32) -> bool {
     least[at(0, vertices - 1) + most as usize].is_some()
 }
 
-#[cfg(test)]
 mod tests {
     use super::*;
 
@@ -114,7 +95,7 @@ mod tests {
             chords.push((i, j));
             best
         }
-        go(boundary, &mut alloc::vec![(i, j)], degrees)
+        go(boundary, &mut vec![(i, j)], degrees)
     }
 
     #[test]
@@ -135,7 +116,7 @@ mod tests {
         ] {
             let boundary = Boundary::new(sides).unwrap();
             let n = boundary.vertex_count();
-            let brute = every(&boundary, 0, n - 1, &mut alloc::vec![2; n as usize]);
+            let brute = every(&boundary, 0, n - 1, &mut vec![2; n as usize]);
             assert_eq!(least_max_degree(&boundary), brute, "{sides:?}");
         }
     }
