@@ -8,6 +8,7 @@ use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
 use mindeg_core::{Boundary, least_max_degree};
 use mindeg_mesh::TriMesh;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -82,7 +83,7 @@ pub struct InspectionReport {
     /// The greatest angle.
     pub max_angle: f64,
     /// How each measure of quality is distributed.
-    pub metrics: BTreeMap<&'static str, Spread>,
+    pub metrics: BTreeMap<&'static str, Distribution>,
     /// The share of triangles with an angle below so many degrees.
     pub share_below_degrees: BTreeMap<u32, f64>,
     /// The triangles of the least angles.
@@ -117,25 +118,8 @@ pub struct Pole {
     pub position: [f64; 3],
 }
 
-/// A distribution; what is infinite is null.
-#[derive(Debug, Serialize)]
-pub struct Spread {
-    /// The least value.
-    pub min: f64,
-    /// The value that a hundredth lies below.
-    pub p01: f64,
-    /// The value in the middle.
-    pub median: f64,
-    /// The mean.
-    pub mean: f64,
-    /// The value that a hundredth lies above.
-    pub p99: f64,
-    /// The greatest value.
-    pub max: f64,
-}
-
-/// A triangle with a small angle.
-#[derive(Debug, Serialize)]
+/// A triangle with a small angle; angles are in degrees.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ThinTriangle {
     /// Its index.
     pub triangle: u32,
@@ -227,7 +211,7 @@ impl InspectionReport {
             metrics: METRICS
                 .iter()
                 .zip(&quality.metrics)
-                .map(|(metric, spread)| (metric.name, Spread::from(spread)))
+                .map(|(metric, spread)| (metric.name, *spread))
                 .collect(),
             share_below_degrees: ANGLES
                 .iter()
@@ -265,13 +249,6 @@ fn first_triangle(mesh: &TriMesh, face: u32) -> u32 {
 
 fn histogram(degrees: &DegreeHistogram) -> BTreeMap<u32, u64> {
     degrees.iter().collect()
-}
-
-impl From<&Distribution> for Spread {
-    fn from(spread: &Distribution) -> Self {
-        let Distribution { min, p01, median, mean, p99, max } = *spread;
-        Self { min, p01, median, mean, p99, max }
-    }
 }
 
 #[cfg(test)]

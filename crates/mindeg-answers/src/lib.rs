@@ -13,6 +13,7 @@ pub mod demands;
 pub mod inspected;
 pub mod interior;
 pub mod limit;
+pub mod measures;
 pub mod mesh;
 pub mod numbers;
 pub mod preset;

@@ -21,6 +21,7 @@ use serde::Serialize;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(description = "The largest minimum angle for every maximum degree.")]
 pub struct TradeOffAnswer {
     /// A point for every maximum degree, in ascending order.
     pub points: Vec<AngleAtDegree>,

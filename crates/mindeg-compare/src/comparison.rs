@@ -168,12 +168,12 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
     let own_time = start.elapsed();
 
     let boundary = domain.boundary().map_err(MeshError::from)?.into_owned();
-    let optimal_max_degree = meshed.least_max_degree;
+    let at_least = meshed.least_max_degree;
     let checker = measure::Checker::new(&boundary);
     let figures = |method, triangles: &[[u32; 3]]| MethodFigures {
         method,
         description: method.description().into_owned(),
-        ..measure::figures(&checker, triangles, optimal_max_degree)
+        ..measure::figures(&checker, triangles, at_least)
     };
     let mut methods = vec![MethodFigures {
         seconds: Some(own_time.as_secs_f64()),
@@ -218,8 +218,8 @@ pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, Compare
         holes: rings.ring_count() as u32 - 1,
         triangles: meshed.mesh.triangle_count(),
         interior_edges: meshed.mesh.triangle_count() + rings.ring_count() as u32 - 2,
-        optimal_max_degree,
-        optimum_is_proven: meshed.is_least_proven,
+        at_least,
+        least_max_degree: meshed.is_least_proven.then_some(at_least),
     };
     let mut report = Report {
         provenance: Provenance::default(),

@@ -1,7 +1,8 @@
 //! The figures of a domain and of each method, as reports hold them.
 
 use crate::Method;
-use mindeg::quality;
+use mindeg::quality::Distribution;
+use mindeg_answers::inspected::ThinTriangle;
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,11 +26,10 @@ pub struct DomainFigures {
     pub triangles: u32,
     /// The number of interior edges of every triangulation, n + 3h - 3.
     pub interior_edges: u32,
-    /// The least maximum degree that any triangulation can have; if that is not proven, none has a
-    /// smaller one.
-    pub optimal_max_degree: u32,
-    /// Whether some triangulation is known to have the least maximum degree.
-    pub optimum_is_proven: bool,
+    /// The least maximum degree of all triangulations; null where it is not known.
+    pub least_max_degree: Option<u32>,
+    /// No triangulation has a smaller maximum degree.
+    pub at_least: u32,
 }
 
 /// What one method gives.
@@ -46,8 +46,8 @@ pub struct MethodFigures {
     pub max_degree: Option<u32>,
     /// The number of vertices of each degree that occurs.
     pub degree_histogram: BTreeMap<u32, u64>,
-    /// The part of the histogram above the domain's least maximum degree.
-    pub vertices_above_optimum: BTreeMap<u32, u64>,
+    /// The part of the histogram above the domain's `at_least`.
+    pub vertices_above_least: BTreeMap<u32, u64>,
     /// The minimum angle of all triangles, in degrees.
     pub min_angle: Option<f64>,
     /// The maximum angle of all triangles, in degrees.
@@ -57,7 +57,7 @@ pub struct MethodFigures {
     /// The share of triangles, 0 to 1, with an angle below 1, 5, 10, 15 and 20 degrees.
     pub share_below_degrees: BTreeMap<u32, f64>,
     /// The five triangles with the minimum angles, worst first.
-    pub worst_triangles: Vec<WorstTriangle>,
+    pub worst_triangles: Vec<ThinTriangle>,
     /// For a Delaunay triangulation, the number of interior edges whose two triangles lie on
     /// one circle: there the other diagonal would be as good, and degrees are arbitrary.
     pub ties: Option<u32>,
@@ -94,44 +94,6 @@ pub struct MetricFigures {
     pub shape: Distribution,
 }
 
-/// How the values of one measure are spread. What is infinite, as ratios of a flat triangle
-/// are, is `null` in JSON.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct Distribution {
-    /// The least value.
-    #[schemars(with = "Option<f64>")]
-    pub min: f64,
-    /// The least value that at least 1% of all values do not exceed.
-    #[schemars(with = "Option<f64>")]
-    pub p01: f64,
-    /// The least value that at least half of all values do not exceed.
-    #[schemars(with = "Option<f64>")]
-    pub median: f64,
-    /// The arithmetic mean.
-    #[schemars(with = "Option<f64>")]
-    pub mean: f64,
-    /// The least value that at least 99% of all values do not exceed.
-    #[schemars(with = "Option<f64>")]
-    pub p99: f64,
-    /// The greatest value.
-    #[schemars(with = "Option<f64>")]
-    pub max: f64,
-}
-
-/// One of the worst triangles.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct WorstTriangle {
-    /// Its number, from 0, in the order of the method: mindeg's as in the files it writes, the
-    /// others' sorted by vertices.
-    pub triangle: u32,
-    /// Its vertices, counter-clockwise, numbered from 0 at the first corner.
-    pub vertices: [u32; 3],
-    /// Its minimum angle, in degrees.
-    pub min_angle: f64,
-    /// Its maximum angle, in degrees.
-    pub max_angle: f64,
-}
-
 /// Why a method has no valid triangulation.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MethodDefect {
@@ -162,9 +124,16 @@ pub enum DefectKind {
     TimeLimit,
 }
 
-impl From<&quality::Distribution> for Distribution {
-    fn from(spread: &quality::Distribution) -> Self {
-        let quality::Distribution { min, p01, median, mean, p99, max } = *spread;
-        Self { min, p01, median, mean, p99, max }
+impl MetricFigures {
+    /// The distribution of a measure, by its name.
+    pub(crate) fn distribution(&self, name: &str) -> &Distribution {
+        match name {
+            "max_angle" => &self.max_angle,
+            "minimum_height" => &self.minimum_height,
+            "aspect_ratio" => &self.aspect_ratio,
+            "radius_ratio" => &self.radius_ratio,
+            "shape" => &self.shape,
+            _ => &self.min_angle,
+        }
     }
 }

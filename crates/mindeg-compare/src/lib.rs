@@ -41,15 +41,12 @@ mod verdict;
 
 pub use advice::Advice;
 pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
-pub use figures::{
-    DefectKind, Distribution, DomainFigures, MethodDefect, MethodFigures, MetricFigures,
-    WorstTriangle,
-};
+pub use figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures, MetricFigures};
 pub use interior::InteriorFigures;
 pub use method::Method;
 pub use reference::{NoTriangulation, Reference, Timed, tie_count};
 pub use report::{
-    IndexEntry, MeasureFacts, PageLinks, Provenance, Report, measure_facts, report_schema,
-    viewer_script, viewer_style, write_html, write_index, write_json, write_linked_html,
-    write_markdown, write_trade_off_html, write_trade_off_json, write_trade_off_svg, write_view,
+    IndexEntry, PageLinks, Provenance, Report, report_schema, viewer_script, viewer_style,
+    write_html, write_index, write_json, write_linked_html, write_markdown, write_trade_off_html,
+    write_trade_off_json, write_trade_off_svg, write_view,
 };

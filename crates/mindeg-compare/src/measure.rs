@@ -3,11 +3,10 @@
 //! Limits: takes any list whose vertices exist, valid or not. Of one that is no triangulation
 //! the figures describe the triangles that are there.
 
-use crate::figures::{
-    DefectKind, Distribution, MethodDefect, MethodFigures, MetricFigures, WorstTriangle,
-};
+use crate::figures::{DefectKind, MethodDefect, MethodFigures, MetricFigures};
 use glam::DVec2;
 use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
+use mindeg_answers::inspected::ThinTriangle;
 use mindeg_mesh::check;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -47,7 +46,7 @@ impl<'a> Checker<'a> {
 pub(crate) fn figures(
     checker: &Checker<'_>,
     triangles: &[[u32; 3]],
-    optimal_max_degree: u32,
+    at_least: u32,
 ) -> MethodFigures {
     let points = checker.boundary.points();
     let defects = defects(checker, triangles);
@@ -56,10 +55,10 @@ pub(crate) fn figures(
         triangles.iter().map(|&triangle| quality(points, triangle)).collect();
     let measured = measured(degrees, &qualities, triangles);
     MethodFigures {
-        vertices_above_optimum: measured
+        vertices_above_least: measured
             .degree_histogram
             .iter()
-            .filter(|&(&degree, _)| degree > optimal_max_degree)
+            .filter(|&(&degree, _)| degree > at_least)
             .map(|(&degree, &vertices)| (degree, vertices))
             .collect(),
         valid: defects.is_empty(),
@@ -104,7 +103,7 @@ pub(crate) fn quality(points: &[DVec2], triangle: [u32; 3]) -> TriangleQuality {
 }
 
 fn metric_figures(summary: &QualitySummary) -> Option<MetricFigures> {
-    let of = |name| summary.metric(name).map(Distribution::from);
+    let of = |name| summary.metric(name).copied();
     Some(MetricFigures {
         min_angle: of("min_angle")?,
         max_angle: of("max_angle")?,
@@ -175,7 +174,7 @@ fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
     }
 }
 
-fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<WorstTriangle> {
+fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<ThinTriangle> {
     let by_angle = |&a: &usize, &b: &usize| {
         qualities[a].min_angle.total_cmp(&qualities[b].min_angle).then(a.cmp(&b))
     };
@@ -185,7 +184,7 @@ fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<WorstTria
         numbers.truncate(WORST);
     }
     numbers.sort_unstable_by(by_angle);
-    let described = numbers.into_iter().map(|number| WorstTriangle {
+    let described = numbers.into_iter().map(|number| ThinTriangle {
         triangle: number as u32,
         vertices: triangles[number],
         min_angle: qualities[number].min_angle,
@@ -215,7 +214,7 @@ mod tests {
         assert!(figures.valid && figures.defects.is_empty());
         assert_eq!(figures.max_degree, Some(7));
         assert_eq!(figures.degree_histogram, [(2, 2), (3, 5), (7, 1)].into());
-        assert_eq!(figures.vertices_above_optimum, [(7, 1)].into());
+        assert_eq!(figures.vertices_above_least, [(7, 1)].into());
         let smallest = 18.434_948_822_922_01;
         assert!((figures.min_angle.unwrap() - smallest).abs() < 1e-13);
         assert_eq!(figures.max_angle, Some(135.0));

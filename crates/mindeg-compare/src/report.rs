@@ -6,11 +6,9 @@
 //!
 //! Limits: figures only. Points and triangles are in the files that `mindeg mesh` writes.
 
-mod facts;
 mod html;
 mod index;
 mod markdown;
-mod metric;
 mod picture;
 mod svg;
 mod tables;
@@ -18,7 +16,6 @@ mod trade_off;
 mod view;
 mod viewer;
 
-pub use facts::{MeasureFacts, measure_facts};
 pub use html::{PageLinks, write_html, write_linked_html};
 pub use index::{IndexEntry, write_index};
 pub use markdown::write_markdown;
@@ -44,7 +41,7 @@ use std::io::{self, Write};
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let comparison = compare(&domain, &Options::default())?;
 /// let report = comparison.report();
-/// assert_eq!(report.domain.optimal_max_degree, 4);
+/// assert_eq!(report.domain.least_max_degree, Some(4));
 /// assert_eq!(report.methods[0].max_degree, Some(4));
 /// assert!(report.verdict.starts_with("Take degree 5: all of Delaunay's minimum angle"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -100,7 +97,7 @@ impl Default for Provenance {
     }
 }
 
-/// Writes a report as JSON, indented, with a line break at the end.
+/// Writes a report as JSON on one line, with a line break at the end.
 ///
 /// # Errors
 ///
@@ -115,11 +112,11 @@ impl Default for Provenance {
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let mut json = Vec::new();
 /// write_json(compare(&domain, &Options::default())?.report(), &mut json)?;
-/// assert!(String::from_utf8(json)?.contains("\"optimal_max_degree\": 4"));
+/// assert!(String::from_utf8(json)?.contains("\"at_least\":4"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn write_json(report: &Report, mut out: impl Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut out, report)?;
+    serde_json::to_writer(&mut out, report)?;
     out.write_all(b"\n")
 }
 

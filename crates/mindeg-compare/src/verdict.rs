@@ -9,7 +9,7 @@ use crate::Method;
 use crate::figures::{DefectKind, MethodFigures};
 use crate::report::Report;
 use mindeg_answers::advice::KEPT;
-use mindeg_answers::numbers::{angle, count, percent};
+use mindeg_answers::numbers::{count, percent, steady_angle};
 use std::cmp::Ordering::Equal;
 
 /// Angles closer than this, relatively, are the same: a minimum angle of a millionth of a
@@ -72,15 +72,15 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
             reasons(delaunay),
             count(own_degree),
             least(report),
-            angle(own_angle)
+            steady_angle(own_angle)
         ));
     };
     if own_angle > angle_there * (1.0 + SAME) {
         return Verdict::only(format!(
             "Something is wrong: mindeg's minimum angle, {}, is larger than Delaunay's, {}, \
              and no triangulation of the same points can have that. Please report this domain.",
-            angle(own_angle),
-            angle(angle_there)
+            steady_angle(own_angle),
+            steady_angle(angle_there)
         ));
     }
     let (headline, taken) = headline(report, mindeg, delaunay);
@@ -93,7 +93,7 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
 
 /// What is known of mindeg's maximum degree, after it.
 fn least(report: &Report) -> &'static str {
-    if report.domain.optimum_is_proven { ", the least possible" } else { "" }
+    if report.domain.least_max_degree.is_some() { ", the least possible" } else { "" }
 }
 
 /// What to do, and the mesh it is about; both methods have a valid mesh.
@@ -130,7 +130,7 @@ fn headline<'a>(
             "Degree {}{} keeps {} of Delaunay's minimum angle, with at most {} edges at a vertex instead of \
              {}.",
             count(degree(mindeg)),
-            if report.domain.optimum_is_proven { ", the least possible," } else { "" },
+            if report.domain.least_max_degree.is_some() { ", the least possible," } else { "" },
             share(mindeg),
             count(degree(mindeg)),
             count(degree(delaunay))
@@ -160,7 +160,7 @@ fn notes(report: &Report, delaunay: &MethodFigures, angle_there: f64) -> Vec<Str
         sentences.push(format!(
             "No triangulation of these boundary points alone has a minimum angle above {}; to \
              do better, change the intervals or add points inside.",
-            angle(angle_there)
+            steady_angle(angle_there)
         ));
     }
     if let Some(ties) = delaunay.ties.filter(|&ties| ties > 0) {
@@ -210,8 +210,8 @@ fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
     let low = low.map(|(own, there)| {
         format!(
             "the median of its triangles' minimum angles is {}, against {}",
-            angle(own),
-            angle(there)
+            steady_angle(own),
+            steady_angle(there)
         )
     });
     let parts: Vec<String> = [more, low].into_iter().flatten().collect();
@@ -240,9 +240,10 @@ fn reasons(method: &MethodFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::{Distribution, DomainFigures, MethodDefect, MetricFigures};
+    use crate::figures::{DomainFigures, MethodDefect, MetricFigures};
     use crate::report::Provenance;
     use crate::{Advice, Reference};
+    use mindeg::quality::Distribution;
     use mindeg_answers::trade_off::TradeOffAnswer;
 
     const FAN: Method = Method::Reference(Reference::Fan);
@@ -285,9 +286,9 @@ mod tests {
             vertices: 40,
             triangles: 38,
             interior_edges: 37,
-            optimal_max_degree: 4,
+            at_least: 4,
             holes: 0,
-            optimum_is_proven: true,
+            least_max_degree: Some(4),
         };
         let has_exact = methods.iter().any(|m| matches!(m.method, Method::Exact { .. }));
         let trade_off = TradeOffAnswer { points: vec![], delaunay_min_angle: 1.0, advised: None };
@@ -400,7 +401,9 @@ mod tests {
             (
                 28.0,
                 40.0,
-                Some("But the median of its triangles' minimum angles is 28°, against 40°."),
+                Some(
+                    "But the median of its triangles' minimum angles is 28.000°, against 40.000°.",
+                ),
             ),
             // No less than 0.8 of it.
             (33.0, 40.0, None),
@@ -416,7 +419,7 @@ mod tests {
         check(
             vec![mindeg(4, 30.0), delaunay(4, 29.0)],
             &[
-                "Something is wrong: mindeg's minimum angle, 30°, is larger than Delaunay's, 29°, and no triangulation of the same points can have that. Please report this domain.",
+                "Something is wrong: mindeg's minimum angle, 30.000°, is larger than Delaunay's, 29.000°, and no triangulation of the same points can have that. Please report this domain.",
             ],
         );
     }
@@ -428,7 +431,7 @@ mod tests {
             vec![mindeg(4, 12.5), MethodFigures { ties: Some(7), ..delaunay(4, 12.5) }],
             &[
                 level,
-                "No triangulation of these boundary points alone has a minimum angle above 12.5°; to do better, change the intervals or add points inside.",
+                "No triangulation of these boundary points alone has a minimum angle above 12.500°; to do better, change the intervals or add points inside.",
                 "The Delaunay triangulation is one of several: across 7 of its 37 interior edges four points lie on one circle and either diagonal will do, so its degrees are arbitrary among ties; its minimum angle is not.",
             ],
         );
@@ -443,7 +446,7 @@ mod tests {
         check(
             vec![mindeg(4, 25.0), failed(Method::DELAUNAY, DefectKind::TimeLimit, None)],
             &[
-                "There is no Delaunay triangulation to compare with: it went wrong. mindeg has at most 4 edges at a vertex, the least possible, and a minimum angle of 25°.",
+                "There is no Delaunay triangulation to compare with: it went wrong. mindeg has at most 4 edges at a vertex, the least possible, and a minimum angle of 25.000°.",
             ],
         );
         let invalid = failed(Method::LeastDegree, DefectKind::FlatTriangles, Some(4));

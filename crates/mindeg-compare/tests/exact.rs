@@ -36,7 +36,11 @@ fn the_curve_ends_at_the_delaunay_angle() {
             last.min_angle
         );
         assert!(last.max_degree <= delaunay.max_degree.unwrap(), "{path:?}");
-        assert_eq!(trade_off.points[0].max_degree, report.domain.optimal_max_degree, "{path:?}");
+        assert_eq!(
+            Some(trade_off.points[0].max_degree),
+            report.domain.least_max_degree,
+            "{path:?}"
+        );
         // What the curve promises, the meshes of the report have.
         for point in &trade_off.points {
             let exact = Method::Exact { max_degree: point.max_degree };

@@ -34,7 +34,7 @@
 
 use mindeg::Goal;
 use mindeg::quality::METRICS;
-use mindeg_compare::MeasureFacts;
+use mindeg_answers::measures::MeasureFacts;
 use mindeg_files::Format;
 use serde::{Deserialize, Serialize};
 use serde_json::value::RawValue;

@@ -1,6 +1,6 @@
 //! What the page shows but does not work out.
 
-use mindeg_compare::measure_facts;
+use mindeg_answers::measures::measure_facts;
 
 use crate::answer::MAX_VERTICES;
 use crate::api::Facts;

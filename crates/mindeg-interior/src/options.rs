@@ -110,7 +110,7 @@ pub enum InteriorError {
     Growth(f64),
     /// A range of degrees that no mesh can keep to.
     #[error(
-        "interior degrees {start}..={end} are out of reach: the range must contain 6 and start at 3 or more"
+        "interior degrees {start} to {end} are out of reach: the range must contain 6 and start at 3 or more"
     )]
     InteriorDegree {
         /// The least.
@@ -213,9 +213,7 @@ pub enum InteriorError {
         rounding: f64,
     },
     /// More points than allowed.
-    #[error(
-        "the mesh needs more than {max} points; raise the size inside or the sizes at places, or allow more points"
-    )]
+    #[error("the mesh needs more than {max} points; raise the size inside or the sizes at places")]
     TooManyPoints {
         /// How many are allowed.
         max: usize,

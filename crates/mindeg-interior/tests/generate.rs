@@ -248,7 +248,7 @@ fn bad_options_are_refused_with_what_to_do() {
         (Options { size_inside: Some(-1.0), ..default() }, "the size inside is -1;"),
         (Options { sizes: place(1.0, 0.0), ..default() }, "size 0 is 0;"),
         (Options { sizes: place(9.0, 1.0), ..default() }, "size 0 at (9, 1) is not inside"),
-        (Options { interior_degree: 7..=9, ..default() }, "7..=9"),
+        (Options { interior_degree: 7..=9, ..default() }, "7 to 9"),
         (Options { boundary_degree: 3, ..default() }, "boundary degree of 3"),
         (Options { target_angle: Some(0.0), ..default() }, "target angle 0"),
         (Options { target_angle: Some(46.0), ..default() }, "at most "),

@@ -32,19 +32,32 @@ const BLOCK: usize = 1024;
 /// assert_eq!((spread.min, spread.median, spread.mean, spread.max), (1.0, 2.0, 2.5, 4.0));
 /// assert_eq!(Distribution::of(vec![]), None);
 /// ```
+///
+/// With the feature `serde`, what is infinite, as ratios of a flat triangle are, is null in JSON.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(
+    feature = "serde",
+    schemars(description = "How the values of a measure are spread; what is infinite is null.")
+)]
 pub struct Distribution {
     /// The least value.
+    #[cfg_attr(feature = "serde", schemars(with = "Option<f64>"))]
     pub min: f64,
     /// The quantile at 0.01.
+    #[cfg_attr(feature = "serde", schemars(with = "Option<f64>"))]
     pub p01: f64,
     /// The quantile at 0.5.
+    #[cfg_attr(feature = "serde", schemars(with = "Option<f64>"))]
     pub median: f64,
     /// The arithmetic mean; infinite where a value is.
+    #[cfg_attr(feature = "serde", schemars(with = "Option<f64>"))]
     pub mean: f64,
     /// The quantile at 0.99.
+    #[cfg_attr(feature = "serde", schemars(with = "Option<f64>"))]
     pub p99: f64,
     /// The greatest value.
+    #[cfg_attr(feature = "serde", schemars(with = "Option<f64>"))]
     pub max: f64,
 }
 

@@ -11,6 +11,7 @@ use crate::standard_output::{print, print_json};
 use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_files::{Outputs, Polygon, Polygons, Wanted, is_standard_output, write_to};
+use mindeg_answers::numbers::{four_digits, significant};
 use serde::Serialize;
 use std::path::Path;
 
@@ -102,11 +103,14 @@ fn line(row: &Row) -> String {
         1 => ", 1 hole".to_owned(),
         holes => format!(", {holes} holes"),
     };
+    let [x, y] = min.map(|value| significant(value, 6));
+    let [right, top] = max.map(|value| significant(value, 6));
     let side = if *sides == 1 { "side" } else { "sides" };
     format!(
-        "{:>5}  {name}: {vertices} points on {sides} {side}{holes}, area {area:.4e}, from ({:.6}, \
-         {:.6}) to ({:.6}, {:.6})\n",
-        row.index, min[0], min[1], max[0], max[1]
+        "{:>5}  {name}: {vertices} points on {sides} {side}{holes}, area {}, from ({x}, {y}) to \
+         ({right}, {top})\n",
+        row.index,
+        four_digits(*area)
     )
 }
 

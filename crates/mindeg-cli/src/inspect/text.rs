@@ -1,8 +1,8 @@
 //! The findings as text for people: what is wrong first.
 
 use mindeg::inspection::{Inspection, InspectionOptions, NoConvexOutline};
-use mindeg::quality::METRICS;
-use mindeg_answers::inspected::{InspectionReport, Spread};
+use mindeg::quality::{Distribution, METRICS};
+use mindeg_answers::inspected::InspectionReport;
 use mindeg_answers::numbers::four_digits;
 use std::fmt::{Display, Write};
 
@@ -204,7 +204,7 @@ fn write_quality(text: &mut String, report: &InspectionReport) -> std::fmt::Resu
     writeln!(text, "{}", row("measure", ["min", "1%", "median", "mean", "99%", "max"], ""))?;
     for metric in METRICS {
         if let Some(spread) = report.metrics.get(metric.name) {
-            let Spread { min, p01, median, mean, p99, max } = *spread;
+            let Distribution { min, p01, median, mean, p99, max } = *spread;
             let cells = [min, p01, median, mean, p99, max].map(four_digits);
             let unit = if metric.unit == "1" { "" } else { metric.unit };
             let cells = cells.each_ref().map(String::as_str);

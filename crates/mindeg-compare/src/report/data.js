@@ -21,7 +21,7 @@ const methods = data.methods.map((method) => ({
   vertexNumbers,
   isRing: data.is_ring,
   fillsOutlines: data.fills_outlines,
-  leastDegree: data.optimal_max_degree,
+  leastDegree: data.at_least,
 }));
 
 const size = drawnSize(data.size);

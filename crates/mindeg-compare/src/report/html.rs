@@ -20,7 +20,7 @@ use askama::Template;
 use glam::DVec2;
 use mindeg::exact::TradeOff;
 use mindeg_answers::advice::advised_command;
-use mindeg_answers::numbers::{angle, count};
+use mindeg_answers::numbers::{count, steady_angle};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
@@ -163,8 +163,8 @@ pub fn write_linked_html(
         facts: facts(
             &report.domain.intervals,
             report.domain.holes,
-            report.domain.optimal_max_degree,
-            report.domain.optimum_is_proven,
+            report.domain.at_least,
+            report.domain.least_max_degree.is_some(),
         ),
         verdict: verdict(report),
         choice: tables::choice(report),
@@ -221,11 +221,11 @@ pub(super) fn curve_picture(
          angle of {} at degree {} up to {} at degree {}; Delaunay has {}.\">\n{curve}</svg>\n",
         size.x,
         size.y,
-        angle(first.min_angle),
+        steady_angle(first.min_angle),
         count(first.max_degree),
-        angle(last.min_angle),
+        steady_angle(last.min_angle),
         count(last.max_degree),
-        angle(trade_off.delaunay_min_angle()),
+        steady_angle(trade_off.delaunay_min_angle()),
     ))
 }
 
@@ -247,8 +247,9 @@ pub(super) fn facts(intervals: &[u32], holes: u32, least: u32, is_proven: bool) 
         holes => format!(" · {} holes", count(holes)),
     };
     format!(
-        "{sides} sides with {}{more} intervals{holes_in_words} · {} boundary vertices · {} triangles · \
+        "{sides} {} with {}{more} intervals{holes_in_words} · {} boundary vertices · {} triangles · \
          least possible maximum degree {}{}",
+        if sides == 1 { "side" } else { "sides" },
         listed.join(", "),
         count(vertices),
         count(vertices + 2 * holes - 2),
@@ -268,7 +269,7 @@ fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
         let triangles = comparison.triangles(named.place).len();
         let described = match method.max_degree.zip(method.min_angle) {
             Some((degree, least)) => {
-                format!("maximum degree {} · minimum angle {}", count(degree), angle(least))
+                format!("maximum degree {} · minimum angle {}", count(degree), steady_angle(least))
             }
             None => "no triangulation".to_owned(),
         };

@@ -38,8 +38,8 @@ pub fn write_markdown(comparison: &Comparison, mut out: impl Write) -> io::Resul
         count(domain.vertices),
         count(domain.triangles),
         count(domain.interior_edges),
-        count(domain.optimal_max_degree),
-        if domain.optimum_is_proven { "" } else { " or more" }
+        count(domain.at_least),
+        if domain.least_max_degree.is_some() { "" } else { " or more" }
     )?;
     for sentence in verdict(report).sentences() {
         writeln!(out, "{}\n", escaped(sentence))?;

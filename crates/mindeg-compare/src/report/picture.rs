@@ -7,16 +7,17 @@
 //! Limits: of a mesh with more triangles than [`Scene::most_drawn`] at most so many go into the
 //! picture. Charts and tables always count all.
 
-use super::metric::{SHOWN, ShownMetric};
 use super::svg::{self, DegreeColor};
 use super::tables::{self, Named};
 use crate::axis::{Axis, BARS};
-use crate::figures::{Distribution, MethodFigures};
+use crate::figures::MethodFigures;
 use crate::{Comparison, Method, measure};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
+use mindeg::quality::Distribution;
 use mindeg::quality::TriangleQuality;
+use mindeg_answers::measures::{SHOWN, ShownMetric};
 use mindeg_answers::numbers::count;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -36,7 +37,7 @@ pub(crate) struct Scene<'a> {
     /// The numbers of the vertices that belong to the meshes, ascending.
     pub(crate) vertices: Vec<u32>,
     /// The least maximum degree of any such mesh, where that is known.
-    pub(crate) optimal_max_degree: Option<u32>,
+    pub(crate) at_least: Option<u32>,
     /// The most triangles of a mesh in the picture.
     pub(crate) most_drawn: usize,
     /// Each mesh with its triangles.
@@ -60,7 +61,7 @@ pub(crate) struct Picture {
     points: String,
     /// The numbers of the shown vertices, u32; empty where all are shown.
     vertices: String,
-    optimal_max_degree: Option<u32>,
+    at_least: Option<u32>,
     /// The colors of degrees, from the lowest degree.
     degree_colors: Vec<DegreeColor>,
     /// The places on the axis of the degree chart: a name, the lowest and the highest degree.
@@ -123,7 +124,7 @@ pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
         is_ring: report.domain.holes == 0,
         points,
         vertices: (0..vertex_count).collect(),
-        optimal_max_degree: Some(report.domain.optimal_max_degree),
+        at_least: Some(report.domain.at_least),
         most_drawn: MAX_DRAWN,
         degrees: meshes
             .iter()
@@ -162,7 +163,7 @@ pub(crate) fn picture(scene: &Scene) -> Picture {
         } else {
             packed(shown.vertices.iter().map(|vertex| vertex.to_le_bytes()))
         },
-        optimal_max_degree: scene.optimal_max_degree,
+        at_least: scene.at_least,
         degree_colors: svg::degree_scale(),
         degrees: ranges
             .iter()
@@ -348,7 +349,7 @@ fn spreads<'a>(
 ) -> impl Iterator<Item = &'a Distribution> {
     let figures = scene.meshes.iter().map(|(mesh, _)| mesh.figures);
     let metrics = figures.filter(move |figures| wanted(figures)).filter_map(|f| f.metrics.as_ref());
-    metrics.map(shown.of)
+    metrics.map(|metrics| metrics.distribution(shown.name))
 }
 
 fn packed<const N: usize>(numbers: impl Iterator<Item = [u8; N]>) -> String {

@@ -7,9 +7,10 @@
 //! ranges; the JSON has each.
 
 use super::Report;
-use super::metric::SHOWN;
-use crate::figures::{DefectKind, Distribution, MethodFigures};
+use crate::figures::{DefectKind, MethodFigures};
 use crate::{InteriorFigures, Method};
+use mindeg::quality::Distribution;
+use mindeg_answers::measures::SHOWN;
 use mindeg_answers::numbers::{Column, count, seconds, steady_percent};
 use std::ops::RangeInclusive;
 
@@ -110,13 +111,13 @@ pub(crate) fn decisive(title: &str, columns: &[(String, &MethodFigures)]) -> Tab
 
 /// The figures that matter most, a row for each mesh.
 pub(crate) fn overview(report: &Report) -> Table {
-    let optimum = report.domain.optimal_max_degree;
+    let optimum = report.domain.at_least;
     let named = named(report);
     let least = Column::new(named.iter().filter_map(|named| named.figures.min_angle), DIGITS);
     let greatest = Column::new(named.iter().filter_map(|named| named.figures.max_angle), 4);
     let row = |Named { name, figures, .. }: &Named| {
         let has_mesh = figures.max_degree.is_some();
-        let busier: u64 = figures.vertices_above_optimum.values().sum();
+        let busier: u64 = figures.vertices_above_least.values().sum();
         vec![
             name.clone(),
             text(figures.max_degree, count),
@@ -256,7 +257,7 @@ pub(crate) fn degrees(report: &Report) -> Table {
         note: format!(
             "Degree is the number of edges at a vertex (valence in graphics). Every triangulation \
              of this domain has a vertex of degree {} or more.",
-            count(report.domain.optimal_max_degree)
+            count(report.domain.at_least)
         ),
         columns: header("Degree", meshes.iter().map(|mesh| &mesh.name)),
         rows: degree_ranges(&named).into_iter().map(row).collect(),
@@ -289,7 +290,7 @@ pub(crate) fn metrics(report: &Report) -> Vec<Table> {
             .iter()
             .filter_map(|mesh| {
                 let Distribution { min, p01, median, mean, p99, max } =
-                    *(shown.of)(mesh.figures.metrics.as_ref()?);
+                    *mesh.figures.metrics.as_ref()?.distribution(shown.name);
                 Some((mesh.name.as_str(), [min, p01, median, mean, p99, max]))
             })
             .collect();
@@ -318,7 +319,7 @@ pub(crate) fn worst(meshes: &[Named]) -> Vec<Table> {
         let worst = &mesh.figures.worst_triangles;
         let least = Column::new(worst.iter().map(|triangle| triangle.min_angle), DIGITS);
         let greatest = Column::new(worst.iter().map(|triangle| triangle.max_angle), 4);
-        let row = |triangle: &crate::figures::WorstTriangle| {
+        let row = |triangle: &mindeg_answers::inspected::ThinTriangle| {
             let [a, b, c] = triangle.vertices;
             vec![
                 triangle.triangle.to_string(),
@@ -405,9 +406,9 @@ mod tests {
             vertices: 0,
             triangles: 0,
             interior_edges: 0,
-            optimal_max_degree: 4,
+            at_least: 4,
             holes: 0,
-            optimum_is_proven: true,
+            least_max_degree: Some(4),
         };
         let method = MethodFigures {
             degree_histogram: degrees.iter().map(|&degree| (degree, 1)).collect(),

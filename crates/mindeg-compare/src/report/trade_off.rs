@@ -19,7 +19,7 @@ use std::io::{self, Write};
 ///
 /// Those of `out`.
 pub fn write_trade_off_json(trade_off: &TradeOff, mut out: impl Write) -> io::Result<()> {
-    serde_json::to_writer_pretty(&mut out, &TradeOffAnswer::of(trade_off))?;
+    serde_json::to_writer(&mut out, &TradeOffAnswer::of(trade_off))?;
     out.write_all(b"\n")
 }
 

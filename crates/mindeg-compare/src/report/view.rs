@@ -7,17 +7,18 @@ mod flattened;
 
 use super::Provenance;
 use super::html::{Figure, rendered, script_safe};
-use super::metric::{SHOWN, ShownMetric};
 use super::picture::{self, Scene, thinned};
 use super::svg;
 use super::tables::{self, Named, Table};
 use super::viewer::{SCRIPT, STYLE};
-use crate::figures::{Distribution, MethodFigures};
+use crate::figures::MethodFigures;
 use crate::measure;
 use askama::Template;
 use flattened::Flattened;
 use glam::DVec2;
+use mindeg::quality::Distribution;
 use mindeg::quality::TriangleQuality;
+use mindeg_answers::measures::{SHOWN, ShownMetric};
 use mindeg_answers::numbers::{Column, angle, count};
 use mindeg_mesh::{BoundaryLoop, Positions, TriMesh, Triangles};
 use std::collections::BTreeMap;
@@ -104,7 +105,7 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
         is_ring,
         points,
         vertices: vertices.clone(),
-        optimal_max_degree: None,
+        at_least: None,
         most_drawn: MAX_DRAWN,
         meshes: vec![(named(), triangles)],
         degrees: vec![degrees.to_vec()],
@@ -209,7 +210,7 @@ fn notes(mesh: &TriMesh, flattened: &Flattened, merged: u64) -> Vec<String> {
 fn measures(figures: &MethodFigures) -> Table {
     let row = |shown: &ShownMetric| {
         let Distribution { min, p01, median, mean, p99, max } =
-            *(shown.of)(figures.metrics.as_ref()?);
+            *figures.metrics.as_ref()?.distribution(shown.name);
         let values = [min, p01, median, mean, p99, max];
         let column = Column::new(values, 3);
         let numbers = values.map(|value| column.number(value));
