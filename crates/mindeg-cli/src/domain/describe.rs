@@ -10,8 +10,8 @@ use crate::named_files::{is_pattern, names, prepare, summed_up};
 use crate::standard_output::{print, print_json};
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_files::{Outputs, Polygon, Polygons, Wanted, is_standard_output, write_to};
 use mindeg_answers::numbers::{four_digits, significant};
+use mindeg_files::{Outputs, Polygon, Polygons, Wanted, is_standard_output, write_to};
 use serde::Serialize;
 use std::path::Path;
 
