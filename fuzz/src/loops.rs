@@ -6,7 +6,7 @@ use glam::DVec3;
 use mindeg::bridge::bridge;
 use mindeg::fill::{FillOptions, fill};
 use mindeg::{Loops, Progress, TriMesh};
-use mindeg_mesh::inspection::weld;
+use mindeg_mesh::weld;
 
 #[derive(Arbitrary, Debug)]
 pub(crate) struct Input {
@@ -26,7 +26,7 @@ pub(crate) fn run(input: Input) {
     let [a, rest @ ..] = &meshes[..] else { return };
     let max_degree = input.max_degree.map(|limit| u32::from(limit % 16));
     let options = FillOptions { max_degree, max_loop: 60, ..FillOptions::default() };
-    if let Ok(filled) = fill(a.clone(), &options, Progress::NONE) {
+    if let Ok(filled) = fill(a.clone(), &Loops::of(&a), &options, Progress::NONE) {
         let before = a.triangles().len();
         assert_eq!(filled.mesh.triangles()[..before], *a.triangles());
         assert_eq!(filled.mesh.positions(), a.positions());
@@ -37,8 +37,15 @@ pub(crate) fn run(input: Input) {
     }
     let pick = |mesh: &TriMesh, index: u8| usize::from(index) % (Loops::of(mesh).list().len() + 1);
     let other = rest.first();
+    let loops_of_b = other.map(Loops::of);
     let ends = [pick(a, input.ends[0]), pick(other.unwrap_or(a), input.ends[1])];
-    if let Ok(joined) = bridge(a.clone(), other, ends, max_degree, Progress::NONE) {
+    if let Ok(joined) = bridge(
+        (a.clone(), &Loops::of(&a)),
+        other.zip(loops_of_b.as_ref()),
+        ends,
+        max_degree,
+        Progress::NONE,
+    ) {
         let n = joined.mesh.positions().len() as u32;
         assert!(joined.mesh.triangles().iter().flatten().all(|&v| v < n));
         assert!(max_degree.is_none_or(|limit| joined.strip.max_degree <= limit));

@@ -1,8 +1,8 @@
 //! The rules that programs have for a mesh.
 
 use crate::numbers::{four_digits, steady_angle};
-use mindeg::inspection::weld;
 use mindeg_mesh::TriMesh;
+use mindeg_mesh::weld;
 use std::ops::RangeInclusive;
 
 /// The rules of a program.

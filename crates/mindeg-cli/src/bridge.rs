@@ -83,7 +83,7 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
         None => both_of_one(&first, arguments)?,
     };
     let (from_name, to_name) = (first.name(from), second.as_ref().unwrap_or(&first).name(to));
-    let Side { mesh, .. } = first;
+    let Side { mesh, loops, .. } = first;
     // What can be refused is refused before the search.
     let check = |making: &mut Making, whole: &TriMesh| {
         let most = whole.triangles().len().saturating_add(whole.positions().len());
@@ -97,9 +97,10 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
         None => check(&mut making, &mesh)?,
     }
     making.open()?;
-    let other = second.as_ref().map(|side| &side.mesh);
+    let other = second.as_ref().map(|side| (&side.mesh, &side.loops));
+    let both = (mesh, &loops);
     let result = making
-        .work(|progress| bridge(mesh, other, [from, to], arguments.max_degree, progress))
+        .work(|progress| bridge(both, other, [from, to], arguments.max_degree, progress))
         .map_err(|error| Failure::Input(error.to_string()))?;
     let made = making.write_checked(&result.mesh)?;
     let strip = &result.strip;

@@ -79,7 +79,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     making.open()?;
     let listed = listed(&loops, &mesh);
     let result = making
-        .work(|progress| fill(mesh, &options, progress))
+        .work(|progress| fill(mesh, &loops, &options, progress))
         .map_err(|error| Failure::Input(format!("{}: {error}", file.display())))?;
     if result.filled.is_empty() {
         let reasons: Vec<String> = left(&result, &loops)
@@ -94,7 +94,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         file: file.display().to_string(),
         vertices: result.mesh.positions().len(),
         triangles: result.mesh.triangles().len(),
-        max_degree: result.mesh.max_degree(),
+        max_degree: result.max_degree,
         filled: result.filled.iter().map(|found| summary(found, &loops)).collect(),
         left_open: left(&result, &loops).collect(),
         crossings: &result.crossings,

@@ -37,6 +37,7 @@ mod progress;
 pub mod quality;
 mod summary;
 mod tri_mesh;
+mod welding;
 mod worst;
 
 pub use bounds::Bounds;
@@ -46,3 +47,4 @@ pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};
 pub use tri_mesh::{TriMesh, TriMeshError};
+pub use welding::weld;

@@ -98,7 +98,7 @@ pub enum BridgeError {
     Cancelled(#[from] Cancelled),
 }
 
-/// Joins a loop of a mesh to another one, or to a loop of a second mesh, by the strip of least
+/// Joins a loop of a mesh to another one, or to a loop of a second mesh, each given with its loops, by the strip of least
 /// maximum degree, or within `max_degree`, with the largest minimum angle.
 ///
 /// # Errors
@@ -108,7 +108,7 @@ pub enum BridgeError {
 /// # Example
 ///
 /// ```
-/// use mindeg::{Progress, TriMesh, bridge::bridge, glam::DVec3};
+/// use mindeg::{Loops, Progress, TriMesh, bridge::bridge, glam::DVec3};
 ///
 /// // Two pyramids without bases, back to back.
 /// let pyramid = |z: f64, tip: f64, n: u32| {
@@ -118,26 +118,27 @@ pub enum BridgeError {
 ///     TriMesh::new(points, (0..n).map(|i| [i, (i + 1) % n, n]).collect())
 /// };
 /// let (top, bottom) = (pyramid(1.0, 2.0, 8)?, pyramid(-1.0, -2.0, 5)?);
-/// let joined = bridge(top, Some(&bottom), [0, 0], None, Progress::NONE)?;
+/// let (loops, other) = (Loops::of(&top), Loops::of(&bottom));
+/// let joined = bridge((top, &loops), Some((&bottom, &other)), [0, 0], None, Progress::NONE)?;
 /// assert!(joined.mesh.boundary_loops().is_empty());
 /// // Three edges of the pyramids, one of the strip, and two more.
 /// assert_eq!(joined.strip.max_degree, 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn bridge(
-    a: TriMesh,
-    b: Option<&TriMesh>,
+    a: (TriMesh, &Loops),
+    b: Option<(&TriMesh, &Loops)>,
     [from, to]: [usize; 2],
     max_degree: Option<u32>,
     progress: Progress<'_>,
 ) -> Result<Bridged, BridgeError> {
-    let own = Loops::of(&a);
-    let other = b.map(Loops::of);
+    let (a, own) = a;
+    let (b, other) = (b.map(|(mesh, _)| mesh), b.map(|(_, loops)| loops));
     if b.is_none() && from == to {
         return Err(BridgeError::SameLoop { index: from });
     }
-    let target = other.as_ref().unwrap_or(&own);
-    let [mut x, y] = [vertices(&own, from)?, vertices(target, to)?];
+    let target = other.unwrap_or(own);
+    let [mut x, y] = [vertices(own, from)?, vertices(target, to)?];
     let first = if b.is_some() { a.positions().len() as u32 } else { 0 };
     if b.is_none()
         && let Some(&vertex) = x.iter().find(|vertex| y.contains(vertex))
@@ -159,7 +160,7 @@ pub fn bridge(
         ring.iter().map(|&vertex| loops.degrees[vertex as usize]).collect()
     };
     x.reverse();
-    let external = [degrees(&own, &x), degrees(target, &y)];
+    let external = [degrees(own, &x), degrees(target, &y)];
     let excluded: Vec<[u32; 2]> = if b.is_none() {
         let pairs = (0_u32..).zip(&x).flat_map(|(i, &vertex)| {
             let places = own.neighbors(vertex).map(|other| y.iter().position(|&v| v == other));
@@ -198,7 +199,7 @@ pub fn bridge(
     let mesh = whole.with_triangles_added(BRIDGE, &triangles)?;
     progress.report("looking for crossings", 0, 1)?;
     let new = start..mesh.triangles().len() as u32;
-    let same = |vertex: u32| match &other {
+    let same = |vertex: u32| match other {
         Some(other) if vertex >= first => first + other.same[(vertex - first) as usize],
         _ => own.same[vertex as usize],
     };

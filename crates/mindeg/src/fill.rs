@@ -62,6 +62,8 @@ pub struct Filled {
     pub filled: Vec<FilledLoop>,
     /// The loops that were to be filled and stay open, in order.
     pub left: Vec<LeftLoop>,
+    /// The largest degree of the whole mesh, vertices at the same place as one.
+    pub max_degree: u32,
     /// The new triangles that cross another triangle, each with the first that it crosses.
     pub crossings: Vec<[u32; 2]>,
 }
@@ -151,7 +153,7 @@ pub enum FillError {
     Cancelled(#[from] Cancelled),
 }
 
-/// Closes the boundary loops of a mesh by triangulations of least area under a limit on the total
+/// Closes boundary loops of a mesh, `loops` of it, by triangulations of least area under a limit on the total
 /// degrees.
 ///
 /// O(n³) time for a loop of n vertices, times the square of the number of degree pairs that matter;
@@ -165,24 +167,26 @@ pub enum FillError {
 /// # Example
 ///
 /// ```
-/// use mindeg::{Progress, TriMesh, fill::{FillOptions, fill}, glam::DVec3};
+/// use mindeg::{Loops, Progress, TriMesh, fill::{FillOptions, fill}, glam::DVec3};
 ///
 /// // A pyramid without its base.
 /// let corners = [(0., 0., 0.), (1., 0., 0.), (1., 1., 0.), (0., 1., 0.), (0.5, 0.5, 1.)];
 /// let sides = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
 /// let open = TriMesh::new(corners.map(DVec3::from).to_vec(), sides)?;
-/// let closed = fill(open, &FillOptions::default(), Progress::NONE)?;
+/// let loops = Loops::of(&open);
+/// let closed = fill(open, &loops, &FillOptions::default(), Progress::NONE)?;
 /// assert!(closed.mesh.boundary_loops().is_empty());
 /// assert_eq!((closed.filled[0].limit, closed.filled[0].max_degree), (6, 4));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn fill(
     mesh: TriMesh,
+    loops: &Loops,
     options: &FillOptions,
     progress: Progress<'_>,
 ) -> Result<Filled, FillError> {
-    let mut loops = Loops::of(&mesh);
-    let all = loops.list().to_vec();
+    let all = loops.list();
+    let mut loops = loops.clone();
     let mut chosen = options.only.clone().unwrap_or_else(|| (0..all.len()).collect());
     chosen.sort_unstable();
     chosen.dedup();
@@ -211,7 +215,7 @@ pub fn fill(
     };
     // A single loop tells more of itself.
     let inner = if tasks.len() > 1 { Progress::new(&is_cancelled) } else { progress };
-    for level in levels(&tasks, &all) {
+    for level in levels(&tasks, all) {
         let solved = map_indices(&level, |index| {
             let solved = solve(&mesh, &all[index], &loops, limit, inner);
             counter.add(usize::from(tasks.len() > 1))?;
@@ -262,7 +266,8 @@ pub fn fill(
     let new = first_triangle as u32..mesh.triangles().len() as u32;
     let crossings = crossings(mesh.positions(), &loops.merged(mesh.triangles()), new);
     progress.report("looking for crossings", 1, 1)?;
-    Ok(Filled { mesh, filled, left, crossings })
+    let max_degree = loops.degrees.iter().copied().max().unwrap_or(0);
+    Ok(Filled { mesh, filled, left, max_degree, crossings })
 }
 
 /// Loops that can be filled at the same time: those of a level share no vertex, and come after the

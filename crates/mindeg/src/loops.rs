@@ -10,7 +10,7 @@
 
 use glam::DVec3;
 use mindeg_mesh::TriMesh;
-use mindeg_mesh::inspection::weld;
+use mindeg_mesh::weld;
 use std::collections::{BTreeMap, BTreeSet};
 use thiserror::Error;
 

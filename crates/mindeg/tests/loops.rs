@@ -6,7 +6,7 @@ use mindeg::bridge::{BridgeError, bridge};
 use mindeg::fill::{FILL, FillError, FillOptions, Filled, LeftOpen, fill};
 use mindeg::glam::DVec3;
 use mindeg::inspection::{Inspection, InspectionOptions};
-use mindeg::{LoopDefect, Loops, Progress, TriMesh};
+use mindeg::{LoopDefect, Loops, Progress, TriMesh, Triangles};
 use proptest::prelude::*;
 
 fn inspected(mesh: &TriMesh) -> Inspection {
@@ -34,7 +34,7 @@ fn assert_kept(old: &TriMesh, new: &TriMesh, group: &str) {
 }
 
 fn filled(mesh: &TriMesh) -> Filled {
-    fill(mesh.clone(), &FillOptions::default(), Progress::NONE).unwrap()
+    fill(mesh.clone(), &Loops::of(mesh), &FillOptions::default(), Progress::NONE).unwrap()
 }
 
 /// A tube: rings of n vertices one above the other, of a radius for each ring and a height for
@@ -96,7 +96,7 @@ fn each_limit_is_kept_and_what_cannot_be_is_refused_with_the_least() {
     let open = tube(24, &[1.0, 1.0], |_| 0.0);
     let under = |max_degree| {
         let options = FillOptions { max_degree: Some(max_degree), ..FillOptions::default() };
-        fill(open.clone(), &options, Progress::NONE)
+        fill(open.clone(), &Loops::of(&open), &options, Progress::NONE)
     };
     // Four edges at each vertex, and 21 chords for 24 vertices.
     let message = under(5).unwrap_err().to_string();
@@ -123,7 +123,7 @@ fn loops_that_touch_are_filled_so_that_their_vertex_is_sound() {
     assert_sound(&closed.mesh, 0, 2);
 
     let only = FillOptions { max_loop: 5, ..FillOptions::default() };
-    let closed = fill(open, &only, Progress::NONE).unwrap();
+    let closed = fill(open.clone(), &Loops::of(&open), &only, Progress::NONE).unwrap();
     assert_eq!((closed.filled.len(), closed.left.len()), (2, 1));
     let reason = LeftOpen::TooLong { vertices: 16, max_loop: 5 };
     assert_eq!((closed.left[0].index, closed.left[0].reason), (0, reason));
@@ -173,7 +173,7 @@ fn edges_that_are_there_are_not_made_again() {
     for (more, added) in [(&[][..], 2), (&diagonal, 2), (&both, 0)] {
         let open = mesh(more);
         let only = FillOptions { only: Some(vec![loop_of_sides(&open)]), ..FillOptions::default() };
-        let closed = fill(open.clone(), &only, Progress::NONE).unwrap();
+        let closed = fill(open.clone(), &Loops::of(&open), &only, Progress::NONE).unwrap();
         let new = &closed.mesh.triangles()[open.triangles().len()..];
         assert_eq!(new.len(), added, "{more:?}");
         if added == 0 {
@@ -225,14 +225,15 @@ fn seams_do_not_count_as_holes() {
 fn loops_that_are_not_there_are_refused() {
     let tube = tube(5, &[1.0, 1.0], |_| 0.0);
     let only = FillOptions { only: Some(vec![2]), ..FillOptions::default() };
-    let error = fill(tube.clone(), &only, Progress::NONE).unwrap_err();
+    let error = fill(tube.clone(), &Loops::of(&tube), &only, Progress::NONE).unwrap_err();
     assert_eq!(error, FillError::NoSuchLoop { index: 2, loops: 2 });
     assert_eq!(error.to_string(), "there is no loop 3; the mesh has 2 boundary loops");
     for (loops, message) in [
         ([0, 7], "there is no loop 8; the mesh has 2 boundary loops"),
         ([1, 1], "both ends of the bridge are loop 2; give two loops"),
     ] {
-        let error = bridge(tube.clone(), None, loops, None, Progress::NONE).unwrap_err();
+        let error = bridge((tube.clone(), &Loops::of(&tube)), None, loops, None, Progress::NONE)
+            .unwrap_err();
         assert_eq!(error.to_string(), message);
     }
 }
@@ -246,7 +247,14 @@ fn a_bridge_joins_two_meshes_or_two_loops_of_one() {
     };
     for count in [24, 17, 7] {
         let upper = raised(&tube(count, &[1.2, 0.8], |_| 0.0), 2.0);
-        let joined = bridge(lower.clone(), Some(&upper), [1, 0], None, Progress::NONE).unwrap();
+        let joined = bridge(
+            (lower.clone(), &Loops::of(&lower)),
+            Some((&upper, &Loops::of(&upper))),
+            [1, 0],
+            None,
+            Progress::NONE,
+        )
+        .unwrap();
         assert_sound(&joined.mesh, 2, 0);
         assert_kept(&lower, &joined.mesh, "bridge");
         assert_eq!(joined.crossings, [[0; 2]; 0]);
@@ -259,12 +267,14 @@ fn a_bridge_joins_two_meshes_or_two_loops_of_one() {
 
         // Two parts of one mesh: the same strip.
         let both = lower.clone().with_mesh_added(&upper).unwrap();
-        let again = bridge(both, None, [1, 2], None, Progress::NONE).unwrap();
+        let again =
+            bridge((both.clone(), &Loops::of(&both)), None, [1, 2], None, Progress::NONE).unwrap();
         assert_eq!(again.mesh.triangles(), joined.mesh.triangles());
     }
     // A tube whose ends are joined is a torus.
     let bent = tube(12, &[1.0, 2.0, 2.5, 2.0], |_| 0.0);
-    let torus = bridge(bent, None, [0, 1], None, Progress::NONE).unwrap();
+    let torus =
+        bridge((bent.clone(), &Loops::of(&bent)), None, [0, 1], None, Progress::NONE).unwrap();
     assert_sound(&torus.mesh, 0, 0);
 }
 
@@ -275,7 +285,14 @@ fn a_mesh_that_is_inside_out_is_noticed() {
     let points = upper.positions().iter().map(|&point| point + DVec3::Z * 2.0).collect();
     let over = upper.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
     let upper = TriMesh::new(points, over).unwrap();
-    let joined = bridge(lower, Some(&upper), [1, 0], None, Progress::NONE).unwrap();
+    let joined = bridge(
+        (lower.clone(), &Loops::of(&lower)),
+        Some((&upper, &Loops::of(&upper))),
+        [1, 0],
+        None,
+        Progress::NONE,
+    )
+    .unwrap();
     assert!(joined.turned_over.unwrap() > 10.0, "{:?}", joined.turned_over);
 }
 
@@ -288,7 +305,14 @@ fn a_ring_in_a_plane_is_closed_without_folds() {
     let level = |points: Vec<DVec3>| points.into_iter().map(|p| p.truncate().extend(0.0)).collect();
     let inner = TriMesh::new(level(points), plate(2, 2, &[]).triangles().to_vec()).unwrap();
     let hole = Loops::of(&outer).list().iter().position(|found| found.vertices[0] != 0).unwrap();
-    let joined = bridge(outer, Some(&inner), [hole, 0], None, Progress::NONE).unwrap();
+    let joined = bridge(
+        (outer.clone(), &Loops::of(&outer)),
+        Some((&inner, &Loops::of(&inner))),
+        [hole, 0],
+        None,
+        Progress::NONE,
+    )
+    .unwrap();
     assert!(joined.strip.is_planar);
     assert_sound(&joined.mesh, 1, 1);
     assert_eq!(joined.crossings, [[0; 2]; 0]);
@@ -302,7 +326,8 @@ fn a_bridge_between_loops_that_touch_is_refused() {
     let loops = Loops::of(&open);
     let small = (0..loops.list().len()).filter(|&i| loops.list()[i].vertices.len() == 4);
     let [a, b] = small.collect::<Vec<_>>()[..] else { panic!("two holes") };
-    let error = bridge(open, None, [a, b], None, Progress::NONE).unwrap_err();
+    let error =
+        bridge((open.clone(), &Loops::of(&open)), None, [a, b], None, Progress::NONE).unwrap_err();
     assert_eq!(error, BridgeError::Touching { vertex: 12 });
 }
 
@@ -317,7 +342,7 @@ proptest! {
         prop_assume!((0..6).any(|x| (0..5).any(|y| !holes.contains(&[x, y]))));
         let open = plate(6, 5, &holes);
         let before = Loops::of(&open);
-        let closed = fill(open.clone(), &FillOptions::default(), Progress::NONE).unwrap();
+        let closed = fill(open.clone(), &Loops::of(&open), &FillOptions::default(), Progress::NONE).unwrap();
         prop_assert_eq!(closed.filled.len() + closed.left.len(), before.list().len());
         for left in &closed.left {
             prop_assert_eq!(left.reason, LeftOpen::EdgesThere);
@@ -343,7 +368,7 @@ proptest! {
         let points: Vec<DVec3> = points.into_iter().map(|p| DVec3::from(p.map(f64::from))).collect();
         let open = TriMesh::new(points, triangles).unwrap();
         let before = inspected(&open);
-        let closed = fill(open.clone(), &FillOptions::default(), Progress::NONE).unwrap();
+        let closed = fill(open.clone(), &Loops::of(&open), &FillOptions::default(), Progress::NONE).unwrap();
         let after = inspected(&closed.mesh);
         prop_assert_eq!(after.non_manifold_edges.len(), before.non_manifold_edges.len());
         let loops = Loops::of(&open);
@@ -351,10 +376,22 @@ proptest! {
         prop_assert!(edges(&Loops::of(&closed.mesh)) <= edges(&loops));
         if loops.list().len() > 1 {
             // Nothing panics, and what is joined is no worse.
-            if let Ok(joined) = bridge(open, None, [0, 1], None, Progress::NONE) {
+            if let Ok(joined) = bridge((open.clone(), &Loops::of(&open)), None, [0, 1], None, Progress::NONE) {
                 let after = inspected(&joined.mesh);
                 prop_assert_eq!(after.non_manifold_edges.len(), before.non_manifold_edges.len());
             }
         }
     }
+}
+
+/// Seams: four vertices at one place, whose edges were counted twice or not at all.
+#[test]
+fn the_degree_of_the_whole_counts_vertices_at_one_place_once() {
+    let tip = DVec3::Z;
+    let base = [DVec3::X, DVec3::Y, -DVec3::X, -DVec3::Y];
+    let positions = [base.to_vec(), vec![tip; 4]].concat();
+    let open = TriMesh::new(positions, vec![[0, 1, 4], [1, 2, 5], [2, 3, 6], [3, 0, 7]]).unwrap();
+    let closed = filled(&open);
+    assert_eq!((closed.mesh.max_degree(), closed.max_degree), (5, 4));
+    assert_eq!(closed.max_degree, inspected(&closed.mesh).max_degree());
 }

@@ -6,9 +6,9 @@
 use mindeg::Progress;
 use mindeg::exact::{DegreeAnswer, degree_of_boundary};
 use mindeg::glam::{DVec2, DVec3};
-use mindeg::inspection::{Inspection, InspectionOptions, weld};
-use mindeg_mesh::TriMesh;
+use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{TriMesh, weld};
 use serde::Serialize;
 use std::ops::Range;
 

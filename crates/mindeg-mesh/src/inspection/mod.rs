@@ -35,15 +35,14 @@
 mod convex_outline;
 mod shapes;
 mod topology;
-mod welding;
 
 pub use convex_outline::{ConvexOutline, NoConvexOutline};
 pub use topology::VertexDegree;
-pub use welding::weld;
 
 use crate::connectivity::faces::Faces;
 use crate::quality::{DegreeHistogram, QualitySummary, WorstTriangles};
 use crate::tri_mesh::TriMesh;
+use crate::weld;
 use shapes::Shapes;
 use topology::Topology;
 
@@ -165,7 +164,7 @@ impl Inspection {
     pub fn of(mesh: &TriMesh, options: &InspectionOptions) -> Self {
         let positions = mesh.positions();
         let vertex_count = positions.len();
-        let merged = options.weld.map(|tolerance| welding::weld(positions, tolerance));
+        let merged = options.weld.map(|tolerance| weld(positions, tolerance));
         let is_welded =
             |vertex: u32| merged.as_ref().is_some_and(|merged| merged[vertex as usize] != vertex);
         let welded_count = (0..).take(vertex_count).filter(|&vertex| is_welded(vertex)).count();

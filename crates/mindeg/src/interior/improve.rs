@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
 use mindeg_interior::{InteriorError, Keep, Options, Report};
-use mindeg_mesh::inspection::weld;
+use mindeg_mesh::weld;
 use mindeg_mesh::{Group, Progress, TriMesh, TriMeshError, Triangles};
 use thiserror::Error;
 

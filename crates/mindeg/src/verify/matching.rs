@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use mindeg_domain::Domain;
 use mindeg_mesh::TriMesh;
-use mindeg_mesh::inspection::weld;
+use mindeg_mesh::weld;
 
 use super::defect::{Change, Defect};
 use super::near::Near;

@@ -15,7 +15,7 @@ use glam::DVec3;
 ///
 /// ```
 /// use glam::DVec3;
-/// use mindeg_mesh::inspection::weld;
+/// use mindeg_mesh::weld;
 ///
 /// assert_eq!(weld(&[DVec3::X, DVec3::Y, DVec3::X], 0.0), [0, 1, 0]);
 /// ```
