@@ -15,10 +15,10 @@ use mindeg::{Domain, Goal, Progress, Side, TriMesh, exact, mesh, verify};
 use outlines::{Outline, Random};
 use solids::Solid;
 
-/// Polygons and turns of each: some of the 500 and 20 that `MINDEG_ALL_TURNS` asks for, which take
+/// Polygons and turns of each: some of the 500 and 20 that `MINDEG_FULL` asks for, which take
 /// minutes.
 fn sample(some: [u32; 2], all: [u32; 2]) -> [u32; 2] {
-    if std::env::var_os("MINDEG_ALL_TURNS").is_some() { all } else { some }
+    if std::env::var_os("MINDEG_FULL").is_some() { all } else { some }
 }
 
 fn file(name: &str) -> String {
