@@ -174,4 +174,25 @@ mod tests {
             assert_eq!(report.violations.len(), 4);
         }
     }
+
+    /// A mesh with 1.954° was said to have 129% of a limit of 1.509°.
+    #[test]
+    fn a_broken_degree_limit_is_compared_with_the_limit_of_its_degree() {
+        let points = [[2.0, 0.0], [6.0, 4.0], [2.0, 2.0], [0.0, 0.0]].map(DVec2::from);
+        let of = |angle| {
+            let fan = FanLimit { angle, vertex: 0 };
+            Limits { any_degree: fan, with_degree_limit: fan, tent: None }
+        };
+        let goal = Goal { triangles: 1, ideal: 1.0, fan: None, limit: 10.0 };
+        let goals = |vertex: u32| (vertex == 0).then_some(&goal);
+        let limits_at = |broken: &[Violation]| {
+            assert_eq!([0, 1].map(degrees_at_boundary(broken, |vertex| vertex)), [3, 0]);
+            of(30.0)
+        };
+        let triangles = [[3, 0, 2], [0, 1, 2]];
+        let report = measure(&points, &triangles, &(1..=7), goals, of(10.0), limits_at);
+        assert_eq!((report.limits.angle(), report.angle_limit), (10.0, 30.0));
+        assert_eq!(report.share_of_limit, report.min_angle / 30.0);
+        assert!(report.share_of_limit < 1.0);
+    }
 }
