@@ -78,7 +78,7 @@ def test_every_format_brings_the_triangles_back(mesh, tmp_path, extension):
 def test_a_file_is_replaced_whole_or_not_at_all(mesh, tmp_path):
     path = tmp_path / "plate.obj"
     path.write_text("old")
-    with pytest.raises(ValueError, match="names no format"):
+    with pytest.raises(ValueError, match="tells no format"):
         mesh.save(tmp_path / "plate.foo")
     with pytest.raises(FileNotFoundError, match=r"missing/plate\.obj: .*its folder does not exist") as told:
         mesh.save(tmp_path / "missing" / "plate.obj")
