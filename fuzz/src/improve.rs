@@ -47,9 +47,9 @@ pub(crate) fn run(input: Input) {
     };
     let mut options = Options::default();
     if let Some((low, high)) = input.degrees {
-        options.interior_degree = 3 + u32::from(low % 4)..=6 + u32::from(high % 4);
+        options.wanted.interior_degree = Some(3 + u32::from(low % 4)..=6 + u32::from(high % 4));
     }
-    options.prefer = if input.prefer_angle { Prefer::Angle } else { Prefer::Degree };
+    options.wanted.prefer = input.prefer_angle.then_some(Prefer::Angle);
     let first = match improve(&points, &triangles, &keep, &options, Progress::NONE) {
         Ok(first) => first,
         Err(error) => {
@@ -155,7 +155,7 @@ fn check(
         assert!(new_halves.contains(&[x, y]) || new_halves.contains(&[y, x]), "edge {a}-{b}");
     }
     let (before, after) = (&found.before, &found.after);
-    match options.prefer {
+    match options.wanted.prefer() {
         Prefer::Degree => assert!(after.violations.len() <= before.violations.len()),
         Prefer::Angle => assert!(after.min_angle >= before.min_angle.min(35.0) - 1e-9),
     }

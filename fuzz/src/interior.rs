@@ -37,20 +37,21 @@ pub(crate) fn run(input: Input) {
     }
     let Ok(outline) = PlanarBoundary::new(&rings) else { return };
     let n = outline.points().len() as u32;
-    let mut options = Options { max_points: 3_000, ..Options::default() };
-    options.growth = input.growth.map_or(options.growth, |growth| growth.0);
-    options.size_inside = input.size_inside.map(|size| size.0);
+    let mut options = Options::default();
+    options.wanted.max_points = Some(3_000);
+    options.wanted.growth = input.growth.map(|growth| growth.0);
+    options.wanted.size_inside = input.size_inside.map(|size| size.0);
     let place = |[x, y]: [Hostile; 2]| DVec2::new(x.0, y.0);
     let size = |&(at, size): &([Hostile; 2], Hostile)| SizeAt { at: place(at), size: size.0 };
-    options.sizes = input.sizes.iter().take(3).map(size).collect();
+    options.wanted.sizes = input.sizes.iter().take(3).map(size).collect();
     if let Some((low, high, boundary)) = input.degrees {
-        options.interior_degree = u32::from(low % 8)..=u32::from(high % 12);
-        options.boundary_degree = u32::from(boundary % 8);
+        options.wanted.interior_degree = Some(u32::from(low % 8)..=u32::from(high % 12));
+        options.wanted.boundary_degree = Some(u32::from(boundary % 8));
     }
     let limit = |&(vertex, limit): &(u8, u8)| (u32::from(vertex) % (n + 1), u32::from(limit % 8));
     options.degree_limits = input.limits.iter().take(4).map(limit).collect();
-    options.target_angle = input.target.map(|target| target.0);
-    options.prefer = if input.prefer_angle { Prefer::Angle } else { Prefer::Degree };
+    options.wanted.target_angle = input.target.map(|target| target.0);
+    options.wanted.prefer = input.prefer_angle.then_some(Prefer::Angle);
     let fixed = Fixed {
         points: input.fixed.iter().take(4).map(|(at, ..)| place(*at)).collect(),
         segments: input
@@ -68,5 +69,5 @@ pub(crate) fn run(input: Input) {
     assert_eq!(&found.points[n as usize..][..fixed.points.len()], &fixed.points[..]);
     let boundary: Vec<_> = outline.edges().collect();
     assert_fills(&found.points, &found.triangles, &boundary);
-    assert!(found.points.len() <= options.max_points);
+    assert!(found.points.len() <= options.wanted.max_points());
 }

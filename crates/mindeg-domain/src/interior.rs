@@ -21,7 +21,8 @@ pub struct Interior {
     /// The size far from the boundary [default: a mean of the boundary's intervals]
     #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
     pub size_inside: Option<f64>,
-    /// Places `[x, y, h]`: the size is at most h there, and grows from there as from the boundary
+    /// Places `[x, y, h]`: the size is at most h there, and grows from there as from the boundary; up to the
+    /// default growth no edge at the vertex nearest to a place is longer
     #[cfg_attr(
         feature = "json",
         serde(
@@ -116,6 +117,36 @@ pub enum LineEnd {
 }
 
 impl Interior {
+    /// How fast the size grows: 0.5 unless it is given.
+    #[must_use]
+    pub fn growth(&self) -> f64 {
+        self.growth.unwrap_or(0.5)
+    }
+
+    /// The degrees wanted inside: 5 to 7 unless they are given.
+    #[must_use]
+    pub fn interior_degree(&self) -> RangeInclusive<u32> {
+        self.interior_degree.clone().unwrap_or(5..=7)
+    }
+
+    /// The greatest degree wanted at the boundary: 5 unless it is given.
+    #[must_use]
+    pub fn boundary_degree(&self) -> u32 {
+        self.boundary_degree.unwrap_or(5)
+    }
+
+    /// Which aim wins: degrees, unless it is given.
+    #[must_use]
+    pub fn prefer(&self) -> Prefer {
+        self.prefer.unwrap_or_default()
+    }
+
+    /// The most points that the mesh may have: 20 million unless it is given.
+    #[must_use]
+    pub fn max_points(&self) -> usize {
+        self.max_points.unwrap_or(20_000_000)
+    }
+
     /// Checks all values that no domain is needed for.
     ///
     /// # Errors
@@ -172,7 +203,12 @@ impl Interior {
 }
 
 impl FixedLines {
-    fn check(&self) -> Result<(), DomainError> {
+    /// Checks that lines have ends, and name points that there are.
+    ///
+    /// # Errors
+    ///
+    /// The first line that has fewer than two ends, or names a point that is not there.
+    pub fn check(&self) -> Result<(), DomainError> {
         for (index, line) in self.lines.iter().enumerate() {
             let place = || Place::key("fixed").then("segments").then(index);
             if line.len() < 2 {

@@ -73,23 +73,25 @@ pub fn generate(
     let floor = floor(options);
     let mut best: Option<InteriorMesh> = None;
     // Where angles are preferred, the way that keeps degrees may still reach more.
-    let ways: &[Prefer] = match options.prefer {
+    let ways: &[Prefer] = match options.wanted.prefer() {
         Prefer::Degree => &[Prefer::Degree],
         Prefer::Angle => &[Prefer::Angle, Prefer::Degree],
     };
     let tries: Vec<(Prefer, &Seed)> =
         ways.iter().flat_map(|way| SEEDS.iter().map(|seed| (*way, seed))).collect();
     for (index, (prefer, seed)) in tries.iter().enumerate() {
-        let growth = options.growth * seed.growth;
-        let way = Options { growth, prefer: *prefer, ..options.clone() };
+        let mut way = options.clone();
+        way.wanted.growth = Some(options.wanted.growth() * seed.growth);
+        way.wanted.prefer = Some(*prefer);
         let goals = goals(outline, &way);
         let (breaklines, field) = size_field(outline, fixed, &way)?;
-        if about_points(outline, &field) > 2.0 * options.max_points as f64 {
-            return Err(InteriorError::TooManyPoints { max: options.max_points });
+        if about_points(outline, &field) > 2.0 * options.wanted.max_points() as f64 {
+            return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
         }
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
         let mut stage = Stage::of_try(progress, "adding interior points", index, tries.len());
-        let mut mesh = start.mesh(seed.spacing, floor, options.max_points, progress, &mut stage)?;
+        let mut mesh =
+            start.mesh(seed.spacing, floor, options.wanted.max_points(), progress, &mut stage)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut stage)?;
         stage.reach(1.0)?;
@@ -100,8 +102,14 @@ pub fn generate(
             let has = degrees_at_boundary(broken, |v| v);
             self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
         };
-        let report =
-            measure(&points, &triangles, &options.interior_degree, goal, limits, limits_at);
+        let report = measure(
+            &points,
+            &triangles,
+            &options.wanted.interior_degree(),
+            goal,
+            limits,
+            limits_at,
+        );
         let found =
             InteriorMesh { points, triangles, fixed_edges: breaklines.edges.clone(), report };
         let is_better = best
@@ -141,10 +149,16 @@ fn size_field(
     options: &Options,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
     let field = |crowded: &[SizeAt]| {
-        SizeField::new(outline, options.growth, options.size_inside, &options.sizes, crowded)
+        SizeField::new(
+            outline,
+            options.wanted.growth(),
+            options.wanted.size_inside,
+            &options.wanted.sizes,
+            crowded,
+        )
     };
     let plain = field(&[]);
-    for (index, place) in options.sizes.iter().enumerate() {
+    for (index, place) in options.wanted.sizes.iter().enumerate() {
         let nearest = plain.boundary().nearest(place.at, f64::INFINITY);
         // On the boundary is fine.
         if nearest.is_some_and(|(edge, distance)| {

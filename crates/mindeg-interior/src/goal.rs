@@ -25,7 +25,7 @@ pub(crate) fn goals(outline: &PlanarBoundary, options: &Options) -> Vec<Goal> {
     let goal = |vertex| {
         let angle = outline.angle(vertex);
         let triangles = options.degree_limit(outline, vertex) - 1;
-        let fan = (options.prefer == Prefer::Degree).then_some(triangles);
+        let fan = (options.wanted.prefer() == Prefer::Degree).then_some(triangles);
         let limit = fan_limit_at(outline, vertex, fan);
         Goal { triangles, ideal: angle / (PI / 3.0), fan, limit }
     };
@@ -50,11 +50,11 @@ pub(crate) struct Weights {
 impl Weights {
     /// The weights of single operations.
     pub(crate) fn single(options: &Options, floor: f64) -> Self {
-        let (degree, may_violate) = match options.prefer {
+        let (degree, may_violate) = match options.wanted.prefer() {
             Prefer::Degree => (1e3, false),
             Prefer::Angle => (2.0, true),
         };
-        Self { floor, angle: 2.0, degree, interior: options.interior_degree.clone(), may_violate }
+        Self { floor, angle: 2.0, degree, interior: options.wanted.interior_degree(), may_violate }
     }
 
     /// The weights of the search for pairs of operations: angles count more, so that no good fan is

@@ -163,7 +163,14 @@ impl Input {
             limits(&self.boundary, |v| options.degree_limit(&self.boundary, v).max(has(v)))
         };
         let goal_of = |v: u32| self.mesh.goals.get(goal(v) as usize);
-        measure(points, triangles, &options.interior_degree, goal_of, self.limits, limits_at)
+        measure(
+            points,
+            triangles,
+            &options.wanted.interior_degree(),
+            goal_of,
+            self.limits,
+            limits_at,
+        )
     }
 }
 

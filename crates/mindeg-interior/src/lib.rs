@@ -79,6 +79,6 @@ mod verdict;
 
 pub use generate::{InteriorMesh, generate};
 pub use improve::{Improved, Keep, improve};
-pub use mindeg_domain::{Prefer, SizeAt};
+pub use mindeg_domain::{Interior, Prefer, SizeAt};
 pub use options::{Fixed, InteriorError, Options, check_coordinates};
 pub use report::{Report, Violation};

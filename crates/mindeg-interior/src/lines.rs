@@ -18,8 +18,9 @@ impl Fixed {
     /// # Errors
     ///
     /// An end on the boundary between its vertices, at a place that is no pair of ordinary
-    /// numbers, or that names a point that is not there.
+    /// numbers; or what [`FixedLines::check`] refuses.
     pub fn of_lines(outline: &PlanarBoundary, wanted: &FixedLines) -> Result<Self, InteriorError> {
+        wanted.check()?;
         let mut points = wanted.points.clone();
         let near_enough = SAME * outline.bounds().size().max_element();
         let boundary = outline.points();
@@ -33,13 +34,7 @@ impl Fixed {
             let mut vertices = Vec::with_capacity(ends.len());
             for end in ends {
                 vertices.push(match *end {
-                    LineEnd::Point(index) if index < wanted.points.len() => {
-                        (boundary.len() + index) as u32
-                    }
-                    LineEnd::Point(index) => {
-                        let points = wanted.points.len();
-                        return Err(InteriorError::NoSuchPoint { line, index, points });
-                    }
+                    LineEnd::Point(index) => (boundary.len() + index) as u32,
                     LineEnd::At(at) => {
                         let what = format!("an end of fixed line {line}");
                         if !is_usable(at) {

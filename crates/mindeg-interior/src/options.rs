@@ -3,11 +3,10 @@
 use crate::limits::degree_limit;
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
-use mindeg_domain::{Prefer, SizeAt};
+use mindeg_domain::{DomainError, Interior};
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
 use thiserror::Error;
 
 /// The greatest number of points of a mesh.
@@ -32,43 +31,18 @@ pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError>
 }
 
 /// What the mesh is to be like.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
-    /// How fast the size grows from the boundary: change of size per distance. Above 0; 0.5 by default.
-    pub growth: f64,
-    /// The size far from the boundary; by default a mean of the boundary edges' lengths.
-    pub size_inside: Option<f64>,
-    /// Places with a size of their own: up to the default growth no edge at the vertex nearest to a place is
-    /// longer. They make the mesh finer, never coarser.
-    pub sizes: Vec<SizeAt>,
-    /// The degrees wanted inside; 5..=7 by default. Contains 6, as the mean degree is near 6.
-    pub interior_degree: RangeInclusive<u32>,
-    /// The greatest degree wanted at the boundary, 5 by default;
-    /// see [`degree_limit`](crate::limits::degree_limit) for reflex corners.
-    pub boundary_degree: u32,
-    /// Boundary vertices with a degree limit of their own, in edges, which holds instead.
+    /// What is wanted. Its fixed points and lines become a [`Fixed`] first.
+    pub wanted: Interior,
+    /// Boundary vertices with a degree limit of their own, in edges, which holds instead of
+    /// [`Interior::boundary_degree`]; see [`degree_limit`](crate::limits::degree_limit) for reflex corners.
     pub degree_limits: BTreeMap<u32, u32>,
-    /// The minimum angle wanted in degrees; by default as much as the limits allow, up to about 35.
-    pub target_angle: Option<f64>,
-    /// Which aim wins.
-    pub prefer: Prefer,
-    /// The mesh is refused where it would have more points than this; 20 million by default.
-    pub max_points: usize,
 }
 
-impl Default for Options {
-    fn default() -> Self {
-        Self {
-            growth: 0.5,
-            size_inside: None,
-            sizes: Vec::new(),
-            interior_degree: 5..=7,
-            boundary_degree: 5,
-            degree_limits: BTreeMap::new(),
-            target_angle: None,
-            prefer: Prefer::default(),
-            max_points: 20_000_000,
-        }
+impl From<Interior> for Options {
+    fn from(wanted: Interior) -> Self {
+        Self { wanted, ..Self::default() }
     }
 }
 
@@ -97,30 +71,9 @@ pub enum InteriorError {
         /// Its position.
         at: [f64; 2],
     },
-    /// A size that is not above 0.
-    #[error("{what} is {value}; a size is a finite number above 0")]
-    Size {
-        /// Which one.
-        what: String,
-        /// Its value.
-        value: f64,
-    },
-    /// A growth that is not above 0.
-    #[error("growth is {0}; it is a finite number above 0 (0.5 is usual, less grows slower)")]
-    Growth(f64),
-    /// A range of degrees that no mesh can keep to.
-    #[error(
-        "interior degrees {start} to {end} are out of reach: the range must contain 6 and start at 3 or more"
-    )]
-    InteriorDegree {
-        /// The least.
-        start: u32,
-        /// The greatest.
-        end: u32,
-    },
-    /// A limit at the boundary that is too low to mesh with.
-    #[error("a boundary degree of {0} is too low; use 4 or more (5 is usual)")]
-    BoundaryDegree(u32),
+    /// A value without a meaning.
+    #[error(transparent)]
+    Wanted(#[from] DomainError),
     /// A limit at a vertex that no mesh can keep.
     #[error("vertex {vertex} has a degree limit of {limit}; its two boundary edges alone are 2")]
     DegreeLimit {
@@ -129,9 +82,6 @@ pub enum InteriorError {
         /// Its limit.
         limit: u32,
     },
-    /// A target that is no angle.
-    #[error("target angle {0} is out of range; give degrees above 0 and below 60")]
-    TargetAngle(f64),
     /// A target that is proven impossible.
     #[error(
         "a minimum angle of {target} degrees is impossible: the boundary at vertex {vertex} allows at most {limit:.3} degrees; lower the target, or make the interval lengths at this vertex more alike"
@@ -166,16 +116,6 @@ pub enum InteriorError {
         vertex: u32,
         /// Where that is.
         nearest: [f64; 2],
-    },
-    /// A line that names a fixed point that is not there.
-    #[error("fixed line {line} names fixed point {index} (counted from 0); fixed points: {points}")]
-    NoSuchPoint {
-        /// The line's index.
-        line: usize,
-        /// The fixed point's index.
-        index: usize,
-        /// How many there are.
-        points: usize,
     },
     /// A fixed segment that names a vertex that is not there, or one vertex twice.
     #[error("fixed segment {segment} joins vertices {} and {}; give two different ones of the {vertices} boundary and fixed points", ends[0], ends[1])]
@@ -247,42 +187,22 @@ impl Options {
     pub fn degree_limit(&self, outline: &PlanarBoundary, vertex: u32) -> u32 {
         match self.degree_limits.get(&vertex) {
             Some(limit) => *limit,
-            None => degree_limit(outline.angle(vertex), self.boundary_degree),
+            None => degree_limit(outline.angle(vertex), self.wanted.boundary_degree()),
         }
     }
 
     /// Checks all values that need no outline to check.
     pub(crate) fn check(&self) -> Result<(), InteriorError> {
-        let positive = |x: f64| x.is_finite() && x > 0.0;
-        if !positive(self.growth) {
-            return Err(InteriorError::Growth(self.growth));
-        }
-        if let Some(value) = self.size_inside.filter(|size| !positive(*size)) {
-            return Err(InteriorError::Size { what: "the size inside".into(), value });
-        }
-        for (index, place) in self.sizes.iter().enumerate() {
-            if !positive(place.size) {
-                let what = format!("size {index}");
-                return Err(InteriorError::Size { what, value: place.size });
-            }
+        self.wanted.check()?;
+        for (index, place) in self.wanted.sizes.iter().enumerate() {
             if !is_usable(place.at) {
                 let what = format!("size {index}");
                 return Err(InteriorError::Outside { what, at: place.at.to_array() });
             }
         }
-        let (start, end) = (*self.interior_degree.start(), *self.interior_degree.end());
-        if !(3..=6).contains(&start) || end < 6 {
-            return Err(InteriorError::InteriorDegree { start, end });
-        }
-        if self.boundary_degree < 4 {
-            return Err(InteriorError::BoundaryDegree(self.boundary_degree));
-        }
         if let Some((vertex, limit)) = self.degree_limits.iter().find(|(_, limit)| **limit < 2) {
             return Err(InteriorError::DegreeLimit { vertex: *vertex, limit: *limit });
         }
-        match self.target_angle {
-            Some(angle) if !(angle > 0.0 && angle < 60.0) => Err(InteriorError::TargetAngle(angle)),
-            _ => Ok(()),
-        }
+        Ok(())
     }
 }

@@ -16,12 +16,12 @@ const MOST_TRIANGLES: usize = 400_000;
 
 /// The angle that the optimiser aims at.
 pub(crate) fn floor(options: &Options) -> f64 {
-    options.target_angle.map_or(FLOOR, |angle| (angle + 1.0).max(FLOOR))
+    options.wanted.target_angle.map_or(FLOOR, |angle| (angle + 1.0).max(FLOOR))
 }
 
 /// The proven limit that counts, and the vertex that decides it: angles that are preferred may cost degrees.
 fn limit(limits: &Limits, options: &Options) -> (f64, u32) {
-    match options.prefer {
+    match options.wanted.prefer() {
         Prefer::Degree => (limits.angle(), limits.vertex()),
         Prefer::Angle => (limits.angle_at_any_degree(), limits.vertex_at_any_degree()),
     }
@@ -30,7 +30,7 @@ fn limit(limits: &Limits, options: &Options) -> (f64, u32) {
 /// Refuses a target that is proven impossible.
 pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), InteriorError> {
     let (limit, vertex) = limit(limits, options);
-    match options.target_angle {
+    match options.wanted.target_angle {
         Some(target) if target > limit => {
             Err(InteriorError::TargetAboveLimit { target, limit, vertex })
         }
@@ -41,13 +41,13 @@ pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), Int
 /// The share reached of what the limit, the target, and sense allow.
 fn share(report: &Report, options: &Options) -> f64 {
     let (limit, _) = limit(&report.limits, options);
-    (report.min_angle / limit.min(options.target_angle.unwrap_or(ENOUGH))).min(1.0)
+    (report.min_angle / limit.min(options.wanted.target_angle.unwrap_or(ENOUGH))).min(1.0)
 }
 
 /// True if further search is not worth its time.
 pub(crate) fn is_enough(report: &Report, options: &Options) -> bool {
-    let wanted = if options.target_angle.is_some() { 1.0 } else { GOOD_SHARE };
-    let degrees = report.violations.is_empty() || options.prefer == Prefer::Angle;
+    let wanted = if options.wanted.target_angle.is_some() { 1.0 } else { GOOD_SHARE };
+    let degrees = report.violations.is_empty() || options.wanted.prefer() == Prefer::Angle;
     let is_good = degrees && share(report, options) >= wanted;
     is_good || report.triangles > MOST_TRIANGLES
 }
@@ -55,7 +55,7 @@ pub(crate) fn is_enough(report: &Report, options: &Options) -> bool {
 /// A key that is less for a better mesh.
 pub(crate) fn rank(report: &Report, options: &Options) -> [f64; 3] {
     let (lack, wrong) = (1.0 - share(report, options), report.violations.len() as f64);
-    match options.prefer {
+    match options.wanted.prefer() {
         Prefer::Degree => [wrong, lack, report.triangles as f64],
         // Shares that differ by less than a hundredth are alike.
         Prefer::Angle => [libm::floor(lack * 100.0), wrong, lack],

@@ -8,7 +8,9 @@ mod polygons;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
-use mindeg_interior::{Fixed, InteriorError, InteriorMesh, Options, Prefer, SizeAt, generate};
+use mindeg_interior::{
+    Fixed, Interior, InteriorError, InteriorMesh, Options, Prefer, SizeAt, generate,
+};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use polygons::{Random, domains, random_polygon, ring};
@@ -170,11 +172,11 @@ fn sizes_are_kept() {
         found.report.triangles
     };
     let plain = count(&Options::default());
-    let coarse = count(&Options { size_inside: Some(2.0), ..Options::default() });
-    let fine = count(&Options { size_inside: Some(0.4), ..Options::default() });
+    let of_size = |size| Interior { size_inside: Some(size), ..Interior::default() }.into();
+    let (coarse, fine) = (count(&of_size(2.0)), count(&of_size(0.4)));
     assert!(coarse < plain * 9 / 10 && fine > plain * 3, "{coarse} {plain} {fine}");
     let place = SizeAt { at: DVec2::new(3.0, 5.0), size: 0.1 };
-    let local = count(&Options { sizes: vec![place], ..Options::default() });
+    let local = count(&Interior { sizes: vec![place], ..Interior::default() }.into());
     assert!(local > plain * 5 / 4, "{local} {plain}");
 }
 
@@ -182,7 +184,9 @@ fn sizes_are_kept() {
 fn other_limits_on_degrees_are_kept() {
     let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8, 11, 14, 9]);
     for (interior_degree, boundary_degree) in [(4..=8, 6), (5..=8, 5), (5..=7, 4)] {
-        let options = Options { interior_degree, boundary_degree, ..Options::default() };
+        let (interior_degree, boundary_degree) = (Some(interior_degree), Some(boundary_degree));
+        let wanted = Interior { interior_degree, boundary_degree, ..Interior::default() };
+        let options = Options::from(wanted);
         let found = mesh(&[square.clone()], &Fixed::default(), &options);
         assert_eq!(found.report.violations, [], "{options:?}");
     }
@@ -210,7 +214,7 @@ fn preferred_angles_exceed_the_limit_that_degrees_set() {
     let corners = points(&[[0.0, 0.0], [40.0, 0.0], [40.0, 40.0], [0.0, 40.0]]);
     let rings = [ring(&corners, &[160, 2, 2, 2])];
     let best = |prefer| {
-        let options = Options { prefer, ..Options::default() };
+        let options = Interior { prefer: Some(prefer), ..Interior::default() }.into();
         mesh(&rings, &Fixed::default(), &options).report
     };
     let (degree, angle) = (best(Prefer::Degree), best(Prefer::Angle));
@@ -239,25 +243,25 @@ fn far_from_the_origin_and_at_other_scales_it_is_the_same() {
 #[test]
 fn bad_options_are_refused_with_what_to_do() {
     let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8, 4, 8, 4]);
-    let default = Options::default;
+    let default = Interior::default;
     let place = |x: f64, size: f64| vec![SizeAt { at: DVec2::new(x, 1.0), size }];
-    for (options, expected) in [
-        (Options { growth: 0.0, ..default() }, "growth is 0;"),
-        (Options { growth: f64::NAN, ..default() }, "growth is NaN;"),
-        (Options { size_inside: Some(0.0), ..default() }, "the size inside is 0;"),
-        (Options { size_inside: Some(-1.0), ..default() }, "the size inside is -1;"),
-        (Options { sizes: place(1.0, 0.0), ..default() }, "size 0 is 0;"),
-        (Options { sizes: place(9.0, 1.0), ..default() }, "size 0 at (9, 1) is not inside"),
-        (Options { interior_degree: 7..=9, ..default() }, "7 to 9"),
-        (Options { boundary_degree: 3, ..default() }, "boundary degree of 3"),
-        (Options { target_angle: Some(0.0), ..default() }, "target angle 0"),
-        (Options { target_angle: Some(46.0), ..default() }, "at most "),
+    for (wanted, expected) in [
+        (Interior { growth: Some(0.0), ..default() }, "growth is 0;"),
+        (Interior { growth: Some(f64::NAN), ..default() }, "growth is NaN;"),
+        (Interior { size_inside: Some(0.0), ..default() }, "the size inside is 0;"),
+        (Interior { size_inside: Some(-1.0), ..default() }, "the size inside is -1;"),
+        (Interior { sizes: place(1.0, 0.0), ..default() }, "size 0 is 0;"),
+        (Interior { sizes: place(9.0, 1.0), ..default() }, "size 0 at (9, 1) is not inside"),
+        (Interior { interior_degree: Some(7..=9), ..default() }, "7 to 9"),
+        (Interior { boundary_degree: Some(3), ..default() }, "boundary degree of 3"),
+        (Interior { target_angle: Some(0.0), ..default() }, "target angle 0"),
+        (Interior { target_angle: Some(46.0), ..default() }, "at most "),
         (
-            Options { size_inside: Some(0.01), max_points: 1000, ..default() },
+            Interior { size_inside: Some(0.01), max_points: Some(1000), ..default() },
             "more than 1000 points",
         ),
     ] {
-        let error = try_mesh(&[square.clone()], &Fixed::default(), &options).unwrap_err();
+        let error = try_mesh(&[square.clone()], &Fixed::default(), &wanted.into()).unwrap_err();
         assert!(error.to_string().contains(expected), "{error}");
     }
     let point = |x: f64| points(&[[x, 3.0]]);
@@ -274,7 +278,7 @@ fn bad_options_are_refused_with_what_to_do() {
         (points(&[[4.0, 4.0]]), vec![[0, 12]], "fixed point 0"),
     ] {
         let fixed = Fixed { points, segments };
-        let error = try_mesh(&[square.clone()], &fixed, &default()).unwrap_err();
+        let error = try_mesh(&[square.clone()], &fixed, &Options::default()).unwrap_err();
         assert!(error.to_string().contains(expected), "{fixed:?}: {error}");
     }
 }
@@ -282,7 +286,7 @@ fn bad_options_are_refused_with_what_to_do() {
 #[test]
 fn a_reachable_target_is_aimed_at() {
     let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[12; 4]);
-    let options = Options { target_angle: Some(36.0), ..Options::default() };
+    let options = Interior { target_angle: Some(36.0), ..Interior::default() }.into();
     let found = mesh(&[square], &Fixed::default(), &options);
     assert!(found.report.min_angle >= 36.0, "{:?}", found.report);
 }
@@ -342,7 +346,7 @@ proptest::proptest! {
             fixed.iter().map(|(turn, r)| DVec2::from_angle(*turn) * *r).collect();
         let first = rings.concat().len() as u32;
         let segments = if points.len() > 1 { vec![[first, first + 1]] } else { vec![] };
-        let options = Options { growth, ..Options::default() };
+        let options = Interior { growth: Some(growth), ..Interior::default() }.into();
         let fixed = Fixed { points, segments };
         match try_mesh(&rings, &fixed, &options) {
             Ok(_) => drop(mesh(&rings, &fixed, &options)),

@@ -5,7 +5,7 @@ mod checker;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
-use mindeg_interior::{Improved, InteriorError, Keep, Options, improve};
+use mindeg_interior::{Improved, Interior, InteriorError, Keep, Options, improve};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 use proptest::prelude::*;
@@ -132,7 +132,7 @@ fn meshes_with_faults_are_refused() {
         Progress::NONE,
     );
     assert!(error.unwrap_err().to_string().contains("more than one fan"));
-    let options = Options { target_angle: Some(50.0), ..Options::default() };
+    let options = Interior { target_angle: Some(50.0), ..Interior::default() }.into();
     let error = improve(&bow, &[[0, 1, 2]], &Keep::default(), &options, Progress::NONE);
     assert!(matches!(error, Err(InteriorError::TargetAboveLimit { .. })));
 }

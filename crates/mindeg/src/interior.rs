@@ -130,25 +130,9 @@ fn boundary(domain: &Domain) -> Result<Cow<'_, PlanarBoundary>, InteriorError> {
     Ok(boundary)
 }
 
-/// What is wanted, with defaults for what is left out.
-pub(crate) fn options_of(wanted: &Interior) -> Options {
-    let default = Options::default();
-    Options {
-        growth: wanted.growth.unwrap_or(default.growth),
-        size_inside: wanted.size_inside,
-        sizes: wanted.sizes.clone(),
-        interior_degree: wanted.interior_degree.clone().unwrap_or(default.interior_degree),
-        boundary_degree: wanted.boundary_degree.unwrap_or(default.boundary_degree),
-        degree_limits: default.degree_limits,
-        target_angle: wanted.target_angle,
-        prefer: wanted.prefer.unwrap_or_default(),
-        max_points: wanted.max_points.unwrap_or(default.max_points),
-    }
-}
-
 /// What is wanted inside a domain, with its degree limits.
 fn options(domain: &Domain, wanted: &Interior) -> Options {
-    let mut options = options_of(wanted);
+    let mut options = Options::from(wanted.clone());
     if domain.is_constrained() {
         for vertex in 0..domain.rings().vertex_count() {
             if let Some(limit) = domain.degree_limit(vertex) {

@@ -17,7 +17,7 @@ fn main() {
     let mut options = Options::default();
     if let Some(at) = wanted.iter().position(|w| w == "--prefer-angle") {
         wanted.remove(at);
-        options.prefer = Prefer::Angle;
+        options.wanted.prefer = Some(Prefer::Angle);
     }
     let mut random = Random(12);
     let mut all: Vec<(String, Vec<Vec<DVec2>>)> =

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
-use mindeg_interior::{InteriorError, Keep, Options, Report};
+use mindeg_interior::{InteriorError, Keep, Report};
 use mindeg_mesh::weld;
 use mindeg_mesh::{Group, Progress, TriMesh, TriMeshError, Triangles};
 use thiserror::Error;
@@ -103,7 +103,8 @@ pub fn improve(
     let groups = mesh.groups();
     let group = |t: usize| groups.partition_point(|group| group.triangles.end as usize <= t);
     let keep = keep(&triangles, &segments, group);
-    let found = mindeg_interior::improve(&points, &triangles, &keep, &options(wanted), progress)?;
+    let found =
+        mindeg_interior::improve(&points, &triangles, &keep, &wanted.clone().into(), progress)?;
 
     let position = |(at, source): (&DVec2, &Option<u32>)| match source {
         Some(source) if points[*source as usize] == *at => positions[*source as usize],
@@ -256,15 +257,4 @@ fn grouped(
         found.push(Group { triangles: start..sorted.len() as u32, ..group.clone() });
     }
     (sorted, found)
-}
-
-fn options(wanted: &Interior) -> Options {
-    let default = Options::default();
-    Options {
-        interior_degree: wanted.interior_degree.clone().unwrap_or(default.interior_degree),
-        boundary_degree: wanted.boundary_degree.unwrap_or(default.boundary_degree),
-        target_angle: wanted.target_angle,
-        prefer: wanted.prefer.unwrap_or_default(),
-        ..Options::default()
-    }
 }

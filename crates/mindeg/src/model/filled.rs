@@ -1,13 +1,12 @@
 //! Faces with interior points: still watertight, since the points of edges stay bit for bit.
 
 use mindeg_domain::{Interior, Model};
-use mindeg_interior::{Fixed, InteriorMesh, generate};
+use mindeg_interior::{Fixed, InteriorMesh, Options, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
 use super::error::ModelMeshError;
 use super::face::PlaneFace;
 use super::{assembled, min_angle};
-use crate::interior::options_of;
 use crate::parallel::map_indices;
 
 /// Faces from one report of progress to the next.
@@ -58,7 +57,7 @@ pub fn fill_model(
     progress: Progress<'_>,
 ) -> Result<FilledModel, ModelMeshError> {
     let mut positions = model.positions();
-    let options = options_of(wanted);
+    let options = Options::from(wanted.clone());
     let faces: Vec<usize> = (0..model.face_count()).collect();
     let fill = |face: usize| {
         let face_of_model = PlaneFace::new(model, &positions, face)?;
