@@ -4,7 +4,6 @@ use crate::args::ImproveArguments;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::Interior;
 use mindeg::interior::{self, ImprovedMesh};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::interior::{
@@ -34,7 +33,7 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
     let mesh = making.read(&arguments.file)?;
     let file = arguments.file.display().to_string();
     making.open()?;
-    let wanted = arguments.aims.over(Interior::default());
+    let wanted = arguments.aims.over(None);
     let improved = making.work(|progress| interior::improve(&mesh, &wanted, progress));
     let improved = improved.map_err(|error| Failure::Input(format!("{file}: {error}")))?;
     let demands = Demands {

@@ -51,9 +51,9 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
         Ok::<_, Failure>((meshed, angles))
     })?;
     let mesh = &meshed.mesh;
-    let demands = arguments.demands(arguments.interior.aims.target_angle);
+    let demands = arguments.demands(arguments.interior.wanted.target_angle());
     let unmet = unmet_by_boundary_mesh(&demands, mesh, angles.min, making.bar())?;
-    let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
+    let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
     let made = making.write_checked(mesh)?;
 
     let answer = MeshAnswer::of(&meshed, [angles.min, angles.max]);

@@ -395,7 +395,8 @@ fn no_edge_at_a_place_is_longer_than_its_size() {
             0 => DVec2::new(0.69, 0.63),
             _ => DVec2::new(0.4 + 1.2 * random.unit(), 0.4 + 4.2 * random.unit()),
         };
-        let options = Options { sizes: vec![SizeAt { at, size }], ..Options::default() };
+        let sizes = vec![SizeAt { at, size }];
+        let options = Interior { sizes, ..Interior::default() }.into();
         let found = mesh(std::slice::from_ref(&outline), &Fixed::default(), &options);
         let distance = |v: &u32| found.points[*v as usize].distance(at);
         let nearest =

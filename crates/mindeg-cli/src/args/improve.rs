@@ -1,7 +1,7 @@
 //! `mindeg improve`.
 
 use super::demands::PresetArgument;
-use super::interior::Aims;
+use super::interior::Wanted;
 use super::surface::SurfaceArguments;
 use super::values::whole_number;
 use super::with_exit_codes;
@@ -42,7 +42,7 @@ pub(crate) struct ImproveArguments {
     pub(crate) quiet: bool,
 
     #[command(flatten)]
-    pub(crate) aims: Aims,
+    pub(crate) aims: Wanted<false>,
 
     /// The most edges at a vertex
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]

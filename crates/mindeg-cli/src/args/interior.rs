@@ -1,9 +1,14 @@
 //! Interior points: what a mesh is to be like inside.
+//!
+//! The options are the keys of [`Interior`] that have one value, with the texts of its JSON Schema.
 
-use super::values::{length, target_angle, whole_number};
-use clap::{Args, ValueEnum};
-use mindeg::{Interior, Prefer};
-use std::ops::RangeInclusive;
+use super::values::target_angle;
+use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
+use clap::error::{Error, ErrorKind};
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use mindeg::{DomainDescription, Interior};
+use serde_json::{Map, Value, json};
+use std::sync::LazyLock;
 
 /// Whether there are interior points, and where.
 #[derive(Debug, Args)]
@@ -19,111 +24,153 @@ pub(crate) struct InteriorArguments {
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
 
-    /// How fast the size grows from the boundary: change of size per distance [default: 0.5]
-    #[arg(long, value_name = "G", value_parser = growth, allow_hyphen_values = true)]
-    pub(crate) growth: Option<f64>,
-
-    /// The size far from the boundary [default: a mean of the boundary's intervals]
-    #[arg(long, value_name = "S", value_parser = length, allow_hyphen_values = true)]
-    pub(crate) size_inside: Option<f64>,
-
     #[command(flatten)]
-    pub(crate) aims: Aims,
+    pub(crate) wanted: Wanted<true>,
 }
 
-/// What an optimiser aims at. What is given here is demanded: if it is not reached, nothing is
-/// written.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Aims")]
-pub(crate) struct Aims {
-    /// The degrees of interior vertices, a range around 6 such as 5..7 [default: 5..7]
-    #[arg(long, value_name = "A..B", value_parser = degrees, allow_hyphen_values = true)]
-    pub(crate) interior_degree: Option<RangeInclusive<u32>>,
-
-    /// The most edges of a boundary vertex; at a reflex corner 2 + round(angle / 60°), if that is
-    /// more [default: 5]
-    #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
-    pub(crate) boundary_degree: Option<u32>,
-
-    /// The minimum angle in degrees. With interior points the default is as much as the boundary allows,
-    /// up to about 35; without, it is demanded of the mesh, not aimed at
-    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
-    pub(crate) target_angle: Option<f64>,
-
-    /// Which aim wins where one costs the other [default: degree]
-    #[arg(long, value_name = "WHAT")]
-    pub(crate) prefer: Option<Preference>,
-
-    /// Write the mesh also if it is not what was demanded; the exit code is 3 all the same
-    #[arg(long)]
+/// What is wanted inside, as given; with `PLACES` also where points go, not only what an optimiser
+/// aims at. What is given here is demanded: if it is not reached, nothing is written.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Wanted<const PLACES: bool> {
+    given: Map<String, Value>,
     pub(crate) write_anyway: bool,
 }
 
-/// Which aim wins.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Preference {
-    /// Degrees within their limits
-    Degree,
-    /// The minimum angle, at any degree
-    Angle,
-}
+/// What an optimiser aims at.
+const AIMS: [&str; 4] = ["interior_degree", "boundary_degree", "target_angle", "prefer"];
 
-impl InteriorArguments {
-    /// The first option here that has no meaning without interior points.
-    pub(crate) fn first_given(&self) -> Option<&'static str> {
-        let given = [
-            ("--growth", self.growth.is_some()),
-            ("--size-inside", self.size_inside.is_some()),
-            ("--interior-degree", self.aims.interior_degree.is_some()),
-            ("--boundary-degree", self.aims.boundary_degree.is_some()),
-            ("--prefer", self.aims.prefer.is_some()),
-        ];
-        given.into_iter().find(|(_, is_given)| *is_given).map(|(name, _)| name)
-    }
+/// The keys that are lists of places: for files.
+const LISTS: [&str; 2] = ["sizes", "fixed"];
 
+impl<const PLACES: bool> Wanted<PLACES> {
     /// What is wanted, with what the options give in place of what a file gives.
     pub(crate) fn over(&self, file: Option<&Interior>) -> Interior {
         let file = file.cloned().unwrap_or_default();
-        let wanted = Interior {
-            growth: self.growth.or(file.growth),
-            size_inside: self.size_inside.or(file.size_inside),
-            ..file
+        let Value::Object(mut keys) = json!(file) else { return file };
+        keys.extend(self.given.clone());
+        // Each value was read as one of these.
+        serde_json::from_value(Value::Object(keys)).unwrap_or(file)
+    }
+
+    /// The first option here that has no meaning without interior points.
+    pub(crate) fn first_given(&self) -> Option<String> {
+        let key = self.given.keys().find(|key| *key != "target_angle")?;
+        Some(format!("--{}", key.replace('_', "-")))
+    }
+
+    pub(crate) fn target_angle(&self) -> Option<f64> {
+        self.over(None).target_angle
+    }
+
+    /// The keys that are options here.
+    fn keys() -> impl Iterator<Item = &'static Key> {
+        KEYS.iter().filter(|key| PLACES || AIMS.contains(&&*key.name))
+    }
+}
+
+/// A key of [`Interior`] with one value.
+struct Key {
+    name: String,
+    option: String,
+    value_name: String,
+    schema: Value,
+}
+
+static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
+    let schema: Map<String, Value> =
+        serde_json::from_str(&DomainDescription::schema()).unwrap_or_default();
+    let keys = schema.get("$defs").map(|types| types["Interior"]["properties"].clone());
+    let keys = keys.and_then(|keys| keys.as_object().cloned()).unwrap_or_default();
+    let keys = keys.into_iter().filter(|(name, _)| !LISTS.contains(&&**name));
+    let key = |(name, schema): (String, Value)| {
+        // The initial of what it is: D for a degree.
+        let initial = name.rsplit('_').next().and_then(|last| last.chars().next());
+        let value_name = match schema["type"][0].as_str() {
+            Some("array") => "A..B".to_owned(),
+            _ => initial.map(|initial| initial.to_ascii_uppercase()).into_iter().collect(),
         };
-        self.aims.over(wanted)
+        Key { option: name.replace('_', "-"), value_name, name, schema }
+    };
+    keys.map(key).collect()
+});
+
+/// The option for a key.
+fn option(Key { name: key, option, value_name, schema }: &'static Key) -> Arg {
+    let text = schema["description"].as_str().unwrap_or_default().replace('\n', " ");
+    let text = match &**key {
+        "target_angle" => format!("{text}; without interior points it is demanded, not aimed at"),
+        _ => text,
+    };
+    let heading = if AIMS.contains(&&**key) { "Aims" } else { "Interior points" };
+    let arg =
+        Arg::new(&**key).long(&**option).help(text).help_heading(heading).allow_hyphen_values(true);
+    if key == "prefer" {
+        let names = PossibleValuesParser::new(["degree", "angle"]);
+        return arg.value_name("WHAT").value_parser(names.map(|name| json!(name)));
     }
-}
-
-impl Aims {
-    /// What is wanted, with what the options give in its place.
-    pub(crate) fn over(&self, wanted: Interior) -> Interior {
-        let prefer = self.prefer.map(|prefer| match prefer {
-            Preference::Degree => Prefer::Degree,
-            Preference::Angle => Prefer::Angle,
-        });
-        Interior {
-            interior_degree: self.interior_degree.clone().or(wanted.interior_degree),
-            boundary_degree: self.boundary_degree.or(wanted.boundary_degree),
-            target_angle: self.target_angle.or(wanted.target_angle),
-            prefer: prefer.or(wanted.prefer),
-            ..wanted
-        }
+    if key == "target_angle" {
+        let parser = |text: &str| target_angle(text).map(|angle| json!(angle));
+        return arg.value_name("A").value_parser(ValueParser::from(parser));
     }
+    let parser = move |text: &str| value(key, text);
+    arg.value_parser(ValueParser::from(parser)).value_name(&**value_name)
 }
 
-fn growth(text: &str) -> Result<f64, String> {
-    let growth = text.trim().parse().ok().filter(|growth: &f64| *growth > 0.0);
-    growth
-        .filter(|growth| growth.is_finite())
-        .ok_or_else(|| "give a number above 0, such as 0.3; less grows slower".to_owned())
-}
-
-fn degrees(text: &str) -> Result<RangeInclusive<u32>, String> {
-    let ends = text.split_once("..").or_else(|| text.split_once('-'));
-    let range = ends.and_then(|(least, greatest)| {
-        let greatest = greatest.strip_prefix('=').unwrap_or(greatest);
-        Some(least.trim().parse().ok()?..=greatest.trim().parse().ok()?)
+/// The value of a key in a text: a number, or a range such as 5..7.
+fn value(key: &str, text: &str) -> Result<Value, String> {
+    let whole = |text: &str| text.trim().parse::<u64>().ok();
+    let number = |text: &str| text.trim().trim_end_matches('°').parse::<f64>().ok();
+    let range = text.split_once("..").or_else(|| text.split_once('-'));
+    let range = range.and_then(|(least, greatest)| {
+        Some([whole(least)?, whole(greatest.strip_prefix('=').unwrap_or(greatest))?])
     });
-    range.ok_or_else(|| "give the least and the greatest degree, such as 5..7".to_owned())
+    let value = match (whole(text), number(text), range) {
+        (Some(whole), ..) => json!(whole),
+        (_, Some(number), _) if number.is_finite() => json!(number),
+        (.., Some(range)) => json!(range),
+        _ => json!(text),
+    };
+    let wanted: Result<Interior, _> = serde_json::from_value(json!({ key: value.clone() }));
+    match (wanted, key) {
+        (Ok(wanted), _) => wanted.check().map(|()| value).map_err(|error| error.message),
+        (Err(_), "interior_degree") => {
+            Err("give the least and the greatest degree, such as 5..7".to_owned())
+        }
+        (Err(_), "boundary_degree" | "max_points") => Err("give a whole number".to_owned()),
+        (Err(_), _) => Err("give a number".to_owned()),
+    }
+}
+
+impl<const PLACES: bool> Args for Wanted<PLACES> {
+    fn augment_args(command: Command) -> Command {
+        let write_anyway = Arg::new("write_anyway")
+            .long("write-anyway")
+            .action(clap::ArgAction::SetTrue)
+            .help_heading("Aims")
+            .help("Write the mesh also if it is not what was demanded; the exit code is 3 all the same");
+        command.args(Self::keys().map(option)).arg(write_anyway)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+impl<const PLACES: bool> FromArgMatches for Wanted<PLACES> {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
+        let mut wanted = Self { write_anyway: matches.get_flag("write_anyway"), ..Self::default() };
+        for Key { name, .. } in Self::keys() {
+            let found = matches.try_get_one::<Value>(name);
+            let found = found.map_err(|error| Error::raw(ErrorKind::InvalidValue, error))?;
+            wanted.given.extend(found.map(|value| (name.clone(), value.clone())));
+        }
+        Ok(wanted)
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -133,18 +180,38 @@ mod tests {
     #[test]
     fn ranges_of_degrees_are_read() {
         for text in ["5..7", "5..=7", "5-7", " 5 .. 7 "] {
-            assert_eq!(degrees(text), Ok(5..=7), "{text}");
+            assert_eq!(value("interior_degree", text), Ok(json!([5, 7])), "{text}");
         }
-        for text in ["", "5", "5..", "a..b", "5,7", "-1..7"] {
-            assert!(degrees(text).is_err(), "{text}");
+        for text in ["", "5", "5..", "a..b", "5,7", "-1..7", "7..9"] {
+            assert!(value("interior_degree", text).is_err(), "{text}");
         }
     }
 
     #[test]
     fn growths_are_read() {
-        assert_eq!(growth("0.3"), Ok(0.3));
+        assert_eq!(value("growth", "0.3"), Ok(json!(0.3)));
         for text in ["0", "-0.5", "nan", "inf", "x"] {
-            assert!(growth(text).is_err(), "{text}");
+            assert!(value("growth", text).is_err(), "{text}");
         }
+    }
+
+    /// An option more is a field of [`Interior`] more, and nothing here.
+    #[test]
+    fn every_value_of_the_interior_is_an_option() {
+        let keys: Vec<String> = Wanted::<true>::keys().map(|key| key.name.clone()).collect();
+        let of_json = json!(Interior::default());
+        for key in of_json.as_object().expect("an object").keys() {
+            assert!(keys.contains(key) || LISTS.contains(&&**key), "{key}");
+        }
+        assert!(keys.contains(&"max_points".to_owned()));
+        assert_eq!(Wanted::<false>::keys().count(), AIMS.len());
+    }
+
+    #[test]
+    fn options_go_before_a_file() {
+        let file = Interior { growth: Some(0.1), boundary_degree: Some(6), ..Interior::default() };
+        let given = Map::from_iter([("growth".to_owned(), json!(0.3))]);
+        let wanted = Wanted::<true> { given, write_anyway: false }.over(Some(&file));
+        assert_eq!((wanted.growth, wanted.boundary_degree), (Some(0.3), Some(6)));
     }
 }

@@ -39,7 +39,7 @@ pub(super) fn wanted(
     let options = &arguments.interior;
     let is_wanted = options.interior || domain.interior().is_some() && !options.no_interior;
     if !is_wanted {
-        return match options.first_given() {
+        return match options.wanted.first_given() {
             Some(option) => Err(Failure::Input(format!(
                 "{option} is for meshes with interior points; add --interior"
             ))),
@@ -61,7 +61,7 @@ pub(super) fn wanted(
             "{option} is for meshes of boundary points alone; with {from}, {way}"
         )));
     }
-    Ok(Some(options.over(domain.interior())))
+    Ok(Some(options.wanted.over(domain.interior())))
 }
 
 /// Meshes a domain with interior points.
@@ -80,7 +80,7 @@ pub(super) fn run(
     let lifting = Lifting::from_limit(domain, wanted, limit, 1).map_err(|error| input(&error))?;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(&mesh, report.min_angle);
     unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));
-    let end = met_or_written_anyway(&unmet, arguments.interior.aims.write_anyway)?;
+    let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
     let made = making.write(&mesh)?;
     let summary = Summary {

@@ -137,8 +137,8 @@ fn judged(
     mesh: &TriMesh,
     min_angle: f64,
 ) -> Result<Result<(), Failure>, Failure> {
-    let aims = &arguments.interior.aims;
-    let unmet = arguments.demands(aims.target_angle).unmet_by(mesh, min_angle);
+    let aims = &arguments.interior.wanted;
+    let unmet = arguments.demands(aims.target_angle()).unmet_by(mesh, min_angle);
     met_or_written_anyway(&unmet, aims.write_anyway)
 }
 
@@ -150,7 +150,7 @@ fn fill(model: &Model, arguments: &MeshArguments, mut making: Making) -> Result<
         return Err(Failure::Input(message.to_owned()));
     }
     making.open()?;
-    let interior = arguments.interior.over(None);
+    let interior = arguments.interior.wanted.over(None);
     let filled = making.work(|progress| fill_model(model, &interior, progress));
     let filled = filled.map_err(|error| source::bad(arguments, &error))?;
     let mesh = &filled.mesh;
