@@ -26,7 +26,7 @@ pub(crate) fn run(input: Input) {
     let [a, rest @ ..] = &meshes[..] else { return };
     let max_degree = input.max_degree.map(|limit| u32::from(limit % 16));
     let options = FillOptions { max_degree, max_loop: 60, ..FillOptions::default() };
-    if let Ok(filled) = fill(a.clone(), &Loops::of(&a), &options, Progress::NONE) {
+    if let Ok(filled) = fill(a.clone(), &Loops::of(a), &options, Progress::NONE) {
         let before = a.triangles().len();
         assert_eq!(filled.mesh.triangles()[..before], *a.triangles());
         assert_eq!(filled.mesh.positions(), a.positions());
@@ -40,7 +40,7 @@ pub(crate) fn run(input: Input) {
     let loops_of_b = other.map(Loops::of);
     let ends = [pick(a, input.ends[0]), pick(other.unwrap_or(a), input.ends[1])];
     if let Ok(joined) = bridge(
-        (a.clone(), &Loops::of(&a)),
+        (a.clone(), &Loops::of(a)),
         other.zip(loops_of_b.as_ref()),
         ends,
         max_degree,

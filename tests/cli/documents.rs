@@ -1,5 +1,7 @@
 //! The commands of README.md and docs/, run in their order as a reader runs them, page by page.
 
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use crate::run::shell;
 use std::fs;
 use std::path::{Path, PathBuf};

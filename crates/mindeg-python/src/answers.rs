@@ -1,16 +1,8 @@
 //! What the library answers besides meshes.
 
 use pyo3::prelude::*;
-use serde::Serialize;
 
 use crate::mesh::Mesh;
-use crate::work::value_error;
-
-/// A value of `mindeg-answers` as a dict, with the keys that the command line prints.
-pub(crate) fn dict<'py>(py: Python<'py>, answer: &impl Serialize) -> PyResult<Bound<'py, PyAny>> {
-    let json = serde_json::to_string(answer).map_err(value_error)?;
-    py.import("json")?.call_method1("loads", (json,))
-}
 
 /// The least maximum degree of a domain, and why it is no less.
 #[pyclass(module = "mindeg", frozen, get_all)]

@@ -2,15 +2,11 @@
 
 use std::ops::RangeInclusive;
 
-use mindeg::TriMesh;
 use mindeg::glam::DVec3;
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
-
-use crate::mesh::Mesh;
-use crate::work::value_error;
 
 /// The rows of a flat list as an array in its memory that nobody can write to: what is worked out from a
 /// mesh or domain goes on from its own points, not from the array.
@@ -37,21 +33,6 @@ pub(crate) fn points<'py>(
         return rows(py, points.iter().map(|point| [point.x, point.y]).collect());
     }
     rows(py, points.iter().map(DVec3::to_array).collect())
-}
-
-/// A mesh in hand, or points and triangles, as a list.
-pub(crate) fn tri_mesh(
-    points: &Bound<'_, PyAny>,
-    triangles: Option<&Bound<'_, PyAny>>,
-) -> PyResult<TriMesh> {
-    match (points.cast::<Mesh>(), triangles) {
-        (Ok(mesh), None) => mesh.get().list(),
-        (Err(_), Some(triangles)) => {
-            let points = positions(points, "points", 2..=3)?;
-            TriMesh::new(points, index_rows(triangles)?).map_err(value_error)
-        }
-        _ => Err(PyValueError::new_err("give a mesh, or points and triangles")),
-    }
 }
 
 /// The rows of an array of real numbers as finite points, z = 0 where there is none; `key` is the name that the
@@ -97,7 +78,7 @@ pub(crate) fn rows_of_two(given: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<[
 }
 
 /// The rows of an (m, 3) array of integers of any type.
-fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
+pub(crate) fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
     let wrong = |found: &str| {
         let problem = format!("triangles has {found}; give (m, 3) indices from 0");
         PyValueError::new_err(problem)

@@ -10,8 +10,9 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::answers::{Degree, Suggestion, TradeOffPoint, dict};
+use crate::answers::{Degree, Suggestion, TradeOffPoint};
 use crate::arrays;
+use crate::dict::dict;
 use crate::interior;
 use crate::mesh::{Facts, Mesh};
 use crate::work::{done, value_error};

@@ -16,8 +16,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::answers::dict;
 use crate::arrays;
+use crate::dict::dict;
 use crate::interior;
 use crate::save::{self, Wanted};
 use crate::work::{done, value_error};
@@ -93,7 +93,7 @@ impl Mesh {
         triangles: &Bound<'_, PyAny>,
         name: Option<String>,
     ) -> PyResult<Self> {
-        let mesh = arrays::tri_mesh(points, Some(triangles))?;
+        let mesh = tri_mesh(points, Some(triangles))?;
         let mesh = if let Some(name) = name { mesh.named(name) } else { mesh };
         Ok(Self::new(mesh, Facts::default()))
     }
@@ -264,7 +264,7 @@ impl Mesh {
         facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
         let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
-        let mut mesh = arrays::tri_mesh(points, Some(triangles))?;
+        let mut mesh = tri_mesh(points, Some(triangles))?;
         let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
         if let Some(name) = name {
             mesh = mesh.named(name);
@@ -357,7 +357,7 @@ pub(crate) fn inspect<'py>(
         let problem = format!("corner_angle is {corner_angle}; give degrees from 0 to 180");
         return Err(PyValueError::new_err(problem));
     }
-    let mesh = arrays::tri_mesh(points, triangles)?;
+    let mesh = tri_mesh(points, triangles)?;
     let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
     let report = py.detach(|| {
         let found = Inspection::of(&mesh, &options);
@@ -375,10 +375,22 @@ pub(crate) fn improve(
     triangles: Option<&Bound<'_, PyAny>>,
     options: &str,
 ) -> PyResult<Mesh> {
-    let mesh = arrays::tri_mesh(points, triangles)?;
+    let mesh = tri_mesh(points, triangles)?;
     let wanted = interior::wanted(options, &mindeg::Interior::default())?;
     let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
     let report = dict(py, &InteriorAnswer::from(&found.after))?.cast_into::<PyDict>()?;
     report.set_item("before", dict(py, &InteriorAnswer::from(&found.before))?)?;
     Ok(Mesh::new(found.mesh, Facts { report: Some(report.unbind()), ..Facts::default() }))
+}
+
+/// A mesh in hand, or points and triangles, as a list.
+fn tri_mesh(points: &Bound<'_, PyAny>, triangles: Option<&Bound<'_, PyAny>>) -> PyResult<TriMesh> {
+    match (points.cast::<Mesh>(), triangles) {
+        (Ok(mesh), None) => mesh.get().list(),
+        (Err(_), Some(triangles)) => {
+            let points = arrays::positions(points, "points", 2..=3)?;
+            TriMesh::new(points, arrays::index_rows(triangles)?).map_err(value_error)
+        }
+        _ => Err(PyValueError::new_err("give a mesh, or points and triangles")),
+    }
 }

@@ -15,9 +15,9 @@ use mindeg_mesh::Progress;
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
 pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary};
 pub use crate::exact_error::ExactError;
-use crate::keep_angle::{SHARES, within};
-use crate::meshed::Meshed;
+use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
+use crate::windowed::{SHARES, within};
 pub use mindeg_exact::{ApexBound, LowerBound, Reached, ZigZag};
 
 /// A mesh with the largest minimum angle under a degree limit.
@@ -79,6 +79,23 @@ impl TradeOff {
     #[must_use]
     pub fn keeping(&self, share: f64) -> Option<&ExactMesh> {
         self.meshes.iter().find(|exact| keeps(exact.min_angle, share, self.delaunay_min_angle))
+    }
+
+    /// The last mesh, of an exact trade-off that starts at the least maximum degree.
+    pub(crate) fn last(&self) -> Meshed {
+        self.meshed(self.meshes.len() - 1)
+    }
+
+    /// The mesh with this index, of an exact trade-off that starts at the least maximum degree.
+    pub(crate) fn meshed(&self, index: usize) -> Meshed {
+        Meshed {
+            mesh: self.meshes[index].mesh.clone(),
+            least_max_degree: self.meshes[0].max_degree,
+            is_least_proven: true,
+            found_by: FoundBy::Search,
+            delaunay_min_angle: Some(self.delaunay_min_angle),
+            higher_degree: None,
+        }
     }
 }
 

@@ -8,9 +8,10 @@ use mindeg_mesh::Progress;
 use crate::boundary_mesh::{BoundaryMesh, MeshError};
 use crate::exact;
 use crate::exact_error::ExactError;
-use crate::keep_angle::{SHARES, keep_angle, within};
+use crate::keep_angle::keep_angle;
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 use crate::posed::Posed;
+use crate::windowed::{SHARES, within};
 
 /// Up to this many chords between different sides, times the least maximum degree, the search for the
 /// best mesh of least degree, and of one and two degrees more, takes less than about half a second on
@@ -141,7 +142,7 @@ fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Mes
         .iter()
         .find(is_much)
         .map(|exact| HigherDegree { max_degree: exact.max_degree, min_angle: exact.min_angle });
-    Ok(Meshed { higher_degree, ..Meshed::of(&trade_off, 0) })
+    Ok(Meshed { higher_degree, ..trade_off.meshed(0) })
 }
 
 /// The mesh of the least degree that is found, with an angle that costs little to find.

@@ -24,6 +24,7 @@ mod improve;
 mod lift;
 mod limit;
 mod plane;
+mod posed;
 mod regions;
 
 pub use improve::{ImproveError, ImprovedMesh, improve};
@@ -31,12 +32,10 @@ pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{InteriorError, Report, Violation};
-
-use std::borrow::Cow;
+use posed::{boundary, options};
 
 use mindeg_domain::{Domain, Interior};
-use mindeg_interior::{Fixed, Options, check_coordinates, generate};
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_interior::{Fixed, generate};
 use mindeg_mesh::{Line, Progress, TriMesh};
 
 /// A mesh with interior points, and what it is like.
@@ -121,27 +120,6 @@ fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
     };
     let edges = (0..rings.vertex_count()).map(|vertex| [vertex, rings.next(vertex)]).collect();
     ((0..rings.side_count()).map(line).collect(), edges)
-}
-
-/// The boundary of a domain, if limits and meshes can be computed.
-fn boundary(domain: &Domain) -> Result<Cow<'_, PlanarBoundary>, InteriorError> {
-    let boundary = domain.boundary()?;
-    check_coordinates(&boundary)?;
-    Ok(boundary)
-}
-
-/// What is wanted inside a domain, with its degree limits.
-fn options(domain: &Domain, wanted: &Interior) -> Options {
-    let mut options = Options::from(wanted.clone());
-    if domain.is_constrained() {
-        for vertex in 0..domain.rings().vertex_count() {
-            if let Some(limit) = domain.degree_limit(vertex) {
-                let limit = limit.saturating_sub(domain.external_degree(vertex));
-                options.degree_limits.insert(vertex, limit.max(2));
-            }
-        }
-    }
-    options
 }
 
 #[cfg(test)]

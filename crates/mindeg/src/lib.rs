@@ -69,6 +69,8 @@ mod parallel;
 mod posed;
 #[cfg(feature = "exact")]
 pub mod verify;
+#[cfg(feature = "exact")]
+mod windowed;
 
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;

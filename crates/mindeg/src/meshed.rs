@@ -3,7 +3,6 @@
 //! Limits: the figures are those that were worked out on the way to the mesh.
 
 use crate::boundary_mesh::BoundaryMesh;
-use crate::exact::TradeOff;
 
 /// How a mesh was found, and so what is proven of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,25 +50,4 @@ pub struct HigherDegree {
     pub max_degree: u32,
     /// The largest minimum angle within it, in degrees.
     pub min_angle: f64,
-}
-
-impl Meshed {
-    /// The last mesh of an exact trade-off that starts at the least maximum degree.
-    pub(crate) fn last_of(trade_off: &TradeOff) -> Self {
-        let last = trade_off.meshes().len() - 1;
-        Self::of(trade_off, last)
-    }
-
-    /// The mesh with this index of an exact trade-off that starts at the least maximum degree.
-    pub(crate) fn of(trade_off: &TradeOff, index: usize) -> Self {
-        let exact = &trade_off.meshes()[index];
-        Self {
-            mesh: exact.mesh.clone(),
-            least_max_degree: trade_off.meshes()[0].max_degree,
-            is_least_proven: true,
-            found_by: FoundBy::Search,
-            delaunay_min_angle: Some(trade_off.delaunay_min_angle()),
-            higher_degree: None,
-        }
-    }
 }

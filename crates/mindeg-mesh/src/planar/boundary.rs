@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use super::faults::{self, BoundaryFaults};
 use super::in_ring::InRing;
 use super::sweep;
 use super::turning::{straight_runs, turn};
@@ -44,9 +43,9 @@ use crate::Bounds;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanarBoundary {
-    points: Vec<DVec2>,
+    pub(super) points: Vec<DVec2>,
     /// The first vertex of each ring, then the number of vertices.
-    starts: Vec<u32>,
+    pub(super) starts: Vec<u32>,
     /// Where sides begin, ascending.
     corners: Vec<u32>,
     /// For each vertex, the straight run of the edge that begins there.
@@ -54,37 +53,6 @@ pub struct PlanarBoundary {
 }
 
 impl PlanarBoundary {
-    /// A boundary of rings that run the right way round: the outer one first. O(n log n).
-    ///
-    /// # Errors
-    ///
-    /// All faults of the rings.
-    pub fn new<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<Self, BoundaryFaults> {
-        let (boundary, turned) = Self::oriented(rings)?;
-        if turned.is_empty() { Ok(boundary) } else { Err(BoundaryFaults::directions(turned)) }
-    }
-
-    /// A boundary of rings that run either way round, and the rings that had to be turned, which
-    /// keep their first points. O(n log n).
-    ///
-    /// # Errors
-    ///
-    /// All faults of the rings.
-    pub fn oriented<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(Self, Vec<usize>), BoundaryFaults> {
-        faults::check_rings(rings)?;
-        let mut boundary = Self::of_mesh(rings);
-        let nesting = sweep::nesting(&boundary.points, &boundary.starts)
-            .map_err(|first| BoundaryFaults::all(&boundary, first))?;
-        faults::check_nesting(&nesting)?;
-        let is_turned = |&ring: &usize| nesting[ring].is_counter_clockwise != (ring == 0);
-        let turned: Vec<usize> = (0..nesting.len()).filter(is_turned).collect();
-        for &ring in &turned {
-            let Range { start, end } = boundary.ring(ring);
-            boundary.points[start as usize + 1..end as usize].reverse();
-        }
-        Ok((boundary, turned))
-    }
-
     /// The boundary of triangles, which prove it: nothing is checked. The rings may be in any order, be
     /// several outer ones, and touch each other at points.
     #[must_use]

@@ -1,13 +1,14 @@
 //! All faults of rings that bound no domain, with their rings and indices.
 
 use std::fmt;
+use std::ops::Range;
 
 use glam::{DVec2, DVec3};
 
 use super::boundary::PlanarBoundary;
 use super::in_ring::{InRing, ring_name};
 use super::orientation;
-use super::sweep::{Meeting, Nesting};
+use super::sweep::{self, Meeting, Nesting};
 use crate::Bounds;
 use crate::crossing::tree::Tree;
 
@@ -129,12 +130,12 @@ impl BoundaryFaults {
     }
 
     /// Rings that run the wrong way round.
-    pub(super) fn directions(rings: Vec<usize>) -> Self {
+    fn directions(rings: Vec<usize>) -> Self {
         Self(rings.into_iter().map(|ring| BoundaryFault::Direction { ring }).collect())
     }
 
     /// All places where rings meet, after the first that the sweep has found.
-    pub(super) fn all(boundary: &PlanarBoundary, first: Meeting) -> Self {
+    fn all(boundary: &PlanarBoundary, first: Meeting) -> Self {
         let mut found = vec![first];
         let new = meetings(boundary).filter(|meeting| *meeting != first);
         found.extend(new.take(MOST_FAULTS - 1));
@@ -151,12 +152,45 @@ impl BoundaryFaults {
     }
 }
 
+impl PlanarBoundary {
+    /// A boundary of rings that run the right way round: the outer one first. O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// All faults of the rings.
+    pub fn new<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<Self, BoundaryFaults> {
+        let (boundary, turned) = Self::oriented(rings)?;
+        if turned.is_empty() { Ok(boundary) } else { Err(BoundaryFaults::directions(turned)) }
+    }
+
+    /// A boundary of rings that run either way round, and the rings that had to be turned, which
+    /// keep their first points. O(n log n).
+    ///
+    /// # Errors
+    ///
+    /// All faults of the rings.
+    pub fn oriented<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(Self, Vec<usize>), BoundaryFaults> {
+        check_rings(rings)?;
+        let mut boundary = Self::of_mesh(rings);
+        let nesting = sweep::nesting(&boundary.points, &boundary.starts)
+            .map_err(|first| BoundaryFaults::all(&boundary, first))?;
+        check_nesting(&nesting)?;
+        let is_turned = |&ring: &usize| nesting[ring].is_counter_clockwise != (ring == 0);
+        let turned: Vec<usize> = (0..nesting.len()).filter(is_turned).collect();
+        for &ring in &turned {
+            let Range { start, end } = boundary.ring(ring);
+            boundary.points[start as usize + 1..end as usize].reverse();
+        }
+        Ok((boundary, turned))
+    }
+}
+
 fn result(faults: Vec<BoundaryFault>) -> Result<(), BoundaryFaults> {
     if faults.is_empty() { Ok(()) } else { Err(BoundaryFaults(faults)) }
 }
 
 /// Checks each ring for itself.
-pub(super) fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), BoundaryFaults> {
+fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), BoundaryFaults> {
     let count = rings.iter().map(|ring| ring.as_ref().len()).sum::<usize>();
     if rings.is_empty() {
         return result(vec![BoundaryFault::NoRing]);
@@ -177,7 +211,7 @@ pub(super) fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), Boundary
 }
 
 /// Checks that ring 0 is around all others, and nothing else is.
-pub(super) fn check_nesting(nesting: &[Nesting]) -> Result<(), BoundaryFaults> {
+fn check_nesting(nesting: &[Nesting]) -> Result<(), BoundaryFaults> {
     if let Some(hole) = nesting.first().and_then(|outer| outer.parent) {
         return result(vec![BoundaryFault::HoleAround { hole }]);
     }

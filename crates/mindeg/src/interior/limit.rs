@@ -7,7 +7,7 @@ use mindeg_interior::InteriorError;
 use mindeg_interior::limits::{Limits, TentLimit, limits};
 use mindeg_mesh::planar::PlanarBoundary;
 
-use super::{boundary, options};
+use super::posed::{boundary, options};
 
 /// The greatest minimum angle that any mesh of a domain's boundary can have, however many interior
 /// points it has, and what decides. Angles are in degrees.

@@ -1,0 +1,28 @@
+//! What the engine of interior points takes, from a domain.
+
+use std::borrow::Cow;
+
+use mindeg_domain::{Domain, Interior};
+use mindeg_interior::{InteriorError, Options, check_coordinates};
+use mindeg_mesh::planar::PlanarBoundary;
+
+/// The boundary of a domain, if limits and meshes can be computed.
+pub(super) fn boundary(domain: &Domain) -> Result<Cow<'_, PlanarBoundary>, InteriorError> {
+    let boundary = domain.boundary()?;
+    check_coordinates(&boundary)?;
+    Ok(boundary)
+}
+
+/// What is wanted inside a domain, with its degree limits.
+pub(super) fn options(domain: &Domain, wanted: &Interior) -> Options {
+    let mut options = Options::from(wanted.clone());
+    if domain.is_constrained() {
+        for vertex in 0..domain.rings().vertex_count() {
+            if let Some(limit) = domain.degree_limit(vertex) {
+                let limit = limit.saturating_sub(domain.external_degree(vertex));
+                options.degree_limits.insert(vertex, limit.max(2));
+            }
+        }
+    }
+    options
+}
