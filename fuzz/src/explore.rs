@@ -16,7 +16,7 @@ pub(crate) fn run(request: &[u8]) {
             Ok(sources) => {
                 assert!(sources.iter().all(|it| it.domain.is_some() != it.message.is_some()))
             }
-            Err(message) => assert!(!message.is_empty()),
+            Err(error) => assert!(!error.to_string().is_empty()),
         }
         return;
     }

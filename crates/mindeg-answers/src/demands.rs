@@ -11,7 +11,7 @@ use mindeg_mesh::{TriMesh, Triangles};
 ///
 /// ```
 /// use mindeg_answers::demands::Demands;
-/// use mindeg_mesh::{TriMesh, glam::DVec3};
+/// use mindeg::{TriMesh, glam::DVec3};
 ///
 /// let mesh = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::Y], vec![[0, 1, 2]])?;
 /// let demands = Demands { target_angle: Some(50.0), ..Demands::default() };

@@ -4,7 +4,7 @@
 
 use mindeg::{Domain, Goal, Progress, mesh};
 use mindeg_answers::degree::{DegreeProof, DegreeReport, triangle_count};
-use mindeg_answers::mesh as words;
+use mindeg_answers::{mesh as words, numbers};
 
 fn report(domain: &str) -> DegreeReport {
     DegreeReport::of(&Domain::from_json(domain).unwrap(), Progress::NONE).unwrap()
@@ -108,8 +108,8 @@ fn the_words_name_the_share_that_a_mesh_keeps() {
     let goal = Goal::KeepAngle(0.5);
     let meshed = mesh(&domain, goal, Progress::NONE).unwrap();
     let min_angle = meshed.mesh.angle_range().min;
-    let share = (100.0 * min_angle / meshed.delaunay_min_angle.unwrap()).round();
+    let share = numbers::percent(min_angle / meshed.delaunay_min_angle.unwrap());
     let said = words::standing(&meshed, goal, min_angle).unwrap();
-    assert!(said.starts_with(&format!("It has {share}% of Delaunay's minimum angle, ")), "{said}");
+    assert!(said.starts_with(&format!("It has {share} of Delaunay's minimum angle, ")), "{said}");
     assert!(said.ends_with(". No smaller degree keeps 50%."), "{said}");
 }

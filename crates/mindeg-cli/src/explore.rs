@@ -32,7 +32,7 @@ pub(crate) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
 fn start(path: &Path, known: &mut KnownFiles) -> Result<Source, Failure> {
     let input = Input::of(path);
     let name = input.name();
-    let sources = sources(&SESSION, &input).map_err(Failure::Input)?;
+    let sources = sources(&SESSION, &input)?;
     let count = sources.len();
     let problem = sources.first().and_then(|source| source.message.clone());
     let Some(mut source) = sources.into_iter().find(|source| source.domain.is_some()) else {

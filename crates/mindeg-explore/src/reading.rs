@@ -1,7 +1,7 @@
 //! Domains in files of any format that mindeg takes.
 
 use mindeg::{Domain, Progress};
-use mindeg_files::{Content, Input, Polygon, Polygons, ReadOptions, Session, Wanted};
+use mindeg_files::{Content, FileError, Input, Polygon, Polygons, ReadOptions, Session, Wanted};
 use serde_json::value::RawValue;
 
 use crate::answer::MAX_VERTICES;
@@ -24,22 +24,24 @@ const MOST: usize = 200;
 /// let lid = Input::Bytes("lid.svg", b"<svg><circle id='lid' cx='5' cy='5' r='2'/></svg>");
 /// let sources = mindeg_explore::sources(&Session::new(""), &lid)?;
 /// assert_eq!(sources[0].name, "lid");
-/// # Ok::<(), String>(())
+/// # Ok::<(), mindeg_files::FileError>(())
 /// ```
-pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, String> {
+pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, FileError> {
     let name = input.name();
     let content = session.open(input, Wanted::Domain, &ReadOptions::default(), Progress::NONE);
-    let mut polygons = match content.map_err(|error| error.to_string())? {
+    let mut polygons = match content? {
         Content::Polygons(polygons) => polygons,
         Content::Domain(text) | Content::Model(text) => {
             let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
             let domain = Domain::from_json_up_to(text, MAX_VERTICES)
-                .map_err(|error| format!("{name}: {error}"))?;
+                .map_err(|error| FileError::wrong(format!("{name}: {error}")))?;
             let name = domain.name().unwrap_or(&name).to_owned();
             let domain = RawValue::from_string(text.trim().to_owned()).ok();
             return Ok(vec![Source { name, domain, notes: Vec::new(), message: None }]);
         }
-        Content::Mesh(_) => return Err(format!("{name}: it is a mesh; a domain is expected")),
+        Content::Mesh(_) => {
+            return Err(FileError::wrong(format!("{name}: it is a mesh; a domain is expected")));
+        }
     };
     let count = polygons.polygons.len();
     if count > MOST {

@@ -317,7 +317,7 @@ async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refu
     .await;
     match read {
         Ok(Ok(sources)) => Ok(json(&sources)),
-        Ok(Err(message)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &message)),
+        Ok(Err(error)) => Err(refused(StatusCode::UNPROCESSABLE_ENTITY, &error.to_string())),
         Err(_) => Err(failed()),
     }
 }

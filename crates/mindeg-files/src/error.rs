@@ -14,7 +14,8 @@ pub struct FileError {
 
 impl FileError {
     /// A name or a content that is wrong.
-    pub(crate) fn wrong(message: impl Into<String>) -> Self {
+    #[must_use]
+    pub fn wrong(message: impl Into<String>) -> Self {
         Self { message: message.into(), kind: None }
     }
 

@@ -248,7 +248,8 @@ fn domains_with_holes_have_a_gap_that_holds() {
         assert!(
             kept.mesh.angle_range().min >= 0.9 * kept.delaunay_min_angle.unwrap() * (1.0 - 1e-9)
         );
-        assert_eq!(kept.found_by, FoundBy::Windows { share: 0.9 });
+        // The best of that degree, which may keep more.
+        assert!(matches!(kept.found_by, FoundBy::Windows { share } if share >= 0.9));
         let curve = exact::trade_off(&domain, Progress::NONE).unwrap();
         assert!(!curve.is_exact() && curve.meshes()[0].max_degree == reached);
         assert!(curve.share(curve.meshes().last().unwrap()) > 1.0 - 1e-9);

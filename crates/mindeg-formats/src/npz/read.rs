@@ -20,11 +20,11 @@ use std::io::Read;
 /// # Example
 ///
 /// ```
-/// use mindeg_formats::{npz, obj};
+/// use mindeg_formats::{Format, WriteOptions, npz, obj, write};
 ///
 /// let mesh = obj::read("v 0 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3\n".as_bytes())?;
 /// let mut file = Vec::new();
-/// npz::write(&mesh, false, &mut file)?;
+/// write(Format::Npz, &mesh, &WriteOptions::default(), &mut file)?;
 /// assert_eq!(npz::read(&file[..])?.positions(), mesh.positions());
 ///
 /// let error = npz::read(&file[..file.len() - 30]).unwrap_err();
