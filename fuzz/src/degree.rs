@@ -5,7 +5,7 @@ use arbitrary::Arbitrary;
 use glam::DVec2;
 use mindeg::exact::{LowerBound, degree};
 use mindeg::{Constraints, Domain, Goal, Outline, Progress, Side, VertexConstraint, mesh};
-use mindeg_exact::check::Outline as Checked;
+use mindeg_exact::check::CheckedOutline as Checked;
 use mindeg_mesh::check;
 
 #[derive(Arbitrary, Debug)]

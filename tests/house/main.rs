@@ -136,6 +136,34 @@ fn no_crate_has_more_than_a_quarter_of_the_lines() {
 }
 
 #[test]
+fn no_two_public_types_share_a_name() {
+    let mut homes: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for path in crates().values().flat_map(|folder| files(&folder.join("src"), &[".rs"])) {
+        for line in without_tests(&path).lines() {
+            let line = line.trim_start();
+            let kinds = ["pub struct ", "pub enum ", "pub trait ", "pub type "];
+            let Some(rest) = kinds.iter().find_map(|kind| line.strip_prefix(kind)) else {
+                continue;
+            };
+            let end = rest.find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len());
+            let home = path.strip_prefix(root()).unwrap().display().to_string();
+            homes.entry(rest[..end].to_owned()).or_default().insert(home);
+        }
+    }
+    homes.retain(|_, files| files.len() > 1);
+    let faults: Vec<String> = homes
+        .iter()
+        .map(|(name, files)| {
+            format!("{name}: {}", Vec::from_iter(files.iter().map(String::as_str)).join(", "))
+        })
+        .collect();
+    assert_none(
+        &faults,
+        "one concept, one type: use the one that is there, or name the other by what it is",
+    );
+}
+
+#[test]
 fn no_modules_of_a_crate_use_each_other_in_a_circle() {
     let mut faults = Vec::new();
     for (name, folder) in crates() {

@@ -2,7 +2,7 @@
 
 use crate::numbers::{four_digits, percent, steady_angle};
 use mindeg::Interior;
-use mindeg::interior::{Report, Violation};
+use mindeg::interior::{InteriorReport, Violation};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -50,8 +50,8 @@ pub struct DegreeViolation {
     on_boundary: bool,
 }
 
-impl From<&Report> for InteriorAnswer {
-    fn from(report: &Report) -> Self {
+impl From<&InteriorReport> for InteriorAnswer {
+    fn from(report: &InteriorReport) -> Self {
         let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
         let violation = |violation: &Violation| DegreeViolation {
             vertex: violation.vertex,
@@ -81,7 +81,7 @@ impl From<&Report> for InteriorAnswer {
 
 /// Angles and degrees in a line.
 #[must_use]
-pub fn angles_and_degrees(report: &Report) -> String {
+pub fn angles_and_degrees(report: &InteriorReport) -> String {
     let degrees = |range: &RangeInclusive<u32>| match (range.start(), range.end()) {
         (least, greatest) if least == greatest => least.to_string(),
         (least, greatest) => format!("{least} to {greatest}"),
@@ -105,7 +105,7 @@ pub fn angles_and_degrees(report: &Report) -> String {
 
 /// How much neighbouring triangles differ, in a sentence.
 #[must_use]
-pub fn grading(report: &Report) -> String {
+pub fn grading(report: &InteriorReport) -> String {
     format!(
         "Neighbouring triangles differ in area by a factor of {} at most; in size, by {} at the 99th \
          percentile.",
@@ -116,7 +116,7 @@ pub fn grading(report: &Report) -> String {
 
 /// The violations with their places, if there are any.
 #[must_use]
-pub fn violations(report: &Report) -> Option<String> {
+pub fn violations(report: &InteriorReport) -> Option<String> {
     named(report.violations.iter())
 }
 
@@ -124,7 +124,7 @@ pub fn violations(report: &Report) -> Option<String> {
 /// domain limits. A default is no demand.
 #[must_use]
 pub fn unmet_degrees(
-    report: &Report,
+    report: &InteriorReport,
     wanted: &Interior,
     has_degree_limits: bool,
 ) -> Option<String> {

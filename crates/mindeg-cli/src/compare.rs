@@ -12,16 +12,16 @@ use crate::making::wrote;
 use crate::provenance::provenance;
 use crate::terminal::say;
 use comparing::{check, compared};
-use mindeg_compare::{Comparison, Options, write_html, write_json, write_markdown};
+use mindeg_compare::{CompareOptions, Comparison, write_html, write_json, write_markdown};
 use mindeg_files::{Outputs, is_standard_output, write_to};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
-    let options = Options {
+    let options = CompareOptions {
         time_limit: arguments.time_limit,
         interior: arguments.interior,
-        ..Options::default()
+        ..CompareOptions::default()
     };
     clean_up_on_interrupt()?;
     match arguments.output.iter().find(|path| is_folder(path)) {
@@ -45,7 +45,7 @@ fn is_folder(path: &Path) -> bool {
 }
 
 /// One domain, its report in each of the formats asked for.
-fn run_one(arguments: &CompareArguments, options: &Options) -> Result<(), Failure> {
+fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(), Failure> {
     let mut reports = arguments.output.clone();
     let mut formats: Vec<ReportFormat> =
         reports.iter().map(|path| format(path, arguments.format)).collect::<Result<_, _>>()?;

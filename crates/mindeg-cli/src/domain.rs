@@ -8,14 +8,14 @@ use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::terminal::say;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
-use mindeg_files::{Content, Division, Input, Polygons, ReadOptions, Wanted};
+use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Wanted};
 use std::path::Path;
 
 /// What the arguments describe.
 pub(crate) enum Subject {
     Domain(Box<Domain>),
     /// The polygons of a file, not in JSON.
-    Polygons(Polygons),
+    Polygons(PolygonFile),
     Model(Box<Model>),
     Mesh(Box<TriMesh>),
 }

@@ -61,12 +61,12 @@ pub(crate) fn run(arguments: &ImproveArguments) -> Result<(), Failure> {
 
 fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
     let ImprovedMesh { before, after, merged, kept_edges, .. } = improved;
-    let wrong = |report: &interior::Report| match report.violations.len() {
+    let wrong = |report: &interior::InteriorReport| match report.violations.len() {
         0 => "no degree out of range".to_owned(),
         1 => "1 degree out of range".to_owned(),
         count => format!("{count} degrees out of range"),
     };
-    let line = |when: &str, report: &interior::Report| {
+    let line = |when: &str, report: &interior::InteriorReport| {
         format!(
             "  {when:<7} {} triangles, {}, {}",
             report.triangles,

@@ -12,7 +12,7 @@ use crate::making::read_mesh;
 use crate::mesh::unsolved;
 use crate::standard_output::{print, print_json};
 use mindeg::quality::TriangleQuality;
-use mindeg::verify::{self, Defect, Optimality, Verified};
+use mindeg::verify::{self, MeshDefect, Optimality, VerifiedMesh};
 use mindeg::{Domain, Interior, Progress, exact, interior};
 use mindeg_answers::demands::WorstPlaces;
 use mindeg_answers::numbers::{percent, steady_angle};
@@ -38,7 +38,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     });
     let verified = match checked {
         Ok(verified) => verified,
-        Err(defect @ Defect::ToleranceTooLarge { .. }) => {
+        Err(defect @ MeshDefect::ToleranceTooLarge { .. }) => {
             return Err(Failure::Input(defect.to_string()));
         }
         Err(defect) => {
@@ -84,7 +84,7 @@ fn check_order(arguments: &VerifyArguments) -> Result<(), Failure> {
 }
 
 /// The angles of a mesh, and the largest minimum angle that one could have.
-fn angles(verified: &Verified, domain: &Domain, progress: Progress<'_>) -> Angles {
+fn angles(verified: &VerifiedMesh, domain: &Domain, progress: Progress<'_>) -> Angles {
     let quality = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|v| verified.points[v as usize]);
         TriangleQuality::of(a, b, c)
@@ -117,7 +117,7 @@ fn angles(verified: &Verified, domain: &Domain, progress: Progress<'_>) -> Angle
 /// The limits that the mesh fails, in words.
 fn failed(
     arguments: &VerifyArguments,
-    verified: &Verified,
+    verified: &VerifiedMesh,
     optimality: &Optimality,
     angles: &Angles,
 ) -> Vec<String> {
@@ -175,7 +175,7 @@ fn failed(
 }
 
 /// The mesh with one vertex at each point, under the mesh's own indices.
-fn unified(mesh: &TriMesh, verified: &Verified) -> TriMesh {
+fn unified(mesh: &TriMesh, verified: &VerifiedMesh) -> TriMesh {
     let triangles =
         verified.triangles.iter().map(|corners| corners.map(|v| verified.vertex_of[v as usize]));
     TriMesh::new(mesh.positions().to_vec(), triangles.collect())

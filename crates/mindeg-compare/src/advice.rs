@@ -18,11 +18,11 @@ use serde::Serialize;
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, compare};
+/// use mindeg_compare::{CompareOptions, compare};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-/// let advice = compare(&domain, &Options::default())?.report().advice.unwrap();
+/// let advice = compare(&domain, &CompareOptions::default())?.report().advice.unwrap();
 /// assert_eq!((advice.max_degree, advice.share_of_delaunay), (5, 1.0));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

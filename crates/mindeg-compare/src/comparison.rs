@@ -21,10 +21,10 @@ pub const MAX_COMPARED_VERTICES: u32 = 10_000_000;
 /// What a comparison may take.
 ///
 /// ```
-/// assert_eq!(mindeg_compare::Options::default().time_limit.as_secs(), 60);
+/// assert_eq!(mindeg_compare::CompareOptions::default().time_limit.as_secs(), 60);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Options {
+pub struct CompareOptions {
     /// How long each method may take, 60 seconds unless told otherwise. The report lists one
     /// that takes longer as such.
     pub time_limit: Duration,
@@ -35,7 +35,7 @@ pub struct Options {
     pub interior: bool,
 }
 
-impl Default for Options {
+impl Default for CompareOptions {
     fn default() -> Self {
         Self { time_limit: Duration::from_secs(60), exact_vertices: 400, interior: false }
     }
@@ -67,11 +67,11 @@ pub enum CompareError {
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, compare};
+/// use mindeg_compare::{CompareOptions, compare};
 /// use mindeg::{Domain, Side};
 ///
 /// let sides = [1000, 3, 5, 2].map(Side::count).to_vec();
-/// let comparison = compare(&Domain::rectangle(4.0, 3.0, sides)?, &Options::default())?;
+/// let comparison = compare(&Domain::rectangle(4.0, 3.0, sides)?, &CompareOptions::default())?;
 /// let degrees = comparison.report().methods.iter().map(|method| method.max_degree);
 /// // mindeg, Delaunay, ear clipping, and a fan from the middle of the side of 2.
 /// assert_eq!(degrees.collect::<Vec<_>>(), [Some(114), Some(379), Some(1009), Some(1009)]);
@@ -149,12 +149,12 @@ impl Comparison {
 /// Triangulates a domain by every method, checks and measures the results.
 ///
 /// A reference that fails is part of the report. The exact trade-off and its meshes are added for
-/// domains up to [`Options::exact_vertices`]. O(n log n) besides what the methods take.
+/// domains up to [`CompareOptions::exact_vertices`]. O(n log n) besides what the methods take.
 ///
 /// # Errors
 ///
 /// Too many vertices, or a domain on which mindeg itself has no mesh.
-pub fn compare(domain: &Domain, options: &Options) -> Result<Comparison, CompareError> {
+pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, CompareError> {
     let vertices = domain.rings().vertex_count();
     if vertices > MAX_COMPARED_VERTICES {
         return Err(CompareError::TooManyVertices { vertices });
@@ -250,7 +250,7 @@ fn outlines(domain: &Domain) -> Vec<Vec<DVec2>> {
 }
 
 /// The trade-off, if the size and the time allow it.
-fn exact_trade_off(domain: &Domain, options: &Options) -> Option<TradeOff> {
+fn exact_trade_off(domain: &Domain, options: &CompareOptions) -> Option<TradeOff> {
     if domain.rings().vertex_count() > options.exact_vertices {
         return None;
     }
@@ -325,7 +325,7 @@ mod tests {
     #[test]
     fn only_delaunay_has_ties() {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4]).unwrap();
-        let comparison = compare(&domain, &Options::default()).unwrap();
+        let comparison = compare(&domain, &CompareOptions::default()).unwrap();
         let ties: Vec<_> = comparison.report().methods.iter().map(|method| method.ties).collect();
         // The last two are exact meshes, of degrees 4 and 5.
         assert_eq!(ties, [None, Some(2), None, None, None, None]);
@@ -334,7 +334,8 @@ mod tests {
     #[test]
     fn what_is_late_is_reported_and_the_rest_goes_on() {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(20_000); 4]).unwrap();
-        let options = Options { time_limit: Duration::from_millis(5), ..Options::default() };
+        let options =
+            CompareOptions { time_limit: Duration::from_millis(5), ..CompareOptions::default() };
         let comparison = compare(&domain, &options).unwrap();
         let report = comparison.report();
         assert!(report.methods[0].valid);
@@ -351,7 +352,7 @@ mod tests {
     #[test]
     fn too_large_a_domain_is_refused_at_once() {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(3_000_000); 4]).unwrap();
-        let refusal = compare(&domain, &Options::default()).unwrap_err();
+        let refusal = compare(&domain, &CompareOptions::default()).unwrap_err();
         assert_eq!(
             refusal.to_string(),
             "the domain has 12000000 boundary vertices, and a comparison keeps whole meshes in \
@@ -366,7 +367,7 @@ mod tests {
         let plate = r#"{"rectangle": {"width": 4, "height": 3}, "size": 1}"#;
         for (text, holes) in [(plate, 0), (frame, 1)] {
             let comparison =
-                compare(&Domain::from_json(text).unwrap(), &Options::default()).unwrap();
+                compare(&Domain::from_json(text).unwrap(), &CompareOptions::default()).unwrap();
             let report = comparison.report();
             assert_eq!(report.domain.holes, holes);
             for (place, (method, triangles)) in comparison.methods().enumerate() {
@@ -397,7 +398,7 @@ mod tests {
     #[test]
     fn of_a_long_curve_the_first_two_the_advised_and_the_last_are_shown() {
         let domain = Domain::rectangle(4.0, 3.0, [40, 2, 2, 2].map(Side::count).into()).unwrap();
-        let trade_off = exact_trade_off(&domain, &Options::default()).unwrap();
+        let trade_off = exact_trade_off(&domain, &CompareOptions::default()).unwrap();
         let all = trade_off.meshes().iter().map(|exact| exact.max_degree);
         assert_eq!(all.collect::<Vec<_>>(), [11, 12, 13, 14, 15, 16, 17]);
         // Degree 16 is the first with 95% of the angle.

@@ -6,11 +6,11 @@
 //! mean. The fan is for convex domains only.
 //!
 //! ```
-//! use mindeg_compare::{Options, compare};
+//! use mindeg_compare::{CompareOptions, compare};
 //! use mindeg::{Domain, Side};
 //!
 //! let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-//! let comparison = compare(&domain, &Options::default())?;
+//! let comparison = compare(&domain, &CompareOptions::default())?;
 //! for method in &comparison.report().methods {
 //!     println!("{}: degree {:?}, angle {:?}", method.method, method.max_degree, method.min_angle);
 //! }
@@ -26,7 +26,7 @@
 //! # Limits
 //!
 //! Whole meshes are kept in memory, of at most [`MAX_COMPARED_VERTICES`] boundary vertices. All
-//! methods use the boundary points alone; [`Options::interior`] adds meshes with points inside.
+//! methods use the boundary points alone; [`CompareOptions::interior`] adds meshes with points inside.
 
 mod advice;
 pub mod axis;
@@ -40,7 +40,7 @@ pub mod report;
 mod verdict;
 
 pub use advice::Advice;
-pub use comparison::{CompareError, Comparison, MAX_COMPARED_VERTICES, Options, compare};
+pub use comparison::{CompareError, CompareOptions, Comparison, MAX_COMPARED_VERTICES, compare};
 pub use figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures, MetricFigures};
 pub use interior::InteriorFigures;
 pub use method::Method;

@@ -35,11 +35,11 @@ use std::io::{self, Write};
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, compare};
+/// use mindeg_compare::{CompareOptions, compare};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-/// let comparison = compare(&domain, &Options::default())?;
+/// let comparison = compare(&domain, &CompareOptions::default())?;
 /// let report = comparison.report();
 /// assert_eq!(report.domain.least_max_degree, Some(4));
 /// assert_eq!(report.methods[0].max_degree, Some(4));
@@ -106,7 +106,7 @@ impl Default for Provenance {
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, compare, write_json};
+/// use mindeg_compare::{CompareOptions, compare, write_json};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;

@@ -4,7 +4,7 @@
 use glam::DVec2;
 use mindeg::{Domain, Side, Spacing};
 use mindeg_compare::DefectKind;
-use mindeg_compare::{Comparison, Options, compare};
+use mindeg_compare::{CompareOptions, Comparison, compare};
 use std::thread;
 
 /// How far an angle in degrees may be off: the cross and dot products of two edges have
@@ -120,7 +120,7 @@ fn check(comparison: &Comparison, name: &str) {
 }
 
 fn check_one(domain: &Domain) {
-    let options = Options { exact_vertices: 40, ..Options::default() };
+    let options = CompareOptions { exact_vertices: 40, ..CompareOptions::default() };
     check(&compare(domain, &options).unwrap(), &format!("{domain:?}"));
 }
 
@@ -158,7 +158,8 @@ fn the_domains_that_come_with_the_program() {
             continue;
         }
         check(
-            &compare(&domain, &Options { exact_vertices: 40, ..Options::default() }).unwrap(),
+            &compare(&domain, &CompareOptions { exact_vertices: 40, ..CompareOptions::default() })
+                .unwrap(),
             &name.display().to_string(),
         );
     }
@@ -172,7 +173,8 @@ fn flat_triangles_are_counted_and_left() {
     let graded = Side::count(94).spaced(Spacing::Geometric { ratio: 1.0 / 1.3 });
     let domain = Domain::polygon(corners, vec![graded, Side::count(9), Side::count(9)]).unwrap();
     let comparison =
-        compare(&domain, &Options { exact_vertices: 40, ..Options::default() }).unwrap();
+        compare(&domain, &CompareOptions { exact_vertices: 40, ..CompareOptions::default() })
+            .unwrap();
     let (delaunay, triangles) = comparison.methods().nth(1).unwrap();
     let flat = triangles
         .iter()

@@ -1,7 +1,7 @@
 //! The exact trade-off beside Delaunay: two computations that share nothing.
 
 use mindeg::Domain;
-use mindeg_compare::{Method, Options, compare};
+use mindeg_compare::{CompareOptions, Method, compare};
 use std::fs;
 use std::path::Path;
 
@@ -20,10 +20,10 @@ fn the_curve_ends_at_the_delaunay_angle() {
         if domain.convex().is_none_or(|form| form.boundary().side_count() != domain.sides().len()) {
             continue;
         }
-        let comparison = compare(&domain, &Options::default()).unwrap();
+        let comparison = compare(&domain, &CompareOptions::default()).unwrap();
         let report = comparison.report();
         let Some(trade_off) = &report.trade_off else {
-            assert!(report.domain.vertices > Options::default().exact_vertices, "{path:?}");
+            assert!(report.domain.vertices > CompareOptions::default().exact_vertices, "{path:?}");
             continue;
         };
         let delaunay =

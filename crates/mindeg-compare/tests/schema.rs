@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::{Domain, Side};
-use mindeg_compare::{Options, compare, report_schema};
+use mindeg_compare::{CompareOptions, compare, report_schema};
 use serde_json::{Value, json};
 use std::time::Duration;
 
@@ -15,7 +15,8 @@ fn published() -> Value {
 fn report(sides: [u64; 3], time_limit: Duration) -> Value {
     let corners = [[0.0, 0.0], [4.0, 0.0], [1.0, 3.0]].map(glam::DVec2::from).to_vec();
     let domain = Domain::polygon(corners, sides.map(Side::count).to_vec()).unwrap();
-    let comparison = compare(&domain, &Options { time_limit, ..Options::default() }).unwrap();
+    let comparison =
+        compare(&domain, &CompareOptions { time_limit, ..CompareOptions::default() }).unwrap();
     serde_json::to_value(comparison.report()).unwrap()
 }
 

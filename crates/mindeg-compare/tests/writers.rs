@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::{Domain, Side};
-use mindeg_compare::{Options, compare, write_html, write_json, write_markdown};
+use mindeg_compare::{CompareOptions, compare, write_html, write_json, write_markdown};
 
 fn domain() -> Domain {
     let corners = [[0.0, 0.0], [5.0, 1.0], [6.0, 4.0], [1.0, 5.0]].map(glam::DVec2::from);
@@ -13,7 +13,7 @@ fn domain() -> Domain {
 #[test]
 fn the_same_domain_gives_the_same_bytes() {
     let written = || {
-        let comparison = compare(&domain(), &Options::default()).unwrap().without_times();
+        let comparison = compare(&domain(), &CompareOptions::default()).unwrap().without_times();
         let mut files = [Vec::new(), Vec::new(), Vec::new()];
         write_html(&comparison, &mut files[0]).unwrap();
         write_json(comparison.report(), &mut files[1]).unwrap();
@@ -25,7 +25,7 @@ fn the_same_domain_gives_the_same_bytes() {
 
 #[test]
 fn the_markdown_has_every_figure() {
-    let comparison = compare(&domain(), &Options::default()).unwrap();
+    let comparison = compare(&domain(), &CompareOptions::default()).unwrap();
     let mut markdown = Vec::new();
     write_markdown(&comparison, &mut markdown).unwrap();
     let markdown = String::from_utf8(markdown).unwrap();

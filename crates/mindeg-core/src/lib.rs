@@ -74,7 +74,7 @@ pub use least_degree::least_degree_triangulation;
 pub use ring_strip::{RingStrip, RingStripError};
 pub use strip::{Chain, End, Strip};
 pub use suggest::{Change, Suggestion, suggest, suggestions};
-pub use triangles::Triangles;
+pub use triangles::TriangleIter;
 pub use triangulation::{Neighbors, Triangulation};
 pub use verify::{Defect, Verified, verify};
 pub use word::{Letter, Word};

@@ -16,17 +16,17 @@ const BLOCK: u32 = 64;
 /// # Example
 ///
 /// ```
-/// use mindeg_core::{Boundary, Triangles, least_degree_triangulation};
+/// use mindeg_core::{Boundary, TriangleIter, least_degree_triangulation};
 ///
 /// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
-/// let mut triangles: Triangles<'_> = triangulation.triangles();
+/// let mut triangles: TriangleIter<'_> = triangulation.triangles();
 /// assert_eq!(triangles.next(), Some([3, 4, 2]));
 /// assert_eq!(triangles.nth(6), Some([7, 8, 9]));
 /// assert_eq!(triangles.len(), 0);
 /// # Ok::<(), mindeg_core::BoundaryError>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Triangles<'a> {
+pub struct TriangleIter<'a> {
     triangulation: &'a Triangulation,
     /// The index of the next triangle.
     next: u32,
@@ -40,13 +40,13 @@ pub struct Triangles<'a> {
 impl Triangulation {
     /// All `n-2` triangles, each counter-clockwise, strip by strip. Amortised O(1) for each; to
     /// fill a buffer, [`fill_triangles`](Self::fill_triangles) is faster.
-    pub fn triangles(&self) -> Triangles<'_> {
+    pub fn triangles(&self) -> TriangleIter<'_> {
         let block = [[0; 3]; BLOCK as usize];
-        Triangles { triangulation: self, next: 0, block, block_start: 0, block_end: 0 }
+        TriangleIter { triangulation: self, next: 0, block, block_start: 0, block_end: 0 }
     }
 }
 
-impl Iterator for Triangles<'_> {
+impl Iterator for TriangleIter<'_> {
     type Item = [u32; 3];
 
     #[inline]
@@ -71,10 +71,10 @@ impl Iterator for Triangles<'_> {
     }
 }
 
-impl ExactSizeIterator for Triangles<'_> {}
-impl core::iter::FusedIterator for Triangles<'_> {}
+impl ExactSizeIterator for TriangleIter<'_> {}
+impl core::iter::FusedIterator for TriangleIter<'_> {}
 
-impl Triangles<'_> {
+impl TriangleIter<'_> {
     /// Fills the block from the next triangle on; none if no triangle remains.
     fn fill_block(&mut self) -> Option<()> {
         let len = (self.triangulation.triangle_count() - self.next).min(BLOCK);

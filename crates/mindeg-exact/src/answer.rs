@@ -11,7 +11,7 @@ use mindeg_mesh::Progress;
 
 /// The minimum angle that each degree buys.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TradeOff {
+pub struct AngleOptima {
     /// The optimum for every degree limit, from the least possible one to the first that allows as
     /// large an angle as any.
     pub optima: Vec<Optimum>,
@@ -109,7 +109,7 @@ pub fn best_angle(
 /// assert_eq!(five.min_angle, trade_off.unlimited_min_angle);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn trade_off(problem: &Problem, progress: Progress<'_>) -> Result<TradeOff, Unsolved> {
+pub fn trade_off(problem: &Problem, progress: Progress<'_>) -> Result<AngleOptima, Unsolved> {
     trade_off_until(problem, &mut |_, _| false, progress)
 }
 
@@ -140,7 +140,7 @@ pub fn trade_off_until(
     problem: &Problem,
     is_enough: &mut dyn FnMut(&Optimum, f64) -> bool,
     progress: Progress<'_>,
-) -> Result<TradeOff, Unsolved> {
+) -> Result<AngleOptima, Unsolved> {
     let chords = problem.chords(progress)?;
     let least = least_max_degree(problem, progress)?;
     let mut search = Search::new(problem, &chords, progress)?;
@@ -164,7 +164,7 @@ pub fn trade_off_until(
             break;
         }
     }
-    Ok(TradeOff { optima, unlimited_min_angle })
+    Ok(AngleOptima { optima, unlimited_min_angle })
 }
 
 /// The least maximum degree of all triangulations, with external degrees and the degree limits of

@@ -7,7 +7,7 @@
 //! vertex has the tolerance by which the points of a side are on a line.
 //!
 //! Limits: an exhaustive search leaves nothing to check but its repetition
-//! ([`Outline::has_triangulation`]), which is for hundreds of vertices.
+//! ([`CheckedOutline::has_triangulation`]), which is for hundreds of vertices.
 
 mod search;
 
@@ -22,18 +22,18 @@ use std::ops::Range;
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_exact::check::Outline;
+/// use mindeg_exact::check::CheckedOutline;
 ///
 /// // An L of six corners.
 /// let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
 /// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
 /// let side_of = [0, 1, 2, 3, 4, 5];
-/// let outline = Outline { points: &points, rings: &[0..6], side_of: &side_of, keeps_clear: true };
+/// let outline = CheckedOutline { points: &points, rings: &[0..6], side_of: &side_of, keeps_clear: true };
 /// assert!(outline.is_admissible([3, 0]));
 /// assert!(!outline.is_admissible([2, 4]));
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Outline<'a> {
+pub struct CheckedOutline<'a> {
     /// The points, by vertex.
     pub points: &'a [DVec2],
     /// The vertices of each ring in its order, with the domain on the left.
@@ -65,7 +65,7 @@ pub fn is_passed(vertex: DVec2, [from, to]: [DVec2; 2]) -> bool {
     straight - angle < rounding.clamp(1e-9, 1e-3)
 }
 
-impl Outline<'_> {
+impl CheckedOutline<'_> {
     /// Whether these chords prove that a polygon of one ring has no triangulation of maximum degree 4:
     /// none of them is admissible, and every one of the n zig-zags has one of them. O(n * chords).
     ///
@@ -125,11 +125,11 @@ impl Outline<'_> {
     ///
     /// ```
     /// # use glam::DVec2;
-    /// # use mindeg_exact::check::Outline;
+    /// # use mindeg_exact::check::CheckedOutline;
     /// # let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
     /// # let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
     /// let side_of = [0, 1, 2, 3, 4, 5];
-    /// let outline = Outline { points: &points, rings: &[0..6], side_of: &side_of, keeps_clear: true };
+    /// let outline = CheckedOutline { points: &points, rings: &[0..6], side_of: &side_of, keeps_clear: true };
     /// assert_eq!(outline.counting_bound(|_| 0), 4);
     /// assert_eq!(outline.counting_bound(|vertex| if vertex == 2 { 7 } else { 0 }), 9);
     /// ```
@@ -261,7 +261,7 @@ mod tests {
         let points: Vec<DVec2> = (0..12).map(at).collect();
         let side_of: Vec<u32> = (0..12).collect();
         let rings = std::slice::from_ref(&(0..12));
-        let star = Outline { points: &points, rings, side_of: &side_of, keeps_clear: true };
+        let star = CheckedOutline { points: &points, rings, side_of: &side_of, keeps_clear: true };
         let tips = (0..6).map(|tip| [(2 * tip + 11) % 12, 2 * tip, 2 * tip + 1]);
         let within = [[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]];
         let triangles: Vec<_> = tips.chain(within).collect();

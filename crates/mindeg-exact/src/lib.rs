@@ -108,7 +108,7 @@ mod window;
 mod windows;
 mod zigzag;
 
-pub use answer::{TradeOff, best_angle, least_max_degree, trade_off, trade_off_until};
+pub use answer::{AngleOptima, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
 pub use bridge::{
     Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings, largest_bridge_angle,

@@ -7,7 +7,7 @@ mod outlines;
 use glam::DVec2;
 use mindeg_exact::{
     Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal,
-    best_angle, check::Outline as Rings, degree_range, least_max_degree, trade_off, windows,
+    best_angle, check::CheckedOutline as Rings, degree_range, least_max_degree, trade_off, windows,
 };
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Step, check};

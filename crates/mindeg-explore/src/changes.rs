@@ -9,7 +9,7 @@ use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, Change};
 use serde_json::value::RawValue;
 
-use crate::api::{LimitShown, SuggestedChange};
+use crate::api::{ChangeShown, LimitShown};
 
 /// On larger domains no change for the angle is looked for: each that is tried looks at all vertices, and
 /// cannot be cancelled.
@@ -37,7 +37,7 @@ pub(crate) fn limit_shown(found: &Lifting) -> LimitShown {
 }
 
 /// Changes for the degree, the smallest first, then the one for the angle.
-pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<SuggestedChange> {
+pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<ChangeShown> {
     let mut found = Vec::new();
     if let Some(boundary) = own_boundary(domain) {
         // Fewer than 4 edges at every vertex: only boundaries of 3 or 4 intervals.
@@ -45,7 +45,7 @@ pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<Suggest
         let changes = changes.take_while(|change| change.max_degree >= 4).take(MOST);
         found.extend(changes.filter_map(|suggestion| {
             let change = in_words(&suggestion);
-            Some(SuggestedChange {
+            Some(ChangeShown {
                 words: format!("{}: degree {}", capital(&change), suggestion.max_degree),
                 max_degree: Some(suggestion.max_degree),
                 min_angle: None,
@@ -54,7 +54,7 @@ pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<Suggest
         }));
     }
     found.extend(lifted.and_then(|lift| {
-        Some(SuggestedChange {
+        Some(ChangeShown {
             words: format!(
                 "Give {}: with interior points, a minimum angle of up to {}",
                 lift_counts(lift),

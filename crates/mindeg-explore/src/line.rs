@@ -25,7 +25,7 @@ pub enum AnswerLine {
     /// Changes that bring a smaller degree or a larger angle.
     Suggestions {
         /// The least change first.
-        suggestions: Vec<SuggestedChange>,
+        suggestions: Vec<ChangeShown>,
     },
     /// How to make the mesh without the page.
     Command {
@@ -187,7 +187,7 @@ pub struct CurveShown {
 
 /// A change of interval counts.
 #[derive(Clone, Debug, Serialize)]
-pub struct SuggestedChange {
+pub struct ChangeShown {
     /// The change and what it brings: "add 2 to side 2: degree 4".
     pub words: String,
     /// The least maximum degree after it, if that is what it is for.

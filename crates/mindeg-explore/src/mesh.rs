@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use mindeg::exact::ExactError;
-use mindeg::interior::{self, Report};
+use mindeg::interior::{self, InteriorReport};
 use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
 use mindeg_compare::Reference;
 use mindeg_mesh::Progress;
@@ -23,7 +23,7 @@ pub(crate) enum Made {
     /// A Delaunay triangulation.
     Delaunay(TriMesh),
     /// With interior points.
-    Interior(TriMesh, Box<Report>),
+    Interior(TriMesh, Box<InteriorReport>),
 }
 
 impl Made {

@@ -1,7 +1,7 @@
 //! Domains in files of any format that mindeg takes.
 
 use mindeg::{Domain, Progress};
-use mindeg_files::{Content, FileError, Input, Polygon, Polygons, ReadOptions, Session, Wanted};
+use mindeg_files::{Content, FileError, Input, Polygon, PolygonFile, ReadOptions, Session, Wanted};
 use serde_json::value::RawValue;
 
 use crate::answer::MAX_VERTICES;
@@ -50,7 +50,7 @@ pub fn sources(session: &Session, input: &Input<'_>) -> Result<Vec<Source>, File
     Ok(polygons.polygons.iter().take(MOST).map(|polygon| source(&polygons, polygon)).collect())
 }
 
-fn source(polygons: &Polygons, polygon: &Polygon) -> Source {
+fn source(polygons: &PolygonFile, polygon: &Polygon) -> Source {
     let name = polygon.name();
     let notes = polygons.notes.clone();
     let points: usize = polygon.feature.rings.iter().map(|ring| ring.pieces.len()).sum();

@@ -4,7 +4,7 @@ use crate::beside::Beside;
 use crate::error::{FileError, plain};
 use crate::input::Input;
 use crate::kind::{Kind, Wanted, kind, mesh_format, no_mesh};
-use crate::polygons::{Polygons, ReadOptions};
+use crate::polygons::{PolygonFile, ReadOptions};
 use crate::session::Session;
 use mindeg_domain::Model;
 use mindeg_mesh::{Progress, TriMesh};
@@ -21,7 +21,7 @@ pub enum Content {
     /// The JSON text of a whole model, for [`Model::from_json`].
     Model(String),
     /// Polygons in any other format.
-    Polygons(Polygons),
+    Polygons(PolygonFile),
     /// A mesh.
     Mesh(Box<TriMesh>),
 }
@@ -116,7 +116,7 @@ impl Session {
         bytes: &[u8],
         format: OutlineFormat,
         options: &ReadOptions,
-    ) -> Result<Polygons, FileError> {
+    ) -> Result<PolygonFile, FileError> {
         let path = input.path().unwrap_or(Path::new("-"));
         let beside = |extension: &str| match input {
             Input::File(_) => {
@@ -127,7 +127,7 @@ impl Session {
             alone => Err(io::Error::other(alone.alone())),
         };
         let outlines = outlines::read(bytes, format, beside);
-        Polygons::new(self, input, format, outlines, options)
+        PolygonFile::new(self, input, format, outlines, options)
             .map_err(|error| error.of(&input.name()))
     }
 }

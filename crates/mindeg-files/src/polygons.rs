@@ -5,7 +5,7 @@ use crate::input::Input;
 use crate::session::Session;
 use mindeg_domain::Domain;
 use mindeg_outlines::{
-    self as outlines, Division, FillRule, Listed, OutlineFormat, Outlines, Polygon, ReadError,
+    self as outlines, Division, FillRule, Listed, OutlineError, OutlineFormat, Outlines, Polygon,
 };
 use std::path::Path;
 
@@ -24,7 +24,7 @@ pub struct ReadOptions {
 
 /// The polygons of a file, or those that were chosen.
 #[derive(Debug)]
-pub struct Polygons {
+pub struct PolygonFile {
     /// The file, as messages name it.
     pub file: String,
     /// Its format.
@@ -38,15 +38,15 @@ pub struct Polygons {
     dashes: &'static str,
 }
 
-impl Polygons {
+impl PolygonFile {
     pub(crate) fn new(
         session: &Session,
         input: &Input<'_>,
         format: OutlineFormat,
-        outlines: Result<Outlines, ReadError>,
+        outlines: Result<Outlines, OutlineError>,
         options: &ReadOptions,
     ) -> Result<Self, FileError> {
-        let wrong = |error: ReadError| FileError::wrong(error.to_string());
+        let wrong = |error: OutlineError| FileError::wrong(error.to_string());
         let mut outlines = outlines.map_err(wrong)?;
         if options.repair {
             outlines = outlines.repaired(options.fill_rule).map_err(wrong)?;

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use glam::{DQuat, DVec2, DVec3};
-use mindeg::inspection::{ConvexOutline, Inspection, InspectionOptions, NoConvexOutline};
+use mindeg::inspection::{FoundOutline, Inspection, InspectionOptions, NoConvexOutline};
 use mindeg::{BoundaryMesh, Domain, Side, Spacing};
 use mindeg_formats::{MeshPlane, SurfaceOptions, glb, obj};
 use mindeg_mesh::TriMesh;
@@ -17,7 +17,7 @@ fn inspect(mesh: &TriMesh) -> Inspection {
 }
 
 /// The outline of a fan from the first point.
-fn outline_of(points: &[DVec3], corner_angle: f64) -> Result<ConvexOutline, NoConvexOutline> {
+fn outline_of(points: &[DVec3], corner_angle: f64) -> Result<FoundOutline, NoConvexOutline> {
     let last = points.len() as u32 - 1;
     let fan = (1..last).map(|i| [0, i, i + 1]).collect();
     let mesh = TriMesh::new(points.to_vec(), fan).unwrap();

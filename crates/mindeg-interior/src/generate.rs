@@ -9,7 +9,7 @@ use crate::optimise::optimise;
 use crate::options::{Fixed, InteriorError, Options, check_coordinates};
 use crate::order::along_hilbert_curve;
 use crate::packing::{Ground, is_inside_of};
-use crate::report::{Report, Violation, degrees_at_boundary, measure};
+use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
 use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::triangle::SQRT_3;
@@ -21,7 +21,7 @@ use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
 /// A mesh and what it is like.
 #[derive(Debug, Clone, PartialEq)]
-pub struct InteriorMesh {
+pub struct Generated {
     /// The boundary points, bit for bit and in the outline's order; the fixed points; the others.
     pub points: Vec<DVec2>,
     /// Counter-clockwise triangles.
@@ -29,7 +29,7 @@ pub struct InteriorMesh {
     /// The edges that fixed segments consist of.
     pub fixed_edges: Vec<[u32; 2]>,
     /// What was reached.
-    pub report: Report,
+    pub report: InteriorReport,
 }
 
 /// One way to begin: growth over the wanted growth, least distance of points in sizes, and whether to search
@@ -65,13 +65,13 @@ pub fn generate(
     fixed: &Fixed,
     options: &Options,
     progress: Progress<'_>,
-) -> Result<InteriorMesh, InteriorError> {
+) -> Result<Generated, InteriorError> {
     options.check()?;
     check_coordinates(outline)?;
     let limits = limits(outline, |v| options.degree_limit(outline, v));
     check_target(&limits, options)?;
     let floor = floor(options);
-    let mut best: Option<InteriorMesh> = None;
+    let mut best: Option<Generated> = None;
     // Where angles are preferred, the way that keeps degrees may still reach more.
     let ways: &[Prefer] = match options.wanted.prefer() {
         Prefer::Degree => &[Prefer::Degree],
@@ -110,8 +110,7 @@ pub fn generate(
             limits,
             limits_at,
         );
-        let found =
-            InteriorMesh { points, triangles, fixed_edges: breaklines.edges.clone(), report };
+        let found = Generated { points, triangles, fixed_edges: breaklines.edges.clone(), report };
         let is_better = best
             .as_ref()
             .is_none_or(|best| rank(&found.report, options) < rank(&best.report, options));

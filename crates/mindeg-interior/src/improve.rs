@@ -6,7 +6,7 @@ use crate::goal::{Weights, goals};
 use crate::limits::{Limits, limits};
 use crate::optimise::optimise;
 use crate::options::{InteriorError, MAX_POINTS, Options, is_usable};
-use crate::report::{Report, Violation, degrees_at_boundary, measure};
+use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
 use crate::stage::Stage;
 use crate::triangle::{SQRT_3, doubled_area};
 use crate::verdict::{check_target, floor, is_enough, rank};
@@ -33,9 +33,9 @@ pub struct Improved {
     /// Counter-clockwise triangles.
     pub triangles: Vec<[u32; 3]>,
     /// What the mesh was like; vertices are those of the input.
-    pub before: Report,
+    pub before: InteriorReport,
     /// What it is like now; vertices are those of the result.
-    pub after: Report,
+    pub after: InteriorReport,
 }
 
 /// Improves a planar triangle mesh: its boundary stays, degrees and angles get nearer to what is wanted.
@@ -157,7 +157,7 @@ impl Input {
         triangles: &[[u32; 3]],
         options: &Options,
         goal: impl Fn(u32) -> u32,
-    ) -> Report {
+    ) -> InteriorReport {
         let limits_at = |broken: &[Violation]| {
             let has = degrees_at_boundary(broken, &goal);
             limits(&self.boundary, |v| options.degree_limit(&self.boundary, v).max(has(v)))

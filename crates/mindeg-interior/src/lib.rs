@@ -40,7 +40,7 @@
 //!
 //! The limits are proven ([`limits`]). Validity is checked with exact predicates on every mesh before it is returned:
 //! all triangles are counter-clockwise, and boundary and fixed edges are there. Degrees and angles are reached by
-//! a heuristic search without a guarantee; the [`Report`] says what was reached.
+//! a heuristic search without a guarantee; the [`InteriorReport`] says what was reached.
 //!
 //! Measured by the `corpus` example on 200 random convex polygons of 3 to 8 sides with 3 to 60 intervals each, 60
 //! polygons with reflex corners and a hole, and the project's 8 domains: no violation on any, and the minimum
@@ -77,8 +77,8 @@ mod trial;
 mod triangle;
 mod verdict;
 
-pub use generate::{InteriorMesh, generate};
+pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use mindeg_domain::{Interior, Prefer, SizeAt};
 pub use options::{Fixed, InteriorError, Options, check_coordinates};
-pub use report::{Report, Violation};
+pub use report::{InteriorReport, Violation};

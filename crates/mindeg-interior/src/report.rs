@@ -22,7 +22,7 @@ pub struct Violation {
 
 /// What was reached. Angles are in degrees.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Report {
+pub struct InteriorReport {
     /// The proven limits of the minimum angle for this boundary.
     pub limits: Limits,
     /// The minimum angle.
@@ -61,7 +61,7 @@ pub(crate) fn measure<'a>(
     goal: impl Fn(u32) -> Option<&'a Goal>,
     limits: Limits,
     limits_at: impl Fn(&[Violation]) -> Limits,
-) -> Report {
+) -> InteriorReport {
     let corners = |t: &[u32; 3]| t.map(|v| points[v as usize]);
     let mut counts = vec![0_u32; points.len()];
     let (mut least, mut greatest) = ((f64::INFINITY, 0), 0.0_f64);
@@ -114,7 +114,7 @@ pub(crate) fn measure<'a>(
     }
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
-    Report {
+    InteriorReport {
         limits,
         min_angle: least.0,
         min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),

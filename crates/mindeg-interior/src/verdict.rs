@@ -2,7 +2,7 @@
 
 use crate::limits::Limits;
 use crate::options::{InteriorError, Options};
-use crate::report::Report;
+use crate::report::InteriorReport;
 use mindeg_domain::Prefer;
 
 /// The angle aimed at where neither the boundary nor the user says otherwise, in degrees.
@@ -39,13 +39,13 @@ pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), Int
 }
 
 /// The share reached of what the limit, the target, and sense allow.
-fn share(report: &Report, options: &Options) -> f64 {
+fn share(report: &InteriorReport, options: &Options) -> f64 {
     let (limit, _) = limit(&report.limits, options);
     (report.min_angle / limit.min(options.wanted.target_angle.unwrap_or(ENOUGH))).min(1.0)
 }
 
 /// True if further search is not worth its time.
-pub(crate) fn is_enough(report: &Report, options: &Options) -> bool {
+pub(crate) fn is_enough(report: &InteriorReport, options: &Options) -> bool {
     let wanted = if options.wanted.target_angle.is_some() { 1.0 } else { GOOD_SHARE };
     let degrees = report.violations.is_empty() || options.wanted.prefer() == Prefer::Angle;
     let is_good = degrees && share(report, options) >= wanted;
@@ -53,7 +53,7 @@ pub(crate) fn is_enough(report: &Report, options: &Options) -> bool {
 }
 
 /// A key that is less for a better mesh.
-pub(crate) fn rank(report: &Report, options: &Options) -> [f64; 3] {
+pub(crate) fn rank(report: &InteriorReport, options: &Options) -> [f64; 3] {
     let (lack, wrong) = (1.0 - share(report, options), report.violations.len() as f64);
     match options.wanted.prefer() {
         Prefer::Degree => [wrong, lack, report.triangles as f64],

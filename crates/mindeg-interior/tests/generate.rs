@@ -9,7 +9,7 @@ mod polygons;
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
 use mindeg_interior::{
-    Fixed, Interior, InteriorError, InteriorMesh, Options, Prefer, SizeAt, generate,
+    Fixed, Generated, Interior, InteriorError, Options, Prefer, SizeAt, generate,
 };
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
@@ -25,13 +25,13 @@ fn try_mesh(
     rings: &[Vec<DVec2>],
     fixed: &Fixed,
     options: &Options,
-) -> Result<InteriorMesh, InteriorError> {
+) -> Result<Generated, InteriorError> {
     let outline = PlanarBoundary::new(rings)?;
     generate(&outline, fixed, options, Progress::NONE)
 }
 
 /// Meshes, and checks everything that must hold whatever was reached.
-fn mesh(rings: &[Vec<DVec2>], fixed: &Fixed, options: &Options) -> InteriorMesh {
+fn mesh(rings: &[Vec<DVec2>], fixed: &Fixed, options: &Options) -> Generated {
     let mesh = try_mesh(rings, fixed, options).unwrap();
     let outline = PlanarBoundary::new(rings).unwrap();
     let boundary: Vec<[u32; 2]> = outline.edges().collect();
@@ -59,11 +59,11 @@ fn mesh(rings: &[Vec<DVec2>], fixed: &Fixed, options: &Options) -> InteriorMesh 
     mesh
 }
 
-fn plain(rings: &[Vec<DVec2>]) -> InteriorMesh {
+fn plain(rings: &[Vec<DVec2>]) -> Generated {
     mesh(rings, &Fixed::default(), &Options::default())
 }
 
-fn share(mesh: &InteriorMesh) -> f64 {
+fn share(mesh: &Generated) -> f64 {
     mesh.report.min_angle / mesh.report.limits.angle().min(35.0)
 }
 
@@ -97,7 +97,7 @@ fn random_polygons_have_no_violation() {
 fn two_runs_give_the_same_bytes() {
     let rings = plate();
     let (first, second) = (plain(&rings), plain(&rings));
-    let bytes = |mesh: &InteriorMesh| -> Vec<u64> {
+    let bytes = |mesh: &Generated| -> Vec<u64> {
         mesh.points.iter().flat_map(|p| p.to_array().map(f64::to_bits)).collect()
     };
     assert_eq!(bytes(&first), bytes(&second));

@@ -4,11 +4,11 @@
 
 use glam::{DQuat, DVec2, DVec3};
 use mindeg_mesh::TriMesh;
-use mindeg_mesh::inspection::{ConvexOutline, Inspection, InspectionOptions, NoConvexOutline};
+use mindeg_mesh::inspection::{FoundOutline, Inspection, InspectionOptions, NoConvexOutline};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
 
-fn outline(points: &[DVec3], rounding: f64, angle: f64) -> Result<ConvexOutline, NoConvexOutline> {
+fn outline(points: &[DVec3], rounding: f64, angle: f64) -> Result<FoundOutline, NoConvexOutline> {
     let fan = (1..points.len() as u32 - 1).map(|i| [0, i, i + 1]).collect();
     let mesh = TriMesh::new(points.to_vec(), fan).unwrap().with_rounding(rounding);
     let options = InspectionOptions { corner_angle: angle, ..InspectionOptions::default() };

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use mindeg_outlines::{Division, OutlineFormat, Outlines, ReadError, read};
+use mindeg_outlines::{Division, OutlineError, OutlineFormat, Outlines, read};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut paths: Vec<String> = std::env::args().skip(1).collect();
@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
-fn outlines(bytes: &[u8], path: &str, repair: bool) -> Result<Outlines, ReadError> {
+fn outlines(bytes: &[u8], path: &str, repair: bool) -> Result<Outlines, OutlineError> {
     let path = Path::new(path);
     let format = OutlineFormat::of_path(path).or_else(|| OutlineFormat::of_content(bytes));
     // Domains in JSON are no outlines, and count as none.

@@ -7,9 +7,9 @@
 
 use glam::DVec2;
 
-use super::outline::{Outlines, Ring};
+use super::outline::{DrawnRing, Outlines};
 use super::text::{at_line, lines, number, quoted, text_of};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// Names of the columns that hold the points.
 const COLUMNS: [[&str; 2]; 7] = [
@@ -27,7 +27,7 @@ const COLUMNS: [[&str; 2]; 7] = [
 /// # Errors
 ///
 /// A line that is no point, with its number.
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let mut rings = Vec::new();
     let mut points = Vec::new();
     let mut columns: Option<[usize; 2]> = None;
@@ -59,8 +59,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
         points.push(point(&words, [x, y], line, text)?);
     }
     rings.push(points);
-    let rings: Vec<Ring> =
-        rings.into_iter().filter(|ring| !ring.is_empty()).map(Ring::of_points).collect();
+    let rings: Vec<DrawnRing> =
+        rings.into_iter().filter(|ring| !ring.is_empty()).map(DrawnRing::of_points).collect();
     if rings.is_empty() {
         return Err(at_line(1, "the file holds no points; give one in a line, such as 4.0, 2.5"));
     }
@@ -98,7 +98,12 @@ fn coordinate(word: Option<&str>, text: &str) -> Option<f64> {
     number(word)
 }
 
-fn point(words: &[&str], columns: [usize; 2], line: u64, text: &str) -> Result<DVec2, ReadError> {
+fn point(
+    words: &[&str],
+    columns: [usize; 2],
+    line: u64,
+    text: &str,
+) -> Result<DVec2, OutlineError> {
     let [x, y] = columns.map(|column| coordinate(words.get(column).copied(), text));
     match (x, y) {
         (Some(x), Some(y)) => Ok(DVec2::new(x, y)),
@@ -123,7 +128,7 @@ mod tests {
 
     #[test]
     fn reads_points_however_they_are_parted() {
-        let expected = Ring::of_points([[0.0, 0.0], [4.5, 0.0], [0.0, 3.0]].map(DVec2::from));
+        let expected = DrawnRing::of_points([[0.0, 0.0], [4.5, 0.0], [0.0, 3.0]].map(DVec2::from));
         for text in [
             "0,0\n4.5,0\n0,3\n",
             "0 0\n4.5 0\n0 3\n0 0\n",

@@ -9,20 +9,20 @@ use glam::DVec2;
 
 /// How a piece of a ring runs from its start to its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Curve {
+pub enum PieceCurve {
     /// Straight.
     Line,
     /// A cubic Bézier curve with these two control points.
     Cubic([DVec2; 2]),
     /// A part of an ellipse.
-    Arc(Arc),
+    Arc(EllipseArc),
 }
 
 /// A part of an ellipse: the points `center + axes[0] * cos(a) + axes[1] * sin(a)` for angles `a`
 /// from `start` to `start + sweep`, in radians. The axes of a circle are as long as its radius and
 /// perpendicular.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Arc {
+pub struct EllipseArc {
     /// The center.
     pub center: DVec2,
     /// Two conjugate half axes.
@@ -42,7 +42,7 @@ pub struct Segment {
     /// Where it ends.
     pub end: DVec2,
     /// How it runs between.
-    pub curve: Curve,
+    pub curve: PieceCurve,
 }
 
 /// The cells into which lengths along a curve are divided.
@@ -60,7 +60,7 @@ const NODES: [(f64, f64); 5] = [
     (0.906_179_845_938_664, 0.236_926_885_056_189_1),
 ];
 
-impl Arc {
+impl EllipseArc {
     /// The point at an angle.
     #[must_use]
     pub fn point(&self, angle: f64) -> DVec2 {
@@ -86,14 +86,14 @@ impl Segment {
         }
         let s = 1.0 - t;
         match self.curve {
-            Curve::Line => self.start * s + self.end * t,
-            Curve::Cubic([a, b]) => {
+            PieceCurve::Line => self.start * s + self.end * t,
+            PieceCurve::Cubic([a, b]) => {
                 self.start * (s * s * s)
                     + a * (3.0 * s * s * t)
                     + b * (3.0 * s * t * t)
                     + self.end * (t * t * t)
             }
-            Curve::Arc(arc) => arc.point(arc.start + arc.sweep * t),
+            PieceCurve::Arc(arc) => arc.point(arc.start + arc.sweep * t),
         }
     }
 
@@ -101,13 +101,13 @@ impl Segment {
     fn velocity(&self, t: f64) -> DVec2 {
         let s = 1.0 - t;
         match self.curve {
-            Curve::Line => self.end - self.start,
-            Curve::Cubic([a, b]) => {
+            PieceCurve::Line => self.end - self.start,
+            PieceCurve::Cubic([a, b]) => {
                 (a - self.start) * (3.0 * s * s)
                     + (b - a) * (6.0 * s * t)
                     + (self.end - b) * (3.0 * t * t)
             }
-            Curve::Arc(arc) => arc.direction(arc.start + arc.sweep * t) * arc.sweep,
+            PieceCurve::Arc(arc) => arc.direction(arc.start + arc.sweep * t) * arc.sweep,
         }
     }
 
@@ -116,7 +116,7 @@ impl Segment {
     pub fn direction_at_start(&self) -> DVec2 {
         match self.curve {
             // A control point on the end tells no direction; the next one does.
-            Curve::Cubic([a, b]) => first_difference(self.start, [a, b, self.end]),
+            PieceCurve::Cubic([a, b]) => first_difference(self.start, [a, b, self.end]),
             _ => self.velocity(0.0),
         }
     }
@@ -125,7 +125,7 @@ impl Segment {
     #[must_use]
     pub fn direction_at_end(&self) -> DVec2 {
         match self.curve {
-            Curve::Cubic([a, b]) => -first_difference(self.end, [b, a, self.start]),
+            PieceCurve::Cubic([a, b]) => -first_difference(self.end, [b, a, self.start]),
             _ => self.velocity(1.0),
         }
     }
@@ -134,7 +134,7 @@ impl Segment {
     #[must_use]
     pub fn length(&self) -> f64 {
         match self.curve {
-            Curve::Line => norm(self.end - self.start),
+            PieceCurve::Line => norm(self.end - self.start),
             _ => self.lengths()[CELLS],
         }
     }
@@ -158,7 +158,7 @@ impl Segment {
     /// The points at the given lengths from the start, which increase.
     #[must_use]
     pub fn points_at(&self, wanted: &[f64]) -> Vec<DVec2> {
-        if self.curve == Curve::Line {
+        if self.curve == PieceCurve::Line {
             let length = self.length();
             return wanted.iter().map(|&wanted| self.point(wanted / length)).collect();
         }
@@ -185,7 +185,7 @@ impl Segment {
     /// 15 degrees, and a straight piece is one.
     #[must_use]
     pub fn intervals_by_turning(&self) -> u32 {
-        if self.curve == Curve::Line {
+        if self.curve == PieceCurve::Line {
             return 1;
         }
         let directions = (0..=CELLS).map(|i| match i {
@@ -224,18 +224,18 @@ mod tests {
     use std::f64::consts::{FRAC_PI_2, TAU};
 
     fn quarter() -> Segment {
-        let arc = Arc {
+        let arc = EllipseArc {
             center: DVec2::ZERO,
             axes: [DVec2::X * 2.0, DVec2::Y * 2.0],
             start: 0.0,
             sweep: FRAC_PI_2,
         };
-        Segment { start: DVec2::X * 2.0, end: DVec2::Y * 2.0, curve: Curve::Arc(arc) }
+        Segment { start: DVec2::X * 2.0, end: DVec2::Y * 2.0, curve: PieceCurve::Arc(arc) }
     }
 
     /// A cubic that runs along a line with uneven speed.
     fn straight_cubic() -> Segment {
-        let curve = Curve::Cubic([DVec2::new(0.0, 0.0), DVec2::new(1.0, 1.0)]);
+        let curve = PieceCurve::Cubic([DVec2::new(0.0, 0.0), DVec2::new(1.0, 1.0)]);
         Segment { start: DVec2::ZERO, end: DVec2::new(3.0, 3.0), curve }
     }
 
@@ -245,8 +245,11 @@ mod tests {
         assert!((straight_cubic().length() - 18.0_f64.sqrt()).abs() < 1e-12);
         // A parabola y = x²/2 on [0, 1]: (√2 + asinh 1) / 2.
         let (a, b) = (DVec2::new(1.0 / 3.0, 0.0), DVec2::new(2.0 / 3.0, 1.0 / 6.0));
-        let parabola =
-            Segment { start: DVec2::ZERO, end: DVec2::new(1.0, 0.5), curve: Curve::Cubic([a, b]) };
+        let parabola = Segment {
+            start: DVec2::ZERO,
+            end: DVec2::new(1.0, 0.5),
+            curve: PieceCurve::Cubic([a, b]),
+        };
         let length = (2.0_f64.sqrt() + 1.0_f64.asinh()) / 2.0;
         assert!((parabola.length() - length).abs() < 1e-13, "{}", parabola.length());
     }
@@ -255,13 +258,13 @@ mod tests {
     fn the_points_of_a_cubic_are_those_of_bernstein() {
         let [start, a, b, end] =
             [[64.0, 0.0], [0.0, 64.0], [128.0, 0.0], [0.0, 192.0]].map(DVec2::from);
-        let segment = Segment { start, end, curve: Curve::Cubic([a, b]) };
+        let segment = Segment { start, end, curve: PieceCurve::Cubic([a, b]) };
         assert_eq!(
             [0.0, 0.25, 1.0].map(|t| segment.point(t)),
             [start, DVec2::new(45.0, 30.0), end]
         );
         // The first control point lies on the start and tells no direction.
-        let segment = Segment { curve: Curve::Cubic([start, b]), ..segment };
+        let segment = Segment { curve: PieceCurve::Cubic([start, b]), ..segment };
         assert!(segment.direction_at_start().perp_dot(b - start) == 0.0);
         assert!(segment.direction_at_start().dot(b - start) > 0.0);
     }
@@ -274,7 +277,7 @@ mod tests {
         }
         let points = straight_cubic().points_at(&[18.0_f64.sqrt() / 3.0]);
         assert!(points[0].distance(DVec2::ONE) < 1e-9, "{points:?}");
-        let line = Segment { start: DVec2::ZERO, end: DVec2::X * 8.0, curve: Curve::Line };
+        let line = Segment { start: DVec2::ZERO, end: DVec2::X * 8.0, curve: PieceCurve::Line };
         assert_eq!(line.points_at(&[2.0, 6.0]), [DVec2::X * 2.0, DVec2::X * 6.0]);
     }
 
@@ -282,13 +285,16 @@ mod tests {
     fn curves_take_an_interval_for_each_15_degrees() {
         assert_eq!(quarter().intervals_by_turning(), 6);
         assert_eq!(straight_cubic().intervals_by_turning(), 1);
-        let Curve::Arc(arc) = quarter().curve else { unreachable!() };
-        let circle = Curve::Arc(Arc { sweep: TAU, ..arc });
+        let PieceCurve::Arc(arc) = quarter().curve else { unreachable!() };
+        let circle = PieceCurve::Arc(EllipseArc { sweep: TAU, ..arc });
         let circle = Segment { end: quarter().start, curve: circle, ..quarter() };
         assert_eq!(circle.intervals_by_turning(), 24);
         // All four points in one place.
-        let point =
-            Segment { start: DVec2::ONE, end: DVec2::ONE, curve: Curve::Cubic([DVec2::ONE; 2]) };
+        let point = Segment {
+            start: DVec2::ONE,
+            end: DVec2::ONE,
+            curve: PieceCurve::Cubic([DVec2::ONE; 2]),
+        };
         assert_eq!((point.intervals_by_turning(), point.length()), (1, 0.0));
         assert_eq!(point.direction_at_start(), DVec2::ZERO);
     }

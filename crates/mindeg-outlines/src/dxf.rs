@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::outline::Outlines;
 use super::text::{at_line, clean, counted};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 use entities::{Entity, text, whole};
 use pairs::{Pair, pairs};
 
@@ -32,7 +32,7 @@ const UNITS: [&str; 7] =
 ///
 /// Binary files; what is not as the format has it, with its line; a drawing without a closed
 /// outline.
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     if bytes.starts_with(b"AutoCAD Binary DXF") {
         return Err(at_line(1, "this is a binary DXF; save it as ASCII DXF"));
     }
@@ -51,7 +51,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
     let left_out = left_out.join(", ");
     if rings.is_empty() {
         let only = if left_out.is_empty() { String::new() } else { format!(", only {left_out}") };
-        return Err(ReadError::place(
+        return Err(OutlineError::place(
             "the section ENTITIES",
             format!(
                 "no closed outline{only}; explode blocks, and convert splines to polylines or arcs"
@@ -77,7 +77,7 @@ struct Drawing {
     units: Option<usize>,
 }
 
-fn drawing(text: &str) -> Result<Drawing, ReadError> {
+fn drawing(text: &str) -> Result<Drawing, OutlineError> {
     let mut drawing = Drawing::default();
     let mut section = "";
     let mut wants_section = false;
@@ -115,7 +115,7 @@ fn drawing(text: &str) -> Result<Drawing, ReadError> {
 
 impl Drawing {
     /// Takes an entity, if it is shown and of a kind that is read, or a layer.
-    fn take(&mut self, section: &str, name: &str, pairs: &[Pair<'_>]) -> Result<(), ReadError> {
+    fn take(&mut self, section: &str, name: &str, pairs: &[Pair<'_>]) -> Result<(), OutlineError> {
         if section == "TABLES" {
             // A color below 0 turns a layer off, the first flag freezes it.
             if name == "LAYER" && (whole(pairs, 62) < 0 || whole(pairs, 70) & 1 != 0) {

@@ -5,21 +5,21 @@ use thiserror::Error;
 /// Why a file could not be read as outlines.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{place}{}{problem}", if place.is_empty() { "" } else { ": " })]
-pub struct ReadError {
+pub struct OutlineError {
     /// Where: a line, a path into the document, a point. Empty for the whole file.
     pub place: String,
     /// What is wrong, and what would be right.
     pub problem: String,
 }
 
-impl ReadError {
+impl OutlineError {
     /// An error at a part of a file.
     pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self { place: place.into(), problem: problem.into() }
     }
 }
 
-impl From<mindeg_formats::ReadError> for ReadError {
+impl From<mindeg_formats::ReadError> for OutlineError {
     fn from(error: mindeg_formats::ReadError) -> Self {
         Self::place("", error.to_string())
     }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::outline::Outlines;
 use super::{csv, dxf, geojson, mesh_lines, poly, svg, wkt};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// A format that holds outlines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -146,13 +146,13 @@ impl OutlineFormat {
 ///
 /// let error = mindeg_outlines::read(b"POLYGON((0 0, 4 x))", OutlineFormat::Wkt, alone).unwrap_err();
 /// assert!(error.to_string().starts_with("line 1, column 17: found \"x))\""));
-/// # Ok::<(), mindeg_outlines::ReadError>(())
+/// # Ok::<(), mindeg_outlines::OutlineError>(())
 /// ```
 pub fn read(
     bytes: &[u8],
     format: OutlineFormat,
     beside: impl Fn(&str) -> io::Result<Vec<u8>>,
-) -> Result<Outlines, ReadError> {
+) -> Result<Outlines, OutlineError> {
     match format {
         GeoJson => geojson::read(bytes),
         Wkt => wkt::read(bytes),

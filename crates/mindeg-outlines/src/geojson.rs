@@ -13,9 +13,9 @@ use serde::Deserialize;
 use serde_json::error::Category;
 use serde_json::{Map, Value};
 
-use super::outline::{Feature, Outlines, Ring};
+use super::outline::{DrawnRing, Feature, Outlines};
 use super::text::{at_line, counted, quoted, text_of};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// Reads a GeoJSON text.
 ///
@@ -23,7 +23,7 @@ use crate::error::ReadError;
 ///
 /// Text that is no JSON (with its line), and objects that are not as GeoJSON has them (with their
 /// path).
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let document: Value = serde_json::from_str(text_of(bytes)?).map_err(|error| {
         let problem = match error.classify() {
             Category::Eof => "the JSON text ends too early; the file is not whole",
@@ -92,8 +92,8 @@ impl Path<'_> {
         }
     }
 
-    fn error(&self, problem: impl Into<String>) -> ReadError {
-        ReadError::place(self.text(), problem)
+    fn error(&self, problem: impl Into<String>) -> OutlineError {
+        OutlineError::place(self.text(), problem)
     }
 }
 
@@ -104,7 +104,7 @@ impl Reader {
         value: &Value,
         path: &Path<'_>,
         name: Option<&str>,
-    ) -> Result<(), ReadError> {
+    ) -> Result<(), OutlineError> {
         let Some(object) = value.as_object() else {
             return Err(path.error(format!("found {}, expected a GeoJSON object", kind(value))));
         };
@@ -163,7 +163,7 @@ impl Reader {
         key: &'static str,
         path: &Path<'_>,
         name: Option<&str>,
-    ) -> Result<(), ReadError> {
+    ) -> Result<(), OutlineError> {
         let values = list(object, key, path)?;
         let path = &Path::Key(path, key);
         let mut values = values.iter().enumerate();
@@ -179,7 +179,7 @@ impl Reader {
         rings: &[Value],
         path: &Path<'_>,
         name: Option<&str>,
-    ) -> Result<(), ReadError> {
+    ) -> Result<(), OutlineError> {
         if rings.is_empty() {
             self.skip("polygon without rings");
             return Ok(());
@@ -193,14 +193,14 @@ impl Reader {
             if points.is_empty() {
                 return Err(path.error("the ring has no positions; drop it"));
             }
-            Ok(Ring::of_points(points))
+            Ok(DrawnRing::of_points(points))
         });
         let rings = rings.collect::<Result<_, _>>()?;
         self.outlines.features.push(Feature { name: name.map(str::to_owned), rings });
         Ok(())
     }
 
-    fn position(&mut self, value: &Value, path: &Path<'_>) -> Result<DVec2, ReadError> {
+    fn position(&mut self, value: &Value, path: &Path<'_>) -> Result<DVec2, OutlineError> {
         let numbers = items(value, "two numbers", path)?;
         let [x, y, rest @ ..] = numbers else {
             return Err(path.error("a position needs two numbers, such as [4.5, 52.1]"));
@@ -216,7 +216,7 @@ impl Reader {
         Ok(point)
     }
 
-    fn end(mut self) -> Result<Outlines, ReadError> {
+    fn end(mut self) -> Result<Outlines, OutlineError> {
         let notes = &mut self.outlines.notes;
         if !self.skipped.is_empty() {
             let skipped: Vec<String> =
@@ -263,14 +263,14 @@ fn list<'a>(
     object: &'a Map<String, Value>,
     key: &'static str,
     path: &Path<'_>,
-) -> Result<&'a [Value], ReadError> {
+) -> Result<&'a [Value], OutlineError> {
     let Some(value) = object.get(key) else {
         return Err(path.error(format!("{key:?} is missing")));
     };
     items(value, key, &Path::Key(path, key))
 }
 
-fn items<'a>(value: &'a Value, what: &str, path: &Path<'_>) -> Result<&'a [Value], ReadError> {
+fn items<'a>(value: &'a Value, what: &str, path: &Path<'_>) -> Result<&'a [Value], OutlineError> {
     let items = value.as_array().map(Vec::as_slice);
     items.ok_or_else(|| path.error(format!("found {}, expected a list of {what}", kind(value))))
 }
@@ -322,7 +322,7 @@ mod tests {
             let found: Vec<_> = outlines.features.iter().map(|it| it.name.as_deref()).collect();
             assert_eq!(found, names);
             for feature in outlines.features {
-                assert_eq!(feature.rings, [Ring::of_points(points)]);
+                assert_eq!(feature.rings, [DrawnRing::of_points(points)]);
             }
             assert!(outlines.notes.is_empty());
         }

@@ -48,9 +48,9 @@ mod vertices;
 mod wkt;
 
 pub use choice::{Listed, NoSuchPolygon, Polygon, chosen, labelled};
-pub use curve::{Arc, Curve, Segment};
+pub use curve::{EllipseArc, PieceCurve, Segment};
 pub use domain::FeatureError;
-pub use error::ReadError;
+pub use error::OutlineError;
 pub use format::{OutlineFormat, read};
-pub use outline::{Feature, FillRule, Outlines, Piece, Ring};
+pub use outline::{DrawnRing, Feature, FillRule, Outlines, Piece};
 pub use sides::{DividedSide, Division, SizeTooSmall};

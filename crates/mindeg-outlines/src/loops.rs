@@ -4,17 +4,17 @@ use std::sync::Arc as Shared;
 
 use glam::DVec2;
 
-use super::curve::Curve;
-use super::outline::{Piece, Ring};
+use super::curve::PieceCurve;
+use super::outline::{DrawnRing, Piece};
 use super::text::{counted, shown};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// A line of a file between two of its points, given by their indices.
 #[derive(Clone, Debug)]
 pub(super) struct Link {
     pub(super) ends: [u32; 2],
     /// How it runs from the first to the second.
-    pub(super) curve: Curve,
+    pub(super) curve: PieceCurve,
     pub(super) side: Option<Shared<str>>,
     /// The curve of the file that it is a part of: sides begin where it changes.
     pub(super) part_of: u64,
@@ -30,7 +30,7 @@ pub(super) struct Link {
 pub(super) fn rings(
     points: &[DVec2],
     links: &[Link],
-) -> Result<(Vec<Ring>, Option<String>), ReadError> {
+) -> Result<(Vec<DrawnRing>, Option<String>), OutlineError> {
     /// No link.
     const NONE: u32 = u32::MAX;
     let mut at_point = vec![[NONE; 2]; points.len()];
@@ -39,7 +39,7 @@ pub(super) fn rings(
         for point in link.ends {
             let slots = &mut at_point[point as usize];
             let Some(slot) = slots.iter_mut().find(|slot| **slot == NONE) else {
-                return Err(ReadError::place(
+                return Err(OutlineError::place(
                     format!("the point {}", shown(points[point as usize])),
                     "three or more lines meet there; rings must not touch or branch; export the \
                      boundary of one region, without lines inside it",
@@ -64,7 +64,7 @@ pub(super) fn rings(
         if !used[index] {
             let start = links[index].ends[0];
             let pieces = walk(points, links, &at_point, &mut used, start, index as u32);
-            rings.push(Ring { pieces });
+            rings.push(DrawnRing { pieces });
         }
     }
     let note = open.first().map(|&(count, point)| {
@@ -77,7 +77,7 @@ pub(super) fn rings(
         }
     });
     match (rings.is_empty(), open.first()) {
-        (true, Some(&(_, point))) => Err(ReadError::place(
+        (true, Some(&(_, point))) => Err(OutlineError::place(
             format!("the point {}", shown(points[point])),
             "no line closes: the first one ends there; close the boundary",
         )),
@@ -118,15 +118,15 @@ fn walk(
 }
 
 /// The same curve from its end to its start.
-pub(super) fn reversed(curve: Curve) -> Curve {
+pub(super) fn reversed(curve: PieceCurve) -> PieceCurve {
     match curve {
-        Curve::Line => Curve::Line,
-        Curve::Cubic([a, b]) => Curve::Cubic([b, a]),
-        Curve::Arc(arc) => {
+        PieceCurve::Line => PieceCurve::Line,
+        PieceCurve::Cubic([a, b]) => PieceCurve::Cubic([b, a]),
+        PieceCurve::Arc(arc) => {
             let mut reversed = arc;
             reversed.start = arc.start + arc.sweep;
             reversed.sweep = -arc.sweep;
-            Curve::Arc(reversed)
+            PieceCurve::Arc(reversed)
         }
     }
 }
@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     fn link(a: u32, b: u32) -> Link {
-        Link { ends: [a, b], curve: Curve::Line, side: None, part_of: 0 }
+        Link { ends: [a, b], curve: PieceCurve::Line, side: None, part_of: 0 }
     }
 
     /// Points on a line, the x coordinates of the rings, and the note.
@@ -144,7 +144,7 @@ mod tests {
         let points: Vec<DVec2> = (0..10).map(|x| DVec2::new(f64::from(x), 0.0)).collect();
         let links: Vec<Link> = links.iter().map(|&[a, b]| link(a, b)).collect();
         let (rings, note) = rings(&points, &links).map_err(|e| e.to_string())?;
-        let xs = |ring: &Ring| ring.pieces.iter().map(|piece| piece.start.x).collect();
+        let xs = |ring: &DrawnRing| ring.pieces.iter().map(|piece| piece.start.x).collect();
         Ok((rings.iter().map(xs).collect(), note))
     }
 

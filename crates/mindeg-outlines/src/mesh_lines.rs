@@ -9,11 +9,11 @@ use std::sync::Arc as Shared;
 
 use mindeg_formats::{Polylines, msh, obj};
 
-use super::curve::Curve;
+use super::curve::PieceCurve;
 use super::loops::{self, Link};
 use super::outline::Outlines;
 use super::text::counted;
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// Reads the line elements of an MSH, in text or binary.
 ///
@@ -21,7 +21,7 @@ use crate::error::ReadError;
 ///
 /// What is not as the format has it; a file without lines, or with lines that close no ring or do not lie in
 /// a plane of equal z.
-pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let file = msh::read_lines(bytes)?;
     let others = counted(file.others as usize, "other element");
     if file.segments.is_empty() {
@@ -29,7 +29,7 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, ReadError> {
             "the file has no line elements, only {others}; mesh the curves with gmsh -1, and save all \
              elements (Mesh.SaveAll = 1) or a physical group of the curves"
         );
-        return Err(ReadError::place("$Elements", problem));
+        return Err(OutlineError::place("$Elements", problem));
     }
     let has_others = file.others > 0;
     let mut outlines = outlines(file, true)?;
@@ -42,16 +42,16 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, ReadError> {
 /// # Errors
 ///
 /// As [`read_msh`]; a file with faces.
-pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let file = obj::read_lines(bytes)?;
     if file.others > 0 {
         let problem = "the file has faces, so it is a mesh; mindeg view, inspect and convert take \
                        meshes; keep only its v and l lines to mesh the outline";
-        return Err(ReadError::place("", problem));
+        return Err(OutlineError::place("", problem));
     }
     if file.segments.is_empty() {
         let problem = "the file has no lines; give a closed loop, such as l 1 2 3 1";
-        return Err(ReadError::place("", problem));
+        return Err(OutlineError::place("", problem));
     }
     let mut outlines = outlines(file, false)?;
     outlines.features.iter_mut().for_each(|feature| feature.name_by_side());
@@ -59,14 +59,14 @@ pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, ReadError> {
 }
 
 /// The polygons that lines form; sides begin where another line does, if `by_line`.
-fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, ReadError> {
+fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, OutlineError> {
     let mut links = Vec::with_capacity(file.segments.len());
     for (index, line) in (0..).zip(&file.lines) {
         let side = (!line.name.trim().is_empty()).then(|| Shared::from(&*line.name));
         let segments = line.segments.start as usize..line.segments.end as usize;
         links.extend(file.segments[segments].iter().map(|&ends| {
             let part_of = if by_line { index } else { 0 };
-            Link { ends, curve: Curve::Line, side: side.clone(), part_of }
+            Link { ends, curve: PieceCurve::Line, side: side.clone(), part_of }
         }));
     }
     let heights = file.segments.as_flattened().iter().map(|&end| file.positions[end as usize].z);
@@ -78,10 +78,10 @@ fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, ReadError> {
 }
 
 /// A note if all z are one number other than 0.
-fn height(mut z: impl Iterator<Item = f64>) -> Result<Option<String>, ReadError> {
+fn height(mut z: impl Iterator<Item = f64>) -> Result<Option<String>, OutlineError> {
     let Some(first) = z.next() else { return Ok(None) };
     if let Some(other) = z.find(|&other| other != first) {
-        return Err(ReadError::place(
+        return Err(OutlineError::place(
             "",
             format!(
                 "the points do not lie in a plane of equal z: found z = {first:?} and z = \

@@ -10,8 +10,8 @@
 use glam::DVec2;
 
 use super::orientation::orientation;
-use super::outline::{Feature, FillRule, Outlines, Ring, Shape, doubled_area};
-use crate::error::ReadError;
+use super::outline::{DrawnRing, Feature, FillRule, Outlines, Shape, doubled_area};
+use crate::error::OutlineError;
 
 /// The most comparisons of a point with an edge, which take some seconds: 90,000 squares beside each
 /// other, or 40,000 inside each other.
@@ -35,7 +35,10 @@ struct Loop {
 
 impl Outlines {
     /// The polygons that rings bound by the even-odd rule.
-    pub(super) fn of_rings(rings: Vec<Ring>, notes: Vec<String>) -> Result<Self, ReadError> {
+    pub(super) fn of_rings(
+        rings: Vec<DrawnRing>,
+        notes: Vec<String>,
+    ) -> Result<Self, OutlineError> {
         let mut outlines = Self { notes, ..Self::default() };
         outlines.add(rings, FillRule::EvenOdd, None)?;
         Ok(outlines)
@@ -44,10 +47,10 @@ impl Outlines {
     /// Adds the polygons that rings bound, and tells how many rings bound nothing.
     pub(super) fn add(
         &mut self,
-        rings: Vec<Ring>,
+        rings: Vec<DrawnRing>,
         rule: FillRule,
         name: Option<&str>,
-    ) -> Result<usize, ReadError> {
+    ) -> Result<usize, OutlineError> {
         let (features, without_effect) = polygons(rings, rule, name)?;
         self.features.extend(features);
         let count = without_effect.len();
@@ -59,10 +62,10 @@ impl Outlines {
 /// The polygons that the rings bound, in the order of their outer rings, and the rings that bound
 /// nothing.
 pub(super) fn polygons(
-    rings: Vec<Ring>,
+    rings: Vec<DrawnRing>,
     rule: FillRule,
     name: Option<&str>,
-) -> Result<(Vec<Feature>, Vec<Ring>), ReadError> {
+) -> Result<(Vec<Feature>, Vec<DrawnRing>), OutlineError> {
     let loops = nested(&rings)?;
     let is_inside = |at: Option<usize>| match (at, rule) {
         (None, _) => false,
@@ -90,7 +93,7 @@ pub(super) fn polygons(
     }
     drop(loops);
     outers.sort_unstable();
-    let mut rings: Vec<Option<Ring>> = rings.into_iter().map(Some).collect();
+    let mut rings: Vec<Option<DrawnRing>> = rings.into_iter().map(Some).collect();
     let feature = |outer: usize| {
         let mut indices = std::mem::take(&mut holes[outer]);
         indices.sort_unstable();
@@ -103,7 +106,7 @@ pub(super) fn polygons(
 }
 
 /// The loops of the rings, larger ones first, each with its parent.
-fn nested(rings: &[Ring]) -> Result<Vec<Loop>, ReadError> {
+fn nested(rings: &[DrawnRing]) -> Result<Vec<Loop>, OutlineError> {
     let mut loops: Vec<Loop> = rings
         .iter()
         .enumerate()
@@ -129,7 +132,7 @@ fn nested(rings: &[Ring]) -> Result<Vec<Loop>, ReadError> {
             let cost = if is_around { 1 + other.points.len() as u64 } else { 1 };
             budget = budget
                 .checked_sub(cost)
-                .ok_or_else(|| ReadError::place("the whole file", too_deep(rings.len())))?;
+                .ok_or_else(|| OutlineError::place("the whole file", too_deep(rings.len())))?;
             if is_around && contains(&other.points, &one.points) {
                 parent = Some(other_at);
                 break;
@@ -186,16 +189,16 @@ mod tests {
     use super::*;
 
     /// A square about the origin of this half size; clockwise if it is negative.
-    fn square(half: f64) -> Ring {
+    fn square(half: f64) -> DrawnRing {
         let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
-        Ring::of_points(corners.map(|[x, y]| DVec2::new(x * half, y * half.abs())))
+        DrawnRing::of_points(corners.map(|[x, y]| DVec2::new(x * half, y * half.abs())))
     }
 
     /// For each polygon the half sizes of its rings.
     fn sizes(halves: &[f64], rule: FillRule) -> Vec<Vec<f64>> {
         let rings = halves.iter().map(|&half| square(half)).collect();
         let (features, _) = polygons(rings, rule, None).unwrap();
-        let half = |ring: &Ring| -ring.pieces[0].start.x;
+        let half = |ring: &DrawnRing| -ring.pieces[0].start.x;
         features.iter().map(|feature| feature.rings.iter().map(half).collect()).collect()
     }
 
@@ -215,11 +218,11 @@ mod tests {
     #[test]
     fn rings_may_touch_at_a_point_and_lie_beside_each_other() {
         let outer = square(4.0);
-        let hole = Ring::of_points([[-4.0, 0.0], [0.0, -1.0], [0.0, 1.0]].map(DVec2::from));
-        let beside = Ring::of_points([[4.0, 0.0], [6.0, -1.0], [6.0, 1.0]].map(DVec2::from));
+        let hole = DrawnRing::of_points([[-4.0, 0.0], [0.0, -1.0], [0.0, 1.0]].map(DVec2::from));
+        let beside = DrawnRing::of_points([[4.0, 0.0], [6.0, -1.0], [6.0, 1.0]].map(DVec2::from));
         let rings = vec![hole.clone(), beside.clone(), outer.clone()];
         let (features, _) = polygons(rings, FillRule::EvenOdd, Some("x")).unwrap();
-        let found: Vec<&[Ring]> = features.iter().map(|feature| &*feature.rings).collect();
+        let found: Vec<&[DrawnRing]> = features.iter().map(|feature| &*feature.rings).collect();
         assert_eq!(found, [&[beside][..], &[outer, hole]]);
     }
 

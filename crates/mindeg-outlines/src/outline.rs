@@ -5,7 +5,7 @@ use std::sync::Arc as Shared;
 
 use glam::DVec2;
 
-use super::curve::{Curve, Segment};
+use super::curve::{PieceCurve, Segment};
 use super::text::quoted;
 
 /// What was read from a file of outlines.
@@ -47,7 +47,7 @@ pub(super) struct Shape {
     pub(super) end: usize,
     pub(super) rule: FillRule,
     /// The rings that bound no polygon, as long as rings do not cross.
-    pub(super) without_effect: Vec<Ring>,
+    pub(super) without_effect: Vec<DrawnRing>,
 }
 
 /// One polygon: an outer ring and its holes.
@@ -56,12 +56,12 @@ pub struct Feature {
     /// The name that the file gives. The parts of a multi-polygon have the same name.
     pub name: Option<String>,
     /// The outer ring first, then the holes. They may run either way round.
-    pub rings: Vec<Ring>,
+    pub rings: Vec<DrawnRing>,
 }
 
 /// A closed curve: piece after piece, the last one back to the start of the first.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Ring {
+pub struct DrawnRing {
     /// The pieces; each ends where the next one starts.
     pub pieces: Vec<Piece>,
 }
@@ -72,7 +72,7 @@ pub struct Piece {
     /// Where it starts.
     pub start: DVec2,
     /// How it runs on to the start of the next piece.
-    pub curve: Curve,
+    pub curve: PieceCurve,
     /// The name of the side that it belongs to.
     pub side: Option<Shared<str>>,
     /// Whether the file begins a side here, whatever the angle.
@@ -105,11 +105,11 @@ impl Piece {
     /// A straight piece without a name.
     #[must_use]
     pub fn line(start: DVec2) -> Self {
-        Self { start, curve: Curve::Line, side: None, begins_side: false }
+        Self { start, curve: PieceCurve::Line, side: None, begins_side: false }
     }
 }
 
-impl Ring {
+impl DrawnRing {
     /// A ring of straight pieces. A last point that repeats the first is left out.
     pub fn of_points(points: impl IntoIterator<Item = DVec2>) -> Self {
         let mut pieces: Vec<Piece> = points.into_iter().map(Piece::line).collect();
@@ -138,7 +138,7 @@ impl Ring {
     /// Whether a piece is curved.
     #[must_use]
     pub fn is_curved(&self) -> bool {
-        self.pieces.iter().any(|piece| piece.curve != Curve::Line)
+        self.pieces.iter().any(|piece| piece.curve != PieceCurve::Line)
     }
 
     /// The ring as points: the start of each piece, and points along the curves.

@@ -17,11 +17,11 @@ use glam::DVec2;
 pub(super) use self::edge::Layer;
 use self::edge::{Edge, Step};
 
-use super::curve::Curve;
+use super::curve::PieceCurve;
 use super::loops::reversed;
 use super::nesting::contains;
 use super::orientation::orientation;
-use super::outline::{Piece, Ring, doubled_area};
+use super::outline::{DrawnRing, Piece, doubled_area};
 use super::vertices::Vertices;
 
 /// What rings laid over each other give.
@@ -29,7 +29,7 @@ use super::vertices::Vertices;
 pub(super) struct Overlay {
     /// For each polygon its rings, the outer one first, and the ring of the first layer, by its index,
     /// that the outer one follows; in the order of the rings given.
-    pub(super) polygons: Vec<(Vec<Ring>, Option<usize>)>,
+    pub(super) polygons: Vec<(Vec<DrawnRing>, Option<usize>)>,
     /// How many vertices were added to edges.
     pub(super) added: usize,
     /// How many points repeat the one before.
@@ -43,7 +43,7 @@ struct Chord<'a> {
     layer: usize,
     /// The index of the ring in its layer.
     index: usize,
-    ring: &'a Ring,
+    ring: &'a DrawnRing,
     piece: usize,
     /// Which of how many chords of the piece it is.
     part: (usize, usize),
@@ -107,7 +107,7 @@ pub(super) fn overlay(
     }
     outers.sort_by_key(|&(chord, ..)| chord);
     holes.sort_by_key(|&(chord, ..)| chord);
-    let mut polygons: Vec<(Vec<Ring>, Option<usize>)> = Vec::new();
+    let mut polygons: Vec<(Vec<DrawnRing>, Option<usize>)> = Vec::new();
     let mut boxes = Vec::new();
     for (chord, ring, points) in &mut outers {
         let Chord { layer, index, .. } = chords[*chord as usize];
@@ -199,13 +199,13 @@ fn turned_back(steps: &[Step], first: usize) -> Vec<Step> {
 }
 
 /// A ring of pieces: whole chords of a curve are the curve.
-fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> Ring {
+fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> DrawnRing {
     let mut pieces = Vec::with_capacity(steps.len());
     let mut rest = steps;
     while let [step, ..] = rest {
         let chord = &chords[step.chord as usize];
         let Piece { start, curve, ref side, .. } = chord.ring.pieces[chord.piece];
-        let is_whole = curve != Curve::Line && is_whole(rest, steps[0].from, chords);
+        let is_whole = curve != PieceCurve::Line && is_whole(rest, steps[0].from, chords);
         let at_start = chord.ends[usize::from(!step.forward)] == step.from;
         let begins = if step.forward { chord.piece } else { chord.piece + 1 };
         let begins = &chord.ring.pieces[begins % chord.ring.pieces.len()];
@@ -217,14 +217,14 @@ fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> Ring {
             curve: match (is_whole, step.forward) {
                 (true, true) => curve,
                 (true, false) => reversed(curve),
-                (false, _) => Curve::Line,
+                (false, _) => PieceCurve::Line,
             },
             side: side.clone(),
             begins_side: at_start && is_first && begins.begins_side,
         });
         rest = &rest[if is_whole { chord.part.1 } else { 1 }..];
     }
-    Ring { pieces }
+    DrawnRing { pieces }
 }
 
 /// Whether steps begin with all chords of a piece, in order and undivided.

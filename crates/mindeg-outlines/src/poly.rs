@@ -14,12 +14,12 @@ use std::sync::Arc as Shared;
 
 use glam::DVec2;
 
-use super::curve::Curve;
+use super::curve::PieceCurve;
 use super::loops::{self, Link};
 use super::nesting::contains;
 use super::outline::{Feature, Outlines};
 use super::text::{at_line, counted, lines, number_at, quoted, shown, text_of, whole_at};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// Reads a .poly. `beside` gives the file of its name with another extension.
 ///
@@ -31,7 +31,7 @@ use crate::error::ReadError;
 pub(super) fn read(
     bytes: &[u8],
     beside: impl Fn(&str) -> io::Result<Vec<u8>>,
-) -> Result<Outlines, ReadError> {
+) -> Result<Outlines, OutlineError> {
     let text = text_of(bytes)?;
     let mut rows = Rows::new(text);
     let (points, first) = match vertices(&mut rows)? {
@@ -71,7 +71,7 @@ impl<'a> Rows<'a> {
     fn next(
         &mut self,
         what: &str,
-    ) -> Result<(u64, impl Iterator<Item = &'a str> + use<'a>), ReadError> {
+    ) -> Result<(u64, impl Iterator<Item = &'a str> + use<'a>), OutlineError> {
         let Some((line, text)) = self.rows.next() else {
             return Err(at_line(self.last + 1, format!("the file ends where {what} should be")));
         };
@@ -83,8 +83,8 @@ impl<'a> Rows<'a> {
 /// The vertices of the .node beside.
 fn vertices_beside(
     beside: impl Fn(&str) -> io::Result<Vec<u8>>,
-) -> Result<(Vec<DVec2>, u64), ReadError> {
-    let bad = |problem: String| ReadError::place("the .node beside the .poly", problem);
+) -> Result<(Vec<DVec2>, u64), OutlineError> {
+    let bad = |problem: String| OutlineError::place("the .node beside the .poly", problem);
     let bytes = beside("node").map_err(|error| {
         bad(format!(
             "the .poly has no vertices of its own, and the .node that has them cannot be read: {error}"
@@ -107,7 +107,7 @@ fn names(text: &str) -> BTreeMap<i64, Shared<str>> {
 }
 
 /// The vertices, and the number of the first one, 0 or 1; none where the file has 0 vertices.
-fn vertices(rows: &mut Rows<'_>) -> Result<Option<(Vec<DVec2>, u64)>, ReadError> {
+fn vertices(rows: &mut Rows<'_>) -> Result<Option<(Vec<DVec2>, u64)>, OutlineError> {
     let (line, mut words) = rows.next("the number of vertices")?;
     let count = whole_at(line, words.next(), "number of vertices")?;
     let dimension = words.next().map_or(Ok(2), |word| whole_at(line, Some(word), "dimension"))?;
@@ -145,7 +145,7 @@ fn segments(
     vertices: usize,
     first: u64,
     names: &BTreeMap<i64, Shared<str>>,
-) -> Result<Vec<Link>, ReadError> {
+) -> Result<Vec<Link>, OutlineError> {
     let (line, mut words) = rows.next("the number of segments")?;
     let count = whole_at(line, words.next(), "number of segments")?;
     let mut links = Vec::new();
@@ -172,7 +172,7 @@ fn segments(
         markers.push(marker);
         let unnamed = || (marker != 0).then(|| Shared::from(format!("marker {marker}")));
         let side = names.get(&marker).cloned().or_else(unnamed);
-        links.push(Link { ends, curve: Curve::Line, side, part_of: 0 });
+        links.push(Link { ends, curve: PieceCurve::Line, side, part_of: 0 });
     }
     let is_unnamed = |marker: &i64| *marker == markers[0] && !names.contains_key(marker);
     if markers.iter().all(is_unnamed) {
@@ -182,7 +182,7 @@ fn segments(
 }
 
 /// The points in holes; a file may end before it gives their number.
-fn hole_points(rows: &mut Rows<'_>) -> Result<Vec<DVec2>, ReadError> {
+fn hole_points(rows: &mut Rows<'_>) -> Result<Vec<DVec2>, OutlineError> {
     let Ok((line, mut words)) = rows.next("the number of holes") else { return Ok(Vec::new()) };
     let count = whole_at(line, words.next(), "number of holes")?;
     let mut holes = Vec::new();
@@ -196,7 +196,7 @@ fn hole_points(rows: &mut Rows<'_>) -> Result<Vec<DVec2>, ReadError> {
 }
 
 /// Checks that each hole has a point of the file, and notes points that lie in none.
-fn check_holes(features: &[Feature], holes: &[DVec2]) -> Result<Option<String>, ReadError> {
+fn check_holes(features: &[Feature], holes: &[DVec2]) -> Result<Option<String>, OutlineError> {
     let mut used = vec![false; holes.len()];
     for ring in features.iter().flat_map(|feature| feature.rings.iter().skip(1)) {
         let points = ring.flattened();
@@ -208,7 +208,7 @@ fn check_holes(features: &[Feature], holes: &[DVec2]) -> Result<Option<String>, 
         }
         if !is_marked {
             let at = shown(points.first().copied().unwrap_or_default());
-            return Err(ReadError::place(
+            return Err(OutlineError::place(
                 "the list of holes",
                 format!(
                     "the closed line through {at} lies inside another one, and no hole point lies \
@@ -223,7 +223,7 @@ fn check_holes(features: &[Feature], holes: &[DVec2]) -> Result<Option<String>, 
 
 #[cfg(test)]
 mod tests {
-    use super::super::outline::Ring;
+    use super::super::outline::DrawnRing;
     use super::*;
 
     /// A square of size 4 with a triangular hole, numbered from 1.
@@ -275,7 +275,7 @@ mod tests {
         assert_eq!(sides, markers);
         // From 0, without markers and the end.
         let text = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n";
-        let ring = Ring::of_points([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(DVec2::from));
+        let ring = DrawnRing::of_points([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(DVec2::from));
         assert_eq!(read(text).unwrap().features[0].rings, std::slice::from_ref(&ring));
         // One marker on all tells no sides apart.
         let text = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 1\n1 1 2 7\n2 2 3 7\n3 3 1 7\n0\n";

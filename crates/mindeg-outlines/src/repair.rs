@@ -9,14 +9,14 @@ use std::collections::BTreeSet;
 
 use glam::DVec2;
 
-use super::curve::{Curve, norm};
+use super::curve::{PieceCurve, norm};
 use super::nesting::contains;
 use super::outline::FillRule;
-use super::outline::{Feature, Outlines, Ring, Shape, key};
+use super::outline::{DrawnRing, Feature, Outlines, Shape, key};
 use super::overlay::crossings::meeting;
 use super::overlay::{Layer, Overlay, overlay};
 use super::text::counted;
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// The share of the shorter neighbouring edge by which a vertex moves at most.
 const SHARE_MOVED: f64 = 0.25;
@@ -45,9 +45,9 @@ impl Outlines {
     /// assert_eq!(tips.features.len(), 5);
     /// let whole = outlines.repaired(Some(FillRule::NonZero))?;
     /// assert_eq!(whole.features.len(), 1);
-    /// # Ok::<(), mindeg_outlines::ReadError>(())
+    /// # Ok::<(), mindeg_outlines::OutlineError>(())
     /// ```
-    pub fn repaired(self, rule: Option<FillRule>) -> Result<Self, ReadError> {
+    pub fn repaired(self, rule: Option<FillRule>) -> Result<Self, OutlineError> {
         let Self { features, notes, shapes } = self;
         let mut repaired = Self { notes, ..Self::default() };
         let mut features = features.into_iter();
@@ -61,7 +61,7 @@ impl Outlines {
                 _ => format!("polygons {} to {end}", start + 1),
             };
             start = end;
-            let mut rings: Vec<(&Ring, Option<&str>)> = of_shape
+            let mut rings: Vec<(&DrawnRing, Option<&str>)> = of_shape
                 .iter()
                 .flat_map(|it| it.rings.iter().map(|ring| (ring, it.name.as_deref())))
                 .collect();
@@ -71,7 +71,7 @@ impl Outlines {
                 rule: rule.unwrap_or(own),
             };
             let mut done = overlay(&[layer], |inside| inside[0])
-                .map_err(|problem| ReadError::place(&*whose, problem))?;
+                .map_err(|problem| OutlineError::place(&*whose, problem))?;
             let moved = part_holes(&mut done.polygons);
             repaired.notes.extend(note(&whose, of_shape.len(), &done, moved));
             repaired.features.extend(done.polygons.into_iter().map(|(polygon, follows)| {
@@ -113,7 +113,7 @@ fn note(
 }
 
 /// Moves the vertices of holes that other rings of their polygon have, too. Tells how many, and how far.
-fn part_holes(polygons: &mut [(Vec<Ring>, Option<usize>)]) -> (usize, f64) {
+fn part_holes(polygons: &mut [(Vec<DrawnRing>, Option<usize>)]) -> (usize, f64) {
     let (mut moves, mut farthest, mut looked_at) = (0, 0.0_f64, 0);
     for polygon in 0..polygons.len() {
         let mut taken = BTreeSet::new();
@@ -141,7 +141,7 @@ fn part_holes(polygons: &mut [(Vec<Ring>, Option<usize>)]) -> (usize, f64) {
 }
 
 /// The straight edges of a ring, and chords of its curves.
-fn edges(ring: &Ring) -> Vec<[DVec2; 2]> {
+fn edges(ring: &DrawnRing) -> Vec<[DVec2; 2]> {
     let points = ring.flattened();
     let next = points.iter().copied().cycle().skip(1);
     points.iter().copied().zip(next).map(|(a, b)| [a, b]).collect()
@@ -149,11 +149,11 @@ fn edges(ring: &Ring) -> Vec<[DVec2; 2]> {
 
 /// A point a little inside the ring, beside one of its vertices, so that its pieces there meet no other
 /// edge; none if they are curved or nothing is free.
-fn moved_inside(ring: &Ring, index: usize, edges: &[[DVec2; 2]]) -> Option<DVec2> {
+fn moved_inside(ring: &DrawnRing, index: usize, edges: &[[DVec2; 2]]) -> Option<DVec2> {
     let count = ring.pieces.len();
     let [before, after] = [index + count - 1, index + 1].map(|at| &ring.pieces[at % count]);
     let here = &ring.pieces[index];
-    if before.curve != Curve::Line || here.curve != Curve::Line || count < 3 {
+    if before.curve != PieceCurve::Line || here.curve != PieceCurve::Line || count < 3 {
         return None;
     }
     let point = here.start;
@@ -207,14 +207,15 @@ mod tests {
 
     /// The rings of each polygon after the repair of one ring or more, and the notes.
     fn repaired(rings: &[&[[f64; 2]]]) -> (Vec<Vec<Points>>, Vec<String>) {
-        let ring = |points: &&[[f64; 2]]| Ring {
+        let ring = |points: &&[[f64; 2]]| DrawnRing {
             pieces: points.iter().map(|&point| Piece::line(point.into())).collect(),
         };
         let feature = Feature { name: None, rings: rings.iter().map(ring).collect() };
         let mut outlines = Outlines { features: vec![feature], ..Outlines::default() };
         outlines.end_shape();
         let outlines = outlines.repaired(None).unwrap();
-        let points = |ring: &Ring| ring.pieces.iter().map(|piece| piece.start.to_array()).collect();
+        let points =
+            |ring: &DrawnRing| ring.pieces.iter().map(|piece| piece.start.to_array()).collect();
         let rings = |feature: &Feature| feature.rings.iter().map(points).collect();
         (outlines.features.iter().map(rings).collect(), outlines.notes)
     }
@@ -351,8 +352,9 @@ mod tests {
 
     #[test]
     fn a_vertex_moves_along_the_middle_of_its_angle() {
-        let ring = |points: &[[f64; 2]]| Ring::of_points(points.iter().copied().map(DVec2::from));
-        let beside = |ring: &Ring, index: usize| moved_inside(ring, index, &edges(ring));
+        let ring =
+            |points: &[[f64; 2]]| DrawnRing::of_points(points.iter().copied().map(DVec2::from));
+        let beside = |ring: &DrawnRing, index: usize| moved_inside(ring, index, &edges(ring));
         // A square, a straight vertex, a reflex one: the vertex 1, and where it goes.
         let half = 0.5_f64.sqrt();
         for (points, shorter, direction) in [
@@ -377,19 +379,19 @@ mod tests {
 
     #[test]
     fn two_arcs_that_touch_a_ring_are_no_spike() {
-        use crate::curve::{Arc, Curve};
+        use crate::curve::{EllipseArc, PieceCurve};
         let turn = std::f64::consts::PI;
         let arc = |start: f64| {
             let axes = [DVec2::X, DVec2::Y];
-            let arc = Arc { center: DVec2::new(-1.0, 0.0), axes, start, sweep: turn };
-            Piece { curve: Curve::Arc(arc), ..Piece::line(arc.point(start)) }
+            let arc = EllipseArc { center: DVec2::new(-1.0, 0.0), axes, start, sweep: turn };
+            Piece { curve: PieceCurve::Arc(arc), ..Piece::line(arc.point(start)) }
         };
         // A triangle from (0, 0), and a circle of two arcs that begins there, too.
         let mut pieces = vec![Piece::line(DVec2::ZERO)];
         pieces.extend([[4.0, 0.0], [4.0, 3.0]].map(|point| Piece::line(point.into())));
         pieces.extend([arc(0.0), arc(turn)]);
         pieces[3].start = DVec2::ZERO;
-        let feature = Feature { name: None, rings: vec![Ring { pieces }] };
+        let feature = Feature { name: None, rings: vec![DrawnRing { pieces }] };
         let mut outlines = Outlines { features: vec![feature], ..Outlines::default() };
         outlines.end_shape();
         let outlines = outlines.repaired(None).unwrap();

@@ -7,8 +7,8 @@ use std::sync::Arc as Shared;
 
 use glam::DVec2;
 
-use super::curve::{Curve, Segment, angle_between};
-use super::outline::Ring;
+use super::curve::{PieceCurve, Segment, angle_between};
+use super::outline::DrawnRing;
 
 /// How rings are divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,7 +57,7 @@ const MOST_POINTS: u64 = 50_000_000;
 /// A turn that exceeds the corner angle by less, in radians, is rounding.
 const ROUNDING: f64 = 1e-9;
 
-impl Ring {
+impl DrawnRing {
     /// The sides with their points, from the first corner of the file on. A ring without corners
     /// is one side, which begins at the first point of the file.
     ///
@@ -84,7 +84,7 @@ impl Ring {
             let end = corners.get(index + 1).copied().unwrap_or(corners[0] + count);
             let segments: Vec<Segment> =
                 (corner..end).map(|piece| self.segment(piece % count)).collect();
-            let is_line = segments.len() == 1 && segments[0].curve == Curve::Line;
+            let is_line = segments.len() == 1 && segments[0].curve == PieceCurve::Line;
             let points = match division.size {
                 None => kept(&segments, &mut total)?,
                 Some(size) => {
@@ -174,17 +174,17 @@ fn evenly_spaced(
 
 #[cfg(test)]
 mod tests {
-    use super::super::curve::Arc;
+    use super::super::curve::EllipseArc;
     use super::super::outline::Piece;
     use super::*;
     use std::f64::consts::{PI, TAU};
 
-    fn ring(points: &[[f64; 2]]) -> Ring {
-        Ring::of_points(points.iter().copied().map(DVec2::from))
+    fn ring(points: &[[f64; 2]]) -> DrawnRing {
+        DrawnRing::of_points(points.iter().copied().map(DVec2::from))
     }
 
     /// The points of the sides.
-    fn points(ring: &Ring, corner_angle: f64, size: Option<f64>) -> Vec<Vec<[f64; 2]>> {
+    fn points(ring: &DrawnRing, corner_angle: f64, size: Option<f64>) -> Vec<Vec<[f64; 2]>> {
         let sides = ring.divided(&Division { corner_angle, size }).unwrap();
         let points = |side: &DividedSide| side.points.iter().map(|it| it.to_array()).collect();
         sides.iter().map(points).collect()
@@ -234,9 +234,9 @@ mod tests {
     #[test]
     fn curves_are_divided_by_arc_length() {
         let arc = |center: DVec2, start: f64, sweep: f64| {
-            Curve::Arc(Arc { center, axes: [DVec2::X, DVec2::Y], start, sweep })
+            PieceCurve::Arc(EllipseArc { center, axes: [DVec2::X, DVec2::Y], start, sweep })
         };
-        let circle = Ring {
+        let circle = DrawnRing {
             pieces: vec![Piece { curve: arc(DVec2::ZERO, 0.0, TAU), ..Piece::line(DVec2::X) }],
         };
         assert_eq!(points(&circle, 30.0, None)[0].len(), 24);
@@ -248,11 +248,11 @@ mod tests {
         }
         // A stadium: one side without corners, of two lines and two half circles.
         let piece = |curve, x, y| Piece { curve, ..Piece::line(DVec2::new(x, y)) };
-        let stadium = Ring {
+        let stadium = DrawnRing {
             pieces: vec![
-                piece(Curve::Line, 0.0, -1.0),
+                piece(PieceCurve::Line, 0.0, -1.0),
                 piece(arc(DVec2::X * 2.0, -PI / 2.0, PI), 2.0, -1.0),
-                piece(Curve::Line, 2.0, 1.0),
+                piece(PieceCurve::Line, 2.0, 1.0),
                 piece(arc(DVec2::ZERO, PI / 2.0, PI), 0.0, 1.0),
             ],
         };

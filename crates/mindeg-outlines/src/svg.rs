@@ -28,9 +28,9 @@ use self::clip::Clip;
 use self::path::Subpath;
 use self::style::Style;
 use super::outline::FillRule;
-use super::outline::{Outlines, Ring};
+use super::outline::{DrawnRing, Outlines};
 use super::text::{at_line, counted, quoted, text_of};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// Reads the shapes of an SVG document.
 ///
@@ -38,11 +38,11 @@ use crate::error::ReadError;
 ///
 /// Text that is no XML, attributes that are not as SVG has them, each with the line; a document
 /// without a closed shape.
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let text = text_of(bytes)?;
     // A document type is harmless; entities may make a small file large.
     if text.contains("<!ENTITY") {
-        return Err(ReadError::place(
+        return Err(OutlineError::place(
             "the document type",
             "the file defines entities, which are not read; save it as plain SVG",
         ));
@@ -83,7 +83,7 @@ struct Reader<'a, 'input> {
 
 impl<'a, 'input> Reader<'a, 'input> {
     /// Reads an element and all below it, in the order of the document.
-    fn tree(&mut self, root: Node<'a, 'input>) -> Result<(), ReadError> {
+    fn tree(&mut self, root: Node<'a, 'input>) -> Result<(), OutlineError> {
         // y points down in SVG.
         let upright = Style::new(DAffine2::from_cols_array(&[1.0, 0.0, 0.0, -1.0, 0.0, 0.0]));
         let mut open = vec![(root, upright)];
@@ -197,7 +197,7 @@ impl<'a, 'input> Reader<'a, 'input> {
         node: Node<'_, '_>,
         style: &Style<'_>,
         subpaths: Vec<Subpath>,
-    ) -> Result<(), ReadError> {
+    ) -> Result<(), OutlineError> {
         if style.is_invisible {
             self.leave_out("hidden element");
             return Ok(());
@@ -214,7 +214,8 @@ impl<'a, 'input> Reader<'a, 'input> {
             }
             self.gaps += usize::from(subpath.has_small_gap());
             let ring = subpath.ring(&style.transform);
-            let is_finite = |ring: &Ring| ring.flattened().iter().all(|point| point.is_finite());
+            let is_finite =
+                |ring: &DrawnRing| ring.flattened().iter().all(|point| point.is_finite());
             if !is_finite(&ring) {
                 return Err(self.error(node, "a coordinate is too large for a 64-bit float"));
             }
@@ -244,19 +245,19 @@ impl<'a, 'input> Reader<'a, 'input> {
         *self.left_out.entry(what).or_default() += 1;
     }
 
-    fn error(&self, node: Node<'_, '_>, problem: impl Into<String>) -> ReadError {
+    fn error(&self, node: Node<'_, '_>, problem: impl Into<String>) -> OutlineError {
         let line = self.document.text_pos_at(node.range().start).row;
         at_line(line.into(), format!("<{}>: {}", node.tag_name().name(), problem.into()))
     }
 
-    fn end(mut self) -> Result<Outlines, ReadError> {
+    fn end(mut self) -> Result<Outlines, OutlineError> {
         let left_out: Vec<String> =
             self.left_out.iter().map(|(what, &count)| counted(count, what)).collect();
         let left_out = left_out.join(", ");
         if self.outlines.features.is_empty() {
             let only =
                 if left_out.is_empty() { String::new() } else { format!(", only {left_out}") };
-            return Err(ReadError::place(
+            return Err(OutlineError::place(
                 "the whole drawing",
                 format!(
                     "no closed shape{only}; convert text, <use> and strokes to paths, such as \
@@ -344,7 +345,7 @@ fn drawing(node: Node<'_, '_>, style: &mut Style<'_>, is_root: bool) -> Result<b
     if !style.own.overflows {
         let corners = [DVec2::ZERO, DVec2::new(size.x, 0.0), size, DVec2::new(0.0, size.y)];
         let corners = corners.map(|corner| style.transform.transform_point2(corner));
-        let ring = Ring::of_points(corners);
+        let ring = DrawnRing::of_points(corners);
         style.clips.push(Rc::new(Clip(vec![(vec![ring], FillRule::NonZero)])));
     }
     if let Some(view) = view {

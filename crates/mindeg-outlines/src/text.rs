@@ -2,13 +2,13 @@
 
 use glam::DVec2;
 
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// The text of a file, without the mark that some programs put before UTF-8.
-pub(super) fn text_of(bytes: &[u8]) -> Result<&str, ReadError> {
+pub(super) fn text_of(bytes: &[u8]) -> Result<&str, OutlineError> {
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
-        Err(error) => Err(ReadError::place(
+        Err(error) => Err(OutlineError::place(
             format!("byte {}", error.valid_up_to()),
             "this is not UTF-8 text; save the file as UTF-8 text",
         )),
@@ -20,8 +20,8 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = (u64, &str)> {
     (1..).zip(text.lines())
 }
 
-pub(super) fn at_line(line: u64, problem: impl Into<String>) -> ReadError {
-    ReadError::place(format!("line {line}"), problem)
+pub(super) fn at_line(line: u64, problem: impl Into<String>) -> OutlineError {
+    OutlineError::place(format!("line {line}"), problem)
 }
 
 /// A finite number.
@@ -30,7 +30,7 @@ pub(super) fn number(word: &str) -> Option<f64> {
 }
 
 /// The number that a word of a line must be.
-pub(super) fn number_at(line: u64, word: Option<&str>, what: &str) -> Result<f64, ReadError> {
+pub(super) fn number_at(line: u64, word: Option<&str>, what: &str) -> Result<f64, OutlineError> {
     let Some(word) = word else {
         return Err(at_line(line, format!("the {what} is missing")));
     };
@@ -40,7 +40,7 @@ pub(super) fn number_at(line: u64, word: Option<&str>, what: &str) -> Result<f64
 }
 
 /// The whole number that a word of a line must be.
-pub(super) fn whole_at(line: u64, word: Option<&str>, what: &str) -> Result<i64, ReadError> {
+pub(super) fn whole_at(line: u64, word: Option<&str>, what: &str) -> Result<i64, OutlineError> {
     let Some(word) = word else {
         return Err(at_line(line, format!("the {what} is missing")));
     };

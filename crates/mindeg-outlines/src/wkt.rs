@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 
 use glam::DVec2;
 
-use super::outline::{Feature, Outlines, Ring};
+use super::outline::{DrawnRing, Feature, Outlines};
 use super::text::{counted, number, quoted, text_of};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// How deep collections may be in each other.
 const DEEPEST: u32 = 64;
@@ -22,7 +22,7 @@ const DEEPEST: u32 = 64;
 /// # Errors
 ///
 /// What is not well-known text, with the line and the column.
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, ReadError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let text = text_of(bytes)?;
     let mut reader = Reader {
         text,
@@ -63,15 +63,15 @@ impl<'a> Reader<'a> {
         self.at = self.text.len() - self.rest().trim_start_matches(is_separator).len();
     }
 
-    fn error_at(&self, at: usize, problem: impl Into<String>) -> ReadError {
+    fn error_at(&self, at: usize, problem: impl Into<String>) -> OutlineError {
         let before = &self.text[..at];
         let line = 1 + before.matches('\n').count();
         let start = before.rfind('\n').map_or(0, |end| end + 1);
         let column = 1 + before[start..].chars().count();
-        ReadError::place(format!("line {line}, column {column}"), problem)
+        OutlineError::place(format!("line {line}, column {column}"), problem)
     }
 
-    fn unexpected(&self, expected: &str) -> ReadError {
+    fn unexpected(&self, expected: &str) -> OutlineError {
         let rest = self.rest();
         let found = match rest.split([' ', '\t', '\n', '\r']).next().unwrap_or_default() {
             "" => "the end of the text".to_owned(),
@@ -99,7 +99,7 @@ impl<'a> Reader<'a> {
         &rest[..end]
     }
 
-    fn geometry(&mut self, depth: u32) -> Result<(), ReadError> {
+    fn geometry(&mut self, depth: u32) -> Result<(), OutlineError> {
         let start = self.at;
         let mut keyword = self.word().to_ascii_uppercase();
         if keyword == "SRID" {
@@ -159,8 +159,8 @@ impl<'a> Reader<'a> {
     /// A list in parentheses, with commas between.
     fn listed(
         &mut self,
-        mut item: impl FnMut(&mut Self) -> Result<(), ReadError>,
-    ) -> Result<(), ReadError> {
+        mut item: impl FnMut(&mut Self) -> Result<(), OutlineError>,
+    ) -> Result<(), OutlineError> {
         if !self.takes('(') {
             return Err(self.unexpected("\"(\""));
         }
@@ -175,7 +175,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn polygon(&mut self) -> Result<(), ReadError> {
+    fn polygon(&mut self) -> Result<(), OutlineError> {
         let mut rings = Vec::new();
         self.listed(|reader| {
             let mut points = Vec::new();
@@ -183,14 +183,14 @@ impl<'a> Reader<'a> {
                 points.push(reader.point()?);
                 Ok(())
             })?;
-            rings.push(Ring::of_points(points));
+            rings.push(DrawnRing::of_points(points));
             Ok(())
         })?;
         self.outlines.features.push(Feature { name: None, rings });
         Ok(())
     }
 
-    fn point(&mut self) -> Result<DVec2, ReadError> {
+    fn point(&mut self) -> Result<DVec2, OutlineError> {
         let point = DVec2::new(self.number()?, self.number()?);
         for _ in 0..2 {
             self.skip_blanks();
@@ -202,7 +202,7 @@ impl<'a> Reader<'a> {
         Ok(point)
     }
 
-    fn number(&mut self) -> Result<f64, ReadError> {
+    fn number(&mut self) -> Result<f64, OutlineError> {
         self.skip_blanks();
         let rest = self.rest();
         let end = rest.find(|c: char| c.is_whitespace() || matches!(c, ',' | '(' | ')'));
@@ -212,7 +212,7 @@ impl<'a> Reader<'a> {
         Ok(number)
     }
 
-    fn skip_parentheses(&mut self) -> Result<(), ReadError> {
+    fn skip_parentheses(&mut self) -> Result<(), OutlineError> {
         if !self.takes('(') {
             return Err(self.unexpected("\"(\""));
         }
@@ -233,7 +233,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    fn end(mut self) -> Result<Outlines, ReadError> {
+    fn end(mut self) -> Result<Outlines, OutlineError> {
         let skipped: Vec<String> =
             self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
         if self.outlines.features.is_empty() {
@@ -241,7 +241,7 @@ impl<'a> Reader<'a> {
                 [] => "the text is empty".to_owned(),
                 skipped => format!("only {}", skipped.join(", ")),
             };
-            return Err(ReadError::place("", format!("no POLYGON or MULTIPOLYGON: {only}")));
+            return Err(OutlineError::place("", format!("no POLYGON or MULTIPOLYGON: {only}")));
         }
         let notes = &mut self.outlines.notes;
         if !skipped.is_empty() {
@@ -278,8 +278,8 @@ mod tests {
         super::read(text.as_bytes()).map_err(|error| error.to_string())
     }
 
-    fn ring(points: &[[f64; 2]]) -> Ring {
-        Ring::of_points(points.iter().copied().map(DVec2::from))
+    fn ring(points: &[[f64; 2]]) -> DrawnRing {
+        DrawnRing::of_points(points.iter().copied().map(DVec2::from))
     }
 
     #[test]
@@ -298,7 +298,7 @@ mod tests {
             ),
         ] {
             let outlines = read(text).unwrap();
-            let found: Vec<Vec<&Ring>> =
+            let found: Vec<Vec<&DrawnRing>> =
                 outlines.features.iter().map(|feature| feature.rings.iter().collect()).collect();
             assert_eq!(found, expected, "{text}");
             assert!(outlines.notes.is_empty());

@@ -141,7 +141,7 @@ impl Domain {
 
     /// The comparison with other methods as JSON text.
     fn _compare(&self, py: Python<'_>) -> PyResult<String> {
-        let options = mindeg_compare::Options::default();
+        let options = mindeg_compare::CompareOptions::default();
         let compared = done(py, |_| mindeg_compare::compare(&self.inner, &options))?;
         let mut json = Vec::new();
         mindeg_compare::write_json(compared.report(), &mut json).map_err(value_error)?;

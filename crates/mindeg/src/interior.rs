@@ -17,7 +17,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Limits are proven; degrees and angles are reached by a search without a guarantee, and the [`Report`]
+//! Limits are proven; degrees and angles are reached by a search without a guarantee, and the [`InteriorReport`]
 //! says what was reached. How it works: [`mindeg_interior`].
 
 mod improve;
@@ -31,7 +31,7 @@ pub use improve::{ImproveError, ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
-pub use mindeg_interior::{InteriorError, Report, Violation};
+pub use mindeg_interior::{InteriorError, InteriorReport, Violation};
 use posed::{boundary, options};
 
 use mindeg_domain::{Domain, Interior};
@@ -45,7 +45,7 @@ pub struct InteriorMesh {
     /// the sides of the domain, then the fixed lines.
     pub mesh: TriMesh,
     /// What was reached.
-    pub report: Report,
+    pub report: InteriorReport,
     /// Which minimum angle no mesh of the boundary can exceed.
     pub limit: AngleLimit,
 }

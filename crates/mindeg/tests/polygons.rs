@@ -180,7 +180,7 @@ fn known_least_degrees() {
 fn exact_rings(placed: &Outline) -> impl Fn(&[[u32; 2]]) -> bool + '_ {
     let ring = 0..placed.points.len() as u32;
     move |blocked| {
-        mindeg_exact::check::Outline {
+        mindeg_exact::check::CheckedOutline {
             points: &placed.points,
             rings: std::slice::from_ref(&ring),
             side_of: &placed.side_of,
@@ -276,7 +276,7 @@ fn all_of_rings(domain: &Domain) -> Vec<Vec<[u32; 3]>> {
     let points: Vec<DVec2> = domain.placement().points().collect();
     let rings: Vec<_> = domain.rings().rings().collect();
     let runs = domain.straight_runs();
-    let outline = mindeg_exact::check::Outline {
+    let outline = mindeg_exact::check::CheckedOutline {
         points: &points,
         rings: &rings,
         side_of: &runs,

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use glam::{DVec2, DVec3};
-use mindeg::verify::{self, Defect, Optimality, Plane, Verified};
+use mindeg::verify::{self, MatchedPlane, MeshDefect, Optimality, VerifiedMesh};
 use mindeg::{Domain, Goal, Interior, Progress, Side, TriMesh, interior};
 use mindeg_mesh::NonTriangles;
 use proptest::prelude::*;
@@ -86,17 +86,17 @@ impl List {
         self
     }
 
-    fn mesh(&self, plane: Plane) -> TriMesh {
+    fn mesh(&self, plane: MatchedPlane) -> TriMesh {
         let place = |point: &DVec2| match plane {
-            Plane::Xy => DVec3::new(point.x, point.y, 2.5),
-            Plane::Floor => DVec3::new(point.x, 0.0, -point.y),
-            Plane::Xz => DVec3::new(point.x, -1.0, point.y),
+            MatchedPlane::Xy => DVec3::new(point.x, point.y, 2.5),
+            MatchedPlane::Floor => DVec3::new(point.x, 0.0, -point.y),
+            MatchedPlane::Xz => DVec3::new(point.x, -1.0, point.y),
         };
         TriMesh::new(self.points.iter().map(place).collect(), self.triangles.clone()).unwrap()
     }
 
-    fn verify(&self, domain: &Domain) -> Result<Verified, Defect> {
-        verify::triangulation(&self.mesh(Plane::Xy), domain, None)
+    fn verify(&self, domain: &Domain) -> Result<VerifiedMesh, MeshDefect> {
+        verify::triangulation(&self.mesh(MatchedPlane::Xy), domain, None)
     }
 }
 
@@ -148,7 +148,7 @@ proptest! {
             prop_assert_eq!(verified.interior_points, 0);
             prop_assert!(verified.farthest < 1e-6);
         }
-        for plane in [Plane::Floor, Plane::Xz] {
+        for plane in [MatchedPlane::Floor, MatchedPlane::Xz] {
             let verified = verify::triangulation(&list.mesh(plane), &domain, None).unwrap();
             prop_assert_eq!(&verified.degrees, &least.degrees);
         }
@@ -485,7 +485,7 @@ fn defects_say_what_and_where() {
     let larger = NonTriangles { quads: 1, polygons: 2, ..NonTriangles::default() };
     let mesh = TriMesh::new(points.to_vec(), star.to_vec()).unwrap().with_non_triangles(larger);
     let error = verify::triangulation(&mesh, &domain, None).unwrap_err();
-    assert_eq!(error, Defect::LargerFaces { count: 3 });
+    assert_eq!(error, MeshDefect::LargerFaces { count: 3 });
     let mesh = TriMesh::new(points.to_vec(), star.to_vec()).unwrap();
     let error = verify::triangulation(&mesh, &domain, Some(1.0)).unwrap_err();
     assert_eq!(
@@ -567,7 +567,7 @@ fn a_mesh_in_metres_of_a_domain_in_micrometres_passes() {
     let verified = list.verify(&domain).unwrap();
     assert_eq!(verified.interior_points, list.points.len() - 6);
     // With a tolerance as wide, too.
-    let mesh = list.mesh(Plane::Xy);
+    let mesh = list.mesh(MatchedPlane::Xy);
     assert!(verify::triangulation(&mesh, &domain, Some(2.4e-7)).is_ok());
     // The default is a share of the domain's extent.
     assert!((verified.tolerance / (1e-6 * 9e-6) - 1.0).abs() < 0.2, "{}", verified.tolerance);

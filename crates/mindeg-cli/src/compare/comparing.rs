@@ -6,7 +6,7 @@ use crate::domain::name_in_text;
 use crate::failure::Failure;
 use mindeg::Domain;
 use mindeg_answers::demands::Demands;
-use mindeg_compare::{Comparison, Options, compare};
+use mindeg_compare::{CompareOptions, Comparison, compare};
 use mindeg_mesh::TriMesh;
 
 /// Fails if mindeg's own mesh, the first method, is not what was demanded.
@@ -22,7 +22,7 @@ pub(super) fn check(demands: &Demands, comparison: &Comparison) -> Result<(), Fa
 /// Compares a domain.
 pub(super) fn compared(
     domain: &Domain,
-    options: &Options,
+    options: &CompareOptions,
     quiet: bool,
 ) -> Result<Comparison, Failure> {
     let stage = format!(

@@ -9,7 +9,9 @@ use crate::interrupt::SESSION;
 use crate::provenance::provenance;
 use crate::terminal::say;
 use mindeg::Domain;
-use mindeg_compare::{Comparison, IndexEntry, Options, PageLinks, write_index, write_linked_html};
+use mindeg_compare::{
+    CompareOptions, Comparison, IndexEntry, PageLinks, write_index, write_linked_html,
+};
 use mindeg_files::{Outputs, cannot_write, write_to};
 use std::collections::BTreeSet;
 use std::fs;
@@ -19,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// Compares every domain. What fails is listed, and the others go on.
 pub(super) fn run(
     arguments: &CompareArguments,
-    options: &Options,
+    options: &CompareOptions,
     folder: &Path,
 ) -> Result<(), Failure> {
     let jobs = jobs(arguments)?;
@@ -115,7 +117,7 @@ impl Job<'_> {
     fn run(
         &self,
         arguments: &CompareArguments,
-        options: &Options,
+        options: &CompareOptions,
         folder: &Path,
         links: &PageLinks,
     ) -> Result<Comparison, Failure> {

@@ -11,7 +11,7 @@ use crate::standard_output::{print, print_json};
 use crate::terminal::say;
 use mindeg::Domain;
 use mindeg_answers::numbers::{four_digits, significant};
-use mindeg_files::{Outputs, Polygon, Polygons, Wanted, is_standard_output, write_to};
+use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, is_standard_output, write_to};
 use serde::Serialize;
 use std::path::Path;
 
@@ -84,7 +84,7 @@ fn show(subject: &Subject, json: bool) -> Result<(), Failure> {
     print(&rows.iter().map(line).fold(title, |text, line| text + &line))
 }
 
-fn row(polygons: &Polygons, polygon: &Polygon) -> Row {
+fn row(polygons: &PolygonFile, polygon: &Polygon) -> Row {
     let (shape, error) = match polygons.domain(polygon) {
         Ok(domain) => (Some(Shape::of(&domain)), None),
         Err(error) => (None, Some(error.to_string())),
@@ -127,7 +127,7 @@ fn write(domain: &Domain, path: &Path) -> Result<(), Failure> {
 }
 
 /// Writes a file for each polygon; one that is no domain does not keep the others from it.
-fn write_all(polygons: &Polygons, pattern: &Path) -> Result<(), Failure> {
+fn write_all(polygons: &PolygonFile, pattern: &Path) -> Result<(), Failure> {
     let files = names(pattern, &polygons.polygons, "json");
     prepare(&files)?;
     let mut failures = Vec::new();

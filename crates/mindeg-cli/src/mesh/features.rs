@@ -4,13 +4,13 @@ use crate::args::MeshArguments;
 use crate::failure::Failure;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
 use mindeg::Domain;
-use mindeg_files::{Format, Polygons};
+use mindeg_files::{Format, PolygonFile};
 use std::path::PathBuf;
 
 /// Meshes every polygon. One that has no mesh, or fails a gate, does not keep the others from it.
 pub(super) fn run(
     arguments: &MeshArguments,
-    polygons: &Polygons,
+    polygons: &PolygonFile,
     mesh: impl Fn(&Domain, &[PathBuf]) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
     let patterns = &arguments.surface.output;
@@ -48,7 +48,7 @@ pub(super) fn run(
 /// Where the mesh of the only polygon goes: the outputs with its name in place of patterns.
 pub(super) fn outputs_of_one(
     arguments: &MeshArguments,
-    polygons: &Polygons,
+    polygons: &PolygonFile,
 ) -> Result<Vec<PathBuf>, Failure> {
     let extension = arguments.surface.format.unwrap_or(Format::Obj).extension();
     let mut outputs = Vec::new();

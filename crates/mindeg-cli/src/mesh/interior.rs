@@ -115,7 +115,7 @@ fn input(error: &InteriorError) -> Failure {
 
 fn text(
     domain: &Domain,
-    report: &interior::Report,
+    report: &interior::InteriorReport,
     lifting: &Lifting,
     summary: &Summary<'_>,
 ) -> String {

@@ -3,7 +3,7 @@
 use crate::domain::name_in_text;
 use mindeg::Domain;
 use mindeg::exact::share_of;
-use mindeg::verify::{Defect, Optimality, Plane, Proof, Verified};
+use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, Proof, VerifiedMesh};
 use mindeg_answers::numbers::{count, four_digits, percent, steady_angle};
 use serde::Serialize;
 
@@ -80,14 +80,14 @@ impl Angles {
 }
 
 /// The first vertex of maximum degree, as the mesh counts.
-pub(super) fn highest_vertex(verified: &Verified) -> u32 {
+pub(super) fn highest_vertex(verified: &VerifiedMesh) -> u32 {
     let is_highest = |degree: &u32| *degree == verified.max_degree;
     let point = verified.degrees.iter().position(is_highest).unwrap_or(0);
     verified.vertex_of[point]
 }
 
 impl<'a> Report<'a> {
-    pub(super) fn invalid(file: &'a str, domain: &'a Domain, defect: &Defect) -> Self {
+    pub(super) fn invalid(file: &'a str, domain: &'a Domain, defect: &MeshDefect) -> Self {
         Self {
             mesh: file,
             domain: domain.name(),
@@ -103,7 +103,7 @@ impl<'a> Report<'a> {
     pub(super) fn of(
         file: &'a str,
         domain: &'a Domain,
-        verified: &Verified,
+        verified: &VerifiedMesh,
         optimality: &Optimality,
         angles: Angles,
         failed: &'a [String],
@@ -119,9 +119,9 @@ impl<'a> Report<'a> {
         };
         let found = Found {
             plane: match verified.plane {
-                Plane::Xy => "xy",
-                Plane::Floor => "floor",
-                Plane::Xz => "xz",
+                MatchedPlane::Xy => "xy",
+                MatchedPlane::Floor => "floor",
+                MatchedPlane::Xz => "xz",
             },
             reversed: verified.is_reversed,
             tolerance: verified.tolerance,

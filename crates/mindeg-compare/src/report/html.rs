@@ -104,7 +104,7 @@ pub(super) struct Figure<'a> {
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, compare, write_html};
+/// use mindeg_compare::{CompareOptions, compare, write_html};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
@@ -126,7 +126,7 @@ pub fn write_html(comparison: &Comparison, out: impl Write) -> io::Result<()> {
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, PageLinks, compare, write_linked_html};
+/// use mindeg_compare::{CompareOptions, PageLinks, compare, write_linked_html};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
@@ -295,7 +295,7 @@ fn figures(comparison: &Comparison) -> (Vec<Figure<'_>>, Vec<Figure<'_>>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Options, compare};
+    use crate::{CompareOptions, compare};
     use mindeg::{Domain, Side};
 
     #[test]
@@ -319,7 +319,7 @@ mod tests {
             command: Some(command),
             ..Provenance::default()
         };
-        let comparison = compare(&domain, &Options::default()).unwrap().made_by(made_by);
+        let comparison = compare(&domain, &CompareOptions::default()).unwrap().made_by(made_by);
         let mut page = Vec::new();
         write_html(&comparison, &mut page).unwrap();
         let page = String::from_utf8(page).unwrap();
@@ -337,7 +337,7 @@ mod tests {
     fn names_cannot_break_out() {
         let name = "</script><script>alert(1)</script><!-- & \"'";
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(2); 4]).unwrap();
-        let comparison = compare(&domain.named(name).unwrap(), &Options::default()).unwrap();
+        let comparison = compare(&domain.named(name).unwrap(), &CompareOptions::default()).unwrap();
         let mut page = Vec::new();
         write_html(&comparison, &mut page).unwrap();
         let page = String::from_utf8(page).unwrap();
@@ -349,7 +349,7 @@ mod tests {
     fn only_methods_with_a_mesh_have_a_picture() {
         // No side of 2, so that every fan has a flat triangle.
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(4); 4]).unwrap();
-        let comparison = compare(&domain, &Options::default()).unwrap();
+        let comparison = compare(&domain, &CompareOptions::default()).unwrap();
         let (main, others) = figures(&comparison);
         let without = |figures: &[Figure<'_>]| -> Vec<String> {
             let missing = figures.iter().filter(|figure| !figure.has_triangles);

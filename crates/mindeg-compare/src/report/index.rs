@@ -29,11 +29,11 @@ const COLUMNS: [(&str, &str); 8] = [
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{IndexEntry, Options, compare, write_index};
+/// use mindeg_compare::{IndexEntry, CompareOptions, compare, write_index};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
-/// let comparison = compare(&domain, &Options::default())?;
+/// let comparison = compare(&domain, &CompareOptions::default())?;
 /// let entries = [
 ///     IndexEntry::compared("plate", "plate.html", comparison.report()),
 ///     IndexEntry::failed("wing.json", "side 2 has 0 intervals"),

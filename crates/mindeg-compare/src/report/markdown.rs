@@ -18,7 +18,7 @@ use std::io::{self, Write};
 /// # Example
 ///
 /// ```
-/// use mindeg_compare::{Options, compare, write_markdown};
+/// use mindeg_compare::{CompareOptions, compare, write_markdown};
 /// use mindeg::{Domain, Side};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;

@@ -6,12 +6,12 @@
 //!
 //! Limits: one ring; O(n³) time for the chords alone.
 
-use super::Outline;
+use super::CheckedOutline;
 
 /// The least numbers of chords at the two ends of a piece: no pair has both as large as another's.
 type Ends = Vec<[u32; 2]>;
 
-impl Outline<'_> {
+impl CheckedOutline<'_> {
     /// Whether some triangulation of a polygon of one ring gives no vertex more chords than
     /// `most_chords` says; boundary edges are no chords. None beyond `max_work` steps, and for
     /// several rings. O(n³) steps for n vertices, and more where many chords meet.
@@ -20,12 +20,12 @@ impl Outline<'_> {
     ///
     /// ```
     /// use glam::DVec2;
-    /// use mindeg_exact::check::Outline;
+    /// use mindeg_exact::check::CheckedOutline;
     ///
     /// let points = [(0, 0), (1, 0), (1, 1), (0, 1)];
     /// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
     /// let side_of = [0, 1, 2, 3];
-    /// let square = Outline { points: &points, rings: &[0..4], side_of: &side_of, keeps_clear: true };
+    /// let square = CheckedOutline { points: &points, rings: &[0..4], side_of: &side_of, keeps_clear: true };
     /// assert_eq!(square.has_triangulation(&[1, 0, 1, 0], 1000), Some(true));
     /// assert_eq!(square.has_triangulation(&[1, 0, 0, 1], 1000), Some(false));
     /// assert_eq!(square.has_triangulation(&[1, 0, 0, 1], 10), None);

@@ -21,14 +21,14 @@ use glam::{DVec2, DVec3};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ConvexOutline {
+pub struct FoundOutline {
     /// The corners, by their vertices. Side i runs from corner i to the next.
     pub corners: Vec<u32>,
     /// The intervals of each side: how many edges it has.
     pub intervals: Vec<u32>,
 }
 
-impl ConvexOutline {
+impl FoundOutline {
     /// The same outline, with vertices in the place of their positions in a loop.
     pub(super) fn named(self, vertices: &[u32]) -> Self {
         let corners = self.corners.iter().map(|&corner| vertices[corner as usize]).collect();
@@ -36,7 +36,7 @@ impl ConvexOutline {
     }
 }
 
-/// Why there is no [`ConvexOutline`].
+/// Why there is no [`FoundOutline`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoConvexOutline {
@@ -81,7 +81,7 @@ pub(super) fn convex_outline(
     points: &[DVec3],
     rounding: f64,
     corner_angle: f64,
-) -> Result<ConvexOutline, NoConvexOutline> {
+) -> Result<FoundOutline, NoConvexOutline> {
     // The turn that rounding alone makes is never exactly 0.
     let corner_angle = corner_angle.max(1e-3);
     let outline = Outline::in_plane(points, rounding, corner_angle)?;
@@ -93,7 +93,7 @@ pub(super) fn convex_outline(
         // Vertices have indices of 32 bits.
         intervals.push((end - start) as u32);
     }
-    Ok(ConvexOutline { corners: corners.iter().map(|&corner| corner as u32).collect(), intervals })
+    Ok(FoundOutline { corners: corners.iter().map(|&corner| corner as u32).collect(), intervals })
 }
 
 /// Where each side starts and ends in a loop of `count` points; the last ends past `count`.

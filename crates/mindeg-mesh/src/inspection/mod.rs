@@ -36,7 +36,7 @@ mod convex_outline;
 mod shapes;
 mod topology;
 
-pub use convex_outline::{ConvexOutline, NoConvexOutline};
+pub use convex_outline::{FoundOutline, NoConvexOutline};
 pub use topology::VertexDegree;
 
 use crate::connectivity::faces::Faces;
@@ -154,7 +154,7 @@ pub struct Inspection {
     /// units of length; none unless the mesh is closed and consistently wound, or beyond f64.
     pub volume: Option<f64>,
     /// The outline as a convex polygon, or why it is none.
-    pub outline: Result<ConvexOutline, NoConvexOutline>,
+    pub outline: Result<FoundOutline, NoConvexOutline>,
 }
 
 impl Inspection {

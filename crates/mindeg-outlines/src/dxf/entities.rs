@@ -5,10 +5,10 @@ use std::sync::Arc as Shared;
 
 use glam::DVec2;
 
-use super::super::curve::{Arc, Curve};
+use super::super::curve::{EllipseArc, PieceCurve};
 use super::super::text::{at_line, number, quoted};
 use super::pairs::Pair;
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// A run of the pen: points, and how each goes on to the next.
 pub(super) struct Entity {
@@ -18,14 +18,14 @@ pub(super) struct Entity {
     bulges: Vec<f64>,
     pub(super) is_closed: bool,
     /// An arc or circle, from its only or first point.
-    arc: Option<Arc>,
+    arc: Option<EllipseArc>,
     /// Whether vertices may follow as entities of their own.
     pub(super) is_open: bool,
 }
 
 impl Entity {
     /// An entity of a kind that is read; none for others.
-    pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, ReadError> {
+    pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, OutlineError> {
         let layer = text(pairs, 8);
         let mut entity = Self {
             // Layer 0 is where drawings begin, and no name.
@@ -67,7 +67,7 @@ impl Entity {
                 // An arc from 0 to 360 degrees is a circle.
                 entity.is_closed = sweep == 0.0;
                 let sweep = if entity.is_closed { TAU } else { sweep };
-                let arc = Arc { center, axes, start, sweep };
+                let arc = EllipseArc { center, axes, start, sweep };
                 let ends = [start, start + sweep].map(|angle| arc.point(angle));
                 entity.arc = Some(arc);
                 entity.points = if entity.is_closed { vec![ends[0]] } else { ends.to_vec() };
@@ -81,7 +81,7 @@ impl Entity {
     }
 
     /// Adds the vertices that pairs give.
-    pub(super) fn add(&mut self, pairs: &[Pair<'_>]) -> Result<(), ReadError> {
+    pub(super) fn add(&mut self, pairs: &[Pair<'_>]) -> Result<(), OutlineError> {
         for pair in pairs {
             match pair.code {
                 10 => self.add_point(finite(pair)?, 0.0),
@@ -114,9 +114,9 @@ impl Entity {
     }
 
     /// How the point at an index goes on to the next.
-    pub(super) fn curve(&self, index: usize) -> Curve {
+    pub(super) fn curve(&self, index: usize) -> PieceCurve {
         match self.arc {
-            Some(arc) => Curve::Arc(arc),
+            Some(arc) => PieceCurve::Arc(arc),
             None => {
                 let next = self.points[(index + 1) % self.points.len()];
                 bulged(self.points[index], next, self.bulges[index])
@@ -127,9 +127,9 @@ impl Entity {
 
 /// The arc between two points that turns by four times the arc tangent of the bulge, to the left
 /// if it is positive.
-fn bulged(start: DVec2, end: DVec2, bulge: f64) -> Curve {
+fn bulged(start: DVec2, end: DVec2, bulge: f64) -> PieceCurve {
     if bulge == 0.0 || start == end {
-        return Curve::Line;
+        return PieceCurve::Line;
     }
     let sweep = 4.0 * libm::atan(bulge);
     let half = (end - start) / 2.0;
@@ -137,14 +137,14 @@ fn bulged(start: DVec2, end: DVec2, bulge: f64) -> Curve {
     let center = start + half + half.perp() * ((1.0 - bulge * bulge) / (2.0 * bulge));
     let toward = start - center;
     // The start lies on the first axis.
-    Curve::Arc(Arc { center, axes: [toward, toward.perp()], start: 0.0, sweep })
+    PieceCurve::Arc(EllipseArc { center, axes: [toward, toward.perp()], start: 0.0, sweep })
 }
 
 /// How much of a unit vector rounding may turn away from the z axis.
 const TILT: f64 = 1e-9;
 
 /// Whether the plane of an entity is seen from below, which mirrors its x axis.
-fn faces_down(name: &str, pairs: &[Pair<'_>]) -> Result<bool, ReadError> {
+fn faces_down(name: &str, pairs: &[Pair<'_>]) -> Result<bool, OutlineError> {
     let [x, y] = [value(pairs, 210)?.unwrap_or(0.0), value(pairs, 220)?.unwrap_or(0.0)];
     let z = value(pairs, 230)?.unwrap_or(1.0);
     if x.abs().max(y.abs()) <= TILT * z.abs() {
@@ -160,7 +160,7 @@ fn faces_down(name: &str, pairs: &[Pair<'_>]) -> Result<bool, ReadError> {
     ))
 }
 
-fn finite(pair: &Pair<'_>) -> Result<f64, ReadError> {
+fn finite(pair: &Pair<'_>) -> Result<f64, OutlineError> {
     number(pair.value).ok_or_else(|| {
         let problem = format!("found {}, expected a finite number", quoted(pair.value));
         at_line(pair.line + 1, problem)
@@ -178,11 +178,11 @@ pub(super) fn text<'a>(pairs: &[Pair<'a>], code: i32) -> &'a str {
     pairs.iter().find(|pair| pair.code == code).map_or("", |pair| pair.value)
 }
 
-fn value(pairs: &[Pair<'_>], code: i32) -> Result<Option<f64>, ReadError> {
+fn value(pairs: &[Pair<'_>], code: i32) -> Result<Option<f64>, OutlineError> {
     pairs.iter().find(|pair| pair.code == code).map(finite).transpose()
 }
 
-fn need(pairs: &[Pair<'_>], code: i32) -> Result<f64, ReadError> {
+fn need(pairs: &[Pair<'_>], code: i32) -> Result<f64, OutlineError> {
     value(pairs, code)?.ok_or_else(|| {
         let (line, name) = pairs.first().map_or((1, ""), |pair| (pair.line, pair.value));
         at_line(line, format!("the {name} has no group code {code}"))
@@ -204,12 +204,12 @@ mod tests {
             (-(PI / 8.0).tan(), [2.0, 0.0], -PI / 2.0),
             ((PI * 3.0 / 8.0).tan(), [2.0, 0.0], PI * 1.5),
         ] {
-            let Curve::Arc(arc) = bulged(start, end, bulge) else { panic!("{bulge}") };
+            let PieceCurve::Arc(arc) = bulged(start, end, bulge) else { panic!("{bulge}") };
             assert!(arc.center.distance(center.into()) < 1e-12, "{bulge}: {arc:?}");
             assert!((arc.sweep - sweep).abs() < 1e-12, "{bulge}: {arc:?}");
             assert!(arc.point(0.0).distance(start) < 1e-12, "{bulge}: {arc:?}");
             assert!(arc.point(arc.sweep).distance(end) < 1e-12, "{bulge}: {arc:?}");
         }
-        assert_eq!(bulged(start, end, 0.0), Curve::Line);
+        assert_eq!(bulged(start, end, 0.0), PieceCurve::Line);
     }
 }

@@ -3,20 +3,22 @@
 use glam::DVec2;
 
 use super::super::loops::{self, Link};
-use super::super::outline::Ring;
+use super::super::outline::DrawnRing;
 use super::super::vertices::Vertices;
 use super::entities::Entity;
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// How far apart ends may be that meet, as a share of the drawing's size.
 const TOLERANCE: f64 = 1e-6;
 
 /// The rings that the entities form, and a note on open lines.
-pub(super) fn rings(entities: Vec<Entity>) -> Result<(Vec<Ring>, Option<String>), ReadError> {
+pub(super) fn rings(
+    entities: Vec<Entity>,
+) -> Result<(Vec<DrawnRing>, Option<String>), OutlineError> {
     let ends: Vec<DVec2> =
         entities.iter().flat_map(|entity| entity.points.iter().copied()).collect();
     let Some((points, indices)) = merged(&ends) else {
-        return Err(ReadError::place(
+        return Err(OutlineError::place(
             "the section ENTITIES",
             "a coordinate is too large for a 64-bit float",
         ));

@@ -1,7 +1,7 @@
 //! The lines of a DXF, two and two.
 
 use super::super::text::{at_line, lines, quoted};
-use crate::error::ReadError;
+use crate::error::OutlineError;
 
 /// A group code, its value, and the line of the code.
 #[derive(Clone, Copy)]
@@ -12,7 +12,7 @@ pub(super) struct Pair<'a> {
 }
 
 /// The pairs of lines.
-pub(super) fn pairs(text: &str) -> impl Iterator<Item = Result<Pair<'_>, ReadError>> {
+pub(super) fn pairs(text: &str) -> impl Iterator<Item = Result<Pair<'_>, OutlineError>> {
     let mut lines = lines(text.strip_prefix('\u{feff}').unwrap_or(text));
     std::iter::from_fn(move || {
         let (line, code) = lines.next()?;

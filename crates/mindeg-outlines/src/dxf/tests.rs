@@ -2,8 +2,8 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::super::curve::Curve;
-use super::super::outline::{Outlines, Ring};
+use super::super::curve::PieceCurve;
+use super::super::outline::{DrawnRing, Outlines};
 
 /// A DXF whose entities are given as pairs in one line each, such as `LINE 10=0 20=0`.
 fn dxf(entities: &str) -> String {
@@ -38,14 +38,14 @@ fn lines_in_any_order_form_rings() {
     ] {
         let outlines = read(entities).unwrap();
         assert_eq!(outlines.features.len(), 1);
-        assert_eq!(outlines.features[0].rings, [Ring::of_points(expected)], "{entities}");
+        assert_eq!(outlines.features[0].rings, [DrawnRing::of_points(expected)], "{entities}");
         assert_eq!(outlines.notes, [UNIT]);
     }
 }
 
 #[test]
 fn arcs_bulges_and_circles_stay_curves() {
-    let length = |ring: &Ring| ring.segments().map(|segment| segment.length()).sum::<f64>();
+    let length = |ring: &DrawnRing| ring.segments().map(|segment| segment.length()).sum::<f64>();
     for (entities, expected) in [
         ("CIRCLE 10=1 20=2 40=3", 6.0 * PI),
         ("ARC 10=0 20=0 40=1 50=90 51=270\nLINE 10=0 20=1 11=0 21=-1", PI + 2.0),
@@ -62,7 +62,7 @@ fn arcs_bulges_and_circles_stay_curves() {
         read("ARC 10=0 20=0 40=1 50=270 51=90 230=-1\nLINE 10=0 20=1 11=0 21=-1").unwrap();
     let points = outlines.features[0].rings[0].flattened();
     assert!(points.iter().all(|point| point.x < 1e-15), "{points:?}");
-    let Curve::Arc(arc) = outlines.features[0].rings[0].pieces[0].curve else { panic!() };
+    let PieceCurve::Arc(arc) = outlines.features[0].rings[0].pieces[0].curve else { panic!() };
     assert_eq!(arc.center, DVec2::ZERO);
 }
 

@@ -1,6 +1,6 @@
 use glam::DVec2;
 
-use super::super::outline::{Outlines, Piece, Ring};
+use super::super::outline::{DrawnRing, Outlines, Piece};
 
 const V4: &str = "\
 $MeshFormat
@@ -131,7 +131,7 @@ fn loops_become_rings_with_their_points_and_names() {
         ("o plate\ng\no plate\nl 1 2 3\nl 3 4 1", Some("plate")),
     ] {
         let outlines = read_obj(&format!("{SQUARE}{lines}")).unwrap();
-        assert_eq!(outlines.features[0].rings, [Ring::of_points(expected)], "{lines}");
+        assert_eq!(outlines.features[0].rings, [DrawnRing::of_points(expected)], "{lines}");
         assert_eq!(outlines.features[0].name.as_deref(), name);
     }
     let outlines = read_obj(&format!("{SQUARE}o inlet\nl 4 1\no wall\nl 1 2 3 4")).unwrap();

@@ -1,10 +1,10 @@
 //! What goes into a planar subdivision, and what comes out.
 
-use super::super::outline::{FillRule, Ring};
+use super::super::outline::{DrawnRing, FillRule};
 
 /// Rings that one fill rule counts.
 pub(in super::super) struct Layer<'a> {
-    pub(in super::super) rings: Vec<&'a Ring>,
+    pub(in super::super) rings: Vec<&'a DrawnRing>,
     pub(in super::super) rule: FillRule,
 }
 

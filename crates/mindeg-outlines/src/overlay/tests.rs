@@ -8,21 +8,21 @@ use super::*;
 
 type Points = Vec<[f64; 2]>;
 
-fn ring(points: &[[f64; 2]]) -> Ring {
-    Ring::of_points(points.iter().copied().map(DVec2::from))
+fn ring(points: &[[f64; 2]]) -> DrawnRing {
+    DrawnRing::of_points(points.iter().copied().map(DVec2::from))
 }
 
-fn points(ring: &Ring) -> Points {
+fn points(ring: &DrawnRing) -> Points {
     ring.flattened().iter().map(|point| point.to_array()).collect()
 }
 
-fn laid(rings: &[Ring], rule: FillRule) -> Overlay {
+fn laid(rings: &[DrawnRing], rule: FillRule) -> Overlay {
     overlay(&[Layer { rings: rings.iter().collect(), rule }], |inside| inside[0]).unwrap()
 }
 
 /// The area of polygons, whose holes may run either way round.
-fn area<'a>(polygons: impl IntoIterator<Item = &'a [Ring]>) -> f64 {
-    let of = |ring: &Ring| ring.doubled_area().abs() / 2.0;
+fn area<'a>(polygons: impl IntoIterator<Item = &'a [DrawnRing]>) -> f64 {
+    let of = |ring: &DrawnRing| ring.doubled_area().abs() / 2.0;
     polygons.into_iter().map(|rings| of(&rings[0]) - rings[1..].iter().map(of).sum::<f64>()).sum()
 }
 
@@ -56,15 +56,17 @@ fn edges_get_vertices_where_they_meet() {
 
 #[test]
 fn rings_that_meet_nothing_keep_their_points_and_curves() {
-    use super::super::curve::Arc;
+    use super::super::curve::EllipseArc;
     let circle = |radius: f64, sweep: f64| {
-        let arc = Arc {
+        let arc = EllipseArc {
             center: DVec2::ZERO,
             axes: [DVec2::X * radius, DVec2::Y * radius],
             start: 0.0,
             sweep,
         };
-        Ring { pieces: vec![Piece { curve: Curve::Arc(arc), ..Piece::line(DVec2::X * radius) }] }
+        DrawnRing {
+            pieces: vec![Piece { curve: PieceCurve::Arc(arc), ..Piece::line(DVec2::X * radius) }],
+        }
     };
     let mut square = ring(&[[-0.0, -9.1], [9.0, 0.3], [0.1, 9.0], [-9.0, -0.0]]);
     square.pieces[2].side = Some("wall".into());
@@ -87,8 +89,8 @@ fn curves_that_meet_something_become_chords_and_others_stay() {
     let svg = "<svg><path d='M0 0h4v4c0 3-2 3-2 0s-2 3-2 0zM3 3h4v2h-4z'/></svg>";
     let outlines = super::super::svg::read(svg.as_bytes()).unwrap().repaired(None).unwrap();
     let ring = &outlines.features[0].rings[0];
-    let curves: Vec<Curve> = ring.pieces.iter().map(|piece| piece.curve).collect();
-    let is_curve = |curve: &&Curve| **curve != Curve::Line;
+    let curves: Vec<PieceCurve> = ring.pieces.iter().map(|piece| piece.curve).collect();
+    let is_curve = |curve: &&PieceCurve| **curve != PieceCurve::Line;
     assert_eq!((outlines.features.len(), curves.iter().filter(is_curve).count()), (1, 1));
 }
 
@@ -115,7 +117,7 @@ impl Random {
 
 /// Rings of 4 to 7 points on a small grid, which meet in all ways that there are; every tenth time two
 /// rings of up to 30 points anywhere.
-fn random_rings(random: &mut Random, round: u64) -> Vec<Ring> {
+fn random_rings(random: &mut Random, round: u64) -> Vec<DrawnRing> {
     let (rings, least, more, grid, size) = if round % 10 == 9 {
         (2, 8, 23, 1 << 30, 1e-7)
     } else {
@@ -156,7 +158,7 @@ fn random_rings_have_the_area_of_another_library() {
             // Polygons with their holes laid over each other cover what they sum up to.
             let oriented =
                 repaired.features.iter().flat_map(|feature| feature.rings.iter().enumerate());
-            let oriented: Vec<Ring> =
+            let oriented: Vec<DrawnRing> =
                 oriented.map(|(index, ring)| turned(ring, index == 0)).collect();
             let covered = other_area(&oriented, OtherRule::NonZero);
             assert!(
@@ -176,15 +178,15 @@ fn random_rings_have_the_area_of_another_library() {
 }
 
 /// A ring that runs counter-clockwise, or clockwise.
-fn turned(ring: &Ring, is_left: bool) -> Ring {
+fn turned(ring: &DrawnRing, is_left: bool) -> DrawnRing {
     let mut points = ring.flattened();
     if turns_left(&points) != is_left {
         points.reverse();
     }
-    Ring::of_points(points)
+    DrawnRing::of_points(points)
 }
 
-fn other_area(rings: &[Ring], rule: OtherRule) -> f64 {
+fn other_area(rings: &[DrawnRing], rule: OtherRule) -> f64 {
     let contours: Vec<Points> = rings.iter().map(points).collect();
     let shapes = contours.simplify_shape_as::<i64>(rule);
     let of = |contour: &Points| {

@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
-use super::super::curve::{Arc, Curve};
+use super::super::curve::{EllipseArc, PieceCurve};
 
 /// The radii, the rotation in degrees and the flags of an arc.
 #[derive(Clone, Copy, Debug)]
@@ -18,10 +18,10 @@ pub(super) struct Ends {
 
 /// The arc between two points, by the appendix on implementation of SVG: radii that are too small
 /// are scaled up, an arc without a radius is a line.
-pub(super) fn between(start: DVec2, end: DVec2, ends: Ends) -> Curve {
+pub(super) fn between(start: DVec2, end: DVec2, ends: Ends) -> PieceCurve {
     let mut radii = ends.radii.abs();
     if radii.min_element() == 0.0 || start == end {
-        return Curve::Line;
+        return PieceCurve::Line;
     }
     let (sin, cos) = match ends.rotation.rem_euclid(360.0) {
         0.0 => (0.0, 1.0),
@@ -56,7 +56,7 @@ pub(super) fn between(start: DVec2, end: DVec2, ends: Ends) -> Curve {
     let axes = [DVec2::new(cos, sin) * radii.x, DVec2::new(-sin, cos) * radii.y];
     let middle = (start + end) / 2.0;
     let center = middle + axes[0] * center.x + axes[1] * center.y;
-    Curve::Arc(Arc { center, axes, start: from, sweep })
+    PieceCurve::Arc(EllipseArc { center, axes, start: from, sweep })
 }
 
 #[cfg(test)]
@@ -71,7 +71,7 @@ mod tests {
                 let (start, end) = (DVec2::new(1.0, 0.5), DVec2::new(2.0, 2.0));
                 let ends = Ends { radii: radii.into(), rotation, is_large, sweeps };
                 let curve = between(start, end, ends);
-                let Curve::Arc(arc) = curve else { panic!("{curve:?}") };
+                let PieceCurve::Arc(arc) = curve else { panic!("{curve:?}") };
                 assert!(arc.point(arc.start).distance(start) < 1e-14, "{ends:?}");
                 assert!(arc.point(arc.start + arc.sweep).distance(end) < 1e-14, "{ends:?}");
                 assert_eq!(arc.sweep > 0.0, sweeps);
@@ -90,8 +90,8 @@ mod tests {
     fn arcs_without_radius_or_extent_are_lines() {
         let ends =
             Ends { radii: DVec2::new(0.0, 1.0), rotation: 0.0, is_large: true, sweeps: true };
-        assert_eq!(between(DVec2::ZERO, DVec2::X, ends), Curve::Line);
+        assert_eq!(between(DVec2::ZERO, DVec2::X, ends), PieceCurve::Line);
         let ends = Ends { radii: DVec2::ONE, ..ends };
-        assert_eq!(between(DVec2::X, DVec2::X, ends), Curve::Line);
+        assert_eq!(between(DVec2::X, DVec2::X, ends), PieceCurve::Line);
     }
 }

@@ -1,17 +1,21 @@
 //! Clips: regions outside which nothing of an element is shown.
 
 use super::super::orientation::orientation;
+use super::super::outline::DrawnRing;
 use super::super::outline::FillRule;
-use super::super::outline::Ring;
 use super::super::overlay::{Layer, overlay};
 
 /// The union of shapes.
 #[derive(Clone, Debug)]
-pub(super) struct Clip(pub(super) Vec<(Vec<Ring>, FillRule)>);
+pub(super) struct Clip(pub(super) Vec<(Vec<DrawnRing>, FillRule)>);
 
 impl Clip {
     /// The rings that are left of a shape; none if nothing is cut.
-    pub(super) fn cut(&self, rings: &[Ring], rule: FillRule) -> Result<Option<Vec<Ring>>, String> {
+    pub(super) fn cut(
+        &self,
+        rings: &[DrawnRing],
+        rule: FillRule,
+    ) -> Result<Option<Vec<DrawnRing>>, String> {
         if self.shows(rings) {
             return Ok(None);
         }
@@ -24,7 +28,7 @@ impl Clip {
     }
 
     /// Whether a shape lies inside one convex ring, which clips most often are.
-    fn shows(&self, rings: &[Ring]) -> bool {
+    fn shows(&self, rings: &[DrawnRing]) -> bool {
         let [(clip, _)] = &self.0[..] else { return false };
         let [clip] = &clip[..] else { return false };
         let corners = clip.flattened();
@@ -33,6 +37,7 @@ impl Clip {
         let edge = |i: usize| [corners[i], corners[(i + 1) % count]];
         let is_left =
             |point| (0..count).all(|i| turn * orientation(edge(i)[0], edge(i)[1], point) >= 0.0);
-        corners.iter().copied().all(is_left) && rings.iter().flat_map(Ring::flattened).all(is_left)
+        corners.iter().copied().all(is_left)
+            && rings.iter().flat_map(DrawnRing::flattened).all(is_left)
     }
 }

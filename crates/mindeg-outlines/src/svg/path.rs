@@ -3,8 +3,8 @@
 use glam::{DAffine2, DVec2};
 use svgtypes::{PathParser, PathSegment};
 
-use super::super::curve::{Arc, Curve};
-use super::super::outline::{Piece, Ring};
+use super::super::curve::{EllipseArc, PieceCurve};
+use super::super::outline::{DrawnRing, Piece};
 use super::arc::{self, Ends};
 
 /// A gap between the ends of a closed subpath below this share of its size comes from adding up
@@ -16,7 +16,7 @@ const GAP: f64 = 5e-4;
 pub(super) struct Subpath {
     pub(super) start: DVec2,
     /// Each curve with its end.
-    pub(super) curves: Vec<(Curve, DVec2)>,
+    pub(super) curves: Vec<(PieceCurve, DVec2)>,
     /// Whether it ends where it starts, or is told to.
     pub(super) is_closed: bool,
     /// Whether places are sums of relative coordinates.
@@ -31,7 +31,7 @@ impl Subpath {
     /// A closed subpath of straight lines.
     pub(super) fn polygon(points: &[DVec2]) -> Option<Self> {
         let (&start, rest) = points.split_first()?;
-        let curves = rest.iter().map(|&point| (Curve::Line, point)).collect();
+        let curves = rest.iter().map(|&point| (PieceCurve::Line, point)).collect();
         Some(Self { curves, is_closed: true, ..Self::at(start) })
     }
 
@@ -41,18 +41,18 @@ impl Subpath {
 
     /// The subpath as a ring in the coordinates that the transform leads to. A subpath that does
     /// not end at its start is closed by a line.
-    pub(super) fn ring(&self, transform: &DAffine2) -> Ring {
+    pub(super) fn ring(&self, transform: &DAffine2) -> DrawnRing {
         let place = |point: DVec2| transform.transform_point2(point);
         let along = |vector: DVec2| transform.transform_vector2(vector);
         let mut pieces = Vec::with_capacity(self.curves.len() + 1);
         let mut start = self.start;
         for &(curve, end) in &self.curves {
             // A line to where the pen is draws nothing.
-            if curve != Curve::Line || start != end {
+            if curve != PieceCurve::Line || start != end {
                 let curve = match curve {
-                    Curve::Line => Curve::Line,
-                    Curve::Cubic(controls) => Curve::Cubic(controls.map(place)),
-                    Curve::Arc(arc) => Curve::Arc(Arc {
+                    PieceCurve::Line => PieceCurve::Line,
+                    PieceCurve::Cubic(controls) => PieceCurve::Cubic(controls.map(place)),
+                    PieceCurve::Arc(arc) => PieceCurve::Arc(EllipseArc {
                         center: place(arc.center),
                         axes: arc.axes.map(along),
                         ..arc
@@ -65,7 +65,7 @@ impl Subpath {
         if start != self.start && !self.has_small_gap() {
             pieces.push(Piece::line(place(start)));
         }
-        Ring { pieces }
+        DrawnRing { pieces }
     }
 
     /// Whether the ends are so near each other that they should be one point, but for rounding.
@@ -119,12 +119,12 @@ impl Pen {
                 self.at = point(x, y);
                 self.subpaths.push(Subpath::at(self.at));
             }
-            PathSegment::LineTo { x, y, .. } => self.to(Curve::Line, point(x, y)),
+            PathSegment::LineTo { x, y, .. } => self.to(PieceCurve::Line, point(x, y)),
             PathSegment::HorizontalLineTo { x, .. } => {
-                self.to(Curve::Line, DVec2::new(base.x + x, self.at.y));
+                self.to(PieceCurve::Line, DVec2::new(base.x + x, self.at.y));
             }
             PathSegment::VerticalLineTo { y, .. } => {
-                self.to(Curve::Line, DVec2::new(self.at.x, base.y + y));
+                self.to(PieceCurve::Line, DVec2::new(self.at.x, base.y + y));
             }
             PathSegment::CurveTo { x1, y1, x2, y2, x, y, .. } => {
                 self.cubic(point(x1, y1), point(x2, y2), point(x, y));
@@ -172,7 +172,7 @@ impl Pen {
         }
     }
 
-    fn to(&mut self, curve: Curve, end: DVec2) {
+    fn to(&mut self, curve: PieceCurve, end: DVec2) {
         self.at = end;
         if let Some(subpath) = self.subpaths.last_mut() {
             subpath.curves.push((curve, end));
@@ -181,7 +181,7 @@ impl Pen {
 
     fn cubic(&mut self, first: DVec2, second: DVec2, end: DVec2) {
         let is_point = [first, second, end] == [self.at; 3];
-        let curve = if is_point { Curve::Line } else { Curve::Cubic([first, second]) };
+        let curve = if is_point { PieceCurve::Line } else { PieceCurve::Cubic([first, second]) };
         self.to(curve, end);
         self.control = Some(Control::Cubic(second));
     }

@@ -6,7 +6,7 @@ use glam::DVec2;
 use roxmltree::Node;
 use svgtypes::{Length, PointsParser};
 
-use super::super::curve::{Arc, Curve};
+use super::super::curve::{EllipseArc, PieceCurve};
 use super::path::{Subpath, subpaths as of_path};
 use super::transform::in_px;
 
@@ -67,9 +67,9 @@ pub(super) fn length(
 fn ellipse(center: DVec2, radii: DVec2) -> Option<Subpath> {
     let axes = [DVec2::X * radii.x, DVec2::Y * radii.y];
     let start = center + axes[0];
-    let arc = Arc { center, axes, start: 0.0, sweep: TAU };
+    let arc = EllipseArc { center, axes, start: 0.0, sweep: TAU };
     let is_shape = radii.min_element() > 0.0;
-    let curves = vec![(Curve::Arc(arc), start)];
+    let curves = vec![(PieceCurve::Arc(arc), start)];
     is_shape.then_some(Subpath { curves, is_closed: true, ..Subpath::at(start) })
 }
 
@@ -93,9 +93,9 @@ fn rectangle(corner: DVec2, size: DVec2, radii: DVec2) -> Option<Subpath> {
         let (on_x, on_y) = (axes[0] * -inward[index].x, axes[1] * -inward[index].y);
         let ends = if index % 2 == 1 { [on_y, on_x] } else { [on_x, on_y] };
         let start = FRAC_PI_2 * [2.0, 3.0, 0.0, 1.0][index];
-        let arc = Arc { center, axes, start, sweep: FRAC_PI_2 };
-        subpath.curves.push((Curve::Line, center + ends[0]));
-        subpath.curves.push((Curve::Arc(arc), center + ends[1]));
+        let arc = EllipseArc { center, axes, start, sweep: FRAC_PI_2 };
+        subpath.curves.push((PieceCurve::Line, center + ends[0]));
+        subpath.curves.push((PieceCurve::Arc(arc), center + ends[1]));
     }
     subpath.is_closed = true;
     Some(subpath)

@@ -2,8 +2,8 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::super::curve::Curve;
-use super::super::outline::{Outlines, Ring};
+use super::super::curve::PieceCurve;
+use super::super::outline::{DrawnRing, Outlines};
 
 fn read(body: &str) -> Result<Outlines, String> {
     let text = format!("<svg xmlns='http://www.w3.org/2000/svg'>\n{body}\n</svg>");
@@ -12,7 +12,7 @@ fn read(body: &str) -> Result<Outlines, String> {
 
 /// The only ring of a drawing.
 #[track_caller]
-fn ring(body: &str) -> Ring {
+fn ring(body: &str) -> DrawnRing {
     let outlines = read(body).unwrap();
     assert_eq!((outlines.features.len(), &outlines.notes[..]), (1, &[][..]), "{body}");
     assert_eq!(outlines.features[0].rings.len(), 1, "{body}");
@@ -33,7 +33,7 @@ fn straight_shapes_are_their_points_with_y_turned_up() {
         "<rect transform='translate(1,2) rotate(-90) rotate(90 0 0) scale(3, 2)' width='1' height='1'/>",
     ] {
         let points = [[1.0, -2.0], [4.0, -2.0], [4.0, -4.0], [1.0, -4.0]].map(DVec2::from);
-        assert_eq!(ring(body), Ring::of_points(points), "{body}");
+        assert_eq!(ring(body), DrawnRing::of_points(points), "{body}");
     }
 }
 
@@ -52,7 +52,7 @@ fn shapes_turn() {
 
 #[test]
 fn curves_stay_curves() {
-    let length = |ring: &Ring| ring.segments().map(|segment| segment.length()).sum::<f64>();
+    let length = |ring: &DrawnRing| ring.segments().map(|segment| segment.length()).sum::<f64>();
     for (body, expected) in [
         ("<circle cx='5' cy='5' r='2'/>", 4.0 * PI),
         ("<ellipse rx='2' ry='2'/>", 4.0 * PI),
@@ -70,7 +70,7 @@ fn curves_stay_curves() {
     // y is turned, so that what sweeps clockwise on the page runs counter-clockwise no more.
     assert!((ring("<circle r='1'/>").doubled_area() + 24.0 * (PI / 12.0).sin()).abs() < 1e-12);
     let smooth = ring("<path d='M0 0C0 1 1 1 1 0S2-1 2 0z'/>");
-    let Curve::Cubic([control, _]) = smooth.pieces[1].curve else { panic!("{smooth:?}") };
+    let PieceCurve::Cubic([control, _]) = smooth.pieces[1].curve else { panic!("{smooth:?}") };
     assert_eq!(control, DVec2::new(1.0, 1.0));
 }
 
@@ -161,8 +161,8 @@ fn errors_say_where_and_what() {
 
 /// The areas of all polygons, without their holes.
 fn areas(body: &str) -> Vec<f64> {
-    let area = |rings: &[Ring]| {
-        let of = |ring: &Ring| ring.doubled_area().abs() / 2.0;
+    let area = |rings: &[DrawnRing]| {
+        let of = |ring: &DrawnRing| ring.doubled_area().abs() / 2.0;
         2.0 * of(&rings[0]) - rings.iter().map(of).sum::<f64>()
     };
     read(body).unwrap().features.iter().map(|feature| area(&feature.rings)).collect()

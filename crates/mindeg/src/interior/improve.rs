@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
-use mindeg_interior::{InteriorError, Keep, Report};
+use mindeg_interior::{InteriorError, InteriorReport, Keep};
 use mindeg_mesh::weld;
 use mindeg_mesh::{Group, Progress, TriMesh, TriMeshError, Triangles};
 use thiserror::Error;
@@ -19,9 +19,9 @@ pub struct ImprovedMesh {
     /// of the input.
     pub mesh: TriMesh,
     /// What the mesh was like; vertices are those of the input, after merging.
-    pub before: Report,
+    pub before: InteriorReport,
     /// What it is like; vertices are those of the result.
-    pub after: Report,
+    pub after: InteriorReport,
     /// How many vertices were merged with an earlier one at the same place.
     pub merged: usize,
     /// How many edges inside were kept, because groups meet there or lines run along them.

@@ -1,7 +1,7 @@
 //! Faces with interior points: still watertight, since the points of edges stay bit for bit.
 
 use mindeg_domain::{Interior, Model};
-use mindeg_interior::{Fixed, InteriorMesh, Options, generate};
+use mindeg_interior::{Fixed, Generated, Options, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
 use super::error::ModelMeshError;
@@ -74,7 +74,7 @@ pub fn fill_model(
         }
         counter.add(chunk.len())?;
     }
-    let face_degree = |(face, found): (usize, &InteriorMesh)| {
+    let face_degree = |(face, found): (usize, &Generated)| {
         let mut degrees = vec![0_u32; found.points.len()];
         found.triangles.as_flattened().iter().for_each(|&place| degrees[place as usize] += 1);
         // A boundary vertex has an edge more than triangles.

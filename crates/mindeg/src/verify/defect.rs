@@ -30,7 +30,7 @@ pub struct FaultyEdge {
 
 /// What was done to a whole mesh, as its bounds have it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Change {
+pub enum MeshChange {
     /// Its size was multiplied by this.
     Scaled(f64),
     /// It was moved by this.
@@ -41,7 +41,7 @@ pub enum Change {
 /// 0; boundary points those of the domain, from 0.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum Defect {
+pub enum MeshDefect {
     /// A tolerance so large that a vertex could belong to several boundary points.
     ToleranceTooLarge {
         /// The tolerance.
@@ -78,7 +78,7 @@ pub enum Defect {
         /// How far it may be.
         tolerance: f64,
         /// What may have been done to the whole mesh.
-        change: Option<Change>,
+        change: Option<MeshChange>,
     },
     /// A triangle with two corners in one place.
     RepeatedVertex(FaultyTriangle),
@@ -139,7 +139,7 @@ pub enum Defect {
     Check(CheckError),
 }
 
-impl Defect {
+impl MeshDefect {
     /// A name of the kind, which stays the same over versions.
     #[must_use]
     pub fn kind(&self) -> &'static str {
@@ -218,7 +218,7 @@ fn vertex_on_it(edge: &FaultyEdge) -> String {
     edge.vertex_on_it.map_or_else(String::new, |vertex| format!("; vertex {vertex} lies on it"))
 }
 
-impl fmt::Display for Defect {
+impl fmt::Display for MeshDefect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::ToleranceTooLarge { tolerance, shortest } => write!(
@@ -256,12 +256,12 @@ impl fmt::Display for Defect {
                     Short(*tolerance)
                 )?;
                 match change {
-                    Some(Change::Scaled(by)) => write!(
+                    Some(MeshChange::Scaled(by)) => write!(
                         f,
                         "; the mesh is {} times as large as the domain: is its unit another one?",
                         Short(*by)
                     ),
-                    Some(Change::Moved(by)) => {
+                    Some(MeshChange::Moved(by)) => {
                         write!(f, "; the mesh seems to be moved by {}", Place(*by))
                     }
                     None if *distance <= 1000.0 * tolerance => {
@@ -310,4 +310,4 @@ impl fmt::Display for Defect {
     }
 }
 
-impl std::error::Error for Defect {}
+impl std::error::Error for MeshDefect {}

@@ -12,7 +12,7 @@ use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::PlanarBoundary;
 use robust::{Coord, orient2d};
 
-use super::defect::{Defect, FaultyEdge, FaultyTriangle};
+use super::defect::{FaultyEdge, FaultyTriangle, MeshDefect};
 use crate::boundary_mesh::first_flat;
 use crate::posed::Posed;
 
@@ -73,18 +73,18 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The first defect in the order of [`Defect`]; what the checker says where none is found.
+    /// The first defect in the order of [`MeshDefect`]; what the checker says where none is found.
     pub(super) fn first_defect(
         &self,
         triangles: &[[u32; 3]],
         checker: Option<CheckError>,
-    ) -> Defect {
+    ) -> MeshDefect {
         self.repeated_vertex(triangles)
             .or_else(|| self.repeated_triangle(triangles))
             .or_else(|| self.without_area(triangles))
             .or_else(|| self.turned_over(triangles))
             .or_else(|| self.edges(triangles))
-            .or_else(|| checker.map(Defect::Check))
+            .or_else(|| checker.map(MeshDefect::Check))
             .expect("the checker failed, or a triangle is flat")
     }
 
@@ -116,13 +116,13 @@ impl Search<'_> {
         self.domain.side_name(self.domain.rings().side_of(vertex))
     }
 
-    fn repeated_vertex(&self, triangles: &[[u32; 3]]) -> Option<Defect> {
+    fn repeated_vertex(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
         let is_repeated = |[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
         let index = triangles.iter().position(is_repeated)?;
-        Some(Defect::RepeatedVertex(self.triangle(triangles, index)))
+        Some(MeshDefect::RepeatedVertex(self.triangle(triangles, index)))
     }
 
-    fn repeated_triangle(&self, triangles: &[[u32; 3]]) -> Option<Defect> {
+    fn repeated_triangle(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
         let mut sorted: Vec<([u32; 3], usize)> = triangles
             .iter()
             .enumerate()
@@ -137,29 +137,29 @@ impl Search<'_> {
         let (first, second) =
             pairs.map(|pair| (pair[0].1, pair[1].1)).min_by_key(|&(_, second)| second)?;
         let triangle = self.triangle(triangles, second);
-        Some(Defect::RepeatedTriangle { triangle, first })
+        Some(MeshDefect::RepeatedTriangle { triangle, first })
     }
 
-    fn without_area(&self, triangles: &[[u32; 3]]) -> Option<Defect> {
+    fn without_area(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
         if let Some(index) = flat_triangle(self.boundary, triangles) {
             let mut corners = triangles[index];
             corners.sort_unstable();
             let side = Some(self.side(corners[1]));
-            return Some(Defect::NoArea { triangle: self.triangle(triangles, index), side });
+            return Some(MeshDefect::NoArea { triangle: self.triangle(triangles, index), side });
         }
         if let Some((index, chord, vertex)) = passing_triangle(self.domain, self.points, triangles)
         {
             let [from, to, vertex] =
                 [chord[0], chord[1], vertex].map(|v| self.vertex_of[v as usize]);
             let triangle = self.triangle(triangles, index);
-            return Some(Defect::Passes { triangle, chord: [from, to], vertex });
+            return Some(MeshDefect::Passes { triangle, chord: [from, to], vertex });
         }
         let index = triangles.iter().position(|&t| orientation(self.points, t) == 0.0)?;
-        Some(Defect::NoArea { triangle: self.triangle(triangles, index), side: None })
+        Some(MeshDefect::NoArea { triangle: self.triangle(triangles, index), side: None })
     }
 
     /// The first triangle of those that are fewer.
-    fn turned_over(&self, triangles: &[[u32; 3]]) -> Option<Defect> {
+    fn turned_over(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
         let is_clockwise = |&triangle: &[u32; 3]| orientation(self.points, triangle) < 0.0;
         let clockwise = triangles.iter().filter(|triangle| is_clockwise(triangle)).count();
         if clockwise == 0 {
@@ -167,11 +167,11 @@ impl Search<'_> {
         }
         let are_fewer = 2 * clockwise <= triangles.len();
         let index = triangles.iter().position(|triangle| is_clockwise(triangle) == are_fewer)?;
-        Some(Defect::TurnedOver(self.triangle(triangles, index)))
+        Some(MeshDefect::TurnedOver(self.triangle(triangles, index)))
     }
 
     /// Two triangles on one side of an edge, one outside, or an edge without a triangle.
-    fn edges(&self, triangles: &[[u32; 3]]) -> Option<Defect> {
+    fn edges(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
         let rings = self.domain.rings();
         let boundary_count = rings.vertex_count();
         let is_boundary =
@@ -181,19 +181,19 @@ impl Search<'_> {
             for edge in [[a, b], [b, c], [c, a]] {
                 if let Some(first) = triangle_of.insert(edge, index) {
                     let triangles = [first, index];
-                    return Some(Defect::Overlap { triangles, edge: self.edge(edge) });
+                    return Some(MeshDefect::Overlap { triangles, edge: self.edge(edge) });
                 }
             }
         }
         let outside = triangle_of.iter().find(|&(&[from, to], _)| is_boundary([to, from]));
         if let Some((&[_, to], &index)) = outside {
             let triangle = self.triangle(triangles, index);
-            return Some(Defect::Outside { triangle, side: self.side(to) });
+            return Some(MeshDefect::Outside { triangle, side: self.side(to) });
         }
         let boundary = (0..boundary_count).map(|from| [from, rings.next(from)]);
         if let Some(edge) = boundary.into_iter().find(|edge| !triangle_of.contains_key(edge)) {
             let side = self.side(edge[0]);
-            return Some(Defect::OpenBoundary { edge: self.edge(edge), side });
+            return Some(MeshDefect::OpenBoundary { edge: self.edge(edge), side });
         }
         let open =
             |edge: [u32; 2]| !is_boundary(edge) && !triangle_of.contains_key(&[edge[1], edge[0]]);
@@ -204,6 +204,6 @@ impl Search<'_> {
         let has_vertex = |(_, edge): &(usize, FaultyEdge)| edge.vertex_on_it.is_some();
         let telling = if has_vertex(&first) { None } else { open.find(has_vertex) };
         let (triangle, edge) = telling.unwrap_or(first);
-        Some(Defect::Open { triangle, edge })
+        Some(MeshDefect::Open { triangle, edge })
     }
 }

@@ -5,7 +5,7 @@ use mindeg_domain::Domain;
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::weld;
 
-use super::defect::{Change, Defect};
+use super::defect::{MeshChange, MeshDefect};
 use super::near::Near;
 use crate::boundary_mesh::points_of;
 
@@ -14,7 +14,7 @@ pub const DEFAULT_TOLERANCE: f64 = 1e-6;
 
 /// How a planar mesh lies in space: where the domain's x and y are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Plane {
+pub enum MatchedPlane {
     /// Upright: (x, y, constant).
     Xy,
     /// On the floor, as files with y up have it: (x, constant, -y).
@@ -23,7 +23,7 @@ pub enum Plane {
     Xz,
 }
 
-impl Plane {
+impl MatchedPlane {
     pub(super) const ALL: [Self; 3] = [Self::Xy, Self::Floor, Self::Xz];
 
     /// The point in the domain's plane, and the height above it.
@@ -44,7 +44,7 @@ pub(super) struct Matched {
     pub(super) vertex_of: Vec<u32>,
     pub(super) triangles: Vec<[u32; 3]>,
     pub(super) unused_vertices: usize,
-    pub(super) plane: Plane,
+    pub(super) plane: MatchedPlane,
     pub(super) tolerance: f64,
     pub(super) farthest: f64,
 }
@@ -54,13 +54,13 @@ pub(super) fn tolerance_of(
     mesh: &TriMesh,
     domain: &Domain,
     wanted: Option<f64>,
-) -> Result<f64, Defect> {
+) -> Result<f64, MeshDefect> {
     let shortest = shortest_interval(domain);
     if let Some(tolerance) = wanted {
         return if tolerance < shortest / 2.0 {
             Ok(tolerance)
         } else {
-            Err(Defect::ToleranceTooLarge { tolerance, shortest })
+            Err(MeshDefect::ToleranceTooLarge { tolerance, shortest })
         };
     }
     let bounds = domain.placement().bounds();
@@ -87,9 +87,9 @@ fn shortest_interval(domain: &Domain) -> f64 {
 pub(super) fn matched(
     mesh: &TriMesh,
     domain: &Domain,
-    plane: Plane,
+    plane: MatchedPlane,
     tolerance: f64,
-) -> Result<Matched, Defect> {
+) -> Result<Matched, MeshDefect> {
     const NONE: u32 = u32::MAX;
     let positions = mesh.positions();
     let mut points = points_of(domain);
@@ -104,7 +104,7 @@ pub(super) fn matched(
     let floor = used().next().map_or(0.0, height);
     if let Some(vertex) = used().find(|&vertex| (height(vertex) - floor).abs() > tolerance) {
         let off = (height(vertex) - floor).abs();
-        return Err(Defect::NotPlanar { vertex, off });
+        return Err(MeshDefect::NotPlanar { vertex, off });
     }
 
     let mut vertex_of = vec![NONE; boundary_count];
@@ -159,7 +159,7 @@ fn no_vertex(
     missing: usize,
     places: impl Iterator<Item = (u32, DVec2)> + Clone,
     tolerance: f64,
-) -> Defect {
+) -> MeshDefect {
     let at = boundary[missing];
     let distances = places.clone().map(|(vertex, place)| (vertex, place.distance(at)));
     let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY));
@@ -168,8 +168,8 @@ fn no_vertex(
     };
     let change = bounds(&mut boundary.iter().copied())
         .zip(bounds(&mut places.map(|(_, place)| place)))
-        .and_then(|(domain, mesh)| Change::between(domain, mesh, tolerance));
-    Defect::NoVertex {
+        .and_then(|(domain, mesh)| MeshChange::between(domain, mesh, tolerance));
+    MeshDefect::NoVertex {
         point: missing as u32,
         side: domain.side_name(domain.rings().side_of(missing as u32)),
         at,
@@ -180,7 +180,7 @@ fn no_vertex(
     }
 }
 
-impl Change {
+impl MeshChange {
     /// From the least corner and the size of a domain to those of a mesh.
     fn between(domain: (DVec2, DVec2), mesh: (DVec2, DVec2), tolerance: f64) -> Option<Self> {
         let ratio = mesh.1 / domain.1;

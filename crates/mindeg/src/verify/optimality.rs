@@ -12,10 +12,10 @@ use std::ops::Range;
 use mindeg_core::{certificate, least_degree_triangulation};
 use mindeg_domain::{ConvexForm, Domain};
 use mindeg_exact::LowerBound;
-use mindeg_exact::check::Outline;
+use mindeg_exact::check::CheckedOutline;
 use mindeg_mesh::{Progress, check};
 
-use super::triangulation::Verified;
+use super::triangulation::VerifiedMesh;
 use crate::boundary_mesh::MeshError;
 use crate::exact::{self, DegreeAnswer};
 use crate::exact_error::ExactError;
@@ -98,7 +98,7 @@ impl Proof {
 ///
 /// Those of [`exact::degree`].
 pub fn optimality(
-    verified: &Verified,
+    verified: &VerifiedMesh,
     domain: &Domain,
     progress: Progress<'_>,
 ) -> Result<Optimality, ExactError> {
@@ -140,7 +140,7 @@ fn fault() -> Optimality {
 }
 
 fn of_any(
-    verified: &Verified,
+    verified: &VerifiedMesh,
     domain: &Domain,
     progress: Progress<'_>,
 ) -> Result<Optimality, ExactError> {
@@ -148,7 +148,7 @@ fn of_any(
     let max_degree = verified.max_degree;
     let rings: Vec<Range<u32>> = domain.rings().rings().collect();
     let boundary = domain.boundary().map_err(MeshError::from)?;
-    let outline = Outline {
+    let outline = CheckedOutline {
         points: boundary.points(),
         rings: &rings,
         side_of: boundary.runs(),
@@ -199,7 +199,7 @@ fn total_degree(domain: &Domain, degrees: &[u32]) -> Option<u32> {
 }
 
 /// The proof of an answer's lower bound, if it holds.
-fn proof(answer: &DegreeAnswer, outline: &Outline<'_>, domain: &Domain) -> Option<Proof> {
+fn proof(answer: &DegreeAnswer, outline: &CheckedOutline<'_>, domain: &Domain) -> Option<Proof> {
     let bound = answer.at_least;
     match &answer.bounded_by {
         LowerBound::Counting => {

@@ -5,14 +5,14 @@ use mindeg_domain::Domain;
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::check::{self, Checked};
 
-use super::defect::Defect;
+use super::defect::MeshDefect;
 use super::fault;
-use super::matching::{Matched, Plane, matched, tolerance_of};
+use super::matching::{Matched, MatchedPlane, matched, tolerance_of};
 
 /// A mesh that is a triangulation of a domain.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
-pub struct Verified {
+pub struct VerifiedMesh {
     /// The domain's boundary points as the domain has them, then the others as the mesh has them.
     pub points: Vec<DVec2>,
     /// The vertex of the mesh at each of these: the first, if several are there.
@@ -30,7 +30,7 @@ pub struct Verified {
     /// The boundary points with more edges than the domain allows there.
     pub above_limit: Vec<u32>,
     /// How the mesh lies in space.
-    pub plane: Plane,
+    pub plane: MatchedPlane,
     /// Whether all triangles of the mesh are clockwise.
     pub is_reversed: bool,
     /// How far a vertex may be from its boundary point, in units of length.
@@ -51,25 +51,25 @@ pub struct Verified {
 ///
 /// # Errors
 ///
-/// The first defect, in the order of [`Defect`].
+/// The first defect, in the order of [`MeshDefect`].
 pub fn triangulation(
     mesh: &TriMesh,
     domain: &Domain,
     tolerance: Option<f64>,
-) -> Result<Verified, Defect> {
+) -> Result<VerifiedMesh, MeshDefect> {
     let larger = mesh.non_triangles();
     let larger_faces = larger.quads + larger.polygons;
     if larger_faces > 0 {
-        return Err(Defect::LargerFaces { count: larger_faces as usize });
+        return Err(MeshDefect::LargerFaces { count: larger_faces as usize });
     }
     let tolerance = tolerance_of(mesh, domain, tolerance)?;
     let mut first_defect = None;
-    for plane in Plane::ALL {
+    for plane in MatchedPlane::ALL {
         match matched(mesh, domain, plane, tolerance).and_then(|found| checked(found, domain)) {
             Ok(verified) => return Ok(verified),
             Err(defect) => {
                 // The plane in which the mesh comes nearest to the domain has the defect that matters.
-                let is_nearer = |other: &Defect| defect.step() > other.step();
+                let is_nearer = |other: &MeshDefect| defect.step() > other.step();
                 if first_defect.as_ref().is_none_or(is_nearer) {
                     first_defect = Some(defect);
                 }
@@ -79,14 +79,14 @@ pub fn triangulation(
     Err(first_defect.expect("there are planes"))
 }
 
-fn checked(found: Matched, domain: &Domain) -> Result<Verified, Defect> {
+fn checked(found: Matched, domain: &Domain) -> Result<VerifiedMesh, MeshDefect> {
     let Matched { points, vertex_of, mut triangles, unused_vertices, plane, tolerance, farthest } =
         found;
     let is_reversed = fault::all_clockwise(&points, &triangles);
     if is_reversed {
         triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
     }
-    let boundary = domain.boundary().map_err(Defect::Boundary)?;
+    let boundary = domain.boundary().map_err(MeshDefect::Boundary)?;
     let inner = &points[boundary.points().len()..];
     let is_flat = fault::flat_triangle(&boundary, &triangles).is_some()
         || fault::passing_triangle(domain, &points, &triangles).is_some();
@@ -115,7 +115,7 @@ fn checked(found: Matched, domain: &Domain) -> Result<Verified, Defect> {
     }
     let max_degree = degrees.iter().copied().max().unwrap_or(0);
     let interior_points = points.len() - boundary_points as usize;
-    Ok(Verified {
+    Ok(VerifiedMesh {
         points,
         vertex_of,
         triangles,
