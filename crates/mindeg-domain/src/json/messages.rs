@@ -36,7 +36,7 @@ fn says_what_is_wrong_with_a_side() {
         (r#"{"intervals": 1, "spacing": "even"}"#, r#"line 3, column 30, sides[3].spacing: found the text "even", expected "uniform", "geometric", "bump", "beta", "first_length", "last_length" or "parameters""#),
         (r#"{"intervals": 1, "spacing": "bump"}"#, r#"line 3, column 30, sides[3].spacing: found the text "bump", expected an object with this key"#),
         (r#"{"intervals": 1, "spacing": 1}"#, r#"line 3, column 30, sides[3].spacing: found the number 1, expected "uniform", "geometric", "bump", "beta", "first_length", "last_length" or "parameters""#),
-        (r#"{"intervals": 1, "spacing": {}}"#, r#"line 3, column 30, sides[3].spacing: found an object, expected enum"#),
+        (r#"{"intervals": 1, "spacing": {}}"#, r#"line 3, column 30, sides[3].spacing: found an object, expected "uniform", "geometric", "bump", "beta", "first_length", "last_length" or "parameters""#),
         (r#"{"intervals": 1, "spacing": [1]}"#, r#"line 3, column 30, sides[3].spacing: found a list of 1 value, expected "uniform", "geometric", "bump", "beta", "first_length", "last_length" or "parameters""#),
         (r#"{"intervals": 1, "spacing": {"bump": {"ratio": 2}, "beta": {"beta": 2}}}"#, r#"line 3, column 30, sides[3].spacing: found an object, expected one key"#),
         (r#"{"intervals": 1, "spacing": {"bumb": {"ratio": 2}}}"#, r#"line 3, column 39, sides[3].spacing.bumb: unknown key "bumb"; expected "uniform", "geometric", "bump", "beta", "first_length", "last_length" or "parameters""#),

@@ -131,7 +131,10 @@ impl<'de, 't> Deserializer<'de> for &mut Reader<'t> {
     ) -> Result<V::Value, Fault> {
         self.placed(|reader| match reader.peek() {
             b'"' => visitor.visit_enum(reader.string()?.into_deserializer()),
-            b'{' => reader.inside(|items| visitor.visit_enum(MapAccessDeserializer::new(items))),
+            b'{' => reader.inside(|items| match items.reader.item() {
+                Some(()) => visitor.visit_enum(MapAccessDeserializer::new(items)),
+                None => Err(Fault::expected(one_of(variants))),
+            }),
             _ => Err(Fault::expected(one_of(variants))),
         })
     }
