@@ -11,6 +11,7 @@ mod angles;
 mod choice;
 mod error;
 mod faces;
+mod flat;
 mod measures;
 mod source;
 
@@ -29,6 +30,7 @@ use mindeg_mesh::planar::PlanarBoundary;
 use self::angles::{cotangents, placed};
 pub use self::error::MeshError;
 use self::faces::{Faces, TriangleList};
+pub(crate) use self::flat::first_flat;
 pub use self::measures::{AngleRange, DegreeHistograms};
 
 /// A triangulation of a domain's boundary vertices, and their positions.
@@ -382,27 +384,6 @@ pub(crate) fn points_of(domain: &Domain) -> Vec<DVec2> {
     let mut points = vec![DVec2::ZERO; placement.vertex_count() as usize];
     fill_blocks(&mut points, |first, points| placement.fill_points(first, points));
     points
-}
-
-/// The first triangle whose vertices are all on one straight run of the boundary.
-pub(crate) fn first_flat(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Option<u32> {
-    let after = boundary.runs();
-    // The runs that end and begin at each vertex.
-    let mut runs = vec![[0; 2]; after.len()];
-    for [from, to] in boundary.edges() {
-        runs[from as usize][1] = after[from as usize];
-        runs[to as usize][0] = after[from as usize];
-    }
-    let count = u32::try_from(triangles.len()).unwrap_or(u32::MAX);
-    first_of_blocks(count, |range| {
-        range.into_iter().find(|&index| {
-            let corners = triangles[index as usize];
-            // Other vertices are interior points, or the checker's.
-            let of = |corner: usize| runs.get(corners[corner] as usize).copied();
-            let (Some(a), Some(b), Some(c)) = (of(0), of(1), of(2)) else { return false };
-            a.iter().any(|run| b.contains(run) && c.contains(run))
-        })
-    })
 }
 
 #[cfg(test)]
