@@ -1,6 +1,7 @@
 //! From a description to a checked domain.
 
 use glam::DVec2;
+use mindeg_mesh::planar::InRing;
 
 use crate::constraints::Constraints;
 use crate::divided::{Divided, Placed, side_count};
@@ -8,7 +9,6 @@ use crate::domain::Domain;
 use crate::error::{DomainError, Place};
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
-use crate::rings::InRing;
 use crate::side::Side;
 use crate::turning::Turning;
 

@@ -13,11 +13,11 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use mindeg_mesh::planar::Turn;
+use mindeg_mesh::planar::{InRing, Turn};
 
 use crate::error::{DomainError, Place, counted};
 use crate::limits::GREATEST_EXTERNAL_DEGREE;
-use crate::rings::{InRing, Rings};
+use crate::rings::Rings;
 use crate::turning::Turning;
 
 /// The external degrees and degree limits of a domain's sides and vertices.

@@ -8,7 +8,7 @@
 use std::ops::Range;
 
 use glam::DVec2;
-use mindeg_mesh::planar::{PlanarBoundary, Turn};
+use mindeg_mesh::planar::{InRing, PlanarBoundary, Turn, ring_name};
 
 use crate::curve::{Curve, Path};
 use crate::error::{DomainError, Place};
@@ -17,7 +17,7 @@ use crate::limits::{MAX_STORED_VERTICES, STRAIGHT};
 use crate::name;
 use crate::outline::{self, Ring};
 use crate::placement::Placement;
-use crate::rings::{InRing, Rings, ring_name};
+use crate::rings::Rings;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 use crate::spacing_law::SpacingLaw;

@@ -11,7 +11,7 @@
 use std::borrow::Cow;
 
 use glam::DVec2;
-use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
+use mindeg_mesh::planar::{BoundaryFaults, InRing, PlanarBoundary, ring_name};
 
 use crate::constraints::Constraints;
 use crate::error::{DomainError, Place};
@@ -19,7 +19,7 @@ use crate::interior::Interior;
 use crate::name;
 use crate::outline::Outline;
 use crate::placement::Placement;
-use crate::rings::{InRing, Rings, ring_name};
+use crate::rings::Rings;
 use crate::side::Side;
 use crate::turning::{ConvexForm, Turning};
 

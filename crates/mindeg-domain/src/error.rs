@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::rings::InRing;
+use mindeg_mesh::planar::InRing;
 
 /// What is wrong with the description of a domain or a model, and where.
 ///

@@ -3,10 +3,10 @@
 //! Limits: of several faults the first from the left is reported.
 
 use glam::DVec2;
-use mindeg_mesh::planar::BoundaryFault;
+use mindeg_mesh::planar::{BoundaryFault, InRing};
 
 use crate::error::{DomainError, Place};
-use crate::rings::{InRing, Rings};
+use crate::rings::Rings;
 
 /// What is wrong with the rings of points, by the sides that they are on.
 pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> DomainError {

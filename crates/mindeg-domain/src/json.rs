@@ -8,6 +8,7 @@
 mod description;
 mod error;
 mod fault;
+mod forms;
 mod guess;
 mod model;
 mod reader;

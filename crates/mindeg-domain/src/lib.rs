@@ -41,6 +41,7 @@ mod placement;
 mod rectangle;
 mod rings;
 mod side;
+mod side_points;
 mod spacing;
 mod spacing_law;
 mod turning;

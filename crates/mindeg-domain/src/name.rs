@@ -3,10 +3,10 @@
 //! Limits: names may have any letters, but no character that ends a line, steers a terminal or
 //! turns the direction of writing.
 
+use mindeg_mesh::planar::InRing;
 use std::collections::BTreeMap;
 
 use crate::error::{DomainError, Place};
-use crate::rings::InRing;
 
 fn kind(character: char) -> &'static str {
     match character {

@@ -4,12 +4,12 @@
 //! rings cross is judged later, on all points (`intersection.rs`).
 
 use glam::DVec2;
+use mindeg_mesh::planar::{InRing, ring_name};
 
 use crate::curve::Curve;
 use crate::error::{DomainError, Place, counted};
 use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
 use crate::rectangle::Rectangle;
-use crate::rings::{InRing, ring_name};
 use crate::side::Side;
 
 /// The shape of a domain's outer ring.

@@ -8,12 +8,13 @@
 //! that rounding turns it over; meshing refuses to give one.
 
 use glam::{DVec2, DVec3};
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::planar::{InRing, PlanarBoundary};
 use mindeg_mesh::{Bounds, Positions};
 
 use crate::error::{DomainError, Place};
 use crate::limits::{EXACT_COORDINATES, LEAST_ROUNDINGS};
-use crate::rings::{InRing, Rings};
+use crate::rings::Rings;
+use crate::side_points::SidePoints;
 use crate::spacing_law::SpacingLaw;
 
 /// The positions of all boundary vertices, ring by ring, from the first corner of each.
@@ -357,42 +358,6 @@ impl Positions for Placement {
 
     fn is_ring(&self) -> bool {
         self.rings.ring_count() == 1
-    }
-}
-
-/// The points of one straight side.
-#[derive(Clone, Copy)]
-pub(crate) struct SidePoints<'a> {
-    /// The vertex where the side starts.
-    pub(crate) first: u32,
-    pub(crate) start: DVec2,
-    pub(crate) span: DVec2,
-    pub(crate) law: &'a SpacingLaw,
-}
-
-impl SidePoints<'_> {
-    /// Point `i`, below the number of intervals.
-    pub(crate) fn point(&self, i: u32) -> DVec2 {
-        self.start + self.law.parameter(i) * self.span
-    }
-
-    /// Points from index `first` on, as many as `out` holds.
-    fn fill<T>(&self, first: u32, out: &mut [T], of: impl Fn(DVec2) -> T) {
-        let indexed = (first..).zip(out);
-        if self.law.is_uniform() {
-            // The same formula, without a call: the compiler makes several points at a time.
-            let intervals = f64::from(self.law.intervals());
-            indexed.for_each(|(i, out)| {
-                *out = of(self.start + f64::from(i) / intervals * self.span);
-            });
-        } else {
-            indexed.for_each(|(i, out)| *out = of(self.point(i)));
-        }
-    }
-
-    /// The index of a vertex on the side, if it is there and not where the side ends.
-    fn index(&self, vertex: u32) -> Option<u32> {
-        vertex.checked_sub(self.first).filter(|&index| index < self.law.intervals())
     }
 }
 

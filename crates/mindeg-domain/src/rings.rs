@@ -9,7 +9,7 @@
 use std::ops::Range;
 
 use mindeg_core::MAX_VERTICES;
-pub(crate) use mindeg_mesh::planar::{InRing, ring_name};
+use mindeg_mesh::planar::{InRing, ring_name};
 
 use crate::error::{DomainError, Place, counted};
 

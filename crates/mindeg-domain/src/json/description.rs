@@ -4,6 +4,7 @@
 //! [`build`](crate::DomainBuilder::build) checks the rest.
 
 use glam::DVec2;
+use mindeg_mesh::planar::InRing;
 use serde::{Deserialize, Serialize};
 
 use super::side::{SideKeys, lone_side};
@@ -14,7 +15,6 @@ use crate::error::{DomainError, Place};
 use crate::interior::Interior;
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
-use crate::rings::InRing;
 use crate::side::Side;
 
 /// A domain as JSON describes it, or any other format that serde reads; [`domain`](Self::domain) is

@@ -2,13 +2,13 @@
 
 use glam::DVec2;
 use mindeg_mesh::LineKind;
+use mindeg_mesh::planar::InRing;
 use serde::{Deserialize, Serialize};
 
 use crate::constraints::{ExternalDegree, SideConstraint};
 use crate::curve::{Arc, Curve};
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
-use crate::rings::InRing;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 

@@ -7,7 +7,7 @@ use glam::DVec3;
 use mindeg_mesh::Material;
 
 use super::crossing;
-use super::faults;
+use super::faults::{self, coincident, face_error};
 use super::{
     Edge, Face, FaceGroup, Model, ModelEdge, ModelFace, ModelParts, PLANAR_SHARE, Pass, Plane,
 };
@@ -127,11 +127,6 @@ fn too_many_vertices(vertices: u64) -> DomainError {
              give fewer intervals, or a larger size"
         ),
     )
-}
-
-/// What is wrong with a face.
-pub(super) fn face_error(face: usize, is: impl std::fmt::Display) -> DomainError {
-    DomainError::new(Place::key("faces").then(face), format!("face {face} {is}"))
 }
 
 fn check_corners(
@@ -299,16 +294,6 @@ fn laws(
 
 fn edge_name([from, to]: [u32; 2]) -> String {
     format!("the edge from corner {from} to corner {to}")
-}
-
-/// Two corners of an edge at one place.
-pub(super) fn coincident([first, second]: [u32; 2]) -> DomainError {
-    DomainError::touch(
-        Place::key("corners").then(second as usize),
-        format!(
-            "corners {first} and {second} of an edge are at the same place; merge them or move one"
-        ),
-    )
 }
 
 /// The law of an edge; the place is where its division is given.

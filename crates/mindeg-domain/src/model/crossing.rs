@@ -4,7 +4,7 @@
 use glam::{DVec2, DVec3};
 use mindeg_mesh::planar::{BoundaryFault, InRing, PlanarBoundary};
 
-use super::build::{coincident, face_error};
+use super::faults::{coincident, face_error};
 use super::{ModelFace, Plane};
 use crate::error::{DomainError, Place};
 

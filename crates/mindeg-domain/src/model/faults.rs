@@ -7,6 +7,21 @@ use crate::error::{DomainError, Place};
 /// How many items a note names.
 const NAMED: usize = 6;
 
+/// What is wrong with a face.
+pub(super) fn face_error(face: usize, is: impl std::fmt::Display) -> DomainError {
+    DomainError::new(Place::key("faces").then(face), format!("face {face} {is}"))
+}
+
+/// Two corners of an edge at one place.
+pub(super) fn coincident([first, second]: [u32; 2]) -> DomainError {
+    DomainError::touch(
+        Place::key("corners").then(second as usize),
+        format!(
+            "corners {first} and {second} of an edge are at the same place; merge them or move one"
+        ),
+    )
+}
+
 /// Refuses two faces with the same corners.
 pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), DomainError> {
     let mut keys: Vec<(Vec<u32>, usize)> = faces
