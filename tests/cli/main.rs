@@ -32,6 +32,8 @@ mod models;
 mod outlines;
 #[cfg(unix)]
 mod outputs_that_are_inputs;
+#[path = "../pinned.rs"]
+mod pinned;
 mod polygons;
 #[cfg(target_os = "linux")]
 mod progress;
