@@ -15,19 +15,18 @@ use crate::turning::Turning;
 impl Domain {
     /// A domain from its outline and one [`Side`] for each of the outline's sides.
     ///
-    /// Corners given clockwise are reversed, each side staying on its edge (with its spacing law
-    /// [reversed](crate::Spacing::reversed)): the first corner given stays the first, and the side
-    /// that ended there now starts there. [`notes`](Self::notes) tells.
+    /// Corners given clockwise are reversed. Each side stays on its edge (with its spacing law
+    /// [reversed](crate::Spacing::reversed)); the first corner stays first, and the side that ended
+    /// there now starts there. [`notes`](Self::notes) reports it.
     ///
-    /// O(k log k) for k straight sides of a convex outline, and linear in explicit parameters; of any
-    /// other, O(n log n) for n points.
+    /// O(k log k) for k straight sides of a convex outline, and linear in explicit parameters; O(n
+    /// log n) for n points of any other outline.
     ///
     /// # Errors
     ///
-    /// The first fault, in this order: a measure of the rectangle; the corners, in number,
-    /// magnitude or distance; the number of sides; their names; their intervals; their
-    /// spacing laws; points so close that f64 cannot tell them apart; a boundary that crosses or
-    /// touches itself.
+    /// The first fault, in this order: a measure of the rectangle; the count, magnitude or distance
+    /// of corners; the number of sides; their names; their intervals; their spacing laws; points so
+    /// close that f64 cannot tell them apart; a boundary that crosses or touches itself.
     pub fn new(outline: Outline, sides: Vec<Side>) -> Result<Self, DomainError> {
         Self::builder(outline, sides).build()
     }
@@ -57,19 +56,19 @@ impl Domain {
     ///
     /// # Errors
     ///
-    /// As [`Domain::new`], and rings that cross, touch or do not nest.
+    /// The errors of [`Domain::new`], and rings that cross, touch or do not nest.
     pub fn of_rings(rings: Vec<Ring>) -> Result<Self, DomainError> {
         let mut rings = rings.into_iter();
         let Ring { corners, sides } = rings.next().unwrap_or_default();
         rings.fold(Self::builder(Outline::Polygon(corners), sides), DomainBuilder::hole).build()
     }
 
-    /// The domain inside the first ring of points and outside the others; its boundary points are
-    /// these, bit for bit. Each ring is one side.
+    /// The domain inside the first ring of points and outside the others. Its boundary points are
+    /// the given points, bit for bit. Each ring is one side.
     ///
     /// # Errors
     ///
-    /// As [`Domain::of_rings`].
+    /// The errors of [`Domain::of_rings`].
     ///
     /// # Example
     ///
@@ -93,7 +92,7 @@ impl Domain {
     ///
     /// # Errors
     ///
-    /// As [`Domain::new`].
+    /// The errors of [`Domain::new`].
     pub fn rectangle(width: f64, height: f64, sides: Vec<Side>) -> Result<Self, DomainError> {
         Self::new(Outline::Rectangle(Rectangle::new(width, height)), sides)
     }
@@ -102,7 +101,7 @@ impl Domain {
     ///
     /// # Errors
     ///
-    /// As [`Domain::new`].
+    /// The errors of [`Domain::new`].
     ///
     /// # Example
     ///
@@ -125,7 +124,7 @@ impl Domain {
     ///
     /// # Errors
     ///
-    /// As [`Domain::new`].
+    /// The errors of [`Domain::new`].
     pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
         let rings = self.rings();
         if sides.len() != rings.side_count() {
@@ -144,7 +143,7 @@ impl Domain {
     }
 }
 
-/// A domain in the making; [`Domain::builder`] starts one.
+/// A domain under construction; [`Domain::builder`] starts one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DomainBuilder {
     outline: Outline,
@@ -160,34 +159,34 @@ impl DomainBuilder {
         Self { outline, sides, holes, constraints, max_vertices: u32::MAX }
     }
 
-    /// With another hole. It lies inside the outline, outside all other holes, and touches none of
-    /// them; either way round.
+    /// Adds a hole. It lies inside the outline, outside all other holes, and touches none of them;
+    /// it may run either way round.
     #[must_use]
     pub fn hole(mut self, hole: Ring) -> Self {
         self.holes.push(hole);
         self
     }
 
-    /// With constraints on degrees. Their sides are those of the outline and then those of each hole,
-    /// in the order given, and stay on their edges where a ring is turned; single vertices are those of
-    /// the mesh, ring after ring.
+    /// Sets constraints on degrees. Their sides are the sides of the outline and then of each hole, in
+    /// the order given, and stay on their edges if a ring is reversed; single vertices have their index
+    /// in the mesh, ring after ring.
     #[must_use]
     pub fn constraints(self, constraints: Constraints) -> Self {
         Self { constraints, ..self }
     }
 
-    /// With at most so many boundary vertices: a domain with more is refused before its points take time
-    /// and memory.
+    /// Sets the maximum number of boundary vertices: a domain with more is refused before its points
+    /// take time and memory.
     #[must_use]
     pub fn max_vertices(self, max_vertices: u32) -> Self {
         Self { max_vertices, ..self }
     }
 
-    /// The domain.
+    /// Builds the domain.
     ///
     /// # Errors
     ///
-    /// As [`Domain::new`], and then constraints that do not fit the boundary or that no mesh keeps.
+    /// The errors of [`Domain::new`], then constraints that do not fit or that no mesh keeps.
     pub fn build(self) -> Result<Domain, DomainError> {
         let Self { outline, sides, holes, mut constraints, max_vertices: max } = self;
         let corners = outline.corners()?;

@@ -1,13 +1,13 @@
-//! What limits the degrees of a domain's vertices: their edges on the other side of the boundary, and
+//! Limits on the degrees of a domain's vertices: their edges on the other side of the boundary, and
 //! degree limits.
 //!
-//! The *external degree* of a vertex counts its edges on the other side of the boundary, such as
-//! those of a neighbouring mesh; the edges of the boundary itself are not among them. The *total
-//! degree* is the degree in the domain's mesh plus the external degree. A *degree limit* is an upper
-//! limit on the total degree. A corner belongs to two sides, and any vertex may have an entry of
-//! its own: their external degrees add up, and the least of their degree limits holds.
+//! The *external degree* of a vertex counts its edges on the other side of the boundary, for example
+//! in a neighbouring mesh, without the boundary edges. The *total degree* is the degree in the
+//! domain's mesh plus the external degree. A *degree limit* is an upper limit on the total degree. A
+//! corner belongs to two sides, and any vertex may also have its own entry: their external degrees
+//! add up, and the least of their degree limits holds.
 //!
-//! Limits: formulas ignore constraints. A mesh that keeps them takes the exact solver, which
+//! Limits: formulas ignore constraints. A mesh that keeps constraints needs the exact solver, which
 //! takes some thousand vertices.
 
 use std::collections::BTreeSet;
@@ -48,12 +48,12 @@ use crate::turning::Turning;
 pub struct Constraints {
     /// One entry for each side, or no entry at all.
     pub sides: Vec<SideConstraint>,
-    /// Entries for single vertices, each at most once. Those of a [`Domain`](crate::Domain) are
-    /// sorted by vertex.
+    /// Entries for single vertices, each vertex at most once. In a [`Domain`](crate::Domain) they
+    /// are sorted by vertex.
     pub vertices: Vec<VertexConstraint>,
 }
 
-/// What limits the degrees of a side's vertices.
+/// The degree constraints of a side's vertices.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SideConstraint {
     /// The edges of its vertices on the other side of the boundary.
@@ -95,7 +95,7 @@ impl Default for ExternalDegree {
 }
 
 impl ExternalDegree {
-    /// The same in the other direction of the side.
+    /// The same constraint in the other direction of the side.
     fn reversed(self) -> Self {
         match self {
             Self::Inside(degree) => Self::Inside(degree),
@@ -110,7 +110,7 @@ impl ExternalDegree {
         }
     }
 
-    /// At vertex `i` of a side, which is its last for `i == intervals`.
+    /// The external degree at vertex `i` of a side; `i == intervals` is its last vertex.
     fn at(&self, i: u32, intervals: u32) -> u32 {
         match self {
             Self::Inside(degree) if 0 < i && i < intervals => *degree,
@@ -134,12 +134,12 @@ impl Constraints {
         self.sides.iter().any(side) || self.vertices.iter().any(vertex)
     }
 
-    /// The external degree of a vertex of the boundary that these were checked on. O(log n).
+    /// The external degree of a vertex of the boundary that checked these constraints. O(log n).
     pub(crate) fn external_degree(&self, rings: &Rings, vertex: u32) -> u32 {
         let sides = self.sides_at(rings, vertex);
         let of_sides =
             sides.map(|(side, i, intervals)| side.external_degree.at(i, intervals)).sum::<u32>();
-        // Three times the greatest number at most.
+        // The sum is at most three times the greatest external degree.
         of_sides + self.of_vertex(vertex).map_or(0, |constraint| constraint.external_degree)
     }
 
@@ -155,8 +155,8 @@ impl Constraints {
         index.ok().map(|index| &self.vertices[index])
     }
 
-    /// The side or, at a corner, the two sides of a vertex, each with the index of the vertex on
-    /// it and its intervals.
+    /// The side or, at a corner, the two sides of a vertex, each with the index of the vertex on it
+    /// and its intervals.
     fn sides_at(
         &self,
         rings: &Rings,
@@ -175,7 +175,7 @@ impl Constraints {
         })
     }
 
-    /// The constraints of some sides in the other direction; vertices stay.
+    /// Reverses the constraints of a range of sides; vertices stay.
     pub(crate) fn turn_sides(&mut self, sides: Range<usize>) {
         let Some(sides) = self.sides.get_mut(sides) else { return };
         sides.reverse();
@@ -184,7 +184,7 @@ impl Constraints {
         }
     }
 
-    /// Checks that there is an entry for each side, or none.
+    /// Checks that each side has an entry, or that the list is empty.
     pub(crate) fn check_side_count(&self, sides: usize) -> Result<(), DomainError> {
         let entries = self.sides.len();
         if [0, sides].contains(&entries) {
@@ -199,8 +199,8 @@ impl Constraints {
         ))
     }
 
-    /// Checks these constraints on their boundary and sorts the vertices. `given` tells which side of
-    /// the description a side is.
+    /// Checks these constraints on their boundary and sorts the vertices. `given` maps a side to the
+    /// side of the description.
     ///
     /// O(k + m log m) for k straight sides and m vertices, and linear in lists and in the vertices
     /// of sides that are not straight.
@@ -243,7 +243,7 @@ impl Constraints {
         Ok(self)
     }
 
-    /// Checks the constraints of the sides, without those of single vertices.
+    /// Checks the constraints of the sides, but not of single vertices.
     fn check_sides(
         &self,
         turning: Turning<'_>,
@@ -271,7 +271,7 @@ impl Constraints {
                 continue;
             }
             let intervals = rings.intervals(side);
-            // All vertices inside a straight side are alike where one number stands for them.
+            // All vertices inside a straight side are alike if one value holds for all of them.
             let last_inside = match constraint.external_degree {
                 ExternalDegree::Inside(_) if turning.straight[side] => 1.min(intervals - 1),
                 _ => intervals - 1,
@@ -284,7 +284,7 @@ impl Constraints {
         Ok(())
     }
 
-    /// Checks that the degree limit of a vertex leaves it the edges that it has in any mesh.
+    /// Checks that the degree limit of a vertex allows the edges that it has in every mesh.
     fn check_capacity(
         &self,
         turning: Turning<'_>,
@@ -294,8 +294,8 @@ impl Constraints {
         let rings = turning.placement.rings();
         let Some(limit) = self.degree_limit(rings, vertex) else { return Ok(()) };
         let outside = self.external_degree(rings, vertex);
-        // With 2 edges a straight vertex would be the tip of a triangle without area, and no triangle
-        // has its tip at a reflex one. A needle's tip is convex, or its foot reflex: the former needs
+        // With 2 edges a straight vertex would be the tip of a flat triangle, and a reflex vertex is
+        // never the tip of a triangle. A needle's tip is convex, or its foot reflex: the tip needs
         // less.
         let (own, along) = match turning.at(vertex) {
             Turn::Straight => (3, "2 edges along its straight side"),
@@ -410,7 +410,7 @@ mod tests {
         check(&domain, [1, 0, 20, 10, 7, 4, 3, 2], [12, 30, 30, 35, 0, 12, 12, 12]);
         let domain = square(CLOCKWISE, sides(), &[at(1, 5, None)]).unwrap();
         check(&domain, [1, 5, 20, 10, 7, 4, 3, 2], [12, 30, 30, 35, 0, 12, 12, 12]);
-        // What a domain has describes it again.
+        // The domain's own sides and constraints describe it again.
         let again = Domain::builder(domain.outline().clone(), domain.sides().to_vec())
             .constraints(domain.constraints().clone())
             .build();

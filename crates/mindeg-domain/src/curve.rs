@@ -1,10 +1,10 @@
 //! How a side runs between its corners: straight, along an arc, a cubic Bézier or a polyline.
 //!
-//! A [`Curve`] is what a user gives; a [`Path`] is that curve between two corners, where any share of
-//! the length has its point. Arcs are closed forms, kurbo measures Béziers, and polylines are measured
+//! A [`Curve`] is the user's input; a [`Path`] is that curve between two corners and has a point for
+//! any share of the length. Arcs are closed forms, kurbo measures Béziers, and polylines are measured
 //! edge by edge. kurbo is built without `std`, so that its functions are those of `libm` too.
 //!
-//! Limits: shares of a Bézier's length are met to about 1e-11 of the length.
+//! Limits: points of a Bézier are accurate to about 1e-11 of its length.
 
 use std::f64::consts::{PI, TAU};
 
@@ -42,7 +42,7 @@ pub enum Curve {
     Polyline(Vec<DVec2>),
 }
 
-/// An arc of a circle from a corner to the next.
+/// An arc of a circle from one corner to the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Arc {
     /// Through this point.
@@ -172,7 +172,7 @@ pub(crate) struct ArcPath {
     end: DVec2,
     /// In radians, above 0 counter-clockwise, up to a whole turn either way.
     angle: f64,
-    /// Of arcs above half a turn.
+    /// The center, set only for arcs above half a turn.
     center: Option<DVec2>,
 }
 
@@ -247,7 +247,7 @@ impl ArcPath {
     }
 }
 
-/// Pieces of a curve that follow each other, with the length up to each.
+/// Consecutive pieces of a curve, with the length up to each.
 pub(crate) struct Pieces<T> {
     pieces: Vec<T>,
     /// The length up to the end of each piece.
@@ -269,7 +269,7 @@ impl<T> Pieces<T> {
         self.ends.last().copied().unwrap_or(0.0)
     }
 
-    /// The piece at a share of the length, and the length left from its start. O(log k).
+    /// The piece at a share of the length, and the remaining length from its start. O(log k).
     fn at(&self, share: f64) -> (&T, f64) {
         let length = share * self.length();
         let last = self.pieces.len() - 1;
@@ -279,10 +279,10 @@ impl<T> Pieces<T> {
     }
 }
 
-/// The share of the whole length to which lengths of a Bézier are measured.
+/// The accuracy of a Bézier's lengths, as a share of the whole length.
 const CUBIC_ACCURACY: f64 = 1e-11;
 
-/// A Bézier in pieces short enough to be nearly straight, which are measured fast.
+/// A Bézier in pieces that are nearly straight, so that measuring them is fast.
 fn cubic_pieces(cubic: CubicBez) -> Pieces<CubicBez> {
     const PIECES: u32 = 32;
     let at = |i: u32| f64::from(i) / f64::from(PIECES);
@@ -351,14 +351,14 @@ mod tests {
             assert!(path_of_bent.point(share).distance(point.into()) < 1e-15, "{share}");
         }
 
-        // A straight one, whose parameter is not its length.
+        // A straight Bézier, whose parameter is not its length.
         let straight = Curve::Cubic([[0.1, 0.0], [0.2, 0.0]].map(DVec2::from));
         let path_of_straight = path(&straight, [0.0, 0.0], [1.0, 0.0]);
         for share in [0.1, 0.25, 0.9] {
             assert!((path_of_straight.point(share).x - share).abs() < 1e-10, "{share}");
         }
 
-        // Against sums of many chords.
+        // Compares with sums of many chords.
         let wild = Curve::Cubic([[4.0, 1.0], [-3.0, 1.0]].map(DVec2::from));
         let path_of_wild = path(&wild, [0.0, 0.0], [1.0, 0.0]);
         let eval = |t: f64| {

@@ -1,9 +1,8 @@
-//! Rings divided into boundary points and put in place.
+//! Rings divided into boundary points and placed.
 //!
-//! All sides are checked and divided as they were given, so that errors name what was given. A
-//! convex outline with straight sides stays a formula. Of any other domain the points are computed
-//! and stored, and the sweep of `mindeg_mesh::planar` checks all of them. Then rings that run the wrong way are
-//! turned.
+//! All sides are checked and divided as given, so that errors name the input. A convex outline with straight
+//! sides stays a formula. For any other domain the points are computed and stored, and the sweep of
+//! `mindeg_mesh::planar` checks all of them. Then rings that run the wrong way are reversed.
 
 use std::ops::Range;
 
@@ -32,12 +31,12 @@ pub(crate) struct Divided {
     laws: Vec<SpacingLaw>,
 }
 
-/// Rings in place, each the right way round.
+/// Placed rings, each the right way round.
 pub(crate) struct Placed {
     pub(crate) placement: Placement,
     /// Whether each side is straight.
     pub(crate) straight: Vec<bool>,
-    /// The rings that were given the other way round.
+    /// The rings that were given the wrong way round.
     pub(crate) turned: Vec<usize>,
 }
 
@@ -66,7 +65,7 @@ impl Divided {
         Ok(Self { laws: laws.collect::<Result<_, _>>()?, rings, paths })
     }
 
-    /// Turns the rings that run the wrong way, and places all.
+    /// Reverses the rings that run the wrong way, and places all rings.
     pub(crate) fn placed(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
         let is_line = |side: Given<'_>| side.side.curve == Curve::Line;
         for (side, law) in given_sides(given).zip(&self.laws).filter(|&(side, _)| is_line(side)) {
@@ -100,7 +99,7 @@ impl Divided {
         Placement::straight(self.rings.clone(), corners, self.laws.clone())
     }
 
-    /// The points one by one, after all of them are checked.
+    /// Stores the points one by one, after checking all of them.
     fn stored(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
         let Self { rings, paths, laws } = self;
         let mut points = memory_for(rings.vertex_count())?;
@@ -139,7 +138,7 @@ impl Divided {
     }
 }
 
-/// The error of another number of sides than corners.
+/// The error of a ring whose number of sides is not its number of corners.
 pub(crate) fn side_count(ring: usize, corners: usize, sides: usize) -> DomainError {
     let are = if sides == 1 { "side is" } else { "sides are" };
     DomainError::new(
@@ -153,7 +152,7 @@ pub(crate) fn side_count(ring: usize, corners: usize, sides: usize) -> DomainErr
 
 /// Room for points that are stored.
 fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
-    /// What the checks take besides, for each point.
+    /// The additional memory of the checks, for each point.
     const BYTES: usize = 48;
     let max = MAX_STORED_VERTICES;
     if vertices > max {
@@ -179,7 +178,7 @@ fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
     }
 }
 
-/// Gives the corners of a ring in the other order, from the same first corner.
+/// Reverses the corners of a ring, but keeps the first corner.
 fn turn(ring: &mut Ring) {
     ring.corners[1..].reverse();
     ring.sides.reverse();
@@ -244,8 +243,8 @@ impl Given<'_> {
     }
 }
 
-/// Whether the points of a side lie on the line to its end, up to [`STRAIGHT`] of its length; then
-/// they must be in order on it.
+/// Whether the points of a side lie on the line to its end, within [`STRAIGHT`] of its length; such
+/// points must be in order on the line.
 fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, DomainError> {
     let [start, own @ ..] = points else { return Ok(true) };
     let chord = end - start;

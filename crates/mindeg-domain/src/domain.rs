@@ -1,8 +1,8 @@
-//! A domain: its rings, how each of their sides is divided, and what limits its degrees.
+//! A domain: its rings, the division of their sides, and the limits on its degrees.
 //!
 //! A [`Domain`] is checked as a whole when it is made ([`build`](crate::DomainBuilder)), so that every
-//! later step (placing, meshing, writing) can rely on it. Sides and corners are counted from 0 in the
-//! interface and from 1 in messages, where they are those of the input even if a ring was turned.
+//! later step (placing, meshing, writing) can rely on it. The interface counts sides and corners from
+//! 0. Messages count them from 1, in the order of the input even if a ring was reversed.
 //!
 //! Limits: the plane; coordinates up to [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE) and sides
 //! no shorter than [`LEAST_SIDE`](crate::LEAST_SIDE), so that areas neither overflow nor vanish. The
@@ -43,7 +43,7 @@ use crate::turning::{ConvexForm, Turning};
 pub struct Domain {
     pub(crate) name: Option<String>,
     pub(crate) outline: Outline,
-    /// Of all rings.
+    /// The sides of all rings.
     pub(crate) sides: Vec<Side>,
     pub(crate) placement: Placement,
     /// Whether each side is straight.
@@ -51,7 +51,7 @@ pub struct Domain {
     pub(crate) convex: Option<ConvexForm>,
     pub(crate) constraints: Constraints,
     pub(crate) interior: Option<Interior>,
-    /// The rings that were given the other way round.
+    /// The rings that were given the wrong way round.
     pub(crate) turned: Vec<usize>,
 }
 
@@ -68,19 +68,19 @@ impl Domain {
         Ok(Self { name: Some(name), ..self })
     }
 
-    /// The same domain with what is wanted of a mesh with interior points.
+    /// The same domain with settings for a mesh with interior points.
     #[must_use]
     pub fn with_interior(self, interior: Interior) -> Self {
         Self { interior: Some(interior), ..self }
     }
 
-    /// What is wanted of a mesh with interior points, if the domain tells.
+    /// The settings for a mesh with interior points, if the domain has any.
     #[must_use]
     pub fn interior(&self) -> Option<&Interior> {
         self.interior.as_ref()
     }
 
-    /// The name, if there is one.
+    /// The name, if the domain has one.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
@@ -92,15 +92,15 @@ impl Domain {
         &self.outline
     }
 
-    /// The sides of all rings, as [`rings`](Self::rings) numbers them; each runs from the corner of
-    /// its number to the next of its ring.
+    /// The sides of all rings, in the order of [`rings`](Self::rings); side `s` runs from corner
+    /// `s` to the next corner of its ring.
     #[must_use]
     pub fn sides(&self) -> &[Side] {
         &self.sides
     }
 
-    /// The name of a side; one without a name is called by its number from 1, such as "side 2" or
-    /// "hole 1 side 2", and the only side of a hole as that hole.
+    /// The name of a side; a side without a name is called by its index from 1, such as "side 2" or
+    /// "hole 1 side 2", and the only side of a hole by the name of the hole.
     ///
     /// # Panics
     ///
@@ -126,7 +126,7 @@ impl Domain {
         self.straight[side]
     }
 
-    /// What limits the degrees of sides and vertices, numbered as [`rings`](Self::rings) does.
+    /// The limits on the degrees of sides and vertices, with the indices of [`rings`](Self::rings).
     #[must_use]
     pub fn constraints(&self) -> &Constraints {
         &self.constraints
@@ -138,7 +138,7 @@ impl Domain {
         self.constraints.constrain()
     }
 
-    /// The number of edges that a vertex has on the other side of the boundary. O(log n).
+    /// The number of edges of a vertex on the other side of the boundary. O(log n).
     ///
     /// # Panics
     ///
@@ -148,8 +148,8 @@ impl Domain {
         self.constraints.external_degree(self.rings(), vertex)
     }
 
-    /// The most edges that a vertex may have, its external degree included; `None` where nothing
-    /// limits them. O(log n).
+    /// The most edges that a vertex may have, its external degree included; `None` if it has no
+    /// limit. O(log n).
     ///
     /// # Panics
     ///
@@ -171,16 +171,15 @@ impl Domain {
         &self.placement
     }
 
-    /// The domain as the formulas of `mindeg-core` take it, if it is convex and has no holes.
+    /// The form of the domain for the formulas of `mindeg-core`, if it is convex and has no holes.
     #[must_use]
     pub fn convex(&self) -> Option<&ConvexForm> {
         self.convex.as_ref()
     }
 
-    /// For each vertex, the straight run that the boundary edge beginning there belongs to. Sides
-    /// that are straight, and edges of other sides, are in one run where they follow each other
-    /// without a turn. No edge of a mesh joins two vertices of a run that are not neighbours.
-    /// O(n log k).
+    /// For each vertex, the straight run of the boundary edge that begins there. Consecutive
+    /// straight sides, and edges of other sides, are in one run if they join without a turn. No
+    /// edge of a mesh joins two vertices of a run that are not neighbours. O(n log k).
     ///
     /// # Example
     ///
@@ -200,8 +199,8 @@ impl Domain {
         }
     }
 
-    /// The boundary with all its points. Where they are stored, they were proven when the domain was
-    /// made; of a convex outline with straight sides they are made and proven here. O(n log n).
+    /// The boundary with all its points. Stored points were proven when the domain was made; the
+    /// points of a convex outline with straight sides are made and proven here. O(n log n).
     ///
     /// # Errors
     ///
@@ -216,13 +215,13 @@ impl Domain {
         Ok(Cow::Owned(boundary.with_sides(corners, self.straight_runs())))
     }
 
-    /// Whether the corners of the outer ring were given clockwise, and so were reversed.
+    /// Whether the corners of the outer ring were given clockwise, and were therefore reversed.
     #[must_use]
     pub fn was_reversed(&self) -> bool {
         self.turned.contains(&0)
     }
 
-    /// What was changed of the description, for the user to know: one sentence each.
+    /// The changes to the description that the user should know, one sentence each.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let note = |&ring: &usize| {
@@ -285,8 +284,8 @@ mod tests {
         let forth = polygon(&CORNERS, sides.clone()).unwrap();
         assert!(!forth.was_reversed());
 
-        // The same polygon listed the other way round from the same corner, and each side the
-        // other way round too.
+        // The same polygon listed the other way round from the same corner, with each side reversed
+        // too.
         let mut corners = CORNERS;
         corners[1..].reverse();
         let turned = |side: &Side| Side { spacing: side.spacing.reversed(), ..side.clone() };
@@ -344,7 +343,7 @@ mod tests {
                 polygon(&CORNERS, with(1, Side::count(2).spaced(Spacing::Bump { ratio: 0.0 }))),
                 "side 2: the ratio is 0.0; it must be a finite number above 0",
             ),
-            // An error of a reversed side speaks of what was given.
+            // An error of a reversed side names the side as given.
             (
                 polygon(&clockwise, with(1, Side::count(2).spaced(Spacing::FirstLength(-1.0)))),
                 "side 2: the first length is -1.0; it must be a finite number above 0",

@@ -1,12 +1,12 @@
-//! What is wrong with a domain or a model, and in which of its parts.
+//! Errors in a domain or a model, and the places in its description.
 
 use std::fmt;
 
 use mindeg_mesh::planar::InRing;
 
-/// What is wrong with the description of a domain or a model, and where.
+/// An error in the description of a domain or a model, and its place.
 ///
-/// Sides and corners are those of the description, also where a ring was turned.
+/// Sides and corners are those of the description, even if a ring was reversed.
 ///
 /// # Example
 ///
@@ -23,19 +23,19 @@ use mindeg_mesh::planar::InRing;
 #[error("{message}")]
 #[non_exhaustive]
 pub struct DomainError {
-    /// The part that is wrong.
+    /// The place of the error in the description.
     pub place: Place,
-    /// What is wrong with it and what to do.
+    /// The error and how to fix it.
     pub message: String,
-    /// Whether points or edges meet that should be apart, which a repair of the rings may mend.
+    /// Whether points or edges meet that should be apart; a repair of the rings may fix it.
     pub is_touch: bool,
 }
 
-/// A part of a description, by the keys and indices from 0 that lead to it in JSON; the whole by none.
+/// A value in a description: the keys and indices from 0 that lead to it in JSON; empty for the whole.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Place(pub(crate) Vec<Step>);
 
-/// One step to a part.
+/// One step on the way to a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Step {
     Key(String),
@@ -69,18 +69,18 @@ impl fmt::Display for Place {
 }
 
 impl Place {
-    /// A part of this part.
+    /// A value inside this one.
     pub(crate) fn then(mut self, step: impl Into<Step>) -> Self {
         self.0.push(step.into());
         self
     }
 
-    /// A key of the whole.
+    /// A key of the whole description.
     pub(crate) fn key(key: &str) -> Self {
         Self::default().then(key)
     }
 
-    /// A ring: the whole for the outer one.
+    /// A ring; the outer ring is the whole description.
     pub(crate) fn ring(ring: usize) -> Self {
         match ring.checked_sub(1) {
             None => Self::default(),
@@ -112,18 +112,18 @@ impl DomainError {
         Self { is_touch: true, ..Self::new(place, message) }
     }
 
-    /// What is wrong with a key of a side, which is to be told [of which](Self::within).
+    /// An error in a key of a side; [`within`](Self::within) adds the side.
     pub(crate) fn key(key: &str, message: impl Into<String>) -> Self {
         Self::new(Place::key(key), message)
     }
 
-    /// The same about a part of something larger.
+    /// The same error, seen from the value that contains this one.
     pub(crate) fn inside(mut self, mut whole: Place) -> Self {
         whole.0.append(&mut self.place.0);
         Self { place: whole, ..self }
     }
 
-    /// The same about a part of something larger, which the message names first.
+    /// As [`inside`](Self::inside); the message also names the outer value first.
     pub(crate) fn within(self, whole: Place, name: &str) -> Self {
         let message = format!("{name}: {}", self.message);
         Self { message, ..self }.inside(whole)
@@ -134,7 +134,7 @@ impl DomainError {
     }
 }
 
-/// A number of things in words: "1 side", "2 sides".
+/// A count in words: "1 side", "2 sides".
 pub(crate) fn counted(count: usize, noun: &str) -> String {
     format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
 }

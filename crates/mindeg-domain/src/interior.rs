@@ -147,11 +147,11 @@ impl Interior {
         self.max_points.unwrap_or(20_000_000)
     }
 
-    /// Checks all values that no domain is needed for.
+    /// Checks all values that need no domain.
     ///
     /// # Errors
     ///
-    /// The first value that has no meaning.
+    /// The first value outside its range.
     ///
     /// # Example
     ///
@@ -203,11 +203,11 @@ impl Interior {
 }
 
 impl FixedLines {
-    /// Checks that lines have ends, and name points that there are.
+    /// Checks that lines have ends, and that their points exist.
     ///
     /// # Errors
     ///
-    /// The first line that has fewer than two ends, or names a point that is not there.
+    /// The first line that has fewer than two ends, or names a point that does not exist.
     pub fn check(&self) -> Result<(), DomainError> {
         for (index, line) in self.lines.iter().enumerate() {
             let place = || Place::key("fixed").then("segments").then(index);

@@ -1,6 +1,6 @@
-//! Rings that are not simple, not apart, or not holes of the outer one: where, and what to do.
+//! Rings that are not simple, not apart, or not holes of the outer ring: the place, and a remedy.
 //!
-//! Limits: of several faults the first from the left is reported.
+//! Limits: reports only the leftmost of several faults.
 
 use glam::DVec2;
 use mindeg_mesh::planar::{BoundaryFault, InRing};
@@ -8,7 +8,7 @@ use mindeg_mesh::planar::{BoundaryFault, InRing};
 use crate::error::{DomainError, Place};
 use crate::rings::Rings;
 
-/// What is wrong with the rings of points, by the sides that they are on.
+/// The error for a fault of the rings of points, by the sides that they are on.
 pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> DomainError {
     let names = Names(rings);
     let vertex = |at: InRing| rings.ring(at.ring).start + at.index as u32;
@@ -86,18 +86,18 @@ pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> Do
     DomainError::touch(place, message)
 }
 
-/// The vertices and edges of a boundary by their sides.
+/// Names the vertices and edges of a boundary by their sides.
 #[derive(Clone, Copy)]
 struct Names<'a>(&'a Rings);
 
 impl Names<'_> {
-    /// The side that starts at a vertex or that it lies on, and the vertex's index on it.
+    /// The side that starts at a vertex or contains it, and the vertex's index on it.
     fn on_side(self, vertex: u32) -> (InRing, u32) {
         let side = self.0.side_of(vertex);
         (self.0.in_ring(side), vertex - self.0.corner(side))
     }
 
-    /// A vertex as a point of a ring that is one side.
+    /// A vertex as a point of a ring with a single side.
     fn in_lone_side(self, vertex: u32) -> Option<InRing> {
         let (InRing { ring, .. }, index) = self.on_side(vertex);
         let is_alone = self.0.ring_sides(ring).len() == 1;
@@ -111,7 +111,7 @@ impl Names<'_> {
         }
     }
 
-    /// "corner 3", "point 4 of side 2 of hole 1", or "point 12" of a ring that is one side.
+    /// "corner 3", "point 4 of side 2 of hole 1", or "point 12" of a ring with a single side.
     fn point_name(self, vertex: u32) -> String {
         match (self.in_lone_side(vertex), self.on_side(vertex)) {
             (Some(point), _) => point.named("point"),
@@ -120,7 +120,7 @@ impl Names<'_> {
         }
     }
 
-    /// "side 3", "interval 5 of side 3 of hole 1", or "edge 12" of a ring that is one side.
+    /// "side 3", "interval 5 of side 3 of hole 1", or "edge 12" of a ring with a single side.
     fn edge_name(self, begin: u32) -> String {
         if let Some(edge) = self.in_lone_side(begin) {
             return edge.named("edge");

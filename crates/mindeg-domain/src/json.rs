@@ -1,7 +1,7 @@
-//! Domains as JSON text: what engineers write by hand and keep beside their meshes.
+//! Domains as JSON text, which engineers write by hand and keep beside their meshes.
 //!
-//! Keys that are not the format's are refused, so that a misspelt one is not passed over. Every
-//! error says where in the text it is, also those that show only when all of it is read.
+//! Unknown keys are refused, so that a misspelt key is not ignored. Every error gives its position
+//! in the text, even an error that shows only after all of it is read.
 //!
 //! Limits: JSON has no comments and no infinities. The whole text is held in memory.
 
@@ -48,12 +48,12 @@ impl Domain {
     ///
     /// `docs/domains.md` explains every key, and `mindeg schema` prints the JSON Schema.
     ///
-    /// The value `null` counts as left out. Constraints on one vertex in several places count
-    /// together: external degrees add up, and the least degree limit holds.
+    /// The value `null` counts as left out. Several constraints on one vertex combine: external
+    /// degrees add up, and the least degree limit holds.
     ///
     /// # Errors
     ///
-    /// Text that is no JSON, keys or values that are not the format's, and everything that
+    /// Text that is not JSON, unknown keys or wrong values, and everything that
     /// [`DomainBuilder::build`](crate::DomainBuilder::build) refuses; each with its path, line and column.
     ///
     /// # Example
@@ -81,12 +81,12 @@ impl Domain {
         Self::from_json_up_to(text, u32::MAX)
     }
 
-    /// [`Domain::from_json`] of a domain with at most so many boundary vertices; others are refused before
-    /// their points take time and memory.
+    /// [`Domain::from_json`] with a maximum number of boundary vertices; a domain with more is refused
+    /// before its points take time and memory.
     ///
     /// # Errors
     ///
-    /// As [`Domain::from_json`], and more vertices.
+    /// The errors of [`Domain::from_json`], and too many vertices.
     ///
     /// # Example
     ///
@@ -107,10 +107,10 @@ impl Domain {
         description.domain_up_to(max_vertices).map_err(|error| text::located(text, error))
     }
 
-    /// The domain as JSON text, which [`Domain::from_json`] reads as the same points, bit for bit.
+    /// The domain as JSON text. [`Domain::from_json`] reads back the same points, bit for bit.
     ///
-    /// Rings run as in the mesh; the sides of one that was given the other way round have their
-    /// points in place of a spacing law. Every number is the shortest that reads back as the same f64.
+    /// Rings run as in the mesh. If a ring was given the wrong way round, its sides have points
+    /// instead of a spacing law. Every number is the shortest that reads back as the same f64.
     ///
     /// # Example
     ///
@@ -174,8 +174,8 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// Text that is no JSON, keys or values that are not the format's, and everything that
-    /// [`Model::new`] refuses; each with its path, line and column.
+    /// Text that is not JSON, unknown keys or wrong values, and everything that [`Model::new`]
+    /// refuses; each with its path, line and column.
     ///
     /// # Example
     ///
@@ -197,11 +197,11 @@ impl Model {
 }
 
 impl Interior {
-    /// What is wanted inside, from the JSON text of a domain's key `"interior"` alone.
+    /// The settings for interior points, from the JSON text of a domain's key `"interior"` alone.
     ///
     /// # Errors
     ///
-    /// Text that is no JSON, and keys or values that are not the format's.
+    /// Text that is not JSON, and unknown keys or wrong values.
     pub fn from_json(text: &str) -> Result<Self, DomainJsonError> {
         reader::read(text)
     }

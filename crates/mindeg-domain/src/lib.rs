@@ -1,5 +1,5 @@
-//! What to mesh: a polygon, with or without holes, how its sides are divided, and what limits its
-//! degrees.
+//! The input of a mesh: a polygon, with or without holes, the division of its sides, and limits on
+//! its degrees.
 //!
 //! ```
 //! use mindeg_domain::{Domain, Side};
@@ -10,14 +10,13 @@
 //! # Ok::<(), mindeg_domain::DomainError>(())
 //! ```
 //!
-//! Vertices and sides are numbered from 0, ring after ring, with the domain on the left: the outer
-//! ring counter-clockwise, vertex 0 at its first corner, and then each hole clockwise. y points up.
-//! The points of a convex outline with straight sides are formulas, so nothing there grows with the
-//! number of vertices unless a function says so; of any other domain they are stored. Everything is f64; transcendental functions come from
-//! `libm`, so the same input gives the same bits on every machine.
+//! Vertices and sides have indices from 0, ring after ring, with the domain on the left: the outer ring
+//! counter-clockwise, vertex 0 at its first corner, and then each hole clockwise. y points up. The points of a convex
+//! outline with straight sides are formulas, so nothing there grows with the number of vertices unless a function
+//! says so; the points of any other domain are stored. Everything is f64; transcendental functions come from `libm`,
+//! so the same input gives the same bits on every machine.
 //!
-//! Without the feature `json`, which is on by default, `Domain::from_json` is left out, and serde
-//! with it.
+//! Without the feature `json`, which is on by default, `Domain::from_json` and serde are left out.
 //!
 //! # Limits
 //!

@@ -1,4 +1,4 @@
-//! How large and how small the numbers of a domain may be.
+//! Limits on the size of a domain's numbers.
 
 use std::ops::RangeInclusive;
 
@@ -9,7 +9,7 @@ pub const GREATEST_COORDINATE: f64 = 1e100;
 pub const LEAST_SIDE: f64 = 1e-100;
 
 /// The magnitudes of coordinates, besides 0, for which products of four are exact in the predicates that
-/// judge a domain that is not convex.
+/// check a domain that is not convex.
 pub const EXACT_COORDINATES: RangeInclusive<f64> =
     1.793_662_034_335_766e-43..=3.213_876_088_517_980_6e60;
 
@@ -19,8 +19,8 @@ pub const EXACT_COORDINATES: RangeInclusive<f64> =
 /// wherever no interval is shorter.
 pub const LEAST_SHARE: f64 = 1e-12;
 
-/// The greatest external degree that one entry of [`Constraints`](crate::Constraints) may give.
-/// The two sides at a corner and its own entry give three times as much at most, which is a u32.
+/// The greatest external degree of one entry of [`Constraints`](crate::Constraints). The two sides
+/// at a corner and its own entry give at most three times as much, which fits in a u32.
 pub const GREATEST_EXTERNAL_DEGREE: u32 = 1_000_000_000;
 
 /// The most boundary vertices of a domain whose points are stored one by one: one with holes, with
@@ -31,6 +31,6 @@ pub const MAX_STORED_VERTICES: u32 = 1 << 26;
 /// corners.
 pub(crate) const STRAIGHT: f64 = 1e-9;
 
-/// How many roundings of a coordinate two points must be apart. Each point is off by less than
+/// The minimum distance of two points, in roundings of a coordinate. Each point is off by less than
 /// two, and so is the difference of corners its side is made from.
 pub(crate) const LEAST_ROUNDINGS: f64 = 8.0;

@@ -1,7 +1,7 @@
-//! The names of domains, sides and parts of models, which become groups of mesh files.
+//! The names of domains, sides, faces and edges, which become groups of mesh files.
 //!
-//! Limits: names may have any letters, but no character that ends a line, steers a terminal or
-//! turns the direction of writing.
+//! Limits: names may have any letters, but no character that ends a line, controls a terminal or
+//! changes the direction of writing.
 
 use mindeg_mesh::planar::InRing;
 use std::collections::BTreeMap;

@@ -1,7 +1,7 @@
-//! The shape of a domain as a user gives it: corners, and what joins them.
+//! The shape of a domain as a user gives it: corners, and the sides that join them.
 //!
-//! Limits: corners are judged one at a time, so of several faults the first is reported. Whether
-//! rings cross is judged later, on all points (`intersection.rs`).
+//! Limits: corners are checked one at a time, so only the first fault is reported. Whether rings
+//! cross is checked later, on all points (`intersection.rs`).
 
 use glam::DVec2;
 use mindeg_mesh::planar::{InRing, ring_name};
@@ -42,7 +42,7 @@ impl Outline {
 }
 
 impl Ring {
-    /// A ring of points, which come back bit for bit: one side, that starts and ends at the first.
+    /// A ring of points, kept bit for bit: a single side, which starts and ends at the first point.
     #[must_use]
     pub fn of_points(points: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
         let mut points = points.into_iter().map(Into::into);
@@ -115,7 +115,7 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Do
     let distance = libm::hypot(span.x, span.y);
     let rounding = f64::EPSILON * start.abs().max(end.abs()).max_element();
     let least = LEAST_SIDE.max(LEAST_ROUNDINGS * rounding);
-    // The longer difference alone decides what is too short to be a side.
+    // The longer difference alone decides whether a side is too short.
     if span.max_element() < LEAST_SIDE || distance < LEAST_ROUNDINGS * rounding {
         return error(format!(
             "{both} coincide: their distance is {distance:.1e}, and the minimum at these coordinates \

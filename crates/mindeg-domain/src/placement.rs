@@ -1,11 +1,11 @@
-//! Where the boundary vertices are.
+//! The positions of the boundary vertices.
 //!
-//! Of a convex domain with straight sides, points are closed forms, O(log k) each for k sides and
-//! nothing stored, so a boundary of billions of vertices takes no more memory than its sides. Of any
-//! other domain the points are stored.
+//! For a convex domain with straight sides, points are closed forms, O(log k) each for k sides and
+//! nothing stored, so a boundary of billions of vertices takes no more memory than its sides. For
+//! any other domain the points are stored.
 //!
-//! Limits: the checks keep points apart. A triangle of three distinct points may yet be so thin
-//! that rounding turns it over; meshing refuses to give one.
+//! Limits: the checks keep points apart. A triangle of three distinct points may still be so thin
+//! that rounding inverts it; meshing refuses to return such a triangle.
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::planar::{InRing, PlanarBoundary};
@@ -21,10 +21,10 @@ use crate::spacing_law::SpacingLaw;
 ///
 /// A [`Domain`](crate::Domain) has one, in [`Domain::placement`](crate::Domain::placement).
 ///
-/// # What is promised of the rounded points
+/// # Guarantees for the rounded points
 ///
-/// Corners and points given one by one are exactly where they were put, points of a straight side
-/// that is parallel to an axis lie exactly on it, and no two points coincide:
+/// Corners and points given one by one keep their exact positions, points of a straight side that
+/// is parallel to an axis lie exactly on it, and no two points coincide:
 ///
 /// - Along a straight side, the shortest interval is checked to be longer than what rounding at the
 ///   side's coordinates can move a point.
@@ -51,7 +51,7 @@ use crate::spacing_law::SpacingLaw;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placement {
     rings: Rings,
-    /// Of all rings; corner `s` is where side `s` starts.
+    /// The corners of all rings; side `s` starts at corner `s`.
     corners: Vec<DVec2>,
     points: Points,
 }
@@ -60,13 +60,13 @@ pub struct Placement {
 enum Points {
     /// On straight sides, by the law of each.
     Formula(Vec<SpacingLaw>),
-    /// One by one, with the length of each side.
+    /// Points one by one, with the length of each side.
     Stored { boundary: PlanarBoundary, lengths: Vec<f64> },
 }
 
 impl Placement {
-    /// Points on straight sides. As many `corners` as `laws`, as many as there are sides and with
-    /// their intervals.
+    /// Points on straight sides. `corners` and `laws` have one entry per side; each law has that
+    /// side's intervals.
     pub(crate) fn straight(rings: Rings, corners: Vec<DVec2>, laws: Vec<SpacingLaw>) -> Self {
         Self { rings, corners, points: Points::Formula(laws) }
     }
@@ -77,7 +77,7 @@ impl Placement {
         Self { corners: corners.collect(), rings, points: Points::Stored { boundary, lengths } }
     }
 
-    /// With the straight run of each edge, which are stored where points are.
+    /// Sets the straight run of each edge. Only stored points store their runs.
     pub(crate) fn with_runs(mut self, runs: Vec<u32>) -> Self {
         if let Points::Stored { boundary, lengths } = self.points {
             let boundary = boundary.with_sides(self.rings.corner_vertices().to_vec(), runs);
@@ -95,7 +95,7 @@ impl Placement {
     }
 
     /// The rounded points of a straight side are in order along the coordinate in which it is
-    /// longest, since rounding never swaps two numbers. That they differ is what is checked.
+    /// longest, since rounding never swaps two numbers. This checks that they differ.
     pub(crate) fn check_intervals(
         start: DVec2,
         end: DVec2,
@@ -121,7 +121,7 @@ impl Placement {
     }
 
     /// Checks that no points coincide next to the corners of a convex domain, either way round; at
-    /// a straight corner none can.
+    /// a straight corner no points can coincide.
     pub(crate) fn check_corners(
         &self,
         is_straight: impl Fn(usize) -> bool,
@@ -153,7 +153,7 @@ impl Placement {
         Ok(())
     }
 
-    /// Checks that decisions on the points are exact, as they must be where a boundary is not convex.
+    /// Checks that decisions on the points are exact; a boundary that is not convex needs exact ones.
     pub(crate) fn check_exactness(&self) -> Result<(), DomainError> {
         let is_exact = |x: f64| x == 0.0 || EXACT_COORDINATES.contains(&x.abs());
         let inexact = |point: &DVec2| !(is_exact(point.x) && is_exact(point.y));
@@ -187,17 +187,17 @@ impl Placement {
         self.rings.vertex_count()
     }
 
-    /// The corners of all rings; corner `s` is where side `s` starts.
+    /// The corners of all rings; side `s` starts at corner `s`.
     #[must_use]
     pub fn corners(&self) -> &[DVec2] {
         &self.corners
     }
 
-    /// The length of a side; along the curve, if it is one.
+    /// The length of a side, along its curve if it has one.
     ///
     /// # Panics
     ///
-    /// When `side` is not below the number of sides.
+    /// If `side` is not below the number of sides.
     #[must_use]
     pub fn side_length(&self, side: usize) -> f64 {
         match &self.points {
@@ -210,7 +210,7 @@ impl Placement {
     ///
     /// # Panics
     ///
-    /// When `vertex` is not below [`vertex_count`](Self::vertex_count).
+    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         match &self.points {
@@ -235,8 +235,8 @@ impl Placement {
         on_sides.chain(points.iter().copied())
     }
 
-    /// Writes the positions of the vertices from `first` on into `out`, as many as it holds. Much
-    /// faster than to ask for them one by one.
+    /// Fills `out` with the positions of the vertices from `first` on. Much faster than to ask for
+    /// them one by one.
     ///
     /// # Panics
     ///
@@ -258,7 +258,7 @@ impl Placement {
         self.fill(first, out, |point| point);
     }
 
-    /// [`fill_points`](Self::fill_points), of what is made of each point.
+    /// [`fill_points`](Self::fill_points) with `of` applied to each point.
     fn fill<T>(&self, first: u32, mut out: &mut [T], of: impl Fn(DVec2) -> T) {
         if out.is_empty() {
             return;
@@ -285,8 +285,8 @@ impl Placement {
         }
     }
 
-    /// The positions of vertices asked one by one. O(1) each as long as they keep to two sides
-    /// at a time, as those of a strip do.
+    /// The positions of single vertices. O(1) each while consecutive calls stay on the same two
+    /// sides, as along a strip.
     #[must_use]
     pub fn walk(&self) -> Walk<'_> {
         let sides = match &self.points {
@@ -317,8 +317,7 @@ impl Placement {
         }
     }
 
-    /// The area of the domain, holes left out, in square units. O(k), O(n) if the points are
-    /// stored.
+    /// The area of the domain without holes, in square units. O(k), O(n) if the points are stored.
     #[must_use]
     pub fn area(&self) -> f64 {
         // Relative to a point, so that nothing cancels far from the origin.
@@ -365,9 +364,9 @@ impl Positions for Placement {
 #[derive(Clone)]
 pub struct Walk<'a> {
     placement: &'a Placement,
-    /// The last two different sides that were asked for; none if the points are stored.
+    /// The last two different sides that were asked for; `None` if the points are stored.
     sides: Option<[SidePoints<'a>; 2]>,
-    /// Which of them was the last.
+    /// The index of the last one in `sides`.
     last: usize,
 }
 

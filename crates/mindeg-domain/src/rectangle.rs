@@ -71,7 +71,7 @@ impl Rectangle {
 
     /// Checks that 64-bit floats tell the corners apart.
     fn check_resolution(&self, corners: &[DVec2]) -> Result<(), DomainError> {
-        // Not a NaN either, which the greater of two numbers would pass over.
+        // Refuses NaN too: the greater of two numbers would ignore it.
         let is_within = |corner: &DVec2| {
             corner.x.abs() <= GREATEST_COORDINATE && corner.y.abs() <= GREATEST_COORDINATE
         };

@@ -1,6 +1,6 @@
 //! The boundary of a domain without positions: rings of sides, and sides of intervals.
 //!
-//! Ring 0 is the outer one, the others are holes. Vertices and sides are numbered ring after ring,
+//! Ring 0 is the outer one, the others are holes. Vertices and sides have indices ring after ring,
 //! from the first corner of each ring on, with the domain on the left: counter-clockwise round the
 //! outer ring, clockwise round a hole.
 //!
@@ -192,7 +192,7 @@ impl Rings {
         &self.corners[..self.side_count()]
     }
 
-    /// The vertex where `side` ends, which is where the next side of its ring starts. O(log h).
+    /// The vertex where `side` ends and the next side of its ring starts. O(log h).
     ///
     /// # Panics
     ///

@@ -1,6 +1,6 @@
-//! One side of a domain: how it runs, and how it is divided.
+//! One side of a domain: its curve and its division.
 //!
-//! Limits: the number of intervals that a size makes is a rounded quotient of 64-bit floats.
+//! Limits: the number of intervals from a size is a rounded quotient of 64-bit floats.
 
 use glam::DVec2;
 use mindeg_core::MAX_VERTICES;
@@ -10,18 +10,18 @@ use crate::curve::Curve;
 use crate::error::DomainError;
 use crate::spacing::Spacing;
 
-/// One side of a ring: how it runs from its corner to the next, and how it is divided.
+/// One side of a ring: its curve from its corner to the next, and its division.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
     /// How it runs.
     pub curve: Curve,
-    /// How many intervals.
+    /// The number of intervals.
     pub intervals: Intervals,
-    /// How the points are spread, in the direction of the side.
+    /// The spacing of the points, in the direction of the side.
     pub spacing: Spacing,
     /// A name, for the groups of mesh files.
     pub name: Option<String>,
-    /// What kind of boundary it is.
+    /// The kind of boundary.
     pub kind: Option<LineKind>,
 }
 
@@ -30,11 +30,11 @@ pub struct Side {
 pub enum Intervals {
     /// This number, at least 1.
     Count(u64),
-    /// As many as make intervals of about this length: the side's length divided by it,
+    /// The number that gives intervals of about this length: the side's length divided by it,
     /// rounded, at least 1.
     Size(f64),
-    /// From each point of a [`Curve::Polyline`] to the next: these points are the boundary's, bit
-    /// for bit. One where it has none.
+    /// One interval from each point of a [`Curve::Polyline`] to the next: these points are the
+    /// boundary's, bit for bit. One interval if the side has no points.
     Points,
 }
 
@@ -63,7 +63,7 @@ impl Side {
         Self::count(parameters.len() as u64 + 1).spaced(Spacing::Parameters(parameters))
     }
 
-    /// A side whose boundary points are those given, bit for bit, between its two corners.
+    /// A side with the given boundary points, bit for bit, between its two corners.
     ///
     /// # Example
     ///
@@ -108,7 +108,7 @@ impl Side {
 }
 
 impl Intervals {
-    /// How many intervals a side of some length gets, that has `points` of its own.
+    /// The number of intervals of a side of some length with `points` of its own.
     pub(crate) fn on(self, length: f64, points: usize) -> Result<u64, DomainError> {
         match self {
             Self::Count(count) => Ok(count),

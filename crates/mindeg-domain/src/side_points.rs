@@ -1,4 +1,4 @@
-//! The points of a straight side, by closed forms: nothing is stored for each of them.
+//! The points of a straight side, by closed forms: no point is stored.
 
 use glam::DVec2;
 
@@ -20,11 +20,11 @@ impl SidePoints<'_> {
         self.start + self.law.parameter(i) * self.span
     }
 
-    /// Points from index `first` on, as many as `out` holds.
+    /// Fills `out` with the points from index `first` on.
     pub(crate) fn fill<T>(&self, first: u32, out: &mut [T], of: impl Fn(DVec2) -> T) {
         let indexed = (first..).zip(out);
         if self.law.is_uniform() {
-            // The same formula, without a call: the compiler makes several points at a time.
+            // The same formula, without a call: the compiler computes several points at a time.
             let intervals = f64::from(self.law.intervals());
             indexed.for_each(|(i, out)| {
                 *out = of(self.start + f64::from(i) / intervals * self.span);
@@ -34,7 +34,7 @@ impl SidePoints<'_> {
         }
     }
 
-    /// The index of a vertex on the side, if it is there and not where the side ends.
+    /// The index of the vertex on the side; `None` if it is elsewhere or at the side's end.
     pub(crate) fn index(&self, vertex: u32) -> Option<u32> {
         vertex.checked_sub(self.first).filter(|&index| index < self.law.intervals())
     }

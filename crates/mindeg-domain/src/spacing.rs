@@ -1,9 +1,9 @@
-//! How the points of a side are spread: the laws a user can name.
+//! The spacing of a side's points: the laws a user can name.
 //!
-//! The names and meanings follow the mesh generators engineers know: `geometric` is Gmsh's
-//! `Progression`, `bump` and `beta` are Gmsh's laws of those names, `first_length` is the
-//! first-cell height of boundary layer meshing. Gmsh integrates a size function numerically;
-//! here each law is a closed form (`spacing_law.rs`).
+//! The names and meanings are those of the mesh generators that engineers know: `geometric` is
+//! Gmsh's `Progression`, `bump` and `beta` are Gmsh's laws of the same names, `first_length` is the
+//! first-cell height of boundary layer meshing. Gmsh integrates a size function numerically; here
+//! each law is a closed form (`spacing_law.rs`).
 //!
 //! Limits: a law is a law along a straight side. An interval shorter than
 //! `LEAST_SHARE` of its side is refused, since rounding would spoil it.
@@ -95,8 +95,8 @@ impl Spacing {
 }
 
 /// Reads `uniform`, `geometric:1.2`, `bump:0.2`, `beta:1.05`, `first-length:0.01` or
-/// `last-length:0.01`: the notation of the command line. The value itself is judged where the
-/// law is solved, since that takes the side.
+/// `last-length:0.01`: the notation of the command line. Solving the law checks the value, since
+/// that needs the side.
 impl FromStr for Spacing {
     type Err = DomainError;
 

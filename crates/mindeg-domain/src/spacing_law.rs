@@ -5,11 +5,11 @@
 //! arguments. Transcendental functions come from the `libm` crate, so the parameters are the
 //! same on every machine.
 //!
-//! Why O(1) suffices to know that all parameters increase: the intervals of every closed form
-//! here grow or shrink steadily along the side, or do so up to the middle and mirror there. So
-//! the shortest interval is the first, the middle or the last one. Where that is at least
-//! [`LEAST_SHARE`], the exponents in the formulas stay below about 60, and parameters are off by
-//! less than `1e-14` (by `7e-16` at most in 60,000 compared with 60-digit arithmetic).
+//! Why O(1) suffices to know that all parameters increase: the intervals of every closed form here
+//! grow or shrink steadily along the side, or do so up to the middle and mirror there. So the
+//! shortest interval is the first, the middle or the last one. If it is at least [`LEAST_SHARE`],
+//! the exponents in the formulas stay below about 60, and parameters are off by less than `1e-14`
+//! (at most `7e-16` in 60,000 compared with 60-digit arithmetic).
 //!
 //! Limits: parameters near 1 carry the absolute rounding of numbers near 1, some `1e-16`.
 
@@ -115,8 +115,8 @@ impl SpacingLaw {
         self.intervals
     }
 
-    /// Where point `i` lies, as a share of the side from its start: 0 at `i = 0`, 1 from
-    /// `i = m` on. O(1).
+    /// The position of point `i`, as a share of the side from its start: 0 at `i = 0`, 1 from `i =
+    /// m` on. O(1).
     #[must_use]
     pub fn parameter(&self, i: u32) -> f64 {
         let m = self.intervals;
@@ -137,7 +137,7 @@ impl SpacingLaw {
         }
     }
 
-    /// The shortest interval, counted from 0 (the first of equals), and its share of the side.
+    /// The index of the shortest interval from 0 (the first of equals), and its share of the side.
     ///
     /// O(1), and O(m) for explicit parameters.
     #[must_use]
@@ -146,7 +146,7 @@ impl SpacingLaw {
         match &self.form {
             Form::Uniform => (0, self.parameter(1)),
             Form::Parameters(_) => self.shortest_of(0..=last),
-            // Both ends are as short; rounding is not to prefer the last.
+            // Both ends are equally short; rounding must not prefer the last.
             Form::CrowdedEnds(_) => (0, self.parameter(1)),
             Form::Geometric(_) | Form::CrowdedMiddle(_) | Form::Beta { .. } => {
                 self.shortest_of([0, last / 2, last])
@@ -335,8 +335,8 @@ mod tests {
         }
     }
 
-    /// To first order in r - 1, t = u + (r - 1) m u (u - 1)/2: what is left of the second
-    /// order is below the digits compared.
+    /// To first order in r - 1, t = u + (r - 1) m u (u - 1)/2: the rest, of second order, is below
+    /// the digits compared.
     #[test]
     fn geometric_is_accurate_next_to_ratio_1() {
         for excess in [f64::EPSILON, -f64::EPSILON, 1e-14, -1e-14] {
@@ -452,7 +452,7 @@ mod tests {
         }
     }
 
-    /// Laws as wild as they come, and some refused.
+    /// Extreme laws, some of which are refused.
     fn any_law() -> impl Strategy<Value = Spacing> {
         let size = (-30.0..30.0_f64).prop_map(f64::exp);
         prop_oneof![

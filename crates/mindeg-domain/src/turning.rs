@@ -1,11 +1,11 @@
-//! Where the boundary turns and where it is straight: the straight runs that exact work forbids chords
-//! in, and the convex form that the formulas take.
+//! Where the boundary turns and where it is straight: the straight runs, in which exact work forbids
+//! chords, and the convex form for the formulas.
 //!
-//! The boundary is a sequence of *pieces*: a straight side is one, and so is each edge of a side that
-//! is not straight. Two pieces that follow each other are one straight *run* if
-//! [`planar::turn`] finds them straight.
+//! The boundary is a sequence of *pieces*: a straight side is one piece, and so is each edge of a
+//! side that is not straight. Two consecutive pieces are one straight *run* if [`planar::turn`] finds
+//! them straight.
 //!
-//! Limits: each turn is judged alone, so a run of many pieces may bend by a little in all.
+//! Limits: each turn is checked alone, so a run of many pieces may bend a little in total.
 
 use std::f64::consts::TAU;
 
@@ -16,8 +16,8 @@ use mindeg_mesh::planar::{self, Turn};
 use crate::placement::Placement;
 use crate::rings::Rings;
 
-/// A convex domain as the formulas of `mindeg-core` take it: no holes, and a side for each straight
-/// run of the boundary.
+/// A convex domain for the formulas of `mindeg-core`: no holes, and one side for each straight run
+/// of the boundary.
 ///
 /// # Example
 ///
@@ -155,7 +155,7 @@ impl Turning<'_> {
         }
     }
 
-    /// The convex form, if there are no holes and the one ring is convex and counter-clockwise.
+    /// The convex form, if the domain has no holes and its ring is convex and counter-clockwise.
     pub(crate) fn convex_form(&self) -> Option<ConvexForm> {
         let rings = self.rings();
         if rings.ring_count() > 1
@@ -174,7 +174,7 @@ impl Turning<'_> {
     }
 }
 
-/// The way round in which a ring runs.
+/// The direction of a ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Orientation {
     CounterClockwise,
@@ -229,7 +229,7 @@ mod tests {
         assert_eq!(polygon(&corners, &[1; 4]).straight_runs(), [0, 0, 1, 2]);
     }
 
-    /// Found by fuzzing: every corner beside such an edge passed for straight, and no chord was left.
+    /// Found by fuzzing: every corner beside such an edge counted as straight, and no chord was left.
     #[test]
     fn a_corner_beside_an_edge_of_one_unit_in_the_last_place_is_one() {
         let near = 31.0_f64 / 7.0;

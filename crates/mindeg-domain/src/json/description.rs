@@ -1,6 +1,6 @@
-//! What a domain's JSON has: its keys, as they are read, written and described by the schema.
+//! The JSON of a domain: its keys for reading, for writing and for the schema.
 //!
-//! Limits: only what can be told from the keys is checked here, such as keys that exclude each other.
+//! Limits: checks only the keys, for example keys that exclude each other.
 //! [`build`](crate::DomainBuilder::build) checks the rest.
 
 use glam::DVec2;
@@ -99,14 +99,14 @@ struct VertexKeys {
     max_degree: Option<u32>,
 }
 
-/// What a size has no say in.
+/// The message for a size beside a ring's own points.
 const OWN_POINTS: &str = "a \"ring\" has its own points; drop \"size\"";
 
 /// A ring with the constraints of its sides.
 type Described = (Ring, Vec<SideConstraint>);
 
 impl DomainDescription {
-    /// The domain that this describes.
+    /// Builds the described domain.
     ///
     /// # Errors
     ///
@@ -204,7 +204,7 @@ impl Hole {
     }
 }
 
-/// A ring of corners, with the sides as given, or as a size makes them.
+/// A ring of corners, with the given sides, or with sides from a size.
 fn with_sides(
     ring: usize,
     corners: Vec<DVec2>,
@@ -229,7 +229,7 @@ fn with_sides(
     Ok((Ring { corners, sides }, constraints))
 }
 
-/// A ring of points: its first point, and the one side.
+/// A ring of points: its first point, and its single side.
 fn of_points(
     ring: usize,
     points: Vec<DVec2>,
@@ -259,10 +259,10 @@ fn of_points(
 }
 
 impl Domain {
-    /// What describes this domain: the same points, bit for bit.
+    /// A description of this domain, with the same points, bit for bit.
     ///
-    /// Rings run as in the mesh; the sides of one that was given the other way round have their
-    /// points in place of a spacing law.
+    /// Rings run as in the mesh. If a ring was given the wrong way round, its sides have points
+    /// instead of a spacing law.
     #[must_use]
     pub fn description(&self) -> DomainDescription {
         let ring = |ring: usize| {

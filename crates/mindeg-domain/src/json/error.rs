@@ -1,6 +1,6 @@
-//! What is wrong with a domain's JSON text, and where it stands.
+//! Errors in a domain's JSON text, with their position.
 
-/// What is wrong with a domain's JSON text, and where.
+/// An error in a domain's JSON text, with its position.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}, column {column}{}: {message}", if path.is_empty() { String::new() } else { format!(", {path}") })]
 pub struct DomainJsonError {
@@ -11,6 +11,6 @@ pub struct DomainJsonError {
     /// The column, from 1, in bytes: where the wrong value starts, or where the text stops being
     /// JSON.
     pub column: usize,
-    /// What is wrong and what is allowed.
+    /// The error and the allowed values.
     pub message: String,
 }

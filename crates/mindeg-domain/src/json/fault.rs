@@ -1,4 +1,4 @@
-//! What serde finds wrong, in sentences for people who write JSON by hand.
+//! The errors of serde, in sentences for people who write JSON by hand.
 
 use std::fmt;
 
@@ -6,7 +6,7 @@ use serde::de::{Error, Expected, Unexpected};
 
 use crate::error::Step;
 
-/// What serde finds wrong.
+/// An error of serde.
 #[derive(Debug)]
 pub(super) struct Fault {
     pub(super) message: String,
@@ -14,7 +14,7 @@ pub(super) struct Fault {
     pub(super) at: Option<usize>,
     /// The way to it, innermost first.
     pub(super) steps: Vec<Step>,
-    /// Whether the message is to begin with what was found instead.
+    /// Whether the message must begin with the value found instead.
     pub(super) is_expectation: bool,
     /// The key that it is about, if that comes after the start of its object.
     pub(super) key: Option<String>,

@@ -1,4 +1,4 @@
-//! Values that JSON has in more than one form, or in another than Rust.
+//! Values that have several forms in JSON, or another form than in Rust.
 
 use std::fmt;
 
@@ -20,7 +20,7 @@ impl From<SizeAt> for [f64; 3] {
     }
 }
 
-/// A whole number, or a list in place of it.
+/// A whole number, or a list instead.
 struct NumberOr<T, L> {
     expected: &'static str,
     number: fn(u32) -> T,

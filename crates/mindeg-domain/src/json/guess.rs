@@ -1,13 +1,13 @@
-//! What a file that is no domain looks like: the mistakes to expect of people who have a mesh or an
-//! outline in another format.
+//! Guesses what a file is if it is not a domain: the likely mistakes of people who have a mesh or
+//! an outline in another format.
 //!
-//! Limits: a guess from the first lines and keys, for a message and for nothing else.
+//! Limits: guesses from the first lines and keys; use it for a message only.
 
 use serde_json::Value;
 
 use super::error::DomainJsonError;
 
-/// What a text that is no JSON looks like.
+/// Guesses the format of a text that is not JSON.
 pub(super) fn of_text(text: &str) -> Option<&'static str> {
     let mut lines = text.lines().map(str::trim);
     let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'));
@@ -46,7 +46,7 @@ pub(super) fn of_text(text: &str) -> Option<&'static str> {
         .then_some("a list of points (CSV); they go into \"polygon\": {\"corners\": [[x, y], …]}")
 }
 
-/// The same error, or a guess at what the text is where that is JSON for something else.
+/// The same error, or a guess at the format if the text is JSON for something else.
 pub(super) fn explained(text: &str, error: DomainJsonError) -> DomainJsonError {
     const DOMAIN: &str = "a domain is an object with \"rectangle\", \"polygon\" or \"ring\", and \
                           \"sides\" or \"size\"";
@@ -69,7 +69,7 @@ pub(super) fn explained(text: &str, error: DomainJsonError) -> DomainJsonError {
     }
 }
 
-/// What a JSON object with these keys and this text under `type` looks like.
+/// Guesses the format of a JSON object with these keys and this text under `type`.
 fn of_keys<'k>(
     mut keys: impl Iterator<Item = &'k str>,
     kind: Option<&str>,

@@ -1,4 +1,4 @@
-//! What a model's JSON has: its keys, as they are read and described by the schema.
+//! The JSON of a model: its keys for reading and for the schema.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -136,7 +136,7 @@ impl<'de> Deserialize<'de> for FaceKeys {
 type Materials = BTreeMap<String, Arc<Material>>;
 
 impl ModelDescription {
-    /// The model that this describes.
+    /// Builds the described model.
     ///
     /// # Errors
     ///
@@ -201,7 +201,7 @@ impl FaceKeys {
         };
         let NamedFace { corners, holes, name, group, material } = face;
         let loops = [vec![corners], holes.unwrap_or_default()].concat();
-        // A material that the list does not have has no color.
+        // A material that is not in the list has no color.
         let material = material.map(|name| {
             let without = || Arc::new(Material { name: name.clone(), color: None });
             Arc::clone(materials.entry(name.clone()).or_insert_with(without))

@@ -1,6 +1,6 @@
 //! JSON text as serde reads it, with the place, line and column of every fault.
 //!
-//! A struct is read from an object alone; serde_json would take a list, too.
+//! A struct is read from an object only; serde_json would accept a list, too.
 
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{
@@ -25,7 +25,7 @@ pub(super) fn read<T: DeserializeOwned>(text: &str) -> Result<T, DomainJsonError
 }
 
 impl<'t> Reader<'t> {
-    /// What is read of the value that starts here, whose faults are put here unless they are within.
+    /// Reads the value that starts here. A fault without a position gets the position of this value.
     fn placed<T>(&mut self, read: impl FnOnce(&mut Self) -> Result<T, Fault>) -> Result<T, Fault> {
         self.peek();
         let start = self.at;
@@ -46,7 +46,7 @@ impl<'t> Reader<'t> {
         })
     }
 
-    /// What a visitor makes of the list or object that starts here.
+    /// The result of a visitor on the list or object that starts here.
     fn inside<T>(
         &mut self,
         visit: impl FnOnce(&mut Items<'_, 't>) -> Result<T, Fault>,
@@ -94,7 +94,7 @@ impl<'de, 't> Deserializer<'de> for &mut Reader<'t> {
                 if let Ok(whole) = token.parse() {
                     return visitor.visit_u64(whole);
                 }
-                // Every JSON number is one of Rust's, which are rounded to the nearest f64.
+                // Every JSON number is a valid Rust number; Rust rounds to the nearest f64.
                 match token.parse::<f64>() {
                     Ok(number) if number.is_finite() => visitor.visit_f64(number),
                     _ => Err(Fault::new(format!(
@@ -149,7 +149,7 @@ impl<'de, 't> Deserializer<'de> for &mut Reader<'t> {
     }
 }
 
-/// What a list or object has.
+/// The items of a list or object.
 struct Items<'r, 't> {
     reader: &'r mut Reader<'t>,
     index: usize,

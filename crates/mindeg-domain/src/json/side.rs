@@ -1,4 +1,4 @@
-//! Sides as JSON has them: how they run, how they are divided, what they are called.
+//! Sides in JSON: their curves, their division and their names.
 
 use glam::DVec2;
 use mindeg_mesh::LineKind;
@@ -78,7 +78,7 @@ enum Kind {
     Island,
 }
 
-/// How many intervals a side or an edge gets.
+/// The number of intervals of a side or an edge.
 pub(super) fn intervals(
     place: &Place,
     (count, size): (Option<u64>, Option<f64>),
@@ -103,7 +103,7 @@ pub(super) fn intervals(
     }
 }
 
-/// The one side of a ring of points.
+/// The single side of a ring of points.
 pub(super) fn lone_side(
     given: SideKeys,
     own: Side,
@@ -174,7 +174,7 @@ impl SideKeys {
         Ok((side, SideConstraint { external_degree, degree_limit: self.max_degree }))
     }
 
-    /// What describes a side of a domain.
+    /// The description of a side of a domain.
     pub(super) fn of(domain: &Domain, ring: usize, index: usize) -> Self {
         let Side { curve, intervals, spacing, name, kind } = domain.sides()[index].clone();
         let constraint = domain.constraints().sides.get(index).cloned().unwrap_or_default();
@@ -186,8 +186,8 @@ impl SideKeys {
             max_degree: constraint.degree_limit,
             ..Self::default()
         };
-        // Points that were worked out the other way round differ in their last bits: so the sides
-        // of a turned ring give them one by one, but where all points are formulas anyway.
+        // Points computed in the other direction differ in their last bits. So the sides of a
+        // reversed ring list their points, unless all points are formulas anyway.
         let is_formula = domain.convex().is_some()
             && domain.sides().iter().all(|side| side.curve == Curve::Line);
         let count = domain.rings().intervals(index);

@@ -8,7 +8,7 @@ use super::guess;
 /// The smallest domain.
 const EXAMPLE: &str = "{\"rectangle\": {\"width\": 4, \"height\": 3}, \"size\": 1}";
 
-/// The error of a text that is no JSON, with a guess at what it is instead.
+/// The error of a text that is not JSON, with a guess at its format.
 pub(super) fn no_json(text: &str, error: &serde_json::Error) -> DomainJsonError {
     let at = |line: usize, column: usize, message| {
         let (line, column) = (line.max(1), column.max(1));
@@ -29,7 +29,7 @@ pub(super) fn no_json(text: &str, error: &serde_json::Error) -> DomainJsonError 
     at(error.line(), error.column(), words(error, found))
 }
 
-/// What the parser says of the byte that it found, in our words: its own are for programmers.
+/// The parser's error about the byte that it found, in our words: its own are for programmers.
 fn words(error: &serde_json::Error, found: Option<u8>) -> String {
     if error.classify() == Category::Eof {
         return "the JSON text ends too early; close every {, [ and \" that is open".to_owned();

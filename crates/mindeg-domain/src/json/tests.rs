@@ -1,4 +1,4 @@
-//! What is read.
+//! Tests of reading.
 
 use glam::DVec2;
 
@@ -83,7 +83,7 @@ fn null_counts_as_left_out() {
     assert!(!domain.is_constrained());
 }
 
-/// The reader's own float parser is allowed to be off by a unit in the last place.
+/// The reader's own float parser may be off by a unit in the last place.
 #[test]
 fn coordinates_are_the_nearest_f64() {
     for i in 0..2000_u32 {
@@ -95,7 +95,7 @@ fn coordinates_are_the_nearest_f64() {
     }
 }
 
-/// A unit square in whose JSON the last side is as given, on line 3 from column 2 on.
+/// A unit square in JSON with the given last side, on line 3 from column 2 on.
 pub(super) fn with_side(side: &str) -> String {
     format!(
         "{{\"rectangle\": {{\"width\": 1, \"height\": 1}}, \"sides\": [\n\
@@ -103,7 +103,7 @@ pub(super) fn with_side(side: &str) -> String {
     )
 }
 
-/// A domain in which the hole is as given, from column 63 on.
+/// A domain in JSON with the given hole, from column 63 on.
 pub(super) fn with_hole(hole: &str) -> String {
     format!(r#"{{"rectangle": {{"width": 9, "height": 9}}, "size": 3, "holes": [{hole}]}}"#)
 }
@@ -375,7 +375,7 @@ fn a_side_without_own_points_is_one_interval() {
     assert_eq!(again.sides(), domain.sides());
 }
 
-/// They said that the side has no length.
+/// The error was once that the side has no length.
 #[test]
 fn a_ring_below_the_smallest_length_is_refused_for_its_size() {
     let error = Domain::from_json(r#"{"ring": [[0, 0], [1e-140, 0], [0, 1e-140]]}"#).unwrap_err();
@@ -396,7 +396,7 @@ fn coordinates_keep_every_bit() {
     assert_eq!(ring[2], [1.797_693_134_862_315_7e99, 7.0]);
 }
 
-/// Numbers that no JSON text has come from other programs, without a text.
+/// Values that JSON cannot express (NaN) come from other programs, without a text.
 #[test]
 fn a_number_that_is_none_is_refused_by_the_key() {
     let mut description = DomainDescription::default();
@@ -410,7 +410,7 @@ fn a_number_that_is_none_is_refused_by_the_key() {
     assert_eq!(error.message, "side 1: the size is NaN; it must be a finite number above 0");
 }
 
-/// Meshing said so, without the name of the file.
+/// Only meshing refused them once, without the name of the file.
 #[test]
 fn coordinates_too_large_or_small_for_exact_work_are_refused_when_read() {
     let dart = |scale: f64| {
@@ -428,7 +428,7 @@ fn coordinates_too_large_or_small_for_exact_work_are_refused_when_read() {
         assert_eq!(error.path, "polygon.corners");
         assert!(error.message.contains("of magnitude 1.8e-43 to 3.2e60"), "{error}");
     }
-    // Convex ones are formulas, at any scale.
+    // Convex domains are formulas, at any scale.
     let plate = r#"{"rectangle": {"width": 4e80, "height": 3e80}, "size": 1e80}"#;
     assert!(Domain::from_json(plate).is_ok());
 }

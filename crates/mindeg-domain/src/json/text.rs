@@ -1,7 +1,7 @@
-//! A text that is valid JSON: where its parts are.
+//! A valid JSON text: where its values are.
 //!
-//! serde_json checks the syntax first. So what walks here meets valid JSON alone, and takes commas and
-//! colons for space.
+//! serde_json checks the syntax first. So this reader meets only valid JSON, and treats commas and
+//! colons as space.
 
 use serde::de::IgnoredAny;
 
@@ -19,12 +19,12 @@ pub(super) fn checked(text: &str) -> Result<&str, DomainJsonError> {
     }
 }
 
-/// Whether a text is JSON with a part.
+/// Whether a text is JSON with a value at this place.
 pub(super) fn has(text: &str, place: &Place) -> bool {
     checked(text).is_ok_and(|text| Reader { text, at: 0 }.find(&place.0).is_some())
 }
 
-/// An error of what a text describes, with the line and column of the part that it is about.
+/// An error in a description, with the line and column of the value that it is about.
 pub(super) fn located(text: &str, error: DomainError) -> DomainJsonError {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let DomainError { mut place, message, .. } = error;
@@ -34,7 +34,7 @@ pub(super) fn located(text: &str, error: DomainError) -> DomainJsonError {
         if let Some((start, place)) = found {
             return at(text, start, &place, message);
         }
-        // What is wrong is a value that was left out: what it belongs to is the place.
+        // The wrong value was left out: report the value that should contain it.
         place.0.pop();
     }
 }
@@ -46,21 +46,21 @@ pub(super) fn at(text: &str, start: usize, place: &Place, message: String) -> Do
     DomainJsonError { path: place.to_string(), line, column, message }
 }
 
-/// A text that is valid JSON, from some place on.
+/// A valid JSON text, from some position on.
 pub(super) struct Reader<'t> {
     pub(super) text: &'t str,
     pub(super) at: usize,
 }
 
 impl<'t> Reader<'t> {
-    /// The first byte of the next value, or the end of what it would be in.
+    /// The first byte of the next value, or the end of the list or object.
     pub(super) fn peek(&mut self) -> u8 {
         let rest = self.text[self.at..].trim_start_matches([' ', '\t', '\n', '\r', ',', ':']);
         self.at = self.text.len() - rest.len();
         rest.bytes().next().unwrap_or(b'}')
     }
 
-    /// The next value if it is a text, number, truth or null.
+    /// The next value if it is a string, number, boolean or null.
     pub(super) fn token(&mut self) -> &'t str {
         let is_text = self.peek() == b'"';
         let rest = &self.text[self.at..];
@@ -78,7 +78,7 @@ impl<'t> Reader<'t> {
         &rest[..len]
     }
 
-    /// The next value, or key, as a text.
+    /// The next value, or key, as a string.
     pub(super) fn string(&mut self) -> Result<String, Fault> {
         let start = self.at;
         let token = self.token();
@@ -102,7 +102,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    /// Where a part of the next value starts.
+    /// The position of a value inside the next value.
     pub(super) fn find(&mut self, steps: &[Step]) -> Option<usize> {
         let first = self.peek();
         let Some((step, rest)) = steps.split_first() else { return Some(self.at) };
@@ -134,7 +134,7 @@ impl<'t> Reader<'t> {
         (!matches!(self.peek(), b'}' | b']')).then_some(())
     }
 
-    /// The next value as a message says it.
+    /// The next value, in the words of a message.
     pub(super) fn found(&mut self) -> String {
         match self.peek() {
             b'{' => "an object".to_owned(),
@@ -152,7 +152,7 @@ impl<'t> Reader<'t> {
 }
 
 impl Place {
-    /// The places where a text may give this part, the likeliest first.
+    /// The places where a text may give this value, the likeliest first.
     fn given(&self) -> Vec<Self> {
         let (ring, steps) = match &self.0[..] {
             [Step::Key(holes), Step::Index(hole), steps @ ..] if holes == "holes" => {

@@ -24,7 +24,7 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// What is wrong with which face, edge or corner.
+    /// The first fault, with its face, edge or corner.
     pub fn new(parts: ModelParts) -> Result<Self, DomainError> {
         let ModelParts { corners, faces, edges, other_edges, planar_tolerance } = parts;
         check_corners(&corners, &faces, &edges)?;
@@ -224,7 +224,7 @@ fn ends_of_edges(faces: &[Vec<Vec<u32>>]) -> Vec<[u32; 2]> {
     ends
 }
 
-/// A loop as edges, which count the pass.
+/// A loop as edges; counts each pass of an edge.
 fn passes(corners: &[u32], ends: &[[u32; 2]], edges: &mut [Edge]) -> Vec<Pass> {
     let pass = |(i, &from): (usize, &u32)| {
         let to = corners[(i + 1) % corners.len()];
@@ -296,7 +296,7 @@ fn edge_name([from, to]: [u32; 2]) -> String {
     format!("the edge from corner {from} to corner {to}")
 }
 
-/// The law of an edge; the place is where its division is given.
+/// The law of an edge; `place` is where the description divides it.
 fn law(
     corners: &[DVec3],
     ends: [u32; 2],
@@ -341,7 +341,7 @@ struct Groups {
     indices: BTreeMap<GroupKey, u32>,
 }
 
-/// The names of a group and its material, and the bits of the material's color.
+/// The names of a group and of its material, and the bits of the material's color.
 type GroupKey = (Option<String>, Option<(String, Option<[u32; 4]>)>);
 
 impl Groups {
@@ -357,7 +357,7 @@ impl Groups {
         })
     }
 
-    /// The groups, with those of one name together, by which the faces name their own.
+    /// The groups, with equal names together; the faces get the new indices of their groups.
     fn sorted(self, faces: &mut [Face]) -> Vec<FaceGroup> {
         let mut first_of_name = BTreeMap::new();
         let first = |(group, of): (usize, &FaceGroup)| {

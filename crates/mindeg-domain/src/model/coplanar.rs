@@ -1,4 +1,4 @@
-//! Neighbouring faces in one plane merged to one face.
+//! Merges neighbouring faces in one plane into one face.
 //!
 //! A region grows from its largest face over edges with exactly two faces that run in opposite
 //! directions. A face joins if all its corners are near the plane of that first face and it faces
@@ -96,7 +96,7 @@ impl HalfEdges {
         Self(edges)
     }
 
-    /// The one face that has this half-edge.
+    /// The only face with this half-edge.
     fn face(&self, edge: [u32; 2]) -> Option<usize> {
         let at = self.0.partition_point(|&(other, _)| other < edge);
         match &self.0[at..] {
@@ -106,7 +106,7 @@ impl HalfEdges {
         }
     }
 
-    /// The other face of an edge with two faces that run in opposite directions.
+    /// The opposite face of an edge with two faces that run in opposite directions.
     fn across(&self, [from, to]: [u32; 2]) -> Option<usize> {
         self.face([from, to]).and(self.face([to, from]))
     }
@@ -116,7 +116,7 @@ impl HalfEdges {
     }
 }
 
-/// The loops around some faces; none if they pass a corner twice.
+/// The loops around some faces; `None` if they pass a corner twice.
 fn outline(faces: &[ModelFace], members: &[usize], edges: &HalfEdges) -> Option<Vec<Vec<u32>>> {
     let is_within =
         |edge| edges.across(edge).is_some_and(|face| members.binary_search(&face).is_ok());
@@ -140,7 +140,7 @@ fn outline(faces: &[ModelFace], members: &[usize], edges: &HalfEdges) -> Option<
     (!loops.is_empty()).then_some(loops)
 }
 
-/// Removes the corners at which only two edges of all faces meet, on one line.
+/// Removes the corners where only two edges of all faces meet, on one line.
 fn remove_straight_corners(corners: &[DVec3], faces: &mut [ModelFace]) {
     let mut ends: Vec<[u32; 2]> =
         faces.iter().flat_map(half_edges).flat_map(|[a, b]| [[a, b], [b, a]]).collect();

@@ -7,14 +7,14 @@ use super::{Model, Pass};
 
 /// The plane of a face, with coordinates in which the face is counter-clockwise.
 ///
-/// A plane along two axes takes two coordinates as they are, so that nothing is rounded; in any
-/// other plane the coordinates are those along two unit vectors at a right angle, from a corner of
-/// the face. Lengths and angles are the same in space.
+/// A plane along two axes keeps two coordinates unchanged, so that nothing is rounded. In any other
+/// plane the coordinates are along two perpendicular unit vectors, from a corner of the face.
+/// Lengths and angles are the same in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
     /// The unit normal.
     pub normal: DVec3,
-    /// What the coordinates are counted from.
+    /// The origin of the coordinates.
     origin: DVec3,
     axes: [DVec3; 2],
     /// A mean of corners.
@@ -22,8 +22,8 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane through the mean of the corners of a loop, with Newell's normal; none if the loop
-    /// has no area.
+    /// The plane through the mean of the corners of a loop, with Newell's normal; `None` if the
+    /// loop has no area.
     pub(super) fn of_loop(corners: &[DVec3]) -> Option<Self> {
         let first = corners[0];
         let mut sum = DVec3::ZERO;
@@ -33,7 +33,7 @@ impl Plane {
             sum += corner - first;
             normal += (corner - first).cross(next - first);
         }
-        // A length of a product may vanish where lengths do not.
+        // The length of a product may vanish although its factors do not.
         let largest = normal.abs().max_element();
         let normal = (normal / largest).try_normalize()?;
         let center = first + sum / corners.len() as f64;
@@ -69,7 +69,7 @@ impl Plane {
         DVec2::new(from_origin.dot(self.axes[0]), from_origin.dot(self.axes[1]))
     }
 
-    /// The point of the plane with some coordinates.
+    /// The point of the plane with these coordinates.
     #[must_use]
     pub fn lift(&self, point: DVec2) -> DVec3 {
         let height = (self.center - self.origin).dot(self.normal);
@@ -89,14 +89,15 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     #[must_use]
     pub fn face_vertices(&self, face: usize) -> Vec<u32> {
         self.face_rings(face).concat()
     }
 
-    /// The vertices of a face, as in [`face_vertices`](Self::face_vertices), and its boundary in its
-    /// plane, with the straight runs of its edges. `positions` are those of the model's vertices.
+    /// The vertices of a face, in the order of [`face_vertices`](Self::face_vertices), and its
+    /// boundary in its plane, with the straight runs of its edges. `positions` are the positions of
+    /// the model's vertices.
     ///
     /// # Errors
     ///
@@ -104,7 +105,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     pub fn boundary(
         &self,
         face: usize,
@@ -144,7 +145,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     pub fn face_loops(&self, face: usize) -> impl Iterator<Item = Vec<u32>> + '_ {
         self.faces[face].loops.iter().map(|passes| {
             let begin = |pass: &Pass| {
@@ -159,7 +160,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     #[must_use]
     pub fn plane(&self, face: usize) -> &Plane {
         &self.faces[face].plane
@@ -169,7 +170,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     #[must_use]
     pub fn face_size(&self, face: usize) -> u32 {
         let passes = self.faces[face].loops.iter().flatten();

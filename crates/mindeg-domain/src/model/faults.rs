@@ -1,5 +1,4 @@
-//! What is wrong with how faces hang together: an error where a mesh would make no sense, else a
-//! note.
+//! Faults in how faces join: an error if a mesh would make no sense, else a note.
 
 use super::Model;
 use crate::error::{DomainError, Place};
@@ -7,12 +6,12 @@ use crate::error::{DomainError, Place};
 /// How many items a note names.
 const NAMED: usize = 6;
 
-/// What is wrong with a face.
+/// The error of a face.
 pub(super) fn face_error(face: usize, is: impl std::fmt::Display) -> DomainError {
     DomainError::new(Place::key("faces").then(face), format!("face {face} {is}"))
 }
 
-/// Two corners of an edge at one place.
+/// The error of an edge whose two corners coincide.
 pub(super) fn coincident([first, second]: [u32; 2]) -> DomainError {
     DomainError::touch(
         Place::key("corners").then(second as usize),
@@ -59,7 +58,7 @@ fn edges(loops: &[Vec<u32>]) -> Vec<[u32; 2]> {
     edges
 }
 
-/// What the user should know, one sentence each.
+/// The notes for the user, one sentence each.
 pub(super) fn notes(model: &Model) -> Vec<String> {
     let mut notes = Vec::new();
     let boundary: Vec<usize> = model.boundary_edges().collect();

@@ -1,4 +1,4 @@
-//! A mesh that a reader gave as a model: its polygons are the faces.
+//! A model from a reader's mesh: its polygons are the faces.
 
 use glam::DVec3;
 use mindeg_mesh::TriMesh;
@@ -15,29 +15,29 @@ pub struct FromMesh {
     pub edges: Side,
     /// Whether neighbouring faces of one group in one plane become one face.
     pub merge_coplanar: bool,
-    /// How far a corner may be from the plane of its face, in units of length; none for
+    /// How far a corner may be from the plane of its face, in units of length; `None` means
     /// [`PLANAR_SHARE`](super::PLANAR_SHARE) of the largest extent.
     pub planar_tolerance: Option<f64>,
 }
 
 impl Model {
-    /// The model whose faces are the polygons of a mesh, or its triangles if it has no others.
-    /// O(n log n).
+    /// The model whose faces are the polygons of a mesh, or its triangles if it has no other
+    /// polygons. O(n log n).
     ///
-    /// Vertices with equal coordinates are one corner, under the index of the first. A polygon that
+    /// Vertices with equal coordinates are one corner, with the index of the first. A polygon that
     /// uses an edge twice, once in each direction, has a hole there. Groups and materials stay;
-    /// triangles that name a corner twice are left out. What the mesh [notes](TriMesh::notes) of its
-    /// file, the model notes, too.
+    /// triangles that name a corner twice are left out. The [notes](TriMesh::notes) of the mesh
+    /// become notes of the model.
     ///
     /// With [`FromMesh::merge_coplanar`], faces of one group that share an edge with two faces
     /// become one, if all corners of the smaller are within a tolerance of the plane of the largest
     /// face of the whole region: four times the [rounding](TriMesh::rounding) of the mesh, or a
     /// millionth of its largest extent if that is more. A region that touches itself in a corner
-    /// stays as it was. Then corners between two edges on one line vanish.
+    /// stays unchanged. Then corners between two edges on one line vanish.
     ///
     /// # Errors
     ///
-    /// As [`Model::new`]; faces count as in the mesh, or after merging.
+    /// The errors of [`Model::new`]; indices of faces are those of the mesh, or after merging.
     ///
     /// # Example
     ///
@@ -119,7 +119,7 @@ fn sentence(phrase: &str) -> String {
         .map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
 }
 
-/// For every vertex the first one with its coordinates.
+/// For every vertex, the first vertex with its coordinates.
 fn welded(positions: &[DVec3]) -> Vec<u32> {
     // -0.0 is 0.0.
     let key = |vertex: u32| positions[vertex as usize].to_array().map(|x| (x + 0.0).to_bits());
@@ -132,7 +132,7 @@ fn welded(positions: &[DVec3]) -> Vec<u32> {
     first_of
 }
 
-/// The loops of a polygon: it is cut at every edge that it uses twice, once in each direction.
+/// The loops of a polygon, cut at every edge that it uses twice, once in each direction.
 fn split_at_bridges(polygon: Vec<u32>) -> Vec<Vec<u32>> {
     let mut open = vec![polygon];
     let mut loops = Vec::new();
@@ -149,7 +149,7 @@ fn split_at_bridges(polygon: Vec<u32>) -> Vec<Vec<u32>> {
     loops
 }
 
-/// The places i < j of an edge that is used in both directions, but for a spike.
+/// The indices i < j of an edge that is used in both directions and is not a spike.
 fn find_bridge(corners: &[u32]) -> Option<(usize, usize)> {
     let n = corners.len();
     let next = |i: usize| corners[(i + 1) % n];
@@ -185,7 +185,7 @@ mod tests {
         // Two holes, one behind the other.
         let two = [0, 1, 2, 3, 0, 4, 5, 7, 8, 9, 7, 5, 6, 4];
         assert_eq!(split(&two), [vec![0, 1, 2, 3], vec![4, 5, 6], vec![7, 8, 9]]);
-        // A spike is no hole.
+        // A spike is not a hole.
         assert_eq!(split(&[0, 1, 2, 9, 2, 3]), [vec![0, 1, 2, 9, 2, 3]]);
     }
 }

@@ -29,7 +29,7 @@ use mindeg_mesh::Material;
 use crate::side::Side;
 use crate::spacing_law::SpacingLaw;
 
-/// A face as it is given: its loops of corners, and what it is called.
+/// A face as given: its loops of corners, and its names.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ModelFace {
     /// The outer loop and then the holes, by corners. The outer loop runs counter-clockwise as seen
@@ -43,7 +43,7 @@ pub struct ModelFace {
     pub material: Option<Arc<Material>>,
 }
 
-/// How one edge is divided, seen from the first of its corners.
+/// The division of one edge, seen from the first of its corners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModelEdge {
     /// Its corners, in either order.
@@ -52,7 +52,7 @@ pub struct ModelEdge {
     pub side: Side,
 }
 
-/// What a [`Model`] is made from.
+/// The input of a [`Model`].
 #[derive(Clone, Debug)]
 pub struct ModelParts {
     /// Positions of corners, in units of length.
@@ -61,9 +61,9 @@ pub struct ModelParts {
     pub faces: Vec<ModelFace>,
     /// The division of some edges.
     pub edges: Vec<ModelEdge>,
-    /// The division of all other edges; none if all are given.
+    /// The division of all other edges; `None` if all are given.
     pub other_edges: Option<Side>,
-    /// How far a corner may be from the plane of its face, in units of length; none for
+    /// How far a corner may be from the plane of its face, in units of length; `None` means
     /// [`PLANAR_SHARE`] of the largest extent of the model.
     pub planar_tolerance: Option<f64>,
 }
@@ -107,12 +107,12 @@ pub struct Model {
     notes: Vec<String>,
 }
 
-/// Faces that are one piece of the mesh: of one group, and of one material.
+/// The faces of one group with one material: one piece of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FaceGroup {
     /// The group's name, if it has one.
     pub name: Option<String>,
-    /// The material, if they have one.
+    /// The material, if the faces have one.
     pub material: Option<Arc<Material>>,
 }
 
@@ -120,11 +120,11 @@ pub struct FaceGroup {
 struct Edge {
     /// The lower and the higher corner.
     corners: [u32; 2],
-    /// The vertex of the first point inside.
+    /// The vertex of the first interior point.
     first: u32,
     law: SpacingLaw,
     name: Option<String>,
-    /// How many faces pass it upwards, from the lower to the higher corner, and downwards.
+    /// The number of faces that pass the edge upwards (lower to higher corner), and downwards.
     passes: [u32; 2],
 }
 
@@ -137,7 +137,7 @@ struct Face {
     group: u32,
 }
 
-/// One edge as a face passes it.
+/// One edge in the direction of a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Pass {
     edge: u32,
@@ -145,7 +145,7 @@ struct Pass {
     is_upward: bool,
 }
 
-/// Where a vertex of a model is.
+/// The position of a vertex on a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModelPlace {
     /// At this corner.
@@ -154,7 +154,7 @@ pub enum ModelPlace {
     Edge {
         /// The edge.
         edge: u32,
-        /// The points of the edge before it, its lower corner included: 1 or more.
+        /// The index of the point on the edge, from its lower corner (0): 1 or more.
         point: u32,
     },
 }
@@ -166,13 +166,13 @@ impl Model {
         Self { name: Some(name.into()), ..self }
     }
 
-    /// What the model is called.
+    /// The name of the model.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
-    /// The number of corners, also of those that no face uses.
+    /// The number of corners, including corners that no face uses.
     #[must_use]
     pub fn corner_count(&self) -> usize {
         self.corners.len()
@@ -197,8 +197,8 @@ impl Model {
         self.edges.last().map_or(self.used.len() as u32, end)
     }
 
-    /// The groups of faces, in the order of their first faces; those of one name, which differ in
-    /// their materials, follow one another.
+    /// The groups of faces, in the order of their first faces. Groups of equal name but different
+    /// materials follow one another.
     #[must_use]
     pub fn groups(&self) -> &[FaceGroup] {
         &self.groups
@@ -208,7 +208,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     #[must_use]
     pub fn group_of(&self, face: usize) -> usize {
         self.faces[face].group as usize
@@ -218,7 +218,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such face.
+    /// If the model has no such face.
     #[must_use]
     pub fn face_name(&self, face: usize) -> Option<&str> {
         self.faces[face].name.as_deref()
@@ -228,7 +228,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such edge.
+    /// If the model has no such edge.
     #[must_use]
     pub fn edge_corners(&self, edge: usize) -> [u32; 2] {
         self.edges[edge].corners
@@ -238,7 +238,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such edge.
+    /// If the model has no such edge.
     #[must_use]
     pub fn edge_name(&self, edge: usize) -> Option<&str> {
         self.edges[edge].name.as_deref()
@@ -248,7 +248,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such edge.
+    /// If the model has no such edge.
     #[must_use]
     pub fn intervals(&self, edge: usize) -> u32 {
         self.edges[edge].law.intervals()
@@ -258,7 +258,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such edge.
+    /// If the model has no such edge.
     #[must_use]
     pub fn faces_at(&self, edge: usize) -> u32 {
         self.edges[edge].passes.iter().sum()
@@ -268,7 +268,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such edge.
+    /// If the model has no such edge.
     pub fn edge_vertices(&self, edge: usize) -> impl DoubleEndedIterator<Item = u32> + '_ {
         let edge = &self.edges[edge];
         let [low, high] = edge.corners.map(|corner| self.vertex_of(corner));
@@ -297,8 +297,8 @@ impl Model {
         self.planar_tolerance
     }
 
-    /// What the user should know about the model, one sentence each: open, flipped, not manifold,
-    /// not quite planar.
+    /// Notes on the model for the user, one sentence each: open, flipped, not manifold, not quite
+    /// planar.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
@@ -322,7 +322,7 @@ impl Model {
     ///
     /// # Panics
     ///
-    /// If there is no such vertex.
+    /// If the model has no such vertex.
     #[must_use]
     pub fn place(&self, vertex: u32) -> ModelPlace {
         if let Some(&corner) = self.used.get(vertex as usize) {
@@ -334,8 +334,8 @@ impl Model {
         ModelPlace::Edge { edge: edge as u32, point: vertex - self.edges[edge].first + 1 }
     }
 
-    /// How many ends of edges of the model, divided, are at each vertex: 2 inside an edge, the
-    /// valence at a corner. O(n).
+    /// For each vertex, the number of divided-edge ends there: 2 inside an edge, the valence at a
+    /// corner. O(n).
     #[must_use]
     pub fn edge_degrees(&self) -> Vec<u32> {
         let mut degrees = vec![2; self.vertex_count() as usize];

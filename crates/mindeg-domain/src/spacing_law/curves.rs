@@ -1,7 +1,7 @@
-//! The curves behind the spacing laws: which share of a side lies before point `i` of `m`.
+//! The curves of the spacing laws: the share of a side before point `i` of `m`.
 //!
-//! A factor that is the same for all points of a side is computed once: a transcendental function
-//! takes longer than everything else about a point.
+//! A factor that all points of a side share is computed once: a transcendental function takes
+//! longer than everything else about a point.
 //!
 //! Limits: `0 < i < m`.
 
@@ -26,7 +26,7 @@ impl Progression {
         if log_ratio < 0.0 {
             libm::expm1(i * log_ratio) / whole
         } else {
-            // Above and below divided by r^m, which may be too large for an f64.
+            // Numerator and denominator are divided by r^m, which may be too large for an f64.
             libm::exp((i - m) * log_ratio) * (libm::expm1(-i * log_ratio) / whole)
         }
     }
