@@ -77,7 +77,7 @@ pub enum DegreeProof {
     },
     /// The edges have too many ends.
     Counting,
-    /// None of these chords lies inside, and each zig-zag has one of them.
+    /// No chord of this list lies inside, and each zig-zag has one of them.
     BlockedZigZags {
         /// The chords.
         chords: Vec<[u32; 2]>,
@@ -99,7 +99,7 @@ impl DegreeReport {
     ///
     /// # Errors
     ///
-    /// Those of [`degree`].
+    /// The errors of [`degree`].
     pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, ExactError> {
         if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
             let mut report = Self::of_counts(form.boundary());

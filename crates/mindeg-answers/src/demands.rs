@@ -1,11 +1,11 @@
-//! What a mesh has to keep, and the places where one does not.
+//! The demands on a mesh, and the positions where a mesh breaks them.
 
 use crate::numbers::steady_angle;
 use crate::preset::Preset;
 use mindeg_mesh::quality::{TriangleQuality, WorstTriangles};
 use mindeg_mesh::{TriMesh, Triangles};
 
-/// What is demanded of a mesh. What is not given is not demanded.
+/// The demands on a mesh. An absent value demands nothing.
 ///
 /// # Example
 ///
@@ -61,7 +61,7 @@ impl WorstPlaces {
 }
 
 impl Demands {
-    /// What a mesh of this maximum degree and minimum angle, in degrees, does not keep, in words. Its worst
+    /// The demands that a mesh of this maximum degree and minimum angle, in degrees, breaks, in words. Its worst
     /// places are looked for only then; the preset is not looked at.
     #[must_use]
     pub fn unmet(
@@ -90,7 +90,7 @@ impl Demands {
         degree.into_iter().chain(angle).collect()
     }
 
-    /// What a mesh of this minimum angle, in degrees, does not keep, the rules of the preset among it.
+    /// The demands that a mesh of this minimum angle, in degrees, breaks, including the rules of the preset.
     #[must_use]
     pub fn unmet_by(&self, mesh: &TriMesh, min_angle: f64) -> Vec<String> {
         let mut unmet = self.unmet(mesh.max_degree(), min_angle, || WorstPlaces::of(mesh));
@@ -99,7 +99,7 @@ impl Demands {
     }
 }
 
-/// As [`steady_angle`] has it, with all digits where rounding would hide that the angle is below `limit`.
+/// The angle as [`steady_angle`] writes it, with all digits where rounding would hide that the angle is below `limit`.
 fn degrees_below(angle: f64, limit: f64) -> String {
     let rounded = steady_angle(angle);
     let hides = rounded.trim_end_matches('°').parse().is_ok_and(|shown: f64| shown >= limit);

@@ -1,4 +1,4 @@
-//! What a mesh with interior points is like.
+//! The properties of a mesh with interior points.
 
 use crate::numbers::{four_digits, percent, steady_angle};
 use mindeg::Interior;
@@ -9,7 +9,7 @@ use std::ops::RangeInclusive;
 /// How many violations a text names.
 const NAMED: usize = 5;
 
-/// What a mesh with interior points reached; angles are in degrees.
+/// The results of a mesh with interior points; angles are in degrees.
 #[derive(Clone, Debug, Serialize)]
 pub struct InteriorAnswer {
     /// Triangles.
@@ -121,7 +121,7 @@ pub fn violations(report: &InteriorReport) -> Option<String> {
 }
 
 /// The degrees that are demanded and not reached, in words: those wanted, and at the boundary those that the
-/// domain limits. A default is no demand.
+/// domain limits. A default value demands nothing.
 #[must_use]
 pub fn unmet_degrees(
     report: &InteriorReport,

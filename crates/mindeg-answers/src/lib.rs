@@ -1,4 +1,4 @@
-//! What mindeg says of a domain or a mesh, once: values to serialise, with their text.
+//! The answers about a domain or a mesh, each once: values to serialise, with their text.
 //!
 //! The command line prints them, `mindeg explore` sends them and Python gets them as dicts, so a key
 //! and a sentence are the same everywhere.

@@ -25,13 +25,13 @@ pub struct Lifting {
 pub struct LimitAnswer {
     /// The largest minimum angle that the boundary allows, at its degree limits.
     pub angle_limit: f64,
-    /// The place that decides it, in words.
+    /// The position that decides it, in words.
     pub cause: String,
     /// The largest at any degree.
     pub angle_limit_at_any_degree: f64,
-    /// The place that decides that.
+    /// The position that decides that.
     pub cause_at_any_degree: String,
-    /// The smallest change of counts that lifts the limit; null if no change at one place does.
+    /// The smallest change of counts that lifts the limit; null if no change at one position does.
     pub lift: Option<LiftAnswer>,
 }
 
@@ -42,7 +42,7 @@ pub struct LiftAnswer {
     pub changes: Vec<SideCount>,
     /// The limit after the change.
     pub angle_limit: f64,
-    /// The place that decides it then.
+    /// The position that decides it then.
     pub cause: String,
 }
 
@@ -59,7 +59,7 @@ impl Lifting {
     ///
     /// # Errors
     ///
-    /// Those of [`angle_limit`].
+    /// The errors of [`angle_limit`].
     pub fn of(domain: &Domain, wanted: &Interior, steps: usize) -> Result<Self, InteriorError> {
         Self::from_limit(domain, wanted, angle_limit(domain, wanted)?, steps)
     }
@@ -68,7 +68,7 @@ impl Lifting {
     ///
     /// # Errors
     ///
-    /// Those of [`angle_limit`].
+    /// The errors of [`angle_limit`].
     pub fn from_limit(
         domain: &Domain,
         wanted: &Interior,
@@ -90,7 +90,7 @@ impl Lifting {
         Ok(Self { limit, steps: found })
     }
 
-    /// As JSON has it.
+    /// The answer as JSON gives it.
     #[must_use]
     pub fn answer(&self) -> LimitAnswer {
         LimitAnswer {

@@ -8,7 +8,7 @@ use serde::Serialize;
 pub struct ShownMetric {
     /// The key in reports, and the name in [`METRICS`].
     pub name: &'static str,
-    /// What people call it.
+    /// Its common name.
     pub title: &'static str,
     /// Whether its values are told apart best on a logarithmic axis.
     pub is_logarithmic: bool,
@@ -75,7 +75,7 @@ impl ShownMetric {
 pub struct MeasureFacts {
     /// The name in [`METRICS`].
     pub name: &'static str,
-    /// What people call it.
+    /// Its common name.
     pub title: &'static str,
     /// `1`, `degrees` or `length`.
     pub unit: &'static str,

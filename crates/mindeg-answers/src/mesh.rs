@@ -1,4 +1,4 @@
-//! What is proven of a mesh, and what a higher degree would bring.
+//! The proven facts about a mesh, and the gain from a higher degree.
 
 use mindeg::exact::share_of;
 use mindeg::{FoundBy, Goal, HigherDegree, Meshed};
@@ -87,7 +87,7 @@ pub fn mesh(meshed: &Meshed, angles: [f64; 2]) -> String {
     )
 }
 
-/// What is proven of a mesh, where the first line does not say it.
+/// The proven facts about a mesh, if the first line does not say them.
 #[must_use]
 pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
     let (max_degree, least) = (meshed.mesh.max_total_degree(), meshed.least_max_degree);
@@ -135,7 +135,7 @@ pub fn standing(meshed: &Meshed, goal: Goal, min_angle: f64) -> Option<String> {
     }
 }
 
-/// What a higher degree would bring, and the option to copy.
+/// The gain from a higher degree, and the option to copy.
 #[must_use]
 pub fn higher_degree(min_angle: f64, higher: &HigherDegree) -> String {
     format!(

@@ -140,7 +140,7 @@ impl PresetRules {
     }
 }
 
-/// What meets at a vertex.
+/// The counts of triangles and edges at a vertex.
 #[derive(Clone, Debug, Default)]
 struct Vertex {
     triangles: u32,

@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 fn outlines(bytes: &[u8], path: &str, repair: bool) -> Result<Outlines, OutlineError> {
     let path = Path::new(path);
     let format = OutlineFormat::of_path(path).or_else(|| OutlineFormat::of_content(bytes));
-    // Domains in JSON are no outlines, and count as none.
+    // Domains in JSON are not outlines, and do not count.
     let Some(format) = format else { return Ok(Outlines::default()) };
     let beside = |extension: &str| std::fs::read(path.with_extension(extension));
     let outlines = read(bytes, format, beside)?;

@@ -16,14 +16,14 @@ use super::text::clean;
 pub struct Polygon {
     /// Its number among all polygons of the file, from 1.
     pub index: usize,
-    /// Its name as the domain has it, with a number if several polygons have it; empty if it has none.
+    /// Its name in the domain, with a number if several polygons share it; empty if it has no name.
     pub label: String,
     /// The rings, under the name that the file gives.
     pub feature: Feature,
 }
 
 impl Polygon {
-    /// What messages and files call it.
+    /// The name in messages and files.
     #[must_use]
     pub fn name(&self) -> String {
         if self.label.is_empty() { format!("polygon {}", self.index) } else { self.label.clone() }
@@ -33,7 +33,7 @@ impl Polygon {
     ///
     /// # Errors
     ///
-    /// Those of [`Feature::domain`].
+    /// The errors of [`Feature::domain`].
     pub fn domain(&self, division: &Division) -> Result<Domain, FeatureError> {
         let name = (!self.label.is_empty()).then(|| self.label.clone());
         Feature { name, rings: self.feature.rings.clone() }.domain(division)

@@ -26,7 +26,7 @@ const COLUMNS: [[&str; 2]; 7] = [
 ///
 /// # Errors
 ///
-/// A line that is no point, with its number.
+/// A line that does not hold a point, with its number.
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let mut rings = Vec::new();
     let mut points = Vec::new();

@@ -10,7 +10,7 @@ use super::outline::Feature;
 use super::sides::{DividedSide, Division, SizeTooSmall};
 use super::text::clean;
 
-/// Why a polygon of a file is no domain.
+/// The reason why a polygon of a file is not a domain.
 #[derive(Clone, Debug, Error, PartialEq)]
 #[non_exhaustive]
 pub enum FeatureError {

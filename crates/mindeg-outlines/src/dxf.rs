@@ -30,7 +30,7 @@ const UNITS: [&str; 7] =
 ///
 /// # Errors
 ///
-/// Binary files; what is not as the format has it, with its line; a drawing without a closed
+/// Binary files; malformed input, with its line; a drawing without a closed
 /// outline.
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     if bytes.starts_with(b"AutoCAD Binary DXF") {
@@ -66,13 +66,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     Ok(outlines)
 }
 
-/// What the sections of a file hold.
+/// The contents of a file's sections.
 #[derive(Default)]
 struct Drawing {
     entities: Vec<Entity>,
     /// How many of a name were left out for a reason.
     left_out: BTreeMap<(&'static str, String), usize>,
-    /// Layers that are off or frozen, in upper case: their names have none.
+    /// Layers that are off or frozen, in upper case: layer names ignore case.
     hidden_layers: BTreeSet<String>,
     units: Option<usize>,
 }

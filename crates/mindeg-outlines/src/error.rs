@@ -8,12 +8,12 @@ use thiserror::Error;
 pub struct OutlineError {
     /// Where: a line, a path into the document, a point. Empty for the whole file.
     pub place: String,
-    /// What is wrong, and what would be right.
+    /// The fault, and the way to fix it.
     pub problem: String,
 }
 
 impl OutlineError {
-    /// An error at a part of a file.
+    /// An error at a position in a file.
     pub(crate) fn place(place: impl Into<String>, problem: impl Into<String>) -> Self {
         Self { place: place.into(), problem: problem.into() }
     }

@@ -34,7 +34,7 @@ impl OutlineFormat {
     /// All of them.
     pub const ALL: [Self; 8] = [GeoJson, Wkt, Svg, Csv, Obj, Msh, Poly, Dxf];
 
-    /// What the format is called.
+    /// The name of the format.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -131,7 +131,7 @@ impl OutlineFormat {
 ///
 /// # Errors
 ///
-/// What is not as the format has it, with the line or place, and files without closed outlines.
+/// Malformed input, with its line or position, and files without closed outlines.
 ///
 /// # Example
 ///

@@ -21,7 +21,7 @@ use crate::error::OutlineError;
 ///
 /// # Errors
 ///
-/// Text that is no JSON (with its line), and objects that are not as GeoJSON has them (with their
+/// Text that is not JSON (with its line), and objects that are not valid GeoJSON (with their
 /// path).
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let document: Value = serde_json::from_str(text_of(bytes)?).map_err(|error| {
@@ -275,7 +275,7 @@ fn items<'a>(value: &'a Value, what: &str, path: &Path<'_>) -> Result<&'a [Value
     items.ok_or_else(|| path.error(format!("found {}, expected a list of {what}", kind(value))))
 }
 
-/// What a value is, for messages.
+/// The kind of a value, for messages.
 fn kind(value: &Value) -> String {
     match value {
         Value::Null => "null".to_owned(),

@@ -15,7 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Of a file with several polygons, [`labelled`] gives each a name of its own, and [`chosen`] takes those
+//! In a file with several polygons, [`labelled`] gives each a name of its own, and [`chosen`] takes the ones
 //! that somebody names.
 //!
 //! Readers take the bytes of a whole file and use memory in proportion to them. A malformed file is

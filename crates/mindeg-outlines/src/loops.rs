@@ -16,11 +16,11 @@ pub(super) struct Link {
     /// How it runs from the first to the second.
     pub(super) curve: PieceCurve,
     pub(super) side: Option<Shared<str>>,
-    /// The curve of the file that it is a part of: sides begin where it changes.
+    /// The curve of the file that it belongs to: sides begin where it changes.
     pub(super) part_of: u64,
 }
 
-/// Rings of links, and a note on lines that close none.
+/// Rings of links, and a note on lines that close no ring.
 ///
 /// A ring starts where its first line in the file does, and runs the same way. O(points + links).
 ///
@@ -35,7 +35,7 @@ pub(super) fn rings(
     const NONE: u32 = u32::MAX;
     let mut at_point = vec![[NONE; 2]; points.len()];
     for (index, link) in (0..).zip(links) {
-        // A closed curve takes both places of its only point.
+        // A closed curve takes both entries of its only point.
         for point in link.ends {
             let slots = &mut at_point[point as usize];
             let Some(slot) = slots.iter_mut().find(|slot| **slot == NONE) else {

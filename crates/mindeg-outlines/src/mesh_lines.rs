@@ -19,7 +19,7 @@ use crate::error::OutlineError;
 ///
 /// # Errors
 ///
-/// What is not as the format has it; a file without lines, or with lines that close no ring or do not lie in
+/// Malformed input; a file without lines, or with lines that close no ring or do not lie in
 /// a plane of equal z.
 pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let file = msh::read_lines(bytes)?;
@@ -41,7 +41,7 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
 ///
 /// # Errors
 ///
-/// As [`read_msh`]; a file with faces.
+/// The errors of [`read_msh`]; a file with faces.
 pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let file = obj::read_lines(bytes)?;
     if file.others > 0 {

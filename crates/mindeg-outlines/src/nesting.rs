@@ -147,7 +147,7 @@ fn nested(rings: &[DrawnRing]) -> Result<Vec<Loop>, OutlineError> {
     Ok(loops)
 }
 
-/// What to say of more closed curves than can be sorted in some seconds.
+/// The message for more closed curves than can be sorted in some seconds.
 pub(super) fn too_deep(rings: usize) -> String {
     format!(
         "{rings} closed curves lie too deep in each other to be sorted; split them into several files"
@@ -160,7 +160,7 @@ pub(super) fn contains(ring: &[DVec2], other: &[DVec2]) -> bool {
     other.iter().take(64).find_map(|&point| side(ring, point)).unwrap_or(false)
 }
 
-/// Whether a point is inside a ring; none if it lies on it. O(n), exact.
+/// Whether a point is inside a ring; `None` if it lies on it. O(n), exact.
 fn side(ring: &[DVec2], point: DVec2) -> Option<bool> {
     let mut inside = false;
     let next = ring.iter().cycle().skip(1);

@@ -1,4 +1,4 @@
-//! What a file of outlines holds: polygons with holes, whose boundary may be curved.
+//! The contents of a file of outlines: polygons with holes, whose boundary may be curved.
 
 use std::str::FromStr;
 use std::sync::Arc as Shared;
@@ -8,23 +8,23 @@ use glam::DVec2;
 use super::curve::{PieceCurve, Segment};
 use super::text::quoted;
 
-/// What was read from a file of outlines.
+/// The contents of a file of outlines.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outlines {
     /// The polygons, in the order of the file.
     pub features: Vec<Feature>,
-    /// What the reader left out or changed, as sentences for the user.
+    /// The reader's omissions and changes, as sentences for the user.
     pub notes: Vec<String>,
-    /// What the file drew as one, in the order of the polygons.
+    /// The shapes that the file draws, in the order of the polygons.
     pub(super) shapes: Vec<Shape>,
 }
 
 /// Which points are inside.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FillRule {
-    /// Those that the rings wind around an odd number of times.
+    /// Points that the rings wind around an odd number of times.
     EvenOdd,
-    /// Those that the rings do not wind around zero times in all.
+    /// Points whose total winding number is not zero.
     NonZero,
 }
 
@@ -80,7 +80,7 @@ pub struct Piece {
 }
 
 impl Outlines {
-    /// Makes one shape of the polygons that are in none.
+    /// Makes one shape of the polygons that belong to no shape.
     pub(super) fn end_shape(&mut self) {
         let (end, without_effect) = (self.features.len(), Vec::new());
         self.shapes.push(Shape { end, rule: FillRule::EvenOdd, without_effect });

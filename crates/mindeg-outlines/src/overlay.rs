@@ -24,7 +24,7 @@ use super::orientation::orientation;
 use super::outline::{DrawnRing, Piece, doubled_area};
 use super::vertices::Vertices;
 
-/// What rings laid over each other give.
+/// The result of laying rings over each other.
 #[derive(Debug, Default)]
 pub(super) struct Overlay {
     /// For each polygon its rings, the outer one first, and the ring of the first layer, by its index,

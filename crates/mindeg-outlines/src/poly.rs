@@ -25,7 +25,7 @@ use crate::error::OutlineError;
 ///
 /// # Errors
 ///
-/// A line that is not as the format has it, with its number; segments that close no ring; hole
+/// A malformed line, with its number; segments that close no ring; hole
 /// points that no hole contains, and rings in others that no hole point marks; a .node that is
 /// needed and not there.
 pub(super) fn read(
@@ -195,7 +195,7 @@ fn hole_points(rows: &mut Rows<'_>) -> Result<Vec<DVec2>, OutlineError> {
     Ok(holes)
 }
 
-/// Checks that each hole has a point of the file, and notes points that lie in none.
+/// Checks that each hole has a point of the file, and notes points that lie in no hole.
 fn check_holes(features: &[Feature], holes: &[DVec2]) -> Result<Option<String>, OutlineError> {
     let mut used = vec![false; holes.len()];
     for ring in features.iter().flat_map(|feature| feature.rings.iter().skip(1)) {
@@ -277,7 +277,7 @@ mod tests {
         let text = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n";
         let ring = DrawnRing::of_points([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(DVec2::from));
         assert_eq!(read(text).unwrap().features[0].rings, std::slice::from_ref(&ring));
-        // One marker on all tells no sides apart.
+        // One marker on all edges does not separate sides.
         let text = "3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n3 1\n1 1 2 7\n2 2 3 7\n3 3 1 7\n0\n";
         assert_eq!(read(text).unwrap().features[0].rings, [ring]);
     }

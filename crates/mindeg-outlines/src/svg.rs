@@ -36,7 +36,7 @@ use crate::error::OutlineError;
 ///
 /// # Errors
 ///
-/// Text that is no XML, attributes that are not as SVG has them, each with the line; a document
+/// Malformed XML and malformed attributes, each with the line; a document
 /// without a closed shape.
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let text = text_of(bytes)?;
@@ -145,7 +145,7 @@ impl<'a, 'input> Reader<'a, 'input> {
         Ok(())
     }
 
-    /// The region of a `clipPath` for an element; none if no element has its id.
+    /// The region of a `clipPath` for an element; `None` if no element has its id.
     fn clip(&self, id: &str, style: &Style<'_>) -> Result<Option<Rc<Clip>>, String> {
         let Some(&node) = self.by_id.get(id).filter(|it| it.tag_name().name() == "clipPath") else {
             return Ok(None);

@@ -4,7 +4,7 @@
 //! out; points and lines are left out and counted.
 //!
 //! The crate `wkt` reads one geometry, without a reference system, recurses as deep as the text says, and
-//! tells no place in its errors.
+//! gives no position in its errors.
 
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ const DEEPEST: u32 = 64;
 ///
 /// # Errors
 ///
-/// What is not well-known text, with the line and the column.
+/// Malformed text, with the line and the column.
 pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
     let text = text_of(bytes)?;
     let mut reader = Reader {

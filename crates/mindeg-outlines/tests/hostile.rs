@@ -1,4 +1,4 @@
-//! The readers of outlines on files that are none: they say why, and never panic.
+//! The readers of outlines on files that hold no outlines: they say why, and never panic.
 
 use mindeg_outlines::{self as outlines, Division, OutlineFormat};
 use proptest::prelude::*;
@@ -80,7 +80,7 @@ fn minus_zero_is_zero_in_all_formats() {
 /// Reads, repairs and divides as the command line does, whatever comes of it.
 fn use_all(bytes: &[u8], format: OutlineFormat) {
     let Ok(outlines) = outlines::read(bytes, format, alone) else { return };
-    // What is read is proportional to the file.
+    // The amount that is read is proportional to the file.
     let rings = outlines.features.iter().flat_map(|feature| &feature.rings);
     let pieces: usize = rings.map(|ring| ring.pieces.len()).sum();
     assert!(pieces <= bytes.len(), "{pieces} pieces of {} bytes", bytes.len());
@@ -114,7 +114,7 @@ fn files_that_end_anywhere_are_read_or_refused() {
     }
 }
 
-/// A change of a file: bytes at a place replaced by others.
+/// A change of a file: bytes at an offset replaced by others.
 fn edit() -> impl Strategy<Value = (prop::sample::Index, usize, Vec<u8>)> {
     let words = prop::sample::select(vec![
         "",

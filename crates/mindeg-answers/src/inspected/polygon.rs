@@ -21,7 +21,7 @@ const MOST_TRIPLES: u64 = 100_000_000;
 /// How many times longer than rounding the shortest edge must be.
 const CLEAR: f64 = 1000.0;
 
-/// What is known of a planar mesh's outline that is not convex.
+/// The known facts about a planar mesh's outline that is not convex.
 #[derive(Debug, Serialize)]
 pub struct OutlinePolygon {
     /// Vertices, all of them on its boundary.
@@ -32,7 +32,7 @@ pub struct OutlinePolygon {
     pub least_max_degree: Option<u32>,
     /// No triangulation has less.
     pub at_least: u32,
-    /// One has this.
+    /// A triangulation with this maximum degree exists.
     pub reached: u32,
 }
 
@@ -131,7 +131,7 @@ fn rings(mesh: &TriMesh, options: &InspectionOptions) -> Option<(Vec<DVec2>, Vec
     Some((points, rings))
 }
 
-/// For each edge of the rings the straight run that it is on; none if edges are too short to tell.
+/// For each edge of the rings the straight run that it is on; `None` if edges are too short to tell.
 fn straight_runs(points: &[DVec2], rings: &[Range<u32>], rounding: f64) -> Option<Vec<u32>> {
     let mut runs = vec![0; points.len()];
     let mut run = 0;
@@ -192,7 +192,7 @@ mod tests {
         polygon(mesh, &Inspection::of(mesh, &options), &options)
     }
 
-    /// What is seen from below.
+    /// The triangles as seen from below.
     fn turned(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
         triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect()
     }
@@ -265,7 +265,7 @@ mod tests {
         let points = SIDES.map(DVec2::from);
         let runs = straight_runs(&points, &[0..6, 6..11], 1e-12).unwrap();
         assert_eq!(runs, [4, 1, 1, 2, 3, 4, 7, 7, 5, 6, 7]);
-        // There and back is no straight run.
+        // A run that goes back on itself is not straight.
         let spike = [[0.0, 0.0], [2.0, 0.0], [1.0, 0.0], [1.0, 1.0]].map(DVec2::from);
         assert_eq!(straight_runs(&spike, from_ref(&(0..4)), 1e-12).unwrap(), [1, 2, 3, 4]);
     }

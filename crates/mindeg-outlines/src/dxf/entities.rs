@@ -24,7 +24,7 @@ pub(super) struct Entity {
 }
 
 impl Entity {
-    /// An entity of a kind that is read; none for others.
+    /// An entity of a supported kind; `None` for others.
     pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, OutlineError> {
         let layer = text(pairs, 8);
         let mut entity = Self {
@@ -167,13 +167,13 @@ fn finite(pair: &Pair<'_>) -> Result<f64, OutlineError> {
     })
 }
 
-/// The whole number of a group code, 0 where there is none.
+/// The whole number of a group code, 0 if it is missing.
 pub(super) fn whole(pairs: &[Pair<'_>], code: i32) -> i64 {
     let pair = pairs.iter().find(|pair| pair.code == code);
     pair.and_then(|pair| pair.value.parse().ok()).unwrap_or(0)
 }
 
-/// The text of a group code, empty where there is none.
+/// The text of a group code, empty if it is missing.
 pub(super) fn text<'a>(pairs: &[Pair<'a>], code: i32) -> &'a str {
     pairs.iter().find(|pair| pair.code == code).map_or("", |pair| pair.value)
 }

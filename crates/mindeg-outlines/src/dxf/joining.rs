@@ -1,4 +1,4 @@
-//! Which ends of a drawing's lines meet.
+//! Finds the ends of a drawing's lines that meet.
 
 use glam::DVec2;
 
@@ -45,7 +45,7 @@ pub(super) fn rings(
 }
 
 /// The points without those near an earlier one, and for each point as given its index among them;
-/// none if a point is not finite.
+/// `None` if a point is not finite.
 fn merged(points: &[DVec2]) -> Option<(Vec<DVec2>, Vec<u32>)> {
     let start = points.first().copied().unwrap_or_default();
     let (min, max) = points.iter().fold((start, start), |(min, max), &p| (min.min(p), max.max(p)));

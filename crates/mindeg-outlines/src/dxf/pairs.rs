@@ -18,7 +18,7 @@ pub(super) fn pairs(text: &str) -> impl Iterator<Item = Result<Pair<'_>, Outline
         let (line, code) = lines.next()?;
         let code = code.trim();
         let Some((_, value)) = lines.next() else {
-            // A blank line at the end is no pair.
+            // A blank line at the end does not begin a pair.
             let is_end = code.is_empty();
             return (!is_end).then(|| Err(at_line(line, "the file ends within a pair of lines")));
         };

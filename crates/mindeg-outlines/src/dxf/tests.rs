@@ -132,7 +132,7 @@ fn what_is_left_out_is_said_and_errors_say_where() {
     assert!(super::read(b"0").unwrap_err().to_string().contains("within a pair"));
 }
 
-/// The file as it is, and with entities before those of the plate.
+/// The unchanged file, and the file with entities before those of the plate.
 fn plate_and(entities: &str) -> Outlines {
     read(&format!("{entities}\nLWPOLYLINE 8=A 70=1 10=0 20=0 10=4 20=0 10=4 20=3 10=0 20=3"))
         .unwrap()

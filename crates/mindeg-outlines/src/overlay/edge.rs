@@ -1,4 +1,4 @@
-//! What goes into a planar subdivision, and what comes out.
+//! Edges: the input and the output of a planar subdivision.
 
 use super::super::outline::{DrawnRing, FillRule};
 
@@ -8,7 +8,7 @@ pub(in super::super) struct Layer<'a> {
     pub(in super::super) rule: FillRule,
 }
 
-/// A straight edge: a chord, or a part of one.
+/// A straight edge: a chord, or a piece of one.
 #[derive(Clone, Copy)]
 pub(super) struct Edge {
     pub(super) ends: [u32; 2],

@@ -128,7 +128,7 @@ impl<'a> Graph<'a> {
         let mut is_known = vec![false; self.points.len()];
         let mut budget = MOST_COMPARISONS;
         for (index, part) in parts.iter().enumerate() {
-            // Left of the leftmost vertex is what the other parts make of it.
+            // The other groups decide the winding numbers left of the leftmost vertex.
             let vertex = part.leftmost;
             let mut outside = vec![0; layers];
             for (_, other) in parts.iter().enumerate().filter(|&(at, _)| at != index) {
@@ -147,7 +147,7 @@ impl<'a> Graph<'a> {
             is_known[vertex as usize] = true;
             let mut open = vec![(vertex, self.around[vertex as usize].len(), outside)];
             while let Some((vertex, from, mut winding)) = open.pop() {
-                // From the sector before the half-edge at `from` all the way round.
+                // Go all the way round, from the sector before the half-edge at `from` on.
                 let halves = &self.around[vertex as usize];
                 for at in (0..halves.len()).map(|i| (from + i) % halves.len()) {
                     let half = halves[at];
@@ -158,7 +158,7 @@ impl<'a> Graph<'a> {
                     windings[half * layers..][..layers].copy_from_slice(&winding);
                     let end = self.end(half);
                     if !std::mem::replace(&mut is_known[end as usize], true) {
-                        // Right of the half-edge back lies what is left of this one.
+                        // The opposite half-edge has on its right the sector on the left of this one.
                         open.push((end, self.place[twin], winding.clone()));
                     }
                 }

@@ -10,7 +10,7 @@ use super::super::overlay::{Layer, overlay};
 pub(super) struct Clip(pub(super) Vec<(Vec<DrawnRing>, FillRule)>);
 
 impl Clip {
-    /// The rings that are left of a shape; none if nothing is cut.
+    /// The rings that remain of a shape; `None` if nothing is cut.
     pub(super) fn cut(
         &self,
         rings: &[DrawnRing],

@@ -19,7 +19,7 @@ pub(super) struct Subpath {
     pub(super) curves: Vec<(PieceCurve, DVec2)>,
     /// Whether it ends where it starts, or is told to.
     pub(super) is_closed: bool,
-    /// Whether places are sums of relative coordinates.
+    /// Whether positions are sums of relative coordinates.
     pub(super) is_summed: bool,
 }
 
@@ -162,7 +162,7 @@ impl Pen {
                 if let Some(subpath) = self.subpaths.last_mut() {
                     subpath.is_closed = true;
                     self.at = subpath.start;
-                    // What follows without a move starts here.
+                    // A segment that follows without a move starts here.
                     self.subpaths.push(Subpath::at(self.at));
                 }
             }

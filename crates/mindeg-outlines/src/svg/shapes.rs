@@ -10,7 +10,7 @@ use super::super::curve::{EllipseArc, PieceCurve};
 use super::path::{Subpath, subpaths as of_path};
 use super::transform::in_px;
 
-/// The subpaths of a shape; none for an element that holds others.
+/// The subpaths of a shape; `None` for an element that holds others.
 pub(super) fn subpaths(node: Node<'_, '_>) -> Result<Option<Vec<Subpath>>, String> {
     let length = |name| length(node, name, None);
     let subpath = match node.tag_name().name() {

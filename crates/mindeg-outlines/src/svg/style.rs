@@ -1,4 +1,4 @@
-//! What an element inherits and what it says of itself: where it lies, and how it is painted.
+//! An element's inherited and own properties: its position and its paint.
 
 use std::rc::Rc;
 
@@ -24,12 +24,12 @@ pub(super) struct Style<'a> {
     pub(super) is_stroked: bool,
     /// Whether the element is invisible; its children need not be.
     pub(super) is_invisible: bool,
-    /// What cuts the element, from the outermost clip on.
+    /// The clips that cut the element, from the outermost on.
     pub(super) clips: Vec<Rc<Clip>>,
     pub(super) own: Own<'a>,
 }
 
-/// What an element does not inherit.
+/// The properties that an element does not inherit.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Own<'a> {
     /// Whether nothing of it is shown, nor of what is in it.

@@ -184,7 +184,7 @@ fn a_drawing_inside_is_fitted_into_its_box() {
         ),
         ("width='20' height='20' viewBox='-10 0 20 20'", [[10.0, 0.0], [20.0, -10.0]]),
         ("x='1' y='2' overflow='visible' width='4' height='4'", [[1.0, -2.0], [11.0, -12.0]]),
-        // What lies outside the box is not shown, but for `overflow`.
+        // Shapes outside the box are not shown, unless `overflow` says so.
         ("x='1' y='2' width='4' height='5'", [[1.0, -2.0], [5.0, -7.0]]),
         (
             "width='20' height='10' viewBox='0 0 10 10' preserveAspectRatio='xMidYMin slice'",

@@ -129,7 +129,7 @@ pub(super) fn origin(text: &str, drawing: Option<DVec2>) -> Result<DVec2, String
     Ok(DVec2::new(x, y))
 }
 
-/// A length in user units; none if it is a share of a whole that has no length, or of a font.
+/// A length in user units; `None` if it is a share of a whole that has no length, or of a font.
 pub(super) fn in_px(length: Length, whole: Option<f64>) -> Option<f64> {
     let unit = match length.unit {
         LengthUnit::None | LengthUnit::Px => 1.0,
