@@ -1,4 +1,4 @@
-//! Which mesh of a comparison to take, and the command that makes it.
+//! The advised mesh of a comparison, and the command that makes it.
 //!
 //! The rule is that of `mindeg mesh --keep-angle 95%`: the smallest degree whose best mesh keeps
 //! [`KEPT`] of Delaunay's minimum angle.

@@ -34,7 +34,7 @@ impl Axis {
         } else {
             (value - low) / (high - low)
         };
-        // What is no number stays so when it is clamped, and the cast makes 0 of it.
+        // NaN stays NaN when it is clamped, and the cast makes 0 of it.
         ((share.clamp(0.0, 1.0) * BARS as f64) as usize).min(BARS - 1)
     }
 }

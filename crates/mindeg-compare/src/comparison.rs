@@ -18,7 +18,7 @@ use std::time::{Duration, Instant};
 /// the others are lists in memory.
 pub const MAX_COMPARED_VERTICES: u32 = 10_000_000;
 
-/// What a comparison may take.
+/// The limits of a comparison.
 ///
 /// ```
 /// assert_eq!(mindeg_compare::CompareOptions::default().time_limit.as_secs(), 60);
@@ -83,7 +83,7 @@ pub struct Comparison {
     boundary: PlanarBoundary,
     /// The rings of the domain as closed lines.
     outlines: Vec<Vec<DVec2>>,
-    /// The triangles of each method of the report, none where it has none.
+    /// The triangles of each method of the report; empty for a method without a mesh.
     triangles: Vec<Vec<[u32; 3]>>,
     trade_off: Option<TradeOff>,
 }
@@ -110,7 +110,7 @@ impl Comparison {
         &self.boundary
     }
 
-    /// The methods of the report, each with its triangles: none where it gave none.
+    /// The methods of the report, each with its triangles; empty for a method without a mesh.
     pub fn methods(&self) -> impl ExactSizeIterator<Item = (&MethodFigures, &[[u32; 3]])> {
         self.report.methods.iter().zip(self.triangles.iter().map(Vec::as_slice))
     }
@@ -120,7 +120,7 @@ impl Comparison {
         &self.triangles[method]
     }
 
-    /// What every degree buys on the domain, where that was worked out.
+    /// The trade-off of degree and angle on the domain, if it was computed.
     #[must_use]
     pub fn trade_off(&self) -> Option<&TradeOff> {
         self.trade_off.as_ref()
@@ -262,11 +262,11 @@ fn exact_trade_off(domain: &Domain, options: &CompareOptions) -> Option<TradeOff
             ControlFlow::Break(())
         }
     };
-    // What windows reach is no exact trade-off.
+    // A trade-off found by windows is not exact.
     exact::trade_off(domain, Progress::new(&in_time)).ok().filter(TradeOff::is_exact)
 }
 
-/// Of the points of the curve those that a comparison shows: the least degree, the next, the first
+/// The points of the curve that a comparison shows: the least degree, the next, the first
 /// with enough of the angle and the first with all of it.
 fn shown(trade_off: &TradeOff) -> impl Iterator<Item = &ExactMesh> {
     let meshes = trade_off.meshes();
@@ -374,7 +374,7 @@ mod tests {
                 assert_eq!(comparison.triangles(place), triangles, "{}", method.method);
                 if method.valid {
                     assert_eq!(triangles.len() as u32, report.domain.triangles);
-                    // Of three sides each, all but the boundary's are of two triangles.
+                    // Each triangle has three sides; two triangles share each side that is not on the boundary.
                     let inner_sides = 3 * triangles.len() as u32 - report.domain.vertices;
                     assert_eq!(report.domain.interior_edges, inner_sides / 2);
                 }

@@ -1,7 +1,7 @@
 //! From points and a list of triangles to the figures of a report.
 //!
-//! Limits: takes any list whose vertices exist, valid or not. Of one that is no triangulation
-//! the figures describe the triangles that are there.
+//! Limits: takes any list whose vertices exist, valid or not. For invalid meshes
+//! the figures describe the triangles given.
 
 use crate::figures::{DefectKind, MethodDefect, MethodFigures, MetricFigures};
 use glam::DVec2;
@@ -16,7 +16,7 @@ const BELOW: [u32; 5] = [1, 5, 10, 15, 20];
 /// How many of the worst triangles are listed.
 const WORST: usize = 5;
 
-/// What triangles of a domain are checked against.
+/// The reference that triangles of a domain are checked against.
 pub(crate) struct Checker<'a> {
     boundary: &'a PlanarBoundary,
     /// For each vertex the straight runs that end and begin there.
@@ -130,7 +130,7 @@ pub(crate) fn degrees(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Vec<
     degrees
 }
 
-/// What is wrong with a list: counted where that can be.
+/// The defects of a list, counted where possible.
 fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
     let checked = check::triangulation(checker.boundary, &[], triangles);
     let flat = triangles.iter().filter(|&&triangle| checker.is_flat(triangle)).count() as u64;

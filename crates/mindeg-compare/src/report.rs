@@ -1,4 +1,4 @@
-//! What a comparison finds, as `report.json` holds it.
+//! The results of a comparison, as in `report.json`.
 //!
 //! Every key is always there; what a method does not have is `null` or empty. Only `seconds`
 //! differs from run to run. The published schema is `docs/report.schema.json`; keys are added
@@ -101,7 +101,7 @@ impl Default for Provenance {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 ///
 /// # Example
 ///

@@ -1,4 +1,4 @@
-//! What the figures say, in sentences: first which mesh to take, then what speaks against it.
+//! The verdict on the figures, in sentences: first the mesh to take, then the objections to it.
 //!
 //! Every sentence is a consequence of the figures. What the tables say is not repeated.
 //!
@@ -28,14 +28,14 @@ const MANY_MORE: f64 = 0.1;
 /// A median below this share of Delaunay's is worth a sentence.
 const LOW_MEDIAN: f64 = 0.8;
 
-/// What a report concludes.
+/// The conclusions of a report.
 #[derive(Default)]
 pub(crate) struct Verdict {
-    /// What to do; it can stand alone.
+    /// The advice; it can stand alone.
     pub(crate) headline: String,
-    /// What speaks against it.
+    /// The objections to the advice.
     pub(crate) caveat: Option<String>,
-    /// What else the figures say.
+    /// Further remarks on the figures.
     pub(crate) notes: Vec<String>,
 }
 
@@ -91,12 +91,12 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
     }
 }
 
-/// What is known of mindeg's maximum degree, after it.
+/// The words that follow mindeg's maximum degree.
 fn least(report: &Report) -> &'static str {
     if report.domain.least_max_degree.is_some() { ", the least possible" } else { "" }
 }
 
-/// What to do, and the mesh it is about; both methods have a valid mesh.
+/// The advice, and the mesh it is about; both methods have a valid mesh.
 fn headline<'a>(
     report: &'a Report,
     mindeg: &'a MethodFigures,
@@ -153,7 +153,7 @@ fn headline<'a>(
     (text, advised)
 }
 
-/// What the boundary allows, where degrees are arbitrary, which methods failed.
+/// Notes on the limits of the boundary, on arbitrary degrees and on methods that failed.
 fn notes(report: &Report, delaunay: &MethodFigures, angle_there: f64) -> Vec<String> {
     let mut sentences = Vec::new();
     if angle_there < GOOD_ANGLE {
@@ -223,7 +223,7 @@ fn rounded(share: f64) -> String {
     if share > 0.0 && share < 0.01 { percent(share) } else { format!("{:.0}%", share * 100.0) }
 }
 
-/// Why a method has no mesh that can be trusted; that there is no fan is nothing unusual.
+/// The reason why a method has no valid mesh; a missing fan needs no reason.
 fn failure(method: &MethodFigures) -> Option<String> {
     let is_late = method.defects.iter().any(|defect| defect.kind == DefectKind::TimeLimit);
     let is_invalid = method.max_degree.is_some() && !method.valid;
@@ -357,7 +357,7 @@ mod tests {
             vec![with(mindeg(4, 25.0), 0.1, 0.5), with(delaunay(14, 25.0), 0.05, 0.45)],
             &[first],
         );
-        // Of two the greater difference is told, wherever the shares are.
+        // The text gives the greater of two differences, whatever the shares are.
         check(
             vec![with(mindeg(4, 25.0), 0.9, 0.95), with(delaunay(14, 25.0), 0.2, 0.5)],
             &[

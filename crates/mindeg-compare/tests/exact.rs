@@ -41,7 +41,7 @@ fn the_curve_ends_at_the_delaunay_angle() {
             report.domain.least_max_degree,
             "{path:?}"
         );
-        // What the curve promises, the meshes of the report have.
+        // The meshes of the report keep the promises of the curve.
         for point in &trade_off.points {
             let exact = Method::Exact { max_degree: point.max_degree };
             let Some(method) = report.methods.iter().find(|method| method.method == exact) else {

@@ -7,7 +7,7 @@
 use mindeg::ConvexForm;
 use mindeg_core::Boundary;
 
-/// The triangles round the first vertex round which none is flat, counter-clockwise.
+/// The triangles round the first vertex that gives no flat triangle, counter-clockwise.
 pub(super) fn triangulate(form: &ConvexForm) -> Option<Vec<[u32; 3]>> {
     let vertices = form.boundary().vertex_count();
     let tip = (tip(form.boundary())? + form.first()) % vertices;

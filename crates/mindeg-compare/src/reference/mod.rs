@@ -1,6 +1,6 @@
-//! What people get otherwise: triangulations of the same boundary points by other methods.
+//! Triangulations of the same boundary points by other methods.
 //!
-//! None is repaired: whoever shows one checks it first, with [`mindeg_mesh::check`].
+//! No mesh is repaired: check a mesh with [`mindeg_mesh::check`] before you show it.
 //!
 //! Limits: a method past its time limit is given up. Ear clipping is another crate's loop and
 //! cannot be told to stop: its thread runs on unheeded until it is done or the program ends.
@@ -39,11 +39,11 @@ pub use ties::tie_count;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reference {
-    /// A Delaunay triangulation: none of these points has a larger minimum angle.
+    /// A Delaunay triangulation: no triangulation of these points has a larger minimum angle.
     Delaunay,
     /// Ear clipping, as graphics programs fill polygons.
     EarClipping,
-    /// All triangles round one vertex, the first round which none is flat.
+    /// All triangles round one vertex: the first vertex that gives no flat triangle.
     Fan,
 }
 
@@ -91,7 +91,7 @@ impl Reference {
     /// All of them, in the order of a report.
     pub const ALL: [Self; 3] = [Self::Delaunay, Self::EarClipping, Self::Fan];
 
-    /// Those that a domain is compared with, in the order of a report: the fan only if it is convex.
+    /// The methods that a domain is compared with, in the order of a report: the fan only if it is convex.
     #[must_use]
     pub fn of(domain: &Domain) -> &'static [Self] {
         if domain.convex().is_some() { &Self::ALL } else { &Self::ALL[..2] }
@@ -107,7 +107,7 @@ impl Reference {
         }
     }
 
-    /// What it does, in a sentence.
+    /// The method's principle, in a sentence.
     #[must_use]
     pub fn description(self) -> &'static str {
         match self {

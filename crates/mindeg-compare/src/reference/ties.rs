@@ -40,7 +40,7 @@ const ROUNDINGS: f64 = 4.0;
 pub fn tie_count(points: &[DVec2], triangles: &[[u32; 3]]) -> u32 {
     let largest = points.iter().map(|point| point.abs().max_element()).fold(0.0, f64::max);
     let rounding = ROUNDINGS * f64::EPSILON * largest;
-    // Every edge with the vertex across, both triangles of an edge side by side.
+    // Every edge with its opposite vertex; the two triangles of an edge are neighbours in the list.
     let mut edges: Vec<[u32; 3]> = triangles
         .iter()
         .flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]])
@@ -54,7 +54,7 @@ pub fn tie_count(points: &[DVec2], triangles: &[[u32; 3]]) -> u32 {
     ties.count() as u32
 }
 
-/// Whether a, b and the vertices c and d across from the edge ab are on one circle.
+/// Whether a, b and the vertices c and d opposite the edge ab are on one circle.
 fn is_tie([a, b, c, d]: [DVec2; 4], rounding: f64) -> bool {
     let doubled_area = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p).abs();
     let coordinates = |point: DVec2| Coord { x: point.x, y: point.y };

@@ -1,6 +1,6 @@
 //! A report as one HTML page that opens from disk and asks for nothing else.
 //!
-//! What is read (verdict, tables) is plain HTML and stands without the script; the script draws
+//! The text (verdict, tables) is plain HTML and needs no script; the script draws
 //! the meshes and the charts. A content security policy in the page forbids any request. The
 //! templates in `templates/` escape what they are given; style, script, data and pictures made here
 //! are put in as they are.
@@ -24,7 +24,7 @@ use mindeg_answers::numbers::{count, steady_angle};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
 
-/// What is escaped in a link: everything but letters, digits and these.
+/// The characters to escape in a link: all but letters, digits and these.
 const PLAIN: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'/');
 
 /// The intervals of so many sides are listed under the title.
@@ -84,7 +84,7 @@ struct Links<'a> {
     next: Option<(&'a str, String)>,
 }
 
-/// A place for a mesh's picture, or why there is none.
+/// An element for a mesh's picture, or the reason why it is missing.
 pub(super) struct Figure<'a> {
     pub(super) place: usize,
     pub(super) name: String,
@@ -99,7 +99,7 @@ pub(super) struct Figure<'a> {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 ///
 /// # Example
 ///
@@ -121,7 +121,7 @@ pub fn write_html(comparison: &Comparison, out: impl Write) -> io::Result<()> {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 ///
 /// # Example
 ///
@@ -184,7 +184,7 @@ pub fn write_linked_html(
     out.write_all(rendered(&page)?.as_bytes())
 }
 
-/// The curve of a comparison, with what the verdict compares marked; none of a single point.
+/// The curve of a comparison, with marks on the meshes that the verdict compares; empty for a single point.
 fn small_curve(report: &Report, trade_off: &TradeOff) -> io::Result<String> {
     let delaunay = report.methods.iter().find(|figures| figures.method == Method::DELAUNAY);
     let marks = Marks {
@@ -200,7 +200,7 @@ pub(super) fn link(path: &str) -> String {
     utf8_percent_encode(path, PLAIN).to_string()
 }
 
-/// What a template writes.
+/// The output of a template.
 pub(super) fn rendered(template: &impl Template) -> io::Result<String> {
     template.render().map_err(io::Error::other)
 }

@@ -24,7 +24,7 @@ const COLUMNS: [(&str, &str); 8] = [
     ("Delaunay minimum angle", "number"),
 ];
 
-/// One line of the index: a comparison, or why there is none.
+/// One line of the index: a comparison, or the reason why it is missing.
 ///
 /// # Example
 ///
@@ -120,7 +120,7 @@ struct Cell {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 pub fn write_index(entries: &[IndexEntry], mut out: impl Write) -> io::Result<()> {
     let angles = angles(entries);
     let mut rows = Vec::new();

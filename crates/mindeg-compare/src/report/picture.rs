@@ -1,4 +1,4 @@
-//! What the pictures and charts of an HTML page are drawn from, packed small.
+//! The data of the pictures and charts of an HTML page, packed small.
 //!
 //! Arrays go as base64 of little-endian numbers. Coordinates are relative to the center of what is
 //! drawn, so that they are exact as far from the origin as they are near it. Measures go as
@@ -36,7 +36,7 @@ pub(crate) struct Scene<'a> {
     pub(crate) points: &'a [DVec2],
     /// The numbers of the vertices that belong to the meshes, ascending.
     pub(crate) vertices: Vec<u32>,
-    /// The least maximum degree of any such mesh, where that is known.
+    /// The least maximum degree of any mesh of these vertices, if it is known.
     pub(crate) at_least: Option<u32>,
     /// The most triangles of a mesh in the picture.
     pub(crate) most_drawn: usize,
@@ -64,7 +64,7 @@ pub(crate) struct Picture {
     at_least: Option<u32>,
     /// The colors of degrees, from the lowest degree.
     degree_colors: Vec<DegreeColor>,
-    /// The places on the axis of the degree chart: a name, the lowest and the highest degree.
+    /// The positions on the axis of the degree chart: a name, the lowest and the highest degree.
     degrees: Vec<(String, u32, u32)>,
     metrics: Vec<Measure>,
     methods: Vec<Drawing>,
@@ -106,7 +106,7 @@ struct Drawing {
     busiest: usize,
 }
 
-/// What goes into the pictures of a comparison.
+/// The data for the pictures of a comparison.
 pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     let report = comparison.report();
     let points = comparison.points();
@@ -135,7 +135,7 @@ pub(crate) fn of_comparison(comparison: &Comparison) -> Picture {
     })
 }
 
-/// What goes into the pictures of some meshes.
+/// The data for the pictures of some meshes.
 pub(crate) fn picture(scene: &Scene) -> Picture {
     let (low, high) = scene
         .outlines
@@ -176,7 +176,7 @@ pub(crate) fn picture(scene: &Scene) -> Picture {
     }
 }
 
-/// What a page says of a mesh of which it draws `most_drawn` triangles, if it has more.
+/// The note on a mesh with more than `most_drawn` triangles, the most that a page draws.
 pub(crate) fn thinned(triangles: usize, most_drawn: usize) -> Option<String> {
     (triangles > most_drawn).then(|| {
         format!(
@@ -188,11 +188,11 @@ pub(crate) fn thinned(triangles: usize, most_drawn: usize) -> Option<String> {
     })
 }
 
-/// What of the meshes is in the pictures.
+/// The elements of the meshes that the pictures show.
 struct Shown {
-    /// The numbers of each mesh's triangles, ascending.
+    /// The indices of each mesh's triangles, ascending.
     triangles: Vec<Vec<usize>>,
-    /// All vertices, or those of the triangles of all meshes and the busiest, ascending.
+    /// All vertices, or those of the triangles of all meshes and those of maximum degree, ascending.
     vertices: Vec<u32>,
 }
 

@@ -1,4 +1,4 @@
-//! What the SVG pictures of this crate share: colors, coordinates, and meshes in small.
+//! The common parts of this crate's SVG pictures: colors, coordinates, and small meshes.
 //!
 //! Pictures come from templates, which escape what they are given. A picture inside a page takes its
 //! colors from the page; one that stands alone brings them along, since not every viewer knows CSS
@@ -118,7 +118,7 @@ pub(super) fn degree_scale() -> Vec<DegreeColor> {
     low.chain(high).collect()
 }
 
-/// The color of a degree in mesh files, as CSS has it.
+/// The color of a degree in mesh files, in CSS syntax.
 fn hex(degree: u32) -> String {
     let [red, green, blue] = degree_color::srgb(degree);
     format!("#{red:02x}{green:02x}{blue:02x}")

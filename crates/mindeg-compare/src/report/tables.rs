@@ -17,7 +17,7 @@ use std::ops::RangeInclusive;
 /// Text in rows and columns; the first column names the row.
 pub(crate) struct Table {
     pub(crate) title: String,
-    /// What to know in order to read it; may be empty.
+    /// A note on how to read the table; may be empty.
     pub(crate) note: String,
     pub(crate) columns: Vec<String>,
     pub(crate) rows: Vec<Vec<String>>,
@@ -25,7 +25,7 @@ pub(crate) struct Table {
 
 /// A mesh, or a method without one, under the names of all methods that have it.
 pub(crate) struct Named<'a> {
-    /// The place of the first of them in the report.
+    /// The index of the first of these methods in the report.
     pub(crate) place: usize,
     pub(crate) name: String,
     pub(crate) figures: &'a MethodFigures,
@@ -60,7 +60,7 @@ pub(crate) fn first_with_mesh_of(report: &Report, wanted: Method) -> Method {
     figures.and_then(|figures| figures.same_mesh_as).unwrap_or(wanted)
 }
 
-/// What decides: the advised mesh, that of least degree and Delaunay's, a column for each.
+/// The figures that decide: a column each for the advised mesh, the mesh of least degree and Delaunay's.
 pub(crate) fn choice(report: &Report) -> Table {
     let advised = report.advice.map(|advice| first_with_mesh_of(report, advice.method));
     let wanted = [advised, Some(Method::LeastDegree), Some(Method::DELAUNAY)];
@@ -145,7 +145,7 @@ pub(crate) fn overview(report: &Report) -> Table {
     }
 }
 
-/// Meshes with interior points, a row for each; none unless asked for.
+/// Meshes with interior points, a row for each; empty unless asked for.
 pub(crate) fn interior(report: &Report) -> Option<Table> {
     let all = &report.interior;
     let least = Column::new(all.iter().filter_map(|figures| figures.min_angle), DIGITS);
@@ -230,7 +230,7 @@ pub(crate) fn sides(report: &Report) -> Table {
 /// More sides than these are not listed.
 const MAX_SIDE_ROWS: usize = 50;
 
-/// What came of a method, in a word or two.
+/// The outcome of a method, in a word or two.
 fn check(method: &MethodFigures) -> &'static str {
     let is_late = method.defects.iter().any(|defect| defect.kind == DefectKind::TimeLimit);
     match (method.valid, method.max_degree) {

@@ -1,4 +1,4 @@
-//! What every degree buys, to read and to look at: as JSON, as one picture, as a page.
+//! The trade-off of degree and angle, as JSON, as one picture, as a page.
 //!
 //! Limits: a picture and a page show so many meshes, evenly chosen where there are more; figures
 //! are of all.
@@ -17,13 +17,13 @@ use std::io::{self, Write};
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 pub fn write_trade_off_json(trade_off: &TradeOff, mut out: impl Write) -> io::Result<()> {
     serde_json::to_writer(&mut out, &TradeOffAnswer::of(trade_off))?;
     out.write_all(b"\n")
 }
 
-/// `count` things by their places, or `most` of them spread evenly from the first to the last.
+/// The indices of `count` things, or of `most` of them spread evenly from the first to the last.
 fn spread(count: usize, most: usize) -> impl Iterator<Item = usize> {
     let shown = count.min(most);
     (0..shown).map(move |i| if shown < 2 { 0 } else { i * (count - 1) / (shown - 1) })

@@ -35,7 +35,7 @@ struct Page<'a> {
     style: String,
     facts: String,
     figures: Table,
-    /// What to know about the mesh and its picture.
+    /// Remarks on the mesh and its picture.
     notes: Vec<String>,
     /// Whether all vertices are on one boundary.
     is_ring: bool,
@@ -57,7 +57,7 @@ struct Page<'a> {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 ///
 /// # Example
 ///
@@ -229,7 +229,7 @@ mod tests {
     use super::*;
     use glam::DVec3;
 
-    /// What the script of a page reads.
+    /// The data that the script of a page reads.
     fn data(page: &str) -> serde_json::Value {
         let (_, data) = page.split_once("id=\"data\">").unwrap();
         let (data, _) = data.split_once("</script>").unwrap();

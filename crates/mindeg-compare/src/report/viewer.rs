@@ -8,7 +8,7 @@ use super::svg::{self, CURVE_STYLE, DegreeColor};
 /// The style of every page.
 pub(super) const STYLE: &str = include_str!("page.css");
 
-/// What draws a scene and reads it off, without a document; later parts use earlier ones.
+/// The scripts that draw a scene and read it off, without a document; later ones use earlier ones.
 macro_rules! viewer {
     ($($more:literal),*) => {
         concat!(

@@ -71,7 +71,7 @@ struct Point {
     is_advised: bool,
 }
 
-/// What a curve shows besides the meshes of a trade-off.
+/// The marks that a curve shows besides the meshes of a trade-off.
 #[derive(Clone, Copy, Default)]
 pub(in crate::report) struct Marks {
     /// The degree to take.

@@ -63,7 +63,7 @@ struct Figure {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 ///
 /// # Example
 ///
@@ -134,7 +134,7 @@ fn advised(trade_off: &TradeOff) -> Option<&ExactMesh> {
     trade_off.keeping(KEPT)
 }
 
-/// What the curve says, in sentences; the first is the headline.
+/// The findings from the curve, in sentences; the first is the headline.
 fn verdict(trade_off: &TradeOff) -> Vec<String> {
     let describe = |exact: &ExactMesh| {
         format!(

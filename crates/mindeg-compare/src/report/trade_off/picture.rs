@@ -69,7 +69,7 @@ struct LegendEntry {
 ///
 /// # Errors
 ///
-/// Those of `out`.
+/// The errors of `out`.
 ///
 /// # Example
 ///
@@ -90,7 +90,7 @@ pub fn write_trade_off_svg(trade_off: &TradeOff, mut out: impl Write) -> io::Res
     let columns = shown.len().min(MOST_COLUMNS);
     let width = (WIDTH - 2.0 * MARGIN + GAP) / columns as f64 - GAP;
     let bounds = trade_off.domain().placement().bounds();
-    // Every mesh gets a space of the same size, whose place is not yet known.
+    // Every mesh gets a space of the same size, whose position is not yet known.
     let at_origin = Inset::new(bounds, svg::space(DVec2::new(width, MOST_HEIGHT)));
     let drawn_height = at_origin.size().y;
     // A single point makes no curve.

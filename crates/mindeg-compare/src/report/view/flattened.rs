@@ -15,7 +15,7 @@ pub(super) enum Axis {
 #[derive(Debug)]
 pub(super) struct Flattened {
     pub(super) points: Vec<DVec2>,
-    /// The axis of the projection; none where the mesh lies in a plane of constant z.
+    /// The axis of the projection; `None` if the mesh lies in a plane of constant z.
     pub(super) axis: Option<Axis>,
 }
 
@@ -45,7 +45,7 @@ impl Axis {
             (b - a).cross(c - a).abs()
         };
         let total: DVec3 = mesh.triangles().iter().map(normal).sum();
-        // Of equal ones z, then y.
+        // For equal components prefer z, then y.
         if total.z >= total.x && total.z >= total.y {
             Self::Z
         } else if total.y >= total.x {
@@ -55,7 +55,7 @@ impl Axis {
         }
     }
 
-    /// Where a point is in the picture, which is no mirror image: x and z are looked at from their
+    /// The position of a point in the picture, which is not mirrored: x and z are looked at from their
     /// positive end, y from its negative one.
     fn flatten(self, position: DVec3) -> DVec2 {
         let DVec3 { x, y, z } = position;
@@ -66,7 +66,7 @@ impl Axis {
         }
     }
 
-    /// What a page says of the projection.
+    /// The note of a page on the projection.
     pub(super) fn note(self) -> String {
         let [along, right, up] = match self {
             Self::X => ["x", "y", "z"],
@@ -85,7 +85,7 @@ impl Axis {
 mod tests {
     use super::*;
 
-    /// Two triangles in a plane: one with corners at these places, one turned over.
+    /// Two triangles in a plane: one with corners at these positions, one turned over.
     fn plane(corners: [[f64; 3]; 4]) -> TriMesh {
         let positions = corners.map(DVec3::from).to_vec();
         TriMesh::new(positions, vec![[0, 1, 2], [0, 3, 2]]).unwrap()
