@@ -4,8 +4,8 @@ use std::ops::{Add, Div, Sub};
 
 use glam::{DVec2, DVec3};
 
-/// The smallest box around a set of points with sides parallel to the axes, in the plane or, as
-/// `Bounds<DVec3>`, in space.
+/// The smallest axis-parallel box around a set of points, in the plane or, as `Bounds<DVec3>`, in
+/// space.
 ///
 /// # Example
 ///

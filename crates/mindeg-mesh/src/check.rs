@@ -1,11 +1,11 @@
-//! A checker for triangulations of rings, with or without holes and interior points. It shares nothing
-//! with what makes them but the exact predicate [`robust::orient2d`].
+//! A checker for triangulations of rings, with or without holes and interior points. Its only code in
+//! common with the triangulators is the exact predicate [`robust::orient2d`].
 //!
-//! Triangles that are all counter-clockwise, that have every ring edge once in the ring's direction
-//! and every other edge once in each direction, cover every point as often as the rings wind around
-//! it: where the rings bound a domain, they are a triangulation of it.
+//! If all triangles are counter-clockwise, with every ring edge once in the ring's direction and
+//! every other edge once in each direction, they cover every point as often as the rings wind
+//! around it. If the rings bound a domain, they triangulate it.
 //!
-//! Limits: interior points without a triangle are not missed.
+//! Limits: an interior point without a triangle is not reported.
 
 use glam::DVec2;
 use robust::{Coord, orient2d};
@@ -19,7 +19,7 @@ use crate::planar::PlanarBoundary;
 pub struct Checked {
     /// The number of edges at each vertex, boundary edges included.
     pub degrees: Vec<u32>,
-    /// The largest of them.
+    /// The largest degree.
     pub max_degree: u32,
 }
 
@@ -27,10 +27,10 @@ pub struct Checked {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum CheckError {
-    /// Another number of triangles than the rings need, where they have all points.
+    /// The number of triangles does not fit the rings. Only checked without interior points.
     #[error("found {found} triangles, expected {expected}")]
     TriangleCount {
-        /// Their number.
+        /// The number of triangles.
         found: usize,
         /// The number that the rings need.
         expected: usize,
@@ -59,7 +59,7 @@ pub enum CheckError {
         /// Where it ends.
         to: u32,
     },
-    /// A triangle that is clockwise or has no area, exactly.
+    /// A triangle that is clockwise or flat; the check is exact.
     #[error("triangle {triangle} is clockwise or has no area")]
     NotCounterClockwise {
         /// Its index.
@@ -69,7 +69,7 @@ pub enum CheckError {
 
 /// Checks that `triangles` triangulate the domain inside `boundary`. O(n log n).
 ///
-/// `inner` are points inside; their vertices follow those of the boundary.
+/// `inner` are interior points; their vertices follow those of the boundary.
 ///
 /// # Errors
 ///
@@ -102,7 +102,7 @@ pub fn triangulation(
         None => boundary.points()[vertex as usize],
     };
     if inner.is_empty() {
-        // By Euler's formula; the outer ring is no hole.
+        // By Euler's formula; the outer ring does not count as a hole.
         let found = triangles.len();
         let expected = (on_rings + 2 * boundary.ring_count()).saturating_sub(4);
         if found != expected {
@@ -124,7 +124,7 @@ pub fn triangulation(
         range.map(|triangle| triangle as usize).find(|&triangle| {
             let [a, b, c] = triangles[triangle].map(point);
             let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
-            // A point that is not finite makes this fail, too.
+            // A point that is not finite fails here, too.
             let is_counter_clockwise = orient2d(a, b, c) > 0.0;
             !is_counter_clockwise
         })
@@ -140,12 +140,12 @@ pub fn triangulation(
     Ok(Checked { degrees, max_degree })
 }
 
-/// All edges, smaller end first, if each has exactly one half-edge in either direction: those of the
-/// triangles, and the outer ones of the rings.
+/// All edges, smaller end first, if each has exactly one half-edge in either direction. Half-edges
+/// come from the triangles, and from the outer sides of the rings.
 fn paired(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Result<Vec<u64>, CheckError> {
     let outer = boundary.edges().map(|[from, to]| [to, from]);
     let inner = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
-    // Half-edges to the larger end, and to the smaller one.
+    // Half-edges to the larger end, then half-edges to the smaller end.
     let mut halves =
         [Vec::with_capacity(2 * triangles.len()), Vec::with_capacity(2 * triangles.len())];
     for [from, to] in inner.chain(outer) {
@@ -167,7 +167,7 @@ fn paired(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Result<Vec<u64>,
     if let Some(at) = (0..up.len().max(down.len())).find(|&at| up.get(at) != down.get(at)) {
         let [first_up, first_down] =
             [&up, &down].map(|halves| halves.get(at).copied().unwrap_or(u64::MAX));
-        // The smaller one has no partner.
+        // The smaller of the two half-edges has no partner.
         let [from, to] = ends(first_up.min(first_down), first_up > first_down);
         return Err(CheckError::Gap { from, to });
     }
@@ -212,13 +212,13 @@ mod tests {
         let check = |triangles: &[[u32; 3]]| triangulation(&with_hole, &[], triangles);
         assert_eq!(check(&around).map(|checked| checked.degrees), Ok(vec![4, 4, 3, 4, 4, 4, 5]));
         let mut filled = around;
-        // Instead of a triangle beside the hole, the one in the hole.
+        // The triangle in the hole replaces a triangle beside it.
         filled[6] = [4, 6, 5];
         assert_eq!(check(&filled), Err(CheckError::Overlap { from: 4, to: 6 }));
         filled[6] = [0, 1, 4];
         assert_eq!(check(&filled), Err(CheckError::Overlap { from: 0, to: 1 }));
 
-        // With an interior point the number of triangles is open, but not the edges.
+        // With an interior point the number of triangles is not checked, but the edges are.
         let with_point = |triangles: &[[u32; 3]]| triangulation(&outer, &points[4..5], triangles);
         let star = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
         assert_eq!(with_point(&star).map(|checked| checked.max_degree), Ok(4));

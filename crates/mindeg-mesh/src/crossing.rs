@@ -1,7 +1,7 @@
-//! Which triangles cross others.
+//! Finds triangles that cross others.
 //!
-//! Two triangles cross if they have a point in common besides the corners and edges that they
-//! share: so triangles that only touch count, and so do those that cover each other in a plane.
+//! Two triangles cross if they have a common point besides the corners and edges that they share.
+//! So triangles that only touch count, and so do triangles that cover each other in a plane.
 //! Corners are shared if they are the same vertex. Flat triangles cross nothing.
 //!
 //! Predicates are exact (Shewchuk's, from `robust`), as long as products of three coordinates
@@ -17,13 +17,14 @@ use std::ops::Range;
 use tree::Tree;
 pub use triangles::cross;
 
-/// For each triangle of a range that crosses another triangle of the mesh, the two of them: the
-/// triangle of the range and the first that it crosses. In order. O(n log n) for n triangles, and
-/// for each of the range the time to test those whose boxes meet its own; shared by all threads.
+/// For each triangle of a range that crosses another triangle of the mesh, the pair: the triangle
+/// of the range and the first triangle that it crosses. In order. O(n log n) for n triangles, plus,
+/// for each triangle of the range, the tests of all triangles whose boxes meet its box; shared by
+/// all threads.
 ///
 /// # Panics
 ///
-/// If the range is not one of triangles, or a triangle names a vertex that is not there.
+/// If the range exceeds the triangles, or a triangle names a vertex that does not exist.
 ///
 /// # Example
 ///
@@ -68,7 +69,7 @@ mod tests {
     use proptest::prelude::*;
 
     proptest! {
-        /// The tree finds what a comparison of all pairs finds.
+        /// The tree finds the same crossings as a comparison of all pairs.
         #[test]
         fn the_tree_misses_nothing(
             points in prop::collection::vec(prop::array::uniform3(0_i8..6), 8),

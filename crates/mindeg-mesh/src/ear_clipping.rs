@@ -1,20 +1,20 @@
 //! Cuts a polygon in space into triangles, by ears.
 //!
 //! An ear is a corner whose triangle with its two neighbors lies inside the polygon, with no other
-//! corner in it. Ear clipping (Meisters 1975) cuts off one ear after another; every polygon
-//! that does not touch itself always has one.
+//! corner in it. Ear clipping (Meisters 1975) cuts off one ear after another; every polygon that
+//! does not touch itself has an ear.
 
 use glam::{DVec2, DVec3};
 
-/// Cuts a polygon into triangles, and adds them to `triangles`: always k - 2 for k corners, each
-/// running as the polygon does; none for fewer than three corners.
+/// Cuts a polygon into triangles, and adds them to `triangles`: always k - 2 for k corners, each in
+/// the direction of the polygon; nothing for fewer than three corners.
 ///
 /// The polygon is seen along the axis nearest to its Newell normal. If all triangles of the fan
-/// from its first corner run counter-clockwise there, as for every convex polygon without straight
-/// corners, the answer is that fan. All other polygons are cut by ears: then no triangle has zero
-/// area or is turned over, as long as the polygon does not cross itself. It may touch itself, as a
-/// polygon does that a bridge joins to its hole. A polygon that crosses itself gets k - 2
-/// triangles of some kind, one without area the fan.
+/// from its first corner are counter-clockwise there, as for every convex polygon without straight
+/// corners, the result is that fan. All other polygons are cut by ears: then no triangle is flat or
+/// inverted, as long as the polygon does not cross itself. It may touch itself, like a polygon with
+/// a bridge to its hole. A polygon that crosses itself gets some k - 2 triangles, a polygon without
+/// area gets the fan.
 ///
 /// O(k) for a fan. Else O(k² r) at worst for k corners, r of which do not turn to the left, and
 /// about O(k log k) if ears are small.
@@ -51,8 +51,8 @@ pub fn cut_polygon(corners: &[u32], positions: &[DVec3], triangles: &mut Vec<[u3
     triangles.extend(cut.into_iter().map(|triangle| triangle.map(|corner| corners[corner])));
 }
 
-/// The corners in the coordinate plane that the polygon covers most of, so that it runs
-/// counter-clockwise; `None` if it has no area.
+/// The corners in the coordinate plane in which the polygon covers the largest area, turned so that
+/// it runs counter-clockwise; `None` if it has no area.
 fn in_plane(corners: &[u32], positions: &[DVec3]) -> Option<Vec<DVec2>> {
     let points = || corners.iter().map(|&corner| positions[corner as usize]);
     let largest = points().map(|p| p.abs().max_element()).fold(0.0, f64::max);
@@ -123,7 +123,7 @@ impl<'a> Ears<'a> {
         let mut cut_in_round = 0;
         while self.triangles.len() < count - 3 {
             let Some(corner) = waiting.pop() else {
-                // What was in the way of an ear may be cut by now.
+                // The corner that blocked an ear may be cut by now.
                 waiting.extend((0..count).rev().filter(|&i| !self.is_cut[i]));
                 if cut_in_round == 0 {
                     self.cut_without_ear(&waiting);
@@ -144,8 +144,8 @@ impl<'a> Ears<'a> {
         self.triangles
     }
 
-    /// Cuts a corner off a polygon that touches or crosses itself so that it has no ear: a straight
-    /// one if there is one, else the first that turns to the left, else the first.
+    /// Cuts a corner off a polygon that touches or crosses itself and so has no ear: a straight
+    /// corner if possible, else the first that turns to the left, else the first.
     fn cut_without_ear(&mut self, corners: &[usize]) {
         let first = |turns: fn(f64) -> bool| {
             corners.iter().rev().copied().find(|&corner| turns(self.turn(corner)))
@@ -165,8 +165,8 @@ impl<'a> Ears<'a> {
         orientation(a, b, c)
     }
 
-    /// Whether a corner turns to the left, with no other corner in its triangle or on its edges.
-    /// One at the same position as a corner of the triangle is not in the way.
+    /// Whether a corner turns to the left, with no other corner in its triangle or on its edges. A
+    /// corner at the same position as a corner of the triangle does not count.
     fn is_ear(&self, i: usize) -> bool {
         let corners = self.corners_at(i);
         let [a, b, c] = corners.map(|i| self.points[i]);
@@ -221,7 +221,7 @@ mod tests {
         points.iter().map(|&[x, y]| DVec3::new(x, y, 0.0)).collect()
     }
 
-    /// All turns of the axes, so that each plane and direction comes up.
+    /// All rotations of the axes, so that each plane and direction occurs.
     fn turned(points: &[DVec3]) -> impl Iterator<Item = Vec<DVec3>> {
         let turns: [fn(DVec3) -> DVec3; 6] = [
             |p| p,
@@ -374,7 +374,7 @@ mod tests {
             let around: f64 = (0..points.len())
                 .map(|i| double(points[i], points[(i + 1) % points.len()]))
                 .sum();
-            // Rounding may turn a very flat one over.
+            // Rounding may invert a very flat triangle.
             let mut edges = (0..points.len()).map(|i| [points[i], points[(i + 1) % points.len()]]);
             prop_assume!(points.len() > 2 && edges.all(|[a, b]| double(a, b) > 0.0));
             let in_space: Vec<DVec3> = points.iter().map(|p| p.extend(0.0)).collect();

@@ -1,10 +1,10 @@
-//! Any triangle mesh: what one is, how its triangles hang together, and how good they are.
+//! Any triangle mesh: its definition, its connectivity, and the quality of its triangles.
 //!
-//! [`Positions`] and [`Triangles`] are the two halves of a mesh, whether it is a formula or a list;
-//! a [`TriMesh`] is a list, such as a reader gives. [`quality`] measures
-//! triangles by Verdict's definitions, [`inspection`] counts and names what is in a mesh and what
-//! is wrong with it, [`ear_clipping`] cuts polygons into triangles, [`check`] tells whether triangles
-//! triangulate given rings.
+//! [`Positions`] and [`Triangles`] together are a mesh, whether it is a formula or a list; a
+//! [`TriMesh`] is a list, for example from a reader. [`quality`] measures triangles by Verdict's
+//! definitions, [`inspection`] counts and names the contents and the defects of a mesh,
+//! [`ear_clipping`] cuts polygons into triangles, [`check`] decides whether triangles triangulate
+//! given rings.
 //!
 //! ```
 //! use glam::DVec3;

@@ -1,9 +1,9 @@
-//! What a triangle mesh is to a writer, a measure or a picture.
+//! The interface of a triangle mesh for a writer, a measure or a picture.
 //!
-//! A mesh has two halves. [`Positions`] tells where the vertices are; a domain knows that before it
-//! has a mesh. [`Triangles`] tells which vertices are joined, in which groups, under which names.
-//! Both give ranges at a time, so a mesh that is a formula streams through a writer, and a mesh that
-//! is a list is copied.
+//! A mesh has two traits. [`Positions`] gives the positions of the vertices; a domain knows them
+//! before it has a mesh. [`Triangles`] gives the triangles, their groups and their names. Both work
+//! on ranges, so a mesh that is a formula streams through a writer, and a mesh that is a list is
+//! copied.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -18,7 +18,7 @@ pub trait Positions: Sync {
     /// The number of vertices.
     fn vertex_count(&self) -> u32;
 
-    /// Writes the positions of the vertices from `first` on into `out`, as many as it holds.
+    /// Fills `out` with the positions of the vertices from `first` on.
     ///
     /// # Panics
     ///
@@ -28,8 +28,8 @@ pub trait Positions: Sync {
     /// The smallest box around all vertices.
     fn bounds(&self) -> Bounds<DVec3>;
 
-    /// Writes the depths of the water at the vertices from `first` on into `out`, as many as it
-    /// holds: 0 but for a mesh of a coastal model that has them.
+    /// Fills `out` with the water depths at the vertices from `first` on: 0 unless the mesh is a
+    /// coastal model with depths.
     ///
     /// # Panics
     ///
@@ -39,27 +39,27 @@ pub trait Positions: Sync {
         out.fill(0.0);
     }
 
-    /// Whether each vertex follows the one before round a boundary, and the first the last: then
-    /// no two of them may become one point in a file.
+    /// Whether consecutive vertices, and the last and the first, are neighbours on one boundary:
+    /// then no two of them may become one point in a file.
     fn is_ring(&self) -> bool {
         false
     }
 }
 
-/// Which vertices are joined to triangles, and what the parts are called.
+/// The triangles of a mesh and the names of its groups and lines.
 pub trait Triangles: Sync {
     /// The number of triangles.
     fn triangle_count(&self) -> u32;
 
-    /// Writes the triangles from `first` on into `out`, as many as it holds. Each is
-    /// counter-clockwise seen from its front.
+    /// Fills `out` with the triangles from `first` on. Each is counter-clockwise seen from its
+    /// front.
     ///
     /// # Panics
     ///
     /// If fewer than `out.len()` triangles remain from `first` on.
     fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]);
 
-    /// Writes the degrees of the vertices from `first` on into `out`, as many as it holds.
+    /// Fills `out` with the degrees of the vertices from `first` on.
     ///
     /// # Panics
     ///
@@ -74,30 +74,29 @@ pub trait Triangles: Sync {
         None
     }
 
-    /// What the mesh is called.
+    /// The name of the mesh.
     fn name(&self) -> Option<&str> {
         None
     }
 
-    /// The named groups, which hold every triangle once, in order; empty for a mesh in one piece.
+    /// The named groups, which contain every triangle once, in order; empty if the mesh has none.
     fn groups(&self) -> &[Group] {
         &[]
     }
 
-    /// The named lines of the mesh, such as the sides of its domain, which hold every segment
+    /// The named lines of the mesh, such as the sides of its domain, which contain every segment
     /// once, in order.
     fn lines(&self) -> Cow<'_, [Line]> {
         Cow::Borrowed(&[])
     }
 
-    /// What the line with this index is in a coastal model, where that is known.
+    /// The kind of the line with this index in a coastal model, if known.
     fn line_kind(&self, line: usize) -> Option<LineKind> {
         let _ = line;
         None
     }
 
-    /// Writes the segments from `first` on into `out`, as many as it holds. The segments of a line
-    /// follow one another.
+    /// Fills `out` with the segments from `first` on. The segments of a line follow one another.
     ///
     /// # Panics
     ///
@@ -113,14 +112,14 @@ pub trait Mesh: Positions + Triangles {}
 impl<T: Positions + Triangles + ?Sized> Mesh for T {}
 
 /// A range of a mesh's triangles with one name and one material: an object or group of an OBJ, or
-/// what of it has one material; a node of a glTF, or one of its primitives.
+/// its triangles of one material; a node of a glTF, or one of its primitives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Group {
-    /// The name; empty if there is none.
+    /// The name; empty if the group has none.
     pub name: String,
     /// The triangles; never empty.
     pub triangles: Range<u32>,
-    /// The material, if there is one. Groups may share it.
+    /// The material, if the group has one. Groups may share it.
     pub material: Option<Arc<Material>>,
 }
 
@@ -137,7 +136,7 @@ impl Group {
         Self { material, ..self }
     }
 
-    /// What to call the group where a file has no materials: its name, or else its material's.
+    /// The label of the group in a file without materials: its name, or else its material's name.
     #[must_use]
     pub fn label(&self) -> &str {
         match &self.material {
@@ -147,7 +146,7 @@ impl Group {
     }
 }
 
-/// What a surface is made of.
+/// The material of a surface.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
     /// The name; never empty.
@@ -163,12 +162,12 @@ pub struct Line {
     pub name: String,
     /// The segments; never empty.
     pub segments: Range<u32>,
-    /// Whether each segment is known to start where the one before ends, all on the straight line
-    /// between the ends of the line but for rounding.
+    /// Whether each segment is known to start at the end of the previous one, all on the straight
+    /// line between the ends of the line, except for rounding.
     pub is_straight: bool,
 }
 
-/// What a part of the boundary of a coastal model is.
+/// The kind of a line on the boundary of a coastal model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum LineKind {
     /// Open water.

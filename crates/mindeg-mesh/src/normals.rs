@@ -1,11 +1,11 @@
-//! Normals of a mesh that is not in a plane.
+//! Vertex normals of a mesh that is not planar.
 
 use glam::DVec3;
 
 use crate::mesh::{Mesh, filled};
 
-/// A unit normal for each vertex: the sum of the normals of its triangles, each as long as the
-/// triangle is large. A vertex without a triangle that has an area gets +Z. O(n) time and memory.
+/// A unit normal for each vertex: the sum of the normals of its triangles, weighted by area. A
+/// vertex without a triangle of nonzero area gets +Z. O(n) time and memory.
 ///
 /// # Example
 ///
@@ -45,7 +45,7 @@ mod tests {
 
     #[test]
     fn a_vertex_has_the_normals_of_its_triangles_by_their_areas() {
-        // One lies flat; the other stands on the x axis and has twice the area.
+        // The first triangle lies flat; the second stands on the x axis and has twice the area.
         let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y, 2.0 * DVec3::Z, 9.0 * DVec3::ONE];
         let mesh = TriMesh::new(points, vec![[0, 1, 2], [1, 0, 3]]).unwrap();
         let shared = DVec3::new(0.0, 2.0, 1.0).normalize();

@@ -1,11 +1,11 @@
-//! Work on items `0..count`, shared by all threads, with results that do not depend on their
-//! number.
+//! Work on items `0..count`, shared by all threads. The results do not depend on the number of
+//! threads.
 //!
 //! The items form blocks of fixed size; one thread works on a block from front to back, and the
 //! results of the blocks come in order. So a sum of floats has the same bits on every machine.
 //!
-//! The threads are rayon's: those of the pool that the caller is in, else one for each core, or
-//! as many as the environment variable `RAYON_NUM_THREADS` says.
+//! The threads are rayon's: the pool of the caller, else one thread for each core, or as many as
+//! the environment variable `RAYON_NUM_THREADS` says.
 //!
 //! Limits: one result is kept for each block of 16,384 items.
 
@@ -13,7 +13,7 @@
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Items to a block: a hundred microseconds of work and more, so that handing it out costs little.
+/// Items in a block: at least a hundred microseconds of work, so that scheduling costs little.
 const BLOCK: u32 = 1 << 14;
 
 /// The items of the block with an index.
@@ -23,7 +23,7 @@ pub fn block(index: usize, count: u32) -> Range<u32> {
 }
 
 /// The results of `work` on each block of the items `0..count`, in order. If a block fails, the
-/// error of any block that failed; then some blocks are left out.
+/// error of any failed block; then some blocks are not run.
 pub fn try_blocks<R: Send, E: Send>(
     count: u32,
     work: impl Fn(Range<u32>) -> Result<R, E> + Sync + Send,
@@ -54,7 +54,7 @@ pub fn fill_blocks<T: Send>(values: &mut [T], fill: impl Fn(u32, &mut [T]) + Syn
     parts.for_each(|(index, part)| fill(index as u32 * BLOCK, part));
 }
 
-/// What `work` finds in the first block of the items `0..count` in which it finds anything.
+/// The result of `work` on the first block of the items `0..count` that has a result.
 pub fn first_of_blocks<R: Send>(
     count: u32,
     work: impl Fn(Range<u32>) -> Option<R> + Sync + Send,

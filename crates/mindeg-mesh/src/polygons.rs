@@ -1,13 +1,12 @@
-//! The faces of a file as it has them, before they were cut into triangles.
+//! The faces of a file before they were cut into triangles.
 
 /// The polygons that a mesh's triangles were cut from.
 ///
 /// The triangles of a polygon follow one another, in the order of polygons; a polygon of k corners
-/// has k - 2 of them.
+/// has k - 2 triangles.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Polygons {
-    /// Where the triangles of each polygon start, and after the last of them the number of
-    /// triangles.
+    /// The index of each polygon's first triangle, then the number of triangles.
     pub triangle_starts: Vec<u32>,
     /// The corners of the first polygon in order, then those of the next.
     pub corners: Vec<u32>,
@@ -37,7 +36,7 @@ impl Polygons {
     }
 }
 
-/// What a file held besides triangles.
+/// Counts of a file's elements that are not triangles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct NonTriangles {
     /// Faces with four corners. Each was cut into two triangles.

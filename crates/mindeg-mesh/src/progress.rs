@@ -3,20 +3,20 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-/// How far a stage of the work is.
+/// The progress of one stage of the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step<'a> {
     /// The stage in words, such as "choosing among candidates".
     pub stage: &'a str,
-    /// How much of the stage is done, 0 to `total`. It never falls within a stage.
+    /// The finished amount of the stage, 0 to `total`. It never decreases within a stage.
     pub done: u64,
-    /// How much there is to do; a guess where that is not known before.
+    /// The total amount; an estimate if it is not known in advance.
     pub total: u64,
 }
 
 type Callback<'a> = dyn Fn(Step<'_>) -> ControlFlow<()> + Sync + 'a;
 
-/// A callback that long work calls with every [`Step`], and that cancels the work by a break.
+/// A callback that long work calls with every [`Step`]; it cancels the work by a break.
 ///
 /// Worker threads call it many times a second, possibly out of order.
 ///
@@ -66,7 +66,7 @@ impl<'a> Progress<'a> {
         }
     }
 
-    /// A counter of what is done in a stage, for several threads.
+    /// A counter of finished work in a stage, for several threads.
     #[must_use]
     pub fn counter<'b>(&'b self, stage: &'b str, total: u64) -> Counter<'b> {
         Counter { progress: self, stage, done: AtomicU64::new(0), total }
@@ -79,7 +79,7 @@ impl std::fmt::Debug for Progress<'_> {
     }
 }
 
-/// Counts what is done in a stage, on any number of threads.
+/// Counts finished work in a stage, on any number of threads.
 pub struct Counter<'a> {
     progress: &'a Progress<'a>,
     stage: &'a str,
@@ -99,7 +99,7 @@ impl Counter<'_> {
         self.progress.report(self.stage, done, self.total)
     }
 
-    /// `done` are done in all, no fewer than before; no other thread works at this time.
+    /// Sets the finished work to `done`, never less than before; no other thread works now.
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! How well a triangle is shaped: the Verdict library's measures, and the height.
+//! The quality of a triangle: the Verdict library's measures, and the height.
 //!
 //! Names and definitions are those of the Verdict geometric quality library (Stimpson, Ernst,
 //! Knupp, Pébay, Thompson, "The Verdict Library Reference Manual", Sandia National
@@ -18,7 +18,7 @@
 //! | `scaled_jacobian` | 4A/(√3 yz); negative as the area is | 1 | 1 to 0 (-1 where clockwise) |
 //! | `shape` | 4√3 A/(x²+y²+z²) | 1 | 1 to 0 |
 //!
-//! The same table is at hand for programs as [`METRICS`].
+//! [`METRICS`] has the same table for programs.
 //!
 //! A triangle without area, or with a coordinate that is not finite, gets the worst value of
 //! every measure: area, height, minimum angle, scaled Jacobian and shape 0, maximum angle 180,
@@ -26,9 +26,9 @@
 //! programs give a triangle with two equal corners other maximum angles: VTK 0, others 90.
 //! No measure is ever NaN.
 //!
-//! Limits: a triangle whose area or height is beyond the range of f64 gets 0 or infinity for it;
-//! the other measures do not depend on size. A triangle with a height below 1e-150 of its longest
-//! edge is measured as if it had no area.
+//! Limits: if the area or height of a triangle is beyond the range of f64, it becomes 0 or
+//! infinity; the other measures do not depend on size. A triangle with a height below 1e-150 of its
+//! longest edge is measured as a flat triangle.
 
 use glam::{DVec2, DVec3};
 
@@ -76,7 +76,7 @@ pub struct TriangleQuality {
     pub shape: f64,
 }
 
-/// What one measure is called, is, and how it is read from a [`TriangleQuality`].
+/// The name and definition of a measure, and the function that reads it from a [`TriangleQuality`].
 ///
 /// # Example
 ///
@@ -94,7 +94,7 @@ pub struct Metric {
     pub formula: &'static str,
     /// The unit: `length²`, `length`, `degrees` or `1`.
     pub unit: &'static str,
-    /// The value for an equilateral triangle; `None` where size decides.
+    /// The value for an equilateral triangle; `None` if it depends on size.
     pub best: Option<f64>,
     /// The value for a triangle without area.
     pub worst: f64,
@@ -119,8 +119,8 @@ pub const METRICS: [Metric; 9] = [
 const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
 impl TriangleQuality {
-    /// The measures of a triangle in the plane; area and scaled Jacobian are negative where it
-    /// is clockwise.
+    /// The measures of a triangle in the plane; area and scaled Jacobian are negative if it is
+    /// clockwise.
     #[must_use]
     pub fn of(a: DVec2, b: DVec2, c: DVec2) -> Self {
         let (quality, normal) = measure(a.extend(0.0), b.extend(0.0), c.extend(0.0));
@@ -132,13 +132,13 @@ impl TriangleQuality {
         }
     }
 
-    /// The measures of a triangle in space, where it has no orientation: none is negative.
+    /// The measures of a triangle in space, where it has no orientation: no measure is negative.
     #[must_use]
     pub fn in_space(a: DVec3, b: DVec3, c: DVec3) -> Self {
         measure(a, b, c).0
     }
 
-    /// The worst value of everything, but for the edge ratio where it is finite.
+    /// The worst value of every measure, except the edge ratio if it is finite.
     pub(crate) fn without_area(edge_ratio: f64) -> Self {
         Self {
             area: 0.0,
@@ -203,7 +203,7 @@ fn measure(a: DVec3, b: DVec3, c: DVec3) -> (TriangleQuality, DVec3) {
 /// Exact for corners whose coordinates, other than zeros, are not smaller than 1e-140 of the
 /// largest one; smaller ones may be taken for 0.
 pub(crate) fn is_flat(corners: [DVec3; 3], quality: &TriangleQuality) -> bool {
-    // Rounding explains less than this share of the coordinates.
+    // Rounding explains heights below this share of the coordinates.
     const ROUNDING: f64 = 64.0 * f64::EPSILON;
     let largest = largest_coordinate(corners);
     if quality.minimum_height > ROUNDING * largest {
@@ -257,7 +257,7 @@ mod tests {
             let found = METRICS.iter().filter(|metric| metric.name != "minimum_height");
             for (metric, expected) in found.zip(expected) {
                 let value = (metric.of)(&quality);
-                // Verdict takes angles from their cosines, which say less the smaller the sine.
+                // Verdict takes angles from their cosines, which lose digits as the sine shrinks.
                 let tolerance = match metric.unit {
                     "degrees" => (1e-15 / expected.to_radians().sin()).to_degrees(),
                     _ => 1e-11 * expected,

@@ -15,7 +15,7 @@ use crate::quality::{METRICS, TriangleQuality};
 /// The minimum angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
 pub const ANGLES: [f64; 4] = [1.0, 5.0, 10.0, 20.0];
 
-/// How many values are summed on their own.
+/// The number of values in a block of a sum.
 const BLOCK: usize = 1024;
 
 /// How the values of a measure are spread.
@@ -62,7 +62,7 @@ pub struct Distribution {
 }
 
 impl Distribution {
-    /// The distribution of some values, none NaN; `None` if there are none. O(n).
+    /// The distribution of some values without NaN; `None` if the list is empty. O(n).
     #[must_use]
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         let count = values.len();
@@ -72,8 +72,8 @@ impl Distribution {
         let mean = sum(&values) / count as f64;
         let min = values.iter().copied().min_by(f64::total_cmp)?;
         let max = values.iter().copied().max_by(f64::total_cmp)?;
-        // Indices in ascending order, that is ranks less one. The median parts the lower values
-        // from the higher ones.
+        // Indices in ascending order, which are ranks minus one. The median separates the lower
+        // values from the higher ones.
         let [first, middle, last] =
             [count.div_ceil(100) - 1, count.div_ceil(2) - 1, count - count / 100 - 1];
         let select =
@@ -85,8 +85,8 @@ impl Distribution {
     }
 }
 
-/// The sum of sums of blocks, which rounds less than a sum from front to back and can be taken
-/// in parallel.
+/// The sum of sums of blocks, which rounds less than a sum from front to back and can run in
+/// parallel.
 fn sum(values: &[f64]) -> f64 {
     values.chunks(BLOCK).map(|block| block.iter().sum::<f64>()).sum()
 }
@@ -130,7 +130,7 @@ impl FromIterator<TriangleQuality> for Columns {
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct QualitySummary {
-    /// How many triangles there are.
+    /// The number of triangles.
     pub triangle_count: usize,
     /// The sum of their areas.
     pub area: f64,
@@ -141,13 +141,13 @@ pub struct QualitySummary {
 }
 
 impl QualitySummary {
-    /// Sums up triangles; `None` if there are none. O(n) time and memory.
+    /// Summarizes triangles; `None` if the list is empty. O(n) time and memory.
     #[must_use]
     pub fn of(qualities: impl IntoIterator<Item = TriangleQuality>) -> Option<Self> {
         Self::of_blocks(vec![qualities.into_iter().collect()])
     }
 
-    /// Sums up triangles block after block; `None` if there are none.
+    /// Summarizes triangles block after block; `None` if all blocks are empty.
     pub(crate) fn of_blocks(blocks: Vec<Columns>) -> Option<Self> {
         let triangle_count = blocks.iter().map(|block| block.values[0].len()).sum();
         let mut below = [0_usize; ANGLES.len()];
@@ -172,8 +172,8 @@ impl QualitySummary {
         })
     }
 
-    /// The measures of the triangles `0..count`, of which `qualities` gives those in a range, with
-    /// all threads; `None` if there are none. O(n) time and memory.
+    /// The measures of the triangles `0..count`, on all threads; `qualities` gives the measures of
+    /// a range. `None` if `count` is 0. O(n) time and memory.
     #[must_use]
     pub fn of_ranges<I: Iterator<Item = TriangleQuality>>(
         count: u32,
@@ -189,7 +189,7 @@ impl QualitySummary {
     }
 }
 
-/// How many vertices have each degree. Memory grows with the number of different degrees only.
+/// The number of vertices of each degree. Memory grows only with the number of different degrees.
 ///
 /// # Example
 ///
@@ -207,7 +207,7 @@ pub struct DegreeHistogram {
 }
 
 impl DegreeHistogram {
-    /// Degrees that occur and how many vertices have each, in ascending order.
+    /// Each degree that occurs and its number of vertices, in ascending order.
     pub fn iter(&self) -> impl Iterator<Item = (u32, u64)> + '_ {
         self.counts.iter().map(|(&degree, &count)| (degree, count))
     }

@@ -1,4 +1,4 @@
-//! A triangle mesh as lists: what every reader gives.
+//! A triangle mesh as lists, the result of every reader.
 
 mod append;
 mod as_mesh;
@@ -14,11 +14,11 @@ use crate::connectivity::stars::Stars;
 use crate::mesh::{Group, Line, LineKind};
 use crate::polygons::{NonTriangles, Polygons};
 
-/// A triangle mesh in space: any number of groups, with or without boundary, sound or not.
+/// A triangle mesh in space: any number of groups, with or without boundary, valid or not.
 ///
-/// Every triangle names existing vertices, every position is finite, and there is at least one
-/// triangle. Nothing else is promised: triangles may repeat, be flat, disagree in orientation
-/// or meet three at an edge. A vertex that no triangle names is kept.
+/// Every triangle names existing vertices, every position is finite, and the mesh has at least one
+/// triangle. It guarantees nothing else: triangles may repeat, be flat, disagree in orientation or
+/// meet three at an edge. A vertex that no triangle names is kept.
 ///
 /// # Example
 ///
@@ -51,7 +51,7 @@ pub struct TriMesh {
     degrees: OnceLock<Vec<u32>>,
 }
 
-/// Why points and triangles are no [`TriMesh`].
+/// Why points and triangles do not form a [`TriMesh`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum TriMeshError {
@@ -67,7 +67,7 @@ pub enum TriMeshError {
         index: usize,
         /// The index of the vertex.
         vertex: u32,
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
     /// A position with a coordinate that is infinite or not a number.
@@ -79,19 +79,19 @@ pub enum TriMeshError {
     /// More vertices than 32-bit indices can tell apart.
     #[error("the mesh has {vertices} vertices; the maximum is {}", u32::MAX)]
     TooManyVertices {
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
     /// More triangles than 32-bit indices can tell apart.
     #[error("the mesh has {triangles} triangles; the maximum is {}", u32::MAX)]
     TooManyTriangles {
-        /// How many triangles there are.
+        /// The number of triangles.
         triangles: usize,
     },
     /// No triangle.
     #[error("the mesh has no triangle ({vertices} vertices)")]
     NoTriangles {
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
 }
@@ -141,12 +141,12 @@ impl TriMesh {
         Self { name: Some(name.into()), ..self }
     }
 
-    /// The same mesh in groups, which are to hold every triangle once, in order; empty ones are
-    /// left out.
+    /// The same mesh in groups, which must contain every triangle once, in order; empty groups are
+    /// dropped.
     ///
     /// # Panics
     ///
-    /// If the groups do not hold every triangle once, in order.
+    /// If the groups do not contain every triangle once, in order.
     #[must_use]
     pub fn with_groups(self, mut groups: Vec<Group>) -> Self {
         groups.retain(|group| !group.triangles.is_empty());
@@ -159,7 +159,7 @@ impl TriMesh {
         Self { groups, ..self }
     }
 
-    /// The same mesh with lines, which are to hold every segment once, in order.
+    /// The same mesh with lines, which must contain every segment once, in order.
     ///
     /// # Errors
     ///
@@ -167,7 +167,7 @@ impl TriMesh {
     ///
     /// # Panics
     ///
-    /// If the lines do not hold every segment once, in order.
+    /// If the lines do not contain every segment once, in order.
     pub fn with_lines(
         self,
         lines: Vec<Line>,
@@ -183,11 +183,11 @@ impl TriMesh {
         Ok(Self { lines, segments, ..self })
     }
 
-    /// The same mesh, with what each of its lines is in a coastal model.
+    /// The same mesh, with the kind of each of its lines in a coastal model.
     ///
     /// # Panics
     ///
-    /// If there are not as many kinds as lines.
+    /// If the number of kinds differs from the number of lines.
     #[must_use]
     pub fn with_line_kinds(self, line_kinds: Vec<Option<LineKind>>) -> Self {
         assert_eq!(line_kinds.len(), self.lines.len(), "a kind for each line");
@@ -198,7 +198,7 @@ impl TriMesh {
     ///
     /// # Panics
     ///
-    /// If there are not as many depths as vertices, or one is not finite.
+    /// If the number of depths differs from the number of vertices, or a depth is not finite.
     #[must_use]
     pub fn with_depths(self, depths: Vec<f64>) -> Self {
         assert_eq!(depths.len(), self.positions.len(), "a depth for each vertex");
@@ -210,7 +210,7 @@ impl TriMesh {
     ///
     /// # Panics
     ///
-    /// If the polygons do not have as many triangles as the mesh, or not two corners more each.
+    /// If the polygons do not cover the triangles of the mesh, or a sum of corners does not fit k - 2 each.
     #[must_use]
     pub fn with_polygons(self, polygons: Polygons) -> Self {
         let triangles = polygons.triangle_starts.last().map_or(0, |&count| count as usize);
@@ -219,13 +219,13 @@ impl TriMesh {
         Self { polygons: Some(polygons), ..self }
     }
 
-    /// The same mesh with the counts of what its file has besides triangles.
+    /// The same mesh with the counts of its file's elements that are not triangles.
     #[must_use]
     pub fn with_non_triangles(self, non_triangles: NonTriangles) -> Self {
         Self { non_triangles, ..self }
     }
 
-    /// The same mesh with notes on what its file has and the mesh has not, such as morph targets
+    /// The same mesh with notes on contents of its file that the mesh lacks, such as morph targets
     /// or skins: one short phrase each, for people to read.
     #[must_use]
     pub fn with_notes(self, notes: Vec<String>) -> Self {
@@ -235,7 +235,7 @@ impl TriMesh {
     /// The same mesh, whose coordinates may be off by `rounding`, in units of length.
     ///
     /// A reader of 32-bit floats gives 2^-24 times the largest coordinate in the file, times the
-    /// scale of what places it in the scene.
+    /// scale of the transform into the scene.
     ///
     /// # Panics
     ///
@@ -258,7 +258,7 @@ impl TriMesh {
         &self.triangles
     }
 
-    /// The groups, which hold every triangle once, in order.
+    /// The groups, which contain every triangle once, in order.
     #[must_use]
     pub fn groups(&self) -> &[Group] {
         &self.groups
@@ -276,26 +276,26 @@ impl TriMesh {
         &self.segments
     }
 
-    /// The polygons that the triangles were cut from, if the file had others than triangles.
+    /// The polygons that the triangles were cut from, if the file had any besides triangles.
     #[must_use]
     pub fn polygons(&self) -> Option<&Polygons> {
         self.polygons.as_ref()
     }
 
-    /// What the file held besides triangles.
+    /// The counts of the file's elements that are not triangles.
     #[must_use]
     pub fn non_triangles(&self) -> NonTriangles {
         self.non_triangles
     }
 
-    /// What the file has and the mesh has not, one short phrase each.
+    /// The contents of the file that the mesh lacks, one short phrase each.
     #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
-    /// How far each coordinate may be from the one that was meant, in units of length: what
-    /// [`with_rounding`](Self::with_rounding) gave, and never less than 2^-52 times the largest
+    /// The largest error of each coordinate, in units of length: the value of
+    /// [`with_rounding`](Self::with_rounding), and never less than 2^-52 times the largest
     /// coordinate, two roundings of a 64-bit float. O(n).
     #[must_use]
     pub fn rounding(&self) -> f64 {
@@ -303,7 +303,7 @@ impl TriMesh {
         self.rounding.unwrap_or(0.0).max(f64::EPSILON * largest)
     }
 
-    /// The number of edges of triangles at each vertex. O(n log d) for degrees of d, once.
+    /// The number of edges of triangles at each vertex. O(n log d) for degrees of d, computed once.
     #[must_use]
     pub fn degrees(&self) -> &[u32] {
         self.degrees.get_or_init(|| {
@@ -317,13 +317,14 @@ impl TriMesh {
         })
     }
 
-    /// The loops of edges that belong to one face only, in the order of their first vertices.
-    /// Faces are the [polygons](Self::polygons), or the triangles where the mesh has no others.
+    /// The loops of edges with only one face, in the order of their first vertices. Faces are the
+    /// [polygons](Self::polygons), or the triangles if the mesh has no other polygons.
     ///
-    /// At a vertex, a loop goes on with the boundary edge found by turning from face to face, so
-    /// that loops which touch in a vertex stay apart. A closed loop starts at its least vertex;
-    /// one that runs into an edge with three faces or more is open. Triangles that name a vertex
-    /// twice do not count. O(n) time and memory, but for sorting at vertices of very high degree.
+    /// At a vertex, a loop continues with the boundary edge found by turning from face to face, so
+    /// that loops that touch in a vertex stay apart. A closed loop starts at its least vertex; a
+    /// loop that runs into an edge with three faces or more is open. Triangles that name a vertex
+    /// twice do not count. O(n) time and memory, except for sorting at vertices of very high
+    /// degree.
     #[must_use]
     pub fn boundary_loops(&self) -> Vec<BoundaryLoop> {
         let faces = Faces::new(&self.triangles, self.polygons(), None);
@@ -426,7 +427,7 @@ mod tests {
         let mesh = |points: [DVec3; 4], second| {
             TriMesh::new(points.to_vec(), vec![[0, 1, 2], second]).unwrap()
         };
-        // Far from the origin, where coordinates alone tell nothing of a turn.
+        // Far from the origin, where the coordinates alone do not show a turn.
         let far = points.map(|point| point - DVec3::new(9.0, 7.0, 0.0));
         assert_eq!(mesh(far, [0, 2, 3]).normal(), Some(DVec3::Z));
         assert_eq!(mesh(far, [0, 3, 2]).normal(), None);

@@ -1,15 +1,15 @@
-//! Vertices that are several in a file and one in space.
+//! Merges vertices that a file repeats at one point in space.
 
 use crate::connectivity::disjoint_sets::DisjointSets;
 use crate::parallel::sort_all;
 use glam::DVec3;
 
-/// For every vertex the first vertex that it counts as one with, itself if there is none before it.
+/// For each vertex, the vertex of lowest index that it is merged with (itself if not merged).
 ///
-/// Two vertices are one if they are no farther apart than `tolerance`, or if a chain of such pairs
-/// joins them; at a tolerance of 0, if their coordinates are equal as numbers. O(n log n), shared
-/// by all threads, as long as `tolerance` is 0 or more than 1e-11 of the largest coordinate; below,
-/// O(m²) besides for m different positions within 1e-12 of it.
+/// Two vertices are merged if they are no farther apart than `tolerance`, or if a chain of such
+/// pairs joins them; at a tolerance of 0, if their coordinates are equal as numbers. O(n log n),
+/// shared by all threads, as long as `tolerance` is 0 or more than 1e-11 of the largest coordinate;
+/// below that, add O(m²) for m different positions within 1e-12 of it.
 ///
 /// # Example
 ///
@@ -61,8 +61,8 @@ struct Grid<'a> {
 impl<'a> Grid<'a> {
     fn new(positions: &'a [DVec3], vertices: Vec<u32>, tolerance: f64) -> Self {
         let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-        // The diagonal of a cube is less than the tolerance. But where coordinates have more than
-        // 2^40 cubes, rounding would decide which one a vertex is in.
+        // The diagonal of a cube is less than the tolerance. But if coordinates have more than 2^40
+        // cubes, rounding would decide the cube of a vertex.
         let fine = tolerance / 1.75;
         let side = fine.max(libm::ldexp(largest, -40));
         let cube = |vertex: u32| {
@@ -73,9 +73,9 @@ impl<'a> Grid<'a> {
         Self { positions, tolerance, is_fine: side == fine, vertices }
     }
 
-    /// Joins vertices that are no farther apart than the tolerance, or that others join.
+    /// Joins vertices that are no farther apart than the tolerance, directly or through others.
     fn join_near(&self, sets: &mut DisjointSets) {
-        // The cubes at most two away that follow in the order of x, y and z. Those with the same x
+        // The cubes at most two away that follow in the order of x, y and z. Cubes with the same x
         // and y follow one another.
         const ROWS: [[i64; 2]; 12] = [
             [0, 1],
@@ -101,7 +101,7 @@ impl<'a> Grid<'a> {
             let own_row = [([x, y], index + 1)];
             let rows = ROWS.iter().zip(&mut row_starts).map(|([dx, dy], start)| {
                 let row = [x + dx, y + dy];
-                // Cubes come in order, so their rows do.
+                // Cubes come in order, and so do their rows.
                 while cube_at(*start).is_some_and(|cube| cube < [row[0], row[1], z - 2]) {
                     *start += 1;
                 }

@@ -11,8 +11,8 @@ pub struct WorstTriangle {
     pub quality: TriangleQuality,
 }
 
-/// Those of many triangles that have the least minimum angles, worst first. Of equal ones, the
-/// one that was added first comes first.
+/// The triangles with the least minimum angles, worst first. Of equal angles, the triangle that was
+/// added first comes first.
 ///
 /// # Example
 ///
@@ -34,13 +34,13 @@ pub struct WorstTriangles {
 }
 
 impl WorstTriangles {
-    /// Keeps `count` triangles at most, none yet.
+    /// Starts empty and keeps at most `count` triangles.
     #[must_use]
     pub fn new(count: usize) -> Self {
         Self { count, worst: Vec::with_capacity(count) }
     }
 
-    /// Adds a triangle, and forgets the best of one too many. O(count).
+    /// Adds a triangle; if there are too many, drops the best. O(count).
     pub fn add(&mut self, triangle: u32, quality: TriangleQuality) {
         let place = self.worst.partition_point(|w| w.quality.min_angle <= quality.min_angle);
         if place < self.count {
@@ -49,7 +49,7 @@ impl WorstTriangles {
         }
     }
 
-    /// Adds those of triangles that follow.
+    /// Adds the triangles of the block that follows.
     pub fn append(&mut self, next: &Self) {
         next.iter().for_each(|worst| self.add(worst.triangle, worst.quality));
     }
@@ -59,7 +59,7 @@ impl WorstTriangles {
         self.worst.iter()
     }
 
-    /// The worst triangle; `None` if none was added or none is kept.
+    /// The worst triangle; `None` if the list is empty.
     #[must_use]
     pub fn first(&self) -> Option<&WorstTriangle> {
         self.worst.first()

@@ -1,4 +1,4 @@
-//! What an inspection finds in meshes of which it is known.
+//! Inspections of meshes with known results.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -11,7 +11,7 @@ fn inspect(positions: Vec<DVec3>, triangles: &[[u32; 3]]) -> Inspection {
     Inspection::of(&mesh, &InspectionOptions::default())
 }
 
-/// Vertices of which no two are in one place and no three on a line.
+/// Vertices without two at one point or three on a line.
 fn apart(count: u32) -> Vec<DVec3> {
     (0..count).map(f64::from).map(|i| DVec3::new(i, i * i, i * i * i)).collect()
 }
@@ -62,7 +62,7 @@ fn how_meshes_hang_together() {
     }
 }
 
-/// The numbers of what is wrong, by kind; empty where nothing is.
+/// The indices of defects, by kind; an empty list means no defect.
 #[derive(Debug, Default, PartialEq)]
 struct Defects {
     non_manifold_edges: Vec<[u32; 2]>,
@@ -130,16 +130,16 @@ fn zero_area_is_exact() {
         ([at(0.0, 0.0), at(1.0, 1e-300), at(3.0, 0.0)], false),
         ([at(0.0, 0.0), at(1e-200, 0.0), at(0.0, 1e-200)], false),
         ([at(0.0, 0.0), at(1e200, 0.0), at(0.0, 1e200)], false),
-        // Far from the origin, areas that roundings of the coordinates could explain.
+        // Far from the origin, areas that rounding of the coordinates could explain.
         ([at(1e8, 0.0), at(1e8 + 1.0, 0.0), at(1e8 + 1.0, 1e-8)], false),
         ([at(1e8, 1e8), at(1e8 + 1.0, 1e8 + 1.0), at(1e8 + 2.0, 1e8 + 2.0)], true),
         ([at(1e6, 0.0), at(1e6 + 1.0, 0.0), at(1e6, libm::ldexp(1.0, -31))], false),
-        // On no line, though as near as 64-bit floats get to one.
+        // Not on a line, but as close to one as 64-bit floats allow.
         ([at(0.1, 0.1), at(0.2, 0.2), at(0.3, 0.1 + 0.2)], false),
-        // Differences of these are rounded, and the rounded ones span an area.
+        // Differences of these are rounded, and the rounded differences span an area.
         ([at(0.1, 0.3), at(1.0, 3.0), at(2.0, 6.0)], false),
         ([at(-0.1, -0.1), at(1.0, 1.0), at(1e17, 1e17)], true),
-        // Here the rounded differences span an area, and the corners are on one line.
+        // The rounded differences span an area, although the corners are on one line.
         (
             [
                 on_line(26958134.66505146),
@@ -155,7 +155,7 @@ fn zero_area_is_exact() {
             let points = points.map(turn);
             let found = inspect(points.to_vec(), &[[0, 1, 2]]);
             assert_eq!(!found.zero_area_triangles.is_empty(), flat, "{points:?}");
-            // Such a needle is measured as if it were flat.
+            // A needle like this is measured as flat.
             let is_flat = flat || points.iter().any(|p| p.to_array().contains(&1e-300));
             let min_angle = found.worst_triangles.first().unwrap().quality.min_angle;
             assert!(min_angle == 0.0 || !is_flat, "{points:?}");
@@ -163,7 +163,7 @@ fn zero_area_is_exact() {
     }
 }
 
-/// Two triangles with corners of their own, as flat shading has them.
+/// Two triangles with corners of their own, as in flat shading.
 const SEAM: [[f64; 3]; 6] = [
     [0.0, 0.0, 0.0],
     [2.0, 0.0, 0.0],
@@ -193,7 +193,7 @@ fn vertices_in_one_place_count_as_one_unless_asked() {
 
 #[test]
 fn a_triangle_that_welding_closes_is_no_face() {
-    // The top of a globe: the pole is there twice, and one triangle is between its copies.
+    // The top of a globe: the pole occurs twice, and one triangle is between its copies.
     let positions = [DVec3::Z, DVec3::Z, DVec3::X, DVec3::Y].to_vec();
     let found = inspect(positions, &[[0, 2, 3], [0, 1, 3]]);
     assert_eq!((found.triangle_count, found.face_count), (2, 1));
@@ -228,7 +228,7 @@ fn degrees_are_split_and_poles_named_highest_first() {
 
 #[test]
 fn the_worst_triangles_come_first() {
-    // Right triangles of height 1, with ever smaller least angles but for one.
+    // Right triangles of height 1, with decreasing minimum angles except for one.
     let mut positions = Vec::new();
     for width in [1.0, 7.0, 2.0, 3.0, 4.0, 5.0, 6.0] {
         positions.extend([DVec3::ZERO, DVec3::X * width, DVec3::Y].map(|p| p + DVec3::Z * width));
@@ -241,7 +241,7 @@ fn the_worst_triangles_come_first() {
     assert_eq!(found.worst_triangles.first().unwrap().quality.min_angle, least);
     assert_eq!(found.quality.shares_below, [0.0, 0.0, 2.0 / 7.0, 5.0 / 7.0]);
 
-    // Of equals, the first come first.
+    // Equal triangles stay in the order of the mesh.
     let in_turn: Vec<_> = triangles[..2].iter().cycle().take(12).copied().collect();
     let worst = inspect(positions, &in_turn).worst_triangles;
     assert_eq!(worst.iter().map(|worst| worst.triangle).collect::<Vec<_>>(), [1, 3, 5, 7, 9]);
@@ -316,8 +316,8 @@ fn faces_that_repeat_others_are_named() {
     }
 }
 
-/// The sphere of three.js with 16 by 12 quads as triangles, and a seam of vertices that are there
-/// twice, but not exactly in the same place.
+/// The sphere of three.js with 16 by 12 quads as triangles, and a seam of vertices that occur
+/// twice, but not at exactly the same point.
 fn sphere(place: impl Fn(DVec3) -> DVec3) -> TriMesh {
     let [columns, rows] = [16_u32, 12];
     let mut positions = Vec::new();
@@ -363,7 +363,7 @@ fn a_tolerance_closes_a_seam_wherever_it_is() {
 
 #[test]
 fn welding_closes_polygons_too() {
-    // A quad whose first two corners are one, beside a triangle.
+    // A quad whose first two corners are merged, beside a triangle.
     let positions = [DVec3::ZERO, DVec3::X * 1e-9, DVec3::X, DVec3::Y, -DVec3::X].to_vec();
     let mesh = of_polygons(positions, &[vec![0, 1, 2, 3], vec![1, 3, 4]]);
     let of = |weld| {

@@ -19,7 +19,7 @@ fn edges(t: &Triangle) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]].map(|[p, q]| [p.min(q), p.max(q)])
 }
 
-/// How many classes the things fall into if those that `join` pairs are of one class.
+/// The number of classes of `things` if `join` relates things of one class.
 fn class_count<T>(things: &[T], join: impl Fn(&T, &T) -> bool) -> usize {
     let mut class: Vec<usize> = (0..things.len()).collect();
     for i in 0..things.len() {
@@ -33,7 +33,7 @@ fn class_count<T>(things: &[T], join: impl Fn(&T, &T) -> bool) -> usize {
     BTreeSet::from_iter(class).len()
 }
 
-/// The same triangles on the first vertices of each place.
+/// The same triangles on the first vertex at each position.
 fn welded(positions: &[DVec3], triangles: &[Triangle]) -> Vec<Triangle> {
     let first = |v: u32| positions.iter().position(|&p| p == positions[v as usize]).unwrap() as u32;
     triangles.iter().map(|t| t.map(first)).collect()
@@ -113,7 +113,7 @@ fn check(found: &Inspection, all: &[Triangle], vertices: &[u32]) -> Result<(), T
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// Points of a small grid, so that many are in one place, on a line or in a plane.
+    /// Points of a small grid, so that many coincide or lie on a line or in a plane.
     #[test]
     fn counts_are_those_of_the_definitions(
         points in prop::collection::vec(prop::array::uniform3(0..3_u8), 1..9),

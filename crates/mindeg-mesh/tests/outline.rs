@@ -1,4 +1,4 @@
-//! Outlines from coordinates that were rounded: the right one or none.
+//! Outlines from rounded coordinates: the right outline or none.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -15,7 +15,7 @@ fn outline(points: &[DVec3], rounding: f64, angle: f64) -> Result<FoundOutline, 
     Inspection::of(&mesh, &options).outline
 }
 
-/// The points of a polygon, with parameters of the points on each side.
+/// The points of a polygon, from the parameters of the points on each side.
 fn points(corners: &[DVec2], sides: &[Vec<f64>]) -> Vec<DVec3> {
     let side = |i: usize| {
         let [start, end] = [corners[i], corners[(i + 1) % corners.len()]];
@@ -29,7 +29,7 @@ fn even(intervals: u32) -> Vec<f64> {
     (1..intervals).map(|i| f64::from(i) / f64::from(intervals)).collect()
 }
 
-/// As 32-bit floats, with the error that this may make.
+/// The points as 32-bit floats, with the largest error of that rounding.
 fn rounded(points: &[DVec3]) -> (Vec<DVec3>, f64) {
     let largest = points.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let points = points.iter().map(|p| p.as_vec3().as_dvec3()).collect();
@@ -51,7 +51,7 @@ fn thin_rectangles_are_recognized_or_too_thin_to_tell() {
                 Err(NoConvexOutline::TooThin | NoConvexOutline::TooFine) => {
                     assert!(exponent > limit, "{exponent}: {found:?}");
                 }
-                // Rounding has made one vertex of several.
+                // Rounding has merged vertices.
                 Err(NoConvexOutline::NotADisk) => assert!(exponent > 15),
                 other => panic!("{exponent}: {other:?}"),
             }
@@ -61,8 +61,8 @@ fn thin_rectangles_are_recognized_or_too_thin_to_tell() {
 
 #[test]
 fn corners_that_rounding_may_have_moved_are_too_fine_to_tell() {
-    // A triangle of 3, 8 and 3 intervals whose side of 8 starts with one of 1e-5: 32-bit floats
-    // gave 4, 7 and 3.
+    // A triangle of 3, 8 and 3 intervals whose side of 8 starts with an interval of 1e-5: 32-bit
+    // floats gave 4, 7 and 3.
     let corners = [
         [-200.06209578396403, 149.03416137923696],
         [-297.8174489286897, -24.081040154789186],
@@ -129,8 +129,7 @@ fn polygons() -> impl Strategy<Value = (Vec<DVec2>, Vec<Vec<f64>>)> {
     )
 }
 
-/// The corners of a polygon as a float that is exact enough has them: those that turn by more
-/// than the angle.
+/// The turns at the corners of a polygon, in floats that are accurate enough.
 fn turns(corners: &[DVec2]) -> Vec<f64> {
     let count = corners.len();
     let turn = |i: usize| {
@@ -151,7 +150,7 @@ proptest! {
         in_space in any::<bool>(),
         angle in prop_oneof![3 => Just(1.0), 1 => 0.0..5.0_f64],
     ) {
-        // What has corners of less than the angle is another polygon by definition.
+        // A polygon with corners below the angle is another polygon by definition.
         prop_assume!(turns(&corners).iter().all(|&turn| turn > angle.max(1e-3) + 1e-6));
         prop_assume!(!in_space || DQuat::from_array(turn).length() > 0.1);
         let turn = if in_space { DQuat::from_array(turn).normalize() } else { DQuat::IDENTITY };

@@ -1,21 +1,20 @@
-//! The boundary of a mesh, from its faces alone.
+//! The boundary of a mesh, computed from its faces.
 
 use super::stars::{Star, Stars};
 
 /// Consecutive boundary edges of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct BoundaryLoop {
-    /// The vertices in order. Where the faces agree in orientation, the surface is on the
-    /// left, seen from where they are counter-clockwise. A closed loop does not repeat its
-    /// first vertex at the end, and a vertex in which the surface touches itself may come more
-    /// than once.
+    /// The vertices in order. Where the faces agree in orientation, the surface is on the left,
+    /// seen from where they are counter-clockwise. A closed loop does not repeat its first vertex
+    /// at the end. A vertex at which the surface touches itself may occur several times.
     pub vertices: Vec<u32>,
     /// Whether the last vertex is followed by the first. In a mesh whose faces meet two at an
     /// edge at most, every loop is closed.
     pub closed: bool,
 }
 
-/// The edges of one face only, each seen from both its ends.
+/// The edges with only one face, each seen from both its ends.
 #[derive(Default)]
 pub(crate) struct BoundaryEdges {
     /// Where the edges of each vertex that has been added start in `half_edges`.
@@ -30,7 +29,7 @@ struct BoundaryHalfEdge {
     to: u32,
     /// Whether the face runs this way.
     is_outgoing: bool,
-    /// The end of the boundary edge that is next to this one at `from`.
+    /// The end of the next boundary edge after this one at `from`.
     next: Option<u32>,
 }
 
@@ -42,8 +41,8 @@ impl BoundaryEdges {
         boundary
     }
 
-    /// Adds the boundary edges at a vertex. Add every vertex from 0 on, in order, here or
-    /// to what is [appended](Self::append).
+    /// Adds the boundary edges at a vertex. Add every vertex from 0 on, in order, here or to a
+    /// block that is [appended](Self::append) later.
     pub(crate) fn add(&mut self, vertex: u32, star: &Star) {
         self.starts.push(self.half_edges.len());
         for edge in star.edges() {
@@ -56,7 +55,7 @@ impl BoundaryEdges {
         }
     }
 
-    /// Adds those of the vertices that follow.
+    /// Adds the edges of the block of vertices that follows.
     pub(crate) fn append(&mut self, next: Self) {
         let before = self.half_edges.len();
         self.starts.extend(next.starts.into_iter().map(|start| before + start));
@@ -68,12 +67,12 @@ impl BoundaryEdges {
         self.half_edges.len() / 2
     }
 
-    /// The loops, in the order of their first vertices, with every boundary edge in one of
-    /// them. A closed loop starts at its least vertex. O(b log b) for b edges.
+    /// The loops, in the order of their first vertices; each boundary edge is in one of them. A
+    /// closed loop starts at its least vertex. O(b log b) for b edges.
     pub(crate) fn loops(&self) -> Vec<BoundaryLoop> {
         let mut used = vec![false; self.half_edges.len()];
         let mut loops = Vec::new();
-        // Open loops are followed from one of their ends; all others are closed.
+        // Open loops are followed from one of their ends; all other loops are closed.
         for (start, half) in self.half_edges.iter().enumerate() {
             if half.next.is_none() && !used[start] {
                 let mut vertices = self.follow(start, &mut used);
@@ -138,12 +137,12 @@ mod tests {
     #[test]
     fn follows_every_boundary() {
         for (triangles, expected) in [
-            // One triangle, and one that starts elsewhere.
+            // One triangle, and one that starts at another vertex.
             (&[[0, 1, 2]][..], vec![(vec![0, 1, 2], true)]),
             (&[[2, 0, 1]], vec![(vec![0, 1, 2], true)]),
-            // A tetrahedron has none.
+            // A tetrahedron has no boundary.
             (&[[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]], vec![]),
-            // Two triangles that touch in vertex 0 stay two loops, in the order of the least.
+            // Two triangles that touch in vertex 0 stay two loops, in order of their least vertices.
             (&[[0, 3, 4], [0, 1, 2]], vec![(vec![0, 1, 2], true), (vec![0, 3, 4], true)]),
             // A square ring: outside, and the hole the other way round.
             (
@@ -162,7 +161,7 @@ mod tests {
             // Two triangles of opposite orientation.
             (&[[0, 1, 2], [1, 2, 3]], vec![(vec![0, 1, 3, 2], true)]),
             (&[[0, 2, 1], [1, 3, 2]], vec![(vec![0, 2, 3, 1], true)]),
-            // A triangle that is there twice has no boundary, whichever way it runs.
+            // A repeated triangle has no boundary, in either direction.
             (&[[0, 1, 2], [1, 2, 0]], vec![]),
             (&[[0, 1, 2], [0, 2, 1]], vec![]),
             // Two that meet in two vertices, and are closed up by others to a bow with a hole.
@@ -180,7 +179,7 @@ mod tests {
     }
 
     proptest! {
-        /// Open or closed, the loops are made of the edges that are in one triangle.
+        /// Open or closed, the loops consist of the edges that are in one triangle.
         #[test]
         fn every_boundary_edge_once_whatever_the_triangles(
             triangles in prop::collection::vec(prop::array::uniform3(0_u32..8), 1..20)

@@ -1,8 +1,8 @@
-//! Things in sets that are joined one pair at a time.
+//! Disjoint sets of items, joined one pair at a time.
 
 /// The things 0 to n - 1, at first each in a set of its own.
 pub(crate) struct DisjointSets {
-    /// Another thing of the same set, never greater; itself if it is the set's least.
+    /// Another item of the same set, never greater; the set's least item points to itself.
     parents: Vec<u32>,
     count: usize,
 }
@@ -13,7 +13,7 @@ impl DisjointSets {
         Self { parents: (0..).take(things).collect(), count: things }
     }
 
-    /// Joins the sets of two things. O(log n) amortized.
+    /// Joins the sets of two items. O(log n) amortized.
     pub(crate) fn join(&mut self, a: u32, b: u32) {
         let [a, b] = [self.least(a), self.least(b)];
         if a != b {
@@ -27,7 +27,7 @@ impl DisjointSets {
         self.count
     }
 
-    /// The least thing of the set that has `thing`. O(log n) amortized.
+    /// The least item in the set of `thing`. O(log n) amortized.
     pub(crate) fn least(&mut self, mut thing: u32) -> u32 {
         loop {
             let parent = self.parents[thing as usize];

@@ -1,4 +1,4 @@
-//! The faces of a mesh: its polygons, or its triangles where it has no others.
+//! The faces of a mesh: its polygons, or its triangles if it has no other polygons.
 
 use std::borrow::Cow;
 
@@ -6,19 +6,19 @@ use crate::polygons::Polygons;
 
 /// The corners of each face.
 ///
-/// A face that does not enclose anything has none: a triangle that names a vertex twice, or a
-/// polygon that runs along its edges there and back.
+/// A face that encloses nothing has no corners: a triangle that names a vertex twice, or a polygon
+/// that runs along its edges there and back.
 pub(crate) enum Faces<'a> {
     Triangles(Cow<'a, [[u32; 3]]>),
     Polygons {
-        /// Where the corners of each polygon start, and the number of corners after the last.
+        /// The index of each polygon's first corner, then the number of corners.
         starts: Vec<usize>,
         corners: Vec<u32>,
     },
 }
 
 impl<'a> Faces<'a> {
-    /// The faces of a mesh. `merged` gives for each vertex the one that it counts as, if any are
+    /// The faces of a mesh. `merged` gives for each vertex the vertex that replaces it, if any are
     /// merged. O(n).
     pub(crate) fn new(
         triangles: &'a [[u32; 3]],
@@ -44,7 +44,7 @@ impl<'a> Faces<'a> {
         Self::Polygons { starts, corners }
     }
 
-    /// The number of faces, with those that have no corners.
+    /// The number of faces, including faces without corners.
     pub(crate) fn count(&self) -> usize {
         match self {
             Self::Triangles(triangles) => triangles.len(),
@@ -66,13 +66,13 @@ impl<'a> Faces<'a> {
 
     /// The corners of all faces.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &[u32])> {
-        // Faces are at most as many as triangles, which have indices of 32 bits.
+        // The faces are no more than the triangles, which have indices of 32 bits.
         (0..self.count() as u32).map(|face| (face, self.corners(face)))
     }
 }
 
-/// A polygon without corners that repeat the one before, and without spikes, where it runs along
-/// an edge and straight back. Empty if fewer than three corners remain. O(k).
+/// A polygon without repeated consecutive corners and without spikes, where it runs along an edge
+/// and straight back. Empty if fewer than three corners remain. O(k).
 fn without_spikes(polygon: &mut [u32]) -> &[u32] {
     let mut kept = 0;
     for i in 0..polygon.len() {

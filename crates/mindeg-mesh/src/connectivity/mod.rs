@@ -1,6 +1,6 @@
-//! How the faces of any mesh hang together, sound or not.
+//! The connectivity of the faces of any mesh, valid or not.
 //!
-//! Everything is read off the star of a vertex, the faces and edges there, one vertex after the
+//! All results come from the star of a vertex, which is its faces and edges, one vertex after the
 //! other. A face that encloses nothing joins nothing.
 
 pub(crate) mod boundary;

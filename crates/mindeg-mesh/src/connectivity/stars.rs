@@ -4,7 +4,7 @@ use super::disjoint_sets::DisjointSets;
 use super::faces::Faces;
 use std::ops::Range;
 
-/// Which faces are at which vertex, in two flat arrays.
+/// The faces at each vertex, in two flat arrays.
 pub(crate) struct Stars<'a> {
     faces: &'a Faces<'a>,
     /// Where the corners of each vertex start in `at`; the length of `at` at the end.
@@ -22,8 +22,8 @@ pub(crate) struct Corner {
 }
 
 impl<'a> Stars<'a> {
-    /// The stars of all vertices. O(n) time and memory for n vertices and corners, which are below
-    /// `vertex_count`.
+    /// The stars of all vertices. O(n) time and memory for n vertices and corners. All vertices are
+    /// below `vertex_count`.
     pub(crate) fn new(vertex_count: usize, faces: &'a Faces<'a>) -> Self {
         let mut starts = vec![0; vertex_count + 1];
         for (_, corners) in faces.iter() {
@@ -44,7 +44,7 @@ impl<'a> Stars<'a> {
         Self { faces, starts, at }
     }
 
-    /// The number of stars: of vertices.
+    /// The number of stars, which is the number of vertices.
     pub(crate) fn count(&self) -> u32 {
         // Vertices have indices of 32 bits.
         (self.starts.len() - 1) as u32
@@ -55,8 +55,8 @@ impl<'a> Stars<'a> {
         self.faces
     }
 
-    /// Calls `visit` with some vertices, in ascending order, and their stars. O(d log d) for each
-    /// star of d edges, beside what `visit` takes.
+    /// Calls `visit` with the vertices of a range, in ascending order, and their stars. O(d log d)
+    /// for each star of d edges, plus the time of `visit`.
     pub(crate) fn for_each(&self, vertices: Range<u32>, mut visit: impl FnMut(u32, &Star)) {
         let mut star = Star::default();
         for vertex in vertices {
@@ -72,11 +72,11 @@ impl<'a> Stars<'a> {
 pub(crate) struct Star {
     /// Two for each corner, in the order of ends, then corners.
     half_edges: Vec<HalfEdge>,
-    /// For each edge the end of its half-edges; they start where those of the edge before end.
+    /// For each edge, the end of its half-edges; they start at the end of the previous edge's.
     ends: Vec<usize>,
 }
 
-/// An edge from the vertex of a star to another, as one face has it.
+/// An edge from the vertex of a star to another, in one face.
 #[derive(Clone, Copy)]
 pub(crate) struct HalfEdge {
     /// The other vertex of the edge.
@@ -127,12 +127,12 @@ impl Star {
         &self.half_edges[start..self.ends[edge]]
     }
 
-    /// The index of the edge to `end`, which exists.
+    /// The index of the edge to `end`; the edge must exist.
     fn edge_to(&self, end: u32) -> usize {
         self.ends.partition_point(|&last| self.half_edges[last - 1].end < end)
     }
 
-    /// The number of fans: sets of corners that hang together by edges at the vertex.
+    /// The number of fans: sets of corners that edges at the vertex connect.
     pub(crate) fn fan_count(&self) -> usize {
         let mut fans = DisjointSets::new(self.degree());
         for half in self.half_edges.iter().filter(|half| half.is_outgoing) {
@@ -141,14 +141,14 @@ impl Star {
         fans.count()
     }
 
-    /// The end of the boundary edge that is found from a boundary edge by turning about the
-    /// vertex, from face to face over edges with two; `None` where an edge with more is in the way.
+    /// The end of the boundary edge reached from a boundary edge by turning about the vertex, from
+    /// face to face over edges with two faces; `None` if an edge with more faces stops the turn.
     pub(crate) fn next_boundary_edge(&self, boundary_edge: HalfEdge) -> Option<u32> {
         let mut half = boundary_edge;
         loop {
             match *self.edge(self.edge_to(half.other_end)) {
                 [_] => return Some(half.other_end),
-                // Never back to an edge behind: each of those has its two corners behind too.
+                // Never back to an earlier edge: both its corners were passed already.
                 [a, b] => half = if a.corner == half.corner { b } else { a },
                 _ => return None,
             }

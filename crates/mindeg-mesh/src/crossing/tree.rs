@@ -7,12 +7,12 @@ use crate::Bounds;
 /// Boxes to a leaf: a few boxes are tested faster than split.
 const LEAF: usize = 8;
 
-/// Boxes in halves, quarters and so on, each part with the box around it.
+/// A binary tree of boxes: each node has the box around its share of the boxes.
 pub(crate) struct Tree {
     boxes: Vec<Bounds<DVec3>>,
     /// The boxes, leaf by leaf.
     order: Vec<u32>,
-    /// The box around each part of `order`: halves of part i are the parts 2i + 1 and 2i + 2.
+    /// The box around each node's range of `order`; the children of node i are 2i + 1 and 2i + 2.
     parts: Vec<Bounds<DVec3>>,
 }
 
@@ -27,10 +27,10 @@ impl Tree {
         Self { boxes, order, parts }
     }
 
-    /// Appends the boxes that meet one of them, itself included.
+    /// Appends the boxes that meet the box `of`, itself included.
     pub(crate) fn meet(&self, of: u32, found: &mut Vec<u32>) {
         let own = self.boxes[of as usize];
-        // Depth first: a stack of parts, with their ranges in `order`.
+        // Depth first: a stack of nodes, with their ranges in `order`.
         let mut stack = vec![(0, 0..self.order.len())];
         while let Some((part, range)) = stack.pop() {
             if !meet(self.parts[part], own) {
@@ -52,8 +52,8 @@ fn meet(a: Bounds<DVec3>, b: Bounds<DVec3>) -> bool {
     a.min.cmple(b.max).all() && b.min.cmple(a.max).all()
 }
 
-/// Sorts the boxes of a part into its halves, and sets the box around it and them. The depth is the
-/// logarithm of their number.
+/// Sorts the boxes of a node into its two children, and sets the boxes around it and them. The
+/// depth is the logarithm of the number of boxes.
 fn split(boxes: &[Bounds<DVec3>], order: &mut [u32], parts: &mut [Bounds<DVec3>], part: usize) {
     let around = order.iter().map(|&of| boxes[of as usize]).fold(NOTHING, Bounds::union);
     parts[part] = around;

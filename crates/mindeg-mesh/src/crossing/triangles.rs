@@ -3,12 +3,12 @@
 use glam::DVec3;
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-/// Whether two triangles have a point in common besides the corners and edges that they share;
-/// see the [module](crate::crossing).
+/// Whether two triangles have a common point besides the corners and edges that they share; see the
+/// [module](crate::crossing).
 ///
 /// # Panics
 ///
-/// If a triangle names a vertex that is not there.
+/// If a triangle names a vertex that does not exist.
 #[must_use]
 pub fn cross(positions: &[DVec3], a: [u32; 3], b: [u32; 3]) -> bool {
     let at = |vertex: u32| positions[vertex as usize];
@@ -41,8 +41,8 @@ pub fn cross(positions: &[DVec3], a: [u32; 3], b: [u32; 3]) -> bool {
     }
 }
 
-/// Whether triangles p and q, which share their first corner, have another point in common that
-/// lies on the edge of q opposite to it, or, in one plane, on an edge of q from it.
+/// Whether triangles p and q, which share their first corner, have another common point on the edge
+/// of q opposite to that corner, or, in one plane, on an edge of q from that corner.
 fn at_corner(plane: Plane, p: [DVec3; 3], q: [DVec3; 3]) -> bool {
     if meets(plane, p, [q[1], q[2]]) {
         return true;
@@ -64,31 +64,31 @@ fn meets(plane: Plane, triangle: [DVec3; 3], [from, to]: [DVec3; 2]) -> bool {
     if sides == [0.0; 2] {
         return plane.meets(triangle, [from, to]);
     }
-    // The line through the segment passes all edges on one side, or touches them.
+    // The line through the segment has all edges on one side, or touches them.
     let turns = edges(triangle).map(|[a, b]| orient([from, to, a, b]));
     turns.iter().all(|&turn| turn >= 0.0) || turns.iter().all(|&turn| turn <= 0.0)
 }
 
-/// A coordinate plane on which a triangle has area.
+/// A coordinate plane in which the projection of a triangle has area.
 #[derive(Clone, Copy)]
 struct Plane {
     axes: [usize; 2],
 }
 
 impl Plane {
-    /// None for a flat triangle.
+    /// `None` for a flat triangle.
     fn of([a, b, c]: [DVec3; 3]) -> Option<Self> {
         let planes = [[0, 1], [1, 2], [2, 0]].map(|axes| Self { axes });
         planes.into_iter().find(|plane| plane.orient(a, b, c) != 0.0)
     }
 
-    /// The sign tells how the projections of three points turn.
+    /// The sign gives the direction in which the projections of three points turn.
     fn orient(self, a: DVec3, b: DVec3, c: DVec3) -> f64 {
         let on = |point: DVec3| Coord { x: point[self.axes[0]], y: point[self.axes[1]] };
         sign(orient2d(on(a), on(b), on(c)))
     }
 
-    /// Whether a segment in the plane of a triangle has a point in it.
+    /// Whether a segment in the plane of a triangle has a point in the triangle.
     fn meets(self, triangle: [DVec3; 3], [from, to]: [DVec3; 2]) -> bool {
         let [a, b, c] = triangle;
         let turn = self.orient(a, b, c);
@@ -102,7 +102,7 @@ impl Plane {
         let [at_a, at_b] = [a, b].map(|end| self.orient(c, d, end));
         let [at_c, at_d] = [c, d].map(|end| self.orient(a, b, end));
         if [at_a, at_b, at_c, at_d] == [0.0; 4] {
-            // On one line: their boxes tell.
+            // On one line: compare their boxes.
             let apart = |axis: usize| {
                 a[axis].max(b[axis]) < c[axis].min(d[axis])
                     || c[axis].max(d[axis]) < a[axis].min(b[axis])
@@ -113,7 +113,7 @@ impl Plane {
     }
 }
 
-/// The sign tells on which side of a triangle's plane a point is; 0 is on it.
+/// The sign gives the side of a triangle's plane that a point is on; 0 is in the plane.
 fn side_of([a, b, c]: [DVec3; 3], point: DVec3) -> f64 {
     orient([a, b, c, point])
 }
@@ -183,7 +183,7 @@ mod tests {
             ([[-1, 2, 0], [9, 2, 0], [4, -3, 0]], true),
             ([[4, 4, 0], [9, 9, 0], [4, 9, 0]], true),
             ([[5, 5, 0], [9, 9, 0], [4, 9, 0]], false),
-            // Flat ones cross nothing.
+            // Flat triangles cross nothing.
             ([[1, 1, -1], [1, 1, 0], [1, 1, 1]], false),
         ] {
             let corners = points([base[0], base[1], base[2], other[0], other[1], other[2]]);
@@ -226,8 +226,9 @@ mod tests {
         assert_cross(&corners, [0, 1, 2], [2, 1, 0], true);
     }
 
-    /// Whether two triangles have a common point, beside corners and edges that they share, whose
-    /// barycentric coordinates are 24ths in both. So it shows crossings, but not all of them.
+    /// Whether two triangles have a common point, besides corners and edges that they share, whose
+    /// barycentric coordinates are 24ths in both. This proves crossings, but does not find all of
+    /// them.
     fn have_common_grid_point(p: [[i64; 3]; 3], q: [[i64; 3]; 3], shared: &[[i64; 3]]) -> bool {
         const N: i64 = 24;
         let grid = |t: [[i64; 3]; 3]| {

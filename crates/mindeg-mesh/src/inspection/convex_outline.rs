@@ -1,8 +1,8 @@
-//! The sides and corners of a convex outline, from the points along it.
+//! The sides and corners of a convex outline, found from the points along it.
 
 use glam::{DVec2, DVec3};
 
-/// The convex outline of a mesh that uses the vertices along it alone.
+/// The convex outline of a mesh whose only vertices are on that outline.
 ///
 /// # Example
 ///
@@ -24,19 +24,19 @@ use glam::{DVec2, DVec3};
 pub struct FoundOutline {
     /// The corners, by their vertices. Side i runs from corner i to the next.
     pub corners: Vec<u32>,
-    /// The intervals of each side: how many edges it has.
+    /// The intervals of each side: its number of edges.
     pub intervals: Vec<u32>,
 }
 
 impl FoundOutline {
-    /// The same outline, with vertices in the place of their positions in a loop.
+    /// The same outline, with indices of vertices instead of indices in a loop.
     pub(super) fn named(self, vertices: &[u32]) -> Self {
         let corners = self.corners.iter().map(|&corner| vertices[corner as usize]).collect();
         Self { corners, ..self }
     }
 }
 
-/// Why there is no [`FoundOutline`].
+/// Why a mesh has no [`FoundOutline`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoConvexOutline {
@@ -69,20 +69,20 @@ pub enum NoConvexOutline {
     TooFine,
 }
 
-/// A loop of boundary points as a convex polygon, with corners by their positions in the loop.
-/// `rounding` is how far each coordinate may be from the one that was meant.
+/// A loop of boundary points as a convex polygon, with corners by their indices in the loop.
+/// `rounding` is the largest error of each coordinate.
 ///
-/// The loop that was meant is some convex polygon. A vertex is one of its corners if the sides
-/// that meet there turn by more than `corner_angle` degrees; a side may bend as far as an arc that
-/// leaves its chord by that angle, and the loop may leave a plane as far as the middle of such an
-/// arc. The answer is the only one for whatever loop was meant: if another loop within
-/// `rounding` may have other corners, there is none. O(n log n) for n points.
+/// The exact loop is some convex polygon. A vertex is one of its corners if the sides that meet
+/// there turn by more than `corner_angle` degrees; a side may bend as far as an arc that leaves its
+/// chord by that angle, and the loop may leave a plane as far as the middle of such an arc. The
+/// result holds for every possible exact loop: if another loop within `rounding` may have other
+/// corners, this is an error. O(n log n) for n points.
 pub(super) fn convex_outline(
     points: &[DVec3],
     rounding: f64,
     corner_angle: f64,
 ) -> Result<FoundOutline, NoConvexOutline> {
-    // The turn that rounding alone makes is never exactly 0.
+    // The turn that comes from rounding alone is never exactly 0.
     let corner_angle = corner_angle.max(1e-3);
     let outline = Outline::in_plane(points, rounding, corner_angle)?;
     let corners = outline.corners(corner_angle)?;
@@ -108,8 +108,8 @@ fn sagitta(angle: f64) -> f64 {
     libm::tan(angle.to_radians() / 2.0) / 2.0
 }
 
-/// The angle in degrees by which a line turns at `b` on its way from `a` to `c`, to the left where
-/// positive.
+/// The angle in degrees by which a line turns at `b` on its way from `a` to `c`, positive to the
+/// left.
 fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     libm::atan2((b - a).perp_dot(c - b), (b - a).dot(c - b)).to_degrees()
 }
@@ -125,18 +125,18 @@ fn height(a: DVec2, b: DVec2, c: DVec2) -> f64 {
 struct Outline {
     /// Counter-clockwise, at a size of about 1.
     points: Vec<DVec2>,
-    /// How far each of them may be from where it was meant.
+    /// The largest distance of a point from its exact position.
     error: f64,
 }
 
 impl Outline {
-    /// The points in coordinates of the plane they lie in.
+    /// The points in coordinates of their plane.
     fn in_plane(
         points: &[DVec3],
         rounding: f64,
         corner_angle: f64,
     ) -> Result<Self, NoConvexOutline> {
-        /// More than all roundings of the computation, at a size of 1.
+        /// More than all rounding errors of the computation, at a size of 1.
         const ARITHMETIC: f64 = 8.0 * f64::EPSILON;
         // A quarter, so that no difference overflows.
         let points: Vec<DVec3> = points.iter().map(|&point| point / 4.0).collect();
@@ -154,7 +154,7 @@ impl Outline {
             points.iter().zip(next()).map(|(&a, &b)| (a - points[0]).cross(b - points[0])).sum();
         let perimeter: f64 = points.iter().zip(next()).map(|(&a, &b)| (b - a).length()).sum();
         if area.length() <= 2.0 * error * perimeter {
-            // In a convex loop there is no larger triangle, but for rounding.
+            // A convex loop has no larger triangle, except for rounding.
             let is_thin = large_triangle(&points) <= 6.0 * error * perimeter;
             return Err(if is_thin {
                 NoConvexOutline::TooThin
@@ -174,12 +174,12 @@ impl Outline {
         Ok(Self { points, error })
     }
 
-    /// What rounding can make of a point on a segment: how far it may be from it.
+    /// How far rounding can move a point from the segment that contains it.
     fn tolerance(&self) -> f64 {
         2.0 * self.error
     }
 
-    /// By how many degrees the turn at `b` may be wrong.
+    /// The largest error of the turn at `b`, in degrees.
     fn turn_error(&self, a: DVec2, b: DVec2, c: DVec2) -> f64 {
         let leg = |end: DVec2| libm::asin((self.tolerance() / (end - b).length()).min(1.0));
         (leg(a) + leg(c)).to_degrees()
@@ -221,13 +221,13 @@ impl Outline {
         if turns < 540.0 { Ok(corners) } else { Err(NoConvexOutline::NotConvex) }
     }
 
-    /// Refuses corners that may be none.
+    /// Refuses corners that may not be corners.
     fn check_corners(&self, corners: &[usize], corner_angle: f64) -> Result<(), NoConvexOutline> {
         let count = self.points.len();
         let at = |i: usize| self.points[i % count];
         for (i, &corner) in corners.iter().enumerate() {
-            // A vertex within a side is within the tolerance of the segment between the vertices
-            // next to it, however close they are.
+            // A vertex inside a side is within the tolerance of the segment between its two
+            // neighbours, however close they are.
             let is_corner =
                 height(at(corner + count - 1), at(corner), at(corner + 1)) > self.tolerance();
             let [a, b, c] =
@@ -241,8 +241,8 @@ impl Outline {
 
     /// Refuses a side between two corners that is not straight, or that may have another corner.
     ///
-    /// In a convex loop, a vertex between two corners turns by no more than the line that goes
-    /// from the one corner to it and on to the other.
+    /// In a convex loop, a vertex between two corners turns by no more than the line from one
+    /// corner to it and on to the other corner.
     fn check_side(&self, start: usize, end: usize, angle: f64) -> Result<(), NoConvexOutline> {
         let at = |i: usize| self.points[i % self.points.len()];
         let [a, c] = [at(start), at(end)];
@@ -260,8 +260,8 @@ impl Outline {
     }
 }
 
-/// Twice the area of the largest triangle of three points of which one is the first and one is the
-/// farthest from it.
+/// Twice the area of the largest triangle of three points that include the first point and the
+/// farthest point from it.
 fn large_triangle(points: &[DVec3]) -> f64 {
     let from_first = |point: &DVec3| *point - points[0];
     let length = |a: &DVec3, b: &DVec3| a.length_squared().total_cmp(&b.length_squared());
@@ -303,7 +303,7 @@ impl<'a> ClosedLine<'a> {
         [self.before[i], i, self.after[i]].map(|i| self.points[i])
     }
 
-    /// The angle in degrees by which the line turns at a point, to the left where positive.
+    /// The angle in degrees by which the line turns at a point, positive to the left.
     fn turn(&self, i: usize) -> f64 {
         let [a, b, c] = self.around(i);
         turn(a, b, c)
@@ -315,12 +315,12 @@ impl<'a> ClosedLine<'a> {
         height(a, b, c)
     }
 
-    /// Drops points as long as one is nearer to the line without it than `tolerance`, those that
-    /// are much nearer than others first: so next to a corner, however short the intervals are,
-    /// the corner stays.
+    /// Drops points while one is nearer than `tolerance` to the line without it. Points that are
+    /// much nearer than others go first: so next to a corner, however short the intervals are, the
+    /// corner stays.
     fn drop_rounding(&mut self, tolerance: f64) {
-        // Heights of the same power of two are on one level. What is smaller by far than f64
-        // tells apart is on the lowest.
+        // Heights of the same power of two are on one level. Heights far below the resolution of
+        // f64 are on the lowest.
         const LEVELS: usize = 64;
         let exponent = |height: f64| (height.to_bits() >> 52) as usize;
         let level = |height: f64| (exponent(height) + LEVELS).saturating_sub(exponent(tolerance));
@@ -347,9 +347,9 @@ impl<'a> ClosedLine<'a> {
         }
     }
 
-    /// Drops all points at which the line turns no more than by an angle, all at once, and
-    /// again where the line then turns no more. All at once, so that of a smooth curve there is
-    /// nothing left rather than a polygon that depends on where one starts.
+    /// Drops all points at which the line turns by at most an angle, all at once, and repeats this
+    /// while such points remain. All at once, so that nothing remains of a smooth curve rather than
+    /// a polygon that depends on the starting point.
     fn drop_straight(&mut self, angle: f64) {
         let mut changed: Vec<usize> = self.kept().collect();
         while !changed.is_empty() {

@@ -1,36 +1,36 @@
-//! What is in a triangle mesh: how its faces hang together, what is wrong with it, how many edges
-//! meet at its vertices, and how well its triangles are shaped.
+//! The contents of a triangle mesh: how its faces connect, its defects, the degrees of its
+//! vertices, and the quality of its triangles.
 //!
-//! Meshes may come from any program: with interior vertices, in several parts, closed, or broken.
-//! An [`Inspection`] counts and names; it repairs nothing.
+//! Meshes may come from any program: with interior vertices, in several components, closed, or
+//! broken. An [`Inspection`] counts and names; it repairs nothing.
 //!
 //! # Definitions
 //!
 //! - *Welding.* Files repeat a vertex where its normal or texture coordinates change, glTF with
-//!   flat shading at every triangle. The mesh that is meant is the one in space, so vertices with
-//!   equal coordinates count as one, under the index of the first. With a tolerance in
+//!   flat shading at every triangle. An inspection wants the mesh in space, so vertices with equal
+//!   coordinates count as one, with the index of the first. With a tolerance in
 //!   [`InspectionOptions::weld`], vertices no farther apart than it count as one too; then all
 //!   vertices of a chain of near vertices become one, however long it is. No position changes.
-//! - *Faces.* The polygons of the mesh, or its triangles if it has no others. Corners that repeat
-//!   the one before (after welding) count once, and a way along an edge and straight back does
-//!   not count; what has fewer than three corners left is no face. Edges, degrees, loops,
-//!   components and duplicates are those of the faces. The measures of quality are those of all
-//!   triangles, with their corners as they are before welding.
-//! - *Degree.* The number of edges at a vertex, those on the boundary included.
+//! - *Faces.* The polygons of the mesh, or its triangles if it has no other polygons. Corners that
+//!   repeat the previous one (after welding) count once, and a path along an edge and straight back
+//!   does not count; a face needs at least three remaining corners. Edges, degrees, loops,
+//!   components and duplicates refer to the faces. The measures of quality refer to all triangles,
+//!   with their corners before welding.
+//! - *Degree.* The number of edges at a vertex, boundary edges included.
 //! - *Boundary.* Edges with one face; vertices on such edges are boundary vertices, all others
 //!   interior. An edge with three faces or more is not manifold; neither is a vertex at which
 //!   the faces form several fans, each joined by edges, as where two cones meet at their tips.
-//! - *Components.* Sets of faces joined by edges. Parts that touch in a vertex count apart.
-//! - *Euler characteristic.* Vertices in faces, less edges, plus faces: 2 for a sphere, 0 for a
-//!   torus, 1 for a disk, where the mesh is manifold.
-//! - *Duplicate.* A face with the corners of an earlier one, in the same order or the reverse.
-//! - *Zero area.* A triangle whose corners are on one line or in one place, exactly; no
-//!   tolerance applies. A triangle that was flat before its corners were rounded may have a tiny area;
-//!   its minimum angle shows it.
-//! - *Inconsistent winding.* An edge along which its two faces run in the same direction, so
-//!   that one is seen from the front and the other from the back.
+//! - *Components.* Sets of faces joined by edges. Faces that touch only in a vertex count apart.
+//! - *Euler characteristic.* Vertices in faces, minus edges, plus faces: 2 for a sphere, 0 for a
+//!   torus, 1 for a disk, if the mesh is manifold.
+//! - *Duplicate.* A face with the corners of an earlier face, in the same order or the reverse.
+//! - *Zero area.* A triangle whose corners are exactly on one line or at one point; no tolerance
+//!   applies. A triangle that was flat before its corners were rounded may have a tiny area; its
+//!   minimum angle shows it.
+//! - *Inconsistent winding.* An edge along which its two faces run in the same direction, so that
+//!   one face shows its front and the other its back.
 //!
-//! Limits: self-intersections are not looked for. A face that touches itself is a face like others.
+//! Limits: does not look for self-intersections. A face that touches itself is a face like others.
 
 mod convex_outline;
 mod shapes;
@@ -46,7 +46,7 @@ use crate::weld;
 use shapes::Shapes;
 use topology::Topology;
 
-/// How many triangles [`Inspection::worst_triangles`] holds at most.
+/// The maximum length of [`Inspection::worst_triangles`].
 pub const WORST: usize = 5;
 
 /// The choices of an [`Inspection`].
@@ -62,14 +62,14 @@ pub const WORST: usize = 5;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct InspectionOptions {
-    /// How far apart two vertices may be to count as one, in units of length; 0, the default, for
-    /// equal coordinates only, `None` if no two vertices count as one.
+    /// The largest distance of two vertices that count as one, in units of length; 0, the default,
+    /// means equal coordinates only, `None` means that no two vertices count as one.
     pub weld: Option<f64>,
     /// Vertices of a greater degree are poles; 8 by default.
     pub pole_degree: u32,
-    /// By how many degrees an outline must turn at a vertex for it to be a corner, 0 to 90; 1
-    /// by default. A side may bend as far as an arc that leaves its chord by that angle. Less than
-    /// 0.001 degrees counts as that.
+    /// By how many degrees an outline must turn at a vertex for it to be a corner, 0 to 90; 1 by
+    /// default. A side may bend as far as an arc that leaves its chord by that angle. A value below
+    /// 0.001 counts as 0.001.
     pub corner_angle: f64,
 }
 
@@ -82,8 +82,8 @@ impl Default for InspectionOptions {
 /// The findings on a mesh; the [module](self) defines the terms.
 ///
 /// Vertices, faces and triangles have their indices in the mesh; a welded vertex has the index of
-/// the vertex it counts as. All lists are in ascending order but for the worst triangles and the
-/// poles.
+/// the vertex that replaces it. All lists are in ascending order, except the worst triangles and
+/// the poles.
 ///
 /// # Example
 ///
@@ -107,7 +107,7 @@ impl Default for InspectionOptions {
 pub struct Inspection {
     /// The number of vertices in the mesh, used or not.
     pub vertex_count: usize,
-    /// How many of them count as one with an earlier one.
+    /// The number of vertices that count as one with an earlier vertex.
     pub welded_count: usize,
     /// The number of triangles in the mesh.
     pub triangle_count: usize,
@@ -132,17 +132,17 @@ pub struct Inspection {
     /// Edges of two faces with inconsistent winding, by their vertices.
     pub inconsistent_edges: Vec<[u32; 2]>,
     /// Faces that repeat an earlier one: indices of polygons, or of triangles if the mesh has no
-    /// others.
+    /// other polygons.
     pub duplicate_faces: Vec<u32>,
     /// Triangles without area.
     pub zero_area_triangles: Vec<u32>,
-    /// Vertices in no face, without those that are welded to another.
+    /// Vertices in no face, without the vertices that are welded to another.
     pub unreferenced_vertices: Vec<u32>,
-    /// How many boundary vertices have each degree.
+    /// The number of boundary vertices of each degree.
     pub boundary_degrees: DegreeHistogram,
-    /// How many interior vertices have each degree.
+    /// The number of interior vertices of each degree.
     pub interior_degrees: DegreeHistogram,
-    /// The first of the vertices with the highest degree; `None` if there is no face.
+    /// The first of the vertices with the highest degree; `None` if the mesh has no face.
     pub highest_degree: Option<VertexDegree>,
     /// The vertices of a higher degree than [`InspectionOptions::pole_degree`], highest first.
     pub poles: Vec<VertexDegree>,
@@ -150,16 +150,17 @@ pub struct Inspection {
     pub quality: QualitySummary,
     /// The triangles with the least minimum angles, at most [`WORST`].
     pub worst_triangles: WorstTriangles,
-    /// The volume inside, positive where triangles are counter-clockwise seen from outside, in cubed
-    /// units of length; none unless the mesh is closed and consistently wound, or beyond f64.
+    /// The volume inside, positive if triangles are counter-clockwise seen from outside, in cubed
+    /// units of length; `None` if the mesh is not closed and consistently wound, or if f64
+    /// overflows.
     pub volume: Option<f64>,
-    /// The outline as a convex polygon, or why it is none.
+    /// The outline as a convex polygon, or why it is not one.
     pub outline: Result<FoundOutline, NoConvexOutline>,
 }
 
 impl Inspection {
-    /// Inspects a mesh. O(n log n) time and O(n) memory for n vertices and triangles,
-    /// but for welding with a tolerance that rounding reaches.
+    /// Inspects a mesh. O(n log n) time and O(n) memory for n vertices and triangles, except for
+    /// welding with a tolerance near the rounding of the coordinates.
     #[must_use]
     pub fn of(mesh: &TriMesh, options: &InspectionOptions) -> Self {
         let positions = mesh.positions();
@@ -193,7 +194,7 @@ impl Inspection {
                 if outline.vertices.len() == used_count {
                     let points: Vec<_> =
                         outline.vertices.iter().map(|&v| positions[v as usize]).collect();
-                    // A welded vertex is as far off as those it counts as.
+                    // A welded vertex may be as far away as the vertices that it is merged with.
                     let weld = options.weld.filter(|_| welded_count > 0).unwrap_or(0.0);
                     let rounding = mesh.rounding().max(weld);
                     convex_outline::convex_outline(&points, rounding, options.corner_angle)
@@ -246,8 +247,8 @@ impl Inspection {
         self.non_manifold_edges.is_empty() && self.non_manifold_vertices.is_empty()
     }
 
-    /// The number of handles of all components together: 0 for a sphere, 1 for a torus; none unless
-    /// the mesh is closed, manifold and consistently wound.
+    /// The number of handles of all components together: 0 for a sphere, 1 for a torus; `None` if
+    /// the mesh is not closed, manifold and consistently wound.
     #[must_use]
     pub fn genus(&self) -> Option<u64> {
         let has_inside =
@@ -256,7 +257,7 @@ impl Inspection {
         has_inside.then_some(doubled.max(0) as u64 / 2)
     }
 
-    /// The degree of `highest_degree`; 0 if there is no face.
+    /// The degree of `highest_degree`; 0 if the mesh has no face.
     #[must_use]
     pub fn max_degree(&self) -> u32 {
         self.highest_degree.map_or(0, |highest| highest.degree)

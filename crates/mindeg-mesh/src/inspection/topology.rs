@@ -1,4 +1,4 @@
-//! What the stars of all vertices tell about a mesh.
+//! The counts and defects of a mesh, from the stars of all vertices.
 
 use crate::connectivity::boundary::BoundaryEdges;
 use crate::connectivity::disjoint_sets::DisjointSets;
@@ -13,9 +13,9 @@ use std::ops::Range;
 pub struct VertexDegree {
     /// The vertex.
     pub vertex: u32,
-    /// The number of edges at it.
+    /// The number of edges at the vertex.
     pub degree: u32,
-    /// Whether one of them is a boundary edge.
+    /// Whether one of its edges is a boundary edge.
     pub on_boundary: bool,
 }
 
@@ -36,7 +36,7 @@ pub(super) struct Topology {
     pub(super) interior_degrees: DegreeHistogram,
     /// The first vertex of the highest degree.
     pub(super) highest: Option<VertexDegree>,
-    /// The vertices of a higher degree than asked for.
+    /// The vertices of a higher degree than the pole degree.
     pub(super) poles: Vec<VertexDegree>,
     /// Faces that share an edge.
     neighbors: Vec<[u32; 2]>,
@@ -56,14 +56,14 @@ impl Topology {
             topology.append(of_block);
         }
         topology.face_count = faces.iter().filter(|(_, corners)| !corners.is_empty()).count();
-        // What encloses nothing is a set of its own.
+        // A face that encloses nothing is a set of its own.
         topology.component_count = components.count() - (faces.count() - topology.face_count);
         topology.duplicates.sort_unstable();
         topology.duplicates.dedup();
         topology
     }
 
-    /// What the stars of some vertices tell, but for faces and components.
+    /// The results from the stars of some vertices, without the counts of faces and components.
     fn of_some(stars: &Stars<'_>, vertices: Range<u32>, pole_degree: u32) -> Self {
         let mut topology = Self::default();
         let [mut boundary_degrees, mut interior_degrees] = [Vec::new(), Vec::new()];
@@ -94,7 +94,7 @@ impl Topology {
         topology
     }
 
-    /// Adds what the stars of the vertices that follow tell.
+    /// Adds the results of the vertices that follow.
     fn append(&mut self, next: Self) {
         self.isolated.extend(next.isolated);
         self.edge_count += next.edge_count;
@@ -105,7 +105,7 @@ impl Topology {
         self.duplicates.extend(next.duplicates);
         self.boundary_degrees = [&self.boundary_degrees, &next.boundary_degrees].into_iter().sum();
         self.interior_degrees = [&self.interior_degrees, &next.interior_degrees].into_iter().sum();
-        // Of vertices of the same degree the first stays.
+        // If several vertices have the same degree, the first stays.
         let degree = |highest: Option<VertexDegree>| highest.map(|vertex| vertex.degree);
         if degree(next.highest) > degree(self.highest) {
             self.highest = next.highest;
@@ -130,8 +130,8 @@ impl Topology {
         }
     }
 
-    /// Adds the faces at an edge that repeat an earlier one. They share all their edges; at their
-    /// least vertex, the edge to the lesser neighbor finds them.
+    /// Adds the faces at an edge that repeat an earlier one. They share all their edges, so at
+    /// their least vertex, the edge to the lesser neighbor finds them.
     fn add_duplicates(&mut self, vertex: u32, edge: &[HalfEdge], faces: &Faces<'_>) {
         match edge {
             [_] => return,

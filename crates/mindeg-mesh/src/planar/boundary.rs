@@ -14,7 +14,7 @@ use crate::Bounds;
 ///
 /// Ring 0 is the outer one and counter-clockwise, the others are holes and clockwise. Vertices
 /// count from 0, ring after ring. [`new`](Self::new) proves once, by an exact sweep, that the rings
-/// are simple, apart and nested like that; whoever holds a boundary need not prove it again.
+/// are simple, apart and nested like that; code with a boundary need not prove it again.
 ///
 /// # What belongs here later
 ///
@@ -53,8 +53,8 @@ pub struct PlanarBoundary {
 }
 
 impl PlanarBoundary {
-    /// The boundary of triangles, which prove it: nothing is checked. The rings may be in any order, be
-    /// several outer ones, and touch each other at points.
+    /// The boundary of triangles, which prove it: nothing is checked. The rings may be in any order, include several
+    /// outer rings, and touch each other at points.
     #[must_use]
     pub fn of_mesh<R: AsRef<[DVec2]>>(rings: &[R]) -> Self {
         let mut points = Vec::with_capacity(rings.iter().map(|ring| ring.as_ref().len()).sum());
@@ -67,12 +67,12 @@ impl PlanarBoundary {
         Self { points, starts, corners, runs }
     }
 
-    /// With sides, which begin at `corners`, in ascending order, and the straight run that the
-    /// edge beginning at each vertex belongs to. Without, every edge is a run of its own.
+    /// Sets the sides, which begin at `corners`, in ascending order, and for each vertex the
+    /// straight run of the edge that begins there. Without this, every edge is a run of its own.
     ///
     /// # Panics
     ///
-    /// If another number of runs than of vertices is given.
+    /// If the number of runs differs from the number of vertices.
     #[must_use]
     pub fn with_sides(mut self, corners: Vec<u32>, runs: Vec<u32>) -> Self {
         assert_eq!(runs.len(), self.points.len(), "each edge is of one run");
@@ -80,8 +80,8 @@ impl PlanarBoundary {
         self
     }
 
-    /// With straight sides alone, which begin at `corners`, in ascending order: the first vertex of
-    /// each ring is one of them. Sides that follow each other without a turn are one straight run.
+    /// Sets sides that are all straight and begin at `corners`, in ascending order; the first
+    /// vertex of each ring is one of them. Consecutive sides without a turn are one straight run.
     #[must_use]
     pub fn with_straight_sides(self, corners: Vec<u32>) -> Self {
         let turns = |ring: usize| {
@@ -109,7 +109,7 @@ impl PlanarBoundary {
     ///
     /// # Panics
     ///
-    /// If there is no such vertex, here and below.
+    /// If the boundary has no such vertex; the same holds below.
     #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         self.points[vertex as usize]
@@ -138,7 +138,7 @@ impl PlanarBoundary {
         self.starts.windows(2).map(|ends| ends[0]..ends[1])
     }
 
-    /// A vertex by its ring and its index there. O(log h) for h rings, as the next two.
+    /// The ring of a vertex and its index there. O(log h) for h rings, like the next two functions.
     #[must_use]
     pub fn in_ring(&self, vertex: u32) -> InRing {
         let ring = sweep::ring_of(&self.starts, vertex);

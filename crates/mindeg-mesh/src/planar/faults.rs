@@ -12,7 +12,7 @@ use super::sweep::{self, Meeting, Nesting};
 use crate::Bounds;
 use crate::crossing::tree::Tree;
 
-/// The most faults that are listed: of a scribble, there are as many as pairs of edges.
+/// The maximum number of listed faults: a scribble can have one for each pair of edges.
 pub const MOST_FAULTS: usize = 1000;
 
 /// A fault of rings that should bound a domain. An edge is named by the vertex where it begins.
@@ -98,7 +98,7 @@ impl fmt::Display for BoundaryFault {
     }
 }
 
-/// Why rings bound no domain: all their faults, at least one, up to [`MOST_FAULTS`].
+/// The faults of rings that bound no domain: at least one, up to [`MOST_FAULTS`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct BoundaryFaults(Vec<BoundaryFault>);
 
@@ -106,7 +106,7 @@ impl std::error::Error for BoundaryFaults {}
 
 impl fmt::Display for BoundaryFaults {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        /// As many as fit in a message.
+        /// The maximum number of faults in a message.
         const SHOWN: usize = 5;
         for (index, fault) in self.0.iter().take(SHOWN).enumerate() {
             write!(f, "{}{fault}", if index > 0 { "; " } else { "" })?;
@@ -117,7 +117,7 @@ impl fmt::Display for BoundaryFaults {
 }
 
 impl BoundaryFaults {
-    /// The faults. The first is the one that the sweep from the left met first.
+    /// The faults. The first is the one that the sweep from the left finds first.
     #[must_use]
     pub fn list(&self) -> &[BoundaryFault] {
         &self.0
@@ -134,7 +134,7 @@ impl BoundaryFaults {
         Self(rings.into_iter().map(|ring| BoundaryFault::Direction { ring }).collect())
     }
 
-    /// All places where rings meet, after the first that the sweep has found.
+    /// All points where rings meet, starting with the first that the sweep found.
     fn all(boundary: &PlanarBoundary, first: Meeting) -> Self {
         let mut found = vec![first];
         let new = meetings(boundary).filter(|meeting| *meeting != first);
@@ -163,7 +163,7 @@ impl PlanarBoundary {
         if turned.is_empty() { Ok(boundary) } else { Err(BoundaryFaults::directions(turned)) }
     }
 
-    /// A boundary of rings that run either way round, and the rings that had to be turned, which
+    /// A boundary of rings that run either way round, and the indices of the reversed rings, which
     /// keep their first points. O(n log n).
     ///
     /// # Errors
@@ -210,7 +210,7 @@ fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), BoundaryFaults> {
     result(faults)
 }
 
-/// Checks that ring 0 is around all others, and nothing else is.
+/// Checks that ring 0 contains all other rings, and that no other ring contains one.
 fn check_nesting(nesting: &[Nesting]) -> Result<(), BoundaryFaults> {
     if let Some(hole) = nesting.first().and_then(|outer| outer.parent) {
         return result(vec![BoundaryFault::HoleAround { hole }]);
@@ -223,7 +223,7 @@ fn check_nesting(nesting: &[Nesting]) -> Result<(), BoundaryFaults> {
     result(nesting.iter().enumerate().skip(1).filter_map(wrong).take(MOST_FAULTS).collect())
 }
 
-/// All places where rings meet, themselves or each other, by the first vertex of each.
+/// All points where rings meet themselves or each other, by the first vertex of each.
 fn meetings(boundary: &PlanarBoundary) -> impl Iterator<Item = Meeting> + '_ {
     let ends = move |edge: u32| [edge, boundary.next(edge)];
     let at = move |vertex: u32| boundary.point(vertex);

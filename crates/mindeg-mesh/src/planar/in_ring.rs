@@ -1,4 +1,4 @@
-//! A place on the rings of a boundary.
+//! A vertex, edge or side of a boundary, by its ring and its index in the ring.
 
 /// A side, corner, vertex or edge by its ring and its index in the ring, both from 0; messages count
 /// it from 1: "side 3", or "side 3 of hole 1".
@@ -29,7 +29,7 @@ impl InRing {
         self.named("corner")
     }
 
-    /// The index alone, and the hole, for the last of several.
+    /// The index without the noun, and the hole, for the last item of a list.
     #[must_use]
     pub fn named_last(self) -> String {
         let Self { ring, index } = self;

@@ -1,8 +1,8 @@
 //! The boundary of a domain of the plane, proven once: rings of points, straight runs, corners.
 //!
-//! [`PlanarBoundary`] is the one type for points with rings. Its exact sweep is the one proof that
-//! rings are simple, apart and nested; [`turn`] is the one decision whether a boundary is straight at
-//! a point.
+//! [`PlanarBoundary`] is the only type for points with rings. Its exact sweep is the only proof that
+//! rings are simple, apart and nested; only [`turn`] decides whether a boundary is straight at a
+//! point.
 
 mod boundary;
 mod faults;

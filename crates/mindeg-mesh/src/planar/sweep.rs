@@ -1,17 +1,17 @@
-//! Whether rings of points are simple, keep apart from each other, and how they nest: a sweep from
-//! left to right (Shamos and Hoey 1976) with exact predicates.
+//! Checks that rings of points are simple and apart, and finds how they nest: a sweep from left to
+//! right (Shamos and Hoey 1976) with exact predicates.
 //!
-//! The sweep passes the vertices in the order of x, then of y. The edges that cross the sweep line
-//! are kept in the order in which they cross it. Two edges are compared when they become
-//! neighbours there. Before any place where edges meet that should not, the edges that meet first are
-//! neighbours, so the sweep stops there at the latest and its order never fails. The edge
-//! below the leftmost vertex of a ring tells which ring that vertex lies in.
+//! The sweep visits the vertices in the order of x, then of y. The edges that cross the sweep line
+//! are kept in the order in which they cross it. Two edges are compared when they become neighbours
+//! there. Before any point where edges meet that should not, the first edges to meet are neighbours,
+//! so the sweep stops there at the latest and its order never fails. The edge below the leftmost
+//! vertex of a ring gives the ring that contains that vertex.
 //!
 //! Every decision is a comparison of coordinates or the sign of `robust::orient2d`, which is exact:
-//! there is no tolerance. O(n log n) time.
+//! no decision has a tolerance. O(n log n) time.
 //!
-//! Limits: of several faults the first from the left is reported. Coordinates must be finite; where
-//! a product of two differences is below 1e-290, the sign is that of floating point.
+//! Limits: reports only the leftmost of several faults. Coordinates must be finite; if a product of
+//! two differences is below 1e-290, the sign is that of floating point.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -21,7 +21,7 @@ use glam::DVec2;
 
 use super::orientation;
 
-/// Where rings meet, themselves or each other. Edges are named by the vertex where they begin.
+/// A point where rings meet themselves or each other. An edge is named by its first vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meeting {
     /// Two vertices are at the same point.
@@ -34,7 +34,7 @@ pub(super) enum Meeting {
     FoldsBack(u32),
 }
 
-/// How a ring lies in the plane.
+/// The nesting and the direction of a ring.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Nesting {
     pub(super) is_counter_clockwise: bool,
@@ -42,7 +42,7 @@ pub(super) struct Nesting {
     pub(super) parent: Option<usize>,
 }
 
-/// Checks rings of points, each at least 3 vertices, and tells how they nest. O(n log n).
+/// Checks rings of points, each of at least 3 vertices, and returns their nesting. O(n log n).
 ///
 /// # Errors
 ///
@@ -96,7 +96,7 @@ impl Ord for Edge {
         if side == 0.0 {
             side = above(other.right);
         }
-        // An edge to whose left another lies is below it.
+        // An edge is below another edge that lies to its left.
         0.0.partial_cmp(&side).unwrap_or(Ordering::Equal).then(self.begin.cmp(&other.begin))
     }
 }
@@ -137,7 +137,7 @@ struct Sweep<'a> {
     starts: &'a [u32],
     /// The edges that cross the sweep line, from below.
     crossing: BTreeSet<Edge>,
-    /// Of the rings that the sweep has met.
+    /// The nesting of each ring that the sweep has met.
     nesting: Vec<Option<Nesting>>,
 }
 
@@ -166,7 +166,7 @@ impl<'a> Sweep<'a> {
         Edge { left, right, begin, is_rightward }
     }
 
-    /// Checks that no edge lies on the one before it. What follows may rely on that.
+    /// Checks that no edge lies on the previous one. Later steps rely on that.
     fn check_folds(&self) -> Result<(), Meeting> {
         let folds = |&vertex: &u32| {
             let around = [self.previous(vertex), vertex, self.next(vertex)];
@@ -213,7 +213,7 @@ impl<'a> Sweep<'a> {
         self.check_neighbours(&new)
     }
 
-    /// The edges below and above one, which need not be there itself.
+    /// The edges below and above an edge, which itself need not be in the list.
     fn neighbours(&self, edge: &Edge) -> [Option<Edge>; 2] {
         let below = self.crossing.range((Bound::Unbounded, Bound::Excluded(edge))).next_back();
         let above = self.crossing.range((Bound::Excluded(edge), Bound::Unbounded)).next();
@@ -225,7 +225,7 @@ impl<'a> Sweep<'a> {
         neighbours.iter().flatten().try_for_each(|other| self.check(edge, other))
     }
 
-    /// Where the leftmost vertex of a ring is: in which ring, and which way round the ring runs.
+    /// Finds the parent and the direction of a ring, from its leftmost vertex.
     fn place_ring(&mut self, vertex: u32, before: Edge, after: Edge) {
         let ring = ring_of(self.starts, vertex);
         if self.nesting[ring].is_some() {
@@ -235,14 +235,14 @@ impl<'a> Sweep<'a> {
         let lower = if is_counter_clockwise { after } else { before };
         let parent = self.neighbours(&lower)[0].and_then(|below| {
             let around = ring_of(self.starts, below.begin);
-            // The sweep met the ring around this one before.
+            // The sweep met the surrounding ring before.
             let Nesting { is_counter_clockwise, parent } = self.nesting[around]?;
             if below.is_rightward == is_counter_clockwise { Some(around) } else { parent }
         });
         self.nesting[ring] = Some(Nesting { is_counter_clockwise, parent });
     }
 
-    /// Checks that two edges have no point in common but a vertex where one follows the other.
+    /// Checks that two edges have no common point, except the vertex between consecutive edges.
     fn check(&self, a: &Edge, b: &Edge) -> Result<(), Meeting> {
         let [ends_of_a, ends_of_b] = [a, b].map(|edge| [edge.begin, self.next(edge.begin)]);
         if ends_of_a.iter().any(|end| ends_of_b.contains(end)) {
@@ -375,7 +375,7 @@ mod tests {
                     continue;
                 }
                 let [a, b, c, d] = [a, b, c, d].map(|v| (v, at(v)));
-                // An end of one on the other, unless it is the same vertex.
+                // An end of one edge on the other, unless it is the same vertex.
                 if c.0 != a.0 && c.0 != b.0 && area([a.1, b.1, c.1]) == 0 && within(a.1, b.1, c.1) {
                     return false;
                 }

@@ -8,7 +8,7 @@ use glam::DVec2;
 /// A boundary that turns by less, in radians, is straight: 0.2 mm in 200 km.
 pub const LEAST_TURN: f64 = 1e-9;
 
-/// The largest turn, in radians, that counts as made by rounding.
+/// The largest turn, in radians, that rounding may explain.
 const MOST_ROUNDED: f64 = 1e-3;
 
 /// How the boundary turns at a vertex.
@@ -24,8 +24,8 @@ pub enum Turn {
 
 /// The turn from one straight piece of a boundary to the next, each given by its start and end.
 ///
-/// It is straight if it turns by less than [`LEAST_TURN`], or by less than the rounding of the
-/// coordinates can make out of nothing.
+/// The turn is straight if it is less than [`LEAST_TURN`], or less than the rounding of the
+/// coordinates can produce.
 #[must_use]
 pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
     let [before, after] = [incoming, outgoing].map(|[start, end]| end - start);
@@ -36,7 +36,7 @@ pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
         .into_iter()
         .fold(0.0, f64::max);
     let rounding = f64::EPSILON * coordinate * (1.0 / before.length() + 1.0 / after.length());
-    // Beside an edge of a few roundings, any turn could be one; a corner must not pass for it.
+    // Beside a tiny edge, rounding could explain any turn; a corner must not count as straight.
     if angle.abs() < LEAST_TURN.max(rounding.min(MOST_ROUNDED)) {
         Turn::Straight
     } else if angle.abs() > PI - LEAST_TURN {
@@ -46,10 +46,10 @@ pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
     }
 }
 
-/// For the edge that begins at each vertex, the straight run that it belongs to: straight pieces that
-/// follow each other without a turn are one.
+/// For each vertex, the straight run of the edge that begins there; consecutive straight pieces
+/// without a turn are one run.
 ///
-/// `pieces` gives the first vertices of the straight pieces of a ring, from where the ring starts, and the
+/// `pieces` gives the first vertices of the straight pieces of a ring, from the start of the ring, and the
 /// turn at each.
 #[must_use]
 pub fn straight_runs(
@@ -67,7 +67,7 @@ pub fn straight_runs(
             runs.resize(end as usize, run);
         }
         if pieces.first().is_some_and(|&(_, turn)| turn == Turn::Straight) {
-            // What is left of the last run is the start of the first one.
+            // The rest of the last run is the start of the first one.
             let own = &mut runs[vertices.start as usize..];
             own.iter_mut().filter(|of| **of == run).for_each(|of| *of = first_run);
         }
@@ -76,11 +76,11 @@ pub fn straight_runs(
     runs
 }
 
-/// Whether the segment between two points passes a third one: whether a boundary from one end by that point
-/// to the other would be [straight](Turn::Straight).
+/// Whether the segment between two points passes a third point: whether a boundary from one end by that
+/// point to the other would be [straight](Turn::Straight).
 ///
-/// So a chord of a domain passes a vertex by the same tolerance as three vertices of one side lie on a
-/// line, and a domain that was turned by any angle has the chords of the one that was not.
+/// So chords and sides use the same tolerance: a chord passes a vertex as three vertices of one side
+/// lie on a line, and a rotated domain has the same chords as the original.
 ///
 /// ```
 /// use glam::DVec2;

@@ -6,9 +6,8 @@ use crate::polygons::{NonTriangles, Polygons};
 use std::sync::OnceLock;
 
 impl TriMesh {
-    /// The same mesh with more triangles between its vertices, after those it has, as a group of
-    /// their own. Everything else stays as it is. O(n) where the mesh has polygons, else O(k) for
-    /// k triangles.
+    /// The same mesh with more triangles between its vertices, appended as a group of their own.
+    /// Everything else stays unchanged. O(n) if the mesh has polygons, else O(k) for k triangles.
     ///
     /// # Errors
     ///
@@ -49,8 +48,8 @@ impl TriMesh {
         Ok(self)
     }
 
-    /// This mesh and another as one: first the vertices, triangles, groups and lines of this one,
-    /// then those of the other. The name is that of the first one that has a name. O(n).
+    /// This mesh and another as one: first the vertices, triangles, groups and lines of this mesh,
+    /// then those of the other. The name is that of this mesh, or else of the other. O(n).
     ///
     /// # Errors
     ///

@@ -1,4 +1,4 @@
-//! The list as writers and measures see it, positions and triangles by range, and back.
+//! The list as writers and measures read it, positions and triangles by range, and back.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,7 @@ impl TriMesh {
     ///
     /// # Errors
     ///
-    /// A mesh that is no list, as [`TriMesh::new`] says.
+    /// A mesh that [`TriMesh::new`] refuses.
     pub fn of(mesh: &dyn Mesh) -> Result<Self, TriMeshError> {
         let vertices = 0..mesh.vertex_count();
         let positions = filled(vertices.clone(), DVec3::ZERO, |first, out| {
