@@ -61,7 +61,7 @@ fn times(stream: &mut TcpStream, start: Instant, texts: &[&str]) -> Vec<f64> {
 
 /// Milliseconds of processor time that all threads of this process have taken; 0 where the system does not tell.
 fn processor_time() -> f64 {
-    /// What Linux counts in.
+    /// The unit in which Linux counts processor time.
     const TICKS_A_SECOND: f64 = 100.0;
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
     let after_name = stat.rsplit(')').next().unwrap_or_default();

@@ -79,7 +79,7 @@ pub(crate) fn understood(body: &[u8]) -> Result<(Request, Domain), Box<AnswerLin
     Ok((request, domain))
 }
 
-/// What is said when the time of an answer is over.
+/// The line to send when the time of an answer is over.
 pub(crate) fn late(limit: Duration) -> AnswerLine {
     let seconds = limit.as_secs();
     refused(

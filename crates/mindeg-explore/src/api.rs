@@ -1,4 +1,4 @@
-//! What the page and the server say to each other.
+//! The messages between the page and the server.
 //!
 //! Everything under `/api/` needs the header `X-Mindeg-Token` with the token after `#` in the printed
 //! address, `http://127.0.0.1:PORT/#TOKEN` or `http://127.0.0.1:PORT/#TOKEN/STATE`. A request that is
@@ -43,7 +43,7 @@ use crate::format::format_named;
 pub use crate::line::*;
 pub use crate::part::{Part, View};
 
-/// What the page asks for.
+/// The request of the page.
 ///
 /// ```
 /// let body = r#"{
@@ -62,10 +62,10 @@ pub struct Request {
     /// The domain, as every command of mindeg takes it. Its `interior` is what is wanted of the view
     /// [`View::Interior`].
     pub domain: Box<RawValue>,
-    /// What [`View::Wanted`] is chosen for: `"least_degree"`, `{"keep_angle": 0.95}` or `{"max_degree": 5}`.
+    /// The goal of [`View::Wanted`]: `"least_degree"`, `{"keep_angle": 0.95}` or `{"max_degree": 5}`.
     #[serde(default)]
     pub goal: Goal,
-    /// What is to be answered; all but [`Part::Interior`] by default.
+    /// The parts to answer; all but [`Part::Interior`] by default.
     #[serde(default = "Part::usual")]
     pub show: Vec<Part>,
     /// The measure of [`Shown::values`]: one of [`Facts::measures`]. Without it there are no values.
@@ -82,17 +82,17 @@ pub struct Request {
 /// A domain to start from.
 #[derive(Clone, Debug, Serialize)]
 pub struct Source {
-    /// What it is called: its name, or its file's.
+    /// Its name, or its file's name.
     pub name: String,
-    /// Its JSON; none if it is no domain, and then `message` says why.
+    /// Its JSON; `None` if it is not a domain, and then `message` says why.
     pub domain: Option<Box<RawValue>>,
-    /// What was left out or changed while it was read, in sentences.
+    /// The reader's omissions and changes, in sentences.
     pub notes: Vec<String>,
-    /// Why it is no domain.
+    /// The reason why it is not a domain.
     pub message: Option<String>,
 }
 
-/// What the page shows but does not work out.
+/// The facts that the page shows but does not work out.
 #[derive(Clone, Debug, Serialize)]
 pub struct Facts {
     /// The measures of a triangle.

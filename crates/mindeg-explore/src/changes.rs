@@ -18,7 +18,7 @@ const LIFTED: u32 = 4000;
 /// The most changes for the degree.
 const MOST: usize = 6;
 
-/// The limit of a domain, and the smallest change that lifts it; none for points too close to work with.
+/// The limit of a domain, and the smallest change that lifts it; `None` for points that are too close together.
 pub(crate) fn limit(domain: &Domain) -> Option<Lifting> {
     let wanted = domain.interior().cloned().unwrap_or_default();
     let is_small = domain.rings().vertex_count() <= LIFTED;
@@ -75,7 +75,7 @@ fn own_boundary(domain: &Domain) -> Option<&Boundary> {
     is_own.then(|| form.boundary())
 }
 
-/// The domain with other counts; none if its sides have points or spacing laws that do not fit them.
+/// The domain with other counts; `None` if its sides have points or spacing laws that do not fit them.
 fn changed(domain: &Domain, changes: &[Change]) -> Option<Domain> {
     let mut sides = domain.sides().to_vec();
     for change in changes {
@@ -106,7 +106,7 @@ mod tests {
             own_boundary(&Domain::from_json(&text).unwrap()).map(|boundary| boundary.side_count())
         };
         assert_eq!(boundary_of("[[0,0],[4,0],[4,3],[0,3]]"), Some(4));
-        // The formula takes the two sides below as one, whose count is no side's.
+        // The formula merges the two sides below; no side has the merged count.
         assert_eq!(boundary_of("[[0,0],[2,0],[4,0],[4,3],[0,3]]"), None);
         assert_eq!(boundary_of("[[2,0],[4,0],[4,3],[0,3],[0,0]]"), None);
     }

@@ -15,7 +15,7 @@ const END: &str = "END";
 pub struct KnownFiles(Vec<(String, Value)>);
 
 impl KnownFiles {
-    /// With a file whose text is a domain in JSON; text that is none is left out.
+    /// Adds a file whose text is a domain in JSON; ignores other text.
     pub fn add(&mut self, path: &str, text: &str) {
         if let Ok(domain) = serde_json::from_str(text) {
             self.0.push((path.to_owned(), domain));
@@ -29,7 +29,7 @@ impl KnownFiles {
     }
 }
 
-/// What names the files of a domain's mesh: its name in small letters, digits and dashes.
+/// The stem of the file names of a domain's mesh: its name in small letters, digits and dashes.
 pub(crate) fn file_stem(domain: &Domain) -> String {
     let name = domain.name().unwrap_or_default();
     let words = name.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
@@ -65,7 +65,7 @@ pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) ->
     }
 }
 
-/// What tells `mindeg mesh` which mesh is wanted.
+/// The options that tell `mindeg mesh` which mesh is wanted.
 fn options(request: &Request, domain: &Domain) -> Vec<String> {
     let mut options = Vec::new();
     let interior = domain.interior();

@@ -16,12 +16,12 @@ pub(crate) struct Download {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// One of the files of the mesh that a body asks for: that of a view, or of
+/// A file of the mesh that a body asks for: the mesh of a view, or of
 /// the view it names, in a format by its name.
 ///
 /// # Errors
 ///
-/// What is wrong, in a sentence.
+/// The error, in a sentence.
 pub(crate) fn download(
     body: &[u8],
     view: Option<View>,

@@ -1,4 +1,4 @@
-//! What the page shows but does not work out.
+//! The facts that the page shows but does not work out.
 
 use mindeg_answers::measures::measure_facts;
 

@@ -16,7 +16,7 @@ pub(crate) const TOKEN: HeaderName = HeaderName::from_static("x-mindeg-token");
 const FETCH_SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
 const FETCH_MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
 
-/// What requests are checked against.
+/// The rules that requests are checked against.
 #[derive(Clone, Debug)]
 pub(crate) struct Guard {
     pub(crate) port: u16,
@@ -92,7 +92,7 @@ impl Guard {
     }
 }
 
-/// The value of a header that is there once.
+/// The value of a header that occurs once.
 fn only<'a>(headers: &'a HeaderMap, name: &HeaderName) -> Option<&'a str> {
     let mut values = headers.get_all(name).iter();
     let value = values.next()?.to_str().ok()?;

@@ -20,7 +20,7 @@ pub enum AnswerLine {
     Degree(DegreeShown),
     /// The limit of the minimum angle of every mesh with this boundary, with any interior points.
     Limit(LimitShown),
-    /// What every degree brings.
+    /// The trade-off: the minimum angle of every degree.
     Curve(CurveShown),
     /// Changes that bring a smaller degree or a larger angle.
     Suggestions {
@@ -32,11 +32,11 @@ pub enum AnswerLine {
         /// Ready for a POSIX shell.
         text: String,
     },
-    /// One part has no answer, or all have none.
+    /// One part has no answer, or no part has an answer.
     Refused {
-        /// The part; none if the request or its domain is refused.
+        /// The part; `None` if the request or its domain is refused.
         part: Option<Part>,
-        /// What is wrong and what to do, in a sentence.
+        /// The error and the way to fix it, in a sentence.
         message: String,
         /// Where in the domain's JSON it is, such as `sides[2].spacing`, if that is known.
         path: Option<String>,
@@ -59,7 +59,7 @@ pub struct DomainShown {
     pub triangles: u32,
     /// Whether it is convex and without holes.
     pub is_convex: bool,
-    /// Where the points are counted from: the middle of their bounding box.
+    /// The origin of the points: the middle of their bounding box.
     pub center: [f64; 2],
     /// The width and height of the bounding box.
     pub size: [f64; 2],
@@ -69,14 +69,14 @@ pub struct DomainShown {
     pub rings: Vec<u32>,
     /// The sides of all rings.
     pub sides: Vec<SideShown>,
-    /// What was changed of the description, in sentences.
+    /// The changes to the description, in sentences.
     pub notes: Vec<String>,
 }
 
 /// A side of a domain.
 #[derive(Clone, Debug, Serialize)]
 pub struct SideShown {
-    /// What it is called: its own name, or such as "hole 1 side 2".
+    /// Its own name, or one like "hole 1 side 2".
     pub name: String,
     /// Its ring; 0 is the outer one.
     pub ring: usize,
@@ -91,7 +91,7 @@ pub struct SideShown {
 /// A mesh, what it is like and how it is colored.
 #[derive(Clone, Debug, Serialize)]
 pub struct Shown {
-    /// Which one.
+    /// The view that the mesh belongs to.
     pub view: View,
     /// Whether a better one follows: while the exact search runs, the best mesh at hand is shown.
     pub is_last: bool,
@@ -150,7 +150,7 @@ pub struct Bars {
 /// The least maximum degree, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct DegreeShown {
-    /// As `mindeg degree --json` has it.
+    /// The same keys as in `mindeg degree --json`.
     #[serde(flatten)]
     pub report: DegreeReport,
     /// Why it cannot be less, and how it is reached: sentences, as `mindeg degree` has them.
@@ -160,10 +160,10 @@ pub struct DegreeShown {
 /// The limit of the minimum angle, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct LimitShown {
-    /// As `mindeg degree --json` has it.
+    /// The same keys as in `mindeg degree --json`.
     #[serde(flatten)]
     pub limit: LimitAnswer,
-    /// A sentence, as `mindeg degree` has it.
+    /// The sentence of `mindeg degree`.
     pub words: String,
     /// The vertices that decide: one, or one of each of two intervals that face each other.
     pub vertices: Vec<u32>,
@@ -174,14 +174,14 @@ pub struct LimitShown {
 /// The largest minimum angle for every maximum degree, with its words.
 #[derive(Clone, Debug, Serialize)]
 pub struct CurveShown {
-    /// As `mindeg tradeoff --json` has it.
+    /// The same keys as in `mindeg tradeoff --json`.
     #[serde(flatten)]
     pub answer: TradeOffAnswer,
     /// The maximum degree of a Delaunay triangulation.
     pub delaunay_max_degree: Option<u32>,
-    /// Which degree to take and why, in a sentence.
+    /// The advised degree and the reason, in a sentence.
     pub words: String,
-    /// What is not proven, in a sentence.
+    /// The unproven points, in a sentence.
     pub open_question: Option<&'static str>,
 }
 

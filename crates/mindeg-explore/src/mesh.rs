@@ -18,7 +18,7 @@ const DELAUNAY_TIME: Duration = Duration::from_secs(20);
 
 /// A mesh, and how it was found.
 pub(crate) enum Made {
-    /// Of boundary points alone, for a goal.
+    /// A mesh of boundary points alone, for a goal.
     Boundary(Box<Meshed>, Goal),
     /// A Delaunay triangulation.
     Delaunay(TriMesh),
@@ -31,7 +31,7 @@ impl Made {
     ///
     /// # Errors
     ///
-    /// Why there is none, in a sentence; also if `progress` cancels.
+    /// The reason why the mesh is missing, in a sentence; also if `progress` cancels.
     pub(crate) fn new(
         domain: &Domain,
         request: &Request,

@@ -1,4 +1,4 @@
-//! What can be asked for.
+//! The views and parts that a request can ask for.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum View {
-    /// Of the goal.
+    /// The mesh of the goal.
     #[default]
     Wanted,
-    /// Of the least maximum degree.
+    /// The mesh of the least maximum degree.
     Least,
     /// A Delaunay triangulation of the boundary points.
     Delaunay,

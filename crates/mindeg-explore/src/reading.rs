@@ -14,7 +14,7 @@ const MOST: usize = 200;
 ///
 /// # Errors
 ///
-/// What is wrong with the file, in a sentence that names it.
+/// The error in the file, in a sentence that names the file.
 ///
 /// # Example
 ///

@@ -1,4 +1,4 @@
-//! What is at which address.
+//! The routes: each address and its answer.
 
 use std::convert::Infallible;
 use std::future::poll_fn;
@@ -49,7 +49,7 @@ const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; \
                       img-src 'self' data: blob:; connect-src 'self'; frame-ancestors 'none'; \
                       base-uri 'none'; form-action 'none'";
 
-/// What requests are answered from.
+/// The state that requests are answered from.
 pub(crate) struct All {
     guard: Guard,
     start: Option<Source>,
@@ -220,7 +220,7 @@ async fn drained(body: &mut Body) {
     }
 }
 
-/// What stands after `?` in an address, if it is what it should be.
+/// The query after `?` in an address, if it is valid.
 type Asked<T> = Result<Query<T>, QueryRejection>;
 
 fn asked<T>(query: Asked<T>) -> Result<T, Refusal> {
@@ -322,7 +322,7 @@ async fn reading(query: Asked<Named>, request: Request) -> Result<Response, Refu
     }
 }
 
-/// What is said where a thread ended before its work.
+/// The message if a thread ended before its work.
 const FAULT: &str = "this failed, which is a fault of mindeg; please report it with the domain";
 
 fn failed() -> Refusal {

@@ -28,15 +28,15 @@ const MOST_CONNECTIONS: usize = 64;
 /// for theirs: at the end of its time a connection takes no further request, and as long again later it is closed.
 #[derive(Clone, Copy, Debug)]
 struct Times {
-    /// Of one whose requests had no token: for the head of a request, or for the page's files, which are small.
+    /// The time of a connection without a token: for the head of a request, or for the page's files, which are small.
     stranger: Duration,
-    /// Of any other: longer than any answer takes.
+    /// The time of any other connection: longer than any answer takes.
     page: Duration,
 }
 
 const TIMES: Times = Times { stranger: Duration::from_secs(5), page: Duration::from_secs(300) };
 
-/// What a server starts with.
+/// The settings that a server starts with.
 #[derive(Clone, Debug, Default)]
 pub struct Setup {
     /// The port; 0 for any that is free.
@@ -56,7 +56,7 @@ pub enum ServerError {
     Listen {
         /// The port.
         port: u16,
-        /// What the system says.
+        /// The error of the system.
         error: io::Error,
     },
     /// The system gives no random numbers.
@@ -122,7 +122,7 @@ async fn serve(
         let permit = Arc::clone(&connections).acquire_owned().await;
         let stream = match listener.accept().await {
             Ok((stream, _)) => stream,
-            // Of one connection, or of too many open files: others may come later.
+            // One connection failed, or too many files are open: other connections may come later.
             Err(_) => {
                 tokio::time::sleep(Duration::from_millis(50)).await;
                 continue;
@@ -212,7 +212,7 @@ mod tests {
         let address = served(Times { stranger: SHORT, page: Duration::from_secs(600) });
         let mut slow = asked(address, "/");
         let start = Instant::now();
-        // What is in the sockets' buffers still comes, and then the end.
+        // The bytes in the sockets' buffers still come, and then the end.
         while slow.read(&mut [0]).is_ok_and(|count| count > 0) && start.elapsed() < 3 * SHORT {
             sleep(Duration::from_millis(20));
         }

@@ -56,7 +56,7 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
 /// A mesh with its figures.
 pub(crate) struct Figure {
     frame: Frame,
-    /// Those beyond the boundary.
+    /// The points beyond the boundary points.
     interior_points: Vec<DVec2>,
     triangles: Vec<[u32; 3]>,
     /// With external degrees.

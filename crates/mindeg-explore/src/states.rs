@@ -1,4 +1,4 @@
-//! What the page wants kept, so that its address brings it back while the process runs.
+//! The states that the page stores, so that its address brings them back while the process runs.
 
 use std::sync::{Mutex, PoisonError};
 

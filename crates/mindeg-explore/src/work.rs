@@ -1,4 +1,4 @@
-//! What is being worked on: one answer a tab, two at once, none for ever.
+//! The answers in progress: one a tab, two at once, each with a time limit.
 
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::{Arc, Mutex, PoisonError};

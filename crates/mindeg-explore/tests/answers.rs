@@ -226,7 +226,7 @@ fn only_what_is_asked_for_comes() {
     let (small, large) = (plate(0.5), plate(0.01));
     let (least, keep) = (json!("least_degree"), json!({"keep_angle": 0.9}));
     for (domain, goal, show, expected) in [
-        // One for now, then the one of the best angle.
+        // A mesh for now, then the mesh of the best angle.
         (&small, &least, &["wanted"][..], &["mesh"; 2][..]),
         (&small, &keep, &["least"], &["mesh"; 2]),
         (&small, &least, &["wanted", "least"], &["mesh"; 4]),
@@ -241,7 +241,7 @@ fn only_what_is_asked_for_comes() {
         let lines = lines(&json!({"domain": domain, "goal": goal, "show": show}));
         let expected = [&["domain"], expected, &["done"]].concat();
         assert_eq!(kinds(&lines), expected, "{domain} {goal} {show:?}");
-        // Delaunay's mesh is no part of the answer, but its degree is.
+        // The answer lacks Delaunay's mesh, but gives its degree.
         if let Some(curve) = lines.iter().find(|line| line["kind"] == "curve") {
             assert!(curve["delaunay_max_degree"].is_u64(), "{curve}");
         }

@@ -16,7 +16,7 @@ struct Running {
     token: String,
 }
 
-/// What came back.
+/// The response.
 struct Answer {
     status: u16,
     head: String,
@@ -46,7 +46,7 @@ impl Running {
         stream
     }
 
-    /// Sends a request as it is and reads to the end.
+    /// Sends a request unchanged and reads to the end.
     fn raw(&self, request: &[u8]) -> Answer {
         let mut stream = self.connect();
         // A server that refuses early may close before all is sent.
@@ -77,7 +77,7 @@ impl Running {
     }
 }
 
-/// What is still to come, as it is.
+/// The rest of the response, unchanged.
 fn what_is_left(stream: &mut TcpStream) -> Vec<u8> {
     let mut bytes = Vec::new();
     match stream.read_to_end(&mut bytes) {
