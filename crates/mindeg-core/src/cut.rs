@@ -124,7 +124,7 @@ mod tests {
             .collect()
     }
 
-    /// Small, middling and huge sides in every order, with the largest sums there are.
+    /// Small, medium and huge sides in every order, with the largest possible sums.
     #[test]
     fn the_best_cuts_of_the_largest_boundaries_do_not_overflow() {
         const MOST: u64 = crate::MAX_VERTICES as u64;

@@ -33,7 +33,7 @@
 //!   [`bound`] has the theorems that it uses, and [`suggest`] finds the smallest change of counts
 //!   for a lower optimum.
 //! - [`RingStrip`] joins two closed loops of vertices, as a tube or an annulus has them.
-//! - [`verify`] checks a list of triangles from any source. It shares no code with the constructions.
+//! - [`RingStrip`] joins two closed loops of vertices, for example of a tube or an annulus.
 //!
 //! # Indices
 //!

@@ -7,8 +7,8 @@
 //! # The least maximum degree
 //!
 //! A vertex has its two ring edges, one edge to the other ring, and one more for each letter of
-//! the other kind while the strip stays at the vertex. So the p + q letters give the x ring q
-//! edges beyond the first ones, and the y ring p of them.
+//! the other kind while the strip stays at the vertex. So the p + q letters give the x ring q edges
+//! beyond the first three of each vertex, and the y ring p of them.
 //!
 //! **Theorem.** The least maximum degree of a strip between rings of p >= q vertices is
 //! 3 + ⌈p/q⌉.
@@ -59,12 +59,12 @@ pub struct RingStrip {
 pub enum RingStripError {
     /// A ring of fewer than three vertices.
     TooFewVertices {
-        /// How many it has.
+        /// The number of its vertices.
         vertices: u32,
     },
     /// More vertices in all than [`MAX_VERTICES`].
     TooManyVertices {
-        /// How many there are.
+        /// The number of vertices.
         vertices: u64,
     },
 }

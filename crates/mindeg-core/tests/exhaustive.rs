@@ -1,5 +1,5 @@
-//! Every small boundary: the closed form of the optimum, the certificate and every candidate against
-//! the exact solver and the verifier.
+//! Every small boundary: compares the closed form of the optimum, the certificate and every
+//! candidate with the exact solver and the verifier.
 
 #![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 

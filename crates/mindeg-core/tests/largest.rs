@@ -1,5 +1,5 @@
-//! Triangulations of the largest boundaries, n = 2^32 - 2 and next to it: by windows, since nobody has
-//! time for all of them.
+//! Triangulations of the largest boundaries, n = 2^32 - 2 and slightly less: by windows, since all
+//! triangles would take too long.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -36,7 +36,7 @@ fn check_triangles(triangulation: &Triangulation, n: u32) {
             |from: u32, to: u32| (u64::from(to) + u64::from(n) - u64::from(from)) % u64::from(n);
         assert!([a, b, c].iter().all(|&v| v < n), "{triangle:?}");
         assert!(0 < steps(a, b) && steps(a, b) < steps(a, c), "{triangle:?}");
-        // The same triangle as its vertices tell.
+        // The same triangle from its three vertices.
         for [v, left, right] in [[a, b, c], [b, c, a], [c, a, b]] {
             if triangulation.degree(v) < 50 {
                 let around: Vec<u32> = triangulation.neighbors(v).collect();

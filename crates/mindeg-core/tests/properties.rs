@@ -195,7 +195,7 @@ proptest! {
     }
 }
 
-/// At the limit nothing can be listed, but everything is still a formula.
+/// At the limit no list is possible, but everything is still a formula.
 #[test]
 fn the_largest_boundaries_are_answered_at_once() {
     let limit = u64::from(mindeg_core::MAX_VERTICES);
@@ -273,7 +273,7 @@ fn the_table_of_known_optima() {
     }
 }
 
-/// Of the shifts of a word, the middle one comes first.
+/// The middle shift of a word comes first.
 #[test]
 fn the_first_mesh_of_a_dominant_side_is_symmetric() {
     for (sides, off_side) in [(&[9, 1, 1, 1, 1, 1, 1][..], 10..15), (&[9, 1, 1, 1, 1], 10..13)] {

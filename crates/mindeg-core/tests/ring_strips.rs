@@ -1,4 +1,4 @@
-//! The strip between two rings beside all strips there are.
+//! Compares the strip between two rings with all possible strips.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -53,7 +53,7 @@ fn triangles_close_up_between_the_rings_and_have_the_degree_that_is_told() {
                     if there + back > 0 {
                         degrees[from as usize] += 1;
                     }
-                    // A ring edge is in one triangle, which runs one way; others are in two.
+                    // A ring edge is in one triangle and has one direction; other edges are in two.
                     if ring(from, to) {
                         assert_eq!((there, back), (1, 0), "{xs}, {ys}: {from} to {to}");
                     } else if !ring(to, from) {

@@ -155,7 +155,7 @@ fn apply(edit: Edit, vertices: u32, list: &mut Vec<[u32; 3]>) {
         Edit::Reorder(a, b) => list.swap(a % len, b % len),
         Edit::Rename(at, corner, v) => list[at % len][corner % 3] = v % (vertices + 1),
         Edit::SwapDiagonal(a, corner) => {
-            // Of the quadrilateral p q r s with diagonal p r, take the diagonal q s.
+            // In the quadrilateral p q r s with diagonal p r, replace the diagonal by q s.
             let [r, p, q] = {
                 let mut triangle = list[a % len];
                 triangle.rotate_left(corner % 3);

@@ -1,22 +1,22 @@
 //! A constrained Delaunay triangulation of boundary rings, interior points and segments, by the
 //! `spade` crate.
 //!
-//! Among all triangulations of a polygon without further points, Delaunay's has the largest
-//! minimum angle; where four points lie on one circle there are several.
+//! Among all triangulations of a polygon without further points, Delaunay's has the largest minimum
+//! angle; if four points lie on one circle, several triangulations are Delaunay's.
 //!
-//! Two things make boundary points harder than points in general. Points on a slanted side
-//! are rounded, so some lie a hair inside the hull of the others, and the hull is filled up
-//! with slivers: hence the boundary goes in as constraints, and what can be reached from
-//! outside, or from within a hole, without crossing it is dropped. And points in the order of the
-//! boundary make the insertion quadratic: hence each ring's corners come first, then every 2^j-th
-//! vertex for falling j, with a neighbour already there as the place to start looking.
+//! Boundary points are harder than general points for two reasons. Points on a slanted side are
+//! rounded, so some lie slightly inside the hull of the others, and slivers fill the hull. So the
+//! boundary edges are constraints, and triangles that can be reached from outside, or from within a
+//! hole, without crossing the boundary are dropped. And inserting points in the order of the
+//! boundary takes quadratic time. So each ring's corners come first, then every 2^j-th vertex for
+//! falling j, and the search for each starts at an inserted neighbour.
 //!
-//! The predicates are exact on the points as they are, so far from the origin they need not
-//! be moved: a mesh of other points would be the result.
+//! The predicates are exact on the given points, so far from the origin the points need no shift: a
+//! shift would give a mesh of other points.
 //!
-//! Limits: coordinates are 0 or of magnitude 2^-142 to 2^201, where the predicates are exact.
-//! On intervals below a hundred-millionth of the domain's size, three rounded points of one
-//! side can bulge so much that the flat triangle on them is Delaunay's; it is left in.
+//! Limits: coordinates are 0 or of magnitude 2^-142 to 2^201, where the predicates are exact. On
+//! intervals below a hundred-millionth of the domain's size, three rounded points of one side can
+//! bulge so much that their flat triangle is Delaunay's; it stays in the result.
 
 mod refine;
 
@@ -28,7 +28,7 @@ use mindeg_mesh::{Cancelled, Progress};
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, HasPosition, Point2, Triangulation};
 
-/// A vertex as spade sees it.
+/// A vertex in the form that spade needs.
 #[derive(Clone, Copy)]
 struct Site {
     position: Point2<f64>,
@@ -55,7 +55,7 @@ pub enum DelaunayError {
          where the predicates are exact; use another unit of length"
     )]
     CoordinateOutOfRange {
-        /// The first such vertex.
+        /// The first vertex with such a coordinate.
         vertex: u32,
     },
     /// Two vertices have the same position in f64.
@@ -98,11 +98,11 @@ pub enum DelaunayError {
 
 /// The triangles inside a boundary, counter-clockwise, in no particular order.
 ///
-/// `inner` are points inside; their vertices follow those of the boundary. `segments` join any two
-/// vertices inside the domain; one that passes through a vertex is split there. What lies outside the
-/// domain gets no triangle.
+/// `inner` are interior points; their vertices follow those of the boundary. `segments` join any two
+/// vertices inside the domain; a segment that passes through a vertex is split there. The area
+/// outside the domain gets no triangle.
 ///
-/// O(n log n) for sides of like length; more where one vertex gets a large part of all edges.
+/// O(n log n) for sides of similar length; more if one vertex gets a large share of all edges.
 ///
 /// # Errors
 ///
@@ -110,7 +110,7 @@ pub enum DelaunayError {
 ///
 /// # Panics
 ///
-/// If a segment names a vertex that is not there.
+/// If a segment names a vertex that does not exist.
 ///
 /// # Example
 ///
@@ -159,7 +159,7 @@ pub fn triangles(
     Ok(inside(&sites, &next_of(boundary)))
 }
 
-/// For every vertex of a boundary the next one.
+/// The next vertex on the ring, for every vertex of a boundary.
 fn next_of(boundary: &PlanarBoundary) -> Vec<u32> {
     boundary.edges().map(|[_, to]| to).collect()
 }
@@ -201,8 +201,8 @@ fn insert(
     Ok((sites, handles))
 }
 
-/// Every vertex, some twice, each with one that comes before it and is near on its ring; at last
-/// the interior points.
+/// Every vertex, some twice, each with an earlier vertex that is near on its ring; at the end the
+/// interior points.
 ///
 /// Corners come first: while all points are on one line, each insertion takes linear time.
 fn order(boundary: &PlanarBoundary, vertices: u32) -> impl Iterator<Item = (u32, u32)> + '_ {
@@ -224,13 +224,13 @@ fn order(boundary: &PlanarBoundary, vertices: u32) -> impl Iterator<Item = (u32,
     of_rings.chain(first).chain(interior)
 }
 
-/// From this many vertices of a level on their order matters more than that they follow each other.
+/// In levels of at least this length, insertion by halves is faster than insertion in order.
 const LARGE_LEVEL: u64 = 2048;
 
-/// The numbers from 1 on below a count, each after the smaller number beside it.
+/// The indices from 1 to below a count, each after the smaller index that it is paired with.
 ///
-/// A level may be all tips of a comb over all its roots. One by one from an end, the first tip would
-/// get edges to all roots, the next one to all but one, and so on; by halves, there are n log n in all.
+/// A level may be all tips of a comb over all its roots. In order from one end, the first tip would get
+/// edges to all roots, the next to all but one, and so on; by halves, the total is n log n.
 fn bisection(count: u32) -> impl Iterator<Item = (u32, u32)> {
     let count = u64::from(count);
     let steps = (0..u64::BITS - count.leading_zeros()).rev().map(|power| 1_u64 << power);
@@ -289,7 +289,7 @@ mod tests {
     use robust::{Coord, incircle};
     use std::ops::ControlFlow;
 
-    /// A regular polygon round `center`, with as many sides as counts.
+    /// A regular polygon round `center`, with one side for each count.
     fn regular(center: DVec2, sides: &[u64]) -> Domain {
         let turn = std::f64::consts::TAU / sides.len() as f64;
         let corner = |side| center + 10.0 * DVec2::from_angle(0.1 + turn * side as f64);
@@ -337,7 +337,7 @@ mod tests {
     #[test]
     fn refuses_what_it_cannot_do_exactly() {
         let refusal = |points: [[f64; 2]; 4]| {
-            // Not proven: what a boundary of rounded points may be.
+            // An unproven boundary, as rounded points may give.
             let boundary = PlanarBoundary::of_mesh(&[points.map(DVec2::from)]);
             triangles(&boundary, &[], &[], Progress::NONE).unwrap_err()
         };
@@ -413,7 +413,7 @@ mod tests {
         assert_eq!(refusal, Err(DelaunayError::CrossingBoundary { edge: [1, 2] }));
     }
 
-    /// At once, not at the fault that comes after.
+    /// Cancels at once, before the later fault.
     #[test]
     fn stops_when_it_is_cancelled() {
         let cancel = |_: mindeg_mesh::Step<'_>| ControlFlow::Break(());
@@ -447,10 +447,10 @@ mod tests {
                 assert!(seen.iter().all(|&seen| seen), "{rings:?}");
             }
         }
-        // Nor does a large level take its vertices one by one from an end.
+        // A large level does not take its vertices one by one from an end either.
         let last = bisection(16_384).skip(8191).map(|(vertex, _)| vertex).take(4);
         assert!(last.eq([1, 8193, 4097, 12_289]));
-        // In the order of the ring, each of many corners would take time for all before it.
+        // In the order of the ring, each of many corners would take time for all earlier ones.
         let boundary = of(&[8], &Vec::from_iter(0..8));
         let first = order(&boundary, 8).take(8).map(|(vertex, _)| vertex);
         assert!(first.eq([0, 4, 2, 6, 1, 3, 5, 7]));

@@ -1,4 +1,4 @@
-//! Delaunay refinement of a boundary, as `spade` does it: to compare with.
+//! Delaunay refinement of a boundary by `spade`, for comparison.
 
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -11,11 +11,11 @@ use crate::DelaunayError;
 /// Points and triangles inside some rings.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined {
-    /// The points given, then those added.
+    /// The given points, then the added points.
     pub points: Vec<DVec2>,
     /// The triangles, counter-clockwise.
     pub triangles: Vec<[u32; 3]>,
-    /// Whether every angle that can reach the limit does; false where `most` points were not enough.
+    /// Whether every angle that can reach the limit does; false if `most` points were too few.
     pub is_complete: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Models: what they are made of, and what is wrong with bad ones.
+//! Models: their contents, and the errors of bad ones.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -48,7 +48,7 @@ fn neighbours_share_the_points_of_an_edge() {
 
 #[test]
 fn faces_are_counter_clockwise_in_their_planes() {
-    // A slanted triangle with a hole, which is given the wrong way round.
+    // A slanted triangle with a hole that is given the wrong way round.
     let text = r#"{"corners": [[0,0,0], [9,0,0], [0,9,3], [2,2,0.6666666666666666],
                                [4,2,0.6666666666666666], [2,4,1.3333333333333333]],
                    "faces": [{"corners": [0,1,2], "holes": [[3,4,5]]}], "size": 1}"#;
@@ -287,7 +287,7 @@ fn coplanar_triangles_merge_to_faces() {
     assert_eq!(open.boundary_edges().count(), 3);
 }
 
-/// A cylinder of many narrow walls: each is nearly in the plane of the next.
+/// A cylinder of many narrow walls: each is nearly in the plane of the next wall.
 #[test]
 fn a_round_wall_does_not_become_one_face() {
     let n = 720;

@@ -1,5 +1,5 @@
-//! Random polygons with holes: valid ones are taken as they are, damaged ones refused with the right
-//! reason.
+//! Random polygons with holes: valid ones are accepted unchanged, damaged ones refused with the
+//! right reason.
 
 use glam::DVec2;
 use mindeg_domain::{Curve, Domain, Ring, Side};
@@ -12,7 +12,7 @@ fn star(center: DVec2, radii: &[f64]) -> Vec<DVec2> {
     radii.iter().enumerate().map(|(i, radius)| center + radius * arm(i)).collect()
 }
 
-/// An outline of radius 10 to 14 and some holes, each in a square of its own of a grid in the outline.
+/// An outline of radius 10 to 14 and some holes, each in its own square of a grid in the outline.
 fn rings() -> impl Strategy<Value = Vec<Vec<DVec2>>> {
     let outline = prop::collection::vec(10.0..14.0_f64, 5..40);
     let hole = (0..16_usize, prop::collection::vec(0.2..1.4_f64, 3..12), any::<bool>());
@@ -77,13 +77,13 @@ proptest! {
         let area = signed_area(&rings[0]).abs()
             - rings[1..].iter().map(|ring| signed_area(ring).abs()).sum::<f64>();
         prop_assert!((domain.placement().area() - area).abs() < 1e-9 * area);
-        // What a domain has describes it again.
+        // The domain's own sides describe it again.
         let again = domain.with_sides(domain.sides().to_vec()).unwrap();
         prop_assert!(again.placement().points().eq(domain.placement().points()));
         prop_assert_eq!((again.sides(), again.notes()), (domain.sides(), domain.notes()));
     }
 
-    /// As corners with sides between them, the same rings give the same corners and area.
+    /// The same rings, as corners with sides between them, give the same corners and area.
     #[test]
     fn corners_are_kept_whatever_is_between(rings in rings(), count in 1..5_u64) {
         let sides = |ring: &Vec<DVec2>| vec![Side::count(count); ring.len()];
@@ -116,7 +116,7 @@ proptest! {
             }
             left -= ring.len();
         }
-        // The moved point makes edges cross too, or fold; that it is repeated comes before crossings.
+        // The moved point makes edges cross or fold too; its repetition is reported before crossings.
         let error = refusal(damaged);
         prop_assert!(says(&error, &["passes each point once", "folds back"]), "{}", error);
     }
@@ -185,13 +185,13 @@ proptest! {
     }
 }
 
-/// The center of the cell of the grid that a hole is in.
+/// The center of the grid cell that contains a hole.
 fn star_center(ring: &[DVec2]) -> DVec2 {
     let near = |x: f64| ((x / 3.0 + 1.5).round() - 1.5) * 3.0;
     DVec2::new(near(ring[0].x), near(ring[0].y))
 }
 
-/// Points on straight sides of a convex polygon, given one by one, are no hindrance to the formulas.
+/// A convex polygon with given points on its straight sides still uses the formulas.
 #[test]
 fn own_points_on_straight_sides_keep_the_convex_form() {
     let sides = vec![
@@ -208,7 +208,7 @@ fn own_points_on_straight_sides_keep_the_convex_form() {
     assert_eq!(domain.straight_runs(), [0, 0, 0, 1, 1, 2, 3, 4]);
 }
 
-/// Beside a corner of a thousandth, points are a hundred apart in a million.
+/// Beside a corner with an angle of a thousandth, points are a hundred apart in a million.
 #[test]
 fn a_large_slender_triangle_is_taken() {
     let corners = [[0.0, 0.0], [1e6, 0.0], [1e6, 1e3]].map(DVec2::from).to_vec();

@@ -1,4 +1,4 @@
-//! The JSON Schema and the reader agree: on every example, on what is wrong, and on the keys that
+//! The JSON Schema and the reader agree: on every example, on errors, and on the keys that
 //! docs/domains.md and docs/models.md explain.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
@@ -16,7 +16,7 @@ fn schema(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// The documents of a folder of assets.
+/// The documents in a folder of assets.
 fn documents(folder: &str) -> Vec<(PathBuf, Value)> {
     let files = std::fs::read_dir(root().join("assets").join(folder)).unwrap();
     let files = files.map(|file| file.unwrap().path());
@@ -40,7 +40,7 @@ fn every_example_keeps_to_the_schema() {
     }
 }
 
-/// What a domain writes, with every key that there is.
+/// A domain's JSON with every key that exists.
 #[test]
 fn what_is_written_keeps_to_the_schema() {
     let validator = jsonschema::validator_for(&schema(&DomainDescription::schema())).unwrap();
@@ -114,7 +114,7 @@ fn what_the_schema_refuses_the_reader_refuses() {
     }
 }
 
-/// The rows of all keys, object by object.
+/// The table rows of all keys, object by object.
 fn rows(schema: &Value) -> String {
     let mut rows = String::from("| of | key | value |\n|---|---|---|\n");
     let definitions = schema["$defs"].as_object().unwrap();

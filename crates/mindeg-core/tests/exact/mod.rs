@@ -1,8 +1,8 @@
 //! An exact solver that shares no code with the constructions, to test them.
 //!
-//! Interval dynamic programming over chords. A chord (i, j) cuts off the boundary from i to j. The
-//! rest of the polygon depends on that part only through the number of its interior edges at i
-//! and at j. So for each number of edges allowed at i, the solver stores the least number at j.
+//! Interval dynamic programming over chords. A chord (i, j) cuts off the boundary from i to j. For
+//! the rest of the polygon, only the number of interior edges of the cut-off side at i and at j
+//! matters. So for each number of edges allowed at i, the solver stores the least number at j.
 //!
 //! Limits: O(n³ D) time and 8 n² (D-1) bytes for a degree D, without a guard against long times or
 //! lack of memory. Use it to check the closed forms on boundaries of up to a few hundred vertices.
