@@ -1,4 +1,4 @@
-//! How far long work is, as a bar on standard error.
+//! The progress of long work, as a bar on standard error.
 //!
 //! There is a bar only where standard error is a terminal, and only from a second on. It is gone
 //! when the work is done, or interrupted.
@@ -28,7 +28,7 @@ pub(crate) fn clear() {
     }
 }
 
-/// What is counted.
+/// The unit of the count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Unit {
     /// Bytes read.
@@ -64,7 +64,7 @@ impl Bar {
 
     /// The work from here on, and how much it is; the bar starts anew.
     fn stage(&self, name: impl Into<String>, total: u64, unit: Unit) {
-        // In this order, nothing is drawn that is half of this stage and half of the last.
+        // This order avoids a bar that mixes this stage with the last.
         self.bar.set_style(style(name.into(), unit));
         self.bar.update(|state| {
             state.set_pos(0);
@@ -132,7 +132,7 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
         Unit::Time => "{name} {spinner} {elapsed}",
     };
     let millions = |count: f64, out: &mut dyn fmt::Write| {
-        // A bar that cannot be drawn is no reason to fail.
+        // A bar that cannot be drawn does not fail the run.
         let _ = write!(out, "{:.0} million", count / 1e6);
     };
     ProgressStyle::with_template(template)
@@ -142,7 +142,7 @@ fn style(name: String, unit: Unit) -> ProgressStyle {
         })
         .with_key("million", move |state: &ProgressState, out: &mut dyn fmt::Write| {
             let total = state.len().unwrap_or_default();
-            // Where so much is counted, it is triangles.
+            // Only triangles reach such counts.
             if total >= 1_000_000 {
                 let _ = out.write_str(" of ");
                 millions(total as f64, out);

@@ -45,7 +45,7 @@ pub(crate) fn index_of(
     let found = match choice {
         LoopChoice::Number(number) => (number <= list.len()).then(|| number - 1),
         LoopChoice::Vertex(vertex) => {
-            // A vertex at the same place as one on the loop is on it, too.
+            // A vertex at the same position as one on the loop is on it, too.
             let position = mesh.positions().get(vertex as usize);
             let is_on = |found: &MeshLoop| found.vertices.iter().any(|&v| Some(&at(v)) == position);
             list.iter().position(is_on)
@@ -80,7 +80,7 @@ pub(crate) fn listed(loops: &Loops, mesh: &TriMesh) -> String {
     for (index, found) in list.iter().enumerate().take(LISTED) {
         let points = found.vertices.iter().map(|&vertex| mesh.positions()[vertex as usize]);
         let largest = points.map(|point| point.abs().max_element()).fold(0.0, f64::max);
-        // What rounding leaves of a zero is one.
+        // Print the rounding error of a zero as 0.
         let round = |x: f64| if x.abs() < 1e-12 * largest { 0.0 } else { x };
         let center = found.center(mesh.positions()).to_array().map(|x| significant(round(x), 4));
         let name = LoopName::new(index, found).text();
@@ -95,7 +95,7 @@ pub(crate) fn listed(loops: &Loops, mesh: &TriMesh) -> String {
     text
 }
 
-/// What a summary says of new triangles that cross others; empty if there are none.
+/// The remark of a summary on new triangles that cross others; empty if no triangles cross.
 pub(crate) fn crossing_text(crossings: &[[u32; 2]]) -> String {
     match crossings {
         [] => String::new(),

@@ -10,7 +10,7 @@ use mindeg_answers::numbers::steady_angle;
 use serde::Serialize;
 use std::path::Path;
 
-/// What `--json` prints; angles in degrees.
+/// The output of `--json`; angles in degrees.
 #[derive(Serialize)]
 struct Summary<'a> {
     from: &'a LoopName,
@@ -23,7 +23,7 @@ struct Summary<'a> {
     least_max_degree: u32,
     at_least: u32,
     min_angle: f64,
-    /// With a degree one more; null where that is no better.
+    /// The minimum angle with one degree more; null if that is not better.
     next_min_angle: Option<f64>,
     angle_without_limit: f64,
     degree_without_limit: u32,
@@ -84,7 +84,7 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     };
     let (from_name, to_name) = (first.name(from), second.as_ref().unwrap_or(&first).name(to));
     let Side { mesh, loops, .. } = first;
-    // What can be refused is refused before the search.
+    // Refuse bad options before the search.
     let check = |making: &mut Making, whole: &TriMesh| {
         let most = whole.triangles().len().saturating_add(whole.positions().len());
         making.check(whole, u32::try_from(most).unwrap_or(u32::MAX))

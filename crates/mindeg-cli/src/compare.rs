@@ -61,7 +61,7 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
         Some(path) => from_file(path, &arguments.options)?,
         None => from_options(&arguments.options)?,
     };
-    // What cannot be written is refused before the work, which can take minutes.
+    // Refuse outputs that cannot be written before the work, which can take minutes.
     let mut outputs = Outputs::new(&SESSION);
     let opened: Vec<Box<dyn Write>> =
         reports.iter().map(|path| outputs.open(path)).collect::<Result<_, _>>()?;
@@ -75,7 +75,7 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
     let mut all_taken = true;
     for ((path, format), out) in reports.iter().zip(formats).zip(opened) {
         match write_to(path, out, |out| write(format, &comparison, out)).map_err(Failure::from) {
-            // Nobody reads on, and the other outputs are not for that reader.
+            // This reader has left; the other outputs have other readers.
             Err(Failure::ClosedPipe) => all_taken = false,
             written => written?,
         }

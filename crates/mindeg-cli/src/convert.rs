@@ -12,7 +12,7 @@ pub(crate) fn run(arguments: &ConvertArguments) -> Result<(), Failure> {
     let mesh = making.read(&arguments.file)?;
     making.check(&mesh, mesh.triangle_count())?;
     making.open()?;
-    // Where the file does not tell the boundary, solvers still need it.
+    // If the file does not give the boundary, solvers still need it.
     let bounded = making.need_boundary().then(|| with_boundary_lines(mesh.clone()));
     let made = making.write_each(|format| match &bounded {
         Some(bounded) if format.has_boundary() => bounded,

@@ -44,7 +44,7 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
 }
 
 /// The limit of a domain's minimum angle with interior points, at a boundary degree, and up to `steps` changes
-/// that lift it; none for a large domain.
+/// that lift it; `None` for a large domain.
 pub(crate) fn lifting(
     domain: &Domain,
     boundary_degree: Option<u32>,
@@ -68,7 +68,7 @@ fn fewer(report: &DegreeReport) -> Option<String> {
     Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 
-/// What one or two degrees more bring on a domain, if that is much and found in about half a second.
+/// The gain from one or two degrees more on a domain, if it is large and found in about half a second.
 fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
     // A domain without a mesh says so when it is meshed.
     let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE).ok()?;

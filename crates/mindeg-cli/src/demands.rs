@@ -28,7 +28,7 @@ pub(crate) fn met_or_written_anyway(
     }
 }
 
-/// What the mesh of a domain, of which the minimum angle is known, does not keep. Degrees are total. To
+/// The demands that the mesh of a domain with a known minimum angle breaks. Degrees are total. To
 /// name a triangle all are looked at again, and the bar shows it.
 pub(crate) fn unmet_by_boundary_mesh(
     demands: &Demands,

@@ -11,7 +11,7 @@ use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
 use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Wanted};
 use std::path::Path;
 
-/// What the arguments describe.
+/// The subject that the arguments describe.
 pub(crate) enum Subject {
     Domain(Box<Domain>),
     /// The polygons of a file, not in JSON.
@@ -21,7 +21,7 @@ pub(crate) enum Subject {
 }
 
 impl Subject {
-    /// The one domain that it is, or why there are several.
+    /// The only domain, or the reason why there are several.
     pub(crate) fn only(self) -> Result<Domain, Failure> {
         match self {
             Self::Domain(domain) => Ok(*domain),
@@ -31,10 +31,10 @@ impl Subject {
     }
 }
 
-/// What a domain without a name is called.
+/// The name of a domain without a name.
 pub(crate) const UNNAMED: &str = "domain";
 
-/// The one domain that the arguments describe.
+/// The only domain that the arguments describe.
 pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
     match &arguments.file {
         None => from_options(&arguments.options),
@@ -42,17 +42,17 @@ pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
     }
 }
 
-/// What a domain is called at the start of a line.
+/// The name of a domain at the start of a line.
 pub(crate) fn name(domain: &Domain) -> &str {
     domain.name().unwrap_or(UNNAMED)
 }
 
-/// What a domain is called within a sentence.
+/// The name of a domain within a sentence.
 pub(crate) fn name_in_text(domain: &Domain) -> &str {
     domain.name().unwrap_or("the domain")
 }
 
-/// What a question about degrees is about.
+/// The subject of a question about degrees.
 pub(crate) enum Counted {
     /// Interval counts as typed.
     Counts(Vec<u64>),
@@ -91,12 +91,12 @@ pub(crate) fn counts_of(domain: &Domain) -> Result<Vec<u64>, Failure> {
     Ok(convex.boundary().sides().map(u64::from).collect())
 }
 
-/// The domain in a file, with the options in place of what the file gives for its sides.
+/// The domain in a file; options override the file's settings of its sides.
 pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, Failure> {
     in_file(path, options, Wanted::Domain, &Bar::new(true))?.only()
 }
 
-/// What the arguments describe, which is or becomes a domain unless something else is wanted, too.
+/// The subject that the arguments describe: it is or becomes a domain unless `wanted` allows more.
 pub(crate) fn subject(
     arguments: &DomainArguments,
     wanted: Wanted,
@@ -108,7 +108,7 @@ pub(crate) fn subject(
     }
 }
 
-/// What a file holds, with the options in place of what it gives for the sides of a domain.
+/// The content of a file; options override its settings of a domain's sides.
 pub(crate) fn in_file(
     path: &Path,
     options: &DomainOptions,
@@ -130,7 +130,7 @@ pub(crate) fn in_file(
     }
 }
 
-/// What a file holds, or standard input where the path is `-`.
+/// The content of a file, or of standard input if the path is `-`.
 fn opened(
     path: &Path,
     options: &OutlineOptions,
@@ -187,7 +187,7 @@ fn bad(error: mindeg::DomainError) -> Failure {
     Failure::Input(error.to_string())
 }
 
-/// The sides with what the options give in place of what they were.
+/// Applies the command-line options to the sides.
 fn overridden(mut sides: Vec<Side>, options: &DomainOptions) -> Result<Vec<Side>, Failure> {
     if let Some(counts) = &options.intervals {
         if counts.0.len() != sides.len() {

@@ -1,4 +1,4 @@
-//! How a run ends when it does not succeed.
+//! The failures of a run, and its exit code.
 
 use crate::terminal::say_error;
 use mindeg_files::{FileError, plainly};
@@ -28,7 +28,7 @@ impl Failure {
         }
     }
 
-    /// What went wrong, in words; none for a closed pipe.
+    /// The error in words; `None` for a closed pipe.
     pub(crate) fn message(&self) -> Option<&str> {
         match self {
             Self::Io(message) | Self::Input(message) | Self::Gate(message) => Some(message),

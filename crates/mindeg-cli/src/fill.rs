@@ -11,7 +11,7 @@ use mindeg_mesh::Triangles;
 use serde::Serialize;
 use std::path::Path;
 
-/// What `--json` prints; angles in degrees.
+/// The output of `--json`; angles in degrees.
 #[derive(Serialize)]
 struct Summary<'a> {
     file: String,
@@ -73,7 +73,7 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
     };
     let lengths = loops.list().iter().map(|found| found.vertices.len());
 
-    // What can be refused is refused before the search, which can take minutes.
+    // Refuse bad options before the search, which can take minutes.
     let most = mesh.triangle_count().saturating_add(lengths.sum::<usize>() as u32);
     making.check(&mesh, most)?;
     making.open()?;

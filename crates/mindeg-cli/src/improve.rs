@@ -13,13 +13,13 @@ use mindeg_answers::numbers::steady_angle;
 use mindeg_mesh::TriMesh;
 use serde::Serialize;
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Serialize)]
 struct Summary {
     file: String,
     vertices: usize,
     triangles: usize,
-    /// Vertices that were at the place of an earlier one.
+    /// Vertices at the position of an earlier vertex.
     merged_vertices: usize,
     /// Edges inside that stayed, since groups meet there or lines run along them.
     kept_edges: usize,

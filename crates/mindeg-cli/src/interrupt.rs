@@ -1,6 +1,6 @@
-//! What is left to do when the process is told to stop: delete the temporary files.
+//! The cleanup when a signal stops the process: delete the temporary files.
 //!
-//! Limits: nobody is told of SIGKILL or of power that fails. Then `.mindeg-*.part` stays behind.
+//! Limits: SIGKILL and a power failure cannot be caught. Then `.mindeg-*.part` stays behind.
 //! Nothing waits for the disk, so what is left of a file after a power failure is up to the file
 //! system. Only Linux tells which signals are to be ignored; elsewhere all are heard.
 
@@ -29,7 +29,7 @@ fn end(process: impl FnOnce()) {
     // Never given back: what would make or rename a file from here on must wait for the end.
     let temporary = SESSION.temporary();
     for path in temporary.iter() {
-        // A file renamed or deleted meanwhile is no longer there under this name.
+        // A file renamed or deleted meanwhile no longer exists under this name.
         let _ = fs::remove_file(path);
     }
     let (clearing, cleared) = mpsc::channel();
@@ -111,7 +111,7 @@ fn listen() -> io::Result<()> {
         while !stopped.load(Relaxed) {
             thread::sleep(TICK);
         }
-        // What shells report for a program that Ctrl-C ended.
+        // The exit code that shells report for a program that Ctrl-C ended.
         end(|| std::process::exit(130));
     })?;
     Ok(())

@@ -1,4 +1,4 @@
-//! What all commands that write a mesh have in common: the outputs, the bar, and what is said in the end.
+//! The common steps of all commands that write a mesh: the outputs, the bar, and the summary.
 
 use crate::args::SurfaceArguments;
 use crate::bar::Bar;
@@ -140,7 +140,7 @@ struct WithFiles<T> {
     files: Vec<String>,
 }
 
-/// The line on the files that were written; none for standard output alone.
+/// The line on the files that were written; `None` for standard output alone.
 pub(crate) fn wrote(files: &[String]) -> Option<String> {
     let files: Vec<_> = files.iter().filter(|file| *file != "-").map(|file| shown(file)).collect();
     (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))

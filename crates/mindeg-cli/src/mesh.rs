@@ -40,7 +40,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     if let Some(wanted) = interior::wanted(arguments, domain)? {
         return interior::run(arguments, domain, &wanted, making);
     }
-    // What can be refused is refused before the mesh is looked for, which can take minutes.
+    // Refuse bad options before the search for the mesh, which can take minutes.
     making.check(domain.placement(), triangle_count(domain.rings()))?;
     let goal = goal(&arguments.goal, arguments.optimize, domain)?;
     making.open()?;

@@ -1,4 +1,4 @@
-//! A file for each polygon: names from a pattern, none of which exists yet.
+//! A file for each polygon: the pattern gives names of files that do not exist yet.
 
 use crate::failure::Failure;
 use mindeg_files::{Polygon, cannot_write, is_standard_output};
@@ -12,7 +12,7 @@ pub(crate) fn is_pattern(path: &Path) -> bool {
     is_folder(path) || path.to_str().is_some_and(|text| PLACES.iter().any(|it| text.contains(it)))
 }
 
-/// What a pattern has places for.
+/// The placeholders of a pattern.
 const PLACES: [&str; 2] = ["{name}", "{index}"];
 
 fn is_folder(path: &Path) -> bool {

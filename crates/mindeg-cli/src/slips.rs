@@ -6,7 +6,7 @@ use mindeg_files::{Format, is_domain_name, is_mesh_name};
 use std::ffi::OsString;
 use std::path::Path;
 
-/// What to say to arguments (the first is the program) that the parser refused, if there is a
+/// The hint for arguments (the first is the program) that the parser refused, if it can make a
 /// guess.
 pub(crate) fn guess(error: &clap::Error, arguments: &[OsString]) -> Option<String> {
     let words: Vec<String> =
@@ -121,7 +121,7 @@ fn one_too_many(command: &str, word: &str) -> Option<String> {
     if word.starts_with('-') {
         return None;
     }
-    // A name such as icon.svg is more likely that of an output.
+    // A name such as icon.svg is more likely an output.
     let is_domain = is_domain_name(word.as_ref()) && Format::of_path(word.as_ref()).is_none();
     match (command, extension(word).as_deref()) {
         ("mesh" | "tradeoff" | "degree" | "suggest" | "domain", Some(_)) if is_domain => Some(

@@ -67,7 +67,7 @@ pub(crate) fn spread(count: usize, limit: u32, one_more: Option<usize>) -> Vec<u
     if count <= limit {
         return (0..count).collect();
     }
-    // One row is kept for the one more, which may be among the others.
+    // Keep one row for `one_more`, which may be among the others.
     let even = limit - usize::from(one_more.is_some());
     let step = |row| if even < 2 { 0 } else { row * (count - 1) / (even - 1) };
     let mut rows: Vec<usize> = (0..even).map(step).chain(one_more).collect();

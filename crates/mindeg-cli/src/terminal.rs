@@ -1,4 +1,4 @@
-//! What is said on standard error: colored as clap colors its own errors, and wrapped on words to
+//! The messages on standard error: colored as clap colors its own errors, and wrapped on words to
 //! the width of a terminal.
 
 use anstream::AutoStream;
@@ -46,7 +46,7 @@ pub(crate) fn say_error(message: &str) {
     let _ = writeln!(AutoStream::auto(io::stderr()), "{style}error:{style:#}{text}");
 }
 
-/// Says what a run has done. That it cannot be shown is no reason to fail.
+/// Prints what a run has done. An error while printing does not fail the run.
 pub(crate) fn say(text: &str) {
     let _ = writeln!(io::stderr(), "{}", wrapped(&safe(text)));
 }
@@ -57,7 +57,7 @@ pub(crate) fn safe(text: &str) -> Cow<'_, str> {
     escaped(text, |c| c != '\n' && steers(c))
 }
 
-/// A name as part of a line: as in [`safe`], and it ends no line.
+/// A name within a line: escaped as in [`safe`], line breaks included.
 pub(crate) fn shown(name: &str) -> Cow<'_, str> {
     escaped(name, steers)
 }
@@ -80,7 +80,7 @@ fn escaped(text: &str, is_escaped: impl Fn(char) -> bool) -> Cow<'_, str> {
     Cow::Owned(safe)
 }
 
-/// Wraps a text to the terminal; it stays as it is where standard error is none.
+/// Wraps a text to the terminal; leaves it unchanged if standard error is not a terminal.
 fn wrapped(text: &str) -> String {
     match terminal_size_of(io::stderr()) {
         Some((Width(width), _)) => wrap(text, usize::from(width).min(WIDEST)),

@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &TradeoffArguments) -> Result<(), Failure> {
         arguments.output.iter().map(|path| writer(path)).collect::<Result<_, _>>()?;
     let domain = domain(&arguments.domain)?;
     clean_up_on_interrupt()?;
-    // What cannot be written is refused before the work, which can take minutes.
+    // Refuse outputs that cannot be written before the work, which can take minutes.
     let mut outputs = Outputs::new(&SESSION);
     let open = |path: &PathBuf| outputs.open(path);
     let opened: Vec<_> = arguments.output.iter().map(open).collect::<Result<_, _>>()?;

@@ -103,7 +103,7 @@ fn angles(verified: &VerifiedMesh, domain: &Domain, progress: Progress<'_>) -> A
     found.limit = if verified.interior_points == 0 {
         exact::delaunay_min_angle(domain, progress).ok()
     } else {
-        // As many edges as some boundary vertex of this mesh has, no mesh of its kind has more.
+        // Meshes of its kind have at most the boundary degree of this mesh.
         let inside = |vertex: u32| {
             verified.degrees[vertex as usize].saturating_sub(domain.external_degree(vertex))
         };

@@ -26,7 +26,7 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         Some(path) => in_file(path, &arguments.options, Wanted::Mesh, &bar)?,
     };
     let mut outputs = Outputs::new(&SESSION);
-    // What cannot be written is refused before the work, which can take minutes.
+    // Refuse outputs that cannot be written before the work, which can take minutes.
     let out = outputs.open(output)?;
     let (mesh, what) = match (subject, &arguments.file) {
         (Subject::Mesh(mesh), Some(path)) => {
@@ -58,7 +58,7 @@ fn check_output(path: &Path) -> Result<(), Failure> {
     Err(Failure::Input(format!("-o {}: a view ends in .html", path.display())))
 }
 
-/// Refuses what says nothing about a mesh, which is shown as it is.
+/// Refuses options that do not apply to a mesh: it is shown unchanged.
 fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure> {
     let options = &arguments.options;
     let given = [

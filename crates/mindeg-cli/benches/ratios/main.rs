@@ -1,4 +1,4 @@
-//! How far mindeg is from what memory, disks and its libraries allow.
+//! Compares mindeg's speed with the limits of memory, disks and its libraries.
 //!
 //! `cargo bench -p mindeg-cli --bench ratios` prints the tables of `benches/results` that are
 //! about this; names after `--` pick some of them, such as `-- indices writers`. Everything is

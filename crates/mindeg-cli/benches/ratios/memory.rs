@@ -1,4 +1,4 @@
-//! How much memory `mindeg mesh` takes at most, as `/usr/bin/time` has it of the program itself.
+//! The peak memory of `mindeg mesh`, measured by `/usr/bin/time`.
 //!
 //! The real file is written to the target folder, which takes 13 GB for a moment.
 

@@ -1,4 +1,4 @@
-//! One comparison, and whether mindeg's mesh is what was demanded.
+//! One comparison, and whether mindeg's mesh meets the demands.
 
 use crate::bar::Bar;
 use crate::demands::met;

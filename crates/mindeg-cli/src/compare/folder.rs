@@ -97,7 +97,7 @@ fn summed_up(failures: &[(&String, Failure)], of: usize) -> Result<(), Failure> 
 /// A domain to be read when its turn comes, and the name of its page.
 struct Job<'a> {
     name: String,
-    /// None for a domain from options alone.
+    /// `None` for a domain from options alone.
     file: Option<&'a Path>,
 }
 
@@ -113,7 +113,7 @@ impl Job<'_> {
         }
     }
 
-    /// Compares, and writes the page and the meshes, all or none.
+    /// Compares, and writes either all of the page and the meshes or nothing.
     fn run(
         &self,
         arguments: &CompareArguments,

@@ -15,12 +15,12 @@ use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, is_standard_output, wr
 use serde::Serialize;
 use std::path::Path;
 
-/// What `--json` prints for each polygon.
+/// The output of `--json` for each polygon.
 #[derive(Serialize)]
 struct Row {
     index: usize,
     name: Option<String>,
-    /// Why it is no domain.
+    /// The reason why it is not a domain.
     error: Option<String>,
     #[serde(flatten)]
     shape: Option<Shape>,
@@ -126,7 +126,7 @@ fn write(domain: &Domain, path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a file for each polygon; one that is no domain does not keep the others from it.
+/// Writes a file for each polygon; skips polygons that are not domains.
 fn write_all(polygons: &PolygonFile, pattern: &Path) -> Result<(), Failure> {
     let files = names(pattern, &polygons.polygons, "json");
     prepare(&files)?;

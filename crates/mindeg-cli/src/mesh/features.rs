@@ -45,7 +45,7 @@ pub(super) fn run(
     summed_up(failures, polygons.polygons.len(), "have no mesh; those of the others were written")
 }
 
-/// Where the mesh of the only polygon goes: the outputs with its name in place of patterns.
+/// The outputs for the mesh of the only polygon; its name replaces patterns.
 pub(super) fn outputs_of_one(
     arguments: &MeshArguments,
     polygons: &PolygonFile,

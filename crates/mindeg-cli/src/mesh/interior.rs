@@ -13,7 +13,7 @@ use mindeg_answers::interior::{
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use serde::Serialize;
 
-/// What `--json` prints.
+/// The output of `--json`.
 #[derive(Serialize)]
 struct Summary<'a> {
     name: Option<&'a str>,
@@ -31,7 +31,7 @@ struct Summary<'a> {
     reversed: bool,
 }
 
-/// What is wanted inside, if interior points are; refuses options that do not go together.
+/// The options for interior points, if these are wanted; refuses options that do not go together.
 pub(super) fn wanted(
     arguments: &MeshArguments,
     domain: &Domain,
@@ -98,7 +98,7 @@ pub(super) fn run(
     end
 }
 
-/// Why there is no mesh, in the words of the domain.
+/// The reason why the mesh is missing, in the words of the domain.
 fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure {
     if let InteriorError::TargetAboveLimit { target, .. } = error
         && let Ok(lifting) = Lifting::of(domain, wanted, 1)

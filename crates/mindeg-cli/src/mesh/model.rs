@@ -18,7 +18,7 @@ use serde::Serialize;
 /// How many vertices and edges a message names.
 const NAMED: usize = 5;
 
-/// What `--json` prints; angles in degrees. Degrees are over all faces.
+/// The output of `--json`; angles in degrees. Degrees are over all faces.
 #[derive(Serialize)]
 struct Summary<'a> {
     name: Option<&'a str>,
@@ -49,7 +49,7 @@ struct Summary<'a> {
     notes: &'a [String],
 }
 
-/// What `--json` prints with `--interior`.
+/// The output of `--json` with `--interior`.
 #[derive(Serialize)]
 struct FilledSummary<'a> {
     name: Option<&'a str>,
@@ -242,7 +242,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
     if count > NAMED {
         named.push(format!("and {} more", count - NAMED));
     }
-    // Where most vertices have the maximum, their names tell nothing.
+    // If most vertices have the maximum, their names tell nothing.
     if count * 4 <= summary.vertices as usize || count <= NAMED {
         let noun = if count == 1 { "vertex has" } else { "vertices have" };
         lines.push(format!("{count} {noun} degree {}: {}.", meshed.max_degree, named.join(", ")));
@@ -255,7 +255,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
     lines.join("\n")
 }
 
-/// What is proven of the degree.
+/// The proven facts about the degree.
 fn standing(meshed: &ModelMesh) -> String {
     let why = match &meshed.bounded_by {
         JointBound::Sum { sum, vertices } => {

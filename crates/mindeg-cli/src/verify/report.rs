@@ -1,4 +1,4 @@
-//! What `mindeg verify` prints.
+//! The output of `mindeg verify`.
 
 use crate::domain::name_in_text;
 use mindeg::Domain;
@@ -7,7 +7,7 @@ use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, Proof, VerifiedMesh};
 use mindeg_answers::numbers::{count, four_digits, percent, steady_angle};
 use serde::Serialize;
 
-/// What `--json` prints; docs/verify.md has the meaning of each key.
+/// The output of `--json`; docs/verify.md gives the meaning of each key.
 #[derive(Serialize)]
 pub(super) struct Report<'a> {
     mesh: &'a str,
@@ -29,7 +29,7 @@ struct Flaw {
     message: String,
 }
 
-/// What a mesh that is a triangulation is like; angles in degrees.
+/// The figures of a mesh that is a triangulation; angles in degrees.
 #[derive(Serialize)]
 struct Found {
     /// "xy", "floor" or "xz".

@@ -6,14 +6,14 @@ use mindeg::{FromMesh, Intervals, Model, Side, Spacing, TriMesh};
 use mindeg_files::{Format, Input};
 use std::path::Path;
 
-/// What is wrong with the model in the file of the arguments.
+/// The error in the model in the file of the arguments.
 pub(super) fn bad(arguments: &MeshArguments, error: &dyn ToString) -> Failure {
     let name =
         arguments.domain.file.as_deref().map_or(String::new(), |path| Input::of(path).name());
     Failure::Input(format!("{name}: {}", error.to_string()))
 }
 
-/// A model in JSON, with the options in place of what it gives for its edges.
+/// A model in JSON; options override its settings of its edges.
 pub(crate) fn divided(model: Model, arguments: &MeshArguments) -> Result<Model, Failure> {
     match division(&arguments.domain.options)? {
         Some(side) => model.divided(&side).map_err(|error| bad(arguments, &error)),
