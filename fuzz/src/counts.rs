@@ -65,7 +65,7 @@ fn check(boundary: &Boundary, intervals: &[u64], input: &Input) {
     }
     if let Some(suggestion) = suggest(boundary, u32::from(input.target)) {
         let changed = suggestion.intervals(boundary);
-        // So near the limit that there is no place for what is to be added.
+        // The count is too near the limit to add more.
         let Ok(changed) = Boundary::new(&changed) else {
             assert!(changed.iter().sum::<u64>() > u64::from(mindeg_core::MAX_VERTICES));
             return;

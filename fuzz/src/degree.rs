@@ -74,7 +74,7 @@ pub(crate) fn run(input: Input) {
         points: boundary.points(),
         rings: &rings,
         side_of: boundary.runs(),
-        // What blocks without the tolerance blocks with it.
+        // A chord that blocks without the tolerance blocks with it.
         keeps_clear: true,
     };
     match answer.bounded_by {

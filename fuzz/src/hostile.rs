@@ -1,4 +1,4 @@
-//! What several targets take from the bytes of the fuzzer, and what they test.
+//! Inputs that several targets read from the bytes of the fuzzer, and checks that they share.
 
 use arbitrary::{Arbitrary, Result, Unstructured};
 use glam::DVec2;

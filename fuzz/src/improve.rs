@@ -20,7 +20,7 @@ pub(crate) struct Input {
     keep_edges: Vec<u8>,
     degrees: Option<(u8, u8)>,
     prefer_angle: bool,
-    /// What becomes of the mesh if it need not be valid.
+    /// The change to the mesh, which may make it invalid.
     damage: Option<(u8, u8)>,
 }
 

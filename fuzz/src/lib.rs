@@ -36,7 +36,7 @@ pub const TARGETS: [(&str, Target); 12] = [
     ("rings", |bytes| of_any(bytes, rings::run)),
 ];
 
-/// Runs a target on the input that the bytes spell, as libFuzzer does; none if they are too few.
+/// Runs a target on the input that the bytes spell, as libFuzzer does; too few bytes run nothing.
 fn of_any<'a, Input: Arbitrary<'a>>(bytes: &'a [u8], run: fn(Input)) {
     if bytes.len() >= Input::size_hint(0).0
         && let Ok(input) = Input::arbitrary_take_rest(Unstructured::new(bytes))

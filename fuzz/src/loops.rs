@@ -30,7 +30,7 @@ pub(crate) fn run(input: Input) {
         let before = a.triangles().len();
         assert_eq!(filled.mesh.triangles()[..before], *a.triangles());
         assert_eq!(filled.mesh.positions(), a.positions());
-        // Vertices that had more edges before get none; those at one place are one.
+        // Vertices that had more edges before get no new edge; vertices at one position count as one.
         let (old, new) = (welded_degrees(a), welded_degrees(&filled.mesh));
         let limit = filled.filled.iter().map(|done| done.limit).max().unwrap_or(0);
         assert!(old.iter().zip(&new).all(|(old, new)| *new <= limit.max(*old)));

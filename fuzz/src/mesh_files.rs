@@ -35,7 +35,7 @@ pub(crate) fn run(file: &[u8]) {
     for target in Format::WRITTEN {
         written(target, &bounded);
     }
-    // What OBJ keeps is all that triangles are.
+    // OBJ keeps all data of the triangles.
     let obj = &written(Format::Obj, &mesh).expect("OBJ takes any mesh")[0];
     let again = mindeg_formats::obj::read(&obj[..]).expect("what is written can be read");
     assert_eq!(again.triangles(), mesh.triangles());

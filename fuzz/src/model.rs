@@ -1,4 +1,4 @@
-//! Models: in JSON as any text, and of any mesh. What is a model is meshed, and its triangles meet edge to
+//! Models: in JSON as any text, and of any mesh. A valid model is meshed, and its triangles meet edge to
 //! edge.
 
 use arbitrary::Arbitrary;

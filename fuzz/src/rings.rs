@@ -48,7 +48,7 @@ pub(crate) fn run(input: Input) {
     };
     assert!(rings_are_simple(&rings), "rings that meet are taken");
     let boundary = domain.boundary().expect("a domain of rings has been proven");
-    // Too close for triangles of an area is no fault of the mesh; wrong triangles are.
+    // Points too close for triangles with area are not a fault of the mesh; wrong triangles are.
     if let Ok(meshed) = mesh(&domain, Goal::LeastDegree, Progress::NONE) {
         let triangles: Vec<_> = meshed.mesh.triangles().collect();
         let checked = check::triangulation(&boundary, &[], &triangles).expect("a triangulation");

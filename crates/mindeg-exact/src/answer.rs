@@ -118,7 +118,7 @@ pub fn trade_off(problem: &Problem, progress: Progress<'_>) -> Result<AngleOptim
 ///
 /// # Errors
 ///
-/// As [`trade_off`].
+/// The errors of [`trade_off`].
 ///
 /// # Example
 ///

@@ -1,6 +1,6 @@
 //! A lower bound on the maximum degree: too many boundary edges for the vertices that see them.
 //!
-//! Let R be the boundary edges that are no side of an ear. Each has a triangle, and its apex sees
+//! Let R be the boundary edges that are not sides of an ear. Each has a triangle, and its apex sees
 //! both of its ends. A vertex of degree D has D-1 triangles, of which the first and the last have a
 //! boundary edge at the vertex itself; if their opposite side were a boundary edge too, they would
 //! be ears. So a vertex is apex to at most D-3 edges of R. If only the vertices A can be apexes of
@@ -17,7 +17,7 @@ use std::collections::VecDeque;
 /// Boundary edges and all vertices that can be their apexes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ApexBound {
-    /// The edges, from vertex `e` to the next one of its ring; none is a side of an ear.
+    /// The edges, from vertex `e` to the next one of its ring; no edge is a side of an ear.
     pub edges: Vec<u32>,
     /// The vertices that see both ends of one of them.
     pub apexes: Vec<u32>,
@@ -34,7 +34,7 @@ impl ApexBound {
 const UNSEEN: u32 = u32::MAX;
 
 struct Matching {
-    /// The boundary edges that are no side of an ear.
+    /// The boundary edges that are not sides of an ear.
     edges: Vec<u32>,
     /// For each of them, the start of its apexes in `apexes`.
     offsets: Vec<u32>,

@@ -13,7 +13,7 @@
 //! dynamic program over the edges, with the length of the current run as its state, finds the
 //! staircase with the best worst triangle whose runs keep the degree limits. It starts from each
 //! of the edges at one vertex; a start ends as soon as all its staircases are worse than the best
-//! so far. Of the strips with the largest minimum angle, the one of least area is taken.
+//! so far. Among strips with the largest minimum angle, it takes the one of least area.
 //!
 //! # In a plane
 //!
@@ -64,7 +64,7 @@ pub struct Bridge {
     pub min_angle: f64,
     /// The least maximum degree of a strip between these rings.
     pub least_max_degree: u32,
-    /// What counting proves without geometry: no strip has a smaller maximum degree.
+    /// The bound from counting alone, without geometry: no strip has a smaller maximum degree.
     pub lower_bound: u32,
     /// The largest minimum angle under a limit one higher, if that is larger; in degrees.
     pub next_min_angle: Option<f64>,
@@ -259,7 +259,7 @@ pub fn bridge_rings(
     let limit = limit.min(free_degree.max(least));
     let angle = under(limit)?.cost;
     let next = under(limit + 1)?.cost;
-    // Of all with this angle, the least area.
+    // The least area of all strips with this angle.
     let good = areas.only_where(&angles, angle);
     let chosen = search(&good, Some(limit), true)?.ok_or(no_strip)?;
     Ok(Bridge {

@@ -107,7 +107,7 @@ impl Chords {
     }
 
     /// The number of triples i < k < j with all three edges, the work of one pass of the dynamic
-    /// program; none if it is more than `most`. O(triples), in parallel.
+    /// program; `None` if it is more than `most`. O(triples), in parallel.
     pub(crate) fn count_triples(
         &self,
         most: u64,

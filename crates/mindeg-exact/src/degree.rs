@@ -19,7 +19,7 @@ const ZIGZAG_STEPS: u64 = 50_000_000;
 /// The shares of the given triangulation's minimum tangent that windows keep, one after the other.
 const SHARES: [f64; 3] = [0.9, 0.5, 0.0];
 
-/// Those that the dynamic program keeps.
+/// The shares that the dynamic program keeps.
 const SEARCHED_SHARES: [f64; 2] = [0.5, 0.0];
 
 /// A triangulation, its maximum degree, and a lower bound on the maximum degree of all.
@@ -250,7 +250,7 @@ fn polygon(
     Ok(range)
 }
 
-/// Of a domain with holes: what windows reach, and bounds.
+/// The degree that windows reach in a domain with holes, and bounds.
 fn rings(
     problem: &Problem,
     mesh: &Linked,

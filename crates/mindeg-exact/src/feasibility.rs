@@ -24,7 +24,7 @@ pub(crate) fn any_triangulation(
     Ok(pieces.triangles().map(|(triangles, ())| triangles))
 }
 
-/// The least maximum degree and a triangulation that has it, by search alone.
+/// The least maximum degree and a triangulation that reaches it, by search alone.
 pub(crate) fn least_by_search(
     problem: &Problem,
     chords: &Chords,

@@ -56,7 +56,7 @@ pub enum LoopLimit {
 pub struct LoopTriangulation {
     /// n - 2 triangles, by indices of the loop's vertices. Each runs round as the loop does.
     pub triangles: Vec<[u32; 3]>,
-    /// The limit that it keeps; none if none was asked for.
+    /// The limit that it keeps; `None` without a requested limit.
     pub limit: Option<u32>,
     /// The largest total degree of the loop's vertices.
     pub max_degree: u32,
@@ -143,7 +143,7 @@ pub fn fill_loop(
         LoopLimit::None => Ok(result(free.clone(), None)),
         LoopLimit::LeastFrom(from) => least_from(from, least.flat, f64::INFINITY),
         LoopLimit::LeastWithin { from, extra_area } => {
-            // Infinity times zero is no number, and then the least area is.
+            // Infinity times zero is NaN; the least area then decides.
             let most_area = ((1.0 + extra_area) * without_limit.0).max(without_limit.0);
             least_from(from, least.flat, most_area)
         }

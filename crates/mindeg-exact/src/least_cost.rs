@@ -15,7 +15,7 @@ use std::ops::ControlFlow;
 /// The largest cost, which no sum of two exceeds in 32 bits.
 pub(crate) const MOST: u32 = u32::MAX / 4;
 
-/// What a triangulation costs.
+/// The cost of a triangulation.
 pub(crate) struct Costs {
     /// No more than this is looked for, [`MOST`] at most.
     pub(crate) bound: u32,
@@ -52,7 +52,7 @@ struct State {
     cost: u32,
 }
 
-/// What a triangle costs; none if it is not allowed.
+/// The cost of a triangle; `None` if the triangle is not allowed.
 pub(crate) type TriangleCost<'a> = &'a dyn Fn([DVec2; 3]) -> Option<u32>;
 
 /// The conditions and costs, and what was solved so far.
@@ -68,7 +68,7 @@ struct Pieces<'a> {
 }
 
 /// The triangles of a triangulation of these chords that costs least, each before those beneath it,
-/// with its cost; none if all cost more than the bound. The first of equals, by ascending apex.
+/// with its cost; `None` if all cost more than the bound. The first of equals, by ascending apex.
 /// `steps` counts the work.
 ///
 /// O(triples of chords), times the square of the number of states.

@@ -36,7 +36,7 @@ pub(crate) enum Capacity {
 }
 
 impl Capacity {
-    /// What one more chord adds to the count.
+    /// The amount that one more chord adds to the count.
     pub(crate) fn step(self) -> u32 {
         u32::from(self != Self::Unlimited)
     }

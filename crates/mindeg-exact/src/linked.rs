@@ -73,7 +73,7 @@ impl Linked {
     }
 
     /// The corners of the two triangles at an edge: a, b and c of this one, whose edge is ab, and d
-    /// beyond; none at the boundary.
+    /// beyond; `None` at the boundary.
     pub(crate) fn corners_at(&self, triangle: u32, edge: usize) -> Option<[u32; 4]> {
         let corners = self.triangles[triangle as usize];
         let [a, b, c] = [corners[edge], corners[(edge + 1) % 3], corners[(edge + 2) % 3]];

@@ -9,13 +9,13 @@ use crate::problem::Problem;
 use crate::window::{Local, Work};
 use glam::DVec2;
 
-/// What a [`Patch`] is changed for.
+/// The cost that changes of a [`Patch`] reduce.
 pub trait Cost {
     /// The cost of a vertex with this many chords; never less for more chords. Costs of one patch
     /// should add up to less than 2^30.
     fn vertex(&self, vertex: u32, chords: u32) -> u32;
 
-    /// The cost of a triangle, 0 by default; none if it is not allowed.
+    /// The cost of a triangle, 0 by default; `None` if the triangle is not allowed.
     fn triangle(&self, corners: [DVec2; 3]) -> Option<u32> {
         let _ = corners;
         Some(0)
@@ -121,7 +121,7 @@ impl<'a> Patch<'a> {
     }
 }
 
-/// A triangulation of the window that costs less than the present one; none if there is none.
+/// A triangulation of the window that costs less than the present one, if one exists.
 fn solve(
     work: &Work<'_>,
     local: &Local,

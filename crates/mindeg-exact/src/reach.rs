@@ -102,7 +102,7 @@ struct Pairs {
 }
 
 impl Pairs {
-    /// None of these edges.
+    /// An empty set, with space for these edges.
     fn new(chords: &Chords) -> Self {
         let mut words = vec![Vec::new(); chords.vertex_count()];
         // By ascending length, so from the nearest word to the farthest one in either direction.

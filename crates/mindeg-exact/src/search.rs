@@ -46,7 +46,7 @@ fn min_tangent_of(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
 pub(crate) struct Search<'a> {
     problem: &'a Problem,
     all: &'a Chords,
-    /// Those of `all` that are in a triangulation without a tangent below the floor.
+    /// The edges of `all` that are in a triangulation without a tangent below the floor.
     chords: Chords,
     floor: f64,
     /// The tangent of the largest minimum angle of all triangulations.

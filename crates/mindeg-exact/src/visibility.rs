@@ -1,7 +1,7 @@
-//! Which vertices see each other: triangular expansion through a triangulation, exact.
+//! Finds vertices that see each other: triangular expansion through a triangulation, exact.
 //!
 //! Vertex w is visible from v when the open segment between them is in the open interior. A
-//! segment that touches a vertex or runs along the boundary is no chord: as an edge it would
+//! segment that touches a vertex or runs along the boundary is not a chord: as an edge it would
 //! pass a vertex. From v the view is a cone, and every edge that it crosses narrows it; the strict
 //! signs of [`orientation`] decide where it touches, and [`passes`] what is as good as touched.
 //!
@@ -40,7 +40,7 @@ pub(crate) struct Eye<'a> {
     open: Vec<View>,
     /// With a polygon's ring it passes over many triangles at once.
     ring: Option<&'a Ring<'a>>,
-    /// That of [`Sides`].
+    /// The field `clear` of [`Sides`].
     clear: Option<f64>,
 }
 
@@ -180,7 +180,7 @@ impl<'a> Eye<'a> {
     }
 }
 
-/// All admissible chords of a simple polygon; none if they are more than `most`. O(triangles seen),
+/// All admissible chords of a simple polygon; `None` if more than `most`. O(triangles seen),
 /// in parallel.
 pub(crate) fn chords(
     mesh: &Linked,

@@ -33,9 +33,9 @@ pub struct ZigZag {
 
 /// The result of the test of all zig-zags.
 pub(crate) enum Found {
-    /// One is admissible.
+    /// One zig-zag is admissible.
     ZigZag(ZigZag),
-    /// None is: for each, a chord that is not admissible.
+    /// No zig-zag is admissible: for each, a chord that is not admissible.
     Blocked(Vec<[u32; 2]>),
     /// The test took too many steps.
     Unknown,

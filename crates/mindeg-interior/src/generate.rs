@@ -28,7 +28,7 @@ pub struct Generated {
     pub triangles: Vec<[u32; 3]>,
     /// The edges that fixed segments consist of.
     pub fixed_edges: Vec<[u32; 2]>,
-    /// What was reached.
+    /// The measures of the mesh that was reached.
     pub report: InteriorReport,
 }
 
@@ -176,7 +176,7 @@ fn size_field(
     Ok((breaklines, finer))
 }
 
-/// What all seeds begin with.
+/// The data that all seeds begin with.
 struct Start<'a> {
     outline: &'a PlanarBoundary,
     goals: &'a [Goal],

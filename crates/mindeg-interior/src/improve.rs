@@ -14,7 +14,7 @@ use glam::DVec2;
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
-/// What stays as it is in a mesh, beside its boundary.
+/// The vertices and edges that a mesh keeps, beside its boundary.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Keep {
     /// Vertices that neither move nor go.
@@ -28,13 +28,13 @@ pub struct Keep {
 pub struct Improved {
     /// The points: those of the input that are left, in order, then new ones.
     pub points: Vec<DVec2>,
-    /// The index that each point has in the input, none for new ones.
+    /// The index that each point has in the input, `None` for new points.
     pub sources: Vec<Option<u32>>,
     /// Counter-clockwise triangles.
     pub triangles: Vec<[u32; 3]>,
-    /// What the mesh was like; vertices are those of the input.
+    /// The measures before; vertices have the indices of the input.
     pub before: InteriorReport,
-    /// What it is like now; vertices are those of the result.
+    /// The measures after; vertices have the indices of the result.
     pub after: InteriorReport,
 }
 

@@ -1,4 +1,4 @@
-//! What no interior points can better: limits of the minimum angle at a fixed boundary.
+//! Limits of the minimum angle at a fixed boundary, whatever the interior points.
 //!
 //! # Fan limit
 //!
@@ -109,7 +109,7 @@ pub fn degree_limit(angle: f64, edges: u32) -> u32 {
 }
 
 /// The fan limit in degrees of a boundary vertex between edges of lengths `short` and `long`
-/// that enclose `angle` radians, with at most `max_triangles` triangles (any number if none).
+/// that enclose `angle` radians, with at most `max_triangles` triangles (any number if `None`).
 ///
 /// O(number of triangles tried), about 60 at most.
 ///

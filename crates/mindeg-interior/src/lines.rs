@@ -27,7 +27,7 @@ impl Fixed {
         let mut near = Near::new(outline.bounds());
         boundary.iter().for_each(|point| near.insert(*point));
         let tree = (!wanted.lines.is_empty()).then(|| EdgeTree::of_boundary(outline));
-        // Those that are out of range are refused with their index when all is meshed.
+        // Lines out of range are refused with their index when all is meshed.
         points.iter().for_each(|point| near.insert(*point));
         let mut segments = Vec::new();
         for (line, ends) in wanted.lines.iter().enumerate() {

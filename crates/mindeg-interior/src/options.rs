@@ -102,7 +102,7 @@ pub enum InteriorError {
         /// Where it is.
         at: [f64; 2],
     },
-    /// A line that ends on the boundary, but at none of its vertices.
+    /// A line that ends on the boundary, but not at a boundary vertex.
     #[error(
         "fixed line {line} ends on the boundary at ({}, {}), between its points; the nearest is vertex {vertex} at ({}, {}): end the line there, or put a boundary point here",
         at[0], at[1], nearest[0], nearest[1]
@@ -134,7 +134,7 @@ pub enum InteriorError {
     SegmentCrosses {
         /// The segment's index.
         segment: usize,
-        /// What it touches.
+        /// The feature that it touches.
         what: String,
     },
     /// Coordinates that cannot hold a point and its neighbours apart.

@@ -24,12 +24,12 @@ pub(crate) struct Piece {
     pub(crate) to: DVec2,
 }
 
-/// What the packing works on.
+/// The data that the packing works on.
 pub(crate) struct Ground<'a> {
     pub(crate) outline: &'a PlanarBoundary,
     pub(crate) goals: &'a [Goal],
     pub(crate) field: &'a SizeField,
-    /// Interior points that are there already, and pieces of segments between them.
+    /// Existing interior points, and pieces of segments between them.
     pub(crate) fixed: &'a [DVec2],
     pub(crate) pieces: &'a [Piece],
     pub(crate) tree_of_pieces: EdgeTree,
@@ -267,7 +267,7 @@ mod tests {
         let outlines = [samples::plate_with_hole(), PlanarBoundary::new(&[star]).unwrap()];
         for (outline, low, step) in [(&outlines[0], -1.0, 0.05), (&outlines[1], -5.0, 0.04)] {
             let ends = |[a, b]: [u32; 2]| [a, b].map(|v| outline.point(v));
-            // How often a ray to the right crosses the boundary.
+            // How often a horizontal line to the right crosses the boundary.
             let is_inside = |x: DVec2| {
                 let crosses = |edge: &[u32; 2]| {
                     let [a, b] = ends(*edge);

@@ -1,4 +1,4 @@
-//! What a mesh is like, measured on its points and triangles alone.
+//! Quality measures of a mesh, from its points and triangles alone.
 
 use crate::goal::Goal;
 use crate::limits::Limits;
@@ -36,7 +36,7 @@ pub struct InteriorReport {
     pub share_of_limit: f64,
     /// The maximum angle.
     pub max_angle: f64,
-    /// The least and greatest degree inside; none without interior vertices.
+    /// The least and greatest degree inside; `None` without interior vertices.
     pub interior_degree: Option<RangeInclusive<u32>>,
     /// The least and greatest degree at the boundary.
     pub boundary_degree: RangeInclusive<u32>,

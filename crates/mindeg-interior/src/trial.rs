@@ -19,7 +19,7 @@ pub(crate) struct Bench<'a> {
     round: u32,
 }
 
-/// What an operation did.
+/// The result of an operation.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Effect {
     pub(crate) before: Cost,
@@ -86,7 +86,7 @@ impl<'a> Bench<'a> {
         cost
     }
 
-    /// Does an operation and smooths the cavity. None if it is not possible, or if it raises the cost of
+    /// Does an operation and smooths the cavity. `None` if it is not possible, or if it raises the cost of
     /// hard degree violations by more than `allowance`; whatever was done is in the log.
     pub(crate) fn perform(&mut self, operation: Operation, allowance: f64) -> Option<Effect> {
         let mut cavity = std::mem::take(&mut self.cavity);

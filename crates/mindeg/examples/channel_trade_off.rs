@@ -1,4 +1,4 @@
-//! What each maximum degree buys on a channel with boundary layers:
+//! The best minimum angle for each maximum degree on a channel with boundary layers:
 //!
 //! ```text
 //! cargo run -p mindeg --example channel_trade_off

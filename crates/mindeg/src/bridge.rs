@@ -68,7 +68,7 @@ pub enum BridgeError {
         /// The vertex.
         vertex: u32,
     },
-    /// A loop that is no sound one.
+    /// A loop is not sound.
     #[error("loop {} cannot be bridged: {defect}", index + 1)]
     Defect {
         /// The index.
@@ -76,7 +76,7 @@ pub enum BridgeError {
         /// Why.
         defect: LoopDefect,
     },
-    /// Loops of two meshes with vertices at the same place.
+    /// Loops of two meshes with vertices at the same position.
     #[error(
         "the loops touch: vertex {vertex} of the first mesh and vertex {other} of the second are at \
          the same place; move one of the meshes"
@@ -84,10 +84,10 @@ pub enum BridgeError {
     SamePlace {
         /// The vertex of the first mesh.
         vertex: u32,
-        /// That of the second.
+        /// The vertex of the second mesh.
         other: u32,
     },
-    /// There is no such strip.
+    /// No strip exists.
     #[error(transparent)]
     Unsolved(#[from] BridgeUnsolved),
     /// The mesh would be too large.

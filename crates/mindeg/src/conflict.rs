@@ -1,10 +1,10 @@
-//! Which of many limits cannot be kept together: as few as a number of tries finds.
+//! Finds limits that conflict with each other: as few as a number of tries finds.
 //!
 //! The shortest list of first limits that conflict ends in a limit that is part of every conflict in
 //! the list. Bisection finds it; it is kept while the list before it is searched in the same way.
 //!
 //! Limits: a conflict of several, not the smallest one; and with too few tries, more limits than
-//! needed. What is returned always conflicts.
+//! needed. The returned limits always conflict.
 
 /// A list of limits that conflict, of limits that are known to conflict.
 ///
@@ -12,7 +12,7 @@
 ///
 /// # Errors
 ///
-/// Those of `conflict`.
+/// The errors of `conflict`.
 pub(crate) fn smallest<T: Copy, E>(
     mut suspects: Vec<T>,
     mut tries_left: u64,

@@ -22,7 +22,7 @@ pub struct DegreeAnswer {
     pub at_least: u32,
     /// How `reached` was found.
     pub reached_by: Reached,
-    /// What proves `at_least`.
+    /// The proof of `at_least`.
     pub bounded_by: LowerBound,
 }
 

@@ -31,7 +31,7 @@ pub struct ExactMesh {
     pub mesh: BoundaryMesh,
 }
 
-/// What every degree buys on a domain; [`trade_off`] finds it.
+/// The best minimum angle for every degree on a domain; [`trade_off`] finds it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TradeOff {
     domain: Domain,
@@ -102,7 +102,7 @@ impl TradeOff {
 /// An angle as a share of the largest, `most`; 1 where only rounding keeps them apart.
 #[must_use]
 pub fn share_of(angle: f64, most: f64) -> f64 {
-    /// What rounding may take from a share.
+    /// The most that rounding takes from a share.
     const ROUNDING: f64 = 1e-9;
     let share = angle / most;
     if (share - 1.0).abs() < ROUNDING { 1.0 } else { share }
@@ -207,7 +207,7 @@ pub(crate) fn best_mesh(
 ///
 /// # Errors
 ///
-/// As [`mesh()`].
+/// The errors of [`mesh()`].
 ///
 /// # Example
 ///
@@ -232,7 +232,7 @@ pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, Ex
 ///
 /// # Errors
 ///
-/// As [`mesh()`].
+/// The errors of [`mesh()`].
 pub fn trade_off_until(
     domain: &Domain,
     is_enough: impl FnMut(f64, f64) -> bool,

@@ -23,7 +23,7 @@ use thiserror::Error;
 /// The name of the group of new triangles.
 pub const FILL: &str = "fill";
 
-/// The least limit that [`fill`] tries where none is given. Below, the area of a filling grows
+/// The least limit that [`fill`] tries without a given limit. Below, the area of a filling grows
 /// quickly; see `docs/fill-and-bridge.md`.
 pub const FIRST_LIMIT: u32 = 6;
 
@@ -31,7 +31,7 @@ pub const FIRST_LIMIT: u32 = 6;
 /// more, fillings of uneven loops begin to fold; see `docs/fill-and-bridge.md`.
 pub const EXTRA_AREA: f64 = 0.05;
 
-/// What to fill, and how.
+/// The loops to fill, and the options.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FillOptions {
     /// The limit on total degrees; without one, for each loop the least that is possible, from
@@ -42,7 +42,7 @@ pub struct FillOptions {
     pub extra_area: f64,
     /// Loops of this many vertices or more stay open.
     pub max_loop: usize,
-    /// The loops to fill, by their indices; all, if none are given.
+    /// The indices of the loops to fill; without indices, all loops.
     pub only: Option<Vec<usize>>,
 }
 
@@ -77,7 +77,7 @@ pub struct FilledLoop {
     pub vertices: usize,
     /// Its triangles.
     pub triangles: Range<u32>,
-    /// The limit that it keeps. Vertices that had more edges before got none.
+    /// The limit that it keeps. Vertices that had more edges before got no new edge.
     pub limit: u32,
     /// The largest total degree of its vertices.
     pub max_degree: u32,
@@ -107,7 +107,7 @@ pub struct LeftLoop {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LeftOpen {
-    /// It is no sound loop.
+    /// The loop is not sound.
     #[error(transparent)]
     Defect(#[from] LoopDefect),
     /// It has too many vertices.
@@ -118,7 +118,7 @@ pub enum LeftOpen {
         /// The number from which on loops stay open.
         max_loop: usize,
     },
-    /// Each triangulation needs an edge that is there already.
+    /// Each triangulation needs an edge that the mesh already has.
     #[error("every triangulation of it needs an edge that the mesh has already")]
     EdgesThere,
 }

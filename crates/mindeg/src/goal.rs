@@ -1,4 +1,4 @@
-//! What a mesh is chosen for: the one place that decides between formula, search and windows.
+//! The goal of a mesh, and the only module that decides between formula, search and windows.
 
 use mindeg_core::Boundary;
 use mindeg_domain::Domain;
@@ -25,7 +25,7 @@ const FEW_TRIPLES: u64 = 1_000_000;
 /// How many times the minimum angle a higher degree must bring to be worth a hint.
 const MUCH: f64 = 1.5;
 
-/// What a mesh is chosen for.
+/// The goal of a mesh.
 ///
 /// In JSON, `"least_degree"`, `{"max_degree": 5}` or `{"keep_angle": 0.95}`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -57,7 +57,7 @@ impl Goal {
     ///
     /// # Errors
     ///
-    /// What to write instead, in a sentence.
+    /// A sentence that says what to write instead.
     pub fn share(text: &str) -> Result<f64, String> {
         let text = text.trim();
         let (number, whole) = match text.strip_suffix('%') {

@@ -44,9 +44,9 @@ pub struct InteriorMesh {
     /// The mesh: the boundary vertices in their order, the fixed points, then the others. Its lines are
     /// the sides of the domain, then the fixed lines.
     pub mesh: TriMesh,
-    /// What was reached.
+    /// The measures of the mesh that was reached.
     pub report: InteriorReport,
-    /// Which minimum angle no mesh of the boundary can exceed.
+    /// The minimum angle that no mesh of the boundary can exceed.
     pub limit: AngleLimit,
 }
 

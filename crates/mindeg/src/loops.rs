@@ -27,7 +27,7 @@ pub struct MeshLoop {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum LoopDefect {
-    /// It is no closed loop.
+    /// The chain is not a closed loop.
     #[error("it is not closed: at vertex {vertex} it runs into an edge with three faces or more")]
     Open {
         /// Where it ends.
@@ -53,11 +53,11 @@ pub struct Loops {
     loops: Vec<MeshLoop>,
     /// For each vertex the first with the same coordinates.
     pub(crate) same: Vec<u32>,
-    /// The degree of each vertex, those of the same coordinates as one.
+    /// The degree of each vertex; vertices with equal coordinates count as one.
     pub(crate) degrees: Vec<u32>,
     /// Edges between vertices of loops, in both directions, sorted.
     edges: Vec<[u32; 2]>,
-    /// Those that were added, likewise.
+    /// The edges that were added, also in both directions.
     added: BTreeSet<[u32; 2]>,
 }
 

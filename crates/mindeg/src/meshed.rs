@@ -39,11 +39,11 @@ pub struct Meshed {
     pub found_by: FoundBy,
     /// The minimum angle of a Delaunay triangulation, in degrees, if that was worked out.
     pub delaunay_min_angle: Option<f64>,
-    /// What one or two degrees more would bring, if that is much.
+    /// The gain from one or two degrees more, if it is large.
     pub higher_degree: Option<HigherDegree>,
 }
 
-/// What a higher degree limit would bring.
+/// The gain from a higher degree limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HigherDegree {
     /// The limit.

@@ -26,7 +26,7 @@ pub(crate) struct Posed<'a> {
     pub(crate) problem: Problem,
     /// The domain's index of the problem's vertex 0.
     first: u32,
-    /// Of the Delaunay triangulation, in degrees, where the problem has one.
+    /// Minimum angle of the Delaunay triangulation, in degrees, where the problem has one.
     pub(crate) delaunay_min_angle: Option<f64>,
 }
 

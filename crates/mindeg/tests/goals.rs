@@ -1,4 +1,4 @@
-//! What each goal promises, against an enumeration of all triangulations and beyond exact work.
+//! Each goal keeps its promise, against an enumeration of all triangulations and beyond exact work.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 

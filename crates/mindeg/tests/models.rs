@@ -115,7 +115,7 @@ fn no_bound_is_above_a_mesh() {
     }
 }
 
-/// That a mesh has what a bound says of every mesh.
+/// Checks that a mesh satisfies what a bound says of every mesh.
 fn check_bound(bound: &JointBound, at_least: u32, mesh: &TriMesh) {
     let degrees = mesh.degrees();
     match bound {

@@ -1,4 +1,4 @@
-//! What holds for every domain, whatever its outline and its spacing laws.
+//! Properties of every domain, whatever its outline and its spacing laws.
 
 use std::f64::consts::TAU;
 

@@ -10,7 +10,7 @@ use mindeg::{BoundaryMesh, Domain, Side, Spacing};
 use mindeg_core::Candidates;
 use rayon::ThreadPoolBuilder;
 
-/// What `work` gives with 1, 2 and 5 threads, all the same.
+/// The result of `work`, which must be equal with 1, 2 and 5 threads.
 fn with_any_threads<R: PartialEq + std::fmt::Debug + Send>(work: impl Fn() -> R + Sync) -> R {
     let [one, two, five] = [1, 2, 5].map(|threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().unwrap();

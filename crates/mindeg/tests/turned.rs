@@ -38,7 +38,7 @@ fn of_points(points: Vec<DVec2>) -> Domain {
     Domain::from_rings([points]).unwrap()
 }
 
-/// That a turned domain has the degree and nearly the angle of the one before.
+/// Checks that a turned domain has the same degree and nearly the same angle.
 fn compare(turned: &Domain, before: (u32, f64), name: &str) {
     let (degree, angle) = measures(turned);
     assert_eq!(degree, before.0, "{name}");

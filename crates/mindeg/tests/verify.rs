@@ -74,7 +74,7 @@ impl List {
         Self { points, triangles }
     }
 
-    /// With vertices of its own for each triangle, as STL has it.
+    /// With separate vertices for each triangle, as in STL.
     fn unwelded(&self) -> Self {
         let points = self.triangles.as_flattened().iter().map(|&v| self.points[v as usize]);
         let triangles = (0..self.triangles.len() as u32).map(|t| [3 * t, 3 * t + 1, 3 * t + 2]);
@@ -100,13 +100,13 @@ impl List {
     }
 }
 
-/// To the nearest 32-bit floats.
+/// Rounds to the nearest 32-bit floats.
 fn rounded(list: &List) -> List {
     let points = list.points.iter().map(|point| point.as_vec2().as_dvec2()).collect();
     List { points, triangles: list.triangles.clone() }
 }
 
-/// To six digits behind the point.
+/// Rounds to six decimal digits.
 fn six_digits(list: &List) -> List {
     let number = |value: f64| format!("{value:.6}").parse().unwrap();
     let points = list.points.iter().map(|point| DVec2::new(number(point.x), number(point.y)));
@@ -364,7 +364,7 @@ fn interior_points_are_accepted_and_damage_among_them_is_found() {
             let (mut damaged, mut random) = (list.clone(), Random(seed));
             let inside = boundary_points + random.below(list.points.len() - boundary_points);
             if name == "moved vertex" {
-                // Of an interior point, as far as across the domain.
+                // Moves an interior point as far as across the domain.
                 damaged.points[inside] = damaged.points[0] + DVec2::new(0.1, 0.07);
             } else if matches!(name, "off the plane" | "swapped vertices")
                 || !damage(&mut damaged, &mut random)

@@ -75,7 +75,7 @@ impl CheckedOutline<'_> {
     }
 }
 
-/// Adds a pair, unless one that is no larger is there, and drops those that are no smaller.
+/// Inserts a pair into the Pareto front: skips it if dominated, removes what it dominates.
 fn keep(ends: &mut Ends, pair: [u32; 2]) {
     if ends.iter().any(|other| other[0] <= pair[0] && other[1] <= pair[1]) {
         return;

@@ -17,7 +17,7 @@ pub(super) struct AnyDegree {
 const CHUNK: usize = 16;
 
 impl AnyDegree {
-    /// None if each triangulation has an excluded edge.
+    /// Returns `None` if each triangulation has an excluded edge.
     pub(super) fn solve(
         problem: &LoopProblem,
         points: &[DVec3],

@@ -93,7 +93,7 @@ impl<'a> Limited<'a> {
         self.front(0, n - 1).iter().copied().min_by_key(|state| state.cost)
     }
 
-    /// A triangulation of least cost; empty if there is none.
+    /// A triangulation of least cost; empty if no triangulation exists.
     pub(super) fn triangles(&self, points: &[DVec3]) -> Vec<[u32; 3]> {
         let n = self.capacities.len();
         let mut triangles = Vec::with_capacity(n - 2);

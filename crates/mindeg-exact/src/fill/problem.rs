@@ -59,7 +59,7 @@ pub enum LoopUnsolved {
 
 impl LoopProblem {
     /// A loop of three vertices or more. `external` are the edges at each vertex without those of
-    /// the filling: its two loop edges, and what else is there. `excluded` are pairs of vertices
+    /// the filling: its two loop edges and all others. `excluded` are pairs of vertices
     /// that may not be joined; neighbours among them do not matter. O(n²) memory.
     ///
     /// # Errors
@@ -69,7 +69,7 @@ impl LoopProblem {
     /// # Panics
     ///
     /// If there are fewer than three points, one is not finite, there are not as many external
-    /// degrees as points, or a pair names a vertex that is not there.
+    /// degrees as points, or an excluded pair is out of range.
     pub fn new(
         points: &[DVec3],
         external: &[u32],

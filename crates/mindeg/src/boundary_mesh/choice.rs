@@ -1,4 +1,4 @@
-//! Which of the candidates for a mesh of least degree is best on the actual points.
+//! Chooses the candidate for a mesh of least degree that is best on the actual points.
 //!
 //! Limits: any bad triangle drops a candidate, so the number of triangles visited depends on the
 //! threads. The choice does not.
@@ -89,7 +89,7 @@ struct Points<'a> {
     placement: &'a Placement,
     /// The domain's index of the candidates' vertex 0.
     first: u32,
-    /// All of them, or none if there are too many.
+    /// All points; empty if they are too many.
     kept: Vec<DVec2>,
 }
 

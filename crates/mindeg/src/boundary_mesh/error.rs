@@ -16,7 +16,7 @@ pub enum MeshError {
          origin"
     )]
     NoArea {
-        /// The vertices of such a triangle.
+        /// The vertices of a flat triangle.
         triangle: [u32; 3],
     },
     /// The domain [is constrained](mindeg_domain::Domain::is_constrained), which formulas ignore.

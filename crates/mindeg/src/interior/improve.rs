@@ -18,9 +18,9 @@ pub struct ImprovedMesh {
     /// The mesh. Vertices that are left keep their order, and new ones follow; groups and lines are those
     /// of the input.
     pub mesh: TriMesh,
-    /// What the mesh was like; vertices are those of the input, after merging.
+    /// The measures before; vertices have the indices of the input, after merging.
     pub before: InteriorReport,
-    /// What it is like; vertices are those of the result.
+    /// The measures after; vertices have the indices of the result.
     pub after: InteriorReport,
     /// How many vertices were merged with an earlier one at the same place.
     pub merged: usize,
@@ -51,10 +51,10 @@ pub enum ImproveError {
         /// How far it may be.
         tolerance: f64,
     },
-    /// What the optimiser refuses.
+    /// An input that the optimiser refuses.
     #[error(transparent)]
     Interior(#[from] InteriorError),
-    /// A result that is no mesh.
+    /// A result that is not a mesh.
     #[error(transparent)]
     Mesh(#[from] TriMeshError),
 }

@@ -14,19 +14,19 @@ pub struct Lift {
     pub intervals: Vec<u64>,
     /// The limit after the change, in degrees, at the domain's degree limits.
     pub min_angle: f64,
-    /// What decides then.
+    /// The feature that decides the limit after the change.
     pub cause: Cause,
     /// The domain after the change.
     pub domain: Domain,
 }
 
-/// Above this number of boundary vertices no change is looked for: each that is tried looks at all.
+/// With more boundary vertices the search for a change is skipped: each try visits all vertices.
 const MOST_VERTICES: u32 = 20_000;
 /// A change that makes the boundary of more than [`FEW`] vertices this many times longer helps nobody, and takes long to look at.
 const MOST_LONGER: u64 = 4;
-/// Boundaries of so many vertices are short in any case.
+/// Boundaries up to this number of vertices always count as short.
 const FEW: u64 = 1000;
-/// So many counts are tried for a side at most.
+/// The most counts that are tried for one side.
 const MOST_TRIES: u32 = 24;
 /// A change that brings less than this factor is not worth it.
 const WORTH: f64 = 1.02;

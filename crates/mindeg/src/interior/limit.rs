@@ -15,22 +15,22 @@ use super::posed::{boundary, options};
 pub struct AngleLimit {
     /// The limit for meshes whose boundary vertices keep their degree limits.
     pub min_angle: f64,
-    /// What decides it.
+    /// The feature that decides the limit.
     pub cause: Cause,
     /// The limit with any degree.
     pub min_angle_at_any_degree: f64,
-    /// What decides that.
+    /// The feature that decides the limit with any degree.
     pub cause_at_any_degree: Cause,
 }
 
-/// The place that decides a limit. Sides and corners are counted from 0 here and from 1 in text.
+/// The feature that decides a limit. Sides and corners are counted from 0 here and from 1 in text.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cause {
     /// A corner between intervals of different lengths, or a sharp one.
     Corner {
         /// The side that begins there, which is the corner's index too.
         corner: usize,
-        /// What it is called, such as "corner 3".
+        /// The name of the feature, such as "corner 3".
         name: String,
         /// The side that ends there.
         side_before: usize,

@@ -1,4 +1,4 @@
-//! What the engine of interior points takes, from a domain.
+//! The input of the engine of interior points, from a domain.
 
 use std::borrow::Cow;
 
@@ -13,7 +13,7 @@ pub(super) fn boundary(domain: &Domain) -> Result<Cow<'_, PlanarBoundary>, Inter
     Ok(boundary)
 }
 
-/// What is wanted inside a domain, with its degree limits.
+/// The options for the inside of a domain, with its degree limits.
 pub(super) fn options(domain: &Domain, wanted: &Interior) -> Options {
     let mut options = Options::from(wanted.clone());
     if domain.is_constrained() {

@@ -4,7 +4,7 @@
 //! of the model, and n + 3h - 3 chords in a face of n vertices and h holes. The largest degree is at
 //! least the average one.
 //!
-//! *Side.* On a straight side of a intervals, a - 2 boundary edges are no side of an ear, and each
+//! *Side.* On a straight side of a intervals, a - 2 boundary edges are not sides of an ear, and each
 //! has an apex elsewhere on the face. A vertex with c chords in the face is apex to at most c - 1 of
 //! them; with m edges of the model and degree D it has at most D - m chords.
 //!
@@ -111,7 +111,7 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
     let plane_face = joint.face(face);
     let runs = plane_face.boundary.runs();
     let run_count = runs.iter().max().map_or(0, |&run| run as usize + 1);
-    // Of each side its vertices, both corners too.
+    // The vertices of each side, with both corners.
     let mut on_side = vec![Vec::new(); run_count];
     for ring in plane_face.boundary.rings() {
         let mut before = ring.end - 1;

@@ -21,7 +21,7 @@ pub(super) const LEVEL_STEPS: u64 = 1 << 28;
 /// In large models each degree may take as many steps a vertex.
 pub(super) const STEPS_PER_VERTEX: u64 = 1000;
 
-/// What it takes to set up a face, in steps a vertex.
+/// The cost of the setup of a face, in steps per vertex.
 const SETUP_STEPS: u64 = 200;
 
 /// A face of at most this many triangles without holes is one block.

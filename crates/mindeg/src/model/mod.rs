@@ -32,7 +32,7 @@ use mindeg_mesh::{Group, Line, Progress, TriMesh, TriMeshError};
 use descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use joint::Joint;
 
-/// What the mesh of a model is chosen for.
+/// The goal for the mesh of a model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ModelGoal {
     /// Every face keeps this share, 0 to 1, of the minimum angle of its own Delaunay triangulation.
@@ -60,7 +60,7 @@ pub struct ModelMesh {
     /// The maximum degree.
     pub max_degree: u32,
     /// No mesh of the model from these points has a smaller maximum degree; with
-    /// [`ModelGoal::keep_angle`], none whose faces keep that share.
+    /// [`ModelGoal::keep_angle`], no mesh whose faces keep that share.
     pub lower_bound: u32,
     /// The proof of that.
     pub bounded_by: JointBound,

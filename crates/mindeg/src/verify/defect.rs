@@ -1,4 +1,4 @@
-//! What keeps a mesh from being a triangulation of a domain, in words.
+//! The defects that keep a mesh from being a triangulation of a domain, in words.
 
 use std::fmt;
 
@@ -28,7 +28,7 @@ pub struct FaultyEdge {
     pub vertex_on_it: Option<u32>,
 }
 
-/// What was done to a whole mesh, as its bounds have it.
+/// A change of a whole mesh, guessed from its bounds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MeshChange {
     /// Its size was multiplied by this.
@@ -77,7 +77,7 @@ pub enum MeshDefect {
         distance: f64,
         /// How far it may be.
         tolerance: f64,
-        /// What may have been done to the whole mesh.
+        /// The likely change of the whole mesh.
         change: Option<MeshChange>,
     },
     /// A triangle with two corners in one place.
@@ -135,7 +135,7 @@ pub enum MeshDefect {
         /// The edge.
         edge: FaultyEdge,
     },
-    /// What the checker says, where nothing above does.
+    /// The checker's message, where no variant above fits.
     Check(CheckError),
 }
 
@@ -213,7 +213,7 @@ impl fmt::Display for FaultyEdge {
     }
 }
 
-/// What to say of a vertex on an open edge.
+/// The message about a vertex on an open edge.
 fn vertex_on_it(edge: &FaultyEdge) -> String {
     edge.vertex_on_it.map_or_else(String::new, |vertex| format!("; vertex {vertex} lies on it"))
 }

@@ -16,7 +16,7 @@ use super::defect::{FaultyEdge, FaultyTriangle, MeshDefect};
 use crate::boundary_mesh::first_flat;
 use crate::posed::Posed;
 
-/// Of how many open edges the most telling one is named.
+/// The number of open edges among which the most telling one is chosen.
 const MOST_OPEN: usize = 100;
 
 /// The sign of twice the area of a triangle, exactly.
@@ -25,7 +25,7 @@ fn orientation(points: &[DVec2], triangle: [u32; 3]) -> f64 {
     orient2d(a, b, c)
 }
 
-/// Whether some triangle is clockwise and none is counter-clockwise.
+/// Whether some triangle is clockwise and no triangle is counter-clockwise.
 pub(super) fn all_clockwise(points: &[DVec2], triangles: &[[u32; 3]]) -> bool {
     let mut areas = triangles.iter().map(|&triangle| orientation(points, triangle));
     areas.clone().any(|area| area < 0.0) && areas.all(|area| area <= 0.0)
@@ -73,7 +73,7 @@ pub(super) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The first defect in the order of [`MeshDefect`]; what the checker says where none is found.
+    /// The first defect in the order of [`MeshDefect`]; without one, the checker's message.
     pub(super) fn first_defect(
         &self,
         triangles: &[[u32; 3]],

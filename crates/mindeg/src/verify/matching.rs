@@ -1,4 +1,4 @@
-//! Which vertices of a mesh are the boundary points of a domain.
+//! Finds the vertices of a mesh that are the boundary points of a domain.
 
 use glam::{DVec2, DVec3};
 use mindeg_domain::Domain;
@@ -17,7 +17,7 @@ pub const DEFAULT_TOLERANCE: f64 = 1e-6;
 pub enum MatchedPlane {
     /// Upright: (x, y, constant).
     Xy,
-    /// On the floor, as files with y up have it: (x, constant, -y).
+    /// On the floor, as in files with y up: (x, constant, -y).
     Floor,
     /// On a floor with z up, as Blender turns what has y up: (x, constant, y).
     Xz,

@@ -28,19 +28,19 @@ const MOST_STEPS: u64 = 2_000_000_000;
 /// Whether the maximum degree of a mesh is the least possible.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Optimality {
-    /// It is; the proof has been checked.
+    /// The degree is the least; its proof has been checked.
     Optimal {
         /// Why no mesh has less.
         proof: Proof,
     },
-    /// It is not: a mesh of a smaller maximum degree has been checked.
+    /// The degree is not the least: a checked mesh has a smaller maximum degree.
     Improvable {
         /// The maximum degree of that mesh.
         reached: u32,
-        /// No mesh has less than this, as far as was checked; none if nothing was.
+        /// The checked lower bound for every mesh; `None` without a checked bound.
         at_least: Option<u32>,
     },
-    /// Neither is known.
+    /// Unknown whether a mesh of a smaller maximum degree exists.
     Unknown {
         /// Why.
         reason: String,
@@ -55,12 +55,12 @@ pub enum Proof {
     Certificate(mindeg_core::Certificate),
     /// The sum of the degrees.
     Counting,
-    /// So many chords, none of which lies inside, block every zig-zag.
+    /// Chords that do not lie inside block every zig-zag.
     BlockedZigZags {
         /// Their number.
         chords: usize,
     },
-    /// So many boundary edges have so few apexes.
+    /// Too few vertices can be apexes of some boundary edges.
     Apexes {
         /// The number of edges.
         edges: usize,
@@ -96,7 +96,7 @@ impl Proof {
 ///
 /// # Errors
 ///
-/// Those of [`exact::degree`].
+/// The errors of [`exact::degree`].
 pub fn optimality(
     verified: &VerifiedMesh,
     domain: &Domain,
@@ -132,7 +132,7 @@ fn of_convex(form: &ConvexForm, max_degree: u32) -> Optimality {
     }
 }
 
-/// What to say where a mesh and a proof contradict each other.
+/// The message where a mesh and a proof contradict each other.
 fn fault() -> Optimality {
     let reason =
         "the mesh contradicts a proof of mindeg, which is a fault in mindeg; please report it";
