@@ -152,7 +152,7 @@ fn any_number_of_threads_writes_the_same_bytes() {
     assert!(read(1) == read(2) && read(1) == read(7));
 }
 
-/// What a run says, with the folder's path taken out.
+/// The messages of a run, without the folder's path.
 fn message(folder: &tempfile::TempDir, run: &Run) -> String {
     run.errors.replace(&format!("{}/", folder.path().display()), "").trim_end().to_owned()
 }

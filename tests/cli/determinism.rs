@@ -10,7 +10,7 @@ fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// What `sha256sum` says of some bytes.
+/// The output of `sha256sum` for some bytes.
 fn sha256(bytes: &[u8]) -> String {
     let mut command = Command::new("sha256sum");
     let mut child =

@@ -98,7 +98,7 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// What is wrong with the examples of a page, and how many ran.
+/// The errors in the examples of a page, and the number of examples that ran.
 fn faults(page: &Path) -> (Vec<String>, usize) {
     let folder = tempfile::tempdir().unwrap();
     let bin = folder.path().join("bin");

@@ -54,7 +54,7 @@ mod page {
             Self { process, host: host.to_owned(), token: token.to_owned() }
         }
 
-        /// What comes back after the head.
+        /// The response after the head.
         fn ask(&self, line: &str, body: &Value) -> Vec<u8> {
             let mut stream = TcpStream::connect(&self.host).expect("it listens");
             stream.set_read_timeout(Some(Duration::from_secs(120))).expect("a time limit");

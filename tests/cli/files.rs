@@ -1,4 +1,4 @@
-//! What a file holds, and which files a run looks into.
+//! The contents of files, and the files that a run opens.
 
 use crate::run::{Run, mindeg_reading, shell};
 use std::fs;
@@ -45,7 +45,7 @@ fn every_command_that_takes_a_domain_takes_outlines() {
             assert_eq!(run.code, Some(0), "{command} {file}: {run:?}");
         }
     }
-    // A mesh is still shown as it is, whatever holds it.
+    // A mesh is still shown unchanged, in any format.
     let made = "mesh square.csv -q -o s.msh -o s.node -o s.obj -o s.stl";
     assert_eq!(run(folder.path(), made).code, Some(0));
     for file in ["s.msh", "s.poly", "s.obj", "s.stl"] {

@@ -100,7 +100,7 @@ fn the_old_mesh_stays_bit_for_bit() {
     };
     assert_eq!(positions("shell.obj"), positions("out.obj"));
     assert_closed(folder, "out.obj", 2);
-    // What mindeg writes of the mesh alone is the start of each list.
+    // Each list starts with the values that mindeg writes for the mesh alone.
     let [shell, same] = ["shell.obj", "same.obj"].map(|name| folder.join(name));
     let convert = ["convert", text(&shell), "-q", "-o"];
     assert_eq!(mindeg(convert.iter().chain(&[text(&same)])).code, Some(0));
@@ -174,7 +174,7 @@ fn what_cannot_be_filled_is_refused_or_stays_open_with_a_reason() {
         run.refuses(words);
         assert_eq!(content(folder.path()), ["m.obj"]);
     }
-    // One is filled, and one stays open.
+    // One loop is filled, and one stays open.
     let (_folder, run) = fill("both.obj", &cones(), &["--max-loop", "12", "--json"]);
     let found = run.json();
     assert_eq!(found["left_open"][0]["loop"], 1);

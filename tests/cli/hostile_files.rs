@@ -100,7 +100,7 @@ fn meshes() -> Vec<(&'static str, Vec<u8>)> {
             "indices.glb",
             glb(&document(&(vectors(3, VIEW) + scalars), r#", "indices": 1"#, 1), 36_000),
         ),
-        // A thousand triangles, shown in ten thousand places.
+        // A thousand triangles, shown at ten thousand positions.
         ("copies.glb", glb(&document(&vectors(3_000, VIEW), "", 10_000), 36_000)),
     ]
 }

@@ -22,7 +22,7 @@ fn inspect_obj(content: &str, options: &[&str]) -> Run {
     mindeg(["inspect", text(&path)].iter().chain(options))
 }
 
-/// A square of two triangles, a triangle on its right side that is there twice, a flat one on its
+/// A square of two triangles, a triangle on its right side that occurs twice, a flat one on its
 /// left; an unused vertex; a pentagon of three triangles apart; a line.
 const BROKEN: &str = "\
 v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0.5 0\nv 9 9 9\n\
@@ -93,7 +93,7 @@ fn json_holds_what_is_known_of_a_mesh() {
     ] {
         assert_eq!(found[key], expected, "{key}");
     }
-    // What is infinite has no number in JSON.
+    // JSON has no number for infinity.
     assert_eq!(found["metrics"]["edge_ratio"]["max"], Value::Null);
     assert_eq!(found["worst_triangles"][0]["triangle"], 4);
 }
@@ -268,7 +268,7 @@ fn gates_end_with_code_3_and_name_what_fails() {
         let run = inspect_obj(&fan(), gates);
         let code = if words.is_empty() { 0 } else { 3 };
         assert_eq!(run.code, Some(code), "{run:?}");
-        // The report is there all the same.
+        // The report is printed nevertheless.
         assert!(run.text().contains("maximum degree 11"), "{run:?}");
         assert_eq!(run.errors.is_empty(), words.is_empty(), "{run:?}");
         for word in words {

@@ -1,4 +1,4 @@
-//! Stopping a run, and closing what it writes to, leaves no file half-written and none behind.
+//! Stopping a run, or closing its output, leaves neither a half-written file nor a temporary file.
 
 use crate::mesh::{content, text};
 use crate::run::{Running, hearing_signals, output_of};
@@ -10,7 +10,7 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// What a run has to do with; half a million triangles, which no pipe takes in at once.
+/// The arguments of a run: half a million triangles, too many for a pipe to take at once.
 const MESH: [&str; 5] =
     ["mesh", "--rectangle", "4x3", "--intervals", "125000,125000,125000,125000"];
 
@@ -86,7 +86,7 @@ fn signals_in_the_middle_of_a_file_leave_what_was_there() {
         let folder = folder_with(&kept);
         let mut child = start(folder.path(), &["-o", "mesh.obj", "-o", "-", "--format", "obj"]);
         wait_until(|| temporary(folder.path()).iter().any(|&len| len >= wait_for));
-        // As from somebody who loses patience.
+        // Several signals, as from a user who loses patience.
         for signal in [2, 2, 15] {
             child.send(signal);
         }

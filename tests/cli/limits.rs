@@ -1,4 +1,4 @@
-//! What cannot be done is refused before the first byte, and what goes wrong later leaves nothing.
+//! Impossible work is refused before the first byte, and a later failure leaves no file.
 
 use crate::mesh::{content, text};
 use crate::run::{Run, mindeg, output_of};
@@ -69,7 +69,7 @@ fn one_file_is_not_written_twice() {
     assert_eq!(content(folder.path()), ["folder"]);
 }
 
-/// What runs with a file system of some KiB of its own, where the system allows such a thing.
+/// Runs commands on a file system of some KiB, if the system allows one.
 struct SmallDisk {
     folder: tempfile::TempDir,
     unshare: &'static str,
@@ -90,7 +90,7 @@ impl SmallDisk {
         Some(Self { folder: tempfile::tempdir().expect("a folder"), unshare: unshare? })
     }
 
-    /// Runs mindeg on the disk, where kept.obj is already, and tells what is there afterwards.
+    /// Runs mindeg on the disk, which holds kept.obj, and returns the disk's contents afterwards.
     fn mindeg(&self, kibibytes: u64, arguments: &[&str]) -> (Run, String) {
         let script = r#"
             mount -t tmpfs -o size="$1k" none "$2" && cd "$2" && echo before > kept.obj || exit 99

@@ -1,4 +1,4 @@
-//! What a user does, through the real binary.
+//! The actions of a user, through the real binary.
 
 mod bridge;
 mod compare;

@@ -1,4 +1,4 @@
-//! Mesh files that are none, or name what is none.
+//! Files that are not meshes, or that refer to files that are not meshes.
 
 use crate::mesh::text;
 use crate::run::{Run, mindeg};

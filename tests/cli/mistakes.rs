@@ -1,4 +1,4 @@
-//! What users get wrong in their files and numbers: the whole message, which says what is wrong, where, and
+//! Mistakes of users in their files and numbers: the whole message, which says what is wrong, where, and
 //! what to do. [`slips`](super::slips) has the slips of usage.
 
 use crate::mesh::text;

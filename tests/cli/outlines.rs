@@ -233,7 +233,7 @@ fn rings_that_touch_themselves_are_refused_or_repaired() {
     assert_eq!(run.json().as_array().map(Vec::len), Some(2));
 }
 
-/// The ring runs twice round a part of what it covers.
+/// The ring runs twice round a piece of its area.
 #[test]
 fn polygons_of_a_repair_do_not_overlap() {
     let wkt = "POLYGON((0 5,2 0,0 2,1 5,1 1))";

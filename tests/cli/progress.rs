@@ -1,4 +1,4 @@
-//! How far long work is shows on a terminal, and nowhere else.
+//! The progress of long work appears on a terminal, and nowhere else.
 
 use crate::run::{Run, output_of};
 use std::io::{self, Write};
@@ -111,7 +111,7 @@ fn no_bar_shows_where_none_is_wanted() {
         let shown = run.text();
         assert!(!shown.contains("left") && !shown.contains('\u{1b}'), "{command}: {shown:?}");
     }
-    // Where the mesh itself goes to the terminal, a bar would be in its way.
+    // If the mesh itself goes to the terminal, no bar may disturb it.
     let folder = tempfile::tempdir().expect("a folder");
     let command = "mkfifo \"$PIPE\"; (sleep 1.2; cat \"$PIPE\" > /dev/null) & \"$MINDEG\" mesh \
                    --rectangle 4x3 --intervals 9000,9000,9000,9000 -o \"$PIPE\" -o - --format obj";

@@ -1,4 +1,4 @@
-//! What is no file of its own is no output: for every command that writes, the folder stays as it was.
+//! An output must be a file of its own: otherwise every command that writes leaves the folder unchanged.
 
 use crate::run::{Run, shell};
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ const COMMANDS: [(&str, &str); 13] = [
     ("bridge in/two.obj -q --from 1 --to 2 -o", "obj"),
 ];
 
-/// What is in a folder: where a link leads, and what a file holds.
+/// The contents of a folder: the target of each link, and the bytes of each file.
 fn content(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     for entry in fs::read_dir(folder).expect("the folder is there") {

@@ -11,7 +11,7 @@ use std::process::{Child, ChildStdout, Command, ExitStatus, Output, Stdio};
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// How a run ended and what it said.
+/// The exit code and the output of a run.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) code: Option<i32>,
@@ -75,7 +75,7 @@ impl Running {
             .expect("the program has not been waited for");
     }
 
-    /// What the program prints, to be read here.
+    /// The output of the program, to read here.
     pub(crate) fn take_output(&mut self) -> ChildStdout {
         self.child.stdout.take().expect("standard output is piped")
     }
@@ -161,7 +161,7 @@ pub(crate) fn shell(folder: &Path, script: &str) -> Run {
 #[track_caller]
 fn run(command: &mut Command, input: &[u8]) -> Run {
     let mut running = Running::start(command.stdout(Stdio::piped()).stderr(Stdio::piped()));
-    // A run that refuses its arguments never reads; that its pipe is closed is no failure.
+    // A run that refuses its arguments never reads; a closed pipe is then not a failure.
     let _ = running.child.stdin.take().expect("standard input is piped").write_all(input);
     let output = running.output();
     Run {

@@ -1,4 +1,4 @@
-//! What the likely slips are answered with: the whole message.
+//! The answers to likely slips: the whole message.
 
 use crate::pinned;
 use crate::run::{mindeg, mindeg_reading};

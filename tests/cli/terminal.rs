@@ -21,7 +21,7 @@ fn own_errors_are_colored_as_the_parser_s_are() {
             errors(arguments, "always")
         );
         assert!(errors(arguments, "never").starts_with("error: "));
-        // Standard error is no terminal here.
+        // Standard error is not a terminal here.
         assert!(errors(arguments, "auto").starts_with("error: "));
     }
 }
@@ -82,7 +82,7 @@ fn examples_of_the_help_work() {
     )
     .expect("a link");
     let mut count = 0;
-    // Those of view, inspect, convert, fill, bridge and verify name meshes that the reader has.
+    // The examples of view, inspect, convert, fill, bridge and verify name meshes that the reader has.
     for (name, content) in [
         ("lower.obj", crate::fill::cone(12, 1.0, 0.0)),
         ("upper.obj", crate::fill::cone(7, 2.0, 3.0)),

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// What every degree from the first on buys on a rectangle of 4 by 3 with equal spacing.
+/// The minimum angle for every degree from the first on, on a rectangle of 4 by 3 with equal spacing.
 const ANGLES: [(&str, u64, &[&str]); 4] = [
     ("10,10,10,10", 4, &["2.936", "6.340"]),
     ("12,9,4,4", 5, &["5.528", "6.340"]),
@@ -88,7 +88,7 @@ fn reports_come_in_every_format() {
     assert!(!html.contains("<script") && !html.contains("http://") && !html.contains("https://"));
 }
 
-/// What is in an OBJ: the degrees, once the triangles are verified on the boundary.
+/// The degrees in an OBJ, once the triangles are verified on the boundary.
 fn verified(obj: &[u8], intervals: &[u64]) -> Verified {
     let mesh = obj::read(obj).expect("the OBJ reads back");
     verify(intervals, mesh.triangles().iter().copied()).expect("a triangulation")
@@ -131,7 +131,7 @@ fn no_domain_loses_by_it() {
         let [plain, optimized] = [&[][..], &["--optimize", "angle"]].map(|o| summary(&domain, o));
         assert_eq!(optimized["max_degree"], plain["max_degree"], "{domain:?}");
         let angle = |summary: &Value| summary["min_angle"].as_f64().expect("an angle");
-        // What the solver compares is rounded to 36 bits.
+        // The solver compares values rounded to 36 bits.
         assert!(angle(&optimized) >= angle(&plain) * (1.0 - 1e-10), "{domain:?}");
     }
 }
@@ -202,7 +202,7 @@ fn what_is_too_large_for_exact_work_is_refused_with_the_way_out() {
         assert_eq!(run.code, Some(0), "{}", run.errors);
         assert!(run.errors.contains(found_by), "{goal:?}: {}", run.errors);
     }
-    // A limit that no mesh keeps is refused as such at any size.
+    // A limit that no mesh keeps is refused for that reason at any size.
     let too_low = ["--max-degree", "3", "-o", "x.obj"];
     mindeg(rectangle("mesh", large).into_iter().chain(too_low)).refuses(&["the least is 4"]);
     mindeg(rectangle("tradeoff", large)).refuses(&["4100", "4096", "mindeg mesh"]);

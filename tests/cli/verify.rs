@@ -20,7 +20,7 @@ fn asset(name: &str) -> String {
 struct Plate {
     folder: TempDir,
     file: PathBuf,
-    /// How many files with changes there are.
+    /// The number of files with changes.
     changed: Cell<u32>,
 }
 

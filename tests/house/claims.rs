@@ -1,4 +1,4 @@
-//! The tests that documents name, so that none promises a test that does not exist.
+//! The tests that documents name, so that no document promises a missing test.
 
 use std::collections::BTreeSet;
 

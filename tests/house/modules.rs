@@ -1,4 +1,4 @@
-//! Which files of a crate use each other, by their paths within the crate.
+//! Finds the files of a crate that use each other, by their paths within the crate.
 //!
 //! `pub use` only passes a name on, so it is no arrow: the arrow goes from the file that uses the
 //! name to the file that defines it. Limits: methods and names from macros are not seen.
@@ -46,7 +46,7 @@ fn module(path: &Path) -> Module {
     segments.filter(|segment| !["lib", "main", "mod"].contains(&segment.as_str())).collect()
 }
 
-/// The file that a path in `from` leads to; none for a path out of the crate.
+/// The file that a path in `from` leads to; `None` for a path out of the crate.
 fn resolve(paths: &Paths, from: &Module, path: &[String], depth: u32) -> Option<Module> {
     let mut at = from.clone();
     for (index, segment) in path.iter().enumerate() {
