@@ -46,7 +46,7 @@ pub struct Candidates<'a> {
     count: u64,
 }
 
-/// Candidates that differ in one number only.
+/// Candidates that differ in one parameter only.
 #[derive(Clone, Debug)]
 enum Family {
     SingleTriangle,

@@ -120,7 +120,7 @@ impl Certificate {
     /// # Errors
     ///
     /// The counts do not describe a polygon, or the witness does not fit them. The message says
-    /// which part of it.
+    /// what does not fit.
     pub fn check(&self, intervals: &[u64]) -> Result<u32, CertificateError> {
         let no_polygon = CertificateError("the interval counts do not describe a polygon");
         let sides = intervals.len();

@@ -1,7 +1,7 @@
 //! The ring of boundary vertices: ids `0 … n-1`, counter-clockwise, with 0 after `n-1`.
 //!
-//! This is the only place where an id wraps. The checkers share no code with the
-//! constructions, so [`verify`](crate::verify()) has its own.
+//! Only this file wraps an id. The checkers share no code with the constructions, so
+//! [`verify`](crate::verify()) has its own.
 
 /// A ring of n vertices.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

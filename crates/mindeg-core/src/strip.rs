@@ -114,7 +114,7 @@ impl Chain {
     }
 }
 
-/// What follows the last cross edge of a strip; see [`Strip`].
+/// The end of a strip, after its last cross edge; see [`Strip`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum End {
     /// One more triangle, an ear with this tip.
@@ -198,7 +198,7 @@ impl Strip {
         self.tip
     }
 
-    /// What follows the last cross edge.
+    /// The end of the strip, after its last cross edge.
     #[must_use]
     pub fn end(&self) -> End {
         self.end

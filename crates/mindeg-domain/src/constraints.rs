@@ -77,10 +77,10 @@ pub enum ExternalDegree {
     Each(Vec<u32>),
 }
 
-/// What limits the degree of a single vertex, besides the constraints of its sides.
+/// The degree constraints of a single vertex, in addition to those of its sides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct VertexConstraint {
-    /// The vertex, as the domain's mesh numbers it.
+    /// The index of the vertex in the domain's mesh.
     pub vertex: u32,
     /// The number of its edges on the other side of the boundary.
     pub external_degree: u32,

@@ -1,4 +1,4 @@
-//! How a side runs between its corners: straight, along an arc, a cubic Bézier or a polyline.
+//! The shape of a side between its corners: straight, an arc, a cubic Bézier or a polyline.
 //!
 //! A [`Curve`] is the user's input; a [`Path`] is that curve between two corners and has a point for
 //! any share of the length. Arcs are closed forms, kurbo measures Béziers, and polylines are measured
@@ -14,7 +14,7 @@ use kurbo::{CubicBez, ParamCurve, ParamCurveArclen, Point};
 use crate::error::{DomainError, Place};
 use crate::limits::{GREATEST_COORDINATE, LEAST_SIDE};
 
-/// How a side runs from its corner to the next.
+/// The shape of a side from its corner to the next.
 ///
 /// # Example
 ///

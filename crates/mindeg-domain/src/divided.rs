@@ -25,7 +25,7 @@ use crate::turning::{Orientation, Turning};
 /// Rings whose sides are checked and divided.
 pub(crate) struct Divided {
     pub(crate) rings: Rings,
-    /// How each side runs.
+    /// The path of each side.
     paths: Vec<Path>,
     /// The law of each side.
     laws: Vec<SpacingLaw>,

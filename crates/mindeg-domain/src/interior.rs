@@ -1,4 +1,4 @@
-//! What is wanted inside a domain: sizes, degrees, angles, and what is fixed there.
+//! The settings for the inside of a domain: sizes, degrees, angles, and fixed points and lines.
 //!
 //! The fields of [`Interior`] are the one list of these options: JSON, the command line, Python and the
 //! page of `mindeg explore` take their names, texts and types from it.
@@ -117,7 +117,7 @@ pub enum LineEnd {
 }
 
 impl Interior {
-    /// How fast the size grows: 0.5 unless it is given.
+    /// The growth of the size per distance: 0.5 by default.
     #[must_use]
     pub fn growth(&self) -> f64 {
         self.growth.unwrap_or(0.5)

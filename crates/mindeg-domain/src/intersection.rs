@@ -133,7 +133,7 @@ impl Names<'_> {
     }
 }
 
-/// Where two edges cross, for a message.
+/// The crossing point of two edges, for a message.
 fn crossing([[a, b], [c, d]]: [[DVec2; 2]; 2]) -> DVec2 {
     let (first, second) = (b - a, d - c);
     let share = (c - a).perp_dot(second) / first.perp_dot(second);

@@ -170,7 +170,7 @@ impl Placement {
         ))
     }
 
-    /// Where a side ends.
+    /// The end of a side.
     fn end(&self, side: usize) -> DVec2 {
         self.corners[self.rings.next_side(side)]
     }

@@ -13,7 +13,7 @@ use crate::spacing::Spacing;
 /// One side of a ring: its curve from its corner to the next, and its division.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Side {
-    /// How it runs.
+    /// The curve of the side.
     pub curve: Curve,
     /// The number of intervals.
     pub intervals: Intervals,

@@ -46,17 +46,17 @@ pub enum CheckError {
     /// Two triangles on the same side of an edge, or a triangle outside a boundary edge.
     #[error("the edge from {from} to {to} has a triangle too many on its left")]
     Overlap {
-        /// Where it begins.
+        /// The start of the edge.
         from: u32,
-        /// Where it ends.
+        /// The end of the edge.
         to: u32,
     },
     /// A boundary edge without a triangle, or another edge with a triangle on one side only.
     #[error("the edge from {from} to {to} has no triangle on its left")]
     Gap {
-        /// Where it begins.
+        /// The start of the edge.
         from: u32,
-        /// Where it ends.
+        /// The end of the edge.
         to: u32,
     },
     /// A triangle that is clockwise or flat; the check is exact.

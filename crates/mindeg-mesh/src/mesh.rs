@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use crate::bounds::Bounds;
 
-/// Where vertices are.
+/// The positions of the vertices.
 pub trait Positions: Sync {
     /// The number of vertices.
     fn vertex_count(&self) -> u32;

@@ -1,4 +1,4 @@
-//! How far long work is, and whether it is to go on.
+//! The progress of long work, and its cancellation.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};

@@ -1,4 +1,4 @@
-//! Many triangles or vertices in a few numbers: distributions, shares, histograms.
+//! Statistics of many triangles or vertices: distributions, shares, histograms.
 //!
 //! Results do not depend on how the work is divided: quantiles are values that occur, and sums
 //! are taken in blocks of fixed size, in order.
@@ -224,7 +224,7 @@ impl DegreeHistogram {
         self.iter().filter(|&(d, _)| d > degree).map(|(_, count)| count).sum()
     }
 
-    /// The largest degree; `None` if there are no vertices.
+    /// The largest degree; `None` if the histogram is empty.
     #[must_use]
     pub fn max_degree(&self) -> Option<u32> {
         self.counts.keys().next_back().copied()

@@ -4,7 +4,7 @@
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("line {line}, column {column}{}: {message}", if path.is_empty() { String::new() } else { format!(", {path}") })]
 pub struct DomainJsonError {
-    /// The keys that lead to the place, such as `sides[2].spacing`; empty for the whole text.
+    /// The keys that lead to the value, such as `sides[2].spacing`; empty for the whole text.
     pub path: String,
     /// The line, from 1.
     pub line: usize,

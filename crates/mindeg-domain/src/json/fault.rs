@@ -10,7 +10,7 @@ use crate::error::Step;
 #[derive(Debug)]
 pub(super) struct Fault {
     pub(super) message: String,
-    /// Where the value starts, once that is known.
+    /// The start of the value, once known.
     pub(super) at: Option<usize>,
     /// The way to it, innermost first.
     pub(super) steps: Vec<Step>,

@@ -1,4 +1,4 @@
-//! JSON text as serde reads it, with the place, line and column of every fault.
+//! Reads JSON text for serde, with the path, line and column of every fault.
 //!
 //! A struct is read from an object only; serde_json would accept a list, too.
 

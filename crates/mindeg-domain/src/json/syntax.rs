@@ -1,4 +1,4 @@
-//! Where a text stops being JSON, in words for people who write it by hand.
+//! The position where a text stops being JSON, in words for people who write it by hand.
 
 use serde_json::error::Category;
 

@@ -76,7 +76,7 @@ impl Plane {
         self.origin + self.axes[0] * point.x + self.axes[1] * point.y + self.normal * height
     }
 
-    /// How far a point is from the plane.
+    /// The distance of a point from the plane.
     #[must_use]
     pub fn distance(&self, point: DVec3) -> f64 {
         (point - self.center).dot(self.normal).abs()
@@ -85,7 +85,7 @@ impl Plane {
 
 impl Model {
     /// The vertices of a face, ring by ring: the outer one counter-clockwise, holes clockwise.
-    /// O(their number).
+    /// O(m) for m vertices.
     ///
     /// # Panics
     ///

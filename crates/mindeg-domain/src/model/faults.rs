@@ -3,7 +3,7 @@
 use super::Model;
 use crate::error::{DomainError, Place};
 
-/// How many items a note names.
+/// The maximum number of items that a note names.
 const NAMED: usize = 6;
 
 /// The error of a face.

@@ -8,7 +8,7 @@ use super::{Model, ModelFace, ModelParts, coplanar};
 use crate::error::DomainError;
 use crate::side::Side;
 
-/// How a mesh becomes a model.
+/// Options for turning a mesh into a model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FromMesh {
     /// The division of every edge.

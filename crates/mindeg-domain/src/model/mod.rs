@@ -291,7 +291,7 @@ impl Model {
         (0..self.edges.len()).filter(|&edge| self.faces_at(edge) > 2)
     }
 
-    /// How far a corner may be from the plane of its face.
+    /// The maximum distance of a corner from the plane of its face.
     #[must_use]
     pub fn planar_tolerance(&self) -> f64 {
         self.planar_tolerance
@@ -318,7 +318,7 @@ impl Model {
         positions
     }
 
-    /// Where a vertex is. O(log n).
+    /// The corner or edge that a vertex is on. O(log n).
     ///
     /// # Panics
     ///

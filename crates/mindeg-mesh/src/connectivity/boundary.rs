@@ -17,7 +17,7 @@ pub struct BoundaryLoop {
 /// The edges with only one face, each seen from both its ends.
 #[derive(Default)]
 pub(crate) struct BoundaryEdges {
-    /// Where the edges of each vertex that has been added start in `half_edges`.
+    /// The first index in `half_edges` of the edges of each added vertex.
     starts: Vec<usize>,
     /// In ascending order of `from`, then `to`.
     half_edges: Vec<BoundaryHalfEdge>,

@@ -7,7 +7,7 @@ use std::ops::Range;
 /// The faces at each vertex, in two flat arrays.
 pub(crate) struct Stars<'a> {
     faces: &'a Faces<'a>,
-    /// Where the corners of each vertex start in `at`; the length of `at` at the end.
+    /// The first index in `at` of each vertex's corners; then the length of `at`.
     starts: Vec<usize>,
     /// The corners at vertex 0 in the order of their faces, then those at vertex 1, and so on.
     at: Vec<Corner>,

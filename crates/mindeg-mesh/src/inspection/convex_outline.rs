@@ -96,7 +96,7 @@ pub(super) fn convex_outline(
     Ok(FoundOutline { corners: corners.iter().map(|&corner| corner as u32).collect(), intervals })
 }
 
-/// Where each side starts and ends in a loop of `count` points; the last ends past `count`.
+/// The start and end of each side in a loop of `count` points; the last side ends past `count`.
 fn sides(corners: &[usize], count: usize) -> impl Iterator<Item = (usize, usize)> {
     let ends = corners.iter().copied().skip(1).chain([corners[0] + count]);
     corners.iter().copied().zip(ends)
@@ -114,7 +114,7 @@ fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     libm::atan2((b - a).perp_dot(c - b), (b - a).dot(c - b)).to_degrees()
 }
 
-/// How far `b` is from the segment between `a` and `c`.
+/// The distance of `b` from the segment between `a` and `c`.
 fn height(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let chord = c - a;
     let along = (chord.dot(b - a) / chord.length_squared()).clamp(0.0, 1.0);
@@ -309,7 +309,7 @@ impl<'a> ClosedLine<'a> {
         turn(a, b, c)
     }
 
-    /// How far a point is from the line without it.
+    /// The distance of a point from the line without it.
     fn height(&self, i: usize) -> f64 {
         let [a, b, c] = self.around(i);
         height(a, b, c)

@@ -46,7 +46,7 @@ pub struct PlanarBoundary {
     pub(super) points: Vec<DVec2>,
     /// The first vertex of each ring, then the number of vertices.
     pub(super) starts: Vec<u32>,
-    /// Where sides begin, ascending.
+    /// The first vertices of the sides, ascending.
     corners: Vec<u32>,
     /// For each vertex, the straight run of the edge that begins there.
     runs: Vec<u32>,
@@ -181,7 +181,7 @@ impl PlanarBoundary {
         if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }
     }
 
-    /// Where sides begin, ascending; empty if that is not known.
+    /// The first vertices of the sides, ascending; empty if unknown.
     #[must_use]
     pub fn corners(&self) -> &[u32] {
         &self.corners

@@ -75,7 +75,7 @@ struct Edge {
     right: DVec2,
     /// The vertex where it begins, at either end.
     begin: u32,
-    /// Whether it begins at the left end.
+    /// Whether the edge begins at its left end.
     is_rightward: bool,
 }
 

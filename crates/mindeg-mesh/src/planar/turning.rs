@@ -11,7 +11,7 @@ pub const LEAST_TURN: f64 = 1e-9;
 /// The largest turn, in radians, that rounding may explain.
 const MOST_ROUNDED: f64 = 1e-3;
 
-/// How the boundary turns at a vertex.
+/// The turn of the boundary at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Turn {
     /// By nothing that counts.

@@ -60,7 +60,7 @@ impl TriMesh {
         u32::try_from(vertices).map_err(|_| TriMeshError::TooManyVertices { vertices })?;
         let triangles = first_triangle + other.triangles.len();
         u32::try_from(triangles).map_err(|_| TriMeshError::TooManyTriangles { triangles })?;
-        // Both fit, so their parts do.
+        // Both sums fit in 32 bits, so their summands do.
         let (first, first_triangle) = (first as u32, first_triangle as u32);
         let first_segment = self.segments.len() as u32;
 
