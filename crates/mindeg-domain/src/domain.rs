@@ -1,8 +1,8 @@
 //! A domain: its rings, the division of their sides, and the limits on its degrees.
 //!
 //! A [`Domain`] is checked as a whole when it is made ([`build`](crate::DomainBuilder)), so that every
-//! later step (placing, meshing, writing) can rely on it. The interface counts sides and corners from
-//! 0. Messages count them from 1, in the order of the input even if a ring was reversed.
+//! later step (placing, meshing, writing) can rely on it. The interface counts sides and corners from 0.
+//! Messages count them from 1, in the order of the input even if a ring was reversed.
 //!
 //! Limits: the plane; coordinates up to [`GREATEST_COORDINATE`](crate::GREATEST_COORDINATE) and sides
 //! no shorter than [`LEAST_SIDE`](crate::LEAST_SIDE), so that areas neither overflow nor vanish. The

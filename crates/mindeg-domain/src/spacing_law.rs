@@ -115,8 +115,8 @@ impl SpacingLaw {
         self.intervals
     }
 
-    /// The position of point `i`, as a share of the side from its start: 0 at `i = 0`, 1 from `i =
-    /// m` on. O(1).
+    /// The position of point `i`, as a share of the side from its start: 0 at `i = 0`, 1 from
+    /// `i = m` on. O(1).
     #[must_use]
     pub fn parameter(&self, i: u32) -> f64 {
         let m = self.intervals;
