@@ -61,11 +61,12 @@ const EXAMPLES: &str = "\
 Examples:
   mindeg degree 12,9,4,4
   mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj
+  mindeg mesh assets/domains/plate-with-holes.json --interior -o inside.vtu
   mindeg compare assets/domains/wing-panel.json -o wing-panel.html
   mindeg inspect plate.obj";
 
-/// Mesh a rectangle or convex polygon from its boundary points alone, with the least possible
-/// maximum degree.
+/// Mesh any polygon or model of planar faces from its boundary points, with the least possible maximum
+/// degree; add points inside on request.
 #[derive(Debug, Parser)]
 #[command(name = "mindeg", version, max_term_width = 100)]
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]

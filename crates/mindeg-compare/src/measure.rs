@@ -241,7 +241,7 @@ mod tests {
                 &["1 flat triangle, with all vertices on one side", "2 of 6 triangles missing"],
             ),
             (&[FAN, FAN].concat(), &["6 triangles more than 6"]),
-            (&[FAN[0]; 6], &["the edge from 1 to 2 has a triangle too many on its left"]),
+            (&[FAN[0]; 6], &["two triangles lie on the same side of edge 1-2"]),
             (&[], &["6 of 6 triangles missing"]),
         ] {
             let figures = square(triangles);

@@ -153,7 +153,7 @@ fn words(name: &str) -> String {
     words
 }
 
-/// Each page ends with the table of all keys, made from the schema. With `BLESS=1` this test writes it.
+/// Each page ends with the table of all keys, made from the schema. With `MINDEG_BLESS=1` this test writes it.
 #[test]
 fn the_pages_have_every_key_and_no_other() {
     const HEAD: &str = "\n## All keys\n\n";
@@ -164,10 +164,10 @@ fn the_pages_have_every_key_and_no_other() {
         let page = std::fs::read_to_string(&path).unwrap();
         let (before, _) = page.split_once(HEAD).unwrap_or((&page, ""));
         let expected = format!("{before}{HEAD}{}", rows(&schema(&text)));
-        if std::env::var_os("BLESS").is_some() {
+        if std::env::var_os("MINDEG_BLESS").is_some() {
             std::fs::write(&path, &expected).unwrap();
             continue;
         }
-        assert_eq!(page, expected, "run this test with BLESS=1");
+        assert_eq!(page, expected, "run this test with MINDEG_BLESS=1");
     }
 }

@@ -44,7 +44,7 @@ pub enum CheckError {
         vertex: u32,
     },
     /// Two triangles on the same side of an edge, or a triangle outside a boundary edge.
-    #[error("the edge from {from} to {to} has a triangle too many on its left")]
+    #[error("two triangles lie on the same side of edge {from}-{to}")]
     Overlap {
         /// The start of the edge.
         from: u32,
@@ -87,7 +87,7 @@ pub enum CheckError {
 /// let checked = check::triangulation(&square, &[], &[[0, 1, 2], [0, 2, 3]])?;
 /// assert_eq!(checked.degrees, [3, 2, 3, 2]);
 /// let error = check::triangulation(&square, &[], &[[0, 1, 2], [0, 3, 2]]).unwrap_err();
-/// assert_eq!(error.to_string(), "the edge from 0 to 3 has a triangle too many on its left");
+/// assert_eq!(error.to_string(), "two triangles lie on the same side of edge 0-3");
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn triangulation(
@@ -196,15 +196,15 @@ mod tests {
         assert_eq!(of_square(&square), Ok(vec![3, 2, 3, 2]));
         fails(&[[0, 1, 2]], "found 1 triangles, expected 2");
         fails(&[[0, 1, 2], [0, 2, 9]], "triangle 1 has vertex 9, which does not exist");
-        fails(&[[0, 1, 2], [0, 3, 2]], "the edge from 0 to 3 has a triangle too many on its left");
-        fails(&[[0, 1, 2], [0, 0, 3]], "the edge from 0 to 3 has a triangle too many on its left");
+        fails(&[[0, 1, 2], [0, 3, 2]], "two triangles lie on the same side of edge 0-3");
+        fails(&[[0, 1, 2], [0, 0, 3]], "two triangles lie on the same side of edge 0-3");
         // All edges have their partners, and yet a triangle is flat.
         let flat = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 1.0)].map(DVec2::from);
         let flat = PlanarBoundary::new(&[flat]).unwrap();
         let of_flat = triangulation(&flat, &[], &[[0, 1, 2], [0, 2, 3]]);
         assert_eq!(of_flat, Err(CheckError::NotCounterClockwise { triangle: 0 }));
-        fails(&[[0, 1, 2], [0, 1, 3]], "the edge from 0 to 1 has a triangle too many on its left");
-        fails(&[[0, 1, 2], [1, 3, 0]], "the edge from 0 to 1 has a triangle too many on its left");
+        fails(&[[0, 1, 2], [0, 1, 3]], "two triangles lie on the same side of edge 0-1");
+        fails(&[[0, 1, 2], [1, 3, 0]], "two triangles lie on the same side of edge 0-1");
 
         // A hole: clockwise, and nothing in it.
         let with_hole = PlanarBoundary::new(&[&points[..4], &points[4..]]).unwrap();

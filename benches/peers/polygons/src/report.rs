@@ -218,7 +218,7 @@ mod tests {
             (&[[0, 1, 4], [1, 3, 4], [1, 2, 3], [0, 2, 1]], "4"),
             (&[[0, 1, 2], [0, 2, 3], [0, 3, 4]], "1 missing, 1 flat"),
             (&[[0, 1, 4], [1, 3, 4], [1, 2, u32::MAX]], "1 with a lost point"),
-            (&[[0, 1, 4], [1, 2, 4], [1, 2, 3]], "the edge from 1 to 2 has a triangle too many"),
+            (&[[0, 1, 4], [1, 2, 4], [1, 2, 3]], "two triangles lie on the same side of edge 1-2"),
         ] {
             let text = match judged(&input, Ok(triangles.to_vec()), Duration::ZERO) {
                 Answer::Valid { max_degree, .. } => max_degree.to_string(),
