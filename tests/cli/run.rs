@@ -184,12 +184,12 @@ pub(crate) fn ends_quietly_when_nobody_reads<S: AsRef<OsStr>>(
     assert_eq!((output.status.code(), output.stderr), (Some(0), Vec::new()));
 }
 
-/// A command that starts a program with the signals that end a program heard again: where the
+/// A command that starts a program that no longer ignores the signals that end it: where the
 /// tests were started by nohup or in the background of a script, some are ignored, and children
 /// inherit that.
 #[cfg(unix)]
 pub(crate) fn hearing_signals(program: &str) -> Command {
-    // Only GNU's env does it. Elsewhere the tests have to be started with signals heard.
+    // Only GNU's env does it. Elsewhere, start the tests without ignored signals.
     if !cfg!(target_os = "linux") {
         return Command::new(program);
     }

@@ -1,6 +1,6 @@
 //! Finds the files of a crate that use each other, by their paths within the crate.
 //!
-//! `pub use` only passes a name on, so it is no arrow: the arrow goes from the file that uses the
+//! `pub use` only passes a name on, so it does not make an arrow: the arrow goes from the file that uses the
 //! name to the file that defines it. Limits: methods and names from macros are not seen.
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -16,7 +16,7 @@ pub const KEPT: f64 = 0.95;
 /// ```
 #[must_use]
 pub fn advised_command(input: &str) -> String {
-    // A file name that begins with a dash would be taken for an option.
+    // A file name that begins with a dash would look like an option.
     let folder = if input.starts_with('-') { "./" } else { "" };
     let input = shell_word(&format!("{folder}{input}"));
     format!("mindeg mesh {input} --keep-angle 95% -o mesh.obj")

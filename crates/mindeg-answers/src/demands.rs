@@ -62,7 +62,7 @@ impl WorstPlaces {
 
 impl Demands {
     /// The demands that a mesh of this maximum degree and minimum angle, in degrees, breaks, in words. Its worst
-    /// places are looked for only then; the preset is not looked at.
+    /// positions are searched only then; the preset is ignored.
     #[must_use]
     pub fn unmet(
         &self,

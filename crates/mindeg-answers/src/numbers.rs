@@ -70,7 +70,7 @@ pub fn angle(degrees: f64) -> String {
 }
 
 /// An angle in degrees beside others that are not in a column: to three decimals, and one too small
-/// for them as [`angle`] has it.
+/// for them as in [`angle`].
 ///
 /// ```
 /// use mindeg_answers::numbers::steady_angle;

@@ -29,7 +29,7 @@ pub(crate) fn met_or_written_anyway(
 }
 
 /// The demands that the mesh of a domain with a known minimum angle breaks. Degrees are total. To
-/// name a triangle all are looked at again, and the bar shows it.
+/// name a triangle, all are examined again, and the bar shows it.
 pub(crate) fn unmet_by_boundary_mesh(
     demands: &Demands,
     mesh: &BoundaryMesh,

@@ -58,7 +58,7 @@ fn add_presets(known: &mut KnownFiles) {
     }
 }
 
-/// Opens an address in the user's browser; false if there is no program for it.
+/// Opens an address in the user's browser; false if no program can do it.
 fn open(address: &str) -> bool {
     let mut command = if cfg!(target_os = "macos") {
         Command::new("open")

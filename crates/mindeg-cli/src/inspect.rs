@@ -1,4 +1,4 @@
-//! `mindeg inspect`: what is in a mesh, whatever program wrote it.
+//! `mindeg inspect`: the properties of a mesh of any program.
 
 mod text;
 

@@ -2,7 +2,7 @@
 //!
 //! Limits: SIGKILL and a power failure cannot be caught. Then `.mindeg-*.part` stays behind.
 //! Nothing waits for the disk, so what is left of a file after a power failure is up to the file
-//! system. Only Linux tells which signals are to be ignored; elsewhere all are heard.
+//! system. Only Linux tells which signals are to be ignored; elsewhere mindeg handles all.
 
 use crate::bar;
 use crate::failure::Failure;
@@ -86,7 +86,7 @@ fn end_by(signal: i32) {
     std::process::exit(128 + signal);
 }
 
-/// The signals that this process was started to ignore, as bits from SIGHUP's, 1, on; none where
+/// The signals that this process was started to ignore, as bits from SIGHUP's, 1, on; 0 where
 /// the system does not say.
 #[cfg(unix)]
 fn ignored_signals() -> u64 {
@@ -95,7 +95,7 @@ fn ignored_signals() -> u64 {
     mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or_default()
 }
 
-/// Without signals that tell which they are, flags are looked at ten times a second.
+/// Without signals that tell which they are, poll the flags ten times a second.
 #[cfg(not(unix))]
 fn listen() -> io::Result<()> {
     use std::sync::Arc;

@@ -54,7 +54,7 @@ pub enum CompareError {
         /// How many there are.
         vertices: u32,
     },
-    /// There is no mesh of the domain.
+    /// The domain cannot be meshed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// The solver has no mesh of the domain.

@@ -2,7 +2,7 @@
 //!
 //! Every key is always there; what a method does not have is `null` or empty. Only `seconds`
 //! differs from run to run. The published schema is `docs/report.schema.json`; keys are added
-//! over time, none changes its meaning.
+//! over time, but no key changes its meaning.
 //!
 //! Limits: figures only. Points and triangles are in the files that `mindeg mesh` writes.
 

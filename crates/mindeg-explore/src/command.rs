@@ -41,7 +41,7 @@ pub(crate) fn file_stem(domain: &Domain) -> String {
 pub(crate) fn command(request: &Request, domain: &Domain, known: &KnownFiles) -> String {
     let file = known.with(request.domain.get());
     let input = match file {
-        // A file name that begins with a dash would be taken for an option.
+        // A file name that begins with a dash would look like an option.
         Some(path) if path.starts_with('-') => shell_word(&format!("./{path}")),
         Some(path) => shell_word(path),
         None => "-".to_owned(),

@@ -1,4 +1,4 @@
-//! The lines of an answer, as JSON has them.
+//! The lines of an answer, in JSON.
 
 use mindeg_answers::degree::DegreeReport;
 use mindeg_answers::limit::LimitAnswer;

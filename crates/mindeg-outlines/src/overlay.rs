@@ -210,7 +210,7 @@ fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> DrawnRing {
         let begins = if step.forward { chord.piece } else { chord.piece + 1 };
         let begins = &chord.ring.pieces[begins % chord.ring.pieces.len()];
         let is_first = chord.part.0 == if step.forward { 0 } else { chord.part.1 - 1 };
-        // The point as the file has it: 0 may be -0.
+        // The file's own point: 0 may be -0.
         let is_own = step.forward && at_start && is_first;
         pieces.push(Piece {
             start: if is_own { start } else { points[step.from as usize] },

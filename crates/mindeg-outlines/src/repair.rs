@@ -21,7 +21,7 @@ use crate::error::OutlineError;
 /// The share of the shorter neighbouring edge by which a vertex moves at most.
 const SHARE_MOVED: f64 = 0.25;
 
-/// The most points that are looked at to move vertices of one shape.
+/// The most points to examine in order to move vertices of one shape.
 const MOST_LOOKED_AT: usize = 100_000_000;
 
 impl Outlines {
@@ -148,7 +148,7 @@ fn edges(ring: &DrawnRing) -> Vec<[DVec2; 2]> {
 }
 
 /// A point a little inside the ring, beside one of its vertices, so that its pieces there meet no other
-/// edge; none if they are curved or nothing is free.
+/// edge; `None` if they are curved or nothing is free.
 fn moved_inside(ring: &DrawnRing, index: usize, edges: &[[DVec2; 2]]) -> Option<DVec2> {
     let count = ring.pieces.len();
     let [before, after] = [index + count - 1, index + 1].map(|at| &ring.pieces[at % count]);

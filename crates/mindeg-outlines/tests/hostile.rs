@@ -77,7 +77,7 @@ fn minus_zero_is_zero_in_all_formats() {
     }
 }
 
-/// Reads, repairs and divides as the command line does, whatever comes of it.
+/// Reads, repairs and divides as the command line does, and ignores the result.
 fn use_all(bytes: &[u8], format: OutlineFormat) {
     let Ok(outlines) = outlines::read(bytes, format, alone) else { return };
     // The amount that is read is proportional to the file.

@@ -1,6 +1,6 @@
 //! The least maximum degree of a planar mesh whose outline is not convex, or has holes.
 //!
-//! Limits: points are taken as the file has them. Three that rounding may have moved off one line count as
+//! Limits: the points are those of the file. Three that rounding may have moved off one line count as
 //! on it; where edges are not much longer than rounding, nothing is said.
 
 use mindeg::Progress;
@@ -12,7 +12,7 @@ use mindeg_mesh::{TriMesh, weld};
 use serde::Serialize;
 use std::ops::Range;
 
-/// Up to this many boundary vertices the outline is looked at.
+/// The most boundary vertices of an outline that is examined.
 const MOST_VERTICES: usize = 200_000;
 
 /// Up to this many triples of vertices that see each other, exact work takes about a second.

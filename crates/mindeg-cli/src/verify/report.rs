@@ -65,7 +65,7 @@ struct Checked {
 /// The angles of a mesh, in degrees.
 pub(super) struct Angles {
     pub(super) min: f64,
-    /// The triangle that has it.
+    /// The triangle with the minimum angle.
     pub(super) triangle: usize,
     pub(super) max: f64,
     /// The largest minimum angle that a mesh can have, where it was worked out.

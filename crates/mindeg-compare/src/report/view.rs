@@ -48,7 +48,7 @@ struct Page<'a> {
     script: &'static str,
 }
 
-/// Writes a mesh as one self-contained HTML page, in which it can be looked at and measured.
+/// Writes a mesh as one self-contained HTML page, in which a reader can view and measure it.
 ///
 /// Vertices with identical coordinates count as one, and only those of triangles are shown.
 /// A mesh in space is drawn as seen along one of the axes. All measures are of the triangles in

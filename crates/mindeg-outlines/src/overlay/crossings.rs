@@ -19,7 +19,7 @@ const MOST_COMPARISONS: u64 = 1_000_000_000;
 /// How many comparisons a point costs, which takes memory, too.
 const COST_OF_POINT: u64 = 100;
 
-/// How often rounded crossings are looked at again. Two or three rounds end nearly all.
+/// The most rounds over rounded crossings. Two or three rounds suffice for nearly all input.
 const ROUNDS: usize = 40;
 
 /// The edges with a vertex wherever two of them meet, and how many were added.

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use mindeg_mesh::TriMesh;
 
-/// An axis along which a mesh is looked at.
+/// An axis along which a mesh is viewed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Axis {
     X,
@@ -55,7 +55,7 @@ impl Axis {
         }
     }
 
-    /// The position of a point in the picture, which is not mirrored: x and z are looked at from their
+    /// The position of a point in the picture, which is not mirrored: the view along x and z is from their
     /// positive end, y from its negative one.
     fn flatten(self, position: DVec3) -> DVec2 {
         let DVec3 { x, y, z } = position;
