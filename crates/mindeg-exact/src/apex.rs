@@ -159,7 +159,7 @@ impl Matching {
             if self.is_placed[first as usize] {
                 continue;
             }
-            // Edges, each with its place in the list of the apex that the edge before it takes.
+            // Edges, each with its index in the list of the apex that the edge before it takes.
             let mut path: Vec<(u32, usize)> = vec![(first, 0)];
             while let Some(&(edge, _)) = path.last() {
                 let index = next_apex[edge as usize];

@@ -149,7 +149,7 @@ mod tests {
     #[test]
     fn the_hulls_tell_what_all_points_do() {
         for size in [5, 1000] {
-            // Many on lines, and many in one place.
+            // Many points on lines, and many at one position.
             let point = |v: u32| [2 * v, 2 * v + 1].map(|v| f64::from(scattered(v, size)));
             let points: Vec<DVec2> = (0..300).map(|v| DVec2::from(point(v))).collect();
             let hulls = Hulls::new(&points);

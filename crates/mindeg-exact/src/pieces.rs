@@ -1,4 +1,4 @@
-//! The interval dynamic program: which triangulations of each piece can be part of a best one.
+//! The interval dynamic program: finds triangulations of each piece that can belong to a best one.
 //!
 //! A chord (i, j) cuts off the piece of boundary from i to j. The rest of the polygon depends on
 //! the piece only through its numbers of edges at i and j, and through its [`Merit`]. So a front

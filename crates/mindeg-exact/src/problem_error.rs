@@ -17,7 +17,7 @@ pub enum ProblemError {
         /// Their number.
         vertices: u32,
     },
-    /// Other numbers of points than of vertices.
+    /// The numbers of points and vertices differ.
     #[error("found {points} points for {vertices} boundary vertices; give one for each")]
     PointCount {
         /// The vertices.

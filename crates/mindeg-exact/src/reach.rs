@@ -13,7 +13,7 @@ use std::ops::Range;
 const BATCH: usize = 64;
 
 /// The edges of `chords` that are in some triangulation of them without a tangent below
-/// `threshold`; none if there is no such triangulation. `report` gets the share that is done.
+/// `threshold`; `None` if no such triangulation exists. `report` gets the share that is done.
 ///
 /// An edge splits the polygon into two pieces. A first pass goes over the inner pieces, from short
 /// edges to long ones: one is good if some good triangle on the edge has two good pieces beneath.

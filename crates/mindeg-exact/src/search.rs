@@ -1,4 +1,4 @@
-//! The search for the largest minimum angle, and the choice of a mesh that has it.
+//! The search for the largest minimum angle, and the choice of a mesh that reaches it.
 
 use crate::chords::Chords;
 use crate::delaunay::{least_tangent, make_delaunay};

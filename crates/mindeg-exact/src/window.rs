@@ -31,7 +31,7 @@ pub(crate) struct Window {
     next: Vec<u32>,
 }
 
-/// A window as a polygon of its own, whose vertices are the places 0, 1, 2, … on its ring.
+/// A window as a separate polygon, whose vertices are the indices 0, 1, 2, … on its ring.
 pub(crate) struct Local {
     /// The vertex at each place.
     pub(crate) ring: Vec<u32>,

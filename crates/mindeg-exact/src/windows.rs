@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Triangles of a window, from the first try to the last.
 const SIZES: [usize; 5] = [12, 24, 48, 96, 192];
 
-/// The most places that are tried in a fan larger than the window.
+/// The most positions that are tried in a fan larger than the window.
 const PLACES: usize = 64;
 
 /// Vertices from one report of progress to the next.

@@ -79,7 +79,7 @@ impl Case {
     }
 }
 
-/// The edges that are no edges of the loop, each once.
+/// The edges that are not edges of the loop, each once.
 fn chords(triangles: &[[u32; 3]], n: u32) -> Vec<(u32, u32)> {
     let mut edges: Vec<(u32, u32)> = triangles
         .iter()

@@ -53,7 +53,7 @@ const SEEDS: [Seed; 5] = [
 /// The boundary stays as it is. Degrees and angles are aims: the search is heuristic, and the report says
 /// what was reached and which limits are proven. Equal input gives equal bytes.
 ///
-/// O(n log n) for n points, beside what is spent on places that need operations.
+/// O(n log n) for n points, plus the time for regions that need operations.
 ///
 /// # Errors
 ///

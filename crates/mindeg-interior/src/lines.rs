@@ -1,4 +1,4 @@
-//! From fixed lines, whose ends may be places, to fixed points and segments between vertices.
+//! Turns fixed lines, whose ends may be positions, into fixed points and segments between vertices.
 
 use crate::edge_tree::EdgeTree;
 use crate::near::Near;

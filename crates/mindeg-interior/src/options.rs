@@ -56,7 +56,7 @@ pub struct Fixed {
     pub segments: Vec<[u32; 2]>,
 }
 
-/// Why there is no mesh.
+/// Why meshing failed.
 #[derive(Debug, Error)]
 #[non_exhaustive]
 pub enum InteriorError {

@@ -6,7 +6,7 @@ use mindeg_mesh::Bounds;
 /// Steps of the grid on each axis, as a power of 2.
 const BITS: u32 = 24;
 
-/// The indices of points in the order of Hilbert's curve; equal places in the order of their index.
+/// The indices of points in the order of Hilbert's curve; equal positions in the order of their index.
 pub(crate) fn along_hilbert_curve(points: &[DVec2]) -> Vec<u32> {
     let Some(bounds) = Bounds::of(points.iter().copied()) else { return Vec::new() };
     let scale = f64::from((1_u32 << BITS) - 1) / bounds.size().max_element();

@@ -47,7 +47,7 @@ pub(crate) struct Ground<'a> {
 struct Candidate {
     /// A point of the domain.
     from: DVec2,
-    /// To the place, if the size were everywhere as it is at `from`.
+    /// The vector to the position, if the size were everywhere as at `from`.
     step: DVec2,
     /// The direction of the packing here.
     direction: DVec2,
@@ -164,7 +164,7 @@ impl Ground<'_> {
         let reach = candidate.step.length();
         let mut place = guess;
         if reach > 0.0 {
-            // A cheap look first: most places round a point are taken.
+            // A cheap check first: most positions round a point are taken.
             if let Some((other, distance)) = near.nearest(guess, reach)
                 && distance < 0.5 * self.spacing * sizes[other as usize].min(reach)
             {
@@ -244,7 +244,7 @@ fn is_crowded(x: DVec2, [a, b]: [DVec2; 2], distance: f64, size: f64) -> bool {
     distance < CLEARANCE * size.min(length) || 2.0 * u.dot(v) < -u.length() * v.length()
 }
 
-/// Six places round a point.
+/// Six positions round a point.
 fn surround(from: DVec2, size: f64, direction: DVec2, queue: &mut VecDeque<Candidate>) {
     let sixth = DVec2::new(0.5, SQRT_3 / 2.0);
     let mut turned = direction;

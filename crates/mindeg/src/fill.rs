@@ -5,7 +5,7 @@
 //! made again, so no edge gets three faces. What one loop adds counts for the next where they share
 //! vertices; loops that share none are filled at the same time, with the same result.
 //!
-//! The mesh stays as it is: vertices, triangles, groups, lines and names keep their places. The new
+//! The given mesh stays: vertices, triangles, groups, lines and names keep their indices. The new
 //! triangles form the group `fill`, at the end.
 //!
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.

@@ -375,7 +375,7 @@ proptest! {
         let edges = |loops: &Loops| loops.list().iter().map(|found| found.vertices.len()).sum::<usize>();
         prop_assert!(edges(&Loops::of(&closed.mesh)) <= edges(&loops));
         if loops.list().len() > 1 {
-            // Nothing panics, and what is joined is no worse.
+            // Nothing panics, and the joined mesh is no worse.
             if let Ok(joined) = bridge((open.clone(), &Loops::of(&open)), None, [0, 1], None, Progress::NONE) {
                 let after = inspected(&joined.mesh);
                 prop_assert_eq!(after.non_manifold_edges.len(), before.non_manifold_edges.len());
@@ -384,7 +384,7 @@ proptest! {
     }
 }
 
-/// Seams: four vertices at one place, whose edges were counted twice or not at all.
+/// Seams: four vertices at one position, whose edges were counted twice or not at all.
 #[test]
 fn the_degree_of_the_whole_counts_vertices_at_one_place_once() {
     let tip = DVec3::Z;

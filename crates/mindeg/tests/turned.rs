@@ -26,7 +26,7 @@ fn file(name: &str) -> String {
     std::fs::read_to_string(path).unwrap()
 }
 
-/// The least degree and the minimum angle of the mesh that has it.
+/// The least degree and the minimum angle of the mesh of that degree.
 fn measures(domain: &Domain) -> (u32, f64) {
     let meshed = mesh(domain, Goal::LeastDegree, Progress::NONE).unwrap();
     let degree = exact::degree(domain, Progress::NONE).unwrap();

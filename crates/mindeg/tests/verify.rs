@@ -219,7 +219,7 @@ const DAMAGES: [(&str, Damage, &[&str]); 14] = [
     (
         "swapped vertices",
         |list, random| {
-            // Two points change places, and with them the triangles cross.
+            // Swaps two points, so that triangles cross.
             let [a, b] = [random.below(list.points.len()), random.below(list.points.len())];
             list.points.swap(a, b);
             let are_alike =

@@ -146,7 +146,7 @@ impl Search<'_> {
     }
 
     /// The least cost below `bound` of a staircase from a start with `before` steps Y behind it,
-    /// and the state in which it ends. Sets the part of the table that was reached.
+    /// and the state in which it ends. Sets the reached entries of the table.
     fn best_from(
         &self,
         start: usize,

@@ -89,7 +89,7 @@ impl Outline {
         Self::new(&corners, &vec![1; corners.len()])
     }
 
-    /// Every side of the ring the corners of which are integers, divided at exact places.
+    /// A random ring with integer corners; every side is divided at exact positions.
     pub(crate) fn random(random: &mut Random, corners: usize, most: usize) -> Option<Self> {
         let grid = if random.below(2) == 0 { 7 } else { 100 };
         let mut at = Vec::<(f64, f64)>::new();

@@ -44,7 +44,7 @@ pub(super) fn best_candidate(
     let points = Points::new(placement, form.first());
     let mut best: Option<(f64, Triangulation)> = None;
     let mut dropped = None;
-    // Candidates are mostly bad in the same places: where one is worst is where to look at others.
+    // Candidates are mostly bad in the same region: where one is worst, others are tested first.
     let mut suspects = Vec::new();
     for (tried, candidate) in (1..).zip(candidates.sample(limit)) {
         let limit = best.map_or(f64::INFINITY, |(worst, _)| worst * (1.0 - MARGIN));

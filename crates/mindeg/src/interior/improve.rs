@@ -153,7 +153,7 @@ pub fn improve(
     })
 }
 
-/// A mesh's vertices, those at one place as one.
+/// A mesh's vertices; vertices at one position count as one.
 struct Merged {
     /// The new index of each vertex.
     names: Vec<u32>,

@@ -1,4 +1,4 @@
-//! The proven limit of the minimum angle on a domain, and the place that decides it.
+//! The proven limit of the minimum angle on a domain, and the feature that decides it.
 
 use std::fmt;
 

@@ -17,7 +17,7 @@ pub(super) struct Joint<'m> {
     pub(super) model: &'m Model,
     pub(super) positions: Vec<DVec3>,
     faces: Vec<PlaneFace>,
-    /// For each face its triangles, by places on its rings.
+    /// For each face its triangles, by indices on its rings.
     pub(super) triangles: Vec<Vec<[u32; 3]>>,
     /// For each vertex its edges, over all faces.
     pub(super) totals: Vec<u32>,

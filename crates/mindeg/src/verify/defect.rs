@@ -80,7 +80,7 @@ pub enum MeshDefect {
         /// The likely change of the whole mesh.
         change: Option<MeshChange>,
     },
-    /// A triangle with two corners in one place.
+    /// A triangle with two corners at one position.
     RepeatedVertex(FaultyTriangle),
     /// A triangle with the vertices of an earlier one.
     RepeatedTriangle {

@@ -97,7 +97,7 @@ impl Search<'_> {
 
     fn edge(&self, ends: [u32; 2]) -> FaultyEdge {
         let [a, b] = ends.map(|v| self.points[v as usize]);
-        // As far from the line as a vertex may be from its place.
+        // As far from the line as a vertex may be from its position.
         let slack = 1e-6 * a.distance(b);
         let is_on_it = |&v: &u32| {
             let p = self.points[v as usize];

@@ -43,7 +43,7 @@ pub struct VerifiedMesh {
 /// that its triangles cover the domain once and lie edge to edge. Other vertices are interior points.
 /// O(n log n).
 ///
-/// Vertices count as one if they are in one place or belong to one boundary point. A vertex belongs to the
+/// Vertices count as one if they are at one position or belong to one boundary point. A vertex belongs to the
 /// nearest boundary point that is no farther than `tolerance`, in units of length; without one,
 /// [`DEFAULT_TOLERANCE`](super::DEFAULT_TOLERANCE) of the domain's extent, or what 32-bit floats round its
 /// coordinates by, whichever is larger, but no more than a quarter of the shortest interval. Where a vertex
