@@ -269,7 +269,7 @@ mod tests {
         }
     }
 
-    /// From 40,000 vertices on all edges passed for such that reach any angle, and then none was found.
+    /// From 40,000 vertices on, all edges counted as edges that reach any angle; the search then found none.
     #[test]
     fn a_large_polygon_does_not_reach_what_it_cannot() {
         let n = 40_002_u32;

@@ -1,9 +1,9 @@
-//! The chords that no triangulation has: those that join two vertices of one straight side, and those
+//! The chords that no triangulation has: chords that join two vertices of one straight side, and chords
 //! that pass a vertex.
 //!
 //! Points of a slanted side are rounded, and sides may bend by less than a billionth of a radian. So a
 //! triangulation can have a chord within a side, behind which the boundary bulges by a hair. As well, a
-//! chord may pass a reflex corner by a hair, as rounding has it: whether it does must not depend on how
+//! chord may pass a reflex corner by a hair, through rounding: whether it does must not depend on how
 //! the domain is turned. [`passes`] has one tolerance for both.
 //!
 //! [`Sides::of_triangulation`] flips such edges of a given triangulation. Where it cannot flip one within

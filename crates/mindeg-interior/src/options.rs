@@ -94,12 +94,12 @@ pub enum InteriorError {
         /// The boundary vertex that decides.
         vertex: u32,
     },
-    /// A place outside the domain.
+    /// A position outside the domain.
     #[error("{what} at ({}, {}) is not inside the domain", at[0], at[1])]
     Outside {
-        /// What is there.
+        /// The feature at that position.
         what: String,
-        /// Where it is.
+        /// The position.
         at: [f64; 2],
     },
     /// A line that ends on the boundary, but not at a boundary vertex.

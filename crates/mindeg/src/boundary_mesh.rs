@@ -1,7 +1,7 @@
 //! A domain's mesh: of the candidates with the least maximum degree, the one with the largest minimum
 //! angle on the actual points; or any other triangulation, given as a list.
 //!
-//! What looks at every triangle does so with all threads, and gives the same results however many
+//! Work over every triangle uses all threads, and gives the same results however many
 //! there are.
 //!
 //! Limits: the best of the candidates tried is not the best triangulation of that degree, let alone

@@ -213,7 +213,7 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
         return Ok(meshed);
     }
     if domain.convex().is_some() && !domain.is_constrained() {
-        // What no window reaches, as round a dominant side, the formula does.
+        // The formula reaches degrees that no window reaches, for example round a dominant side.
         return formula(domain, progress);
     }
     let meshed = degree_first(&posed, progress)?;
@@ -263,7 +263,7 @@ mod tests {
             let side_of: Vec<usize> =
                 (0..intervals.len()).flat_map(|k| vec![k; intervals[k] as usize]).collect();
             let n = side_of.len();
-            // Of the edge that begins at a vertex and of the one that ends there.
+            // The sides of the edge that begins at a vertex and of the edge that ends there.
             let sides = |v: usize| [side_of[v], side_of[(v + n - 1) % n]];
             let joins = |a: usize, b: usize| !sides(a).iter().any(|side| sides(b).contains(side));
             let chords =

@@ -177,7 +177,7 @@ impl<'a> Posed<'a> {
     pub(crate) fn unsolved(&self, error: Unsolved, progress: Progress<'_>) -> ExactError {
         match error {
             Unsolved::VertexLimits => {}
-            // Windows did not keep the limits, and there is no search: of meshes with holes, or of so many.
+            // Windows did not keep the limits, and no search handles holes or this many vertices.
             Unsolved::NotAPolygon => return ExactError::LimitsNotReached,
             _ => return error.into(),
         }

@@ -15,7 +15,7 @@ fn meshed(model: &Model) -> ModelMesh {
     mesh_model(model, goal, Progress::NONE).unwrap()
 }
 
-/// That a mesh is a closed two-manifold with the model's points, counted by other means than the
+/// Checks that a mesh is a closed two-manifold with the model's points, counted by other means than the
 /// library's; returns its Euler characteristic.
 fn check_closed(model: &Model, meshed: &ModelMesh) -> i64 {
     let mesh = &meshed.mesh;
@@ -135,7 +135,7 @@ fn check_bound(bound: &JointBound, at_least: u32, mesh: &TriMesh) {
             let total: u128 = weights.iter().map(|&weight| u128::from(weight)).sum();
             assert_eq!(sum.div_ceil(total), u128::from(at_least));
         }
-        // What a mesh must have of that is its degree.
+        // The degree of this bound is the degree that a mesh must have.
         JointBound::Side { max_degree, .. } => assert_eq!(*max_degree, at_least),
         other => unreachable!("{other:?} is checked nowhere"),
     }

@@ -37,7 +37,7 @@ pub enum MeshChange {
     Moved(DVec2),
 }
 
-/// Why a mesh is no triangulation of a domain. Vertices and triangles have the indices of the mesh, from
+/// Why a mesh is not a triangulation of a domain. Vertices and triangles have the indices of the mesh, from
 /// 0; boundary points those of the domain, from 0.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
