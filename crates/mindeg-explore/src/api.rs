@@ -30,7 +30,7 @@
 //!
 //! First [`AnswerLine::Domain`] or [`AnswerLine::Refused`]; then what is fast; last [`AnswerLine::Done`]. Only what
 //! [`Request::show`] lists is worked out: the curve, say, stays the same for another goal. A later mesh of
-//! the same view takes the place of an earlier one.
+//! the same view replaces an earlier one.
 
 use mindeg::Goal;
 use mindeg::quality::METRICS;

@@ -1,4 +1,4 @@
-//! The domains of `assets/domains`, which are part of the program.
+//! The domains of `assets/domains`, embedded in the program.
 
 use serde_json::value::RawValue;
 

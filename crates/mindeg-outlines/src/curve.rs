@@ -14,11 +14,11 @@ pub enum PieceCurve {
     Line,
     /// A cubic Bézier curve with these two control points.
     Cubic([DVec2; 2]),
-    /// A part of an ellipse.
+    /// An elliptic arc.
     Arc(EllipseArc),
 }
 
-/// A part of an ellipse: the points `center + axes[0] * cos(a) + axes[1] * sin(a)` for angles `a`
+/// An elliptic arc: the points `center + axes[0] * cos(a) + axes[1] * sin(a)` for angles `a`
 /// from `start` to `start + sweep`, in radians. The axes of a circle are as long as its radius and
 /// perpendicular.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,7 +167,7 @@ impl Segment {
             let cell = lengths.partition_point(|&length| length <= wanted).clamp(1, CELLS) - 1;
             let start = cell as f64 / CELLS as f64;
             let (mut low, mut high) = (start, (cell + 1) as f64 / CELLS as f64);
-            // Each step halves the cell: as many as an f64 has bits.
+            // Each step halves the cell: take as many steps as an f64 has bits.
             for _ in 0..53 {
                 let middle = (low + high) / 2.0;
                 if lengths[cell] + self.length_between(start, middle) < wanted {
@@ -289,7 +289,7 @@ mod tests {
         let circle = PieceCurve::Arc(EllipseArc { sweep: TAU, ..arc });
         let circle = Segment { end: quarter().start, curve: circle, ..quarter() };
         assert_eq!(circle.intervals_by_turning(), 24);
-        // All four points in one place.
+        // All four points at one position.
         let point = Segment {
             start: DVec2::ONE,
             end: DVec2::ONE,

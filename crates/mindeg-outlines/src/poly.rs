@@ -106,7 +106,7 @@ fn names(text: &str) -> BTreeMap<i64, Shared<str>> {
     comments.filter_map(named).collect()
 }
 
-/// The vertices, and the number of the first one, 0 or 1; `None` if the file has 0 vertices.
+/// The vertices, and the first index, 0 or 1; `None` if the file has 0 vertices.
 fn vertices(rows: &mut Rows<'_>) -> Result<Option<(Vec<DVec2>, u64)>, OutlineError> {
     let (line, mut words) = rows.next("the number of vertices")?;
     let count = whole_at(line, words.next(), "number of vertices")?;

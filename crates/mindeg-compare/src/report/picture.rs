@@ -34,7 +34,7 @@ pub(crate) struct Scene<'a> {
     /// Whether the vertices are those of one boundary, in order.
     pub(crate) is_ring: bool,
     pub(crate) points: &'a [DVec2],
-    /// The numbers of the vertices that belong to the meshes, ascending.
+    /// The indices of the vertices that belong to the meshes, ascending.
     pub(crate) vertices: Vec<u32>,
     /// The least maximum degree of any mesh of these vertices, if it is known.
     pub(crate) at_least: Option<u32>,
@@ -59,7 +59,7 @@ pub(crate) struct Picture {
     is_ring: bool,
     /// x and y of each shown vertex, f64.
     points: String,
-    /// The numbers of the shown vertices, u32; empty where all are shown.
+    /// The indices of the shown vertices, u32; empty where all are shown.
     vertices: String,
     at_least: Option<u32>,
     /// The colors of degrees, from the lowest degree.
@@ -90,7 +90,7 @@ struct Drawing {
     name: String,
     /// Three indices into the shown vertices for each drawn triangle, u32.
     triangles: String,
-    /// The numbers of the drawn triangles, u32; empty where all are drawn.
+    /// The indices of the drawn triangles, u32; empty where all are drawn.
     numbers: String,
     /// The degree of each shown vertex, u32.
     degrees: String,
@@ -270,7 +270,7 @@ fn drawing(
     }
 }
 
-/// The numbers of the triangles that are drawn, ascending: all, or the largest, which make up
+/// The indices of the triangles that are drawn, ascending: all, or the largest, which make up
 /// most of the picture, the worst, and others evenly by number.
 fn drawn_triangles(scene: &Scene, mesh: &Named, triangles: &[[u32; 3]]) -> Vec<usize> {
     let (count, most) = (triangles.len(), scene.most_drawn);

@@ -142,7 +142,7 @@ pub fn write_view(mesh: &TriMesh, provenance: &Provenance, mut out: impl Write) 
     out.write_all(rendered(&page)?.as_bytes())
 }
 
-/// The mesh with every vertex at the place of an earlier one replaced by that, as in an
+/// The mesh with every vertex at the position of an earlier one replaced by it, as in an
 /// inspection, and how many those are.
 fn welded(mesh: &TriMesh) -> io::Result<(TriMesh, u64)> {
     let mut firsts = BTreeMap::new();
