@@ -111,7 +111,7 @@ impl Default for Provenance {
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let mut json = Vec::new();
-/// write_json(compare(&domain, &Options::default())?.report(), &mut json)?;
+/// write_json(compare(&domain, &CompareOptions::default())?.report(), &mut json)?;
 /// assert!(String::from_utf8(json)?.contains("\"at_least\":4"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -102,7 +102,7 @@ mod tests {
             ),
             (
                 vec![LineEnd::Point(3), at(1.0, 1.0)],
-                "fixed line 0 names fixed point 3 (counted from 0); fixed points: 1",
+                "fixed line 0 names fixed point 3; \"points\" has 1 (counted from 0)",
             ),
             (
                 vec![at(f64::NAN, 1.5), at(1.0, 1.0)],

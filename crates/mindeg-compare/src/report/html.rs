@@ -109,7 +109,7 @@ pub(super) struct Figure<'a> {
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?.named("plate")?;
 /// let mut page = Vec::new();
-/// write_html(&compare(&domain, &Options::default())?, &mut page)?;
+/// write_html(&compare(&domain, &CompareOptions::default())?, &mut page)?;
 /// assert!(String::from_utf8(page)?.contains("<h1>plate</h1>"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -136,7 +136,7 @@ pub fn write_html(comparison: &Comparison, out: impl Write) -> io::Result<()> {
 ///     ..PageLinks::default()
 /// };
 /// let mut page = Vec::new();
-/// write_linked_html(&compare(&domain, &Options::default())?, &links, &mut page)?;
+/// write_linked_html(&compare(&domain, &CompareOptions::default())?, &links, &mut page)?;
 /// assert!(String::from_utf8(page)?.contains(r#"<a href="wing.html""#));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -23,7 +23,7 @@ use std::io::{self, Write};
 ///
 /// let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4])?;
 /// let mut markdown = Vec::new();
-/// write_markdown(&compare(&domain, &Options::default())?, &mut markdown)?;
+/// write_markdown(&compare(&domain, &CompareOptions::default())?, &mut markdown)?;
 /// assert!(String::from_utf8(markdown)?.contains("| mindeg and Exact, degree 4 | 4 |"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
