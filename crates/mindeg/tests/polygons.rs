@@ -431,7 +431,7 @@ fn other_triangles_than_a_mesh_are_refused() {
     assert!(refused(good[1..].to_vec()).contains("found 7 triangles, expected 8"));
     let mut other = good.clone();
     other[0] = [0, 1, 2];
-    assert!(refused(other).contains("on its left"));
+    assert!(refused(other).contains("on the same side"));
     let mut other = good;
     other[0] = [0, 1, 99];
     assert!(refused(other).contains("vertex 99, which does not exist"));
