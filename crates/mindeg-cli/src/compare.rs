@@ -63,7 +63,7 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
     };
     // Refuse outputs that cannot be written before the work, which can take minutes.
     let mut outputs = Outputs::new(&SESSION);
-    let opened: Vec<Box<dyn Write>> =
+    let opened: Vec<Box<dyn Write + Send>> =
         reports.iter().map(|path| outputs.open(path)).collect::<Result<_, _>>()?;
 
     let comparison = compared(&domain, options, arguments.quiet)?;

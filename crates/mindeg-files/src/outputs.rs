@@ -46,7 +46,7 @@ impl<'a> Outputs<'a> {
     /// # Errors
     ///
     /// An output that cannot be written, is a link, a folder or read-only, or is a file that was read.
-    pub fn open(&mut self, path: &Path) -> Result<Box<dyn Write>, FileError> {
+    pub fn open(&mut self, path: &Path) -> Result<Box<dyn Write + Send>, FileError> {
         if !is_standard_output(path) {
             return Ok(Box::new(self.create(path)?));
         }
@@ -230,8 +230,8 @@ fn same_file(first: &Path, second: &Path) -> String {
 /// Those of `write`, with the name of the file.
 pub fn write_to(
     path: &Path,
-    out: Box<dyn Write>,
-    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+    out: Box<dyn Write + Send>,
+    write: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
 ) -> Result<(), FileError> {
     let mut out = BufWriter::new(out);
     write(&mut out).and_then(|()| out.flush()).map_err(|error| cannot_write(path, &error))

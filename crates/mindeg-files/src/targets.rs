@@ -28,7 +28,7 @@ struct Target {
     /// What writes them, once the positions have been looked at.
     writer: Option<Writer>,
     /// The streams that the files go to, once they are open.
-    out: Vec<Box<dyn Write>>,
+    out: Vec<Box<dyn Write + Send>>,
 }
 
 impl<'a> Targets<'a> {
@@ -255,7 +255,7 @@ impl Target {
         let mut streams = std::mem::take(&mut self.out);
         let name = |file: &PathBuf| file.file_name().unwrap_or_default().to_string_lossy().into();
         let names: Vec<String> = self.files.iter().map(name).collect();
-        let mut files: Vec<(&str, &mut Box<dyn Write>)> =
+        let mut files: Vec<(&str, &mut Box<dyn Write + Send>)> =
             names.iter().map(String::as_str).zip(&mut streams).collect();
         let writer = self.writer.as_ref().expect("the formats were checked before");
         writer.write(mesh, &mut files, progress).map_err(|error| self.failed(error))

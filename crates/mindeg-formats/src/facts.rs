@@ -47,7 +47,7 @@ pub(crate) struct Facts {
 pub(crate) const SIGNED: u32 = i32::MAX as u32;
 
 /// The files of a mesh that is written: each a name and where it goes.
-pub(crate) type Files<'n, 'w> = [(&'n str, &'w mut dyn Write)];
+pub(crate) type Files<'n, 'w> = [(&'n str, &'w mut (dyn Write + Send))];
 
 impl Facts {
     /// The facts of a format that is neither read nor told by its content.

@@ -1,31 +1,25 @@
 //! Turning numbered items into bytes with all threads, and writing the bytes in order.
 //!
-//! A file is a list of [`Section`]s, and these are cut into blocks of about [`BLOCK_LEN`] bytes. The
-//! threads of rayon's current pool format one batch of blocks while the calling thread writes the
-//! batch before. The bytes do not depend on the number of threads, and never more than two batches of
-//! [`BATCH`] blocks for each thread are in memory.
+//! A file is a list of [`Section`]s, and these are cut into blocks of about [`BLOCK_LEN`] bytes. With
+//! `n` threads each formats every `n`-th block, waits until the thread before hands it the file, writes
+//! its block and hands the file on: a thread writes while the others format, and a block is written
+//! from the cache of the core that made it. The bytes do not depend on the number of threads, and there
+//! are never more blocks in memory than threads.
 
 use std::io::{self, Write};
 use std::ops::Range;
+use std::sync::mpsc;
+use std::thread;
 
 use mindeg_mesh::{Counter, Progress};
 
-/// About how many bytes a block takes: enough to be worth a task, and little enough to be still in a
-/// core's cache when it is written.
-const BLOCK_LEN: u32 = 1 << 17;
-
-/// How many blocks of a batch each thread formats: several, so that no thread waits long for another.
-const BATCH: usize = 4;
+/// About how many bytes a block takes: enough to be worth handing the file on, and little enough to be
+/// still in a core's cache when it is written.
+const BLOCK_LEN: u32 = 1 << 19;
 
 /// The most items formatted at a time.
 const PART: usize = 4096;
 
-/// A buffer that takes a block, also one that is longer than was thought.
-fn buffer() -> io::Result<Vec<u8>> {
-    let mut buffer = Vec::new();
-    buffer.try_reserve_exact(2 * BLOCK_LEN as usize)?;
-    Ok(buffer)
-}
 /// How a range of items becomes bytes: they are appended to the buffer.
 type Format<'a> = dyn Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a;
 
@@ -110,46 +104,61 @@ pub(crate) fn block_count(sections: &[Section<'_>]) -> u64 {
 }
 
 /// Writes the sections one after the other.
-pub(crate) fn write_sections(out: &mut impl Write, sections: &[Section<'_>]) -> io::Result<()> {
+pub(crate) fn write_sections(
+    out: &mut (impl Write + Send),
+    sections: &[Section<'_>],
+) -> io::Result<()> {
     write_counted(out, sections, &Progress::NONE.counter("", 0))
 }
 
 /// [`write_sections`], which counts the blocks that are written.
 pub(crate) fn write_counted(
-    out: &mut impl Write,
+    out: &mut (impl Write + Send),
     sections: &[Section<'_>],
     written: &Counter<'_>,
 ) -> io::Result<()> {
-    let mut blocks = sections.iter().flat_map(Section::blocks);
-    #[cfg(feature = "parallel")]
-    if rayon::current_num_threads() > 1 && block_count(sections) > 1 {
-        let len = (BATCH * rayon::current_num_threads()).min(block_count(sections) as usize);
-        let buffers = || (0..len).map(|_| buffer()).collect::<Result<Vec<_>, _>>();
-        let (mut full, mut empty) = (buffers()?, buffers()?);
-        let mut ready = 0;
-        loop {
-            let batch: Vec<_> = blocks.by_ref().take(len).collect();
-            rayon::in_place_scope(|scope| {
-                for (block, buffer) in batch.iter().zip(&mut empty) {
-                    scope.spawn(move |_| block.format(buffer));
-                }
-                full[..ready].iter().try_for_each(|buffer| out.write_all(buffer))
-            })?;
-            written.add(ready).map_err(io::Error::other)?;
-            if batch.is_empty() {
-                return Ok(());
+    let threads = thread_count().min(block_count(sections)).max(1) as usize;
+    // The file goes round: each thread has the end of the channel that it gets the file from, and the
+    // beginning of the next thread's. Whoever ends early drops both, so that all others end as well.
+    let (mut hand_on, turns): (Vec<_>, Vec<_>) =
+        (0..threads).map(|_| mpsc::sync_channel(1)).unzip();
+    hand_on[0].send(out).expect("its receiver is in `turns`");
+    hand_on.rotate_left(1);
+    let mut shares = turns.into_iter().zip(hand_on).enumerate().map(|(first, (turn, hand_on))| {
+        move || {
+            // Dropped when this thread ends, also by an error or a panic.
+            let (turn, hand_on) = (turn, hand_on);
+            let mut buffer = Vec::new();
+            buffer.try_reserve_exact(2 * BLOCK_LEN as usize)?;
+            for block in sections.iter().flat_map(Section::blocks).skip(first).step_by(threads) {
+                block.format(&mut buffer);
+                let Ok(out) = turn.recv() else { return Ok(()) };
+                out.write_all(&buffer)?;
+                written.add(1).map_err(io::Error::other)?;
+                // After the last block nobody may be left to take it.
+                let _ = hand_on.send(out);
             }
-            ready = batch.len();
-            std::mem::swap(&mut full, &mut empty);
+            Ok(())
         }
-    }
-    let mut buffer = buffer()?;
-    for block in blocks {
-        block.format(&mut buffer);
-        out.write_all(&buffer)?;
-        written.add(1).map_err(io::Error::other)?;
-    }
-    Ok(())
+    });
+    let own = shares.next().expect("at least one thread");
+    thread::scope(|scope| {
+        let others: io::Result<Vec<_>> =
+            shares.map(|share| thread::Builder::new().spawn_scoped(scope, share)).collect();
+        let own = own();
+        let others = others?.into_iter().map(|other| other.join());
+        others.fold(own, |all, other| {
+            all.and(other.unwrap_or_else(|panic| std::panic::resume_unwind(panic)))
+        })
+    })
+}
+
+/// How many threads may format at the same time.
+fn thread_count() -> u64 {
+    #[cfg(feature = "parallel")]
+    return rayon::current_num_threads() as u64;
+    #[cfg(not(feature = "parallel"))]
+    return 1;
 }
 
 #[cfg(test)]
@@ -189,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn no_more_than_two_batches_are_in_memory() {
+    fn no_more_blocks_than_threads_are_in_memory() {
         let formatted = AtomicUsize::new(0);
         let sections = [Section::new(100, BLOCK_LEN, |range, buffer| {
             formatted.fetch_add(range.len(), Relaxed);
@@ -200,13 +209,9 @@ mod tests {
         impl Write for Slow<'_> {
             fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
                 std::thread::sleep(std::time::Duration::from_millis(5));
-                self.0 += 1;
                 let formatted = self.1.load(Relaxed);
-                assert!(
-                    formatted <= self.0 + 2 * BATCH * 3,
-                    "{formatted} when {} are written",
-                    self.0
-                );
+                assert!(formatted <= self.0 + 3, "{formatted} when {} are written", self.0);
+                self.0 += 1;
                 Ok(bytes.len())
             }
             fn flush(&mut self) -> io::Result<()> {

@@ -87,7 +87,7 @@ impl Writer {
     /// # Errors
     ///
     /// Errors of the files, another number of files, and what the format cannot hold.
-    pub fn write<W: Write>(
+    pub fn write<W: Write + Send>(
         &self,
         mesh: &dyn Mesh,
         files: &mut [(&str, W)],
@@ -100,7 +100,7 @@ impl Writer {
             let problem = format!("{format} takes {count} files, and there are {found}");
             return Err(WriteError::Refused(problem));
         }
-        let files = files.iter_mut().map(|(name, out)| (*name, out as &mut dyn Write));
+        let files = files.iter_mut().map(|(name, out)| (*name, out as &mut (dyn Write + Send)));
         let mut files: Vec<_> = files.collect();
         let stage = &format!("writing .{}", self.format.extension());
         let (options, stored) = (&self.options, self.stored.as_ref());
@@ -134,7 +134,7 @@ pub fn write(
     format: Format,
     mesh: &dyn Mesh,
     options: &WriteOptions,
-    out: impl Write,
+    out: impl Write + Send,
 ) -> Result<(), WriteError> {
     let writer = Writer::new(format, *options, mesh, mesh.triangle_count())?;
     writer.write(mesh, &mut [("", out)], Progress::NONE)

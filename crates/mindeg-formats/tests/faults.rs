@@ -9,9 +9,9 @@ use mindeg_formats::{
     read_as, with_boundary_lines,
 };
 use mindeg_mesh::{Progress, TriMesh, Triangles};
-use std::cell::Cell;
 use std::io::{self, BufReader, ErrorKind, Read, Write};
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 /// A grid of squares, each of two triangles; large enough for several blocks of every section.
 fn grid(columns: u32, rows: u32) -> TriMesh {
@@ -53,7 +53,7 @@ fn file_count(format: Format) -> usize {
     format.files(Path::new("grid")).len()
 }
 
-fn write<W: Write>(
+fn write<W: Write + Send>(
     mesh: &TriMesh,
     (format, options): (Format, WriteOptions),
     files: &mut [(&str, W)],
@@ -70,7 +70,7 @@ fn written(mesh: &TriMesh, way: (Format, WriteOptions)) -> Vec<Vec<u8>> {
 /// What becomes of the calls of a stream, counted over all streams that share the counter.
 struct Faulty<'a, S> {
     stream: S,
-    calls: &'a Cell<usize>,
+    calls: &'a AtomicUsize,
     /// The call that fails, and how.
     fault: Option<(usize, Fault)>,
     /// The most bytes a call takes; then every third call is interrupted, too.
@@ -87,8 +87,7 @@ enum Fault {
 impl<S> Faulty<'_, S> {
     /// The most bytes that this call may take.
     fn next(&self) -> io::Result<usize> {
-        let call = self.calls.get();
-        self.calls.set(call + 1);
+        let call = self.calls.fetch_add(1, Relaxed);
         match self.fault {
             Some((at, Fault::Kind(kind))) if call >= at => Err(kind.into()),
             Some((at, Fault::Nothing)) if call >= at => Ok(0),
@@ -109,7 +108,7 @@ impl<S: Write> Write for Faulty<'_, S> {
 
     fn flush(&mut self) -> io::Result<()> {
         match self.fault {
-            Some((at, Fault::Kind(kind))) if self.calls.get() >= at => Err(kind.into()),
+            Some((at, Fault::Kind(kind))) if self.calls.load(Relaxed) >= at => Err(kind.into()),
             _ => self.stream.flush(),
         }
     }
@@ -130,12 +129,12 @@ fn write_to_faulty(
     fault: Option<(usize, Fault)>,
     most: Option<usize>,
 ) -> (Result<Vec<Vec<u8>>, WriteError>, usize) {
-    let calls = Cell::new(0);
+    let calls = AtomicUsize::new(0);
     let file = || ("grid.bin", Faulty { stream: Vec::new(), calls: &calls, fault, most });
     let mut files: Vec<_> = (0..file_count(way.0)).map(|_| file()).collect();
     let result = write(mesh, way, &mut files);
     let files = files.into_iter().map(|(_, file)| file.stream).collect();
-    (result.map(|()| files), calls.get())
+    (result.map(|()| files), calls.into_inner())
 }
 
 #[test]
@@ -184,7 +183,7 @@ fn read_faulty(
     fault: Option<(usize, Fault)>,
     most: Option<usize>,
 ) -> (Result<TriMesh, ReadError>, usize) {
-    let calls = Cell::new(0);
+    let calls = AtomicUsize::new(0);
     let input = Faulty { stream: &files[0][..], calls: &calls, fault, most };
     let beside = |name: &str| {
         let index = if name.ends_with(".poly") { 2 } else { 1 };
@@ -192,7 +191,7 @@ fn read_faulty(
     };
     let name = format!("grid.{}", format.extension());
     let mesh = read_as(format, Path::new(&name), BufReader::with_capacity(64, input), beside);
-    (mesh, calls.get())
+    (mesh, calls.into_inner())
 }
 
 #[test]

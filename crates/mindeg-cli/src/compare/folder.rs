@@ -130,8 +130,9 @@ impl Job<'_> {
         if let Some(meshes) = &arguments.save_meshes {
             saved_meshes::save(&meshes.join(&self.name), &comparison, &mut outputs)?;
         }
-        let write =
-            |out: &mut dyn Write| -> io::Result<()> { write_linked_html(&comparison, links, out) };
+        let write = |out: &mut (dyn Write + Send)| -> io::Result<()> {
+            write_linked_html(&comparison, links, out)
+        };
         write_to(&page, out, write)?;
         outputs.finish()?;
         Ok(comparison)

@@ -50,7 +50,7 @@ pub(crate) const FACTS: Facts = Facts {
 pub fn write(
     mesh: &dyn Mesh,
     options: &SurfaceOptions,
-    mut out: impl Write,
+    mut out: impl Write + Send,
 ) -> Result<(), WriteError> {
     let stored = Stored::new(mesh, options.plane)?;
     write_sections(&mut out, &sections(&Arrays::new(mesh, &stored, options))?)?;

@@ -42,8 +42,8 @@ pub fn write(
     mesh: &dyn Mesh,
     options: &SurfaceOptions,
     bin_name: &str,
-    mut gltf_out: impl Write,
-    mut bin_out: impl Write,
+    mut gltf_out: impl Write + Send,
+    mut bin_out: impl Write + Send,
 ) -> Result<(), WriteError> {
     let stored = Stored::new(mesh, options.plane)?;
     let [document, binary] = sections(&Arrays::new(mesh, &stored, options), bin_name)?;

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::ops::Range;
 
 /// Writes a mesh as NPZ, with `degrees` and `min_angles` if `fields` are asked for.
-pub(super) fn write(mesh: &dyn Mesh, fields: bool, out: impl Write) -> io::Result<()> {
+pub(super) fn write(mesh: &dyn Mesh, fields: bool, out: impl Write + Send) -> io::Result<()> {
     let mut archive = Archive::new(out);
     for Array { name, head, rows, row_len, format } in arrays(mesh, fields) {
         let len = len(&head, rows, row_len);

@@ -46,7 +46,7 @@ macro_rules! bytes {
     }};
 }
 
-impl<W: Write> Archive<W> {
+impl<W: Write + Send> Archive<W> {
     pub(super) fn new(out: W) -> Self {
         Self { out, offset: 0, entries: Vec::new() }
     }
@@ -111,7 +111,7 @@ pub(super) struct Checked<'a, W> {
     check_sum: crc32fast::Hasher,
 }
 
-impl<W: Write> Write for Checked<'_, W> {
+impl<W: Write + Send> Write for Checked<'_, W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.out.write(bytes)?;
         self.check_sum.update(&bytes[..written]);

@@ -41,7 +41,11 @@ use std::ops::Range;
 /// assert!(String::from_utf8(file)?.contains("\no plate\nv 0 0 0\nv 2 0 0\nv 2 1 0\n"));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn write(mesh: &dyn Mesh, options: &SurfaceOptions, mut out: impl Write) -> io::Result<()> {
+pub fn write(
+    mesh: &dyn Mesh,
+    options: &SurfaceOptions,
+    mut out: impl Write + Send,
+) -> io::Result<()> {
     write_sections(&mut out, &sections(mesh, options, None).object)?;
     out.flush()
 }
