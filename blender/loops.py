@@ -80,10 +80,10 @@ def _holds(outer, plane, ring):
     return bool(right.sum() % 2)
 
 
-def fill(rings, *, external=None, excluded=(), max_degree=None, keep_angle=None, interior=False):
+def fill(rings, *, external=None, excluded=(), interior=False, **goal):
     """Triangles for a ring of points in space and its holes: new points, triangles, and a line that says what was reached.
 
-    A planar ring is meshed as a polygon, any other as a loop in space. ``external`` are the edges at each vertex without those
+    A planar ring is meshed as a polygon, any other as a loop in space. ``goal`` is for ``Domain.mesh``. ``external`` are the edges at each vertex without those
     of the filling; limits count them.
     """
     rings = [np.asarray(ring, dtype=float) for ring in rings]
@@ -91,10 +91,10 @@ def fill(rings, *, external=None, excluded=(), max_degree=None, keep_angle=None,
     center, axes, off = plane_of(rings[0])
     size = np.ptp(points, axis=0).max()
     if off > PLANAR * size:
-        if interior or keep_angle is not None:
-            raise ValueError(
-                f"the loop is {off:.3g} off its plane; interior points and kept angles need a planar loop"
-            )
+        max_degree = goal.pop("max_degree", None)
+        if interior or goal:
+            wanted = "interior points need" if interior else f"{next(iter(goal))} needs"
+            raise ValueError(f"the loop is {off:.3g} off its plane; {wanted} a planar loop")
         triangles, facts = mindeg.fill_loop(
             points, external=external, excluded=list(excluded), max_degree=max_degree
         )
@@ -118,7 +118,7 @@ def fill(rings, *, external=None, excluded=(), max_degree=None, keep_angle=None,
             f"{len(reached['violations'])} vertices outside 5 to 7 edges"
         )
         return new.tolist(), np.array(names)[mesh.triangles].tolist(), words
-    mesh = domain.mesh(max_degree=max_degree, keep_angle=keep_angle)
+    mesh = domain.mesh(**goal)
     least = mesh.least_max_degree
     bound = f"least possible {least}" if least is not None else "least possible unknown"
     degree = (mesh.degrees + outside[names]).max()

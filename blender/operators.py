@@ -3,6 +3,7 @@
 
 import bmesh
 import bpy
+import mindeg
 from bpy.props import BoolProperty, FloatProperty, IntProperty
 
 from . import loops
@@ -67,23 +68,27 @@ def _add_faces(bm, names, triangles, like=None):
     return made
 
 
+def _goals():
+    """A property for each goal of ``Domain.mesh`` with a number; 0 is none."""
+    properties = {}
+    for goal in mindeg.GOALS:
+        words = {"name": goal["key"].replace("_", " ").title(), "description": goal["help"].split(". ")[0]}
+        if goal["value"] == "degree":
+            properties[goal["key"]] = IntProperty(**words, min=0, default=0)
+        elif goal["value"] == "share":
+            properties[goal["key"]] = FloatProperty(**words, min=0, max=1, default=0, subtype="FACTOR")
+    return properties
+
+
+GOALS = _goals()
+
+
 class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
     """Fill selected loops of edges, or retriangulate selected faces, with few edges at every vertex"""
 
     bl_idname = "mesh.mindeg_fill"
     bl_label = "Fill with Least Degree"
 
-    max_degree: IntProperty(
-        name="Maximum Degree", description="The most edges of a vertex; 0 for the least possible", min=0, default=0
-    )
-    keep_angle: FloatProperty(
-        name="Keep Angle",
-        description="The share of Delaunay's minimum angle to keep; 0 for the least degree",
-        min=0,
-        max=1,
-        default=0,
-        subtype="FACTOR",
-    )
     interior: BoolProperty(name="Interior Points", description="Add points inside", default=False)
 
     def work(self, bm):
@@ -101,11 +106,8 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
         return "; ".join(done)
 
     def wanted(self):
-        return {
-            "max_degree": self.max_degree or None,
-            "keep_angle": self.keep_angle or None,
-            "interior": self.interior,
-        }
+        goals = {key: getattr(self, key) for key in GOALS}
+        return {"interior": self.interior, **{key: value for key, value in goals.items() if value}}
 
     def fill_face(self, bm, face):
         names = list(face.verts)
@@ -134,6 +136,9 @@ class MESH_OT_mindeg_fill(_EditMesh, bpy.types.Operator):
         made = _add_faces(bm, names, triangles)
         bm.normal_update()
         return f"{len(made)} triangles, {words}"
+
+
+MESH_OT_mindeg_fill.__annotations__.update(GOALS)
 
 
 class MESH_OT_mindeg_bridge(_EditMesh, bpy.types.Operator):
@@ -190,7 +195,6 @@ class MESH_OT_mindeg_report(_EditMesh, bpy.types.Operator):
     bl_label = "Report Degrees and Angles"
 
     def work(self, bm):
-        import mindeg
         import numpy as np
 
         chosen = {face for face in bm.faces if face.select} or set(bm.faces)

@@ -3,8 +3,8 @@
 
 use arbitrary::Arbitrary;
 use glam::DVec3;
-use mindeg::model::{ModelGoal, mesh_model};
-use mindeg::{FromMesh, Model, Progress, Side, TriMesh};
+use mindeg::model::mesh_model;
+use mindeg::{FromMesh, Goal, Model, Progress, Side, TriMesh};
 
 #[derive(Arbitrary, Debug)]
 pub(crate) enum Input<'a> {
@@ -46,7 +46,7 @@ pub(crate) fn run(input: Input<'_>) {
     }
     assert_eq!(model.positions().len(), n as usize);
     assert!(model.positions().iter().all(|position| position.is_finite()));
-    match mesh_model(&model, ModelGoal::default(), Progress::NONE) {
+    match mesh_model(&model, Goal::LeastDegree, 1.0, Progress::NONE) {
         Ok(meshed) => {
             assert!(meshed.mesh.triangles().iter().flatten().all(|&v| v < n));
             let degrees = meshed.mesh.degrees();

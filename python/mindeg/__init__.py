@@ -11,12 +11,16 @@ what you give are ``ValueError`` with what to do.
 """
 
 from ._domain import Domain, polygon, rectangle
-from ._interior import improve
-from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, __version__, bridge_loops, fill_loop, inspect, read
+from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, __version__, _goals, bridge_loops, fill_loop, inspect, read
+from ._options import improve
+
+#: The goals of ``Domain.mesh``: for each a dict with its key, what its value is, and what it asks for.
+GOALS = _goals()
 
 __all__ = [
     "Degree",
     "Domain",
+    "GOALS",
     "Mesh",
     "Suggestion",
     "TradeOffPoint",

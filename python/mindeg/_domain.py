@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _mindeg
-from ._interior import InteriorOptions, as_json, names_its_options
+from ._options import GoalOptions, InteriorOptions, as_json, names_its_options
 from ._plain import number, plain, whole_number
 
 if TYPE_CHECKING:
@@ -61,7 +61,15 @@ class Domain(_mindeg._Domain):
     def __reduce__(self):
         return Domain, (self.to_json(),)
 
-    @names_its_options
+    @names_its_options(GoalOptions)
+    def mesh(self, **goal: "Unpack[GoalOptions]") -> _mindeg.Mesh:
+        """The mesh of least degree, or the one that a goal asks for: ``keep_angle=0.95`` or ``"95%"`` the least degree
+        that keeps this share of Delaunay's minimum angle, ``max_degree`` the largest angle within a degree.
+        ``mindeg.GOALS`` has all goals.
+        """
+        return self._mesh(**goal)
+
+    @names_its_options(InteriorOptions)
     def interior(self, **options: "Unpack[InteriorOptions]") -> _mindeg.Mesh:
         """A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum angle gets near
         its proven limit. ``sizes`` are rows x, y, size; ``fixed_points`` rows x, y; ``mesh.report`` has what was

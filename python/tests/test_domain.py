@@ -140,3 +140,14 @@ def area(mesh):
     return float(np.sum(np.cross(b - a, c - a)) / 2) if mesh.points.shape[1] == 3 else float(
         np.sum((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
     )
+
+
+def test_every_goal_has_a_python_type():
+    from mindeg._options import GoalOptions
+
+    goals = {goal["key"] for goal in mindeg.GOALS if goal["value"] != "nothing"}
+    assert set(GoalOptions.__annotations__) == goals
+    domain = mindeg.rectangle(4, 3, intervals=[12, 9, 4, 4])
+    assert domain.mesh(optimize="angle").max_degree == 5
+    with pytest.raises(ValueError, match="no goal is named"):
+        domain.mesh(minimise=3)

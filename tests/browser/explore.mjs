@@ -357,7 +357,7 @@ test("a point of the curve is picked, and a degree by its button", async () => {
   await page.getByLabel("the least degree", { exact: true }).check();
   await answered(page);
   assert.match((await figures(page))[0], /^Degree 4/);
-  await page.locator("#keep").fill("96");
+  await page.locator("#goal-keep_angle").fill("96");
   await page.keyboard.press("Enter");
   await answered(page);
   assert.match((await figures(page))[0], /^Degree 5/);

@@ -12,6 +12,7 @@ pub mod degree;
 pub mod demands;
 pub mod inspected;
 pub mod interior;
+pub mod interior_keys;
 pub mod limit;
 pub mod measures;
 pub mod mesh;

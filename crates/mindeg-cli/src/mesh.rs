@@ -4,10 +4,10 @@ mod features;
 mod interior;
 mod model;
 
-use crate::args::{GoalArguments, MeshArguments, Optimize};
+use crate::args::MeshArguments;
 use crate::bar::Bar;
 use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
-use crate::domain::{Subject, name, name_in_text, subject};
+use crate::domain::{Subject, name, subject};
 use crate::failure::Failure;
 use crate::making::Making;
 use mindeg::exact::ExactError;
@@ -42,7 +42,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     }
     // Refuse bad options before the search for the mesh, which can take minutes.
     making.check(domain.placement(), triangle_count(domain.rings()))?;
-    let goal = goal(&arguments.goal, arguments.optimize, domain)?;
+    let goal = arguments.goal.goal();
     making.open()?;
     let (meshed, angles) = making.work(|progress| {
         let meshed = meshed(domain, goal, progress)?;
@@ -59,33 +59,6 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let answer = MeshAnswer::of(&meshed, [angles.min, angles.max]);
     made.say(|| text(&meshed, goal, &answer), || &answer)?;
     end
-}
-
-/// The goal; a limit below the least degree is refused at any size.
-pub(crate) fn goal(
-    arguments: &GoalArguments,
-    optimize: Option<Optimize>,
-    domain: &Domain,
-) -> Result<Goal, Failure> {
-    let form = domain.convex().filter(|_| !domain.is_constrained());
-    let least = form.map(|form| mindeg_core::least_max_degree(form.boundary()));
-    let goal = match (arguments.keep_angle, arguments.max_degree, optimize) {
-        (Some(share), _, _) => Goal::KeepAngle(share),
-        (None, Some(limit), _) => Goal::MaxDegree(limit),
-        (None, None, Some(Optimize::Angle)) => match least {
-            Some(least) => Goal::MaxDegree(least),
-            // The solver works on any other domain anyway.
-            None => Goal::LeastDegree,
-        },
-        (None, None, None) => Goal::LeastDegree,
-    };
-    match (goal, least) {
-        (Goal::MaxDegree(limit), Some(least)) if limit < least => Err(Failure::Input(format!(
-            "no mesh of {} has maximum degree {limit}; the least is {least}",
-            name_in_text(domain)
-        ))),
-        _ => Ok(goal),
-    }
 }
 
 /// The mesh of a domain.

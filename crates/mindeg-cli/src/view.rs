@@ -6,11 +6,11 @@ use crate::domain::{Subject, from_options, in_file, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::making::wrote;
-use crate::mesh::{goal, meshed};
+use crate::mesh::meshed;
 use crate::provenance::provenance;
 use crate::terminal::say;
-use mindeg::Domain;
 use mindeg::glam::DVec3;
+use mindeg::{Domain, GoalKind};
 use mindeg_compare::write_view;
 use mindeg_files::{Outputs, Wanted, is_standard_output, write_to};
 use mindeg_mesh::{Positions, TriMesh, filled};
@@ -62,14 +62,13 @@ fn check_output(path: &Path) -> Result<(), Failure> {
 fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure> {
     let options = &arguments.options;
     let given = [
-        ("--intervals", options.intervals.is_some()),
-        ("--size", options.size.is_some()),
-        ("--spacing", options.spacing.is_some()),
-        ("--keep-angle", arguments.goal.keep_angle.is_some()),
-        ("--max-degree", arguments.goal.max_degree.is_some()),
+        options.intervals.is_some().then_some("--intervals".to_owned()),
+        options.size.is_some().then_some("--size".to_owned()),
+        options.spacing.is_some().then_some("--spacing".to_owned()),
+        arguments.goal.kinds().next().map(GoalKind::option),
     ];
-    match given.into_iter().find(|(_, is_given)| *is_given) {
-        Some((option, _)) => Err(Failure::Input(format!(
+    match given.into_iter().flatten().next() {
+        Some(option) => Err(Failure::Input(format!(
             "{} is a mesh, which is shown as it is; {option} is for domains",
             path.display()
         ))),
@@ -79,8 +78,7 @@ fn refuse_for_mesh(path: &Path, arguments: &ViewArguments) -> Result<(), Failure
 
 /// The mesh of a domain as a list.
 fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriMesh, Failure> {
-    let goal = goal(&arguments.goal, None, domain)?;
-    let mesh = bar.work(|progress| meshed(domain, goal, progress))?.mesh;
+    let mesh = bar.work(|progress| meshed(domain, arguments.goal.goal(), progress))?.mesh;
     let positions = filled(0..mesh.vertex_count(), DVec3::ZERO, |first, out| {
         mesh.fill_positions(first, out);
     });

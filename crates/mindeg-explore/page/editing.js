@@ -2,6 +2,7 @@
 // From the viewer's script: make.
 
 import { apply, ask } from "./asking.js";
+import { showInterior } from "./choices.js";
 import { addCorner, addHole, corners, isKnown, moveCorner, removeCorner, removeHole, sidePlace } from "./domain.js";
 import { cornerAt, gridStep, sideAt, snapped } from "./editor.js";
 import { redraw, setCursor, stages } from "./pictures.js";
@@ -43,10 +44,7 @@ export function updateEditor() {
   }
   element("remove").disabled = !corner;
   updateHoles();
-  const wanted = state.domain.interior ?? {};
-  for (const [id, key] of [["growth", "growth"], ["size-inside", "size_inside"], ["prefer", "prefer"]]) {
-    if (document.activeElement !== element(id)) element(id).value = wanted[key] ?? "";
-  }
+  showInterior();
 }
 
 /** A button for each hole. Those that are right already stay, and keep the focus. */
@@ -268,15 +266,6 @@ export function startEditing() {
       if (selection.corner && Number.isFinite(x) && Number.isFinite(y)) {
         apply(moveCorner(state.domain, shown.domain, selection.corner, [x, y]));
       }
-    });
-  }
-  for (const [id, key] of [["growth", "growth"], ["size-inside", "size_inside"], ["prefer", "prefer"]]) {
-    element(id).addEventListener("change", () => {
-      const { value, valueAsNumber } = element(id);
-      const { interior, ...others } = state.domain;
-      const { [key]: _, ...kept } = interior ?? {};
-      const wanted = value === "" ? kept : { ...kept, [key]: id === "prefer" ? value : valueAsNumber };
-      apply(Object.keys(wanted).length ? { ...others, interior: wanted } : others);
     });
   }
 }

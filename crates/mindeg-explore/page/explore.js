@@ -2,6 +2,7 @@
 // From the viewer's script: make.
 
 import { apply, ask, begin, keep, progress, undo, worker } from "./asking.js";
+import { chooseDegree, offerGoals, offerInterior, showGoal } from "./choices.js";
 import { grab, handleKey, hint, startEditing, updateEditor } from "./editing.js";
 import { fit, fitAnew, isOff, jumpTo, looks, moveTo, readLooks, redraw, resize, setCursor, setFound, stages, zoomBy } from "./pictures.js";
 import * as server from "./server.js";
@@ -80,28 +81,6 @@ function laterCharts() {
 
 // ---- controls
 
-function chooseDegree(degree) {
-  state.goal = { max_degree: degree };
-  showGoal();
-  ask();
-}
-
-function showGoal() {
-  const kind = typeof state.goal === "string" ? state.goal : Object.keys(state.goal)[0];
-  for (const radio of document.querySelectorAll("[name=goal]")) radio.checked = radio.value === kind;
-  if (state.goal.keep_angle) element("keep").value = String(Number((100 * state.goal.keep_angle).toPrecision(6)));
-  showCurveNow(chooseDegree);
-}
-
-function readGoal() {
-  const chosen = document.querySelector("[name=goal]:checked");
-  const percent = element("keep").valueAsNumber;
-  if (!chosen) return;
-  if (chosen.value === "least_degree") state.goal = chosen.value;
-  else if (percent > 0 && percent <= 100) state.goal = { keep_angle: percent / 100 };
-  ask();
-}
-
 /** The second picture shows what is chosen to stand beside the wanted mesh, or goes. */
 function showBeside() {
   const stage = stages[1];
@@ -131,11 +110,6 @@ function startControls() {
     if (key !== "z" && key !== "y") return;
     event.preventDefault();
     undo(key === "z" && !event.shiftKey);
-  });
-  for (const radio of document.querySelectorAll("[name=goal]")) radio.addEventListener("change", readGoal);
-  element("keep").addEventListener("change", () => {
-    document.querySelector("[name=goal][value=keep_angle]").checked = true;
-    readGoal();
   });
   element("beside").addEventListener("change", ({ target }) => {
     state.beside = target.value;
@@ -270,6 +244,8 @@ async function start() {
     const preset = presets.find(({ name }) => name === target.value);
     if (preset) begin(preset.domain, preset.notes);
   });
+  offerGoals(facts.goals);
+  offerInterior(facts.interior);
   startEditing();
   startControls();
   startFiles();

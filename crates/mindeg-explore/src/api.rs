@@ -32,8 +32,9 @@
 //! [`Request::show`] lists is worked out: the curve, say, stays the same for another goal. A later mesh of
 //! the same view replaces an earlier one.
 
-use mindeg::Goal;
 use mindeg::quality::METRICS;
+use mindeg::{Goal, GoalKind};
+use mindeg_answers::interior_keys::InteriorKey;
 use mindeg_answers::measures::MeasureFacts;
 use mindeg_files::Format;
 use serde::{Deserialize, Serialize};
@@ -62,7 +63,7 @@ pub struct Request {
     /// The domain, as every command of mindeg takes it. Its `interior` is what is wanted of the view
     /// [`View::Interior`].
     pub domain: Box<RawValue>,
-    /// The goal of [`View::Wanted`]: `"least_degree"`, `{"keep_angle": 0.95}` or `{"max_degree": 5}`.
+    /// The goal of [`View::Wanted`]: `"least_degree"`, or one with a value such as `{"keep_angle": 0.95}`.
     #[serde(default)]
     pub goal: Goal,
     /// The parts to answer; all but [`Part::Interior`] by default.
@@ -99,6 +100,10 @@ pub struct Facts {
     pub measures: Vec<MeasureFacts>,
     /// The formats to download.
     pub formats: Vec<FormatFact>,
+    /// The goals of a mesh.
+    pub goals: &'static [GoalKind],
+    /// The keys of `interior` that have one value.
+    pub interior: Vec<InteriorKey>,
     /// The most boundary vertices of a domain.
     pub max_vertices: u32,
     /// The most bytes of a body.
@@ -119,11 +124,7 @@ pub struct FormatFact {
 impl Request {
     /// The request, if its goal, measure and format exist.
     pub(crate) fn checked(self) -> Result<Self, String> {
-        if let Goal::KeepAngle(share) = self.goal
-            && !(0.0..=1.0).contains(&share)
-        {
-            return Err(format!("keep_angle is {share}; give a share from 0 to 1"));
-        }
+        self.goal.checked()?;
         let is_measure = |name: &String| METRICS.iter().any(|metric| metric.name == name);
         if let Some(name) = self.color.as_ref().filter(|name| !is_measure(name)) {
             return Err(format!("no measure is called {name:?}"));

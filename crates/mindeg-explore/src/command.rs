@@ -81,14 +81,9 @@ fn options(request: &Request, domain: &Domain) -> Vec<String> {
         }
         return options;
     }
-    match (request.view, request.goal) {
-        (View::Wanted, Goal::KeepAngle(share)) => {
-            options.extend(["--keep-angle".to_owned(), percentage(share)]);
-        }
-        (View::Wanted, Goal::MaxDegree(limit)) => {
-            options.extend(["--max-degree".to_owned(), limit.to_string()]);
-        }
-        _ => {}
+    if request.view == View::Wanted && request.goal != Goal::default() {
+        let (kind, value) = request.goal.kind_and_value();
+        options.extend([kind.option(), value].into_iter().filter(|word| !word.is_empty()));
     }
     if interior.is_some() {
         options.push("--no-interior".to_owned());
@@ -96,23 +91,9 @@ fn options(request: &Request, domain: &Domain) -> Vec<String> {
     options
 }
 
-/// A share as a percentage, if that is read back as the same number.
-fn percentage(share: f64) -> String {
-    let percent = (share * 100.0).round();
-    if percent / 100.0 == share { format!("{percent}%") } else { share.to_string() }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn shares_are_read_back() {
-        for (share, text) in [(0.95, "95%"), (1.0, "100%"), (0.0, "0%"), (0.123, "0.123")] {
-            assert_eq!(percentage(share), text);
-        }
-        assert_eq!(percentage(1.0 / 3.0).parse(), Ok(1.0 / 3.0));
-    }
 
     #[test]
     fn commands_name_a_known_file_or_hold_the_domain() {

@@ -1,5 +1,7 @@
 //! The facts that the page shows but does not work out.
 
+use mindeg::GOALS;
+use mindeg_answers::interior_keys::interior_keys;
 use mindeg_answers::measures::measure_facts;
 
 use crate::answer::MAX_VERTICES;
@@ -10,6 +12,8 @@ pub(crate) fn facts(max_bytes: usize) -> Facts {
     Facts {
         measures: measure_facts(),
         formats: format_facts(),
+        goals: &GOALS,
+        interior: interior_keys(),
         max_vertices: MAX_VERTICES,
         max_bytes,
     }

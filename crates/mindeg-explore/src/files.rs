@@ -26,6 +26,7 @@ pub(crate) fn named(name: &str) -> Option<File> {
         }
         "viewer.js" => Some(File { kind: SCRIPT, text: mindeg_compare::viewer_script().into() }),
         "asking.js" => script(include_str!("../page/asking.js")),
+        "choices.js" => script(include_str!("../page/choices.js")),
         "curve.js" => script(include_str!("../page/curve.js")),
         "domain.js" => script(include_str!("../page/domain.js")),
         "editing.js" => script(include_str!("../page/editing.js")),

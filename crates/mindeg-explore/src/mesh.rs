@@ -49,7 +49,8 @@ impl Made {
             View::Delaunay => delaunay(domain).map(Self::Delaunay),
             View::Interior => {
                 let wanted = domain.interior().cloned().unwrap_or_default();
-                let wanted = Interior { max_points: Some(MAX_POINTS), ..wanted };
+                let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
+                let wanted = Interior { max_points: Some(most), ..wanted };
                 let found = interior::mesh(domain, &wanted, progress);
                 let found = found.map_err(|error| error.to_string())?;
                 Ok(Self::Interior(found.mesh, Box::new(found.report)))

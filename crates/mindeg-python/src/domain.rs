@@ -1,7 +1,7 @@
 //! A domain: what to mesh.
 
 use mindeg::glam::DVec3;
-use mindeg::{Domain as Inner, Goal, Positions, exact};
+use mindeg::{Domain as Inner, GOALS, Goal, Positions, exact};
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_answers::mesh::found_by;
 use mindeg_mesh::filled;
@@ -59,26 +59,10 @@ impl Domain {
         Ok(Degree { reached: found.reached, at_least: found.at_least })
     }
 
-    /// The mesh of least degree; the best one within `max_degree`; or the one of least degree that keeps
-    /// a share of Delaunay's minimum angle: `keep_angle=0.95` or `"95%"`.
-    #[pyo3(signature = (*, max_degree=None, keep_angle=None))]
-    fn mesh(
-        &self,
-        py: Python<'_>,
-        max_degree: Option<u32>,
-        keep_angle: Option<Bound<'_, PyAny>>,
-    ) -> PyResult<Mesh> {
-        let goal = match (max_degree, keep_angle) {
-            (None, None) => Goal::LeastDegree,
-            (Some(limit), None) => Goal::MaxDegree(limit),
-            (None, Some(share)) => Goal::share(&share.str()?.to_string_lossy())
-                .map(Goal::KeepAngle)
-                .map_err(|problem| value_error(format!("keep_angle: {problem}")))?,
-            (Some(_), Some(_)) => {
-                let problem = "max_degree and keep_angle exclude each other; give one of them";
-                return Err(PyValueError::new_err(problem));
-            }
-        };
+    /// The mesh of a goal; the package names the options.
+    #[pyo3(name = "_mesh", signature = (**goal))]
+    fn mesh(&self, py: Python<'_>, goal: Option<&Bound<'_, PyDict>>) -> PyResult<Mesh> {
+        let goal = goal.map_or(Ok(Goal::default()), read_goal)?;
         let meshed = done(py, |progress| mindeg::mesh(&self.inner, goal, progress))?;
         let facts = Facts {
             least_max_degree: meshed.is_least_proven.then_some(meshed.least_max_degree),
@@ -156,4 +140,32 @@ impl Domain {
             self.inner.sides().len(),
         )
     }
+}
+
+/// The goal among keyword arguments; one that is `None` is not given.
+fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<Goal> {
+    let mut found: Option<(String, Goal)> = None;
+    for (key, value) in given.iter().filter(|(_, value)| !value.is_none()) {
+        let key = key.to_string();
+        let Some(kind) = GOALS.iter().find(|kind| kind.key == key) else {
+            let keys: Vec<&str> = GOALS.iter().map(|kind| kind.key).collect();
+            let problem = format!("no goal is named \"{key}\"; give {}", keys.join(", "));
+            return Err(PyValueError::new_err(problem));
+        };
+        if let Some((other, _)) = found {
+            let problem = format!("{other} and {key} exclude each other; give one of them");
+            return Err(PyValueError::new_err(problem));
+        }
+        let goal = kind.read(&value.str()?.to_string_lossy());
+        let goal = goal.map_err(|problem| value_error(format!("{key}: {problem}")))?;
+        found = Some((key, goal));
+    }
+    Ok(found.map(|(_, goal)| goal).unwrap_or_default())
+}
+
+/// The goals of a mesh, as dicts.
+#[pyfunction]
+#[pyo3(name = "_goals")]
+pub(crate) fn goals(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    dict(py, &GOALS)
 }

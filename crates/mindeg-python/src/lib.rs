@@ -25,7 +25,7 @@ mod _mindeg {
     #[pymodule_export]
     use super::arrays::rows_of_two;
     #[pymodule_export]
-    use super::domain::Domain;
+    use super::domain::{Domain, goals};
     #[pymodule_export]
     use super::loops::{bridge_loops, fill_loop};
     #[pymodule_export]

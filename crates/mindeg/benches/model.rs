@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use mindeg::glam::DVec3;
-use mindeg::model::{ModelGoal, mesh_model};
-use mindeg::{Model, ModelFace, ModelParts, Progress, Side};
+use mindeg::model::mesh_model;
+use mindeg::{Goal, Model, ModelFace, ModelParts, Progress, Side};
 
 fn main() {
     divan::main();
@@ -59,6 +59,6 @@ fn columns(across: i32, intervals: u64) -> Model {
 fn columns_of_cubes(bencher: divan::Bencher<'_, '_>, (across, intervals): (i32, u64)) {
     let model = columns(across, intervals);
     bencher.bench(|| {
-        mesh_model(&model, ModelGoal::default(), Progress::NONE).expect("every face is square")
+        mesh_model(&model, Goal::LeastDegree, 1.0, Progress::NONE).expect("every face is square")
     });
 }

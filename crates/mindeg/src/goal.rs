@@ -1,4 +1,7 @@
 //! The goal of a mesh, and the only module that decides between formula, search and windows.
+//!
+//! [`GOALS`] tells front ends what there is to know of each goal: options, keys, refusals and choices
+//! come from it.
 
 use mindeg_core::Boundary;
 use mindeg_domain::Domain;
@@ -27,7 +30,7 @@ const MUCH: f64 = 1.5;
 
 /// The goal of a mesh.
 ///
-/// In JSON, `"least_degree"`, `{"max_degree": 5}` or `{"keep_angle": 0.95}`.
+/// In JSON, `"least_degree"`, or the key and the value of a row of [`GOALS`], such as `{"keep_angle": 0.95}`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "json", derive(serde::Deserialize, serde::Serialize))]
 #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
@@ -42,17 +45,162 @@ pub enum Goal {
     /// With holes, and where too many vertices see each other, the least degree that windows reach.
     #[default]
     LeastDegree,
-    /// No total degree above a limit, and the largest minimum angle within it: exactly up to
-    /// [`MAX_VERTICES`] boundary vertices of a convex domain, and for polygons in which few vertices see
-    /// each other; beyond that, and with holes, as large as windows reach.
-    MaxDegree(u32),
     /// The least maximum degree of all meshes that have this share, 0 to 1, of the minimum angle of a
     /// Delaunay triangulation: exactly where [`MaxDegree`](Self::MaxDegree) is, else as low as windows
     /// reach.
     KeepAngle(f64),
+    /// No total degree above a limit, and the largest minimum angle within it: exactly up to
+    /// [`MAX_VERTICES`] boundary vertices of a convex domain, and for polygons in which few vertices see
+    /// each other; beyond that, and with holes, as large as windows reach.
+    MaxDegree(u32),
+    /// The least maximum degree as the limit of [`MaxDegree`](Self::MaxDegree), also where
+    /// [`LeastDegree`](Self::LeastDegree) leaves the search out for its cost.
+    Optimize(Optimized),
+}
+
+/// The measure that a mesh of least degree is the best in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Deserialize, serde::Serialize))]
+#[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+pub enum Optimized {
+    /// The minimum angle of all triangles.
+    Angle,
+}
+
+/// A kind of goal, as front ends offer it.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+pub struct GoalKind {
+    /// The key in JSON and Python.
+    pub key: &'static str,
+    /// The value that goes with the key.
+    pub value: GoalValue,
+    /// The mesh that it asks for, in sentences; the first is enough where there is little room.
+    pub help: &'static str,
+    /// The words of a choice between goals, with `{}` for the value; `None` where a curve or another control
+    /// offers it.
+    pub choice: Option<&'static str>,
+    /// Whether models take it.
+    pub models: bool,
+    /// The option of `mindeg mesh --interior` to give instead, and what it does; `None` for a goal that holds with
+    /// interior points.
+    pub instead: Option<&'static str>,
+    #[cfg_attr(feature = "json", serde(skip))]
+    read: fn(&str) -> Result<Goal, String>,
+}
+
+/// The value of a goal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
+#[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
+pub enum GoalValue {
+    /// None.
+    Nothing,
+    /// A share, 0 to 1, or a percentage.
+    Share,
+    /// A number of edges.
+    Degree,
+    /// This word.
+    Word(&'static str),
+}
+
+/// All goals. Of several that are given together, the first decides, and a maximum degree is demanded besides.
+pub static GOALS: [GoalKind; 4] = [
+    GoalKind {
+        key: "keep_angle",
+        value: GoalValue::Share,
+        help: "Make the mesh with the smallest maximum degree that keeps this share of the minimum angle of a \
+               Delaunay triangulation, such as 95% or 0.95. Exact up to 4096 vertices of a convex boundary; \
+               beyond, the share is kept, and the degree is what was reached",
+        choice: Some("the least that keeps {} % of the angle"),
+        models: true,
+        instead: Some("--target-angle A asks for a minimum angle"),
+        read: |text| Goal::share(text).map(Goal::KeepAngle),
+    },
+    GoalKind {
+        key: "max_degree",
+        value: GoalValue::Degree,
+        help: "Make the mesh with the largest minimum angle of all whose vertices have at most this many edges. \
+               Exact up to 4096 vertices of a convex boundary: below a second for 400, half a minute for 4000; \
+               beyond, as large as was reached. A mesh with more is not written, also with --keep-angle or \
+               interior points",
+        choice: None,
+        models: true,
+        instead: None,
+        read: |text| match text.trim().parse() {
+            Ok(limit) => Ok(Goal::MaxDegree(limit)),
+            Err(_) => Err("give a whole number of 0 or more, such as 5".to_owned()),
+        },
+    },
+    GoalKind {
+        key: "optimize",
+        value: GoalValue::Word("angle"),
+        help: "Make the mesh with the largest minimum angle of all within --max-degree, or of all with the least \
+               possible maximum degree, also where that is not the default for its cost",
+        choice: None,
+        models: false,
+        instead: Some("--prefer angle puts the minimum angle first"),
+        read: |text| match text {
+            "angle" => Ok(Goal::Optimize(Optimized::Angle)),
+            _ => Err("give angle".to_owned()),
+        },
+    },
+    GoalKind {
+        key: "least_degree",
+        value: GoalValue::Nothing,
+        help: "Make the mesh with the least possible maximum degree, which is the default",
+        choice: Some("the least degree"),
+        models: true,
+        instead: None,
+        read: |_| Ok(Goal::LeastDegree),
+    },
+];
+
+impl GoalKind {
+    /// The goal of this kind with a value as people write it.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that says what to write instead.
+    pub fn read(&self, value: &str) -> Result<Goal, String> {
+        (self.read)(value)
+    }
+
+    /// The option of the command line.
+    #[must_use]
+    pub fn option(&self) -> String {
+        format!("--{}", self.key.replace('_', "-"))
+    }
 }
 
 impl Goal {
+    /// The kind, and the value as [`GoalKind::read`] takes it.
+    #[must_use]
+    pub fn kind_and_value(self) -> (&'static GoalKind, String) {
+        let (key, value) = match self {
+            Self::LeastDegree => ("least_degree", String::new()),
+            Self::KeepAngle(share) => ("keep_angle", percentage(share)),
+            Self::MaxDegree(limit) => ("max_degree", limit.to_string()),
+            Self::Optimize(Optimized::Angle) => ("optimize", "angle".to_owned()),
+        };
+        let kind = GOALS.iter().find(|kind| kind.key == key);
+        (kind.expect("each goal has a row, as a test holds"), value)
+    }
+
+    /// The goal, if its value is in range.
+    ///
+    /// # Errors
+    ///
+    /// A sentence that names the key.
+    pub fn checked(self) -> Result<Self, String> {
+        match self {
+            Self::KeepAngle(share) if !(0.0..=1.0).contains(&share) => {
+                Err(format!("keep_angle is {share}; give a share from 0 to 1"))
+            }
+            goal => Ok(goal),
+        }
+    }
+
     /// The share for [`KeepAngle`](Self::KeepAngle) that people write as `0.95` or as `95%`.
     ///
     /// # Errors
@@ -72,6 +220,12 @@ impl Goal {
             _ => Err("give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned()),
         }
     }
+}
+
+/// A share as a percentage, if that is read back as the same number.
+fn percentage(share: f64) -> String {
+    let percent = (share * 100.0).round();
+    if percent / 100.0 == share { format!("{percent}%") } else { share.to_string() }
 }
 
 /// The mesh of a domain that a goal asks for.
@@ -97,9 +251,20 @@ impl Goal {
 pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, ExactError> {
     match goal {
         Goal::LeastDegree => least_degree(domain, progress),
-        Goal::MaxDegree(limit) => max_degree(domain, limit, progress),
         Goal::KeepAngle(share) => keep_angle(domain, share, progress),
+        Goal::MaxDegree(limit) => max_degree(domain, limit, progress),
+        Goal::Optimize(Optimized::Angle) => match least_by_formula(domain) {
+            Some(least) => max_degree(domain, least, progress),
+            // The solver works on any other domain anyway.
+            None => least_degree(domain, progress),
+        },
     }
+}
+
+/// The least maximum degree where the formula gives it.
+fn least_by_formula(domain: &Domain) -> Option<u32> {
+    let form = domain.convex().filter(|_| !domain.is_constrained())?;
+    Some(mindeg_core::least_max_degree(form.boundary()))
 }
 
 /// Whether the mesh of [`Goal::LeastDegree`] comes from the formula, in time linear in its vertices: the
@@ -189,6 +354,10 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError
 }
 
 fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+    // Refused at once, at any size.
+    if let Some(least) = least_by_formula(domain).filter(|least| limit < *least) {
+        return Err(Unsolved::Infeasible { max_degree: limit, least }.into());
+    }
     let posed = Posed::of_any_size(domain, progress)?;
     if posed.has_best_angles(progress)? {
         let answer = exact::degree(domain, progress)?;
@@ -201,18 +370,10 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
             higher_degree: None,
         });
     }
-    if let Some(form) = domain.convex()
-        && !domain.is_constrained()
-    {
-        let least = mindeg_core::least_max_degree(form.boundary());
-        if limit < least {
-            return Err(Unsolved::Infeasible { max_degree: limit, least }.into());
-        }
-    }
     if let Some(meshed) = within(&posed, SHARES, limit, progress)? {
         return Ok(meshed);
     }
-    if domain.convex().is_some() && !domain.is_constrained() {
+    if least_by_formula(domain).is_some() {
         // The formula reaches degrees that no window reaches, for example round a dominant side.
         return formula(domain, progress);
     }
@@ -254,6 +415,23 @@ mod tests {
         ] {
             assert!(Goal::share(text).is_err_and(|error| error.contains(words)), "{text}");
         }
+    }
+
+    #[test]
+    fn every_goal_is_read_back_from_its_option() {
+        for (kind, text) in GOALS.iter().zip(["95%", "5", "angle", ""]) {
+            let goal = kind.read(text).unwrap();
+            let (found, value) = goal.kind_and_value();
+            assert_eq!((found.key, &*value), (kind.key, text));
+        }
+    }
+
+    #[test]
+    fn shares_are_read_back() {
+        for (share, text) in [(0.95, "95%"), (1.0, "100%"), (0.0, "0%"), (0.123, "0.123")] {
+            assert_eq!(percentage(share), text);
+        }
+        assert_eq!(percentage(1.0 / 3.0).parse(), Ok(1.0 / 3.0));
     }
 
     #[test]

@@ -75,7 +75,7 @@ mod windowed;
 pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
-pub use goal::{Goal, is_by_formula, mesh};
+pub use goal::{GOALS, Goal, GoalKind, GoalValue, Optimized, is_by_formula, mesh};
 #[cfg(feature = "exact")]
 pub use loops::{LoopDefect, Loops, MeshLoop};
 #[cfg(feature = "exact")]

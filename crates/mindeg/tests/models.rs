@@ -6,13 +6,12 @@ mod solids;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
-use mindeg::{Interior, Model, Progress, Side, TriMesh};
+use mindeg::model::{JointBound, ModelMesh, fill_model, mesh_model};
+use mindeg::{Goal, Interior, Model, Progress, Side, TriMesh};
 use solids::Solid;
 
 fn meshed(model: &Model) -> ModelMesh {
-    let goal = ModelGoal { effort: 0.25, ..ModelGoal::default() };
-    mesh_model(model, goal, Progress::NONE).unwrap()
+    mesh_model(model, Goal::LeastDegree, 0.25, Progress::NONE).unwrap()
 }
 
 /// Checks that a mesh is a closed two-manifold with the model's points, counted by other means than the
@@ -102,10 +101,9 @@ fn no_bound_is_above_a_mesh() {
             if random.is_multiple_of(5) { 6 + random % 8 } else { 1 + random % 3 }
         };
         let model = solid.clone().with_counts(count).model(Side::count(1));
-        let only_bound = ModelGoal { effort: 0.0, ..ModelGoal::default() };
-        let bound = mesh_model(&model, only_bound, Progress::NONE).unwrap();
-        let little = ModelGoal { effort: 0.01, ..ModelGoal::default() };
-        let other = mesh_model(&model, little, Progress::NONE).unwrap();
+        let with_effort =
+            |effort| mesh_model(&model, Goal::LeastDegree, effort, Progress::NONE).unwrap();
+        let (bound, other) = (with_effort(0.0), with_effort(0.01));
         let at_least = bound.lower_bound.max(other.lower_bound);
         assert!(at_least <= bound.max_degree.min(other.max_degree), "{seed}: {bound:?}");
         assert_eq!(other.is_proven(), other.max_degree == other.lower_bound);
@@ -146,8 +144,7 @@ fn a_smaller_share_of_the_angle_allows_a_smaller_degree() {
     let solid = Solid::block(4.0, 1.0, 1.0).with_counts(|edge| [9, 2, 5][edge % 3]);
     let model = solid.model(Side::count(1));
     let found = [0.05, 0.5, 1.0].map(|share| {
-        let goal = ModelGoal { keep_angle: Some(share), effort: 0.1, ..ModelGoal::default() };
-        let meshed = mesh_model(&model, goal, Progress::NONE).unwrap();
+        let meshed = mesh_model(&model, Goal::KeepAngle(share), 0.1, Progress::NONE).unwrap();
         assert!(meshed.angle_share.unwrap() >= share * (1.0 - 1e-9), "{share}: {meshed:?}");
         meshed.max_degree
     });

@@ -10,7 +10,7 @@ mod solids;
 use std::path::Path;
 
 use mindeg::glam::{DQuat, DVec2, DVec3};
-use mindeg::model::{ModelGoal, mesh_model};
+use mindeg::model::mesh_model;
 use mindeg::{Domain, Goal, Progress, Side, TriMesh, exact, mesh, verify};
 use outlines::{Outline, Random};
 use solids::Solid;
@@ -119,8 +119,8 @@ fn turned_prisms_keep_their_degrees() {
         let ring: Vec<[f64; 2]> = outline.points.iter().map(|point| point.to_array()).collect();
         let solid = Solid::prism(&ring, 30.0);
         let degrees = |solid: &Solid| {
-            let goal = ModelGoal { effort: 0.05, ..ModelGoal::default() };
-            let meshed = mesh_model(&solid.model(Side::count(2)), goal, Progress::NONE).unwrap();
+            let model = solid.model(Side::count(2));
+            let meshed = mesh_model(&model, Goal::LeastDegree, 0.05, Progress::NONE).unwrap();
             let at = |vertex: u32| meshed.mesh.positions()[vertex as usize];
             let corners = meshed
                 .mesh

@@ -6,7 +6,8 @@ use super::values::target_angle;
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::error::{Error, ErrorKind};
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use mindeg::{DomainDescription, Interior};
+use mindeg::Interior;
+use mindeg_answers::interior_keys::{InteriorKey, KeyValue, interior_keys};
 use serde_json::{Map, Value, json};
 use std::sync::LazyLock;
 
@@ -39,9 +40,6 @@ pub(crate) struct Wanted<const PLACES: bool> {
 /// What an optimiser aims at.
 const AIMS: [&str; 4] = ["interior_degree", "boundary_degree", "target_angle", "prefer"];
 
-/// The keys that are lists of places: for files.
-const LISTS: [&str; 2] = ["sizes", "fixed"];
-
 impl<const PLACES: bool> Wanted<PLACES> {
     /// What is wanted, with what the options give in place of what a file gives.
     pub(crate) fn over(&self, file: Option<&Interior>) -> Interior {
@@ -63,57 +61,43 @@ impl<const PLACES: bool> Wanted<PLACES> {
     }
 
     /// The keys that are options here.
-    fn keys() -> impl Iterator<Item = &'static Key> {
-        KEYS.iter().filter(|key| PLACES || AIMS.contains(&&*key.name))
+    fn keys() -> impl Iterator<Item = &'static InteriorKey> {
+        KEYS.iter().filter(|it| PLACES || AIMS.contains(&&*it.name))
     }
 }
 
-/// A key of [`Interior`] with one value.
-struct Key {
-    name: String,
-    option: String,
-    value_name: String,
-    schema: Value,
-}
-
-static KEYS: LazyLock<Vec<Key>> = LazyLock::new(|| {
-    let schema: Map<String, Value> =
-        serde_json::from_str(&DomainDescription::schema()).unwrap_or_default();
-    let keys = schema.get("$defs").map(|types| types["Interior"]["properties"].clone());
-    let keys = keys.and_then(|keys| keys.as_object().cloned()).unwrap_or_default();
-    let keys = keys.into_iter().filter(|(name, _)| !LISTS.contains(&&**name));
-    let key = |(name, schema): (String, Value)| {
-        // The initial of what it is: D for a degree.
-        let initial = name.rsplit('_').next().and_then(|last| last.chars().next());
-        let value_name = match schema["type"][0].as_str() {
-            Some("array") => "A..B".to_owned(),
-            _ => initial.map(|initial| initial.to_ascii_uppercase()).into_iter().collect(),
-        };
-        Key { option: name.replace('_', "-"), value_name, name, schema }
-    };
-    keys.map(key).collect()
-});
+static KEYS: LazyLock<Vec<InteriorKey>> = LazyLock::new(interior_keys);
 
 /// The option for a key.
-fn option(Key { name: key, option, value_name, schema }: &'static Key) -> Arg {
-    let text = schema["description"].as_str().unwrap_or_default().replace('\n', " ");
-    let text = match &**key {
-        "target_angle" => format!("{text}; without interior points it is demanded, not aimed at"),
-        _ => text,
+fn option(key: &'static InteriorKey) -> Arg {
+    let name = &*key.name;
+    let text = match name {
+        "target_angle" => {
+            format!("{}; without interior points it is demanded, not aimed at", key.text)
+        }
+        _ => key.text.clone(),
     };
-    let heading = if AIMS.contains(&&**key) { "Aims" } else { "Interior points" };
-    let arg =
-        Arg::new(&**key).long(&**option).help(text).help_heading(heading).allow_hyphen_values(true);
-    if key == "prefer" {
-        let names = PossibleValuesParser::new(["degree", "angle"]);
-        return arg.value_name("WHAT").value_parser(names.map(|name| json!(name)));
+    let heading = if AIMS.contains(&name) { "Aims" } else { "Interior points" };
+    let arg = Arg::new(name).long(name.replace('_', "-")).help(text).help_heading(heading);
+    let arg = arg.value_name(value_name(key)).allow_hyphen_values(true);
+    if key.value == KeyValue::Choice {
+        let words = PossibleValuesParser::new(key.choices.iter().map(|word| &**word));
+        return arg.value_parser(words.map(|word| json!(word)));
     }
-    if key == "target_angle" {
-        let parser = |text: &str| target_angle(text).map(|angle| json!(angle));
-        return arg.value_name("A").value_parser(ValueParser::from(parser));
+    arg.value_parser(ValueParser::from(move |text: &str| match name {
+        "target_angle" => target_angle(text).map(|angle| json!(angle)),
+        _ => value(name, text),
+    }))
+}
+
+/// Such as D for a degree.
+fn value_name(key: &InteriorKey) -> String {
+    let initial = key.name.rsplit('_').next().and_then(|last| last.chars().next());
+    match key.value {
+        KeyValue::Range => "A..B".to_owned(),
+        KeyValue::Choice => "WHAT".to_owned(),
+        _ => initial.map(|initial| initial.to_ascii_uppercase()).into_iter().collect(),
     }
-    let parser = move |text: &str| value(key, text);
-    arg.value_parser(ValueParser::from(parser)).value_name(&**value_name)
 }
 
 /// The value of a key in a text: a number, or a range such as 5..7.
@@ -159,7 +143,7 @@ impl<const PLACES: bool> Args for Wanted<PLACES> {
 impl<const PLACES: bool> FromArgMatches for Wanted<PLACES> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
         let mut wanted = Self { write_anyway: matches.get_flag("write_anyway"), ..Self::default() };
-        for Key { name, .. } in Self::keys() {
+        for InteriorKey { name, .. } in Self::keys() {
             let found = matches.try_get_one::<Value>(name);
             let found = found.map_err(|error| Error::raw(ErrorKind::InvalidValue, error))?;
             wanted.given.extend(found.map(|value| (name.clone(), value.clone())));
@@ -193,18 +177,6 @@ mod tests {
         for text in ["0", "-0.5", "nan", "inf", "x"] {
             assert!(value("growth", text).is_err(), "{text}");
         }
-    }
-
-    /// An option more is a field of [`Interior`] more, and nothing here.
-    #[test]
-    fn every_value_of_the_interior_is_an_option() {
-        let keys: Vec<String> = Wanted::<true>::keys().map(|key| key.name.clone()).collect();
-        let of_json = json!(Interior::default());
-        for key in of_json.as_object().expect("an object").keys() {
-            assert!(keys.contains(key) || LISTS.contains(&&**key), "{key}");
-        }
-        assert!(keys.contains(&"max_points".to_owned()));
-        assert_eq!(Wanted::<false>::keys().count(), AIMS.len());
     }
 
     #[test]

@@ -7,7 +7,9 @@ use super::interior::InteriorArguments;
 use super::surface::SurfaceArguments;
 use super::values::length;
 use super::with_exit_codes;
-use clap::{Args, ValueEnum};
+use crate::failure::Failure;
+use clap::Args;
+use mindeg::GoalKind;
 use mindeg_answers::demands::Demands;
 
 const EXAMPLES: &str = "\
@@ -51,11 +53,6 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) goal: GoalArguments,
 
-    /// Make the mesh with the largest minimum angle of all within --max-degree, or of all with
-    /// the least possible maximum degree, also where that is not the default for its cost
-    #[arg(long, value_name = "WHAT", conflicts_with = "keep_angle", help_heading = "Goals")]
-    pub(crate) optimize: Option<Optimize>,
-
     #[command(flatten)]
     pub(crate) interior: InteriorArguments,
 
@@ -69,7 +66,18 @@ pub(crate) struct MeshArguments {
 impl MeshArguments {
     /// What is demanded of a mesh whose points are to have this minimum angle.
     pub(crate) fn demands(&self, target_angle: Option<f64>) -> Demands {
-        Demands { max_degree: self.goal.max_degree, target_angle, preset: self.preset.preset }
+        Demands { max_degree: self.goal.max_degree(), target_angle, preset: self.preset.preset }
+    }
+
+    /// Refuses goals that have no meaning with interior points, which `from` asks for.
+    pub(crate) fn refuse_goals_with_interior(&self, from: &str) -> Result<(), Failure> {
+        let with_another = |kind: &GoalKind| Some((kind.option(), kind.instead?));
+        match self.goal.kinds().find_map(with_another) {
+            None => Ok(()),
+            Some((option, instead)) => Err(Failure::Input(format!(
+                "{option} is for meshes of boundary points alone; with {from}, {instead}"
+            ))),
+        }
     }
 }
 
@@ -95,11 +103,4 @@ pub(crate) struct ModelArguments {
 fn factor(text: &str) -> Result<f64, String> {
     let factor = text.trim().parse().ok().filter(|factor| (0.0..=1e6).contains(factor));
     factor.ok_or_else(|| "give a factor from 0 to 1000000, such as 10".to_owned())
-}
-
-/// What a mesh is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Optimize {
-    /// The minimum angle of all triangles
-    Angle,
 }

@@ -46,21 +46,8 @@ pub(super) fn wanted(
             None => Ok(None),
         };
     }
-    let instead = [
-        (
-            arguments.goal.keep_angle.is_some(),
-            "--keep-angle",
-            "--target-angle A asks for a minimum angle",
-        ),
-        (arguments.optimize.is_some(), "--optimize", "--prefer angle puts the minimum angle first"),
-    ];
-    if let Some((_, option, way)) = instead.into_iter().find(|(is_given, ..)| *is_given) {
-        let from =
-            if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
-        return Err(Failure::Input(format!(
-            "{option} is for meshes of boundary points alone; with {from}, {way}"
-        )));
-    }
+    let from = if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
+    arguments.refuse_goals_with_interior(from)?;
     Ok(Some(options.wanted.over(domain.interior())))
 }
 

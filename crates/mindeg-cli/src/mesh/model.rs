@@ -8,7 +8,7 @@ use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::model::{JointBound, ModelGoal, ModelMesh, fill_model, mesh_model};
+use mindeg::model::{JointBound, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Model, ModelPlace};
 use mindeg_answers::numbers::{percent, steady_angle};
@@ -81,21 +81,13 @@ struct GroupSummary<'a> {
 pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failure> {
     let surface = &arguments.surface;
     let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
-    if arguments.optimize.is_some() {
-        let message = "--optimize is for domains; for a model give --keep-angle or --max-degree";
-        return Err(Failure::Input(message.to_owned()));
-    }
     making.expect_materials(model.groups().iter().any(|group| group.material.is_some()))?;
     if arguments.interior.interior {
         return fill(model, arguments, making);
     }
-    let goal = ModelGoal {
-        keep_angle: arguments.goal.keep_angle,
-        max_degree: arguments.goal.max_degree,
-        effort: arguments.model.effort,
-    };
+    let (goal, effort) = (arguments.goal.goal(), arguments.model.effort);
     making.open()?;
-    let meshed = making.work(|progress| mesh_model(model, goal, progress));
+    let meshed = making.work(|progress| mesh_model(model, goal, effort, progress));
     let meshed = meshed.map_err(|error| source::bad(arguments, &error))?;
     let mesh = &meshed.mesh;
     let end = judged(arguments, mesh, meshed.min_angle)?;
@@ -144,11 +136,7 @@ fn judged(
 
 /// Fills the faces with interior points.
 fn fill(model: &Model, arguments: &MeshArguments, mut making: Making) -> Result<(), Failure> {
-    if arguments.goal.keep_angle.is_some() {
-        let message =
-            "--keep-angle is for meshes of boundary points alone; leave it out, or --interior";
-        return Err(Failure::Input(message.to_owned()));
-    }
+    arguments.refuse_goals_with_interior("--interior")?;
     making.open()?;
     let interior = arguments.interior.wanted.over(None);
     let filled = making.work(|progress| fill_model(model, &interior, progress));

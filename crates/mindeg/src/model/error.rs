@@ -5,10 +5,15 @@ use mindeg_exact::ProblemError;
 use mindeg_mesh::planar::BoundaryFaults;
 use mindeg_mesh::{Cancelled, TriMeshError};
 
+use crate::goal::{GOALS, Goal, GoalKind, GoalValue};
+
 /// Why a model has no mesh. Faces count from 0.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ModelMeshError {
+    /// The goal is not for models.
+    #[error("{0}")]
+    Goal(String),
     /// Rounding has moved points of a face's boundary onto or past each other.
     #[error("face {face}: {source}")]
     Boundary {
@@ -48,4 +53,13 @@ pub enum ModelMeshError {
     /// The progress callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+impl ModelMeshError {
+    pub(super) fn of_goal(goal: Goal) -> Self {
+        let others = GOALS.iter().filter(|kind| kind.models && kind.value != GoalValue::Nothing);
+        let instead = others.map(GoalKind::option).collect::<Vec<_>>().join(" or ");
+        let option = goal.kind_and_value().0.option();
+        Self::Goal(format!("{option} is for domains; for a model give {instead}"))
+    }
 }

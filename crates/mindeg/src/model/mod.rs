@@ -29,25 +29,9 @@ use mindeg_domain::Model;
 use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Group, Line, Progress, TriMesh, TriMeshError};
 
+use crate::goal::Goal;
 use descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use joint::Joint;
-
-/// The goal for the mesh of a model.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ModelGoal {
-    /// Every face keeps this share, 0 to 1, of the minimum angle of its own Delaunay triangulation.
-    pub keep_angle: Option<f64>,
-    /// The work on the degree ends once no vertex has more edges.
-    pub max_degree: Option<u32>,
-    /// How long to look for each degree, as a multiple of the default work of a few seconds.
-    pub effort: f64,
-}
-
-impl Default for ModelGoal {
-    fn default() -> Self {
-        Self { keep_angle: None, max_degree: None, effort: 1.0 }
-    }
-}
 
 /// A mesh of a model, and what is known of its degrees. Degrees count all edges at a vertex.
 #[derive(Clone, Debug, PartialEq)]
@@ -60,7 +44,7 @@ pub struct ModelMesh {
     /// The maximum degree.
     pub max_degree: u32,
     /// No mesh of the model from these points has a smaller maximum degree; with
-    /// [`ModelGoal::keep_angle`], no mesh whose faces keep that share.
+    /// [`Goal::KeepAngle`], no mesh whose faces keep that share.
     pub lower_bound: u32,
     /// The proof of that.
     pub bounded_by: JointBound,
@@ -81,7 +65,10 @@ impl ModelMesh {
     }
 }
 
-/// Meshes a model.
+/// Meshes a model. `effort` is how long to look for each degree, as a multiple of the default work of a few seconds.
+///
+/// Of a [`Goal::KeepAngle`], every face keeps the share of the minimum angle of its own Delaunay triangulation; at a
+/// [`Goal::MaxDegree`] the work on the degree ends once no vertex has more edges.
 ///
 /// The maximum degree is what block descent reaches, with a lower bound beside it. A face without
 /// holes changes as a whole while it is small, else window by window. With a lower bound of B, the
@@ -90,35 +77,42 @@ impl ModelMesh {
 ///
 /// # Errors
 ///
-/// A face that cannot be triangulated once its points are rounded to f64, or a cancelled
+/// A goal that [`GOALS`](crate::GOALS) does not give to models; a face that cannot be triangulated once its points are rounded to f64, or a cancelled
 /// `progress`.
 ///
 /// # Example
 ///
 /// ```
-/// use mindeg::model::{ModelGoal, mesh_model};
-/// use mindeg::{Model, Progress};
+/// use mindeg::model::mesh_model;
+/// use mindeg::{Goal, Model, Progress};
 ///
 /// let cube = Model::from_json(
 ///     r#"{"corners": [[0,0,0], [1,0,0], [1,1,0], [0,1,0], [0,0,1], [1,0,1], [1,1,1], [0,1,1]],
 ///         "faces": [[0,3,2,1], [4,5,6,7], [0,1,5,4], [1,2,6,5], [2,3,7,6], [3,0,4,7]],
 ///         "size": 0.25}"#,
 /// )?;
-/// let meshed = mesh_model(&cube, ModelGoal::default(), Progress::NONE)?;
+/// let meshed = mesh_model(&cube, Goal::LeastDegree, 1.0, Progress::NONE)?;
 /// // The degrees of V vertices of a closed surface add up to 6V - 12.
 /// assert_eq!((meshed.max_degree, meshed.lower_bound), (6, 6));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn mesh_model(
     model: &Model,
-    goal: ModelGoal,
+    goal: Goal,
+    effort: f64,
     progress: Progress<'_>,
 ) -> Result<ModelMesh, ModelMeshError> {
-    let mut joint = Joint::new(model, goal.keep_angle, progress)?;
+    let (share, limit) = match goal {
+        Goal::LeastDegree => (None, 0),
+        Goal::KeepAngle(share) => (Some(share), 0),
+        Goal::MaxDegree(limit) => (None, limit),
+        Goal::Optimize(_) => return Err(ModelMeshError::of_goal(goal)),
+    };
+    let mut joint = Joint::new(model, share, progress)?;
     let mut bound = bound::cheap(&joint);
-    let target = bound.max_degree().max(goal.max_degree.unwrap_or(0));
+    let target = bound.max_degree().max(limit);
     let most = LEVEL_STEPS.max(STEPS_PER_VERTEX * u64::from(model.vertex_count()));
-    let steps = (most as f64 * goal.effort.max(0.0)) as u64;
+    let steps = (most as f64 * effort.max(0.0)) as u64;
     let mut descent = Descent::new(&mut joint, progress);
     if descent.reach(target + 1, steps)? {
         // A short try, then the dearer bound, and only then a long try.

@@ -1,4 +1,4 @@
-"""Interior points: their options, written once for everything that takes them, and the optimiser alone."""
+"""Goals and interior points: their options, written once for everything that takes them, and the optimiser alone."""
 
 import inspect
 import json
@@ -16,6 +16,14 @@ if TYPE_CHECKING:
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 
 
+class GoalOptions(TypedDict, total=False):
+    """What a mesh of boundary points is to be; `mindeg.GOALS` explains each. Give one of them."""
+
+    keep_angle: float | str | None
+    max_degree: int | None
+    optimize: Literal["angle"] | None
+
+
 class InteriorOptions(TypedDict, total=False):
     """What is wanted of interior points; `docs/interior.md` explains each."""
 
@@ -30,15 +38,19 @@ class InteriorOptions(TypedDict, total=False):
     max_points: int | None
 
 
-def names_its_options(function: _Function) -> _Function:
+def names_its_options(options: type) -> Callable[[_Function], _Function]:
     """Lists the options in the signature that help() and notebooks show, in place of ``**options``."""
-    signature = inspect.signature(function)
-    *others, _ = signature.parameters.values()
-    for name, kind in InteriorOptions.__annotations__.items():
-        kind = getattr(kind, "__forward_arg__", kind)
-        others.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind))
-    setattr(function, "__signature__", signature.replace(parameters=others))
-    return function
+
+    def named(function: _Function) -> _Function:
+        signature = inspect.signature(function)
+        *others, _ = signature.parameters.values()
+        for name, kind in options.__annotations__.items():
+            kind = getattr(kind, "__forward_arg__", kind)
+            others.append(inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None, annotation=kind))
+        setattr(function, "__signature__", signature.replace(parameters=others))
+        return function
+
+    return named
 
 
 def as_json(options: Mapping[str, object]) -> str:
@@ -50,7 +62,7 @@ def as_json(options: Mapping[str, object]) -> str:
     return json.dumps({key: plain(value, key) for key, value in options.items() if value is not None})
 
 
-@names_its_options
+@names_its_options(InteriorOptions)
 def improve(
     points: "_mindeg.Mesh | npt.ArrayLike", triangles: "npt.ArrayLike | None" = None, **options: "Unpack[InteriorOptions]"
 ) -> _mindeg.Mesh:
