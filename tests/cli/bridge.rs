@@ -70,6 +70,10 @@ fn a_higher_degree_is_taken_where_it_is_allowed() {
     let (folder, run) = bridge(&files, &["--max-degree", "5"]);
     run.refuses(&["no strip between the loops keeps degree limit 5; the least possible is 6"]);
     assert_eq!(content(folder.path()), ["lower.obj", "upper.obj"]);
+    let (folder, run) = bridge(&files, &["--target-angle", "59"]);
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(run.errors.contains("below the target angle of 59°"), "{}", run.errors);
+    assert_eq!(content(folder.path()), ["lower.obj", "upper.obj"]);
 }
 
 /// A square ring in a plane: a hole within four triangles pairs.

@@ -85,6 +85,19 @@ fn a_cone_is_closed_and_the_summary_says_how() {
 }
 
 #[test]
+fn an_angle_that_is_demanded_of_new_triangles_is_kept_or_nothing_is_written() {
+    let (folder, run) = fill("cone.obj", &cone(30, 0.0, 2.0), &["--target-angle", "20"]);
+    assert_eq!(run.code, Some(3), "{run:?}");
+    assert!(run.errors.contains("below the target angle of 20°"), "{}", run.errors);
+    let triangle = run.errors.split("triangle ").nth(1).and_then(|rest| rest.split(' ').next());
+    // The cone has the first 30.
+    assert!(triangle.and_then(|index| index.parse().ok()) >= Some(30_u32), "{}", run.errors);
+    assert_eq!(content(folder.path()), ["cone.obj"]);
+    let (_folder, run) = fill("cone.obj", &cone(30, 0.0, 2.0), &["--target-angle", "1"]);
+    assert_eq!(run.code, Some(0), "{run:?}");
+}
+
+#[test]
 fn the_old_mesh_stays_bit_for_bit() {
     // Numbers with all their digits, names, quads, and a line.
     let mesh = "o shell\nv 0.1 0.30000000000000004 1e-300\nv 1 0 0\nv 1 1 0.1\nv 0 1 0\nv 0.5 0.5 2\n\

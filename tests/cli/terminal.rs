@@ -53,6 +53,30 @@ fn a_terminal_has_colors_unless_they_are_not_wanted() {
     }
 }
 
+/// A name that breaks the line could put a sentence of its own into mindeg's mouth.
+#[test]
+fn a_line_break_in_a_name_stays_in_its_line() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mesh = folder.path().join("a\nerror: b.obj");
+    std::fs::write(&mesh, "v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n").expect("it can be written");
+    let path = mesh.to_str().expect("it is text");
+    let missing = folder.path().join("none\nsuch.json");
+    let html = folder.path().join("a.html");
+    for (arguments, escaped) in [
+        (vec!["inspect", missing.to_str().expect("it is text")], "none\\nsuch.json"),
+        (vec!["fill", path, "-o", "-", "--format", "obj", "--loop", "7"], "a\\nerror: b.obj"),
+        (
+            vec!["view", path, "--size", "1", "-o", html.to_str().expect("it is text")],
+            "a\\nerror: b.obj",
+        ),
+        (vec!["inspect", path], "a\\nerror: b.obj"),
+    ] {
+        let run = mindeg(&arguments);
+        let text = format!("{}{}", run.errors, String::from_utf8_lossy(&run.output));
+        assert!(text.contains(escaped) && !text.contains("\nerror: b"), "{arguments:?}: {text}");
+    }
+}
+
 #[test]
 fn help_goes_to_standard_output_with_examples() {
     for command in [

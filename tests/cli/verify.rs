@@ -68,7 +68,7 @@ fn a_mesh_in_any_format_passes_with_its_proof() {
         assert_eq!(found["max_degree"], 5);
         assert_eq!(found["optimal"], "yes");
         assert_eq!(found["proof"]["kind"], "blocked_zig_zags");
-        assert_eq!(found["boundary_points"], 197);
+        assert_eq!(found["boundary_vertices"], 197);
         assert_eq!(found["interior_points"], 0);
         assert_eq!(found["passed"], true);
     }

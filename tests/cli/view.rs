@@ -107,7 +107,7 @@ fn what_is_no_mesh_and_no_domain_is_refused() {
         (&["a.obj", "b.obj", "-o", "a.html"], &["one mesh at a time: b.obj is a second one"]),
         (
             &["--rectangle", "4x3", "--size", "1", "--max-degree", "2", "-o", "a.html"],
-            &["no mesh of the domain has maximum degree 2"],
+            &["no triangulation here has maximum degree 2; the least is 4"],
         ),
     ] {
         view(arguments).refuses(words);

@@ -4,6 +4,7 @@ use crate::numbers::steady_angle;
 use crate::preset::Preset;
 use mindeg_mesh::quality::{TriangleQuality, WorstTriangles};
 use mindeg_mesh::{TriMesh, Triangles};
+use std::ops::Range;
 
 /// The demands on a mesh. An absent value demands nothing.
 ///
@@ -45,10 +46,17 @@ impl WorstPlaces {
     /// The worst places of a mesh given as a list. O(n).
     #[must_use]
     pub fn of(mesh: &TriMesh) -> Self {
+        Self::among(mesh, 0..mesh.triangle_count())
+    }
+
+    /// The first vertex of maximum degree, and the worst of some triangles.
+    #[must_use]
+    pub fn among(mesh: &TriMesh, triangles: Range<u32>) -> Self {
         let highest = mesh.max_degree();
         let vertex = mesh.degrees().iter().position(|degree| *degree == highest);
         let mut worst = WorstTriangles::new(1);
-        for (index, corners) in (0..).zip(mesh.triangles()) {
+        for index in triangles {
+            let corners = mesh.triangles()[index as usize];
             let [a, b, c] = corners.map(|v| mesh.positions()[v as usize]);
             worst.add(index, TriangleQuality::in_space(a, b, c));
         }

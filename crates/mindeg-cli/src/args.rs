@@ -45,11 +45,12 @@ use clap_complete::Shell;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  success (also when the reader of standard output stops early)
-  1  something could not be read or written, or does not fit where it is to go
-  2  bad input: wrong usage, a domain that cannot be meshed, counts out of range, degree
-     limits that cannot be kept, a broken file
-  3  a mesh is not what was demanded of it (--max-degree, --target-angle, --preset,
-     --interior-degree, --boundary-degree), or does not pass mindeg verify";
+  1  something could not be read or written, or does not fit where it goes
+  2  bad input: wrong usage, a domain that cannot be meshed, counts out of
+     range, degree limits that cannot be kept, a broken file
+  3  a mesh is not what was demanded of it (--max-degree, --target-angle,
+     --preset, --interior-degree, --boundary-degree), or does not pass
+     mindeg verify";
 
 /// Examples, and the exit codes below them, for `--help`.
 fn with_exit_codes(examples: &str) -> String {
@@ -135,6 +136,12 @@ mod tests {
     #[test]
     fn the_arguments_are_well_formed() {
         Arguments::command().debug_assert();
+    }
+
+    /// No terminal of 80 columns breaks a line that is broken by hand.
+    #[test]
+    fn exit_codes_fit_a_terminal() {
+        assert!(EXIT_CODES.lines().all(|line| line.len() <= 76), "{EXIT_CODES}");
     }
 
     #[test]

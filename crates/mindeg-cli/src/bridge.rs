@@ -2,6 +2,7 @@
 
 use crate::args::{BridgeArguments, LoopChoice};
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
+use crate::demands::new_triangles_met;
 use crate::failure::Failure;
 use crate::making::Making;
 use mindeg::bridge::{Bridged, bridge};
@@ -102,6 +103,8 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     let result = making
         .work(|progress| bridge(both, other, [from, to], arguments.max_degree, progress))
         .map_err(|error| Failure::Input(error.to_string()))?;
+    let (angle, strip) = (result.min_angle, &result.triangles);
+    new_triangles_met(arguments.target_angle, &result.mesh, strip, angle)?;
     let made = making.write_checked(&result.mesh)?;
     let strip = &result.strip;
     let text = || text(&result, &from_name, &to_name);

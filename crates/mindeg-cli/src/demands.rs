@@ -5,6 +5,7 @@ use crate::failure::Failure;
 use mindeg::BoundaryMesh;
 use mindeg_answers::demands::{Demands, WorstPlaces};
 use mindeg_mesh::TriMesh;
+use std::ops::Range;
 
 /// Fails if something demanded is unmet.
 pub(crate) fn met(unmet: &[String]) -> Result<(), Failure> {
@@ -26,6 +27,18 @@ pub(crate) fn met_or_written_anyway(
         }
         end => Ok(end),
     }
+}
+
+/// Fails if one of these triangles of a mesh, whose minimum angle is known, has an angle below `target`.
+pub(crate) fn new_triangles_met(
+    target_angle: Option<f64>,
+    mesh: &TriMesh,
+    triangles: &Range<u32>,
+    min_angle: f64,
+) -> Result<(), Failure> {
+    let demands = Demands { target_angle, ..Demands::default() };
+    let worst = || WorstPlaces::among(mesh, triangles.clone());
+    met(&demands.unmet(0, min_angle, worst))
 }
 
 /// The demands that the mesh of a domain with a known minimum angle breaks. Degrees are total. To

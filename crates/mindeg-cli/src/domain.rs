@@ -6,9 +6,10 @@ use crate::args::{Counts, CountsArguments, DomainArguments, DomainOptions, Outli
 use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
-use crate::terminal::say;
+use crate::terminal::{say, shown};
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
 use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Wanted};
+use std::borrow::Cow;
 use std::path::Path;
 
 /// The subject that the arguments describe.
@@ -43,13 +44,13 @@ pub(crate) fn domain(arguments: &DomainArguments) -> Result<Domain, Failure> {
 }
 
 /// The name of a domain at the start of a line.
-pub(crate) fn name(domain: &Domain) -> &str {
-    domain.name().unwrap_or(UNNAMED)
+pub(crate) fn name(domain: &Domain) -> Cow<'_, str> {
+    shown(domain.name().unwrap_or(UNNAMED))
 }
 
 /// The name of a domain within a sentence.
-pub(crate) fn name_in_text(domain: &Domain) -> &str {
-    domain.name().unwrap_or("the domain")
+pub(crate) fn name_in_text(domain: &Domain) -> Cow<'_, str> {
+    shown(domain.name().unwrap_or("the domain"))
 }
 
 /// The subject of a question about degrees.

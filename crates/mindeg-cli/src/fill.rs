@@ -2,6 +2,7 @@
 
 use crate::args::FillArguments;
 use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
+use crate::demands::new_triangles_met;
 use crate::failure::Failure;
 use crate::making::Making;
 use mindeg::Loops;
@@ -88,6 +89,9 @@ pub(crate) fn run(arguments: &FillArguments) -> Result<(), Failure> {
         let message = if reasons.len() > 5 { listed } else { format!(": {}", reasons.join("; ")) };
         let name = file.display();
         return Err(Failure::Input(format!("{name} has no loop to fill{message}")));
+    }
+    for found in &result.filled {
+        new_triangles_met(arguments.target_angle, &result.mesh, &found.triangles, found.min_angle)?;
     }
     let made = making.write_checked(&result.mesh)?;
     let summary = || Summary {

@@ -5,7 +5,7 @@ use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::print_json;
-use crate::terminal::{say, shown};
+use crate::terminal::say;
 use mindeg::{Positions, Progress, TriMesh};
 use mindeg_files::{Format, Input, Targets};
 use mindeg_mesh::{Mesh, Triangles};
@@ -142,7 +142,7 @@ struct WithFiles<T> {
 
 /// The line on the files that were written; `None` for standard output alone.
 pub(crate) fn wrote(files: &[String]) -> Option<String> {
-    let files: Vec<_> = files.iter().filter(|file| *file != "-").map(|file| shown(file)).collect();
+    let files: Vec<&str> = files.iter().map(String::as_str).filter(|file| *file != "-").collect();
     (!files.is_empty()).then(|| format!("wrote {}", files.join(", ")))
 }
 

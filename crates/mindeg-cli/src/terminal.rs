@@ -7,6 +7,7 @@ use clap::builder::styling::Styles;
 use std::borrow::Cow;
 use std::ffi::OsString;
 use std::io::{self, Write};
+use std::sync::LazyLock;
 use terminal_size::{Width, terminal_size_of};
 
 /// The widest lines, as in the help.
@@ -54,7 +55,36 @@ pub(crate) fn say(text: &str) {
 /// A text of several lines in which nothing steers a terminal: names come from files, and files from
 /// anywhere. What would, is shown as an escape. All that the command line prints passes here.
 pub(crate) fn safe(text: &str) -> Cow<'_, str> {
-    escaped(text, |c| c != '\n' && steers(c))
+    static BROKEN: LazyLock<Vec<String>> = LazyLock::new(|| broken_names(std::env::args_os()));
+    on_one_line(text, &BROKEN)
+}
+
+/// The text with its own line breaks alone: those of these names are escaped, too.
+fn on_one_line<'a>(text: &'a str, broken: &[String]) -> Cow<'a, str> {
+    let safe = escaped(text, |c| c != '\n' && steers(c));
+    broken.iter().fold(safe, |text, name| {
+        // What else steers in the name is an escape by now.
+        let name = escaped(name, |c| c != '\n' && steers(c));
+        match text.contains(&*name) {
+            true => Cow::Owned(text.replace(&*name, &shown(&name))),
+            false => text,
+        }
+    })
+}
+
+/// The names of files and folders among arguments that have a line break, without extensions: the files beside a
+/// file have others.
+fn broken_names(arguments: impl Iterator<Item = OsString>) -> Vec<String> {
+    let mut names = Vec::new();
+    for argument in arguments {
+        let argument = argument.to_string_lossy();
+        let parts = argument.split(std::path::is_separator).filter(|part| part.contains('\n'));
+        names.extend(parts.map(|part| {
+            let stem = part.rsplit_once('.').map_or(part, |(stem, _)| stem);
+            if stem.contains('\n') { stem.to_owned() } else { part.to_owned() }
+        }));
+    }
+    names
 }
 
 /// A name within a line: escaped as in [`safe`], line breaks included.
@@ -115,6 +145,15 @@ mod tests {
         assert_eq!(safe(name), "a\\u{1b}[31mb\\u{7}\\u{0}\\u{9b}c\\u{202e}d\\r\ne\tf\\u{2028}");
         assert!(shown(name).contains("d\\r\\ne") && !shown(name).contains('\n'));
         assert!(matches!(safe("Côte d'Ivoire °\n"), Cow::Borrowed(_)));
+    }
+
+    #[test]
+    fn a_line_break_in_a_name_ends_no_line() {
+        let words = ["mindeg", "a\nb/c\nd.obj", "plain.obj", "e.f\ng"].map(OsString::from);
+        let broken = broken_names(words.into_iter());
+        assert_eq!(broken, ["a\nb", "c\nd", "e.f\ng"]);
+        let text = "a\nb/c\nd.bin: no\nplain.obj\ne.f\ng";
+        assert_eq!(on_one_line(text, &broken), "a\\nb/c\\nd.bin: no\nplain.obj\ne.f\\ng");
     }
 
     #[test]

@@ -35,7 +35,7 @@ pub(crate) fn run(arguments: &ViewArguments) -> Result<(), Failure> {
         }
         (subject, _) => {
             let domain = subject.only()?;
-            (mesh_of(&domain, arguments, &bar)?, name_in_text(&domain).to_owned())
+            (mesh_of(&domain, arguments, &bar)?, name_in_text(&domain).into_owned())
         }
     };
     let made_by = provenance(arguments.file.as_deref());

@@ -2,7 +2,7 @@
 
 use super::loop_choice::LoopChoice;
 use super::surface::SurfaceArguments;
-use super::values::whole_number;
+use super::values::{target_angle, whole_number};
 use super::with_exit_codes;
 use clap::Args;
 use std::path::PathBuf;
@@ -48,6 +48,10 @@ pub(crate) struct BridgeArguments {
     /// The largest total degree of a vertex on the loops; without it, the least that is possible
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
     pub(crate) max_degree: Option<u32>,
+
+    /// Write nothing and end with exit code 3 if a triangle of the strip has an angle below this many degrees, up to 60
+    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
+    pub(crate) target_angle: Option<f64>,
 
     /// Print JSON: from and to (loop, vertices, first_vertex), vertices, triangles, strip (its
     /// triangles), max_degree, least_max_degree, at_least, min_angle, next_min_angle,

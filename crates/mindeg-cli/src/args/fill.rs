@@ -2,7 +2,7 @@
 
 use super::loop_choice::LoopChoice;
 use super::surface::SurfaceArguments;
-use super::values::whole_number;
+use super::values::{target_angle, whole_number};
 use super::with_exit_codes;
 use clap::Args;
 use std::path::PathBuf;
@@ -53,6 +53,10 @@ pub(crate) struct FillArguments {
     /// such as 0,0,1.5. May be given several times
     #[arg(long = "loop", value_name = "LOOP", allow_hyphen_values = true)]
     pub(crate) loops: Vec<LoopChoice>,
+
+    /// Write nothing and end with exit code 3 if a new triangle has an angle below this many degrees, up to 60
+    #[arg(long, value_name = "A", value_parser = target_angle, allow_hyphen_values = true)]
+    pub(crate) target_angle: Option<f64>,
 
     /// Print JSON: file, vertices, triangles, max_degree, filled (loop, vertices, first_vertex,
     /// limit, max_degree, area, area_without_limit, least_limit, area_at_least_limit, degree_without_limit, min_angle,

@@ -51,8 +51,8 @@ pub(crate) struct VerifyArguments {
     #[arg(long)]
     pub(crate) optimal: bool,
 
-    /// Print JSON: mesh, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_points,
-    /// interior_points, unused_vertices, triangles, max_degree, max_degree_vertex, optimal, proof,
+    /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
+    /// interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, optimal, proof,
     /// reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
     /// failed, passed
     #[arg(long)]

@@ -8,7 +8,7 @@ use crate::interrupt::SESSION;
 use crate::making::wrote;
 use crate::named_files::{is_pattern, names, prepare, summed_up};
 use crate::standard_output::{print, print_json};
-use crate::terminal::say;
+use crate::terminal::{say, shown};
 use mindeg::Domain;
 use mindeg_answers::numbers::{four_digits, significant};
 use mindeg_files::{Outputs, Polygon, PolygonFile, Wanted, is_standard_output, write_to};
@@ -94,7 +94,7 @@ fn row(polygons: &PolygonFile, polygon: &Polygon) -> Row {
 }
 
 fn line(row: &Row) -> String {
-    let name = row.name.as_deref().unwrap_or("unnamed");
+    let name = shown(row.name.as_deref().unwrap_or("unnamed"));
     let Some(Shape { rings, sides, vertices, area, min, max }) = &row.shape else {
         return format!("{:>5}  {}\n", row.index, row.error.as_deref().unwrap_or_default());
     };

@@ -8,6 +8,7 @@ use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::failure::Failure;
 use crate::making::Making;
+use crate::terminal::shown;
 use mindeg::model::{JointBound, ModelMesh, fill_model, mesh_model};
 use mindeg::quality::TriangleQuality;
 use mindeg::{Model, ModelPlace};
@@ -162,7 +163,7 @@ fn fill(model: &Model, arguments: &MeshArguments, mut making: Making) -> Result<
         let mut lines = vec![format!(
             "{}: {} faces, {} vertices, {} of them inside faces, {} triangles, maximum degree {} over \
              all faces and {} within one, angles {} to {}",
-            summary.name.unwrap_or("model"),
+            shown(summary.name.unwrap_or("model")),
             summary.faces,
             summary.vertices,
             summary.interior_points,
@@ -214,7 +215,7 @@ fn text(model: &Model, meshed: &ModelMesh, summary: &Summary<'_>) -> String {
     let mut lines = vec![format!(
         "{}: {} faces, {} vertices, {} triangles, maximum degree {} (at least {} is needed), angles \
          {} to {}",
-        summary.name.unwrap_or("model"),
+        shown(summary.name.unwrap_or("model")),
         summary.faces,
         summary.vertices,
         summary.triangles,
@@ -283,7 +284,7 @@ fn place_text(model: &Model, meshed: &ModelMesh, vertex: u32) -> String {
         ModelPlace::Edge { edge, .. } => {
             let [low, high] = model.edge_corners(edge as usize);
             match model.edge_name(edge as usize) {
-                Some(name) => format!("on edge {name}"),
+                Some(name) => format!("on edge {}", shown(name)),
                 None => format!("on edge {low}-{high}"),
             }
         }

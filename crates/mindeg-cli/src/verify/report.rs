@@ -6,11 +6,12 @@ use mindeg::exact::share_of;
 use mindeg::verify::{MatchedPlane, MeshDefect, Optimality, Proof, VerifiedMesh};
 use mindeg_answers::numbers::{count, four_digits, percent, steady_angle};
 use serde::Serialize;
+use std::borrow::Cow;
 
 /// The output of `--json`; docs/verify.md gives the meaning of each key.
 #[derive(Serialize)]
 pub(super) struct Report<'a> {
-    mesh: &'a str,
+    file: &'a str,
     domain: Option<&'a str>,
     valid: bool,
     defect: Option<Flaw>,
@@ -19,7 +20,7 @@ pub(super) struct Report<'a> {
     failed: &'a [String],
     passed: bool,
     #[serde(skip)]
-    called: &'a str,
+    called: Cow<'a, str>,
 }
 
 /// The first defect.
@@ -37,9 +38,9 @@ struct Found {
     reversed: bool,
     tolerance: f64,
     farthest: f64,
-    boundary_points: usize,
+    boundary_vertices: usize,
     interior_points: usize,
-    unused_vertices: usize,
+    unreferenced_vertices: usize,
     triangles: usize,
     max_degree: u32,
     max_degree_vertex: u32,
@@ -89,7 +90,7 @@ pub(super) fn highest_vertex(verified: &VerifiedMesh) -> u32 {
 impl<'a> Report<'a> {
     pub(super) fn invalid(file: &'a str, domain: &'a Domain, defect: &MeshDefect) -> Self {
         Self {
-            mesh: file,
+            file,
             domain: domain.name(),
             valid: false,
             defect: Some(Flaw { kind: defect.kind(), message: defect.to_string() }),
@@ -126,9 +127,9 @@ impl<'a> Report<'a> {
             reversed: verified.is_reversed,
             tolerance: verified.tolerance,
             farthest: verified.farthest,
-            boundary_points: verified.points.len() - verified.interior_points,
+            boundary_vertices: verified.points.len() - verified.interior_points,
             interior_points: verified.interior_points,
-            unused_vertices: verified.unused_vertices,
+            unreferenced_vertices: verified.unused_vertices,
             triangles: verified.triangles.len(),
             max_degree: verified.max_degree,
             max_degree_vertex: highest_vertex(verified),
@@ -143,7 +144,7 @@ impl<'a> Report<'a> {
             share_of_limit: share,
         };
         Self {
-            mesh: file,
+            file,
             domain: domain.name(),
             valid: true,
             defect: None,
@@ -157,7 +158,7 @@ impl<'a> Report<'a> {
     /// A line a figure.
     pub(super) fn text(&self) -> String {
         let Some(found) = &self.found else { return String::new() };
-        let mut text = format!("{} is a triangulation of {}\n", self.mesh, self.called);
+        let mut text = format!("{} is a triangulation of {}\n", self.file, self.called);
         let mut row = |name: &str, value: String| {
             text.push_str(&format!("{name:<17} {value}\n"));
         };
@@ -166,7 +167,7 @@ impl<'a> Report<'a> {
             "boundary points",
             format!(
                 "{}; the farthest vertex is {} off (tolerance {})",
-                whole(found.boundary_points),
+                whole(found.boundary_vertices),
                 four_digits(found.farthest),
                 four_digits(found.tolerance)
             ),
@@ -211,7 +212,7 @@ impl<'a> Report<'a> {
                 "all triangles are clockwise; seen from the other side they are not".into(),
             );
         }
-        match found.unused_vertices {
+        match found.unreferenced_vertices {
             0 => {}
             1 => row("note", "1 vertex is in no triangle".into()),
             unused => row("note", format!("{} vertices are in no triangle", whole(unused))),
