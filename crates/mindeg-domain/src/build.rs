@@ -196,13 +196,10 @@ impl DomainBuilder {
         let divided = Divided::new(&given)?;
         let vertices = divided.rings.vertex_count();
         if vertices > max {
-            return Err(DomainError::new(
-                Place::default(),
-                format!(
-                    "the boundary has {vertices} points; at most {max} are wanted here; use fewer \
+            return Err(Place::default().error(format!(
+                "the boundary has {vertices} points; at most {max} are wanted here; use fewer \
                      intervals"
-                ),
-            ));
+            )));
         }
         constraints.check_side_count(divided.rings.side_count())?;
         let Placed { placement, straight, turned } = divided.placed(&mut given)?;

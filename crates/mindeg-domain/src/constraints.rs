@@ -67,9 +67,7 @@ pub struct SideConstraint {
 /// Where another mesh shares the side, the external degree of a vertex is its degree there less 2
 /// strictly inside the side, and less 1 at either end.
 #[derive(Clone, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
-#[cfg_attr(feature = "json", serde(untagged))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, schemars::JsonSchema), serde(untagged))]
 pub enum ExternalDegree {
     /// The same number at every vertex strictly inside the side, and 0 at its ends.
     Inside(u32),
@@ -190,13 +188,10 @@ impl Constraints {
         if [0, sides].contains(&entries) {
             return Ok(());
         }
-        Err(DomainError::key(
-            "sides",
-            format!(
-                "found constraints of {entries} sides, and the outline has {sides} sides; give one \
+        Err(Place::key("sides").error(format!(
+            "found constraints of {entries} sides, and the outline has {sides} sides; give one \
                  entry for each side, or none"
-            ),
-        ))
+        )))
     }
 
     /// Checks these constraints on their boundary and sorts the vertices. `given` maps a side to the
@@ -219,17 +214,14 @@ impl Constraints {
         {
             let place = || entry_place(entry).then("vertex");
             if vertex >= vertex_count {
-                return Err(DomainError::new(
-                    place(),
-                    format!(
-                        "vertex {vertex} does not exist; the {vertex_count} vertices are numbered \
+                return Err(place().error(format!(
+                    "vertex {vertex} does not exist; the {vertex_count} vertices are numbered \
                          from 0, counter-clockwise from the first corner"
-                    ),
-                ));
+                )));
             }
             if !seen.insert(vertex) {
                 let message = format!("vertex {vertex} is listed twice; give it one entry");
-                return Err(DomainError::new(place(), message));
+                return Err(place().error(message));
             }
             check_external_degree(external_degree).map_err(|error| {
                 error.within(entry_place(entry), &format!("entry {}", entry + 1))
@@ -261,7 +253,7 @@ impl Constraints {
                      included; give one for each, or a single number for all that are not corners",
                     counted(degrees.len(), "number")
                 );
-                return Err(DomainError::key("outside_degree", message).of_side(given(side)));
+                return Err(Place::key("outside_degree").error(message).of_side(given(side)));
             }
             check_external_degree(external_degree.greatest())
                 .map_err(|error| error.of_side(given(side)))?;
@@ -312,13 +304,10 @@ impl Constraints {
             (_, 0) => format!("{along} and 1 into the domain"),
             _ => format!("{along}, 1 into the domain and {outside} outside"),
         };
-        Err(DomainError::new(
-            entry().then("max_degree"),
-            format!(
-                "vertex {vertex} has a max_degree of {limit} and needs {least}: {edges}; raise \
+        Err(entry().then("max_degree").error(format!(
+            "vertex {vertex} has a max_degree of {limit} and needs {least}: {edges}; raise \
                  max_degree to {least} or more"
-            ),
-        ))
+        )))
     }
 }
 
@@ -327,7 +316,7 @@ fn check_external_degree(degree: u32) -> Result<(), DomainError> {
         return Ok(());
     }
     let message = format!("outside_degree is {degree}; the maximum is {GREATEST_EXTERNAL_DEGREE}");
-    Err(DomainError::key("outside_degree", message))
+    Err(Place::key("outside_degree").error(message))
 }
 
 #[cfg(test)]

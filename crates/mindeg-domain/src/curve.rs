@@ -99,14 +99,11 @@ impl Path {
             |point: &&DVec2| point.abs().max_element() <= GREATEST_COORDINATE && !point.is_nan();
         if let Some(index) = curve.points().iter().position(|point| !is_usable(&point)) {
             let DVec2 { x, y } = curve.points()[index];
-            return Err(DomainError::new(
-                Place::key("points").then(index),
-                format!(
-                    "point {} of the curve is at ({x:?}, {y:?}); coordinates must be finite and at \
+            return Err(Place::key("points").then(index).error(format!(
+                "point {} of the curve is at ({x:?}, {y:?}); coordinates must be finite and at \
                      most {GREATEST_COORDINATE:e} in size",
-                    index + 1
-                ),
-            ));
+                index + 1
+            )));
         }
         // kurbo takes minutes to measure next to no length.
         let distance = |point: &DVec2| (point - start).abs().max_element();
@@ -120,7 +117,7 @@ impl Path {
                      long: use another unit of length"
                 )
             };
-            return Err(DomainError::key("points", message));
+            return Err(Place::key("points").error(message));
         }
         Ok(match curve {
             Curve::Line => Self::Line { start, end },
@@ -178,7 +175,7 @@ pub(crate) struct ArcPath {
 
 impl ArcPath {
     fn new(arc: &Arc, start: DVec2, end: DVec2) -> Result<Self, DomainError> {
-        let error = |message| Err(DomainError::key("points", message));
+        let error = |message| Err(Place::key("points").error(message));
         let (angle, center) = match *arc {
             Arc::Through(_) if start == end => {
                 return error("the arc ends where it starts; give its \"center\"".to_owned());

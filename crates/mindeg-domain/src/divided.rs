@@ -141,13 +141,10 @@ impl Divided {
 /// The error of a ring whose number of sides is not its number of corners.
 pub(crate) fn side_count(ring: usize, corners: usize, sides: usize) -> DomainError {
     let are = if sides == 1 { "side is" } else { "sides are" };
-    DomainError::new(
-        Place::ring(ring).then("sides"),
-        format!(
-            "{sides} {are} described and {} has {corners}; describe each side once",
-            ring_name(ring)
-        ),
-    )
+    Place::ring(ring).then("sides").error(format!(
+        "{sides} {are} described and {} has {corners}; describe each side once",
+        ring_name(ring)
+    ))
 }
 
 /// Room for points that are stored.
@@ -156,13 +153,10 @@ fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
     const BYTES: usize = 48;
     let max = MAX_STORED_VERTICES;
     if vertices > max {
-        return Err(DomainError::new(
-            Place::default(),
-            format!(
-                "the boundary has {vertices} points; a domain that is not convex with straight sides \
+        return Err(Place::default().error(format!(
+            "the boundary has {vertices} points; a domain that is not convex with straight sides \
                  takes at most {max}; use fewer intervals"
-            ),
-        ));
+        )));
     }
     let mut points = Vec::new();
     let count = vertices as usize;
@@ -171,10 +165,9 @@ fn memory_for(vertices: u32) -> Result<Vec<DVec2>, DomainError> {
         .and_then(|()| points.try_reserve_exact(count));
     match is_free {
         Ok(()) => Ok(points),
-        Err(_) => Err(DomainError::new(
-            Place::default(),
-            format!("not enough memory for a boundary of {vertices} points; use fewer intervals"),
-        )),
+        Err(_) => Err(Place::default().error(format!(
+            "not enough memory for a boundary of {vertices} points; use fewer intervals"
+        ))),
     }
 }
 
@@ -226,7 +219,7 @@ impl Given<'_> {
         if *intervals == Intervals::Points && *spacing != Spacing::Uniform {
             let message =
                 "the side has its own points, so a spacing law has nothing to say; drop the law";
-            return Err(DomainError::key("spacing", message).of_side(self.at));
+            return Err(Place::key("spacing").error(message).of_side(self.at));
         }
         intervals.on(path.length(), points).map_err(|error| error.of_side(self.at))
     }
@@ -262,14 +255,11 @@ fn is_straight(points: &[DVec2], end: DVec2) -> Result<bool, DomainError> {
         let share = along(point);
         if share <= before || share >= length {
             let DVec2 { x, y } = *point;
-            return Err(DomainError::new(
-                Place::key("points").then(index),
-                format!(
-                    "point {} at ({x:?}, {y:?}) is not farther along the straight side than the one \
+            return Err(Place::key("points").then(index).error(format!(
+                "point {} at ({x:?}, {y:?}) is not farther along the straight side than the one \
                      before; list the points in the order in which they lie on it",
-                    index + 1
-                ),
-            ));
+                index + 1
+            )));
         }
         before = share;
     }

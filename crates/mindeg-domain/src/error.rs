@@ -100,23 +100,19 @@ impl Place {
     pub(crate) fn side(side: InRing) -> Self {
         Self::ring(side.ring).then("sides").then(side.index)
     }
-}
 
-impl DomainError {
-    pub(crate) fn new(place: Place, message: impl Into<String>) -> Self {
-        Self { place, message: message.into(), is_touch: false }
+    /// A fault of this value.
+    pub(crate) fn error(self, message: impl Into<String>) -> DomainError {
+        DomainError { place: self, message: message.into(), is_touch: false }
     }
 
     /// Points or edges that meet.
-    pub(crate) fn touch(place: Place, message: impl Into<String>) -> Self {
-        Self { is_touch: true, ..Self::new(place, message) }
+    pub(crate) fn touch(self, message: impl Into<String>) -> DomainError {
+        DomainError { is_touch: true, ..self.error(message) }
     }
+}
 
-    /// An error in a key of a side; [`within`](Self::within) adds the side.
-    pub(crate) fn key(key: &str, message: impl Into<String>) -> Self {
-        Self::new(Place::key(key), message)
-    }
-
+impl DomainError {
     /// The same error, seen from the value that contains this one.
     pub(crate) fn inside(mut self, mut whole: Place) -> Self {
         whole.0.append(&mut self.place.0);

@@ -11,15 +11,14 @@ use crate::error::{DomainError, Place};
 
 /// What is wanted of a mesh with interior points; what is left out has a default
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Interior {
     /// How fast the size grows from the boundary: change of size per distance [default: 0.5]
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub growth: Option<f64>,
     /// The size far from the boundary [default: a mean of the boundary's intervals]
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub size_inside: Option<f64>,
     /// Places `[x, y, h]`: the size is at most h there, and grows from there as from the boundary; up to the
     /// default growth no edge at the vertex nearest to a place is longer
@@ -34,14 +33,14 @@ pub struct Interior {
     pub sizes: Vec<SizeAt>,
     /// The degrees of interior vertices, a range around 6 [default: 5 to 7]
     #[cfg_attr(feature = "json", serde(default, with = "crate::json::range"))]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<[u32; 2]>"))]
+    #[cfg_attr(feature = "json", schemars(with = "Option<[u32; 2]>"))]
     pub interior_degree: Option<RangeInclusive<u32>>,
     /// The most edges of a boundary vertex; at a reflex corner 2 + round(angle / 60°), if that is more
     /// [default: 5]
-    #[cfg_attr(feature = "schema", schemars(range(min = 4)))]
+    #[cfg_attr(feature = "json", schemars(range(min = 4)))]
     pub boundary_degree: Option<u32>,
     /// The minimum angle in degrees [default: as much as the boundary allows, up to about 35]
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 60)))]
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 60)))]
     pub target_angle: Option<f64>,
     /// Which aim wins where one costs the other [default: degree]
     pub prefer: Option<Prefer>,
@@ -61,12 +60,11 @@ pub struct Interior {
 
 /// A wanted edge length at a place, `[x, y, h]`
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(from = "[f64; 3]", into = "[f64; 3]"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SizeAt {
     /// The place.
-    #[cfg_attr(feature = "schema", schemars(with = "[f64; 2]"))]
+    #[cfg_attr(feature = "json", schemars(with = "[f64; 2]"))]
     pub at: DVec2,
     /// The greatest edge length there; it grows from here as from the boundary.
     pub size: f64,
@@ -74,9 +72,8 @@ pub struct SizeAt {
 
 /// Which aim wins where one costs the other
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(rename_all = "snake_case"))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Prefer {
     /// Degrees within their limits
     #[default]
@@ -88,13 +85,12 @@ pub enum Prefer {
 
 /// Points and lines inside a domain that the mesh must have
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct FixedLines {
     /// Points inside the domain, `[x, y]`
     #[cfg_attr(feature = "json", serde(default, deserialize_with = "crate::json::or_default"))]
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 2]>"))]
+    #[cfg_attr(feature = "json", schemars(with = "Vec<[f64; 2]>"))]
     pub points: Vec<DVec2>,
     /// Lines of straight segments, each a list of ends: `[x, y]`, or the index of a fixed point
     #[cfg_attr(
@@ -106,14 +102,12 @@ pub struct FixedLines {
 
 /// An end of a segment
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize))]
-#[cfg_attr(feature = "json", serde(untagged))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, schemars::JsonSchema), serde(untagged))]
 pub enum LineEnd {
     /// The fixed point with this index
     Point(usize),
     /// The boundary vertex or fixed point at this place, or a new fixed point
-    At(#[cfg_attr(feature = "schema", schemars(with = "[f64; 2]"))] DVec2),
+    At(#[cfg_attr(feature = "json", schemars(with = "[f64; 2]"))] DVec2),
 }
 
 impl Interior {
@@ -162,7 +156,7 @@ impl Interior {
     /// assert_eq!(wanted.check().unwrap_err().place.to_string(), "growth");
     /// ```
     pub fn check(&self) -> Result<(), DomainError> {
-        let error = |place: Place, message: String| Err(DomainError::new(place, message));
+        let error = |place: Place, message: String| Err(place.error(message));
         let is_size = |size: f64| size.is_finite() && size > 0.0;
         if let Some(growth) = self.growth.filter(|growth| !is_size(*growth)) {
             let usual = "it is a finite number above 0 (0.5 is usual, less grows slower)";
@@ -213,7 +207,7 @@ impl FixedLines {
             let place = || Place::key("fixed").then("segments").then(index);
             if line.len() < 2 {
                 let message = format!("fixed line {index} has {} of 2 ends or more", line.len());
-                return Err(DomainError::new(place(), message));
+                return Err(place().error(message));
             }
             for (end, at) in line.iter().enumerate() {
                 if let LineEnd::Point(point) = *at
@@ -224,7 +218,7 @@ impl FixedLines {
                          from 0)",
                         self.points.len()
                     );
-                    return Err(DomainError::new(place().then(end), message));
+                    return Err(place().then(end).error(message));
                 }
             }
         }

@@ -83,7 +83,7 @@ pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> Do
         // Rings are long enough, their points finite, and either way round is taken.
         fault => (Place::default(), format!("{fault}; move the point")),
     };
-    DomainError::touch(place, message)
+    place.touch(message)
 }
 
 /// Names the vertices and edges of a boundary by their sides.

@@ -12,7 +12,6 @@ mod forms;
 mod guess;
 mod model;
 mod reader;
-#[cfg(feature = "schema")]
 mod schema;
 mod side;
 mod syntax;

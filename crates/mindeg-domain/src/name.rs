@@ -25,7 +25,7 @@ fn turns_direction(character: char) -> bool {
 pub(crate) fn check(name: &str, place: Place, of: &str) -> Result<(), DomainError> {
     if name.trim().is_empty() {
         let message = format!("the name of {of} is blank; give it a letter or leave it out");
-        return Err(DomainError::new(place, message));
+        return Err(place.error(message));
     }
     let is_refused = |character: &char| {
         character.is_control()
@@ -33,14 +33,11 @@ pub(crate) fn check(name: &str, place: Place, of: &str) -> Result<(), DomainErro
             || turns_direction(*character)
     };
     match name.chars().find(is_refused) {
-        Some(character) => Err(DomainError::new(
-            place,
-            format!(
-                "the name of {of} contains the {} U+{:04X}; remove this character",
-                kind(character),
-                character as u32
-            ),
-        )),
+        Some(character) => Err(place.error(format!(
+            "the name of {of} contains the {} U+{:04X}; remove this character",
+            kind(character),
+            character as u32
+        ))),
         None => Ok(()),
     }
 }
@@ -60,12 +57,9 @@ pub(crate) fn check_all<'a>(
             } else {
                 format!("{} and {}", first.side(), side.side())
             };
-            return Err(DomainError::new(
-                place(),
-                format!(
-                    "{both} are both named {name:?}; names become groups in mesh files and must differ"
-                ),
-            ));
+            return Err(place().error(format!(
+                "{both} are both named {name:?}; names become groups in mesh files and must differ"
+            )));
         }
     }
     Ok(())

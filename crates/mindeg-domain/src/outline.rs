@@ -67,26 +67,20 @@ pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), DomainError
             0 => (String::new(), "an outline"),
             _ => (format!(" of {}", ring_name(ring)), "a hole"),
         };
-        return Err(DomainError::new(
-            Place::corners(ring),
-            format!(
-                "found {}{of}; {whose} of straight sides needs at least 3",
-                counted(count, "corner")
-            ),
-        ));
+        return Err(Place::corners(ring).error(format!(
+            "found {}{of}; {whose} of straight sides needs at least 3",
+            counted(count, "corner")
+        )));
     }
     for (index, &DVec2 { x, y }) in corners.iter().enumerate() {
         // Not a NaN either.
         if !(x.abs() <= GREATEST_COORDINATE && y.abs() <= GREATEST_COORDINATE) {
             let corner = InRing { ring, index };
-            return Err(DomainError::new(
-                Place::corner(corner),
-                format!(
-                    "{} is at ({x:?}, {y:?}); coordinates must be finite and at most \
+            return Err(Place::corner(corner).error(format!(
+                "{} is at ({x:?}, {y:?}); coordinates must be finite and at most \
                      {GREATEST_COORDINATE:e} in size",
-                    corner.corner()
-                ),
-            ));
+                corner.corner()
+            )));
         }
     }
     if count == 1 {
@@ -101,7 +95,7 @@ fn check_distance(ring: usize, corners: &[DVec2], first: usize) -> Result<(), Do
     let (start, end) = (corners[first], corners[second]);
     let second = InRing { ring, index: second };
     let both = format!("corners {} and {}", first + 1, second.named_last());
-    let error = |message| Err(DomainError::touch(Place::corner(second), message));
+    let error = |message| Err(Place::corner(second).touch(message));
     if start == end {
         let DVec2 { x, y } = start;
         let whole = if ring == 0 { "outline" } else { "hole" };

@@ -109,14 +109,11 @@ impl Placement {
             return Ok(());
         }
         let length = share * start.distance(end);
-        Err(DomainError::key(
-            "spacing",
-            format!(
+        Err(Place::key("spacing").error(format!(
                 "its shortest interval is {length:.1e} long, too short to be told from nothing at the \
                  size of the side's coordinates; use fewer intervals or a gentler law, or move the \
                  domain towards the origin"
-            ),
-        )
+            ))
         .of_side(side))
     }
 
@@ -139,15 +136,12 @@ impl Placement {
             let rounding = rounding(before).max(rounding(side)).max_element();
             if distance < LEAST_ROUNDINGS * rounding {
                 let corner = self.rings.in_ring(side);
-                return Err(DomainError::new(
-                    Place::corner(corner),
-                    format!(
-                        "{}: the points next to it are {distance:.1e} from the other side, too close \
+                return Err(Place::corner(corner).error(format!(
+                    "{}: the points next to it are {distance:.1e} from the other side, too close \
                          to be told apart at the size of the coordinates; make the intervals there \
                          longer or the angle larger, or move the domain towards the origin",
-                        corner.corner()
-                    ),
-                ));
+                    corner.corner()
+                )));
             }
         }
         Ok(())
@@ -159,15 +153,12 @@ impl Placement {
         let inexact = |point: &DVec2| !(is_exact(point.x) && is_exact(point.y));
         let Some(vertex) = self.points().position(|point| inexact(&point)) else { return Ok(()) };
         let DVec2 { x, y } = self.point(vertex as u32);
-        Err(DomainError::new(
-            Place::corners(self.rings.ring_of(vertex as u32)),
-            format!(
-                "vertex {vertex} is at ({x:?}, {y:?}); the coordinates of a domain that is not convex \
+        Err(Place::corners(self.rings.ring_of(vertex as u32)).error(format!(
+            "vertex {vertex} is at ({x:?}, {y:?}); the coordinates of a domain that is not convex \
                  are 0 or of magnitude {:.1e} to {:.1e}: use another unit of length",
-                EXACT_COORDINATES.start(),
-                EXACT_COORDINATES.end()
-            ),
-        ))
+            EXACT_COORDINATES.start(),
+            EXACT_COORDINATES.end()
+        )))
     }
 
     /// The end of a side.

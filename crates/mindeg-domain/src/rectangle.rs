@@ -11,9 +11,8 @@ use crate::limits::{GREATEST_COORDINATE, LEAST_ROUNDINGS, LEAST_SIDE};
 
 /// A rectangle, which may stand anywhere at any angle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Rectangle {
     /// The length of bottom and top, above 0.
     pub width: f64,
@@ -28,7 +27,7 @@ pub struct Rectangle {
             skip_serializing_if = "crate::json::is_default"
         )
     )]
-    #[cfg_attr(feature = "schema", schemars(with = "Option<[f64; 2]>"))]
+    #[cfg_attr(feature = "json", schemars(with = "Option<[f64; 2]>"))]
     pub origin: DVec2,
     /// The angle from the x axis to the bottom, in degrees counter-clockwise about the origin.
     /// Multiples of 90 are exact.
@@ -76,13 +75,10 @@ impl Rectangle {
             corner.x.abs() <= GREATEST_COORDINATE && corner.y.abs() <= GREATEST_COORDINATE
         };
         if let Some(&DVec2 { x, y }) = corners.iter().find(|corner| !is_within(corner)) {
-            return Err(DomainError::new(
-                Place::key("rectangle"),
-                format!(
-                    "a corner of the rectangle is at ({x:?}, {y:?}); coordinates must be finite and \
+            return Err(Place::key("rectangle").error(format!(
+                "a corner of the rectangle is at ({x:?}, {y:?}); coordinates must be finite and \
                      at most {GREATEST_COORDINATE:e} in size; use another unit of length"
-                ),
-            ));
+            )));
         }
         let coordinates = corners.iter().map(|corner| corner.abs().max_element());
         let coordinate = coordinates.fold(0.0, f64::max);
@@ -112,7 +108,7 @@ impl Rectangle {
 
 /// An error about a measure.
 fn error(key: &str, is: String) -> DomainError {
-    DomainError::new(Place::key("rectangle").then(key), format!("the rectangle's {key} {is}"))
+    Place::key("rectangle").then(key).error(format!("the rectangle's {key} {is}"))
 }
 
 /// The unit vector at an angle in degrees, exact at multiples of 90.

@@ -48,7 +48,7 @@ impl Rings {
     /// [`MAX_VERTICES`] intervals in total.
     pub fn new<S: AsRef<[u64]>>(rings: &[S]) -> Result<Self, DomainError> {
         if rings.is_empty() {
-            return Err(DomainError::new(Place::default(), "a boundary needs an outer ring"));
+            return Err(Place::default().error("a boundary needs an outer ring"));
         }
         let (mut corners, mut first_sides) = (vec![0], vec![0]);
         let mut total = 0_u32;
@@ -58,34 +58,29 @@ impl Rings {
                 let side = InRing { ring, index };
                 if intervals == 0 {
                     let name = side.side();
-                    return Err(DomainError::new(
-                        Place::side(side).then("intervals"),
-                        format!("{name} has 0 intervals; every side needs at least 1"),
-                    ));
+                    return Err(Place::side(side)
+                        .then("intervals")
+                        .error(format!("{name} has 0 intervals; every side needs at least 1")));
                 }
                 total = u32::try_from(intervals)
                     .ok()
                     .and_then(|count| total.checked_add(count))
                     .filter(|&total| total <= MAX_VERTICES)
                     .ok_or_else(|| {
-                        DomainError::new(
-                            Place::side(side).then("intervals"),
-                            format!(
-                                "{} has {intervals} intervals, with which the boundary exceeds the \
+                        Place::side(side).then("intervals").error(format!(
+                            "{} has {intervals} intervals, with which the boundary exceeds the \
                                  maximum of {MAX_VERTICES} vertices; use fewer intervals",
-                                side.side()
-                            ),
-                        )
+                            side.side()
+                        ))
                     })?;
                 corners.push(total);
             }
             let intervals = total - start;
             if intervals < 3 {
                 let found = counted(intervals as usize, "interval");
-                return Err(DomainError::new(
-                    Place::ring(ring).then("sides"),
-                    format!("{} has {found}; a ring needs at least 3", ring_name(ring)),
-                ));
+                return Err(Place::ring(ring)
+                    .then("sides")
+                    .error(format!("{} has {found}; a ring needs at least 3", ring_name(ring))));
             }
             first_sides.push(corners.len() - 1);
         }

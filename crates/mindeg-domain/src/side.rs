@@ -7,7 +7,7 @@ use mindeg_core::MAX_VERTICES;
 use mindeg_mesh::LineKind;
 
 use crate::curve::Curve;
-use crate::error::DomainError;
+use crate::error::{DomainError, Place};
 use crate::spacing::Spacing;
 
 /// One side of a ring: its curve from its corner to the next, and its division.
@@ -116,20 +116,15 @@ impl Intervals {
             Self::Size(size) if size > 0.0 && size.is_finite() => {
                 let intervals = (length / size).round().max(1.0);
                 if intervals > f64::from(MAX_VERTICES) {
-                    return Err(DomainError::key(
-                        "size",
-                        format!(
-                            "the size {size:?} makes {intervals:.1e} intervals, and a boundary has at \
+                    return Err(Place::key("size").error(format!(
+                        "the size {size:?} makes {intervals:.1e} intervals, and a boundary has at \
                              most {MAX_VERTICES} vertices; give a larger size"
-                        ),
-                    ));
+                    )));
                 }
                 Ok(intervals as u64)
             }
-            Self::Size(size) => Err(DomainError::key(
-                "size",
-                format!("the size is {size:?}; it must be a finite number above 0"),
-            )),
+            Self::Size(size) => Err(Place::key("size")
+                .error(format!("the size is {size:?}; it must be a finite number above 0"))),
         }
     }
 }

@@ -10,7 +10,7 @@
 
 use std::str::FromStr;
 
-use crate::error::DomainError;
+use crate::error::{DomainError, Place};
 
 /// A spacing law, in the direction of its side (counter-clockwise).
 ///
@@ -37,9 +37,8 @@ use crate::error::DomainError;
 /// # Ok::<(), mindeg_domain::DomainError>(())
 /// ```
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(rename_all = "snake_case", deny_unknown_fields))]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub enum Spacing {
     /// All intervals are equally long.
     #[default]
@@ -102,14 +101,11 @@ impl FromStr for Spacing {
 
     fn from_str(text: &str) -> Result<Self, DomainError> {
         let unknown = || {
-            DomainError::key(
-                "spacing",
-                format!(
+            Place::key("spacing").error(format!(
                     "\"{text}\" is not a spacing law; write uniform, geometric:RATIO, bump:RATIO, \
                      beta:BETA, first-length:LENGTH or last-length:LENGTH (explicit parameters need a \
                      domain file)"
-                ),
-            )
+                ))
         };
         let (law, value) = match text.split_once(':') {
             None => (text, None),

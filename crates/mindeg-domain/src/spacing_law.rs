@@ -165,7 +165,7 @@ impl SpacingLaw {
 }
 
 fn error(message: String) -> DomainError {
-    DomainError::key("spacing", message)
+    Place::key("spacing").error(message)
 }
 
 fn positive(what: &'static str, value: f64) -> Result<f64, DomainError> {
@@ -281,24 +281,18 @@ fn explicit(given: &[f64], intervals: u32) -> Result<Form, DomainError> {
     for (index, &value) in given.iter().enumerate() {
         let place = || Place::key("spacing").then("parameters").then(index);
         if !(value > 0.0 && value < 1.0) {
-            return Err(DomainError::new(
-                place(),
-                format!(
-                    "parameter {} is {value:?}; parameters are shares of the side, above 0 and below \
+            return Err(place().error(format!(
+                "parameter {} is {value:?}; parameters are shares of the side, above 0 and below \
                      1",
-                    index + 1
-                ),
-            ));
+                index + 1
+            )));
         }
         if value <= previous {
-            return Err(DomainError::new(
-                place(),
-                format!(
-                    "parameter {} ({value:?}) is not above the one before ({previous:?}); parameters \
+            return Err(place().error(format!(
+                "parameter {} ({value:?}) is not above the one before ({previous:?}); parameters \
                      must increase",
-                    index + 1
-                ),
-            ));
+                index + 1
+            )));
         }
         previous = value;
     }

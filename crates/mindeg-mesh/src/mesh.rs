@@ -169,6 +169,8 @@ pub struct Line {
 
 /// The kind of a line on the boundary of a coastal model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize, serde::Serialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum LineKind {
     /// Open water.
     Open,

@@ -5,6 +5,7 @@
 
 use glam::DVec2;
 use mindeg_mesh::planar::InRing;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::side::{SideKeys, lone_side};
@@ -30,8 +31,7 @@ use crate::side::Side;
 /// assert_eq!(description.domain()?.rings().vertex_count(), 28);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DomainDescription {
     /// The domain's name
@@ -42,7 +42,7 @@ pub struct DomainDescription {
     polygon: Option<Polygon>,
     /// The outline as all its points, `[x, y]`, which come back bit for bit. They are one side; `sides`
     /// may have one entry with its name, kind and degrees
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
     ring: Option<Vec<DVec2>>,
     /// One entry for each side, from the first corner on; may be left out where `size` says it all
     sides: Option<Vec<SideKeys>>,
@@ -58,26 +58,24 @@ pub struct DomainDescription {
 }
 
 /// A simple polygon
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Polygon {
     /// `[x, y]` of each corner around the polygon, either way round; one or two are enough where sides
     /// are curved
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 2]>"))]
+    #[schemars(with = "Vec<[f64; 2]>")]
     corners: Vec<DVec2>,
 }
 
 /// A hole: `corners` with `sides` or `size`, or a `ring`
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct Hole {
     /// `[x, y]` of each corner, either way round
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
     corners: Option<Vec<DVec2>>,
     /// Instead: all points of the hole, as one side
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
     ring: Option<Vec<DVec2>>,
     /// One entry for each side, from the first corner on
     sides: Option<Vec<SideKeys>>,
@@ -86,8 +84,7 @@ struct Hole {
 }
 
 /// What limits the degree of a vertex besides its sides
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct VertexKeys {
     /// Its index in the mesh: from 0 at the first corner, counter-clockwise, also where the corners are
@@ -117,7 +114,7 @@ impl DomainDescription {
 
     pub(super) fn domain_up_to(self, max_vertices: u32) -> Result<Domain, DomainError> {
         let Self { name, rectangle, polygon, ring, sides, size, holes, vertices, interior } = self;
-        let error = |key, message: &str| Err(DomainError::key(key, message));
+        let error = |key, message: &str| Err(Place::key(key).error(message));
         if size.is_some() && ring.is_some() && holes.is_none() {
             return error("size", OWN_POINTS);
         }
@@ -129,8 +126,7 @@ impl DomainDescription {
             (None, Some(polygon), None) => (None, with_sides(0, polygon.corners, sides, size)?),
             (None, None, Some(points)) => (None, of_points(0, points, sides)?),
             (None, None, None) => {
-                return Err(DomainError::new(
-                    Place::default(),
+                return Err(Place::default().error(
                     "the outline is missing; give \"rectangle\": {\"width\": w, \"height\": h}, \
                      \"polygon\": {\"corners\": [[x, y], …]} or \"ring\": [[x, y], …]",
                 ));
@@ -158,8 +154,7 @@ impl DomainDescription {
         let is_idle =
             |vertex: &VertexKeys| vertex.max_degree.is_none() && vertex.outside_degree.is_none();
         if let Some(entry) = vertices.iter().position(is_idle) {
-            return Err(DomainError::new(
-                Place::key("vertices").then(entry),
+            return Err(Place::key("vertices").then(entry).error(
                 "give \"outside_degree\" (edges on the other side of the boundary) or \
                  \"max_degree\" (a degree limit), or drop the vertex",
             ));
@@ -188,11 +183,11 @@ impl DomainDescription {
 
 impl Hole {
     fn described(self, ring: usize, size: Option<f64>) -> Result<Described, DomainError> {
-        let error = |message: &str| Err(DomainError::new(Place::ring(ring), message));
+        let error = |message: &str| Err(Place::ring(ring).error(message));
         match (self.corners, self.ring) {
             (Some(corners), None) => with_sides(ring, corners, self.sides, self.size.or(size)),
             (None, Some(_)) if self.size.is_some() => {
-                Err(DomainError::new(Place::ring(ring).then("size"), OWN_POINTS))
+                Err(Place::ring(ring).then("size").error(OWN_POINTS))
             }
             (None, Some(points)) => of_points(ring, points, self.sides),
             (Some(_), Some(_)) => error("a hole has either \"corners\" or a \"ring\"; drop one"),
@@ -218,8 +213,7 @@ fn with_sides(
         }
         (None, Some(size)) => vec![(Side::size(size), SideConstraint::default()); corners.len()],
         (None, None) => {
-            return Err(DomainError::new(
-                Place::ring(ring),
+            return Err(Place::ring(ring).error(
                 "the sides are missing; give \"sides\": [{\"intervals\": n}, …], or a target \
                  interval length \"size\" for all",
             ));
@@ -235,7 +229,7 @@ fn of_points(
     points: Vec<DVec2>,
     sides: Option<Vec<SideKeys>>,
 ) -> Result<Described, DomainError> {
-    let error = |key, message| Err(DomainError::new(Place::ring(ring).then(key), message));
+    let error = |key, message| Err(Place::ring(ring).then(key).error(message));
     if points.len() < 3 {
         let found = crate::error::counted(points.len(), "point");
         return error("ring", format!("found {found}; a ring needs at least 3"));

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use mindeg_mesh::Material;
+use schemars::JsonSchema;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
@@ -19,34 +20,32 @@ use crate::spacing::Spacing;
 
 /// A model as JSON describes it, or any other format that serde reads: corners, and faces between them;
 /// [`model`](Self::model) is the model that it describes.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ModelDescription {
     /// The model's name
     name: Option<String>,
     /// The position of each corner, `[x, y, z]`
-    #[cfg_attr(feature = "schema", schemars(with = "Vec<[f64; 3]>"))]
+    #[schemars(with = "Vec<[f64; 3]>")]
     corners: Vec<DVec3>,
     /// The faces: each a loop of corners, counter-clockwise seen from outside, or an object with that
     /// loop, holes, names and a material
     faces: Vec<FaceKeys>,
     /// The target interval length of every edge that gives neither `intervals` nor `size` nor
     /// `parameters`
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     size: Option<f64>,
     /// Edges of faces with a division of their own
     edges: Option<Vec<EdgeKeys>>,
     /// The colors of materials; one that is not in this list has no color
     materials: Option<Vec<MaterialKeys>>,
     /// How far a corner may be off the plane of its face, in units of length
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     planar_tolerance: Option<f64>,
 }
 
 /// A face
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 #[serde(untagged)]
 enum FaceKeys {
     /// Its outer loop alone
@@ -56,8 +55,7 @@ enum FaceKeys {
 }
 
 /// A face with holes, names or a material
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct NamedFace {
     /// The outer loop of corners, by their indices
@@ -73,17 +71,16 @@ struct NamedFace {
 }
 
 /// An edge
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct EdgeKeys {
     /// The indices of its two corners
     corners: [u32; 2],
     /// The number of intervals, at least 1
-    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
+    #[schemars(range(min = 1))]
     intervals: Option<u64>,
     /// Instead: a target interval length above 0
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     size: Option<f64>,
     /// How its points are spread, from the first of its two corners on
     spacing: Option<Spacing>,
@@ -92,17 +89,13 @@ struct EdgeKeys {
 }
 
 /// A material
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct MaterialKeys {
     /// The name by which faces name it
     name: String,
     /// Its base color: red, green, blue, and opacity unless it is 1; from 0 to 1 in linear light
-    #[cfg_attr(
-        feature = "schema",
-        schemars(length(min = 3, max = 4), inner(range(min = 0, max = 1)))
-    )]
+    #[schemars(length(min = 3, max = 4), inner(range(min = 0, max = 1)))]
     color: Option<Vec<f64>>,
 }
 
@@ -173,10 +166,9 @@ impl MaterialKeys {
         let mut color = None;
         if let Some(given) = given {
             if !(3..=4).contains(&given.len()) || !given.iter().all(|c| (0.0..=1.0).contains(c)) {
-                return Err(DomainError::new(
-                    place.clone().then("color"),
-                    "a color is a list of red, green and blue, and opacity if it is not 1, each from \
-                     0 to 1",
+                return Err(place.clone().then("color").error(
+                    "a color is a list of red, green and blue, and opacity if it is not 1, each \
+                     from 0 to 1",
                 ));
             }
             let channel = |index: usize| given.get(index).map_or(1.0, |value| *value as f32);
@@ -185,10 +177,10 @@ impl MaterialKeys {
         let material = Arc::new(Material { name: name.clone(), color });
         match known.insert(name, material) {
             None => Ok(()),
-            Some(first) => Err(DomainError::new(
-                place.clone().then("name"),
-                format!("the list has two materials {:?}; drop one", first.name),
-            )),
+            Some(first) => Err(place
+                .clone()
+                .then("name")
+                .error(format!("the list has two materials {:?}; drop one", first.name))),
         }
     }
 }

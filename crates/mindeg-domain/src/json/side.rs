@@ -3,6 +3,7 @@
 use glam::DVec2;
 use mindeg_mesh::LineKind;
 use mindeg_mesh::planar::InRing;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::constraints::{ExternalDegree, SideConstraint};
@@ -13,69 +14,57 @@ use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
 
 /// A side
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct SideKeys {
     /// The number of intervals, at least 1
-    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
+    #[schemars(range(min = 1))]
     intervals: Option<u64>,
     /// Instead: a target interval length above 0; the side gets its length divided by this, rounded,
     /// but at least 1
-    #[cfg_attr(feature = "schema", schemars(extend("exclusiveMinimum" = 0)))]
+    #[schemars(extend("exclusiveMinimum" = 0))]
     size: Option<f64>,
     /// How the points are spread
     spacing: Option<Spacing>,
     /// Its name, which becomes a group in mesh files. No two sides may have the same
     name: Option<String>,
     /// Which boundary ocean models take it for
-    kind: Option<Kind>,
+    kind: Option<LineKind>,
     /// The external degree of its vertices, which counts their edges on the other side of the boundary
     /// and none of the boundary itself: one number for all vertices that are not corners, or a list of
     /// one for each from the side's first corner to its last
     outside_degree: Option<ExternalDegree>,
     /// The degree limit of each of its vertices, corners included: the most edges that they may have,
     /// external degree included
-    #[cfg_attr(feature = "schema", schemars(range(min = 2)))]
+    #[schemars(range(min = 2))]
     max_degree: Option<u32>,
     /// The side's own points between its corners, `[x, y]`, which come back bit for bit; none for one
     /// interval. The side is straight if all are within 1e-9 of its length from the line between its
     /// corners
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
     points: Option<Vec<DVec2>>,
     /// It runs through these points, `[x, y]`, and is divided by its length
-    #[cfg_attr(feature = "schema", schemars(with = "Option<Vec<[f64; 2]>>"))]
+    #[schemars(with = "Option<Vec<[f64; 2]>>")]
     polyline: Option<Vec<DVec2>>,
     /// It runs along a circle
     arc: Option<ArcKeys>,
     /// It runs along the cubic Bézier curve with these two control points
-    #[cfg_attr(feature = "schema", schemars(with = "Option<[[f64; 2]; 2]>"))]
+    #[schemars(with = "Option<[[f64; 2]; 2]>")]
     bezier: Option<[DVec2; 2]>,
 }
 
 /// An arc: `through` a point or about a `center`
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct ArcKeys {
     /// A point that the arc goes through, `[x, y]`
-    #[cfg_attr(feature = "schema", schemars(with = "Option<[f64; 2]>"))]
+    #[schemars(with = "Option<[f64; 2]>")]
     through: Option<DVec2>,
     /// Instead: its center, `[x, y]`, counter-clockwise about which it runs
-    #[cfg_attr(feature = "schema", schemars(with = "Option<[f64; 2]>"))]
+    #[schemars(with = "Option<[f64; 2]>")]
     center: Option<DVec2>,
     /// Whether it runs clockwise about its center
     clockwise: Option<bool>,
-}
-
-/// A kind of boundary
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-#[serde(rename_all = "snake_case")]
-enum Kind {
-    Open,
-    Land,
-    Island,
 }
 
 /// The number of intervals of a side or an edge.
@@ -85,7 +74,7 @@ pub(super) fn intervals(
     spacing: &Spacing,
     default_size: Option<f64>,
 ) -> Result<Intervals, DomainError> {
-    let error = |message| Err(DomainError::new(place.clone(), message));
+    let error = |message| Err(place.clone().error(message));
     match (count, size, spacing) {
         (Some(_), Some(_), _) => error("give either \"intervals\" or \"size\", not both"),
         (None, Some(_), Spacing::Parameters(_)) => {
@@ -111,12 +100,12 @@ pub(super) fn lone_side(
 ) -> Result<(Side, SideConstraint), DomainError> {
     if let Some(key) = given.dividing_keys().chain(given.running_keys()).next() {
         let message = format!("a \"ring\" has its own points; drop {key:?}");
-        return Err(DomainError::new(Place::side(at).then(key), message));
+        return Err(Place::side(at).then(key).error(message));
     }
     let SideKeys { name, kind, outside_degree, max_degree, .. } = given;
     let external_degree = outside_degree.unwrap_or_default();
     let constraint = SideConstraint { external_degree, degree_limit: max_degree };
-    Ok((Side { name, kind: kind.map(LineKind::from), ..own }, constraint))
+    Ok((Side { name, kind, ..own }, constraint))
 }
 
 impl SideKeys {
@@ -146,7 +135,7 @@ impl SideKeys {
         default_size: Option<f64>,
     ) -> Result<(Side, SideConstraint), DomainError> {
         let place = Place::side(at);
-        let error = |message| Err(DomainError::new(place.clone(), message));
+        let error = |message| Err(place.clone().error(message));
         let ways: Vec<_> = self.running_keys().collect();
         if let [one, other, ..] = ways[..] {
             return error(format!("a side runs one way: give either {one:?} or {other:?}"));
@@ -169,7 +158,7 @@ impl SideKeys {
                 Side { curve, intervals, spacing, ..Side::count(1) }
             }
         };
-        let side = Side { name: self.name, kind: self.kind.map(LineKind::from), ..side };
+        let side = Side { name: self.name, kind: self.kind, ..side };
         let external_degree = self.outside_degree.unwrap_or_default();
         Ok((side, SideConstraint { external_degree, degree_limit: self.max_degree }))
     }
@@ -181,7 +170,7 @@ impl SideKeys {
         let outside = Some(constraint.external_degree);
         let given = Self {
             name,
-            kind: kind.map(Kind::from),
+            kind,
             outside_degree: outside.filter(|degree| *degree != ExternalDegree::default()),
             max_degree: constraint.degree_limit,
             ..Self::default()
@@ -219,17 +208,13 @@ impl ArcKeys {
         let place = side.clone().then("arc");
         match (self.through, self.center, self.clockwise) {
             (Some(point), None, None) => Ok(Arc::Through(point)),
-            (Some(_), None, Some(_)) => Err(DomainError::new(
-                place.then("clockwise"),
-                "\"through\" says which way the arc runs; drop \"clockwise\"",
-            )),
+            (Some(_), None, Some(_)) => Err(place
+                .then("clockwise")
+                .error("\"through\" says which way the arc runs; drop \"clockwise\"")),
             (None, Some(center), way) => {
                 Ok(Arc::Center { center, is_clockwise: way.unwrap_or_default() })
             }
-            _ => Err(DomainError::new(
-                place,
-                "give exactly one of \"through\": [x, y] and \"center\": [x, y]",
-            )),
+            _ => Err(place.error("give exactly one of \"through\": [x, y] and \"center\": [x, y]")),
         }
     }
 }
@@ -243,26 +228,6 @@ impl From<Arc> for ArcKeys {
                 clockwise: is_clockwise.then_some(true),
                 ..Self::default()
             },
-        }
-    }
-}
-
-impl From<Kind> for LineKind {
-    fn from(kind: Kind) -> Self {
-        match kind {
-            Kind::Open => Self::Open,
-            Kind::Land => Self::Land,
-            Kind::Island => Self::Island,
-        }
-    }
-}
-
-impl From<LineKind> for Kind {
-    fn from(kind: LineKind) -> Self {
-        match kind {
-            LineKind::Open => Self::Open,
-            LineKind::Land => Self::Land,
-            LineKind::Island => Self::Island,
         }
     }
 }

@@ -120,13 +120,10 @@ impl Model {
 }
 
 fn too_many_vertices(vertices: u64) -> DomainError {
-    DomainError::new(
-        Place::default(),
-        format!(
-            "the model has {vertices} vertices on its edges; the maximum is {MAX_STORED_VERTICES}; \
+    Place::default().error(format!(
+        "the model has {vertices} vertices on its edges; the maximum is {MAX_STORED_VERTICES}; \
              give fewer intervals, or a larger size"
-        ),
-    )
+    ))
 }
 
 fn check_corners(
@@ -136,13 +133,12 @@ fn check_corners(
 ) -> Result<(), DomainError> {
     if faces.is_empty() {
         let message = "the model has no face; give each face as a loop of corners";
-        return Err(DomainError::key("faces", message));
+        return Err(Place::key("faces").error(message));
     }
     if let Some(corner) = corners.iter().position(|corner| !corner.is_finite()) {
-        return Err(DomainError::new(
-            Place::key("corners").then(corner),
-            format!("corner {corner} has a coordinate that is not a finite number"),
-        ));
+        return Err(Place::key("corners")
+            .then(corner)
+            .error(format!("corner {corner} has a coordinate that is not a finite number")));
     }
     let check = |place: Place, name: String, corner: u32| {
         if (corner as usize) < corners.len() {
@@ -150,7 +146,7 @@ fn check_corners(
         }
         let last = corners.len().saturating_sub(1);
         let message = format!("{name} names corner {corner}; the model has corners 0 to {last}");
-        Err(DomainError::new(place, message))
+        Err(place.error(message))
     };
     for (index, face) in faces.iter().enumerate() {
         let shortest = face.loops.iter().map(Vec::len).min().unwrap_or(0);
@@ -250,10 +246,9 @@ fn laws(
     for (index, edge) in given.iter().enumerate() {
         let [a, b] = edge.corners;
         let Ok(at) = ends.binary_search(&[a.min(b), a.max(b)]) else {
-            return Err(DomainError::new(
-                place(index),
-                format!("edge {index} joins corners {a} and {b}, but no face has such an edge"),
-            ));
+            return Err(place(index).error(format!(
+                "edge {index} joins corners {a} and {b}, but no face has such an edge"
+            )));
         };
         let side = edge.side.clone();
         let side = if a < b { side } else { side.reversed() };
@@ -266,7 +261,7 @@ fn laws(
                 ),
                 _ => format!("{name} is given twice; give it once"),
             };
-            return Err(DomainError::new(place(index), message));
+            return Err(place(index).error(message));
         }
     }
     for (index, edge) in given.iter().enumerate() {
@@ -278,13 +273,10 @@ fn laws(
         let own = divisions.get(&at);
         let place = own.map_or_else(|| Place::key("size"), |(index, _)| place(*index));
         let side = own.map(|(_, side)| side).or(other).ok_or_else(|| {
-            DomainError::new(
-                Place::default(),
-                format!(
-                    "{} has no interval count; give \"size\" for all edges, or an entry in \"edges\"",
-                    edge_name(corners_of)
-                ),
-            )
+            Place::default().error(format!(
+                "{} has no interval count; give \"size\" for all edges, or an entry in \"edges\"",
+                edge_name(corners_of)
+            ))
         })?;
         let law = law(corners, corners_of, side, &place)?;
         Ok((law, side.name.clone().filter(|_| own.is_some())))
@@ -306,7 +298,7 @@ fn law(
     let [from, to] = ends.map(|corner| corners[corner as usize]);
     let length = (to - from).length();
     let name = edge_name(ends);
-    let error = |is: String| DomainError::new(place.clone(), format!("{name} {is}"));
+    let error = |is: String| place.clone().error(format!("{name} {is}"));
     let within = |error: DomainError| error.within(place.clone(), &name);
     if from == to {
         return Err(coincident(ends));

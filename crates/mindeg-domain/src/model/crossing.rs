@@ -47,10 +47,9 @@ pub(super) fn oriented(
         }
         BoundaryFault::HoleOutside { hole }
         | BoundaryFault::HoleInHole { hole, .. }
-        | BoundaryFault::HoleAround { hole } => DomainError::new(
-            Place::key("faces").then(face),
-            format!("hole {} of face {face} is not inside the face's outer loop", hole - 1),
-        ),
+        | BoundaryFault::HoleAround { hole } => Place::key("faces")
+            .then(face)
+            .error(format!("hole {} of face {face} is not inside the face's outer loop", hole - 1)),
         // Corners are finite, and each loop has three.
         fault => face_error(face, fault),
     })?;

@@ -8,17 +8,14 @@ const NAMED: usize = 6;
 
 /// The error of a face.
 pub(super) fn face_error(face: usize, is: impl std::fmt::Display) -> DomainError {
-    DomainError::new(Place::key("faces").then(face), format!("face {face} {is}"))
+    Place::key("faces").then(face).error(format!("face {face} {is}"))
 }
 
 /// The error of an edge whose two corners coincide.
 pub(super) fn coincident([first, second]: [u32; 2]) -> DomainError {
-    DomainError::touch(
-        Place::key("corners").then(second as usize),
-        format!(
-            "corners {first} and {second} of an edge are at the same place; merge them or move one"
-        ),
-    )
+    Place::key("corners").then(second as usize).touch(format!(
+        "corners {first} and {second} of an edge are at the same place; merge them or move one"
+    ))
 }
 
 /// Refuses two faces with the same corners.
@@ -37,10 +34,9 @@ pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), DomainErro
         for (place, (_, second)) in same.iter().enumerate() {
             let has_same = |first: usize| edges(&faces[first]) == edges(&faces[*second]);
             if let Some((_, first)) = same[..place].iter().find(|(_, first)| has_same(*first)) {
-                return Err(DomainError::new(
-                    Place::key("faces").then(*second),
-                    format!("faces {first} and {second} have the same corners; remove one of them"),
-                ));
+                return Err(Place::key("faces").then(*second).error(format!(
+                    "faces {first} and {second} have the same corners; remove one of them"
+                )));
             }
         }
     }

@@ -1,6 +1,5 @@
 //! A model from a reader's mesh: its polygons are the faces.
 
-use glam::DVec3;
 use mindeg_mesh::TriMesh;
 
 use super::build::largest_extent;
@@ -55,7 +54,7 @@ impl Model {
     /// ```
     pub fn of_mesh(mesh: &TriMesh, with: &FromMesh) -> Result<Self, DomainError> {
         let corners = mesh.positions();
-        let first_of = welded(corners);
+        let first_of = mindeg_mesh::weld(corners, 0.0);
         let weld = |corner: &u32| first_of[*corner as usize];
         let mut faces = Vec::new();
         let mut group = 0;
@@ -117,19 +116,6 @@ fn sentence(phrase: &str) -> String {
     letters
         .next()
         .map_or_else(String::new, |first| format!("{}{}.", first.to_uppercase(), letters.as_str()))
-}
-
-/// For every vertex, the first vertex with its coordinates.
-fn welded(positions: &[DVec3]) -> Vec<u32> {
-    // -0.0 is 0.0.
-    let key = |vertex: u32| positions[vertex as usize].to_array().map(|x| (x + 0.0).to_bits());
-    let mut order: Vec<u32> = (0..positions.len() as u32).collect();
-    order.sort_unstable_by_key(|&vertex| (key(vertex), vertex));
-    let mut first_of = vec![0; positions.len()];
-    for same in order.chunk_by(|&a, &b| key(a) == key(b)) {
-        same.iter().for_each(|&vertex| first_of[vertex as usize] = same[0]);
-    }
-    first_of
 }
 
 /// The loops of a polygon, cut at every edge that it uses twice, once in each direction.
