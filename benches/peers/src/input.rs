@@ -3,7 +3,7 @@
 use Outline::{Rectangle, Regular};
 use glam::DVec2;
 use mindeg::{Domain, DomainError, Side};
-use mindeg_core::{Boundary, BoundaryError};
+use mindeg_core::{Boundary, Defect};
 
 /// A boundary to triangulate.
 pub(crate) struct Case {
@@ -79,7 +79,7 @@ impl Input {
     }
 
     /// The boundary, made anew.
-    pub(crate) fn new_boundary(&self) -> Result<Boundary, BoundaryError> {
+    pub(crate) fn new_boundary(&self) -> Result<Boundary, Defect> {
         Boundary::new(&self.intervals)
     }
 

@@ -7,14 +7,14 @@
 //! Limits: each function is one statement. [`certificate`](crate::certificate()) selects the sharp
 //! one for a boundary.
 
-use crate::{Boundary, Cut, best_cuts};
+use crate::Boundary;
 
 /// Lemma 1: the number of triangles in every triangulation of a boundary, `n-2`. O(1).
 ///
 /// ```
 /// # use mindeg_core::{Boundary, bound};
 /// assert_eq!(bound::triangle_count(&Boundary::new(&[3, 3, 2, 2])?), 8);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn triangle_count(boundary: &Boundary) -> u32 {
@@ -26,22 +26,12 @@ pub fn triangle_count(boundary: &Boundary) -> u32 {
 /// ```
 /// # use mindeg_core::{Boundary, bound};
 /// assert_eq!(bound::interior_edge_count(&Boundary::new(&[3, 3, 2, 2])?), 7);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn interior_edge_count(boundary: &Boundary) -> u32 {
     boundary.vertex_count() - 3
 }
-
-/// Lemma 2: every triangulation has at least 2 isolated corners.
-///
-/// ```
-/// # use mindeg_core::{Boundary, bound, least_degree_triangulation};
-/// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
-/// assert!(triangulation.isolated_corners().len() >= bound::LEAST_ISOLATED_CORNERS);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
-/// ```
-pub const LEAST_ISOLATED_CORNERS: usize = 2;
 
 /// Theorems 3 and 8: the bound on the maximum degree from counting edges. O(1).
 ///
@@ -53,7 +43,7 @@ pub const LEAST_ISOLATED_CORNERS: usize = 2;
 /// assert_eq!(bound::counting_bound(&Boundary::new(&[1, 1, 1])?), 2);
 /// assert_eq!(bound::counting_bound(&Boundary::new(&[1, 1, 1, 1])?), 3);
 /// assert_eq!(bound::counting_bound(&Boundary::new(&[3, 3, 2, 2])?), 4);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn counting_bound(boundary: &Boundary) -> u32 {
@@ -76,27 +66,12 @@ pub fn counting_bound(boundary: &Boundary) -> u32 {
 /// let boundary = Boundary::new(&[30, 2, 4, 2])?;
 /// assert_eq!(bound::side_bound(&boundary, 0), 7);
 /// assert_eq!(bound::side_bound(&boundary, 1), 3);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn side_bound(boundary: &Boundary, side: usize) -> u32 {
     let off_side = boundary.vertex_count() - boundary.intervals(side) - 1;
     interior_edge_count(boundary).div_ceil(off_side) + 2
-}
-
-/// The zig-zag condition of Theorems 5 and 10: a cut whose runs differ by at most one. O(k).
-///
-/// With at least 7 intervals, some triangulation has degree 4 if and only if such a cut exists.
-///
-/// ```
-/// # use mindeg_core::{Boundary, bound};
-/// assert!(bound::zig_zag_condition(&Boundary::new(&[3, 3, 2, 2])?).is_some());
-/// assert!(bound::zig_zag_condition(&Boundary::new(&[30, 2, 4, 2])?).is_none());
-/// # Ok::<(), mindeg_core::BoundaryError>(())
-/// ```
-#[must_use]
-pub fn zig_zag_condition(boundary: &Boundary) -> Option<Cut> {
-    best_cuts(boundary).next().filter(Cut::is_balanced)
 }
 
 /// Whether this is (2,2,2), the triangle with every side halved: the only boundary with degree 4
@@ -112,7 +87,7 @@ pub fn zig_zag_condition(boundary: &Boundary) -> Option<Cut> {
 /// # use mindeg_core::{Boundary, bound};
 /// assert!(bound::is_medial_exception(&Boundary::new(&[2, 2, 2])?));
 /// assert!(!bound::is_medial_exception(&Boundary::new(&[2, 2, 1, 1])?));
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn is_medial_exception(boundary: &Boundary) -> bool {

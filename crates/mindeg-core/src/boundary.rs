@@ -2,9 +2,10 @@
 //!
 //! Limits: no positions. The code that places the vertices must ensure a convex polygon.
 
+use crate::Defect;
 use crate::ring::Ring;
+use alloc::format;
 use alloc::vec::Vec;
-use core::fmt;
 
 /// The maximum number of boundary vertices, `2^32 - 2`.
 ///
@@ -29,69 +30,13 @@ pub const MAX_VERTICES: u32 = u32::MAX - 1;
 /// assert_eq!(boundary.side_of(7), 2);
 /// assert!(boundary.is_flat([0, 2, 3])); // all on side 0
 /// assert!(!boundary.is_flat([9, 0, 1]));
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Boundary {
     /// The first vertex of every side, then the vertex count: strictly increasing, k + 1 long.
     corners: Vec<u32>,
 }
-
-/// The reason why a list of interval counts does not describe a boundary.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_core::{Boundary, BoundaryError};
-///
-/// let error = Boundary::new(&[3, 0, 2]).unwrap_err();
-/// assert_eq!(error, BoundaryError::NoIntervals { side: 1 });
-/// assert_eq!(error.to_string(), "side 2 has 0 intervals; every side needs at least 1");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum BoundaryError {
-    /// Fewer than three sides.
-    TooFewSides {
-        /// The number of sides.
-        sides: usize,
-    },
-    /// A side without an interval.
-    NoIntervals {
-        /// The side, counted from 0.
-        side: usize,
-    },
-    /// More boundary vertices than [`MAX_VERTICES`].
-    TooManyVertices {
-        /// The first side, counted from 0, with which the sum of the intervals exceeds the
-        /// maximum.
-        side: usize,
-        /// The number of intervals of that side.
-        intervals: u64,
-    },
-}
-
-impl fmt::Display for BoundaryError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::TooFewSides { sides } => {
-                let plural = if sides == 1 { "" } else { "s" };
-                write!(f, "found {sides} side{plural}; a polygon needs at least 3")
-            }
-            Self::NoIntervals { side } => {
-                write!(f, "side {} has 0 intervals; every side needs at least 1", side + 1)
-            }
-            Self::TooManyVertices { side, intervals } => write!(
-                f,
-                "side {} has {intervals} intervals, with which the boundary exceeds the maximum \
-                 of {MAX_VERTICES} vertices; use fewer intervals",
-                side + 1
-            ),
-        }
-    }
-}
-
-impl core::error::Error for BoundaryError {}
 
 impl Boundary {
     /// A boundary from the number of intervals of each side, counter-clockwise: at least 3 sides,
@@ -101,23 +46,33 @@ impl Boundary {
     ///
     /// Fewer than three sides, a side without intervals, or more than [`MAX_VERTICES`] intervals
     /// in total.
-    pub fn new(intervals: &[u64]) -> Result<Self, BoundaryError> {
+    pub fn new(intervals: &[u64]) -> Result<Self, Defect> {
         if intervals.len() < 3 {
             let sides = intervals.len();
-            return Err(BoundaryError::TooFewSides { sides });
+            let plural = if sides == 1 { "" } else { "s" };
+            return Err(Defect::new(format!(
+                "found {sides} side{plural}; a polygon needs at least 3"
+            )));
         }
         let mut corners = Vec::with_capacity(intervals.len() + 1);
         let mut total = 0_u32;
         corners.push(total);
-        for (side, &intervals) in intervals.iter().enumerate() {
+        for (side, &intervals) in (1..).zip(intervals) {
             if intervals == 0 {
-                return Err(BoundaryError::NoIntervals { side });
+                return Err(Defect::new(format!(
+                    "side {side} has 0 intervals; every side needs at least 1"
+                )));
             }
             total = u32::try_from(intervals)
                 .ok()
                 .and_then(|count| total.checked_add(count))
                 .filter(|&total| total <= MAX_VERTICES)
-                .ok_or(BoundaryError::TooManyVertices { side, intervals })?;
+                .ok_or_else(|| {
+                    Defect::new(format!(
+                        "side {side} has {intervals} intervals, with which the boundary exceeds the \
+                         maximum of {MAX_VERTICES} vertices; use fewer intervals"
+                    ))
+                })?;
             corners.push(total);
         }
         Ok(Self { corners })
@@ -167,7 +122,7 @@ impl Boundary {
     /// let boundary = Boundary::new(&[3, 3, 2, 2])?;
     /// assert_eq!([boundary.next(4), boundary.next(9)], [5, 0]);
     /// assert_eq!([boundary.previous(4), boundary.previous(0)], [3, 9]);
-    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// # Ok::<(), mindeg_core::Defect>(())
     /// ```
     ///
     /// # Panics

@@ -35,7 +35,7 @@ use core::ops::Range;
 /// let candidates = Candidates::new(&boundary);
 /// assert_eq!(candidates.count(), 4); // two cuts, two alternations
 /// assert!(candidates.iter().all(|triangulation| triangulation.max_degree() == 4));
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Candidates<'a> {
@@ -105,7 +105,7 @@ impl<'a> Candidates<'a> {
     /// assert_eq!(candidates.count(), 9);
     /// assert_eq!(candidates.sample(4).count(), 4);
     /// assert_eq!(candidates.sample(100).count(), 9);
-    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// # Ok::<(), mindeg_core::Defect>(())
     /// ```
     pub fn sample(&self, limit: u32) -> impl Iterator<Item = Triangulation> + '_ {
         let samples = self.count.min(u64::from(limit.max(1)));

@@ -4,8 +4,7 @@
 //! interval counts alone, in O(k²), and shares no code with the search for certificates. A
 //! triangulation proves that the bound is attained; [`verify`](crate::verify()) checks it.
 
-use crate::{Boundary, Cut, best_cuts, bound};
-use core::fmt;
+use crate::{Boundary, Cut, Defect, best_cuts, bound};
 
 /// A lower bound on the maximum degree, attained by some triangulation, and its witness.
 ///
@@ -72,33 +71,12 @@ pub fn certificate(boundary: &Boundary) -> Certificate {
 /// assert_eq!(least_max_degree(&Boundary::new(&[8, 6, 8, 5])?), 4);
 /// assert_eq!(least_max_degree(&Boundary::new(&[12, 9, 4, 4])?), 5);
 /// assert_eq!(least_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn least_max_degree(boundary: &Boundary) -> u32 {
     certificate(boundary).max_degree()
 }
-
-/// The reason why a certificate does not hold for some interval counts.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_core::Certificate;
-///
-/// let error = Certificate::MedialTriangle.check(&[2, 2, 3]).unwrap_err();
-/// assert_eq!(error.to_string(), "the medial triangle proves a bound for (2,2,2) only");
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CertificateError(&'static str);
-
-impl fmt::Display for CertificateError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.0)
-    }
-}
-
-impl core::error::Error for CertificateError {}
 
 impl Certificate {
     /// The least possible maximum degree according to this certificate. O(1).
@@ -121,31 +99,31 @@ impl Certificate {
     ///
     /// The counts do not describe a polygon, or the witness does not fit them. The message says
     /// what does not fit.
-    pub fn check(&self, intervals: &[u64]) -> Result<u32, CertificateError> {
-        let no_polygon = CertificateError("the interval counts do not describe a polygon");
+    pub fn check(&self, intervals: &[u64]) -> Result<u32, Defect> {
+        let no_polygon = || Defect::new("the interval counts do not describe a polygon");
         let sides = intervals.len();
         // The first vertex of every side, then the total.
         let mut corners = alloc::vec![0_u64];
         let mut total = 0_u64;
         for &count in intervals {
-            total = total.checked_add(count).filter(|_| count > 0).ok_or(no_polygon)?;
+            total = total.checked_add(count).filter(|_| count > 0).ok_or_else(no_polygon)?;
             corners.push(total);
         }
         if sides < 3 || total > u64::from(crate::MAX_VERTICES) {
-            return Err(no_polygon);
+            return Err(no_polygon());
         }
         let (proven, max_degree) = match *self {
             Self::BalancedCut { cut, max_degree } => {
                 if cut.first_side >= sides || !(1..sides).contains(&cut.side_count) {
-                    return Err(CertificateError("the cut has a side that does not exist"));
+                    return Err(Defect::new("the cut has a side that does not exist"));
                 }
                 let run = intervals.iter().cycle().skip(cut.first_side).take(cut.side_count);
                 let larger: u64 = run.sum();
                 if larger != u64::from(cut.larger) || total - larger != u64::from(cut.smaller) {
-                    return Err(CertificateError("the interval sums of the cut's runs are wrong"));
+                    return Err(Defect::new("the interval sums of the cut's runs are wrong"));
                 }
                 if larger.abs_diff(total - larger) > 1 {
-                    return Err(CertificateError("the runs of the cut differ by more than 1"));
+                    return Err(Defect::new("the runs of the cut differ by more than 1"));
                 }
                 // The pigeonhole bound of Theorems 3 and 8, case by case.
                 let counting = match total {
@@ -156,14 +134,12 @@ impl Certificate {
                 (counting, max_degree)
             }
             Self::MedialTriangle if intervals != [2, 2, 2] => {
-                return Err(CertificateError(
-                    "the medial triangle proves a bound for (2,2,2) only",
-                ));
+                return Err(Defect::new("the medial triangle proves a bound for (2,2,2) only"));
             }
             Self::MedialTriangle => (4, 4),
             Self::LongSide { side, max_degree } => {
                 let Some(&long) = intervals.get(side) else {
-                    return Err(CertificateError("the long side does not exist"));
+                    return Err(Defect::new("the long side does not exist"));
                 };
                 // Each of the n-3 interior edges has an end that is not on the side.
                 let off_side = total - long - 1;
@@ -171,12 +147,12 @@ impl Certificate {
             }
             Self::NoBalancedCut { least_imbalance } => {
                 if least_imbalance < 2 {
-                    return Err(CertificateError(
+                    return Err(Defect::new(
                         "the least imbalance is below 2, so a balanced cut exists",
                     ));
                 }
                 if total < 7 {
-                    return Err(CertificateError("this bound needs at least 7 intervals"));
+                    return Err(Defect::new("this bound needs at least 7 intervals"));
                 }
                 let ends = |from| (from + 1..sides).map(move |to| (from, to));
                 let least = (0..sides)
@@ -184,7 +160,7 @@ impl Certificate {
                     .map(|(from, to)| (2 * (corners[to] - corners[from])).abs_diff(total))
                     .min();
                 if least != Some(u64::from(least_imbalance)) {
-                    return Err(CertificateError("the least imbalance of the cuts is wrong"));
+                    return Err(Defect::new("the least imbalance of the cuts is wrong"));
                 }
                 (5, 5)
             }
@@ -192,7 +168,7 @@ impl Certificate {
         if proven == max_degree {
             Ok(proven)
         } else {
-            Err(CertificateError("the witness proves a different bound"))
+            Err(Defect::new("the witness proves a different bound"))
         }
     }
 }

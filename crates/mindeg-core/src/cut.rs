@@ -20,7 +20,7 @@ use crate::Boundary;
 /// assert_eq!(cut, Cut { first_side: 3, side_count: 2, larger: 16, smaller: 13 });
 /// assert_eq!(cut.imbalance(), 3);
 /// assert!(!cut.is_balanced());
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Cut {
@@ -67,7 +67,7 @@ impl Cut {
 /// # use mindeg_core::{Boundary, least_imbalance};
 /// let boundary = Boundary::new(&[5, 3, 1, 1])?;
 /// assert_eq!(least_imbalance(&boundary), 0);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn least_imbalance(boundary: &Boundary) -> u32 {
@@ -81,7 +81,7 @@ pub fn least_imbalance(boundary: &Boundary) -> u32 {
 /// # use mindeg_core::{Boundary, best_cuts};
 /// let boundary = Boundary::new(&[2, 2, 2, 2])?;
 /// assert_eq!(best_cuts(&boundary).count(), 2);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 pub fn best_cuts(boundary: &Boundary) -> impl Iterator<Item = Cut> + '_ {
     let least = least_imbalance(boundary);

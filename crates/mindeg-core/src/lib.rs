@@ -18,7 +18,7 @@
 //! for [a, b, c] in triangulation.triangles() {
 //!     println!("{a} {b} {c}");
 //! }
-//! # Ok::<(), mindeg_core::BoundaryError>(())
+//! # Ok::<(), mindeg_core::Defect>(())
 //! ```
 //!
 //! A triangulation is one [`Strip`] between two [`Chain`]s, in the order of the letters of a
@@ -56,6 +56,7 @@ mod candidates;
 mod certificate;
 mod construction;
 mod cut;
+mod defect;
 mod least_degree;
 mod ring;
 mod ring_strip;
@@ -66,15 +67,16 @@ mod triangulation;
 mod verify;
 mod word;
 
-pub use boundary::{Boundary, BoundaryError, MAX_VERTICES};
+pub use boundary::{Boundary, MAX_VERTICES};
 pub use candidates::Candidates;
-pub use certificate::{Certificate, CertificateError, certificate, least_max_degree};
+pub use certificate::{Certificate, certificate, least_max_degree};
 pub use cut::{Cut, best_cuts, least_imbalance};
+pub use defect::Defect;
 pub use least_degree::least_degree_triangulation;
-pub use ring_strip::{RingStrip, RingStripError};
+pub use ring_strip::RingStrip;
 pub use strip::{Chain, End, Strip};
 pub use suggest::{Change, Suggestion, suggest, suggestions};
 pub use triangles::TriangleIter;
 pub use triangulation::{Neighbors, Triangulation};
-pub use verify::{Defect, Verified, verify};
+pub use verify::{Verified, verify};
 pub use word::{Letter, Word};

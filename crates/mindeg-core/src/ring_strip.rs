@@ -25,9 +25,10 @@
 //!
 //! `tests/ring_strips.rs` compares this with all words of all rings up to nine vertices.
 
+use crate::Defect;
 use crate::boundary::MAX_VERTICES;
 use crate::word::Letter;
-use core::fmt;
+use alloc::format;
 
 /// The strip of least maximum degree between two rings. O(1) memory, O(1) for each question.
 ///
@@ -45,7 +46,7 @@ use core::fmt;
 /// assert_eq!(strip.max_degree(), 6);
 /// assert_eq!(strip.triangles().count(), 11);
 /// assert_eq!(strip.triangle(0), [0, 9, 8]);
-/// # Ok::<(), mindeg_core::RingStripError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RingStrip {
@@ -53,51 +54,22 @@ pub struct RingStrip {
     ys: u32,
 }
 
-/// Why two rings have no strip.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum RingStripError {
-    /// A ring of fewer than three vertices.
-    TooFewVertices {
-        /// The number of its vertices.
-        vertices: u32,
-    },
-    /// More vertices in all than [`MAX_VERTICES`].
-    TooManyVertices {
-        /// The number of vertices.
-        vertices: u64,
-    },
-}
-
-impl fmt::Display for RingStripError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TooFewVertices { vertices } => {
-                write!(f, "a ring has {vertices} vertices; the minimum is 3")
-            }
-            Self::TooManyVertices { vertices } => {
-                write!(f, "the rings have {vertices} vertices; the maximum is {MAX_VERTICES}")
-            }
-        }
-    }
-}
-
-impl core::error::Error for RingStripError {}
-
 impl RingStrip {
     /// The strip between rings of `xs` and `ys` vertices.
     ///
     /// # Errors
     ///
     /// A ring of fewer than three vertices, or more than [`MAX_VERTICES`] in all.
-    pub fn new(xs: u32, ys: u32) -> Result<Self, RingStripError> {
+    pub fn new(xs: u32, ys: u32) -> Result<Self, Defect> {
         let vertices = xs.min(ys);
         if vertices < 3 {
-            return Err(RingStripError::TooFewVertices { vertices });
+            return Err(Defect::new(format!("a ring has {vertices} vertices; the minimum is 3")));
         }
         let vertices = u64::from(xs) + u64::from(ys);
         if vertices > u64::from(MAX_VERTICES) {
-            return Err(RingStripError::TooManyVertices { vertices });
+            return Err(Defect::new(format!(
+                "the rings have {vertices} vertices; the maximum is {MAX_VERTICES}"
+            )));
         }
         Ok(Self { xs, ys })
     }

@@ -25,7 +25,7 @@ use core::ops::RangeInclusive;
 /// let chain = *triangulation.strips().next().unwrap().x();
 /// let vertices: Vec<u32> = (0..chain.len()).map(|index| chain.vertex(index)).collect();
 /// assert_eq!(vertices, [26, 27, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Chain {
@@ -155,7 +155,7 @@ pub enum End {
 /// assert_eq!(strip.word().letter(0), Letter::X);
 /// assert_eq!(strip.triangle(1), [4, 5, 2]);
 /// assert_eq!(strip.end(), End::Ear(8));
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strip {

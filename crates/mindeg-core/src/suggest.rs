@@ -19,7 +19,7 @@ use alloc::vec::Vec;
 /// assert_eq!(suggestion.changes, [Change { side: 1, by: 7 }]);
 /// assert_eq!(suggestion.cost(), 7);
 /// assert_eq!(suggestion.intervals(&boundary), [30, 9, 4, 2]);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Suggestion {
@@ -92,7 +92,7 @@ impl Suggestion {
 /// let suggestion = suggest(&boundary, 4).unwrap();
 /// assert_eq!(suggestion.changes, [Change { side: 1, by: 2 }]); // 12 + 4 against 11 + 4
 /// assert_eq!(suggest(&boundary, 2), None);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[must_use]
 pub fn suggest(boundary: &Boundary, target: u32) -> Option<Suggestion> {
@@ -122,7 +122,7 @@ pub fn suggest(boundary: &Boundary, target: u32) -> Option<Suggestion> {
 /// let table: Vec<(u32, u64)> =
 ///     suggestions(&boundary).map(|one| (one.max_degree, one.cost())).collect();
 /// assert_eq!(table, [(6, 3), (5, 7), (4, 21), (3, 34)]);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 pub fn suggestions(boundary: &Boundary) -> impl Iterator<Item = Suggestion> + '_ {
     let mut degree = least_max_degree(boundary);

@@ -23,7 +23,7 @@ const BLOCK: u32 = 64;
 /// assert_eq!(triangles.next(), Some([3, 4, 2]));
 /// assert_eq!(triangles.nth(6), Some([7, 8, 9]));
 /// assert_eq!(triangles.len(), 0);
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct TriangleIter<'a> {

@@ -4,10 +4,8 @@
 //! positions.
 
 use crate::ring::Ring;
-use crate::strip::{End, Opposite, Strip};
+use crate::strip::{Opposite, Strip};
 use crate::word::Letter;
-use alloc::collections::BTreeMap;
-use alloc::vec::Vec;
 
 /// A triangulation of a boundary with the least possible maximum degree.
 ///
@@ -28,7 +26,7 @@ use alloc::vec::Vec;
 /// for vertex in 0..boundary.vertex_count() {
 ///     assert_eq!(triangulation.neighbors(vertex).len() as u32, triangulation.degree(vertex));
 /// }
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Triangulation {
@@ -100,7 +98,7 @@ impl Triangulation {
     ///     triangulation.fill_triangles(3 * chunk, out);
     /// }
     /// assert!(triangulation.triangles().eq(indices));
-    /// # Ok::<(), mindeg_core::BoundaryError>(())
+    /// # Ok::<(), mindeg_core::Defect>(())
     /// ```
     pub fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
         let len = out.len();
@@ -163,44 +161,6 @@ impl Triangulation {
             _ => [main, corner],
         }
     }
-
-    /// The isolated corners, which have no interior edge, in ascending order: at least two
-    /// (Lemma 2 of Liu 2005) and at most three. O(1).
-    #[must_use]
-    pub fn isolated_corners(&self) -> Vec<u32> {
-        if self.ring.len() == 3 {
-            return [0, 1, 2].into();
-        }
-        let mut corners: Vec<u32> = self
-            .strips()
-            .flat_map(|strip| {
-                let last = if let End::Ear(tip) = strip.end() { Some(tip) } else { None };
-                [Some(strip.tip()), last]
-            })
-            .flatten()
-            .filter(|&tip| self.degree(tip) == 2)
-            .collect();
-        corners.sort_unstable();
-        corners
-    }
-
-    /// The number of vertices of each degree that occurs, by degree. O(n) time.
-    ///
-    /// ```
-    /// # use mindeg_core::{Boundary, least_degree_triangulation};
-    /// let triangulation = least_degree_triangulation(&Boundary::new(&[3, 3, 2, 2])?);
-    /// let histogram = triangulation.degree_histogram();
-    /// assert!(histogram.into_iter().eq([(2, 2), (3, 2), (4, 6)]));
-    /// # Ok::<(), mindeg_core::BoundaryError>(())
-    /// ```
-    #[must_use]
-    pub fn degree_histogram(&self) -> BTreeMap<u32, u32> {
-        let mut histogram = BTreeMap::new();
-        for vertex in 0..self.ring.len() {
-            *histogram.entry(self.degree(vertex)).or_default() += 1;
-        }
-        histogram
-    }
 }
 
 /// The neighbours of one vertex, counter-clockwise; see [`Triangulation::neighbors`].
@@ -214,7 +174,7 @@ impl Triangulation {
 /// let neighbors: Neighbors = triangulation.neighbors(0);
 /// assert_eq!(neighbors.len(), 4);
 /// assert!(neighbors.eq([1, 6, 7, 9]));
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Neighbors {

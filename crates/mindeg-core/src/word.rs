@@ -39,7 +39,7 @@ pub enum Letter {
 /// let letters = (0..word.len()).map(|index| word.letter(index));
 /// let spelled: String = letters.map(|l| if l == Letter::X { 'X' } else { 'Y' }).collect();
 /// assert_eq!(spelled, "XXXYXXYXXX");
-/// # Ok::<(), mindeg_core::BoundaryError>(())
+/// # Ok::<(), mindeg_core::Defect>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Word {

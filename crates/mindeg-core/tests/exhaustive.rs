@@ -6,7 +6,7 @@
 mod exact;
 
 use mindeg_core::{
-    Boundary, Candidates, Certificate, bound, certificate, least_max_degree, verify,
+    Boundary, Candidates, Certificate, best_cuts, bound, certificate, least_max_degree, verify,
 };
 use std::collections::HashSet;
 
@@ -73,7 +73,7 @@ fn check_bounds(boundary: &Boundary, optimum: u32) {
     assert!(bound::counting_bound(boundary) <= optimum, "{boundary:?}");
     let side_bounds = (0..boundary.side_count()).map(|side| bound::side_bound(boundary, side));
     assert!(side_bounds.max().unwrap() <= optimum, "{boundary:?}");
-    let has_degree_four = bound::zig_zag_condition(boundary).is_some();
+    let has_degree_four = best_cuts(boundary).next().is_some_and(|cut| cut.is_balanced());
     assert_eq!(
         has_degree_four || bound::is_medial_exception(boundary),
         optimum <= 4,

@@ -29,7 +29,7 @@ mod staircase;
 
 use crate::space;
 use glam::DVec3;
-use mindeg_core::{RingStrip, RingStripError};
+use mindeg_core::{Defect, RingStrip};
 use mindeg_mesh::{Cancelled, Progress};
 use plane::Plane;
 use staircase::{BLOCKED, Capacities, Path, Search, Steps};
@@ -75,12 +75,12 @@ pub struct Bridge {
 }
 
 /// Why two rings have no strip.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum BridgeUnsolved {
     /// A ring of fewer than three vertices, or too many vertices.
     #[error(transparent)]
-    Rings(#[from] RingStripError),
+    Rings(#[from] Defect),
     /// The search could visit more than [`MAX_STEPS`] states, or keep too many.
     #[error("loops of {p} and {q} vertices are too large for the exact search")]
     TooLarge {
@@ -227,7 +227,7 @@ pub fn bridge_rings(
     }
     let (angles, areas) = problem.steps(plane.as_ref());
     let search = |steps: &Steps, limit, add| problem.search(steps, limit, add, progress);
-    let free = search(&angles, None, false)?.ok_or(no_strip)?;
+    let free = search(&angles, None, false)?.ok_or_else(|| no_strip.clone())?;
     let free_degree = problem.max_degree(&free);
     let lower_bound = problem.lower_bound();
     let mut least = lower_bound;
@@ -261,7 +261,7 @@ pub fn bridge_rings(
     let next = under(limit + 1)?.cost;
     // The least area of all strips with this angle.
     let good = areas.only_where(&angles, angle);
-    let chosen = search(&good, Some(limit), true)?.ok_or(no_strip)?;
+    let chosen = search(&good, Some(limit), true)?.ok_or_else(|| no_strip.clone())?;
     Ok(Bridge {
         triangles: chosen.triangles(p, q),
         max_degree: problem.max_degree(&chosen),
