@@ -12,7 +12,7 @@ use crate::making::read_mesh;
 use crate::mesh::unsolved;
 use crate::standard_output::{print, print_json};
 use mindeg::quality::TriangleQuality;
-use mindeg::verify::{self, MeshDefect, Optimality, VerifiedMesh};
+use mindeg::verify::{self, Optimality, VerifiedMesh};
 use mindeg::{Domain, Interior, Progress, exact, interior};
 use mindeg_answers::demands::WorstPlaces;
 use mindeg_answers::numbers::{percent, steady_angle};
@@ -38,8 +38,8 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     });
     let verified = match checked {
         Ok(verified) => verified,
-        Err(defect @ MeshDefect::ToleranceTooLarge { .. }) => {
-            return Err(Failure::Input(defect.to_string()));
+        Err(defect) if defect.kind == "tolerance_too_large" => {
+            return Err(Failure::Input(defect.message));
         }
         Err(defect) => {
             drop(bar);

@@ -47,6 +47,10 @@ pub fn blocks<R: Send>(count: u32, work: impl Fn(Range<u32>) -> R + Sync + Send)
 
 /// Fills a list block by block: `fill` gets the index of the first value and the block.
 pub fn fill_blocks<T: Send>(values: &mut [T], fill: impl Fn(u32, &mut [T]) + Sync + Send) {
+    // To wake another thread takes longer.
+    if values.len() <= BLOCK as usize {
+        return fill(0, values);
+    }
     #[cfg(feature = "parallel")]
     let parts = values.par_chunks_mut(BLOCK as usize).enumerate();
     #[cfg(not(feature = "parallel"))]

@@ -7,9 +7,8 @@
 //! each thread.
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 
-use crate::parallel::{blocks, map_all};
+use crate::parallel::map_all;
 use crate::quality::{METRICS, TriangleQuality};
 
 /// The minimum angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
@@ -172,16 +171,6 @@ impl QualitySummary {
         })
     }
 
-    /// The measures of the triangles `0..count`, on all threads; `qualities` gives the measures of
-    /// a range. `None` if `count` is 0. O(n) time and memory.
-    #[must_use]
-    pub fn of_ranges<I: Iterator<Item = TriangleQuality>>(
-        count: u32,
-        qualities: impl Fn(Range<u32>) -> I + Sync + Send,
-    ) -> Option<Self> {
-        Self::of_blocks(blocks(count, |range| qualities(range).collect()))
-    }
-
     /// The distribution of the measure of the given name.
     #[must_use]
     pub fn metric(&self, name: &str) -> Option<&Distribution> {
@@ -199,7 +188,6 @@ impl QualitySummary {
 /// let histogram: DegreeHistogram = [4, 2, 4, 3, 4].into_iter().collect();
 /// assert_eq!(histogram.max_degree(), Some(4));
 /// assert_eq!(histogram.iter().collect::<Vec<_>>(), [(2, 1), (3, 1), (4, 3)]);
-/// assert_eq!(histogram.count_above(2), 4);
 /// ```
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct DegreeHistogram {
@@ -216,12 +204,6 @@ impl DegreeHistogram {
     #[must_use]
     pub fn count(&self, degree: u32) -> u64 {
         self.counts.get(&degree).copied().unwrap_or(0)
-    }
-
-    /// The number of vertices of a greater degree.
-    #[must_use]
-    pub fn count_above(&self, degree: u32) -> u64 {
-        self.iter().filter(|&(d, _)| d > degree).map(|(_, count)| count).sum()
     }
 
     /// The largest degree; `None` if the histogram is empty.

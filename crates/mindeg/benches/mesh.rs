@@ -44,15 +44,3 @@ fn angle_range(bencher: Bencher<'_, '_>, input: (u32, bool)) {
     let mesh = BoundaryMesh::least_degree(&domain(input)).unwrap();
     bencher.counter(ItemsCount::new(input.0)).bench_local(|| mesh.angle_range());
 }
-
-#[divan::bench(args = INPUTS, sample_count = 10)]
-fn degree_histograms(bencher: Bencher<'_, '_>, input: (u32, bool)) {
-    let mesh = BoundaryMesh::least_degree(&domain(input)).unwrap();
-    bencher.counter(ItemsCount::new(input.0)).bench_local(|| mesh.degree_histograms());
-}
-
-#[divan::bench(args = &INPUTS[..3], sample_count = 10)]
-fn quality_summary(bencher: Bencher<'_, '_>, input: &(u32, bool)) {
-    let mesh = BoundaryMesh::least_degree(&domain(*input)).unwrap();
-    bencher.counter(ItemsCount::new(input.0)).bench_local(|| mesh.quality_summary());
-}

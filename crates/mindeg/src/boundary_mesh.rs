@@ -18,8 +18,6 @@ mod source;
 use std::ops::Range;
 
 use glam::DVec2;
-#[cfg(feature = "parallel")]
-use rayon::prelude::*;
 
 use mindeg_domain::{Domain, Placement, Rings};
 use mindeg_mesh::Progress;
@@ -31,7 +29,7 @@ use self::angles::{cotangents, placed};
 pub use self::error::MeshError;
 use self::faces::{Faces, TriangleList};
 pub(crate) use self::flat::first_flat;
-pub use self::measures::{AngleRange, DegreeHistograms};
+pub use self::measures::AngleRange;
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///
@@ -58,12 +56,6 @@ pub struct BoundaryMesh {
     domain: Domain,
     triangulation: Faces,
 }
-
-/// Up to this many triangles, one thread writes them: that takes less time than to wake another.
-const LEAST_SHARED: usize = 1 << 16;
-
-/// How many triangles a thread writes at a time.
-const FILLED_AT_A_TIME: usize = 1 << 15;
 
 impl BoundaryMesh {
     /// The mesh with the least possible maximum degree that is best on the domain's points.
@@ -293,17 +285,7 @@ impl BoundaryMesh {
     pub fn fill_triangles(&self, first: u32, out: &mut [[u32; 3]]) {
         let left = self.triangle_count().saturating_sub(first) as usize;
         assert!(out.len() <= left, "{} triangles from {first} on do not exist", out.len());
-        if out.len() <= LEAST_SHARED {
-            return self.triangulation.fill(first, out);
-        }
-        #[cfg(feature = "parallel")]
-        let parts = out.par_chunks_mut(FILLED_AT_A_TIME).enumerate();
-        #[cfg(not(feature = "parallel"))]
-        let parts = out.chunks_mut(FILLED_AT_A_TIME).enumerate();
-        parts.for_each(|(part, out)| {
-            let before = (part * FILLED_AT_A_TIME) as u32;
-            self.triangulation.fill(first + before, out);
-        });
+        fill_blocks(out, |before, out| self.triangulation.fill(first + before, out));
     }
 
     /// The positions of all triangles' vertices, in the order of [`triangles`](Self::triangles).
@@ -414,7 +396,6 @@ mod tests {
         assert!((0..23).all(|vertex| list.neighbors(vertex) == formula.neighbors(vertex)));
         assert!((0..23).all(|vertex| list.neighbors(vertex).len() as u32 == list.degree(vertex)));
         assert_eq!(list.max_degree(), formula.max_degree());
-        assert_eq!(list.degree_histograms(), formula.degree_histograms());
         assert_eq!(list.angle_range(), formula.angle_range());
     }
 

@@ -21,14 +21,13 @@
 //!
 //! # Features
 //!
-//! All but `schema` are on by default. Without them positions and triangles are left, which build in seconds.
+//! All are on by default. Without them positions and triangles are left, which build in seconds.
 //!
 //! | feature | what it adds |
 //! |---|---|
 //! | `exact` | `mesh` for any `Goal`, and `exact`: the solver |
 //! | `interior` | `interior`: meshes with interior points, and improving planar meshes |
-//! | `json` | `Domain::from_json` |
-//! | `schema` | the JSON Schema of domains and models |
+//! | `json` | `Domain::from_json`, and the JSON Schema of domains and models |
 //! | `parallel` | work shared among rayon's threads, with the same results |
 //!
 //! # Limits
@@ -72,7 +71,7 @@ pub mod verify;
 #[cfg(feature = "exact")]
 mod windowed;
 
-pub use boundary_mesh::{AngleRange, BoundaryMesh, DegreeHistograms, MeshError};
+pub use boundary_mesh::{AngleRange, BoundaryMesh, MeshError};
 pub use glam;
 #[cfg(feature = "exact")]
 pub use goal::{GOALS, Goal, GoalKind, GoalValue, Optimized, is_by_formula, mesh};

@@ -31,7 +31,7 @@ mod near;
 mod optimality;
 mod triangulation;
 
-pub use defect::{FaultyEdge, FaultyTriangle, MeshChange, MeshDefect};
+pub use defect::MeshDefect;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane};
 pub use optimality::{Optimality, Proof, optimality};
 pub use triangulation::{VerifiedMesh, triangulation};

@@ -15,7 +15,6 @@ pub(crate) fn print() {
         "plan, all threads",
         "speed-up",
         "angles",
-        "degrees",
         "`points()`, 1 thread",
     ];
     table::head("From counts to the plan chosen, ms (aim: all threads below 800)", &columns);
@@ -35,7 +34,7 @@ pub(crate) fn print() {
     for (name, domain) in even.into_iter().chain(graded) {
         let mesh = BoundaryMesh::least_degree(&domain).unwrap();
         let mut points = Vec::with_capacity(mesh.vertex_count() as usize);
-        let [with_one, with_all, angles, degrees, all_points] = rounds(
+        let [with_one, with_all, angles, all_points] = rounds(
             3,
             [
                 &mut || drop(black_box(one.install(|| BoundaryMesh::least_degree(&domain)))),
@@ -43,7 +42,6 @@ pub(crate) fn print() {
                 &mut || {
                     black_box(mesh.angle_range());
                 },
-                &mut || drop(black_box(mesh.degree_histograms())),
                 &mut || {
                     points.clear();
                     points.extend(black_box(&domain).placement().points());
@@ -57,7 +55,6 @@ pub(crate) fn print() {
             table::marked(ms(with_all), with_all < 0.8),
             format!("{:.1}", with_one / with_all),
             ms(angles),
-            ms(degrees),
             ms(all_points),
         ]);
     }

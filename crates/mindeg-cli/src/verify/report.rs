@@ -93,7 +93,7 @@ impl<'a> Report<'a> {
             file,
             domain: domain.name(),
             valid: false,
-            defect: Some(Flaw { kind: defect.kind(), message: defect.to_string() }),
+            defect: Some(Flaw { kind: defect.kind, message: defect.to_string() }),
             found: None,
             failed: &[],
             passed: false,

@@ -1,9 +1,9 @@
-//! The measures of a mesh: its triangles' quality, its angles and its degrees.
+//! The measures of a mesh: its triangles' quality and its angles.
 //!
-//! Limits: each function visits every triangle or vertex again; nothing is kept.
+//! Limits: each function visits every triangle again; nothing is kept.
 
-use mindeg_mesh::parallel::{blocks, try_blocks};
-use mindeg_mesh::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
+use mindeg_mesh::parallel::try_blocks;
+use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Cancelled, Progress};
 
 use super::BoundaryMesh;
@@ -18,31 +18,10 @@ pub struct AngleRange {
     pub max: f64,
 }
 
-/// How many vertices have each degree, corners apart from the others.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DegreeHistograms {
-    /// The degrees of the corners.
-    pub corners: DegreeHistogram,
-    /// The degrees of the vertices inside sides.
-    pub sides: DegreeHistogram,
-}
-
 impl BoundaryMesh {
     /// The measures of all triangles, in the order of [`triangles`](Self::triangles).
     pub fn qualities(&self) -> impl ExactSizeIterator<Item = TriangleQuality> + '_ {
         self.placed_triangles().map(|[a, b, c]| TriangleQuality::of(a, b, c))
-    }
-
-    /// The measures of all triangles summed up, as
-    /// [`QualitySummary::of`](mindeg_mesh::quality::QualitySummary::of) has them. O(n) time and memory.
-    #[must_use]
-    pub fn quality_summary(&self) -> QualitySummary {
-        let qualities = |range| {
-            let triangles = self.placed_triangles_of(range);
-            triangles.map(|[a, b, c]| TriangleQuality::of(a, b, c))
-        };
-        let summary = QualitySummary::of_ranges(self.triangle_count(), qualities);
-        summary.expect("a mesh has a triangle")
     }
 
     /// The minimum and the maximum angle. O(n) time, next to no memory, and much faster than
@@ -72,18 +51,5 @@ impl BoundaryMesh {
         let [least, greatest] = in_blocks.into_iter().fold(extremes, worse);
         let degrees = |cotangent: f64| libm::atan2(1.0, cotangent).to_degrees();
         Ok(AngleRange { min: degrees(least), max: degrees(greatest) })
-    }
-
-    /// How many corners and how many other vertices have each degree. O(n).
-    #[must_use]
-    pub fn degree_histograms(&self) -> DegreeHistograms {
-        let rings = self.rings();
-        let corners = (0..rings.side_count()).map(|side| rings.corner(side));
-        let corners: DegreeHistogram = corners.map(|corner| self.degree(corner)).collect();
-        let in_blocks = blocks(self.vertex_count(), |range| {
-            let sides = range.filter(|&vertex| !rings.is_corner(vertex));
-            sides.map(|vertex| self.degree(vertex)).collect::<DegreeHistogram>()
-        });
-        DegreeHistograms { corners, sides: in_blocks.iter().sum() }
     }
 }

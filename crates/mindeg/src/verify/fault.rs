@@ -12,7 +12,7 @@ use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::PlanarBoundary;
 use robust::{Coord, orient2d};
 
-use super::defect::{FaultyEdge, FaultyTriangle, MeshDefect};
+use super::defect::{MeshDefect, STRAIGHT, at};
 use crate::boundary_mesh::first_flat;
 use crate::posed::Posed;
 
@@ -70,32 +70,37 @@ pub(super) struct Search<'a> {
     pub(super) boundary: &'a PlanarBoundary,
     pub(super) points: &'a [DVec2],
     pub(super) vertex_of: &'a [u32],
+    pub(super) triangles: &'a [[u32; 3]],
 }
 
 impl Search<'_> {
-    /// The first defect in the order of [`MeshDefect`]; without one, the checker's message.
-    pub(super) fn first_defect(
-        &self,
-        triangles: &[[u32; 3]],
-        checker: Option<CheckError>,
-    ) -> MeshDefect {
-        self.repeated_vertex(triangles)
-            .or_else(|| self.repeated_triangle(triangles))
-            .or_else(|| self.without_area(triangles))
-            .or_else(|| self.turned_over(triangles))
-            .or_else(|| self.edges(triangles))
-            .or_else(|| checker.map(MeshDefect::Check))
+    /// The first defect, from those of single triangles to those of edges; without one, the checker's message.
+    pub(super) fn first_defect(&self, checker: Option<CheckError>) -> MeshDefect {
+        let checked = |error| format!("{error} (vertices by boundary points)");
+        self.repeated_vertex()
+            .or_else(|| self.repeated_triangle())
+            .or_else(|| self.without_area())
+            .or_else(|| self.turned_over())
+            .or_else(|| self.edges())
+            .or_else(|| checker.map(|error| MeshDefect::new("check", checked(error))))
             .expect("the checker failed, or a triangle is flat")
     }
 
-    fn triangle(&self, triangles: &[[u32; 3]], index: usize) -> FaultyTriangle {
-        let corners = triangles[index];
+    fn triangle(&self, index: usize) -> String {
+        let corners = self.triangles[index];
         let sum: DVec2 = corners.iter().map(|&v| self.points[v as usize]).sum();
-        let vertices = corners.map(|v| self.vertex_of[v as usize]);
-        FaultyTriangle { index, vertices, center: sum / 3.0 }
+        let [a, b, c] = corners.map(|v| self.vertex_of[v as usize]);
+        format!("triangle {index} (vertices {a}, {b}, {c}) near {}", at(sum / 3.0))
     }
 
-    fn edge(&self, ends: [u32; 2]) -> FaultyEdge {
+    fn edge(&self, ends: [u32; 2]) -> String {
+        let [a, b] = ends.map(|v| self.points[v as usize]);
+        let [from, to] = ends.map(|v| self.vertex_of[v as usize]);
+        format!("the edge from vertex {from} to vertex {to} near {}", at((a + b) / 2.0))
+    }
+
+    /// A vertex that lies on an edge between its ends.
+    fn vertex_on(&self, ends: [u32; 2]) -> Option<u32> {
         let [a, b] = ends.map(|v| self.points[v as usize]);
         // As far from the line as a vertex may be from its position.
         let slack = 1e-6 * a.distance(b);
@@ -105,105 +110,117 @@ impl Search<'_> {
             is_between && (b - a).perp_dot(p - a).abs() <= slack * a.distance(b)
         };
         let on_it = (0..self.points.len() as u32).find(is_on_it);
-        FaultyEdge {
-            ends: ends.map(|v| self.vertex_of[v as usize]),
-            middle: (a + b) / 2.0,
-            vertex_on_it: on_it.map(|v| self.vertex_of[v as usize]),
-        }
+        on_it.map(|v| self.vertex_of[v as usize])
+    }
+
+    /// The same in words, after the edge.
+    fn and_vertex_on(&self, ends: [u32; 2]) -> String {
+        let lies = |vertex| format!("; vertex {vertex} lies on it");
+        self.vertex_on(ends).map_or_else(String::new, lies)
     }
 
     fn side(&self, vertex: u32) -> String {
         self.domain.side_name(self.domain.rings().side_of(vertex))
     }
 
-    fn repeated_vertex(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
+    fn repeated_vertex(&self) -> Option<MeshDefect> {
         let is_repeated = |[a, b, c]: &[u32; 3]| a == b || b == c || c == a;
-        let index = triangles.iter().position(is_repeated)?;
-        Some(MeshDefect::RepeatedVertex(self.triangle(triangles, index)))
+        let index = self.triangles.iter().position(is_repeated)?;
+        let message = format!("{} has two corners in one place", self.triangle(index));
+        Some(MeshDefect::new("repeated_vertex", message))
     }
 
-    fn repeated_triangle(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
-        let mut sorted: Vec<([u32; 3], usize)> = triangles
-            .iter()
-            .enumerate()
-            .map(|(index, &corners)| {
-                let mut corners = corners;
-                corners.sort_unstable();
-                (corners, index)
-            })
-            .collect();
+    fn repeated_triangle(&self) -> Option<MeshDefect> {
+        let sorted = |(index, mut corners): (usize, [u32; 3])| {
+            corners.sort_unstable();
+            (corners, index)
+        };
+        let mut sorted: Vec<_> = self.triangles.iter().copied().enumerate().map(sorted).collect();
         sorted.sort_unstable();
         let pairs = sorted.windows(2).filter(|pair| pair[0].0 == pair[1].0);
         let (first, second) =
             pairs.map(|pair| (pair[0].1, pair[1].1)).min_by_key(|&(_, second)| second)?;
-        let triangle = self.triangle(triangles, second);
-        Some(MeshDefect::RepeatedTriangle { triangle, first })
+        let triangle = self.triangle(second);
+        let message = format!("{triangle} has the same vertices as triangle {first}");
+        Some(MeshDefect::new("repeated_triangle", message))
     }
 
-    fn without_area(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
-        if let Some(index) = flat_triangle(self.boundary, triangles) {
-            let mut corners = triangles[index];
+    fn without_area(&self) -> Option<MeshDefect> {
+        let (index, why) = if let Some(index) = flat_triangle(self.boundary, self.triangles) {
+            let mut corners = self.triangles[index];
             corners.sort_unstable();
-            let side = Some(self.side(corners[1]));
-            return Some(MeshDefect::NoArea { triangle: self.triangle(triangles, index), side });
-        }
-        if let Some((index, chord, vertex)) = passing_triangle(self.domain, self.points, triangles)
+            let side = self.side(corners[1]);
+            (index, format!(": all its vertices are on {side}, where {STRAIGHT}"))
+        } else if let Some((index, [from, to], vertex)) =
+            passing_triangle(self.domain, self.points, self.triangles)
         {
-            let [from, to, vertex] =
-                [chord[0], chord[1], vertex].map(|v| self.vertex_of[v as usize]);
-            let triangle = self.triangle(triangles, index);
-            return Some(MeshDefect::Passes { triangle, chord: [from, to], vertex });
-        }
-        let index = triangles.iter().position(|&t| orientation(self.points, t) == 0.0)?;
-        Some(MeshDefect::NoArea { triangle: self.triangle(triangles, index), side: None })
+            let [from, to, vertex] = [from, to, vertex].map(|v| self.vertex_of[v as usize]);
+            let edge = format!("its edge from {from} to {to}");
+            (index, format!(": vertex {vertex} is on {edge}, where {STRAIGHT}"))
+        } else {
+            let is_flat = |&triangle: &[u32; 3]| orientation(self.points, triangle) == 0.0;
+            (self.triangles.iter().position(is_flat)?, String::new())
+        };
+        let message = format!("{} has no area{why}", self.triangle(index));
+        Some(MeshDefect::new("no_area", message))
     }
 
-    /// The first triangle of those that are fewer.
-    fn turned_over(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
+    /// A clockwise triangle among the others, or a counter-clockwise one if they are fewer.
+    fn turned_over(&self) -> Option<MeshDefect> {
         let is_clockwise = |&triangle: &[u32; 3]| orientation(self.points, triangle) < 0.0;
-        let clockwise = triangles.iter().filter(|triangle| is_clockwise(triangle)).count();
+        let clockwise = self.triangles.iter().filter(|triangle| is_clockwise(triangle)).count();
         if clockwise == 0 {
             return None;
         }
-        let are_fewer = 2 * clockwise <= triangles.len();
-        let index = triangles.iter().position(|triangle| is_clockwise(triangle) == are_fewer)?;
-        Some(MeshDefect::TurnedOver(self.triangle(triangles, index)))
+        let are_fewer = 2 * clockwise <= self.triangles.len();
+        let index = self.triangles.iter().position(|t| is_clockwise(t) == are_fewer)?;
+        let triangle = self.triangle(index);
+        let message =
+            format!("{triangle} is turned over: it runs the other way round than the others");
+        Some(MeshDefect::new("turned_over", message))
     }
 
-    /// Two triangles on one side of an edge, one outside, or an edge without a triangle.
-    fn edges(&self, triangles: &[[u32; 3]]) -> Option<MeshDefect> {
+    /// The first fault of the edges: two triangles on one side, a triangle outside, or a gap.
+    fn edges(&self) -> Option<MeshDefect> {
         let rings = self.domain.rings();
         let boundary_count = rings.vertex_count();
         let is_boundary =
             |[from, to]: [u32; 2]| from.max(to) < boundary_count && rings.next(from) == to;
         let mut triangle_of = BTreeMap::new();
-        for (index, &[a, b, c]) in triangles.iter().enumerate() {
+        for (index, &[a, b, c]) in self.triangles.iter().enumerate() {
             for edge in [[a, b], [b, c], [c, a]] {
                 if let Some(first) = triangle_of.insert(edge, index) {
-                    let triangles = [first, index];
-                    return Some(MeshDefect::Overlap { triangles, edge: self.edge(edge) });
+                    let both = format!("triangles {first} and {index} overlap");
+                    let message =
+                        format!("{both}: both are on the same side of {}", self.edge(edge));
+                    return Some(MeshDefect::new("overlap", message));
                 }
             }
         }
         let outside = triangle_of.iter().find(|&(&[from, to], _)| is_boundary([to, from]));
         if let Some((&[_, to], &index)) = outside {
-            let triangle = self.triangle(triangles, index);
-            return Some(MeshDefect::Outside { triangle, side: self.side(to) });
+            let (triangle, side) = (self.triangle(index), self.side(to));
+            let message = format!("{triangle} is outside the domain, beyond {side}");
+            return Some(MeshDefect::new("outside", message));
         }
-        let boundary = (0..boundary_count).map(|from| [from, rings.next(from)]);
-        if let Some(edge) = boundary.into_iter().find(|edge| !triangle_of.contains_key(edge)) {
-            let side = self.side(edge[0]);
-            return Some(MeshDefect::OpenBoundary { edge: self.edge(edge), side });
+        let mut boundary = (0..boundary_count).map(|from| [from, rings.next(from)]);
+        if let Some(ends) = boundary.find(|edge| !triangle_of.contains_key(edge)) {
+            let (edge, side, on_it) =
+                (self.edge(ends), self.side(ends[0]), self.and_vertex_on(ends));
+            let message = format!("no triangle has {edge}, on {side} of the boundary{on_it}");
+            return Some(MeshDefect::new("open_boundary", message));
         }
         let open =
             |edge: [u32; 2]| !is_boundary(edge) && !triangle_of.contains_key(&[edge[1], edge[0]]);
-        let open = triangle_of.iter().filter(|&(&edge, _)| open(edge)).take(MOST_OPEN);
-        let mut open = open.map(|(&edge, &triangle)| (triangle, self.edge(edge)));
+        let mut open = triangle_of.iter().filter(|&(&edge, _)| open(edge)).take(MOST_OPEN);
         let first = open.next()?;
-        // Of the edges round a gap, the one that a vertex lies on says most.
-        let has_vertex = |(_, edge): &(usize, FaultyEdge)| edge.vertex_on_it.is_some();
+        // A vertex on an open edge tells more.
+        let has_vertex = |&(&ends, _): &(&[u32; 2], &usize)| self.vertex_on(ends).is_some();
         let telling = if has_vertex(&first) { None } else { open.find(has_vertex) };
-        let (triangle, edge) = telling.unwrap_or(first);
-        Some(MeshDefect::Open { triangle, edge })
+        let (&ends, triangle) = telling.unwrap_or(first);
+        let (edge, on_it) = (self.edge(ends), self.and_vertex_on(ends));
+        let message =
+            format!("triangle {triangle} has no neighbour at {edge}, inside the domain{on_it}");
+        Some(MeshDefect::new("open_edge", message))
     }
 }

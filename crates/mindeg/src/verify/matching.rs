@@ -5,7 +5,7 @@ use mindeg_domain::Domain;
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::weld;
 
-use super::defect::{MeshChange, MeshDefect};
+use super::defect::{self, MeshDefect, short};
 use super::near::Near;
 use crate::boundary_mesh::points_of;
 
@@ -60,7 +60,15 @@ pub(super) fn tolerance_of(
         return if tolerance < shortest / 2.0 {
             Ok(tolerance)
         } else {
-            Err(MeshDefect::ToleranceTooLarge { tolerance, shortest })
+            Err(MeshDefect::new(
+                "tolerance_too_large",
+                format!(
+                    "a tolerance of {} is too large: the shortest interval is {} long; give less than \
+                     half of that",
+                    short(tolerance),
+                    short(shortest)
+                ),
+            ))
         };
     }
     let bounds = domain.placement().bounds();
@@ -104,7 +112,14 @@ pub(super) fn matched(
     let floor = used().next().map_or(0.0, height);
     if let Some(vertex) = used().find(|&vertex| (height(vertex) - floor).abs() > tolerance) {
         let off = (height(vertex) - floor).abs();
-        return Err(MeshDefect::NotPlanar { vertex, off });
+        let off = short(off);
+        return Err(MeshDefect::new(
+            "not_planar",
+            format!(
+                "vertex {vertex} is {off} off the plane of the others; a domain is planar, in x and y \
+                 or in x and z"
+            ),
+        ));
     }
 
     let mut vertex_of = vec![NONE; boundary_count];
@@ -164,32 +179,43 @@ fn no_vertex(
     let distances = places.clone().map(|(vertex, place)| (vertex, place.distance(at)));
     let nearest = distances.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, f64::INFINITY));
     let bounds = |points: &mut dyn Iterator<Item = DVec2>| {
-        mindeg_mesh::Bounds::of(points).map(|bounds| (bounds.min, bounds.size()))
+        let none = (DVec2::NAN, DVec2::NAN);
+        mindeg_mesh::Bounds::of(points).map_or(none, |bounds| (bounds.min, bounds.size()))
     };
-    let change = bounds(&mut boundary.iter().copied())
-        .zip(bounds(&mut places.map(|(_, place)| place)))
-        .and_then(|(domain, mesh)| MeshChange::between(domain, mesh, tolerance));
-    MeshDefect::NoVertex {
-        point: missing as u32,
-        side: domain.side_name(domain.rings().side_of(missing as u32)),
-        at,
-        nearest: nearest.0,
-        distance: nearest.1,
-        tolerance,
-        change,
-    }
+    let [(origin, size), (mesh_origin, mesh_size)] =
+        [bounds(&mut boundary.iter().copied()), bounds(&mut places.map(|(_, place)| place))];
+    let (vertex, distance) = nearest;
+    let hint = match change([origin, mesh_origin], mesh_size / size, tolerance) {
+        Some(change) => change,
+        None if distance <= 1000.0 * tolerance => {
+            "; if the mesh was rounded, give a larger --tolerance".to_owned()
+        }
+        None => String::new(),
+    };
+    MeshDefect::new(
+        "no_vertex",
+        format!(
+            "no vertex is at boundary point {missing} on {}, {}: the nearest, vertex {vertex}, is {} \
+             away, and {} is the tolerance{hint}",
+            domain.side_name(domain.rings().side_of(missing as u32)),
+            defect::at(at),
+            short(distance),
+            short(tolerance)
+        ),
+    )
 }
 
-impl MeshChange {
-    /// From the least corner and the size of a domain to those of a mesh.
-    fn between(domain: (DVec2, DVec2), mesh: (DVec2, DVec2), tolerance: f64) -> Option<Self> {
-        let ratio = mesh.1 / domain.1;
-        let is_scaled = (ratio.x - ratio.y).abs() <= 1e-3 * ratio.x;
-        let is_same = (ratio - 1.0).abs().max_element() <= 1e-3;
-        if is_scaled && !is_same {
-            return Some(Self::Scaled(ratio.x));
-        }
-        let moved = mesh.0 - domain.0;
-        (is_same && moved.length() > 2.0 * tolerance).then_some(Self::Moved(moved))
+/// A change of the whole mesh, guessed from the least corners of the domain and the mesh and the ratio of their sizes.
+fn change([domain, mesh]: [DVec2; 2], ratio: DVec2, tolerance: f64) -> Option<String> {
+    let is_scaled = (ratio.x - ratio.y).abs() <= 1e-3 * ratio.x;
+    let is_same = (ratio - 1.0).abs().max_element() <= 1e-3;
+    if is_scaled && !is_same {
+        let by = short(ratio.x);
+        return Some(format!(
+            "; the mesh is {by} times as large as the domain: is its unit another one?"
+        ));
     }
+    let moved = mesh - domain;
+    let is_moved = is_same && moved.length() > 2.0 * tolerance;
+    is_moved.then(|| format!("; the mesh seems to be moved by {}", defect::at(moved)))
 }

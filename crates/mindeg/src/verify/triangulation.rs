@@ -60,7 +60,12 @@ pub fn triangulation(
     let larger = mesh.non_triangles();
     let larger_faces = larger.quads + larger.polygons;
     if larger_faces > 0 {
-        return Err(MeshDefect::LargerFaces { count: larger_faces as usize });
+        let (faces, them) = match larger_faces {
+            1 => ("1 face has".to_owned(), "it"),
+            count => (format!("{count} faces have"), "them"),
+        };
+        let message = format!("{faces} more than three corners; cut {them} into triangles first");
+        return Err(MeshDefect::new("larger_faces", message));
     }
     let tolerance = tolerance_of(mesh, domain, tolerance)?;
     let mut first_defect = None;
@@ -86,7 +91,10 @@ fn checked(found: Matched, domain: &Domain) -> Result<VerifiedMesh, MeshDefect> 
     if is_reversed {
         triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
     }
-    let boundary = domain.boundary().map_err(MeshDefect::Boundary)?;
+    let boundary = domain.boundary().map_err(|faults| {
+        let message = format!("the domain's boundary is not simple once it is rounded: {faults}");
+        MeshDefect::new("boundary", message)
+    })?;
     let inner = &points[boundary.points().len()..];
     let is_flat = fault::flat_triangle(&boundary, &triangles).is_some()
         || fault::passing_triangle(domain, &points, &triangles).is_some();
@@ -98,8 +106,9 @@ fn checked(found: Matched, domain: &Domain) -> Result<VerifiedMesh, MeshDefect> 
                 boundary: &boundary,
                 points: &points,
                 vertex_of: &vertex_of,
+                triangles: &triangles,
             };
-            return Err(search.first_defect(&triangles, failed.err()));
+            return Err(search.first_defect(failed.err()));
         }
     };
     let boundary_points = domain.rings().vertex_count();
