@@ -2,7 +2,7 @@
 
 use crate::limit::LimitAnswer;
 use crate::numbers::count;
-use mindeg::exact::{DegreeAnswer, ExactError, LowerBound, Reached, degree};
+use mindeg::exact::{DegreeAnswer, LowerBound, Reached, degree};
 use mindeg::{Domain, Progress, Rings};
 use mindeg_core::{Boundary, Certificate};
 use serde::Serialize;
@@ -100,7 +100,7 @@ impl DegreeReport {
     /// # Errors
     ///
     /// The errors of [`degree`].
-    pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, ExactError> {
+    pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, mindeg::MeshError> {
         if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
             let mut report = Self::of_counts(form.boundary());
             if form.first() > 0 || report.intervals.len() != domain.rings().side_count() {

@@ -10,7 +10,7 @@ use crate::demands::{met_or_written_anyway, unmet_by_boundary_mesh};
 use crate::domain::{Subject, name, subject};
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::exact::ExactError;
+use mindeg::MeshError;
 use mindeg::{Domain, Goal, Meshed, Progress};
 use mindeg_answers::degree::triangle_count;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
@@ -72,9 +72,9 @@ pub(crate) fn meshed(
 }
 
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.
-pub(crate) fn unsolved(error: &ExactError, way_out: &str) -> Failure {
+pub(crate) fn unsolved(error: &MeshError, way_out: &str) -> Failure {
     Failure::Input(match error {
-        ExactError::Problem(ProblemError::TooManyVertices { vertices }) => format!(
+        MeshError::Problem(ProblemError::TooManyVertices { vertices }) => format!(
             "the domain has {vertices} boundary vertices; exact work takes at most {MAX_VERTICES}; \
              use fewer intervals, or {way_out}"
         ),

@@ -6,7 +6,7 @@ use crate::reference::Reference;
 use crate::report::{Provenance, Report};
 use crate::{Advice, Method, NoTriangulation, measure, tie_count, verdict};
 use glam::DVec2;
-use mindeg::exact::{self, ExactError, ExactMesh, TradeOff};
+use mindeg::exact::{self, ExactMesh, TradeOff};
 use mindeg::{Domain, Goal, MeshError, Progress, Step};
 use mindeg_answers::advice::KEPT;
 use mindeg_answers::trade_off::TradeOffAnswer;
@@ -57,9 +57,6 @@ pub enum CompareError {
     /// The domain cannot be meshed.
     #[error(transparent)]
     Mesh(#[from] MeshError),
-    /// The solver has no mesh of the domain.
-    #[error(transparent)]
-    Exact(#[from] ExactError),
 }
 
 /// A domain's triangulations with their figures.

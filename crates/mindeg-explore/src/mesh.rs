@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use mindeg::exact::ExactError;
+use mindeg::MeshError;
 use mindeg::interior::{self, InteriorReport};
 use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
 use mindeg_compare::Reference;
@@ -41,7 +41,7 @@ impl Made {
         let boundary = |goal: Goal| {
             mindeg::mesh(domain, goal, progress)
                 .map(|meshed| Self::Boundary(Box::new(meshed), goal))
-                .map_err(|error: ExactError| error.to_string())
+                .map_err(|error: MeshError| error.to_string())
         };
         match view {
             View::Wanted => boundary(request.goal),

@@ -9,7 +9,6 @@
 
 mod angles;
 mod choice;
-mod error;
 mod faces;
 mod flat;
 mod measures;
@@ -19,6 +18,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
+use crate::error::MeshError;
 use mindeg_domain::{Domain, Placement, Rings};
 use mindeg_mesh::Progress;
 use mindeg_mesh::check::{self, CheckError, Checked};
@@ -26,7 +26,6 @@ use mindeg_mesh::parallel::{fill_blocks, first_of_blocks};
 use mindeg_mesh::planar::PlanarBoundary;
 
 use self::angles::{cotangents, placed};
-pub use self::error::MeshError;
 use self::faces::{Faces, TriangleList};
 pub(crate) use self::flat::first_flat;
 pub use self::measures::AngleRange;
@@ -85,7 +84,7 @@ impl BoundaryMesh {
         if domain.is_constrained() {
             return Err(MeshError::Constrained);
         }
-        let form = domain.convex().ok_or(MeshError::NotConvex)?;
+        let form = domain.convex().ok_or_else(MeshError::not_convex)?;
         let formula = choice::best_candidate(form, domain.placement(), progress)?;
         Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(formula) })
     }
@@ -122,12 +121,15 @@ impl BoundaryMesh {
         triangles: Vec<[u32; 3]>,
     ) -> Result<Self, MeshError> {
         if let Some(index) = first_flat(boundary, &triangles) {
-            return Err(MeshError::Flat { triangle: triangles[index as usize] });
+            let triangle = triangles[index as usize];
+            return Err(MeshError::Refused(format!(
+                "the triangles are no mesh of the domain: triangle {triangle:?} is flat"
+            )));
         }
         let checked = match check::triangulation(boundary, &[], &triangles) {
             // The triangles hang together: if they do not cover the domain, rounding is why.
             Err(CheckError::NotCounterClockwise { triangle }) => {
-                return Err(MeshError::NoArea { triangle: triangles[triangle] });
+                return Err(MeshError::no_area(triangles[triangle]));
             }
             checked => checked?,
         };
@@ -140,7 +142,7 @@ impl BoundaryMesh {
             flat.next().map(|(triangle, _)| triangle)
         });
         match without_area {
-            Some(triangle) => Err(MeshError::NoArea { triangle }),
+            Some(triangle) => Err(MeshError::no_area(triangle)),
             None => Ok(mesh),
         }
     }
@@ -459,6 +461,6 @@ mod tests {
         let formula = mindeg_core::least_degree_triangulation(domain.convex().unwrap().boundary());
         let error =
             BoundaryMesh::with_triangles(&domain, formula.triangles().collect()).unwrap_err();
-        assert!(matches!(error, MeshError::NoArea { .. }), "{error}");
+        assert!(error.to_string().contains("has no area"), "{error}");
     }
 }

@@ -14,14 +14,14 @@
 //! The loops may be of one mesh, or of two, which are then joined: first the vertices and triangles
 //! of the first mesh, then those of the second, then the strip, as the group `bridge`.
 
+use crate::error::MeshError;
 use crate::fill::min_angle;
 use crate::loops::{LoopDefect, Loops};
-use mindeg_exact::{Bridge, BridgeProblem, BridgeUnsolved, bridge_rings, largest_bridge_angle};
+use mindeg_exact::{Bridge, BridgeProblem, bridge_rings, largest_bridge_angle};
 use mindeg_mesh::crossing::crossings;
-use mindeg_mesh::{Cancelled, Progress, TriMesh, TriMeshError};
+use mindeg_mesh::{Progress, TriMesh};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use thiserror::Error;
 
 /// The name of the group of the strip.
 pub const BRIDGE: &str = "bridge";
@@ -44,66 +44,12 @@ pub struct Bridged {
     pub turned_over: Option<f64>,
 }
 
-/// Why two loops cannot be joined.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum BridgeError {
-    /// A loop that the mesh does not have.
-    #[error("there is no loop {}; the mesh has {loops} boundary loops", index + 1)]
-    NoSuchLoop {
-        /// The index.
-        index: usize,
-        /// How many loops there are.
-        loops: usize,
-    },
-    /// A loop of one mesh and itself.
-    #[error("both ends of the bridge are loop {}; give two loops", index + 1)]
-    SameLoop {
-        /// The index.
-        index: usize,
-    },
-    /// Two loops of one mesh that touch.
-    #[error("the loops touch at vertex {vertex}; a bridge needs loops without a common vertex")]
-    Touching {
-        /// The vertex.
-        vertex: u32,
-    },
-    /// A loop is not sound.
-    #[error("loop {} cannot be bridged: {defect}", index + 1)]
-    Defect {
-        /// The index.
-        index: usize,
-        /// Why.
-        defect: LoopDefect,
-    },
-    /// Loops of two meshes with vertices at the same position.
-    #[error(
-        "the loops touch: vertex {vertex} of the first mesh and vertex {other} of the second are at \
-         the same place; move one of the meshes"
-    )]
-    SamePlace {
-        /// The vertex of the first mesh.
-        vertex: u32,
-        /// The vertex of the second mesh.
-        other: u32,
-    },
-    /// No strip exists.
-    #[error(transparent)]
-    Unsolved(#[from] BridgeUnsolved),
-    /// The mesh would be too large.
-    #[error(transparent)]
-    TooLarge(#[from] TriMeshError),
-    /// The progress callback cancelled the work.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-}
-
 /// Joins a loop of a mesh to another one, or to a loop of a second mesh, each given with its loops, by the strip of least
 /// maximum degree, or within `max_degree`, with the largest minimum angle.
 ///
 /// # Errors
 ///
-/// [`BridgeError`].
+/// [`MeshError`].
 ///
 /// # Example
 ///
@@ -131,11 +77,14 @@ pub fn bridge(
     [from, to]: [usize; 2],
     max_degree: Option<u32>,
     progress: Progress<'_>,
-) -> Result<Bridged, BridgeError> {
+) -> Result<Bridged, MeshError> {
     let (a, own) = a;
     let (b, other) = (b.map(|(mesh, _)| mesh), b.map(|(_, loops)| loops));
     if b.is_none() && from == to {
-        return Err(BridgeError::SameLoop { index: from });
+        return Err(MeshError::Refused(format!(
+            "both ends of the bridge are loop {}; give two loops",
+            from + 1
+        )));
     }
     let target = other.unwrap_or(own);
     let [mut x, y] = [vertices(own, from)?, vertices(target, to)?];
@@ -143,7 +92,9 @@ pub fn bridge(
     if b.is_none()
         && let Some(&vertex) = x.iter().find(|vertex| y.contains(vertex))
     {
-        return Err(BridgeError::Touching { vertex });
+        return Err(MeshError::Refused(format!(
+            "the loops touch at vertex {vertex}; a bridge needs loops without a common vertex"
+        )));
     }
     if let Some(b) = b {
         // -0.0 is 0.0.
@@ -153,7 +104,10 @@ pub fn bridge(
         let there: BTreeMap<_, u32> = y.iter().map(|&vertex| (place(b, vertex), vertex)).collect();
         let same = |&vertex: &u32| there.get(&place(&a, vertex)).map(|&other| (vertex, other));
         if let Some((vertex, other)) = x.iter().find_map(same) {
-            return Err(BridgeError::SamePlace { vertex, other });
+            return Err(MeshError::Refused(format!(
+                "the loops touch: vertex {vertex} of the first mesh and vertex {other} of the second are \
+                 at the same place; move one of the meshes"
+            )));
         }
     }
     let degrees = |loops: &Loops, ring: &[u32]| -> Vec<u32> {
@@ -205,17 +159,19 @@ pub fn bridge(
     };
     let merged: Vec<[u32; 3]> = mesh.triangles().iter().map(|t| t.map(same)).collect();
     let crossings = crossings(mesh.positions(), &merged, new.clone());
-    let min_angle = min_angle(&mesh, &triangles);
+    let min_angle = min_angle(mesh.positions(), &triangles);
     Ok(Bridged { mesh, triangles: new, strip, min_angle, crossings, turned_over })
 }
 
 /// The vertices of a sound loop.
-fn vertices(loops: &Loops, index: usize) -> Result<Vec<u32>, BridgeError> {
-    let all = loops.list();
-    let found = all.get(index).ok_or(BridgeError::NoSuchLoop { index, loops: all.len() })?;
+fn vertices(loops: &Loops, index: usize) -> Result<Vec<u32>, MeshError> {
+    let found = loops.get(index)?;
     match found.defect {
-        // The boundary of a single triangle is a ring as good as any.
+        // The others stay open or make more of what is wrong.
         None | Some(LoopDefect::SingleTriangle) => Ok(found.vertices.clone()),
-        Some(defect) => Err(BridgeError::Defect { index, defect }),
+        Some(defect) => {
+            let sentence = format!("loop {} cannot be bridged: {defect}", index + 1);
+            Err(MeshError::Refused(sentence))
+        }
     }
 }

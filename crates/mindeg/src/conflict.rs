@@ -45,6 +45,19 @@ pub(crate) fn smallest<T: Copy, E>(
     }
 }
 
+/// Vertices as a message lists them.
+pub(crate) fn vertex_list(vertices: &[u32]) -> String {
+    const MOST: usize = 8;
+    let names: Vec<String> = vertices.iter().take(MOST).map(u32::to_string).collect();
+    match vertices.len() {
+        0 | 1 => format!("vertex {}", names.join("")),
+        count @ 2..=MOST => {
+            format!("vertices {} and {} together", names[..count - 1].join(", "), names[count - 1])
+        }
+        count => format!("vertices {}, … ({count} in all) together", names.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -82,5 +95,13 @@ mod tests {
         }
         assert_eq!(smallest_of(100, &[&[20, 50, 90]], 0).0.len(), 100);
         assert_eq!(smallest_of(100, &[&[20, 50, 90]], 30).0.len(), 3);
+    }
+
+    #[test]
+    fn a_long_list_of_vertices_is_cut() {
+        assert_eq!(vertex_list(&[7]), "vertex 7");
+        assert_eq!(vertex_list(&[1, 4, 7]), "vertices 1, 4 and 7 together");
+        let many: Vec<u32> = (0..100).collect();
+        assert_eq!(vertex_list(&many), "vertices 0, 1, 2, 3, 4, 5, 6, 7, … (100 in all) together");
     }
 }

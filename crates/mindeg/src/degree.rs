@@ -8,7 +8,7 @@ use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
-use crate::exact_error::ExactError;
+use crate::error::MeshError;
 use crate::posed::Posed;
 
 /// A maximum degree that a mesh reaches, and one that no mesh is below.
@@ -66,7 +66,7 @@ impl From<DegreeRange> for DegreeAnswer {
 /// assert!(matches!(answer.bounded_by, LowerBound::BlockedZigZags(_)));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, ExactError> {
+pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, MeshError> {
     if let Some(form) = domain.convex()
         && !domain.is_constrained()
     {
@@ -91,7 +91,7 @@ pub fn degree_of_boundary(
     boundary: &PlanarBoundary,
     max_triples: u64,
     progress: Progress<'_>,
-) -> Result<DegreeAnswer, ExactError> {
+) -> Result<DegreeAnswer, MeshError> {
     let triangles = mindeg_delaunay::triangles(boundary, &[], &[], progress)?;
     let mut problem = Problem::triangulated(boundary.points(), boundary.runs(), &triangles)?;
     problem.set_max_triples(max_triples);

@@ -12,9 +12,9 @@ use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::{BoundaryMesh, MeshError};
+use crate::boundary_mesh::BoundaryMesh;
 pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary};
-pub use crate::exact_error::ExactError;
+pub use crate::error::MeshError;
 use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
 use crate::windowed::{SHARES, within};
@@ -136,9 +136,15 @@ pub fn keeps(angle: f64, share: f64, most: f64) -> bool {
 /// assert_eq!(exact::least_max_degree(&domain, Progress::NONE)?, 6);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, ExactError> {
+pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, MeshError> {
     let DegreeAnswer { reached, at_least, .. } = degree(domain, progress)?;
-    if reached == at_least { Ok(reached) } else { Err(ExactError::Gap { reached, at_least }) }
+    if reached == at_least {
+        return Ok(reached);
+    }
+    Err(MeshError::Refused(format!(
+        "the least maximum degree is not known; {reached} is reached, and no mesh has less than \
+         {at_least}"
+    )))
 }
 
 /// The largest minimum angle of all meshes of a domain's boundary points, in degrees: that of a Delaunay
@@ -157,7 +163,7 @@ pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, 
 /// assert!((exact::delaunay_min_angle(&square, Progress::NONE)? - 45.0).abs() < 1e-9);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn delaunay_min_angle(domain: &Domain, progress: Progress<'_>) -> Result<f64, ExactError> {
+pub fn delaunay_min_angle(domain: &Domain, progress: Progress<'_>) -> Result<f64, MeshError> {
     let posed = Posed::triangulated(domain, progress)?;
     Ok(posed.delaunay_min_angle.unwrap_or(0.0))
 }
@@ -188,7 +194,7 @@ pub fn mesh(
     domain: &Domain,
     max_degree: u32,
     progress: Progress<'_>,
-) -> Result<ExactMesh, ExactError> {
+) -> Result<ExactMesh, MeshError> {
     best_mesh(&Posed::new(domain, progress)?, max_degree, progress)
 }
 
@@ -197,7 +203,7 @@ pub(crate) fn best_mesh(
     posed: &Posed<'_>,
     max_degree: u32,
     progress: Progress<'_>,
-) -> Result<ExactMesh, ExactError> {
+) -> Result<ExactMesh, MeshError> {
     let best = best_angle(&posed.problem, max_degree, progress);
     placed(posed, best.map_err(|error| posed.unsolved(error, progress))?)
 }
@@ -223,7 +229,7 @@ pub(crate) fn best_mesh(
 /// assert!((trade_off.share(four) - 0.463).abs() < 5e-4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, ExactError> {
+pub fn trade_off(domain: &Domain, progress: Progress<'_>) -> Result<TradeOff, MeshError> {
     trade_off_until(domain, |_, _| false, progress)
 }
 
@@ -237,7 +243,7 @@ pub fn trade_off_until(
     domain: &Domain,
     is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
-) -> Result<TradeOff, ExactError> {
+) -> Result<TradeOff, MeshError> {
     let posed = Posed::new(domain, progress)?;
     if posed.has_best_angles(progress)? {
         exact_trade_off(&posed, is_enough, progress)
@@ -251,7 +257,7 @@ pub(crate) fn exact_trade_off(
     posed: &Posed<'_>,
     mut is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
-) -> Result<TradeOff, ExactError> {
+) -> Result<TradeOff, MeshError> {
     let mut is_enough = |optimum: &Optimum, most: f64| is_enough(optimum.min_angle, most);
     let answer = mindeg_exact::trade_off_until(&posed.problem, &mut is_enough, progress)
         .map_err(|error| posed.unsolved(error, progress))?;
@@ -269,19 +275,19 @@ fn trade_off_by_windows(
     posed: &Posed<'_>,
     mut is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
-) -> Result<TradeOff, ExactError> {
+) -> Result<TradeOff, MeshError> {
     let most = posed.delaunay_min_angle.unwrap_or(0.0);
     let mut meshes = Vec::<ExactMesh>::new();
     for share in SHARES {
         let limit = meshes.last().map_or(u32::MAX, |last| last.max_degree - 1);
         let Some(Meshed { mesh, .. }) = within(posed, [share], limit, progress)? else { continue };
         let max_degree = mesh.max_total_degree();
-        let min_angle = mesh.measure_angles(progress).map_err(MeshError::from)?.min;
+        let min_angle = mesh.measure_angles(progress)?.min;
         meshes.push(ExactMesh { max_degree, min_angle, mesh });
     }
     meshes.reverse();
     if meshes.is_empty() {
-        return Err(ExactError::LimitsNotReached);
+        return Err(MeshError::LimitsNotReached);
     }
     let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
     meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
@@ -289,7 +295,7 @@ fn trade_off_by_windows(
     Ok(TradeOff { domain, meshes, delaunay_min_angle: most, is_exact: false })
 }
 
-fn placed(posed: &Posed<'_>, optimum: Optimum) -> Result<ExactMesh, ExactError> {
+fn placed(posed: &Posed<'_>, optimum: Optimum) -> Result<ExactMesh, MeshError> {
     let Optimum { max_degree, min_angle, triangles, .. } = optimum;
     Ok(ExactMesh { max_degree, min_angle, mesh: posed.mesh(triangles)? })
 }
@@ -323,11 +329,7 @@ mod tests {
              one of them or more"
         );
 
-        let Err(ExactError::DegreeLimits { vertices }) =
-            least_max_degree(&limited(&all), Progress::NONE)
-        else {
-            panic!("the limits conflict")
-        };
+        let vertices = [1, 3, 5, 7];
         for left_out in &vertices {
             let rest: Vec<_> =
                 vertices.iter().filter(|v| *v != left_out).map(|&v| (v, 3)).collect();
@@ -335,8 +337,8 @@ mod tests {
         }
         assert!(mesh(&limited(&all), 9, Progress::NONE).is_err());
         assert_eq!(
-            trade_off(&limited(&all), Progress::NONE),
-            Err(ExactError::DegreeLimits { vertices })
+            trade_off(&limited(&all), Progress::NONE).unwrap_err().to_string(),
+            message(&all)
         );
     }
 }

@@ -10,18 +10,22 @@
 //!
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
-use crate::loops::{LoopDefect, Loops, MeshLoop};
+use crate::error::MeshError;
+use crate::loops::{Loops, MeshLoop};
 use crate::parallel::map_indices;
+use glam::DVec3;
 use mindeg_exact::{LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::quality::TriangleQuality;
-use mindeg_mesh::{Cancelled, Progress, Step, TriMesh, TriMeshError};
+use mindeg_mesh::{Cancelled, Progress, Step, TriMesh};
 use std::collections::BTreeMap;
 use std::ops::{ControlFlow, Range};
-use thiserror::Error;
 
 /// The name of the group of new triangles.
 pub const FILL: &str = "fill";
+
+/// Why a loop stays open that could be filled but for the edges around it.
+const EDGES_THERE: &str = "every triangulation of it needs an edge that the mesh has already";
 
 /// The least limit that [`fill`] tries without a given limit. Below, the area of a filling grows
 /// quickly; see `docs/fill-and-bridge.md`.
@@ -100,57 +104,7 @@ pub struct LeftLoop {
     /// How many vertices it has.
     pub vertices: usize,
     /// Why.
-    pub reason: LeftOpen,
-}
-
-/// Why a loop stays open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum LeftOpen {
-    /// The loop is not sound.
-    #[error(transparent)]
-    Defect(#[from] LoopDefect),
-    /// It has too many vertices.
-    #[error("it has {vertices} vertices, and only loops below {max_loop} are filled")]
-    TooLong {
-        /// How many vertices it has.
-        vertices: usize,
-        /// The number from which on loops stay open.
-        max_loop: usize,
-    },
-    /// Each triangulation needs an edge that the mesh already has.
-    #[error("every triangulation of it needs an edge that the mesh has already")]
-    EdgesThere,
-}
-
-/// Why loops cannot be filled.
-#[derive(Clone, Debug, PartialEq, Error)]
-#[non_exhaustive]
-pub enum FillError {
-    /// A loop that the mesh does not have.
-    #[error("there is no loop {}; the mesh has {loops} boundary loops", index + 1)]
-    NoSuchLoop {
-        /// The index.
-        index: usize,
-        /// How many loops there are.
-        loops: usize,
-    },
-    /// A loop cannot keep the limit, or is too large.
-    #[error("loop {} from vertex {first}: {source}", index + 1)]
-    Unsolved {
-        /// The index of the loop.
-        index: usize,
-        /// Its first vertex.
-        first: u32,
-        /// Why.
-        source: LoopUnsolved,
-    },
-    /// The mesh would have too many triangles.
-    #[error(transparent)]
-    TooLarge(#[from] TriMeshError),
-    /// The progress callback cancelled the work.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
+    pub reason: String,
 }
 
 /// Closes boundary loops of a mesh, `loops` of it, by triangulations of least area under a limit on the total
@@ -161,7 +115,7 @@ pub enum FillError {
 ///
 /// # Errors
 ///
-/// [`FillError`]. A loop that cannot be filled for what it is stays open, and is in
+/// [`MeshError`]. A loop that cannot be filled for what it is stays open, and is in
 /// [`Filled::left`].
 ///
 /// # Example
@@ -184,7 +138,7 @@ pub fn fill(
     loops: &Loops,
     options: &FillOptions,
     progress: Progress<'_>,
-) -> Result<Filled, FillError> {
+) -> Result<Filled, MeshError> {
     let all = loops.list();
     let mut loops = loops.clone();
     let mut chosen = options.only.clone().unwrap_or_else(|| (0..all.len()).collect());
@@ -194,14 +148,13 @@ pub fn fill(
     let limit = options.max_degree.map_or(within, LoopLimit::AtMost);
     let (mut tasks, mut left) = (Vec::new(), Vec::new());
     for index in chosen {
-        let Some(found) = all.get(index) else {
-            return Err(FillError::NoSuchLoop { index, loops: all.len() });
-        };
+        let found = loops.get(index)?;
         let (vertices, max_loop) = (found.vertices.len(), options.max_loop);
-        let reason = found
-            .defect
-            .map(LeftOpen::Defect)
-            .or_else(|| (vertices >= max_loop).then_some(LeftOpen::TooLong { vertices, max_loop }));
+        let is_too_long = vertices >= max_loop;
+        let too_long =
+            format!("it has {vertices} vertices, and only loops below {max_loop} are filled");
+        let reason = found.defect.map(|defect| defect.to_string());
+        let reason = reason.or_else(|| is_too_long.then_some(too_long));
         match reason {
             Some(reason) => left.push(LeftLoop { index, vertices, reason }),
             None => tasks.push(index),
@@ -232,12 +185,14 @@ pub fn fill(
                     solutions.insert(index, (solved, own));
                 }
                 Err(LoopUnsolved::Excluded) => {
-                    let (vertices, reason) = (vertices.len(), LeftOpen::EdgesThere);
+                    let (vertices, reason) = (vertices.len(), EDGES_THERE.to_owned());
                     left.push(LeftLoop { index, vertices, reason });
                 }
                 Err(LoopUnsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(source) => {
-                    return Err(FillError::Unsolved { index, first: vertices[0], source });
+                    let (number, first) = (index + 1, vertices[0]);
+                    let sentence = format!("loop {number} from vertex {first}: {source}");
+                    return Err(MeshError::Refused(sentence));
                 }
             }
         }
@@ -257,7 +212,7 @@ pub fn fill(
             area: solved.area,
             without_limit: solved.without_limit,
             least_limit: solved.least_limit,
-            min_angle: min_angle(&mesh, &own),
+            min_angle: min_angle(mesh.positions(), &own),
         });
         triangles.extend(own);
     }
@@ -312,9 +267,9 @@ fn solve(
 }
 
 /// The minimum angle of some triangles, in degrees.
-pub(crate) fn min_angle(mesh: &TriMesh, triangles: &[[u32; 3]]) -> f64 {
+pub(crate) fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
     let angle = |corners: &[u32; 3]| {
-        let [a, b, c] = corners.map(|vertex| mesh.positions()[vertex as usize]);
+        let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
         TriangleQuality::in_space(a, b, c).min_angle
     };
     triangles.iter().map(angle).fold(f64::INFINITY, f64::min)

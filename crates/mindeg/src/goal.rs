@@ -8,9 +8,9 @@ use mindeg_domain::Domain;
 use mindeg_exact::{MAX_VERTICES, Reached, Unsolved, degree_range};
 use mindeg_mesh::Progress;
 
-use crate::boundary_mesh::{BoundaryMesh, MeshError};
+use crate::boundary_mesh::BoundaryMesh;
+use crate::error::MeshError;
 use crate::exact;
-use crate::exact_error::ExactError;
 use crate::keep_angle::keep_angle;
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 use crate::posed::Posed;
@@ -248,7 +248,7 @@ fn percentage(share: f64) -> String {
 /// assert!(kept.mesh.angle_range().min >= 0.95 * kept.delaunay_min_angle.unwrap());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     match goal {
         Goal::LeastDegree => least_degree(domain, progress),
         Goal::KeepAngle(share) => keep_angle(domain, share, progress),
@@ -278,7 +278,7 @@ pub fn is_by_formula(domain: &Domain) -> bool {
     })
 }
 
-fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     if is_by_formula(domain) {
         return formula(domain, progress);
     }
@@ -294,7 +294,7 @@ fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, Exact
 }
 
 /// The mesh of least degree with the largest minimum angle.
-fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     let mut tried = 0;
     let is_third = |_, _| {
         tried += 1;
@@ -311,7 +311,7 @@ fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Mes
 }
 
 /// The mesh of the least degree that is found, with an angle that costs little to find.
-fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     /// The shares of Delaunay's angle that windows try to keep at degree 4.
     const SHARES: [f64; 2] = [0.9, 0.5];
     let range =
@@ -341,8 +341,8 @@ fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, Exa
     Ok(meshed(posed.mesh(range.triangles.clone())?, found_by))
 }
 
-fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError> {
-    let form = domain.convex().ok_or(MeshError::NotConvex)?;
+fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
+    let form = domain.convex().ok_or_else(MeshError::not_convex)?;
     Ok(Meshed {
         mesh: BoundaryMesh::of_formula(domain, progress)?,
         least_max_degree: mindeg_core::least_max_degree(form.boundary()),
@@ -353,7 +353,7 @@ fn formula(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, ExactError
     })
 }
 
-fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, ExactError> {
+fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Meshed, MeshError> {
     // Refused at once, at any size.
     if let Some(least) = least_by_formula(domain).filter(|least| limit < *least) {
         return Err(Unsolved::Infeasible { max_degree: limit, least }.into());
@@ -382,7 +382,10 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
     if reached <= limit {
         Ok(meshed)
     } else {
-        Err(ExactError::NotReached { max_degree: limit, reached, at_least })
+        Err(MeshError::Refused(format!(
+            "no mesh of maximum degree {limit} was found; {reached} is reached, and no mesh has less than \
+             {at_least}"
+        )))
     }
 }
 

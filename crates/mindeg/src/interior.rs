@@ -27,7 +27,7 @@ mod plane;
 mod posed;
 mod regions;
 
-pub use improve::{ImproveError, ImprovedMesh, improve};
+pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};

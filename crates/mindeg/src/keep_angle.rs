@@ -7,8 +7,8 @@
 use mindeg_domain::Domain;
 use mindeg_mesh::Progress;
 
+use crate::error::MeshError;
 use crate::exact;
-use crate::exact_error::ExactError;
 use crate::meshed::Meshed;
 use crate::posed::Posed;
 use crate::windowed::{SHARES, windowed, within};
@@ -19,7 +19,7 @@ pub(crate) fn keep_angle(
     domain: &Domain,
     share: f64,
     progress: Progress<'_>,
-) -> Result<Meshed, ExactError> {
+) -> Result<Meshed, MeshError> {
     let posed = Posed::of_any_size(domain, progress)?;
     if !posed.has_best_angles(progress)? {
         let kept = windowed(&posed, share, progress)?;

@@ -21,11 +21,10 @@
 //!
 //! # Features
 //!
-//! All are on by default. Without them positions and triangles are left, which build in seconds.
+//! All are on by default.
 //!
 //! | feature | what it adds |
 //! |---|---|
-//! | `exact` | `mesh` for any `Goal`, and `exact`: the solver |
 //! | `interior` | `interior`: meshes with interior points, and improving planar meshes |
 //! | `json` | `Domain::from_json`, and the JSON Schema of domains and models |
 //! | `parallel` | work shared among rayon's threads, with the same results |
@@ -38,46 +37,29 @@
 //! its proof; with holes, and where too many vertices see each other, it states the gap.
 
 mod boundary_mesh;
-#[cfg(feature = "exact")]
 pub mod bridge;
-#[cfg(feature = "exact")]
 mod conflict;
-#[cfg(feature = "exact")]
 mod degree;
-#[cfg(feature = "exact")]
+mod error;
 pub mod exact;
-#[cfg(feature = "exact")]
-mod exact_error;
-#[cfg(feature = "exact")]
 pub mod fill;
-#[cfg(feature = "exact")]
 mod goal;
 #[cfg(feature = "interior")]
 pub mod interior;
-#[cfg(feature = "exact")]
 mod keep_angle;
-#[cfg(feature = "exact")]
 mod loops;
-#[cfg(feature = "exact")]
 mod meshed;
-#[cfg(feature = "exact")]
 pub mod model;
-#[cfg(feature = "exact")]
 mod parallel;
-#[cfg(feature = "exact")]
 mod posed;
-#[cfg(feature = "exact")]
 pub mod verify;
-#[cfg(feature = "exact")]
 mod windowed;
 
-pub use boundary_mesh::{AngleRange, BoundaryMesh, MeshError};
+pub use boundary_mesh::{AngleRange, BoundaryMesh};
+pub use error::MeshError;
 pub use glam;
-#[cfg(feature = "exact")]
 pub use goal::{GOALS, Goal, GoalKind, GoalValue, Optimized, is_by_formula, mesh};
-#[cfg(feature = "exact")]
 pub use loops::{LoopDefect, Loops, MeshLoop};
-#[cfg(feature = "exact")]
 pub use meshed::{FoundBy, HigherDegree, Meshed};
 pub use mindeg_domain::*;
 pub use mindeg_mesh::{
@@ -86,6 +68,6 @@ pub use mindeg_mesh::{
 };
 
 /// The README's example is compiled with the others.
-#[cfg(all(doctest, feature = "exact", feature = "json"))]
+#[cfg(all(doctest, feature = "json"))]
 #[doc = include_str!("../../../README.md")]
 struct Readme;

@@ -8,6 +8,7 @@
 //!
 //! Limits: no tolerance joins vertices that are only near each other.
 
+use crate::error::MeshError;
 use glam::DVec3;
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::weld;
@@ -147,6 +148,12 @@ impl Loops {
     #[must_use]
     pub fn list(&self) -> &[MeshLoop] {
         &self.loops
+    }
+
+    pub(crate) fn get(&self, index: usize) -> Result<&MeshLoop, MeshError> {
+        let (number, loops) = (index + 1, self.loops.len());
+        let missing = || format!("there is no loop {number}; the mesh has {loops} boundary loops");
+        self.loops.get(index).ok_or_else(|| MeshError::refused(missing()))
     }
 
     /// The triangles of a mesh with vertices of the same coordinates as one.

@@ -11,9 +11,9 @@ use mindeg_exact::measure::min_angle_tangent;
 use mindeg_exact::{MAX_VERTICES, Problem, ProblemError, Unsolved, WindowGoal, windows};
 use mindeg_mesh::{Cancelled, Progress};
 
-use crate::boundary_mesh::{BoundaryMesh, MeshError, points_of};
+use crate::boundary_mesh::{BoundaryMesh, points_of};
 use crate::conflict;
-use crate::exact_error::ExactError;
+use crate::error::MeshError;
 
 /// The most triples of vertices that see each other for which the best angles are searched: some
 /// seconds to a minute on one core.
@@ -37,7 +37,7 @@ impl<'a> Posed<'a> {
     ///
     /// A convex domain with more than [`MAX_VERTICES`] boundary vertices, and points without a
     /// Delaunay triangulation.
-    pub(crate) fn new(domain: &'a Domain, progress: Progress<'_>) -> Result<Self, ExactError> {
+    pub(crate) fn new(domain: &'a Domain, progress: Progress<'_>) -> Result<Self, MeshError> {
         match domain.convex() {
             Some(form) => Self::convex(domain, form),
             None => Self::triangulated(domain, progress),
@@ -48,7 +48,7 @@ impl<'a> Posed<'a> {
     pub(crate) fn of_any_size(
         domain: &'a Domain,
         progress: Progress<'_>,
-    ) -> Result<Self, ExactError> {
+    ) -> Result<Self, MeshError> {
         match domain.convex() {
             Some(form) if form.boundary().vertex_count() <= MAX_VERTICES => {
                 Self::convex(domain, form)
@@ -62,7 +62,7 @@ impl<'a> Posed<'a> {
         self.domain
     }
 
-    fn convex(domain: &'a Domain, form: &ConvexForm) -> Result<Self, ExactError> {
+    fn convex(domain: &'a Domain, form: &ConvexForm) -> Result<Self, MeshError> {
         let (boundary, first) = (form.boundary(), form.first());
         // The solver refuses a number of vertices too large for the memory of one point each.
         if boundary.vertex_count() > MAX_VERTICES {
@@ -79,8 +79,8 @@ impl<'a> Posed<'a> {
     pub(crate) fn triangulated(
         domain: &'a Domain,
         progress: Progress<'_>,
-    ) -> Result<Self, ExactError> {
-        let boundary = domain.boundary().map_err(MeshError::from)?;
+    ) -> Result<Self, MeshError> {
+        let boundary = domain.boundary()?;
         let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], progress)?;
         let least_tangent = least_tangent(boundary.points(), &triangles);
         let problem = Problem::triangulated(boundary.points(), boundary.runs(), &triangles)?;
@@ -144,7 +144,7 @@ impl<'a> Posed<'a> {
         share: f64,
         max_degree: u32,
         progress: Progress<'_>,
-    ) -> Result<Option<BoundaryMesh>, ExactError> {
+    ) -> Result<Option<BoundaryMesh>, MeshError> {
         let least_angle = share * self.delaunay_min_angle.unwrap_or(0.0);
         let goal = WindowGoal { max_degree, min_tangent: libm::tan(least_angle.to_radians()) };
         let windowed = windows(&self.problem, goal, progress)?;
@@ -174,15 +174,21 @@ impl<'a> Posed<'a> {
     }
 
     /// Why the solver has no answer, with the vertices whose degree limits no mesh keeps together.
-    pub(crate) fn unsolved(&self, error: Unsolved, progress: Progress<'_>) -> ExactError {
+    pub(crate) fn unsolved(&self, error: Unsolved, progress: Progress<'_>) -> MeshError {
         match error {
             Unsolved::VertexLimits => {}
             // Windows did not keep the limits, and no search handles holes or this many vertices.
-            Unsolved::NotAPolygon => return ExactError::LimitsNotReached,
+            Unsolved::NotAPolygon => return MeshError::LimitsNotReached,
             _ => return error.into(),
         }
         match self.vertices_in_conflict(progress) {
-            Ok(vertices) => ExactError::DegreeLimits { vertices },
+            Ok(vertices) => {
+                let there = if vertices.len() == 1 { "there" } else { "at one of them or more" };
+                MeshError::Refused(format!(
+                    "no mesh keeps the degree limits of {}; raise max_degree {there}",
+                    conflict::vertex_list(&vertices)
+                ))
+            }
             Err(error) => error.into(),
         }
     }

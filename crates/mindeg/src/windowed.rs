@@ -3,7 +3,7 @@
 use mindeg_exact::lower_bound;
 use mindeg_mesh::Progress;
 
-use crate::exact_error::ExactError;
+use crate::error::MeshError;
 use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
 
@@ -17,11 +17,11 @@ pub(crate) fn within(
     shares: impl IntoIterator<Item = f64>,
     limit: u32,
     progress: Progress<'_>,
-) -> Result<Option<Meshed>, ExactError> {
+) -> Result<Option<Meshed>, MeshError> {
     for share in shares {
         match windowed(posed, share, progress) {
             Ok(meshed) if meshed.mesh.max_total_degree() <= limit => return Ok(Some(meshed)),
-            Ok(_) | Err(ExactError::LimitsNotReached) => {}
+            Ok(_) | Err(MeshError::LimitsNotReached) => {}
             Err(error) => return Err(error),
         }
     }
@@ -34,7 +34,7 @@ pub(crate) fn windowed(
     posed: &Posed<'_>,
     share: f64,
     progress: Progress<'_>,
-) -> Result<Meshed, ExactError> {
+) -> Result<Meshed, MeshError> {
     let (least_max_degree, is_known) = match posed.domain().convex() {
         Some(form) if !posed.domain().is_constrained() => {
             (mindeg_core::least_max_degree(form.boundary()), true)
@@ -42,7 +42,7 @@ pub(crate) fn windowed(
         _ => (lower_bound(&posed.problem).0, false),
     };
     let mesh = posed.windows(share, least_max_degree, progress)?;
-    let mesh = mesh.ok_or(ExactError::LimitsNotReached)?;
+    let mesh = mesh.ok_or(MeshError::LimitsNotReached)?;
     Ok(Meshed {
         is_least_proven: is_known || mesh.max_total_degree() == least_max_degree,
         mesh,

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use mindeg::glam;
-use mindeg::interior::{ImproveError, improve, mesh};
+use mindeg::interior::{improve, mesh};
 use mindeg::{
     Domain, FixedLines, Group, Interior, LineEnd, Positions, Progress, Side, TriMesh, Triangles,
 };
@@ -173,13 +173,12 @@ fn meshes_that_are_not_planar_are_refused() {
     let refusal = |mesh: &TriMesh| improve(mesh, &Interior::default(), Progress::NONE).unwrap_err();
     let bent = grid(4, 0.0, |x, y| DVec3::new(x, y, if x > 3.5 { 1e-3 } else { 0.0 }));
     let error = refusal(&bent);
-    assert!(matches!(error, ImproveError::NotPlanar { .. }), "{error}");
     assert!(error.to_string().contains("the mesh is not planar: vertex "), "{error}");
     let points = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
     let both = TriMesh::new(points.clone(), vec![[0, 1, 2], [0, 2, 1]]).unwrap();
-    assert!(matches!(refusal(&both), ImproveError::NoFront));
+    assert!(refusal(&both).to_string().contains("face opposite ways or have no area"));
     let line = TriMesh::new(vec![DVec3::ZERO, DVec3::X, DVec3::X * 2.0], vec![[0, 1, 2]]).unwrap();
-    assert!(matches!(refusal(&line), ImproveError::NoFront));
+    assert_eq!(refusal(&line), refusal(&both));
 }
 
 proptest! {

@@ -13,8 +13,8 @@ use mindeg_mesh::parallel::{block, fill_blocks, first_of_blocks, try_blocks};
 use mindeg_mesh::{Cancelled, Counter, Progress};
 
 use super::angles::{cotangents, placed};
-use super::error::MeshError;
 use super::faces::{Formula, turned};
+use crate::error::MeshError;
 
 /// The most candidates tried.
 const MOST_CANDIDATES: u32 = 64;
@@ -61,7 +61,7 @@ pub(super) fn best_candidate(
     best.map(formula).ok_or_else(|| {
         // Some candidate was tried, and if none is left then all of them have such a triangle.
         let triangle = dropped.and_then(|candidate| points.first_without_area(&candidate));
-        MeshError::NoArea { triangle: triangle.unwrap_or_default() }
+        MeshError::no_area(triangle.unwrap_or_default())
     })
 }
 

@@ -2,12 +2,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use crate::error::MeshError;
 use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
-use mindeg_interior::{InteriorError, InteriorReport, Keep};
+use mindeg_interior::{InteriorReport, Keep};
 use mindeg_mesh::weld;
-use mindeg_mesh::{Group, Progress, TriMesh, TriMeshError, Triangles};
-use thiserror::Error;
+use mindeg_mesh::{Group, Progress, TriMesh, Triangles};
 
 use super::plane::Plane;
 use super::regions::{edges, interfaces, spread};
@@ -26,37 +26,6 @@ pub struct ImprovedMesh {
     pub merged: usize,
     /// How many edges inside were kept, because groups meet there or lines run along them.
     pub kept_edges: usize,
-}
-
-/// Why a mesh is not improved.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum ImproveError {
-    /// Triangles that face both ways, or none with an area.
-    #[error(
-        "the mesh is not planar, or parts of it are turned over: its triangles face opposite ways or have \
-         no area; give a flat mesh whose triangles face one way"
-    )]
-    NoFront,
-    /// A vertex off the plane of the others.
-    #[error(
-        "the mesh is not planar: vertex {vertex} (counted from 0) is {distance:.3e} off the plane \
-         of the others; the tolerance is {tolerance:.3e}"
-    )]
-    NotPlanar {
-        /// The vertex that is farthest off.
-        vertex: u32,
-        /// How far.
-        distance: f64,
-        /// How far it may be.
-        tolerance: f64,
-    },
-    /// An input that the optimiser refuses.
-    #[error(transparent)]
-    Interior(#[from] InteriorError),
-    /// A result that is not a mesh.
-    #[error(transparent)]
-    Mesh(#[from] TriMeshError),
 }
 
 /// A vertex may be off the plane by this share of the mesh's size.
@@ -92,7 +61,7 @@ pub fn improve(
     mesh: &TriMesh,
     wanted: &Interior,
     progress: Progress<'_>,
-) -> Result<ImprovedMesh, ImproveError> {
+) -> Result<ImprovedMesh, MeshError> {
     let Merged { names, positions } = Merged::new(mesh);
     let rename = |v: u32| names[v as usize];
     let triangles: Vec<[u32; 3]> = mesh.triangles().iter().map(|t| t.map(rename)).collect();
@@ -178,11 +147,7 @@ impl Merged {
 }
 
 /// The plane of a mesh.
-fn plane(
-    mesh: &TriMesh,
-    positions: &[DVec3],
-    triangles: &[[u32; 3]],
-) -> Result<Plane, ImproveError> {
+fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<Plane, MeshError> {
     let (mut normal, mut total) = (DVec3::ZERO, 0.0);
     for t in triangles {
         let [a, b, c] = t.map(|v| positions[v as usize]);
@@ -202,7 +167,10 @@ fn plane(
         _ => normal,
     };
     if normal.length() < 0.5 * total || normal == DVec3::ZERO || !normal.is_finite() {
-        return Err(ImproveError::NoFront);
+        return Err(MeshError::refused(
+            "the mesh is not planar, or parts of it are turned over: its triangles face opposite ways or \
+             have no area; give a flat mesh whose triangles face one way",
+        ));
     }
     let plane = Plane::new(low.midpoint(high), normal);
     // The middle of the box need not be on a tilted plane: a vertex is.
@@ -215,9 +183,10 @@ fn plane(
         .map(|(vertex, at)| (plane.distance(at), vertex))
         .max_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
     match farthest {
-        Some((distance, vertex)) if distance > tolerance => {
-            Err(ImproveError::NotPlanar { vertex, distance, tolerance })
-        }
+        Some((distance, vertex)) if distance > tolerance => Err(MeshError::Refused(format!(
+            "the mesh is not planar: vertex {vertex} (counted from 0) is {distance:.3e} off the plane \
+                 of the others; the tolerance is {tolerance:.3e}"
+        ))),
         _ => Ok(plane),
     }
 }

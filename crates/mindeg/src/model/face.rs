@@ -8,7 +8,7 @@ use mindeg_exact::measure::min_angle_tangent;
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
-use super::error::ModelMeshError;
+use crate::error::MeshError;
 
 /// A face: the vertices of the model at each place, and its boundary in its plane.
 pub(super) struct PlaneFace {
@@ -17,14 +17,9 @@ pub(super) struct PlaneFace {
 }
 
 impl PlaneFace {
-    pub(super) fn new(
-        model: &Model,
-        positions: &[DVec3],
-        face: usize,
-    ) -> Result<Self, ModelMeshError> {
-        let (vertices, boundary) = model
-            .boundary(face, positions)
-            .map_err(|source| ModelMeshError::Boundary { face, source })?;
+    pub(super) fn new(model: &Model, positions: &[DVec3], face: usize) -> Result<Self, MeshError> {
+        let (vertices, boundary) =
+            model.boundary(face, positions).map_err(|error| MeshError::of_face(face, error))?;
         Ok(Self { vertices, boundary })
     }
 
@@ -35,9 +30,9 @@ impl PlaneFace {
         Problem::triangulated(self.boundary.points(), self.boundary.runs(), triangles)
     }
 
-    pub(super) fn delaunay(&self, face: usize) -> Result<Vec<[u32; 3]>, ModelMeshError> {
+    pub(super) fn delaunay(&self, face: usize) -> Result<Vec<[u32; 3]>, MeshError> {
         mindeg_delaunay::triangles(&self.boundary, &[], &[], Progress::NONE)
-            .map_err(|source| ModelMeshError::Delaunay { face, source })
+            .map_err(|error| MeshError::of_face(face, error))
     }
 
     /// The tangent of the minimum angle of some triangles.

@@ -4,9 +4,10 @@ use mindeg_domain::{Interior, Model};
 use mindeg_interior::{Fixed, Generated, Options, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
-use super::error::ModelMeshError;
+use super::assembled;
 use super::face::PlaneFace;
-use super::{assembled, min_angle};
+use crate::error::MeshError;
+use crate::fill::min_angle;
 use crate::parallel::map_indices;
 
 /// Faces from one report of progress to the next.
@@ -55,13 +56,13 @@ pub fn fill_model(
     model: &Model,
     wanted: &Interior,
     progress: Progress<'_>,
-) -> Result<FilledModel, ModelMeshError> {
+) -> Result<FilledModel, MeshError> {
     let mut positions = model.positions();
     let options = Options::from(wanted.clone());
     let faces: Vec<usize> = (0..model.face_count()).collect();
     let fill = |face: usize| {
         let face_of_model = PlaneFace::new(model, &positions, face)?;
-        let failed = |source| ModelMeshError::Interior { face, source };
+        let failed = |error| MeshError::of_face(face, error);
         let boundary = &face_of_model.boundary;
         let found = generate(boundary, &Fixed::default(), &options, Progress::NONE);
         found.map_err(failed)

@@ -5,8 +5,8 @@ use mindeg_domain::Model;
 use mindeg_exact::Problem;
 use mindeg_mesh::Progress;
 
-use super::error::ModelMeshError;
 use super::face::PlaneFace;
+use crate::error::MeshError;
 use crate::parallel::map_indices;
 
 /// Faces from one report of progress to the next.
@@ -39,7 +39,7 @@ impl<'m> Joint<'m> {
         model: &'m Model,
         keep_angle: Option<f64>,
         progress: Progress<'_>,
-    ) -> Result<Self, ModelMeshError> {
+    ) -> Result<Self, MeshError> {
         let positions = model.positions();
         let mut triangles = Vec::with_capacity(model.face_count());
         let mut thresholds = Vec::with_capacity(model.face_count());
@@ -113,10 +113,10 @@ fn first(
     positions: &[DVec3],
     face: usize,
     keep_angle: Option<f64>,
-) -> Result<First, ModelMeshError> {
+) -> Result<First, MeshError> {
     let plane_face = PlaneFace::new(model, positions, face)?;
-    let check = |triangles: &[[u32; 3]]| -> Result<Problem, ModelMeshError> {
-        let failed = |source| ModelMeshError::Face { face, source };
+    let check = |triangles: &[[u32; 3]]| -> Result<Problem, MeshError> {
+        let failed = |error| MeshError::of_face(face, error);
         plane_face.problem(triangles).map_err(failed)
     };
     let Some(share) = keep_angle else {

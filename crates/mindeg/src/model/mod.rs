@@ -11,7 +11,6 @@
 mod bound;
 mod colors;
 mod descent;
-mod error;
 mod face;
 #[cfg(feature = "interior")]
 mod filled;
@@ -20,16 +19,16 @@ mod polish;
 mod random;
 
 pub use bound::JointBound;
-pub use error::ModelMeshError;
 #[cfg(feature = "interior")]
 pub use filled::{FilledModel, fill_model};
 
 use glam::DVec3;
 use mindeg_domain::Model;
-use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Group, Line, Progress, TriMesh, TriMeshError};
 
-use crate::goal::Goal;
+use crate::error::MeshError;
+use crate::fill::min_angle;
+use crate::goal::{GOALS, Goal, GoalKind, GoalValue};
 use descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use joint::Joint;
 
@@ -101,12 +100,12 @@ pub fn mesh_model(
     goal: Goal,
     effort: f64,
     progress: Progress<'_>,
-) -> Result<ModelMesh, ModelMeshError> {
+) -> Result<ModelMesh, MeshError> {
     let (share, limit) = match goal {
         Goal::LeastDegree => (None, 0),
         Goal::KeepAngle(share) => (Some(share), 0),
         Goal::MaxDegree(limit) => (None, limit),
-        Goal::Optimize(_) => return Err(ModelMeshError::of_goal(goal)),
+        Goal::Optimize(_) => return Err(not_for_models(goal)),
     };
     let mut joint = Joint::new(model, share, progress)?;
     let mut bound = bound::cheap(&joint);
@@ -134,11 +133,15 @@ pub fn mesh_model(
     finished(model, joint, bound)
 }
 
-fn finished(
-    model: &Model,
-    joint: Joint<'_>,
-    bound: JointBound,
-) -> Result<ModelMesh, ModelMeshError> {
+/// Why models do not take a goal.
+fn not_for_models(goal: Goal) -> MeshError {
+    let others = GOALS.iter().filter(|kind| kind.models && kind.value != GoalValue::Nothing);
+    let instead = others.map(GoalKind::option).collect::<Vec<_>>().join(" or ");
+    let option = goal.kind_and_value().0.option();
+    MeshError::Refused(format!("{option} is for domains; for a model give {instead}"))
+}
+
+fn finished(model: &Model, joint: Joint<'_>, bound: JointBound) -> Result<ModelMesh, MeshError> {
     let max_degree = joint.max_degree();
     let is_worst = |&(_, &degree): &(usize, &u32)| degree == max_degree;
     let worst_vertices =
@@ -195,14 +198,6 @@ fn assembled(
         None => mesh,
     };
     Ok((mesh, face_starts))
-}
-
-fn min_angle(positions: &[DVec3], triangles: &[[u32; 3]]) -> f64 {
-    let angle = |triangle: &[u32; 3]| {
-        let [a, b, c] = triangle.map(|vertex| positions[vertex as usize]);
-        TriangleQuality::in_space(a, b, c).min_angle
-    };
-    triangles.iter().map(angle).fold(f64::INFINITY, f64::min)
 }
 
 /// The named edges as lines.

@@ -16,9 +16,8 @@ use mindeg_exact::check::CheckedOutline;
 use mindeg_mesh::{Progress, check};
 
 use super::triangulation::VerifiedMesh;
-use crate::boundary_mesh::MeshError;
+use crate::error::MeshError;
 use crate::exact::{self, DegreeAnswer};
-use crate::exact_error::ExactError;
 use crate::goal::{Goal, mesh};
 use crate::posed::Posed;
 
@@ -101,7 +100,7 @@ pub fn optimality(
     verified: &VerifiedMesh,
     domain: &Domain,
     progress: Progress<'_>,
-) -> Result<Optimality, ExactError> {
+) -> Result<Optimality, MeshError> {
     let unknown = |reason: &str| Ok(Optimality::Unknown { reason: reason.to_owned() });
     if verified.interior_points > 0 {
         return unknown("it has interior points, and the least degree is that of meshes without");
@@ -143,11 +142,11 @@ fn of_any(
     verified: &VerifiedMesh,
     domain: &Domain,
     progress: Progress<'_>,
-) -> Result<Optimality, ExactError> {
+) -> Result<Optimality, MeshError> {
     let answer = exact::degree(domain, progress)?;
     let max_degree = verified.max_degree;
     let rings: Vec<Range<u32>> = domain.rings().rings().collect();
-    let boundary = domain.boundary().map_err(MeshError::from)?;
+    let boundary = domain.boundary()?;
     let outline = CheckedOutline {
         points: boundary.points(),
         rings: &rings,

@@ -1,0 +1,88 @@
+//! Why there is no mesh.
+
+use mindeg_delaunay::DelaunayError;
+use mindeg_exact::{BridgeUnsolved, ProblemError, Unsolved};
+use mindeg_mesh::check::CheckError;
+use mindeg_mesh::planar::BoundaryFaults;
+use mindeg_mesh::{Cancelled, TriMeshError};
+
+/// Why a domain, a model or a mesh has no mesh of the kind that was asked for.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeshError {
+    /// The reason in a sentence, with the place and a way out.
+    #[error("{0}")]
+    Refused(String),
+    /// The domain constrains its degrees, which the formula does not take.
+    #[error(
+        "the domain has constraints on its degrees, which take the exact solver; leave out \
+         outside_degree and max_degree for a mesh of least degree"
+    )]
+    Constrained,
+    /// Windows do not keep the degree limits of single vertices.
+    #[error(
+        "no mesh was found that keeps the degree limits of single vertices; with holes, and where \
+         too many vertices see each other, not all meshes are searched; raise these limits"
+    )]
+    LimitsNotReached,
+    /// It is too large.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// No mesh keeps the limit for all vertices.
+    #[error(transparent)]
+    Unsolved(#[from] Unsolved),
+    /// No strip joins the loops.
+    #[error(transparent)]
+    Bridge(#[from] BridgeUnsolved),
+    /// Its points have no Delaunay triangulation to start from.
+    #[error(transparent)]
+    Delaunay(#[from] DelaunayError),
+    /// The boundary is not simple.
+    #[error("once its points are rounded to f64, the boundary is not simple: {0}")]
+    Boundary(#[from] BoundaryFaults),
+    /// The triangles are not a triangulation of the domain.
+    #[error("the triangles are no mesh of the domain: {0}")]
+    Triangles(#[from] CheckError),
+    /// The triangles are not a mesh.
+    #[error(transparent)]
+    List(#[from] TriMeshError),
+    /// The progress callback cancelled the work.
+    #[error(transparent)]
+    Cancelled(#[from] Cancelled),
+}
+
+impl MeshError {
+    pub(crate) fn refused(sentence: impl ToString) -> Self {
+        Self::Refused(sentence.to_string())
+    }
+
+    /// The formula does not take a domain.
+    pub(crate) fn not_convex() -> Self {
+        Self::refused(
+            "the domain is not convex or has holes, which the formula does not take; use the solver",
+        )
+    }
+
+    /// A triangle whose points are on a line, as far as their coordinates tell.
+    pub(crate) fn no_area(triangle: [u32; 3]) -> Self {
+        Self::Refused(format!(
+            "triangle {triangle:?} is so thin that it has no area at the precision of its coordinates; use \
+             fewer intervals or gentler spacing laws, or move the domain towards the origin"
+        ))
+    }
+
+    /// An error of a face of a model.
+    pub(crate) fn of_face(face: usize, error: impl std::fmt::Display) -> Self {
+        Self::Refused(format!("face {face}: {error}"))
+    }
+}
+
+#[cfg(feature = "interior")]
+impl From<mindeg_interior::InteriorError> for MeshError {
+    fn from(error: mindeg_interior::InteriorError) -> Self {
+        match error {
+            mindeg_interior::InteriorError::Cancelled(cancelled) => cancelled.into(),
+            error => Self::refused(error),
+        }
+    }
+}
