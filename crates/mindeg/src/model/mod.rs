@@ -105,7 +105,7 @@ pub fn mesh_model(
         Goal::LeastDegree => (None, 0),
         Goal::KeepAngle(share) => (Some(share), 0),
         Goal::MaxDegree(limit) => (None, limit),
-        Goal::Optimize(_) => return Err(not_for_models(goal)),
+        _ => return Err(not_for_models(goal)),
     };
     let mut joint = Joint::new(model, share, progress)?;
     let mut bound = bound::cheap(&joint);
