@@ -5,7 +5,7 @@ mod polygon;
 pub use polygon::OutlinePolygon;
 
 use mindeg::inspection::{Inspection, InspectionOptions};
-use mindeg::quality::{ANGLES, DegreeHistogram, Distribution, METRICS};
+use mindeg::quality::{DegreeHistogram, Distribution, WorstTriangle, WorstTriangles};
 use mindeg_core::{Boundary, least_max_degree};
 use mindeg_mesh::TriMesh;
 use schemars::JsonSchema;
@@ -142,6 +142,20 @@ pub struct ConvexOutline {
     pub least_max_degree: u32,
 }
 
+impl ThinTriangle {
+    /// The worst of some triangles, worst first.
+    #[must_use]
+    pub fn listed(worst: &WorstTriangles, triangles: &[[u32; 3]]) -> Vec<Self> {
+        let described = worst.iter().map(|&WorstTriangle { triangle, quality }| Self {
+            triangle,
+            vertices: triangles[triangle as usize],
+            min_angle: quality.min_angle,
+            max_angle: quality.max_angle,
+        });
+        described.collect()
+    }
+}
+
 impl InspectionReport {
     /// What `inspection` found in `mesh` under `options`, and the least degree of its outline.
     ///
@@ -208,26 +222,9 @@ impl InspectionReport {
             area: quality.area,
             min_angle: min_angle.map_or(0.0, |spread| spread.min),
             max_angle: max_angle.map_or(180.0, |spread| spread.max),
-            metrics: METRICS
-                .iter()
-                .zip(&quality.metrics)
-                .map(|(metric, spread)| (metric.name, *spread))
-                .collect(),
-            share_below_degrees: ANGLES
-                .iter()
-                .zip(quality.shares_below)
-                .map(|(&angle, share)| (angle as u32, share))
-                .collect(),
-            worst_triangles: inspection
-                .worst_triangles
-                .iter()
-                .map(|worst| ThinTriangle {
-                    triangle: worst.triangle,
-                    vertices: mesh.triangles()[worst.triangle as usize],
-                    min_angle: worst.quality.min_angle,
-                    max_angle: worst.quality.max_angle,
-                })
-                .collect(),
+            metrics: quality.by_name(),
+            share_below_degrees: quality.shares_by_angle(),
+            worst_triangles: ThinTriangle::listed(&inspection.worst_triangles, mesh.triangles()),
             outline: outline.ok().and_then(|outline| {
                 let counts: Vec<u64> = outline.intervals.iter().copied().map(u64::from).collect();
                 Some(ConvexOutline {

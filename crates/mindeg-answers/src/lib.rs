@@ -20,3 +20,4 @@ pub mod numbers;
 pub mod preset;
 pub mod suggest;
 pub mod trade_off;
+pub mod verify;

@@ -70,6 +70,18 @@ impl ShownMetric {
     }
 }
 
+impl From<&ShownMetric> for MeasureFacts {
+    fn from(measure: &ShownMetric) -> Self {
+        Self {
+            name: measure.name,
+            title: measure.title,
+            unit: measure.metric().unit,
+            explanation: measure.explanation(),
+            higher_is_better: measure.higher_is_better(),
+        }
+    }
+}
+
 /// A measure with its words.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MeasureFacts {
@@ -83,17 +95,4 @@ pub struct MeasureFacts {
     pub explanation: String,
     /// Whether larger values are better.
     pub higher_is_better: bool,
-}
-
-/// All measures that pages show, with their words.
-#[must_use]
-pub fn measure_facts() -> Vec<MeasureFacts> {
-    let facts = SHOWN.iter().map(|measure| MeasureFacts {
-        name: measure.name,
-        title: measure.title,
-        unit: measure.metric().unit,
-        explanation: measure.explanation(),
-        higher_is_better: measure.higher_is_better(),
-    });
-    facts.collect()
 }

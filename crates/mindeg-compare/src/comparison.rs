@@ -4,10 +4,10 @@ use crate::figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 use crate::interior;
 use crate::reference::Reference;
 use crate::report::{Provenance, Report};
-use crate::{Advice, Method, NoTriangulation, measure, tie_count, verdict};
+use crate::{Advice, Method, NoTriangulation, measure, verdict};
 use glam::DVec2;
 use mindeg::exact::{self, ExactMesh, TradeOff};
-use mindeg::{Domain, Goal, MeshError, Progress, Step};
+use mindeg::{Domain, Goal, MeshError, Progress, Rings, Step};
 use mindeg_answers::advice::KEPT;
 use mindeg_answers::trade_off::TradeOffAnswer;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -183,10 +183,8 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
         let (measured, list) = match outcome {
             Ok(timed) => {
                 let measured = figures(method, &timed.triangles);
-                let is_delaunay = reference == Reference::Delaunay && measured.valid;
-                let ties = is_delaunay.then(|| tie_count(boundary.points(), &timed.triangles));
                 let seconds = Some(timed.time.as_secs_f64());
-                (MethodFigures { ties, seconds, ..measured }, timed.triangles)
+                (MethodFigures { seconds, ..measured }, timed.triangles)
             }
             Err(reason) => (without_triangles(method, &reason), Vec::new()),
         };
@@ -209,6 +207,7 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     let domain = DomainFigures {
         name: domain.name().map(str::to_owned),
         intervals: rings.sides().collect(),
+        side_lengths: side_lengths(&boundary, rings),
         side_names: domain.sides().iter().map(|side| side.name.clone()).collect(),
         corners: domain.placement().corners().iter().map(DVec2::to_array).collect(),
         vertices,
@@ -229,6 +228,17 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     };
     report.verdict = verdict::verdict(&report).text();
     Ok(Comparison { report, boundary, outlines, triangles, trade_off })
+}
+
+/// The sum of the lengths of each side's intervals.
+fn side_lengths(boundary: &PlanarBoundary, rings: &Rings) -> Vec<f64> {
+    let at = |vertex: u32| boundary.points()[vertex as usize];
+    let length = |side: usize| {
+        let first = rings.corner(side);
+        let edges = (first..first + rings.intervals(side)).map(|v| (at(v), at(boundary.next(v))));
+        edges.map(|(from, to)| from.distance(to)).sum()
+    };
+    (0..rings.side_count()).map(length).collect()
 }
 
 /// The rings as closed lines: of straight sides the corners, of others all points.
@@ -320,15 +330,6 @@ mod tests {
     use mindeg::Side;
 
     #[test]
-    fn only_delaunay_has_ties() {
-        let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(10); 4]).unwrap();
-        let comparison = compare(&domain, &CompareOptions::default()).unwrap();
-        let ties: Vec<_> = comparison.report().methods.iter().map(|method| method.ties).collect();
-        // The last two are exact meshes, of degrees 4 and 5.
-        assert_eq!(ties, [None, Some(2), None, None, None, None]);
-    }
-
-    #[test]
     fn what_is_late_is_reported_and_the_rest_goes_on() {
         let domain = Domain::rectangle(4.0, 3.0, vec![Side::count(20_000); 4]).unwrap();
         let options =
@@ -377,6 +378,31 @@ mod tests {
                 }
             }
             assert!(report.methods[0].valid && !comparison.triangles(0).is_empty());
+        }
+    }
+
+    /// The last side of a ring ends at its first corner, and a curve is longer than its chord.
+    #[test]
+    fn sides_have_their_own_lengths() {
+        let text = r#"{"polygon": {"corners": [[0,0],[4,0],[4,4],[0,4]]}, "size": 1,
+            "sides": [{}, {}, {"intervals": 400, "arc": {"through": [2, 6]}}, {}],
+            "holes": [{"corners": [[1, 1], [3, 1], [3, 2]]}]}"#;
+        let comparison =
+            compare(&Domain::from_json(text).unwrap(), &CompareOptions::default()).unwrap();
+        let lengths = &comparison.report().domain.side_lengths;
+        let half_circle = 2.0 * std::f64::consts::PI;
+        let mut hole = [lengths[4], lengths[5], lengths[6]];
+        hole.sort_by(f64::total_cmp);
+        for (found, expected) in lengths[..4].iter().chain(&hole).zip([
+            4.0,
+            4.0,
+            half_circle,
+            4.0,
+            1.0,
+            2.0,
+            5.0_f64.sqrt(),
+        ]) {
+            assert!((found - expected).abs() < 1e-4, "{lengths:?}");
         }
     }
 

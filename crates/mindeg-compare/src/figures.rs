@@ -18,6 +18,8 @@ pub struct DomainFigures {
     pub side_names: Vec<Option<String>>,
     /// The x and y of each corner; side i runs from corner i to the next of its ring.
     pub corners: Vec<[f64; 2]>,
+    /// The sum of the lengths of each side's intervals.
+    pub side_lengths: Vec<f64>,
     /// The number of boundary vertices n.
     pub vertices: u32,
     /// The number of holes h.
@@ -52,15 +54,12 @@ pub struct MethodFigures {
     pub min_angle: Option<f64>,
     /// The maximum angle of all triangles, in degrees.
     pub max_angle: Option<f64>,
-    /// How each measure of quality is spread over the triangles.
-    pub metrics: Option<MetricFigures>,
+    /// How each measure of quality is spread over the triangles, with the keys of `mindeg inspect --json`.
+    pub metrics: Option<BTreeMap<&'static str, Distribution>>,
     /// The share of triangles, 0 to 1, with an angle below 1, 5, 10, 15 and 20 degrees.
     pub share_below_degrees: BTreeMap<u32, f64>,
     /// The five triangles with the minimum angles, worst first.
     pub worst_triangles: Vec<ThinTriangle>,
-    /// For a Delaunay triangulation, the number of interior edges whose two triangles lie on
-    /// one circle: there the other diagonal would be as good, and degrees are arbitrary.
-    pub ties: Option<u32>,
     /// Whether the triangles have passed the check: all of them counter-clockwise, none flat, every
     /// boundary edge in one and every interior edge in two.
     pub valid: bool,
@@ -75,23 +74,11 @@ impl MethodFigures {
     pub(crate) fn outcome(&self) -> Option<(u32, f64)> {
         self.max_degree.zip(self.min_angle).filter(|_| self.valid)
     }
-}
 
-/// The measures of quality of all triangles. Edge lengths are x <= y <= z, A is the area.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct MetricFigures {
-    /// The angle opposite x, in degrees: 60 (best) to 0.
-    pub min_angle: Distribution,
-    /// The angle opposite z, in degrees: 60 (best) to 180.
-    pub max_angle: Distribution,
-    /// 2A/z, in the domain's unit of length.
-    pub minimum_height: Distribution,
-    /// z (x+y+z)/(4√3 A): 1 (best) to infinity.
-    pub aspect_ratio: Distribution,
-    /// xyz (x+y+z)/(16 A²), the circumradius over twice the inradius: 1 (best) to infinity.
-    pub radius_ratio: Distribution,
-    /// 4√3 A/(x²+y²+z²): 1 (best) to 0.
-    pub shape: Distribution,
+    /// How a measure is spread.
+    pub(crate) fn spread(&self, measure: &str) -> Option<&Distribution> {
+        self.metrics.as_ref()?.get(measure)
+    }
 }
 
 /// Why a method has no valid triangulation.
@@ -122,18 +109,4 @@ pub enum DefectKind {
     NoTriangles,
     /// The method was given up after its time limit.
     TimeLimit,
-}
-
-impl MetricFigures {
-    /// The distribution of a measure, by its name.
-    pub(crate) fn distribution(&self, name: &str) -> &Distribution {
-        match name {
-            "max_angle" => &self.max_angle,
-            "minimum_height" => &self.minimum_height,
-            "aspect_ratio" => &self.aspect_ratio,
-            "radius_ratio" => &self.radius_ratio,
-            "shape" => &self.shape,
-            _ => &self.min_angle,
-        }
-    }
 }

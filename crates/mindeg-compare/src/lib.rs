@@ -41,10 +41,10 @@ mod verdict;
 
 pub use advice::Advice;
 pub use comparison::{CompareError, CompareOptions, Comparison, MAX_COMPARED_VERTICES, compare};
-pub use figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures, MetricFigures};
+pub use figures::{DefectKind, DomainFigures, MethodDefect, MethodFigures};
 pub use interior::InteriorFigures;
 pub use method::Method;
-pub use reference::{NoTriangulation, Reference, Timed, tie_count};
+pub use reference::{NoTriangulation, Reference, Timed};
 pub use report::{
     IndexEntry, PageLinks, Provenance, Report, report_schema, viewer_script, viewer_style,
     write_html, write_index, write_json, write_linked_html, write_markdown, write_trade_off_html,

@@ -3,15 +3,12 @@
 //! Limits: takes any list whose vertices exist, valid or not. For invalid meshes
 //! the figures describe the triangles given.
 
-use crate::figures::{DefectKind, MethodDefect, MethodFigures, MetricFigures};
+use crate::figures::{DefectKind, MethodDefect, MethodFigures};
 use glam::DVec2;
-use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality};
+use mindeg::quality::{DegreeHistogram, QualitySummary, TriangleQuality, WorstTriangles};
 use mindeg_answers::inspected::ThinTriangle;
 use mindeg_mesh::check;
 use mindeg_mesh::planar::PlanarBoundary;
-
-/// The angles, in degrees, below which triangles are counted.
-const BELOW: [u32; 5] = [1, 5, 10, 15, 20];
 
 /// How many of the worst triangles are listed.
 const WORST: usize = 5;
@@ -76,22 +73,17 @@ pub(crate) fn measured(
 ) -> MethodFigures {
     let histogram: DegreeHistogram = degrees.into_iter().collect();
     let summary = QualitySummary::of(qualities.iter().copied());
-    let share_below = |angle: u32| {
-        let small = qualities.iter().filter(|quality| quality.min_angle < f64::from(angle)).count();
-        (angle, small as f64 / qualities.len() as f64)
-    };
-    let metrics = summary.as_ref().and_then(metric_figures);
+    let metrics = summary.as_ref().map(QualitySummary::by_name);
+    let mut worst = WorstTriangles::new(WORST);
+    (0..).zip(qualities).for_each(|(index, &quality)| worst.add(index, quality));
     MethodFigures {
         max_degree: histogram.max_degree(),
         degree_histogram: histogram.iter().collect(),
-        min_angle: metrics.as_ref().map(|metrics| metrics.min_angle.min),
-        max_angle: metrics.as_ref().map(|metrics| metrics.max_angle.max),
+        min_angle: metrics.as_ref().map(|metrics| metrics["min_angle"].min),
+        max_angle: metrics.as_ref().map(|metrics| metrics["max_angle"].max),
         metrics,
-        share_below_degrees: match qualities.len() {
-            0 => [].into(),
-            _ => BELOW.map(share_below).into(),
-        },
-        worst_triangles: worst(qualities, triangles),
+        share_below_degrees: summary.map(|it| it.shares_by_angle()).unwrap_or_default(),
+        worst_triangles: ThinTriangle::listed(&worst, triangles),
         ..MethodFigures::default()
     }
 }
@@ -100,18 +92,6 @@ pub(crate) fn measured(
 pub(crate) fn quality(points: &[DVec2], triangle: [u32; 3]) -> TriangleQuality {
     let [a, b, c] = triangle.map(|vertex| points[vertex as usize]);
     TriangleQuality::of(a, b, c)
-}
-
-fn metric_figures(summary: &QualitySummary) -> Option<MetricFigures> {
-    let of = |name| summary.metric(name).copied();
-    Some(MetricFigures {
-        min_angle: of("min_angle")?,
-        max_angle: of("max_angle")?,
-        minimum_height: of("minimum_height")?,
-        aspect_ratio: of("aspect_ratio")?,
-        radius_ratio: of("radius_ratio")?,
-        shape: of("shape")?,
-    })
 }
 
 /// The number of neighbours of every vertex of a boundary, its two on the boundary included, in a list
@@ -172,25 +152,6 @@ fn defects(checker: &Checker<'_>, triangles: &[[u32; 3]]) -> Vec<MethodDefect> {
     } else {
         counted
     }
-}
-
-fn worst(qualities: &[TriangleQuality], triangles: &[[u32; 3]]) -> Vec<ThinTriangle> {
-    let by_angle = |&a: &usize, &b: &usize| {
-        qualities[a].min_angle.total_cmp(&qualities[b].min_angle).then(a.cmp(&b))
-    };
-    let mut numbers: Vec<usize> = (0..triangles.len()).collect();
-    if numbers.len() > WORST {
-        numbers.select_nth_unstable_by(WORST, by_angle);
-        numbers.truncate(WORST);
-    }
-    numbers.sort_unstable_by(by_angle);
-    let described = numbers.into_iter().map(|number| ThinTriangle {
-        triangle: number as u32,
-        vertices: triangles[number],
-        min_angle: qualities[number].min_angle,
-        max_angle: qualities[number].max_angle,
-    });
-    described.collect()
 }
 
 #[cfg(test)]

@@ -84,11 +84,7 @@ pub(crate) fn verdict(report: &Report) -> Verdict {
         ));
     }
     let (headline, taken) = headline(report, mindeg, delaunay);
-    Verdict {
-        headline,
-        caveat: caveat(taken, delaunay),
-        notes: notes(report, delaunay, angle_there),
-    }
+    Verdict { headline, caveat: caveat(taken, delaunay), notes: notes(report, angle_there) }
 }
 
 /// The words that follow mindeg's maximum degree.
@@ -153,24 +149,14 @@ fn headline<'a>(
     (text, advised)
 }
 
-/// Notes on the limits of the boundary, on arbitrary degrees and on methods that failed.
-fn notes(report: &Report, delaunay: &MethodFigures, angle_there: f64) -> Vec<String> {
+/// Notes on the limits of the boundary and on methods that failed.
+fn notes(report: &Report, angle_there: f64) -> Vec<String> {
     let mut sentences = Vec::new();
     if angle_there < GOOD_ANGLE {
         sentences.push(format!(
             "No triangulation of these boundary points alone has a minimum angle above {}; to \
              do better, change the intervals or add points inside.",
             steady_angle(angle_there)
-        ));
-    }
-    if let Some(ties) = delaunay.ties.filter(|&ties| ties > 0) {
-        sentences.push(format!(
-            "The Delaunay triangulation is one of several: across {} of its {} interior edge{} \
-             four points lie on one circle and either diagonal will do, so its degrees are \
-             arbitrary among ties; its minimum angle is not.",
-            count(ties),
-            count(report.domain.interior_edges),
-            if report.domain.interior_edges == 1 { "" } else { "s" }
         ));
     }
     sentences.extend(report.methods.iter().filter_map(failure));
@@ -205,7 +191,7 @@ fn caveat(taken: &MethodFigures, delaunay: &MethodFigures) -> Option<String> {
             rounded(there)
         )
     });
-    let median = |method: &MethodFigures| method.metrics.as_ref().map(|m| m.min_angle.median);
+    let median = |method: &MethodFigures| method.spread("min_angle").map(|spread| spread.median);
     let low = median(taken).zip(median(delaunay)).filter(|(own, there)| *own < LOW_MEDIAN * there);
     let low = low.map(|(own, there)| {
         format!(
@@ -240,7 +226,7 @@ fn reasons(method: &MethodFigures) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::{DomainFigures, MethodDefect, MetricFigures};
+    use crate::figures::{DomainFigures, MethodDefect};
     use crate::report::Provenance;
     use crate::{Advice, Reference};
     use mindeg::quality::Distribution;
@@ -282,6 +268,7 @@ mod tests {
             name: None,
             intervals: vec![10; 4],
             side_names: vec![None; 4],
+            side_lengths: vec![4.0, 3.0, 4.0, 3.0],
             corners: vec![[0.0, 0.0], [4.0, 0.0], [4.0, 3.0], [0.0, 3.0]],
             vertices: 40,
             triangles: 38,
@@ -386,14 +373,7 @@ mod tests {
         let with = |method: MethodFigures, median: f64| {
             let [min, p01, mean, p99, max] = [25.0; 5];
             let all = Distribution { min, p01, median, mean, p99, max };
-            let metrics = MetricFigures {
-                min_angle: all,
-                max_angle: all,
-                minimum_height: all,
-                aspect_ratio: all,
-                radius_ratio: all,
-                shape: all,
-            };
+            let metrics = [("min_angle", all)].into();
             MethodFigures { metrics: Some(metrics), ..method }
         };
         let first = "Take degree 4: all of Delaunay's minimum angle, at most 4 edges at a vertex instead of 14.";
@@ -425,20 +405,16 @@ mod tests {
     }
 
     #[test]
-    fn tells_the_limit_and_the_ties() {
+    fn tells_the_limit() {
         let level = "Take degree 4: Delaunay's mesh has the least possible maximum degree, too.";
         check(
-            vec![mindeg(4, 12.5), MethodFigures { ties: Some(7), ..delaunay(4, 12.5) }],
+            vec![mindeg(4, 12.5), delaunay(4, 12.5)],
             &[
                 level,
                 "No triangulation of these boundary points alone has a minimum angle above 12.500°; to do better, change the intervals or add points inside.",
-                "The Delaunay triangulation is one of several: across 7 of its 37 interior edges four points lie on one circle and either diagonal will do, so its degrees are arbitrary among ties; its minimum angle is not.",
             ],
         );
-        check(
-            vec![mindeg(4, 25.0), MethodFigures { ties: Some(0), ..delaunay(4, 25.0) }],
-            &[level],
-        );
+        check(vec![mindeg(4, 25.0), delaunay(4, 25.0)], &[level]);
     }
 
     #[test]

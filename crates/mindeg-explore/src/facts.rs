@@ -2,7 +2,7 @@
 
 use mindeg::GOALS;
 use mindeg_answers::interior_keys::interior_keys;
-use mindeg_answers::measures::measure_facts;
+use mindeg_answers::measures::SHOWN;
 
 use crate::answer::MAX_VERTICES;
 use crate::api::Facts;
@@ -10,7 +10,7 @@ use crate::download::format_facts;
 
 pub(crate) fn facts(max_bytes: usize) -> Facts {
     Facts {
-        measures: measure_facts(),
+        measures: SHOWN.iter().map(Into::into).collect(),
         formats: format_facts(),
         goals: &GOALS,
         interior: interior_keys(),

@@ -12,7 +12,7 @@ use crate::parallel::map_all;
 use crate::quality::{METRICS, TriangleQuality};
 
 /// The minimum angles in degrees below which [`QualitySummary::shares_below`] counts triangles.
-pub const ANGLES: [f64; 4] = [1.0, 5.0, 10.0, 20.0];
+pub const ANGLES: [f64; 5] = [1.0, 5.0, 10.0, 15.0, 20.0];
 
 /// The number of values in a block of a sum.
 const BLOCK: usize = 1024;
@@ -125,7 +125,7 @@ impl FromIterator<TriangleQuality> for Columns {
 /// let summary = QualitySummary::of([right; 4]).unwrap();
 /// assert_eq!((summary.triangle_count, summary.area), (4, 24.0));
 /// assert_eq!(summary.metric("max_angle").unwrap().max, 90.0);
-/// assert_eq!(summary.shares_below, [0.0; 4]);
+/// assert_eq!(summary.shares_below, [0.0; 5]);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct QualitySummary {
@@ -175,6 +175,18 @@ impl QualitySummary {
     #[must_use]
     pub fn metric(&self, name: &str) -> Option<&Distribution> {
         METRICS.iter().zip(&self.metrics).find(|(metric, _)| metric.name == name).map(|(_, d)| d)
+    }
+
+    /// The distribution of each measure by its name.
+    #[must_use]
+    pub fn by_name(&self) -> BTreeMap<&'static str, Distribution> {
+        METRICS.iter().zip(&self.metrics).map(|(metric, spread)| (metric.name, *spread)).collect()
+    }
+
+    /// The share of triangles below each of [`ANGLES`].
+    #[must_use]
+    pub fn shares_by_angle(&self) -> BTreeMap<u32, f64> {
+        ANGLES.iter().zip(self.shares_below).map(|(&angle, share)| (angle as u32, share)).collect()
     }
 }
 
@@ -272,7 +284,7 @@ mod tests {
         let summary = QualitySummary::of([1.0, 0.2, 0.1, 0.01].map(right)).unwrap();
         assert_eq!(summary.triangle_count, 4);
         assert!((summary.area - 0.655).abs() < 1e-15);
-        assert_eq!(summary.shares_below, [0.25, 0.25, 0.5, 0.75]);
+        assert_eq!(summary.shares_below, [0.25, 0.25, 0.5, 0.75, 0.75]);
         assert_eq!(summary.metric("max_angle").unwrap().min, 90.0);
         assert_eq!(summary.metric("minimum_height").unwrap().max, right(1.0).minimum_height);
         assert_eq!(summary.metric("skew"), None);

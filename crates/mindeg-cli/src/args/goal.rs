@@ -37,7 +37,12 @@ impl GoalArguments {
     }
 }
 
-/// The option for a kind. A maximum degree is also a demand, so it goes with any other.
+/// Whether a kind is also a demand on the mesh of another goal.
+fn is_demand(kind: &GoalKind) -> bool {
+    kind.key == "max_degree"
+}
+
+/// The option for a kind.
 fn option(kind: &'static GoalKind) -> Arg {
     let read = |text: &str| kind.read(text);
     let arg = Arg::new(kind.key)
@@ -48,14 +53,16 @@ fn option(kind: &'static GoalKind) -> Arg {
     let arg = match kind.value {
         GoalValue::Nothing => arg.action(ArgAction::SetTrue),
         GoalValue::Share => arg.value_name("SHARE").value_parser(ValueParser::from(read)),
-        GoalValue::Degree => return arg.value_name("D").value_parser(ValueParser::from(read)),
+        GoalValue::Degree => arg.value_name("D").value_parser(ValueParser::from(read)),
         GoalValue::Word(word) => {
             let words = PossibleValuesParser::new([word]);
             arg.value_name("WHAT").value_parser(words.try_map(|word| kind.read(&word)))
         }
     };
-    let others =
-        GoalArguments::all().filter(|it| it.key != kind.key && it.value != GoalValue::Degree);
+    if is_demand(kind) {
+        return arg;
+    }
+    let others = GoalArguments::all().filter(|it| it.key != kind.key && !is_demand(it));
     arg.conflicts_with_all(others.map(|other| other.key))
 }
 

@@ -7,7 +7,6 @@
 
 mod ear_clipping;
 mod fan;
-mod ties;
 
 use mindeg::Domain;
 use mindeg_delaunay::DelaunayError;
@@ -17,8 +16,6 @@ use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread;
 use std::time::{Duration, Instant};
-
-pub use ties::tie_count;
 
 /// A method to compare with.
 ///

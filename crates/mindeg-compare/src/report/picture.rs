@@ -17,7 +17,7 @@ use base64::engine::general_purpose::STANDARD;
 use glam::DVec2;
 use mindeg::quality::Distribution;
 use mindeg::quality::TriangleQuality;
-use mindeg_answers::measures::{SHOWN, ShownMetric};
+use mindeg_answers::measures::{MeasureFacts, SHOWN, ShownMetric};
 use mindeg_answers::numbers::count;
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -73,11 +73,8 @@ pub(crate) struct Picture {
 /// One measure, and the axis on which all meshes show it.
 #[derive(Serialize)]
 struct Measure {
-    name: &'static str,
-    title: &'static str,
-    unit: &'static str,
-    explanation: String,
-    higher_is_better: bool,
+    #[serde(flatten)]
+    facts: MeasureFacts,
     logarithmic: bool,
     range: [f64; 2],
     /// Whether there are values below and above the range.
@@ -302,11 +299,7 @@ fn busiest(degrees: &[u32]) -> u32 {
 fn measure(scene: &Scene, shown: &ShownMetric) -> Measure {
     let range = axis(scene, shown);
     Measure {
-        name: shown.name,
-        title: shown.title,
-        unit: shown.metric().unit,
-        explanation: shown.explanation(),
-        higher_is_better: shown.higher_is_better(),
+        facts: shown.into(),
         logarithmic: shown.is_logarithmic,
         range,
         goes_beyond: beyond(scene, shown, range),
@@ -348,8 +341,7 @@ fn spreads<'a>(
     wanted: impl Fn(&MethodFigures) -> bool,
 ) -> impl Iterator<Item = &'a Distribution> {
     let figures = scene.meshes.iter().map(|(mesh, _)| mesh.figures);
-    let metrics = figures.filter(move |figures| wanted(figures)).filter_map(|f| f.metrics.as_ref());
-    metrics.map(|metrics| metrics.distribution(shown.name))
+    figures.filter(move |it| wanted(it)).filter_map(|figures| figures.spread(shown.name))
 }
 
 fn packed<const N: usize>(numbers: impl Iterator<Item = [u8; N]>) -> String {

@@ -88,7 +88,7 @@ pub(crate) fn decisive(title: &str, columns: &[(String, &MethodFigures)]) -> Tab
         let cells = columns.iter().map(|(_, figures)| of(figures));
         [title.to_owned()].into_iter().chain(cells).collect()
     };
-    let median = |figures: &MethodFigures| figures.metrics.as_ref().map(|m| m.min_angle.median);
+    let median = |figures: &MethodFigures| figures.spread("min_angle").map(|spread| spread.median);
     let angles = columns.iter().flat_map(|(_, f)| [f.min_angle, median(f)]).flatten();
     let angles = Column::new(angles, DIGITS);
     let angle = |value: Option<f64>| text(value, |value| angles.angle(value));
@@ -198,14 +198,8 @@ pub(crate) fn interior(report: &Report) -> Option<Table> {
 /// The sides of the domain: names, intervals, lengths.
 pub(crate) fn sides(report: &Report) -> Table {
     let domain = &report.domain;
-    let corners = &domain.corners;
-    let length = |side: usize| {
-        let [from, to] = [side, side + 1].map(|corner| corners[corner % corners.len()]);
-        libm::hypot(to[0] - from[0], to[1] - from[1])
-    };
-    let lengths: Vec<f64> = (0..corners.len()).map(length).collect();
-    let column = Column::new(lengths.iter().copied(), DIGITS);
-    let rows = domain.intervals.iter().zip(&lengths).enumerate().take(MAX_SIDE_ROWS);
+    let column = Column::new(domain.side_lengths.iter().copied(), DIGITS);
+    let rows = domain.intervals.iter().zip(&domain.side_lengths).enumerate().take(MAX_SIDE_ROWS);
     let rows = rows.map(|(side, (&intervals, &length))| {
         let name = domain.side_names.get(side).cloned().flatten();
         vec![
@@ -215,7 +209,7 @@ pub(crate) fn sides(report: &Report) -> Table {
             column.number(length),
         ]
     });
-    let note = match corners.len() {
+    let note = match domain.intervals.len() {
         sides if sides > MAX_SIDE_ROWS => format!("The first {MAX_SIDE_ROWS} of {sides} sides."),
         _ => String::new(),
     };
@@ -290,7 +284,7 @@ pub(crate) fn metrics(report: &Report) -> Vec<Table> {
             .iter()
             .filter_map(|mesh| {
                 let Distribution { min, p01, median, mean, p99, max } =
-                    *mesh.figures.metrics.as_ref()?.distribution(shown.name);
+                    *mesh.figures.spread(shown.name)?;
                 Some((mesh.name.as_str(), [min, p01, median, mean, p99, max]))
             })
             .collect();
@@ -401,6 +395,7 @@ mod tests {
         let domain = DomainFigures {
             name: None,
             intervals: vec![],
+            side_lengths: vec![],
             side_names: vec![],
             corners: vec![],
             vertices: 0,

@@ -209,8 +209,7 @@ fn notes(mesh: &TriMesh, flattened: &Flattened, merged: u64) -> Vec<String> {
 /// How each measure is spread, a row for each.
 fn measures(figures: &MethodFigures) -> Table {
     let row = |shown: &ShownMetric| {
-        let Distribution { min, p01, median, mean, p99, max } =
-            *figures.metrics.as_ref()?.distribution(shown.name);
+        let Distribution { min, p01, median, mean, p99, max } = *figures.spread(shown.name)?;
         let values = [min, p01, median, mean, p99, max];
         let column = Column::new(values, 3);
         let numbers = values.map(|value| column.number(value));
