@@ -28,19 +28,12 @@ pub struct VerifyAnswer {
     file: String,
     domain: Option<String>,
     valid: bool,
-    defect: Option<Flaw>,
+    defect: Option<MeshDefect>,
     #[serde(flatten)]
     found: Option<Found>,
     /// The demands that the mesh fails, in words.
     pub failed: Vec<String>,
     passed: bool,
-}
-
-/// The first defect.
-#[derive(Clone, Debug, Serialize)]
-struct Flaw {
-    kind: &'static str,
-    message: String,
 }
 
 /// The figures of a mesh that is a triangulation; angles in degrees.
@@ -80,12 +73,12 @@ struct Checked {
 impl VerifyAnswer {
     /// The answer for a mesh with a defect.
     #[must_use]
-    pub fn invalid(file: &str, domain: &Domain, defect: &MeshDefect) -> Self {
+    pub fn invalid(file: &str, domain: &Domain, defect: MeshDefect) -> Self {
         Self {
             file: file.to_owned(),
             domain: domain.name().map(str::to_owned),
             valid: false,
-            defect: Some(Flaw { kind: defect.kind, message: defect.to_string() }),
+            defect: Some(defect),
             found: None,
             failed: Vec::new(),
             passed: false,

@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
             let message =
                 format!("{file} is no triangulation of {}: {defect}", name_in_text(&domain));
             if arguments.json {
-                print_json(&VerifyAnswer::invalid(&file, &domain, &defect))?;
+                print_json(&VerifyAnswer::invalid(&file, &domain, defect))?;
             }
             return Err(Failure::Gate(message));
         }

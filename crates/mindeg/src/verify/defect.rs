@@ -5,6 +5,7 @@ use glam::DVec2;
 /// Why a mesh is not a triangulation of a domain. Vertices and triangles have the indices of the mesh, from
 /// 0; boundary points those of the domain, from 0.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[cfg_attr(feature = "json", derive(serde::Serialize))]
 #[error("{message}")]
 #[non_exhaustive]
 pub struct MeshDefect {
