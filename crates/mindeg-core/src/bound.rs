@@ -16,7 +16,6 @@ use crate::Boundary;
 /// assert_eq!(bound::triangle_count(&Boundary::new(&[3, 3, 2, 2])?), 8);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn triangle_count(boundary: &Boundary) -> u32 {
     boundary.vertex_count() - 2
 }
@@ -28,7 +27,6 @@ pub fn triangle_count(boundary: &Boundary) -> u32 {
 /// assert_eq!(bound::interior_edge_count(&Boundary::new(&[3, 3, 2, 2])?), 7);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn interior_edge_count(boundary: &Boundary) -> u32 {
     boundary.vertex_count() - 3
 }
@@ -45,7 +43,6 @@ pub fn interior_edge_count(boundary: &Boundary) -> u32 {
 /// assert_eq!(bound::counting_bound(&Boundary::new(&[3, 3, 2, 2])?), 4);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn counting_bound(boundary: &Boundary) -> u32 {
     let vertices = u64::from(boundary.vertex_count());
     (4 * vertices - 10).div_ceil(vertices - 2) as u32
@@ -68,7 +65,6 @@ pub fn counting_bound(boundary: &Boundary) -> u32 {
 /// assert_eq!(bound::side_bound(&boundary, 1), 3);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn side_bound(boundary: &Boundary, side: usize) -> u32 {
     let off_side = boundary.vertex_count() - boundary.intervals(side) - 1;
     interior_edge_count(boundary).div_ceil(off_side) + 2
@@ -89,7 +85,6 @@ pub fn side_bound(boundary: &Boundary, side: usize) -> u32 {
 /// assert!(!bound::is_medial_exception(&Boundary::new(&[2, 2, 1, 1])?));
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn is_medial_exception(boundary: &Boundary) -> bool {
     boundary.sides().eq([2, 2, 2])
 }

@@ -79,13 +79,11 @@ impl Boundary {
     }
 
     /// The number of sides, k >= 3.
-    #[must_use]
     pub fn side_count(&self) -> usize {
         self.corners.len() - 1
     }
 
     /// The number of boundary vertices n, which is also the number of intervals. At least 3.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.corners[self.side_count()]
     }
@@ -95,7 +93,6 @@ impl Boundary {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn intervals(&self, side: usize) -> u32 {
         self.corners[side + 1] - self.corners[side]
     }
@@ -110,7 +107,6 @@ impl Boundary {
     /// # Panics
     ///
     /// If `side` is above [`side_count`](Self::side_count).
-    #[must_use]
     pub fn corner(&self, side: usize) -> u32 {
         if side == self.side_count() { 0 } else { self.corners[side] }
     }
@@ -128,7 +124,6 @@ impl Boundary {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn next(&self, vertex: u32) -> u32 {
         self.assert_exists(vertex);
         self.ring().forward(vertex, 1)
@@ -139,7 +134,6 @@ impl Boundary {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn previous(&self, vertex: u32) -> u32 {
         self.assert_exists(vertex);
         self.ring().backward(vertex, 1)
@@ -160,14 +154,12 @@ impl Boundary {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn side_of(&self, vertex: u32) -> usize {
         self.assert_exists(vertex);
         self.corners.partition_point(|&corner| corner <= vertex) - 1
     }
 
     /// Whether `vertex` is a corner; false for vertices that do not exist. O(log k).
-    #[must_use]
     pub fn is_corner(&self, vertex: u32) -> bool {
         self.corners[..self.side_count()].binary_search(&vertex).is_ok()
     }
@@ -177,7 +169,6 @@ impl Boundary {
     /// # Panics
     ///
     /// If a vertex is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn is_flat(&self, triangle: [u32; 3]) -> bool {
         let on_side = |side: usize| {
             triangle.iter().all(|&vertex| {

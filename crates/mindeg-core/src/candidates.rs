@@ -68,7 +68,6 @@ impl Family {
 
 impl<'a> Candidates<'a> {
     /// The candidates for a boundary. O(k) time and memory; builds none of them.
-    #[must_use]
     pub fn new(boundary: &'a Boundary) -> Self {
         let mut count = 0;
         let mut indexed = Vec::new();
@@ -81,7 +80,6 @@ impl<'a> Candidates<'a> {
     }
 
     /// The number of candidates, at least 1. O(1).
-    #[must_use]
     pub fn count(&self) -> u64 {
         self.count
     }

@@ -45,7 +45,6 @@ pub enum Certificate {
 }
 
 /// The certificate for a boundary. O(k).
-#[must_use]
 pub fn certificate(boundary: &Boundary) -> Certificate {
     let cut = best_cuts(boundary).next().expect("three sides have a cut");
     if cut.is_balanced() {
@@ -73,14 +72,12 @@ pub fn certificate(boundary: &Boundary) -> Certificate {
 /// assert_eq!(least_max_degree(&Boundary::new(&[1000, 3, 5, 2])?), 114);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn least_max_degree(boundary: &Boundary) -> u32 {
     certificate(boundary).max_degree()
 }
 
 impl Certificate {
     /// The least possible maximum degree according to this certificate. O(1).
-    #[must_use]
     pub fn max_degree(&self) -> u32 {
         match *self {
             Self::BalancedCut { max_degree, .. } | Self::LongSide { max_degree, .. } => max_degree,

@@ -37,13 +37,11 @@ pub struct Cut {
 
 impl Cut {
     /// The difference of the runs, in intervals; it has the parity of the vertex count.
-    #[must_use]
     pub fn imbalance(&self) -> u32 {
         self.larger.abs_diff(self.smaller)
     }
 
     /// Whether the runs differ by at most one interval, so that a zig-zag can join them.
-    #[must_use]
     pub fn is_balanced(&self) -> bool {
         self.imbalance() <= 1
     }
@@ -69,7 +67,6 @@ impl Cut {
 /// assert_eq!(least_imbalance(&boundary), 0);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn least_imbalance(boundary: &Boundary) -> u32 {
     most_balanced_cuts(boundary).map(|cut| cut.imbalance()).min().expect("three sides have cuts")
 }

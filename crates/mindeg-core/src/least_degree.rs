@@ -76,7 +76,6 @@ use crate::{Boundary, Candidates, Triangulation};
 /// assert_eq!(verify(&sides, triangulation.triangles())?.max_degree, 5);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[must_use]
 pub fn least_degree_triangulation(boundary: &Boundary) -> Triangulation {
     Candidates::new(boundary).iter().next().expect("every boundary has a candidate")
 }

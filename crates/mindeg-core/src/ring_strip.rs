@@ -75,19 +75,16 @@ impl RingStrip {
     }
 
     /// The number of vertices of the x ring.
-    #[must_use]
     pub fn xs(&self) -> u32 {
         self.xs
     }
 
     /// The number of vertices of the y ring.
-    #[must_use]
     pub fn ys(&self) -> u32 {
         self.ys
     }
 
     /// The number of triangles, of letters, and of edges between the rings.
-    #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a strip is never empty")]
     pub fn len(&self) -> u32 {
         self.xs + self.ys
@@ -95,7 +92,6 @@ impl RingStrip {
 
     /// The largest degree of a vertex: its two ring edges and those of the strip. No strip between
     /// these rings has less.
-    #[must_use]
     pub fn max_degree(&self) -> u32 {
         3 + self.xs.max(self.ys).div_ceil(self.xs.min(self.ys))
     }
@@ -105,7 +101,6 @@ impl RingStrip {
     /// # Panics
     ///
     /// If `index` is not below [`len`](Self::len).
-    #[must_use]
     pub fn letter(&self, index: u32) -> Letter {
         self.assert_index(index);
         if self.xs_before(index + 1) > self.xs_before(index) { Letter::X } else { Letter::Y }
@@ -116,7 +111,6 @@ impl RingStrip {
     /// # Panics
     ///
     /// If `index` is not below [`len`](Self::len).
-    #[must_use]
     pub fn triangle(&self, index: u32) -> [u32; 3] {
         let letter = self.letter(index);
         let i = self.xs_before(index);

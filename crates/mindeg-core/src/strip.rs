@@ -61,7 +61,6 @@ impl Chain {
     }
 
     /// The number of vertices, at least 1.
-    #[must_use]
     #[expect(clippy::len_without_is_empty, reason = "a chain is never empty")]
     pub fn len(&self) -> u32 {
         self.len
@@ -72,7 +71,6 @@ impl Chain {
     /// # Panics
     ///
     /// If `index` is not below [`len`](Self::len).
-    #[must_use]
     pub fn vertex(&self, index: u32) -> u32 {
         assert!(
             index < self.len,
@@ -175,37 +173,31 @@ impl Strip {
     }
 
     /// The chain along which letter X advances.
-    #[must_use]
     pub fn x(&self) -> &Chain {
         &self.x
     }
 
     /// The chain along which letter Y advances.
-    #[must_use]
     pub fn y(&self) -> &Chain {
         &self.y
     }
 
     /// The order in which the strip advances.
-    #[must_use]
     pub fn word(&self) -> &Word {
         &self.word
     }
 
     /// The tip of the ear that every strip starts with, before the first cross edge.
-    #[must_use]
     pub fn tip(&self) -> u32 {
         self.tip
     }
 
     /// The end of the strip, after its last cross edge.
-    #[must_use]
     pub fn end(&self) -> End {
         self.end
     }
 
     /// The number of triangles, ears included.
-    #[must_use]
     pub fn triangle_count(&self) -> u32 {
         1 + self.word.len() + u32::from(matches!(self.end, End::Ear(_)))
     }
@@ -218,7 +210,6 @@ impl Strip {
     /// # Panics
     ///
     /// If `index` is not below [`triangle_count`](Self::triangle_count).
-    #[must_use]
     pub fn triangle(&self, index: u32) -> [u32; 3] {
         let count = self.triangle_count();
         assert!(index < count, "index {index} is out of range; the strip has {count} triangles");

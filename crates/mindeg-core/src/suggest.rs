@@ -40,14 +40,12 @@ pub struct Change {
 
 impl Suggestion {
     /// The total number of intervals to add or remove.
-    #[must_use]
     pub fn cost(&self) -> u64 {
         self.changes.iter().map(|change| change.by.unsigned_abs()).sum()
     }
 
     /// The number of intervals of each side after the changes. `boundary` is the one that the
     /// suggestion was made for.
-    #[must_use]
     pub fn intervals(&self, boundary: &Boundary) -> Vec<u64> {
         let mut intervals: Vec<u64> = boundary.sides().map(u64::from).collect();
         for change in &self.changes {
@@ -94,7 +92,6 @@ impl Suggestion {
 /// assert_eq!(suggest(&boundary, 2), None);
 /// # Ok::<(), mindeg_core::Defect>(())
 /// ```
-#[must_use]
 pub fn suggest(boundary: &Boundary, target: u32) -> Option<Suggestion> {
     let certificate = certificate(boundary);
     if certificate.max_degree() <= target {

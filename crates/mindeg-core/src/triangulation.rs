@@ -42,19 +42,16 @@ impl Triangulation {
     }
 
     /// The number of vertices n, at least 3.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.ring.len()
     }
 
     /// The number of triangles, n - 2.
-    #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.ring.len() - 2
     }
 
     /// The largest number of edges at a vertex, boundary edges included. O(1).
-    #[must_use]
     pub fn max_degree(&self) -> u32 {
         self.max_degree
     }
@@ -70,7 +67,6 @@ impl Triangulation {
     /// # Panics
     ///
     /// If `index` is not below [`triangle_count`](Self::triangle_count).
-    #[must_use]
     pub fn triangle(&self, index: u32) -> [u32; 3] {
         let count = self.triangle_count();
         assert!(index < count, "triangle {index} does not exist; the triangulation has {count}");
@@ -128,7 +124,6 @@ impl Triangulation {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn degree(&self, vertex: u32) -> u32 {
         2 + self.interior_neighbors(vertex).iter().flatten().map(Opposite::len).sum::<u32>()
     }
@@ -139,7 +134,6 @@ impl Triangulation {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn neighbors(&self, vertex: u32) -> Neighbors {
         Neighbors {
             interior: self.interior_neighbors(vertex),

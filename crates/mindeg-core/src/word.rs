@@ -121,25 +121,21 @@ impl Word {
     }
 
     /// The number of X.
-    #[must_use]
     pub fn xs(&self) -> u32 {
         self.xs
     }
 
     /// The number of Y.
-    #[must_use]
     pub fn ys(&self) -> u32 {
         self.ys
     }
 
     /// The number of letters.
-    #[must_use]
     pub fn len(&self) -> u32 {
         self.xs + self.ys
     }
 
     /// Whether the word has no letters.
-    #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -149,7 +145,6 @@ impl Word {
     /// # Panics
     ///
     /// If `index` is not below [`len`](Self::len).
-    #[must_use]
     pub fn letter(&self, index: u32) -> Letter {
         let len = self.len();
         assert!(index < len, "index {index} is out of range; the word has {len} letters");

@@ -47,7 +47,6 @@ impl Domain {
     /// assert_eq!(domain.placement().corners()[5].to_array(), [3.0, 2.0]);
     /// # Ok::<(), mindeg_domain::DomainError>(())
     /// ```
-    #[must_use]
     pub fn builder(outline: Outline, sides: Vec<Side>) -> DomainBuilder {
         DomainBuilder::new(outline, sides)
     }

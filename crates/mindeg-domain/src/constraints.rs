@@ -121,7 +121,6 @@ impl ExternalDegree {
 impl Constraints {
     /// Whether any vertex has a degree limit or an external degree above 0. O(k) for k sides, and
     /// linear in the entries and lists.
-    #[must_use]
     pub fn constrain(&self) -> bool {
         let side = |side: &SideConstraint| {
             side.external_degree.greatest() > 0 || side.degree_limit.is_some()

@@ -75,26 +75,22 @@ impl Domain {
     }
 
     /// The settings for a mesh with interior points, if the domain has any.
-    #[must_use]
     pub fn interior(&self) -> Option<&Interior> {
         self.interior.as_ref()
     }
 
     /// The name, if the domain has one.
-    #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
     /// The shape of the outer ring, counter-clockwise.
-    #[must_use]
     pub fn outline(&self) -> &Outline {
         &self.outline
     }
 
     /// The sides of all rings, in the order of [`rings`](Self::rings); side `s` runs from corner
     /// `s` to the next corner of its ring.
-    #[must_use]
     pub fn sides(&self) -> &[Side] {
         &self.sides
     }
@@ -105,7 +101,6 @@ impl Domain {
     /// # Panics
     ///
     /// If the domain has no such side.
-    #[must_use]
     pub fn side_name(&self, side: usize) -> String {
         let InRing { ring, index } = self.rings().in_ring(side);
         match &self.sides[side].name {
@@ -121,19 +116,16 @@ impl Domain {
     /// # Panics
     ///
     /// If the domain has no such side.
-    #[must_use]
     pub fn is_straight(&self, side: usize) -> bool {
         self.straight[side]
     }
 
     /// The limits on the degrees of sides and vertices, with the indices of [`rings`](Self::rings).
-    #[must_use]
     pub fn constraints(&self) -> &Constraints {
         &self.constraints
     }
 
     /// Whether any vertex has a degree limit or an external degree above 0.
-    #[must_use]
     pub fn is_constrained(&self) -> bool {
         self.constraints.constrain()
     }
@@ -143,7 +135,6 @@ impl Domain {
     /// # Panics
     ///
     /// If the domain has no such vertex.
-    #[must_use]
     pub fn external_degree(&self, vertex: u32) -> u32 {
         self.constraints.external_degree(self.rings(), vertex)
     }
@@ -154,25 +145,21 @@ impl Domain {
     /// # Panics
     ///
     /// If the domain has no such vertex.
-    #[must_use]
     pub fn degree_limit(&self, vertex: u32) -> Option<u32> {
         self.constraints.degree_limit(self.rings(), vertex)
     }
 
     /// The rings, sides and vertices of the boundary without their positions.
-    #[must_use]
     pub fn rings(&self) -> &Rings {
         self.placement.rings()
     }
 
     /// The positions of the boundary vertices.
-    #[must_use]
     pub fn placement(&self) -> &Placement {
         &self.placement
     }
 
     /// The form of the domain for the formulas of `mindeg-core`, if it is convex and has no holes.
-    #[must_use]
     pub fn convex(&self) -> Option<&ConvexForm> {
         self.convex.as_ref()
     }
@@ -191,7 +178,6 @@ impl Domain {
     /// assert_eq!(domain.straight_runs(), [0, 0, 0, 1, 2, 2]);
     /// # Ok::<(), mindeg_domain::DomainError>(())
     /// ```
-    #[must_use]
     pub fn straight_runs(&self) -> Vec<u32> {
         match self.placement.boundary() {
             Some(boundary) => boundary.runs().to_vec(),
@@ -216,13 +202,11 @@ impl Domain {
     }
 
     /// Whether the corners of the outer ring were given clockwise, and were therefore reversed.
-    #[must_use]
     pub fn was_reversed(&self) -> bool {
         self.turned.contains(&0)
     }
 
     /// The changes to the description that the user should know, one sentence each.
-    #[must_use]
     pub fn notes(&self) -> Vec<String> {
         let note = |&ring: &usize| {
             let (way, right) = match ring {

@@ -112,31 +112,26 @@ pub enum LineEnd {
 
 impl Interior {
     /// The growth of the size per distance: 0.5 by default.
-    #[must_use]
     pub fn growth(&self) -> f64 {
         self.growth.unwrap_or(0.5)
     }
 
     /// The degrees wanted inside: 5 to 7 unless they are given.
-    #[must_use]
     pub fn interior_degree(&self) -> RangeInclusive<u32> {
         self.interior_degree.clone().unwrap_or(5..=7)
     }
 
     /// The greatest degree wanted at the boundary: 5 unless it is given.
-    #[must_use]
     pub fn boundary_degree(&self) -> u32 {
         self.boundary_degree.unwrap_or(5)
     }
 
     /// Which aim wins: degrees, unless it is given.
-    #[must_use]
     pub fn prefer(&self) -> Prefer {
         self.prefer.unwrap_or_default()
     }
 
     /// The most points that the mesh may have: 20 million unless it is given.
-    #[must_use]
     pub fn max_points(&self) -> usize {
         self.max_points.unwrap_or(20_000_000)
     }

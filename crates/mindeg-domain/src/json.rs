@@ -123,7 +123,6 @@ impl Domain {
     /// assert_eq!(again.sides(), domain.sides());
     /// # Ok::<(), mindeg_domain::DomainError>(())
     /// ```
-    #[must_use]
     pub fn to_json(&self) -> String {
         let mut json = serde_json::json!(self.description());
         drop_nulls(&mut json);
@@ -145,7 +144,6 @@ fn drop_nulls(json: &mut serde_json::Value) {
 
 impl Model {
     /// Whether a JSON text is an object with the key `faces`, which makes it a model.
-    #[must_use]
     pub fn is_model_json(text: &str) -> bool {
         text::has(text, &Place::key("faces"))
     }

@@ -43,7 +43,6 @@ impl Outline {
 
 impl Ring {
     /// A ring of points, kept bit for bit: a single side, which starts and ends at the first point.
-    #[must_use]
     pub fn of_points(points: impl IntoIterator<Item = impl Into<DVec2>>) -> Self {
         let mut points = points.into_iter().map(Into::into);
         let Some(first) = points.next() else { return Self::default() };
@@ -51,7 +50,6 @@ impl Ring {
     }
 
     /// A ring of corners and sides.
-    #[must_use]
     pub fn new(corners: impl IntoIterator<Item = impl Into<DVec2>>, sides: Vec<Side>) -> Self {
         Self { corners: corners.into_iter().map(Into::into).collect(), sides }
     }

@@ -167,19 +167,16 @@ impl Placement {
     }
 
     /// The rings whose vertices these are the positions of.
-    #[must_use]
     pub fn rings(&self) -> &Rings {
         &self.rings
     }
 
     /// The number of boundary vertices n.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.rings.vertex_count()
     }
 
     /// The corners of all rings; side `s` starts at corner `s`.
-    #[must_use]
     pub fn corners(&self) -> &[DVec2] {
         &self.corners
     }
@@ -189,7 +186,6 @@ impl Placement {
     /// # Panics
     ///
     /// If `side` is not below the number of sides.
-    #[must_use]
     pub fn side_length(&self, side: usize) -> f64 {
         match &self.points {
             Points::Formula(_) => self.end(side).distance(self.corners[side]),
@@ -202,7 +198,6 @@ impl Placement {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         match &self.points {
             Points::Stored { boundary, .. } => boundary.point(vertex),
@@ -278,7 +273,6 @@ impl Placement {
 
     /// The positions of single vertices. O(1) each while consecutive calls stay on the same two
     /// sides, as along a strip.
-    #[must_use]
     pub fn walk(&self) -> Walk<'_> {
         let sides = match &self.points {
             Points::Formula(laws) => Some([0, 1].map(|side| self.points_on(side, laws))),
@@ -298,7 +292,6 @@ impl Placement {
     }
 
     /// The smallest box around the domain. O(k), O(n) if the points are stored.
-    #[must_use]
     pub fn bounds(&self) -> Bounds {
         match &self.points {
             Points::Formula(_) => {
@@ -309,7 +302,6 @@ impl Placement {
     }
 
     /// The area of the domain without holes, in square units. O(k), O(n) if the points are stored.
-    #[must_use]
     pub fn area(&self) -> f64 {
         // Relative to a point, so that nothing cancels far from the origin.
         let of_ring = |points: &[DVec2]| {

@@ -44,7 +44,6 @@ pub struct Rectangle {
 
 impl Rectangle {
     /// A rectangle whose bottom starts at the origin along the x axis.
-    #[must_use]
     pub fn new(width: f64, height: f64) -> Self {
         Self { width, height, origin: DVec2::ZERO, rotation: 0.0 }
     }

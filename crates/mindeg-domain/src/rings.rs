@@ -88,13 +88,11 @@ impl Rings {
     }
 
     /// The number of vertices n of all rings, which is also the number of intervals.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.corners[self.side_count()]
     }
 
     /// The number of rings, at least 1: the outer one and the holes.
-    #[must_use]
     pub fn ring_count(&self) -> usize {
         self.first_sides.len() - 1
     }
@@ -104,7 +102,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `ring` is not below [`ring_count`](Self::ring_count).
-    #[must_use]
     pub fn ring(&self, ring: usize) -> Range<u32> {
         let Range { start, end } = self.ring_sides(ring);
         self.corners[start]..self.corners[end]
@@ -120,7 +117,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `ring` is not below [`ring_count`](Self::ring_count).
-    #[must_use]
     pub fn ring_sides(&self, ring: usize) -> Range<usize> {
         self.first_sides[ring]..self.first_sides[ring + 1]
     }
@@ -130,7 +126,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn ring_of_side(&self, side: usize) -> usize {
         let count = self.side_count();
         assert!(side < count, "side {side} does not exist; the boundary has {count} sides");
@@ -142,14 +137,12 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn in_ring(&self, side: usize) -> InRing {
         let ring = self.ring_of_side(side);
         InRing { ring, index: side - self.first_sides[ring] }
     }
 
     /// The number of sides k of all rings.
-    #[must_use]
     pub fn side_count(&self) -> usize {
         self.corners.len() - 1
     }
@@ -159,7 +152,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn intervals(&self, side: usize) -> u32 {
         self.corners[side + 1] - self.corners[side]
     }
@@ -174,7 +166,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn corner(&self, side: usize) -> u32 {
         let count = self.side_count();
         assert!(side < count, "side {side} does not exist; the boundary has {count} sides");
@@ -182,7 +173,6 @@ impl Rings {
     }
 
     /// The vertices where sides start, ascending.
-    #[must_use]
     pub fn corner_vertices(&self) -> &[u32] {
         &self.corners[..self.side_count()]
     }
@@ -192,7 +182,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn side_end(&self, side: usize) -> u32 {
         self.corners[self.next_side(side)]
     }
@@ -202,7 +191,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn next_side(&self, side: usize) -> usize {
         let Range { start, end } = self.ring_sides(self.ring_of_side(side));
         if side + 1 == end { start } else { side + 1 }
@@ -213,7 +201,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `side` is not below [`side_count`](Self::side_count).
-    #[must_use]
     pub fn previous_side(&self, side: usize) -> usize {
         let Range { start, end } = self.ring_sides(self.ring_of_side(side));
         if side == start { end - 1 } else { side - 1 }
@@ -224,7 +211,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn side_of(&self, vertex: u32) -> usize {
         let n = self.vertex_count();
         assert!(vertex < n, "vertex {vertex} does not exist; the boundary has {n} vertices");
@@ -236,7 +222,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn ring_of(&self, vertex: u32) -> usize {
         let n = self.vertex_count();
         assert!(vertex < n, "vertex {vertex} does not exist; the boundary has {n} vertices");
@@ -248,7 +233,6 @@ impl Rings {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn next(&self, vertex: u32) -> u32 {
         let Range { start, end } = self.ring(self.ring_of(vertex));
         if vertex + 1 == end { start } else { vertex + 1 }
@@ -259,14 +243,12 @@ impl Rings {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn previous(&self, vertex: u32) -> u32 {
         let Range { start, end } = self.ring(self.ring_of(vertex));
         if vertex == start { end - 1 } else { vertex - 1 }
     }
 
     /// Whether `vertex` is a corner; false for vertices that do not exist. O(log k).
-    #[must_use]
     pub fn is_corner(&self, vertex: u32) -> bool {
         self.corners[..self.side_count()].binary_search(&vertex).is_ok()
     }

@@ -40,7 +40,6 @@ pub enum Intervals {
 
 impl Side {
     /// A side of `intervals` even intervals.
-    #[must_use]
     pub fn count(intervals: u64) -> Self {
         Self {
             curve: Curve::Line,
@@ -52,13 +51,11 @@ impl Side {
     }
 
     /// A side of even intervals of about the length `size`.
-    #[must_use]
     pub fn size(size: f64) -> Self {
         Self { intervals: Intervals::Size(size), ..Self::count(1) }
     }
 
     /// A side with points at the given parameters, strictly increasing in (0, 1).
-    #[must_use]
     pub fn parameters(parameters: Vec<f64>) -> Self {
         Self::count(parameters.len() as u64 + 1).spaced(Spacing::Parameters(parameters))
     }
@@ -77,7 +74,6 @@ impl Side {
     /// assert_eq!(domain.placement().points().skip(1).take(2).collect::<Vec<_>>(), own);
     /// # Ok::<(), mindeg_domain::DomainError>(())
     /// ```
-    #[must_use]
     pub fn points(points: Vec<DVec2>) -> Self {
         let curve = Curve::Polyline(points);
         Self { curve, intervals: Intervals::Points, ..Self::count(1) }

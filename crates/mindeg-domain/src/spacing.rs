@@ -77,7 +77,6 @@ impl Spacing {
     /// assert_eq!(Spacing::FirstLength(0.1).reversed(), Spacing::LastLength(0.1));
     /// assert_eq!(Spacing::Beta { beta: 1.1 }.reversed(), Spacing::Beta { beta: -1.1 });
     /// ```
-    #[must_use]
     pub fn reversed(&self) -> Self {
         match self {
             Self::Uniform => Self::Uniform,

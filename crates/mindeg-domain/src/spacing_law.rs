@@ -110,14 +110,12 @@ impl SpacingLaw {
     }
 
     /// The number of intervals m, at least 1.
-    #[must_use]
     pub fn intervals(&self) -> u32 {
         self.intervals
     }
 
     /// The position of point `i`, as a share of the side from its start: 0 at `i = 0`, 1 from
     /// `i = m` on. O(1).
-    #[must_use]
     pub fn parameter(&self, i: u32) -> f64 {
         let m = self.intervals;
         if i == 0 {
@@ -140,7 +138,6 @@ impl SpacingLaw {
     /// The index of the shortest interval from 0 (the first of equals), and its share of the side.
     ///
     /// O(1), and O(m) for explicit parameters.
-    #[must_use]
     pub fn shortest(&self) -> (u32, f64) {
         let last = self.intervals - 1;
         match &self.form {

@@ -40,14 +40,12 @@ pub struct ConvexForm {
 
 impl ConvexForm {
     /// The intervals of the straight runs, counter-clockwise.
-    #[must_use]
     pub fn boundary(&self) -> &Boundary {
         &self.boundary
     }
 
     /// The vertex of the domain where the first run starts: vertex v of the
     /// [`boundary`](Self::boundary) is vertex (v + first) mod n of the domain.
-    #[must_use]
     pub fn first(&self) -> u32 {
         self.first
     }

@@ -27,13 +27,11 @@ pub struct Bounds<V = DVec2> {
 
 impl<V: Copy + Add<Output = V> + Sub<Output = V> + Div<f64, Output = V>> Bounds<V> {
     /// The lengths of the box along the axes.
-    #[must_use]
     pub fn size(&self) -> V {
         self.max - self.min
     }
 
     /// The middle of the box.
-    #[must_use]
     pub fn center(&self) -> V {
         self.min + self.size() / 2.0
     }
@@ -41,7 +39,6 @@ impl<V: Copy + Add<Output = V> + Sub<Output = V> + Div<f64, Output = V>> Bounds<
 
 impl Bounds<DVec2> {
     /// The box around some points; `None` if there are none. O(n).
-    #[must_use]
     pub fn of(points: impl IntoIterator<Item = DVec2>) -> Option<Self> {
         points
             .into_iter()
@@ -50,7 +47,6 @@ impl Bounds<DVec2> {
     }
 
     /// The same box in space, at z = 0.
-    #[must_use]
     pub fn in_space(&self) -> Bounds<DVec3> {
         Bounds { min: self.min.extend(0.0), max: self.max.extend(0.0) }
     }
@@ -58,7 +54,6 @@ impl Bounds<DVec2> {
 
 impl Bounds<DVec3> {
     /// The box around some points in space; `None` if there are none. O(n).
-    #[must_use]
     pub fn of_space(points: impl IntoIterator<Item = DVec3>) -> Option<Self> {
         points.into_iter().map(|point| Self { min: point, max: point }).reduce(Self::union)
     }
@@ -70,7 +65,6 @@ impl Bounds<DVec3> {
     }
 
     /// The box seen along the z axis.
-    #[must_use]
     pub fn in_plane(&self) -> Bounds<DVec2> {
         Bounds { min: self.min.truncate(), max: self.max.truncate() }
     }

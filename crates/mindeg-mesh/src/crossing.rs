@@ -37,7 +37,6 @@ pub use triangles::cross;
 /// assert_eq!(crossings(&points, &[[0, 1, 2], [3, 4, 5]], 1..2), [[1, 0]]);
 /// assert_eq!(crossings(&points, &[[0, 1, 2], [1, 5, 2]], 1..2), [[0; 2]; 0]);
 /// ```
-#[must_use]
 pub fn crossings(positions: &[DVec3], triangles: &[[u32; 3]], range: Range<u32>) -> Vec<[u32; 2]> {
     let around = |corners: &[u32; 3]| {
         let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);

@@ -125,7 +125,6 @@ pub struct Group {
 
 impl Group {
     /// A group without a material.
-    #[must_use]
     pub fn new(name: impl Into<String>, triangles: Range<u32>) -> Self {
         Self { name: name.into(), triangles, material: None }
     }
@@ -137,7 +136,6 @@ impl Group {
     }
 
     /// The label of the group in a file without materials: its name, or else its material's name.
-    #[must_use]
     pub fn label(&self) -> &str {
         match &self.material {
             Some(material) if self.name.is_empty() => &material.name,

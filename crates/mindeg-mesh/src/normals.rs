@@ -18,7 +18,6 @@ use crate::mesh::{Mesh, filled};
 /// assert_eq!(vertex_normals(&mesh), [-DVec3::Y; 3]);
 /// # Ok::<(), mindeg_mesh::TriMeshError>(())
 /// ```
-#[must_use]
 pub fn vertex_normals(mesh: &dyn Mesh) -> Vec<DVec3> {
     /// Triangles asked for at a time.
     const BLOCK: u32 = 1 << 12;

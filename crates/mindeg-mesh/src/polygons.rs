@@ -14,7 +14,6 @@ pub struct Polygons {
 
 impl Polygons {
     /// The number of polygons.
-    #[must_use]
     pub fn count(&self) -> usize {
         self.triangle_starts.len().saturating_sub(1)
     }
@@ -24,7 +23,6 @@ impl Polygons {
     /// # Panics
     ///
     /// If `polygon` is not below [`count`](Self::count).
-    #[must_use]
     pub fn corners(&self, polygon: usize) -> &[u32] {
         let start = |i: usize| self.triangle_starts[i] as usize + 2 * i;
         &self.corners[start(polygon)..start(polygon + 1)]

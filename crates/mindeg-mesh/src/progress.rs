@@ -49,7 +49,6 @@ impl<'a> Progress<'a> {
     pub const NONE: Progress<'static> = Progress { callback: None };
 
     /// Calls `callback`.
-    #[must_use]
     pub fn new(callback: &'a Callback<'a>) -> Self {
         Self { callback: Some(callback) }
     }
@@ -67,7 +66,6 @@ impl<'a> Progress<'a> {
     }
 
     /// A counter of finished work in a stage, for several threads.
-    #[must_use]
     pub fn counter<'b>(&'b self, stage: &'b str, total: u64) -> Counter<'b> {
         Counter { progress: self, stage, done: AtomicU64::new(0), total }
     }

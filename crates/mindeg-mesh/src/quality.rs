@@ -121,7 +121,6 @@ const SQRT_3: f64 = 1.732_050_807_568_877_2;
 impl TriangleQuality {
     /// The measures of a triangle in the plane; area and scaled Jacobian are negative if it is
     /// clockwise.
-    #[must_use]
     pub fn of(a: DVec2, b: DVec2, c: DVec2) -> Self {
         let (quality, normal) = measure(a.extend(0.0), b.extend(0.0), c.extend(0.0));
         if normal.z < 0.0 {
@@ -133,7 +132,6 @@ impl TriangleQuality {
     }
 
     /// The measures of a triangle in space, where it has no orientation: no measure is negative.
-    #[must_use]
     pub fn in_space(a: DVec3, b: DVec3, c: DVec3) -> Self {
         measure(a, b, c).0
     }

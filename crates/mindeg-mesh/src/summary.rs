@@ -62,7 +62,6 @@ pub struct Distribution {
 
 impl Distribution {
     /// The distribution of some values without NaN; `None` if the list is empty. O(n).
-    #[must_use]
     pub fn of(mut values: Vec<f64>) -> Option<Self> {
         let count = values.len();
         if count == 0 {
@@ -141,7 +140,6 @@ pub struct QualitySummary {
 
 impl QualitySummary {
     /// Summarizes triangles; `None` if the list is empty. O(n) time and memory.
-    #[must_use]
     pub fn of(qualities: impl IntoIterator<Item = TriangleQuality>) -> Option<Self> {
         Self::of_blocks(vec![qualities.into_iter().collect()])
     }
@@ -172,7 +170,6 @@ impl QualitySummary {
     }
 
     /// The distribution of the measure of the given name.
-    #[must_use]
     pub fn metric(&self, name: &str) -> Option<&Distribution> {
         METRICS.iter().zip(&self.metrics).find(|(metric, _)| metric.name == name).map(|(_, d)| d)
     }
@@ -213,13 +210,11 @@ impl DegreeHistogram {
     }
 
     /// The number of vertices of a degree.
-    #[must_use]
     pub fn count(&self, degree: u32) -> u64 {
         self.counts.get(&degree).copied().unwrap_or(0)
     }
 
     /// The largest degree; `None` if the histogram is empty.
-    #[must_use]
     pub fn max_degree(&self) -> Option<u32> {
         self.counts.keys().next_back().copied()
     }

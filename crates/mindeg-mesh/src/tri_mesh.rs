@@ -247,49 +247,41 @@ impl TriMesh {
     }
 
     /// The positions of the vertices, in units of the file.
-    #[must_use]
     pub fn positions(&self) -> &[DVec3] {
         &self.positions
     }
 
     /// The triangles by their vertices, in the order and orientation of the file. At least one.
-    #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
     }
 
     /// The groups, which contain every triangle once, in order.
-    #[must_use]
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }
 
     /// Whether a group has a material.
-    #[must_use]
     pub fn has_materials(&self) -> bool {
         self.groups.iter().any(|group| group.material.is_some())
     }
 
     /// The segments of all [lines](crate::Triangles::lines), one line after the other.
-    #[must_use]
     pub fn segments(&self) -> &[[u32; 2]] {
         &self.segments
     }
 
     /// The polygons that the triangles were cut from, if the file had any besides triangles.
-    #[must_use]
     pub fn polygons(&self) -> Option<&Polygons> {
         self.polygons.as_ref()
     }
 
     /// The counts of the file's elements that are not triangles.
-    #[must_use]
     pub fn non_triangles(&self) -> NonTriangles {
         self.non_triangles
     }
 
     /// The contents of the file that the mesh lacks, one short phrase each.
-    #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
@@ -297,14 +289,12 @@ impl TriMesh {
     /// The largest error of each coordinate, in units of length: the value of
     /// [`with_rounding`](Self::with_rounding), and never less than 2^-52 times the largest
     /// coordinate, two roundings of a 64-bit float. O(n).
-    #[must_use]
     pub fn rounding(&self) -> f64 {
         let largest = self.positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
         self.rounding.unwrap_or(0.0).max(f64::EPSILON * largest)
     }
 
     /// The number of edges of triangles at each vertex. O(n log d) for degrees of d, computed once.
-    #[must_use]
     pub fn degrees(&self) -> &[u32] {
         self.degrees.get_or_init(|| {
             let mut degrees = vec![0; self.positions.len()];
@@ -325,7 +315,6 @@ impl TriMesh {
     /// loop that runs into an edge with three faces or more is open. Triangles that name a vertex
     /// twice do not count. O(n) time and memory, except for sorting at vertices of very high
     /// degree.
-    #[must_use]
     pub fn boundary_loops(&self) -> Vec<BoundaryLoop> {
         let faces = Faces::new(&self.triangles, self.polygons(), None);
         BoundaryEdges::new(&Stars::new(self.positions.len(), &faces)).loops()

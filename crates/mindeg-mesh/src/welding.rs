@@ -19,7 +19,6 @@ use glam::DVec3;
 ///
 /// assert_eq!(weld(&[DVec3::X, DVec3::Y, DVec3::X], 0.0), [0, 1, 0]);
 /// ```
-#[must_use]
 pub fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
     let mut first = first_at_same_position(positions);
     if tolerance > 0.0 {

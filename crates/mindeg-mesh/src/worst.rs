@@ -35,7 +35,6 @@ pub struct WorstTriangles {
 
 impl WorstTriangles {
     /// Starts empty and keeps at most `count` triangles.
-    #[must_use]
     pub fn new(count: usize) -> Self {
         Self { count, worst: Vec::with_capacity(count) }
     }
@@ -60,7 +59,6 @@ impl WorstTriangles {
     }
 
     /// The worst triangle; `None` if the list is empty.
-    #[must_use]
     pub fn first(&self) -> Option<&WorstTriangle> {
         self.worst.first()
     }

@@ -148,31 +148,26 @@ impl BoundaryMesh {
     }
 
     /// The domain.
-    #[must_use]
     pub fn domain(&self) -> &Domain {
         &self.domain
     }
 
     /// The domain's boundary: sides, corners, counts.
-    #[must_use]
     pub fn rings(&self) -> &Rings {
         self.domain.rings()
     }
 
     /// The positions of the vertices.
-    #[must_use]
     pub fn placement(&self) -> &Placement {
         self.domain.placement()
     }
 
     /// The number of vertices n.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.triangulation.vertex_count()
     }
 
     /// The number of triangles, n + 2h - 2 with h holes.
-    #[must_use]
     pub fn triangle_count(&self) -> u32 {
         self.triangulation.triangle_count()
     }
@@ -182,7 +177,6 @@ impl BoundaryMesh {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         self.placement().point(vertex)
     }
@@ -245,7 +239,6 @@ impl BoundaryMesh {
     /// # Panics
     ///
     /// If `index` is not below [`triangle_count`](Self::triangle_count).
-    #[must_use]
     pub fn triangle(&self, index: u32) -> [u32; 3] {
         self.triangulation.triangle(index)
     }
@@ -308,13 +301,11 @@ impl BoundaryMesh {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn degree(&self, vertex: u32) -> u32 {
         self.triangulation.degree(vertex)
     }
 
     /// The largest degree. O(1).
-    #[must_use]
     pub fn max_degree(&self) -> u32 {
         self.triangulation.max_degree()
     }
@@ -336,7 +327,6 @@ impl BoundaryMesh {
     /// assert_eq!(mesh.neighbors(2), [3, 0, 1]);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    #[must_use]
     pub fn neighbors(&self, vertex: u32) -> Vec<u32> {
         let next = self.rings().next(vertex);
         self.triangulation.neighbors(vertex, next)
@@ -347,13 +337,11 @@ impl BoundaryMesh {
     /// # Panics
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    #[must_use]
     pub fn total_degree(&self, vertex: u32) -> u32 {
         self.degree(vertex).saturating_add(self.domain.external_degree(vertex))
     }
 
     /// The largest total degree. O(1) without constraints, otherwise O(n log n).
-    #[must_use]
     pub fn max_total_degree(&self) -> u32 {
         if !self.domain.is_constrained() {
             return self.max_degree();

@@ -28,7 +28,6 @@ pub struct DegreeAnswer {
 
 impl DegreeAnswer {
     /// The least maximum degree, if it is proven.
-    #[must_use]
     pub fn least_max_degree(&self) -> Option<u32> {
         (self.reached == self.at_least).then_some(self.reached)
     }

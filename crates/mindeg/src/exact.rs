@@ -42,7 +42,6 @@ pub struct TradeOff {
 
 impl TradeOff {
     /// The domain.
-    #[must_use]
     pub fn domain(&self) -> &Domain {
         &self.domain
     }
@@ -50,33 +49,28 @@ impl TradeOff {
     /// A mesh for every maximum degree, from the least possible one to the first with which the
     /// minimum angle is as large as with any. At least one. Where windows reached them, degrees without
     /// a better mesh than the one before are left out.
-    #[must_use]
     pub fn meshes(&self) -> &[ExactMesh] {
         &self.meshes
     }
 
     /// The minimum angle of a Delaunay triangulation, in degrees: the largest there is. The last
     /// mesh has it unless degree limits of single vertices rule that out.
-    #[must_use]
     pub fn delaunay_min_angle(&self) -> f64 {
         self.delaunay_min_angle
     }
 
     /// Whether the least degree and the angles are proven to be the best. If not, they are what windows
     /// reach: the domain has holes, or too many of its vertices see each other.
-    #[must_use]
     pub fn is_exact(&self) -> bool {
         self.is_exact
     }
 
     /// How much of that a mesh has, 0 to 1; 1 where only rounding keeps them apart.
-    #[must_use]
     pub fn share(&self, exact: &ExactMesh) -> f64 {
         share_of(exact.min_angle, self.delaunay_min_angle)
     }
 
     /// The mesh of the smallest degree that keeps this share of Delaunay's minimum angle, 0 to 1.
-    #[must_use]
     pub fn keeping(&self, share: f64) -> Option<&ExactMesh> {
         self.meshes.iter().find(|exact| keeps(exact.min_angle, share, self.delaunay_min_angle))
     }
@@ -100,7 +94,6 @@ impl TradeOff {
 }
 
 /// An angle as a share of the largest, `most`; 1 where only rounding keeps them apart.
-#[must_use]
 pub fn share_of(angle: f64, most: f64) -> f64 {
     /// The most that rounding takes from a share.
     const ROUNDING: f64 = 1e-9;
@@ -110,7 +103,6 @@ pub fn share_of(angle: f64, most: f64) -> f64 {
 
 /// Whether an angle has this share of the largest, `most`. Angles are compared to 36 bits; the last of them
 /// decides nothing.
-#[must_use]
 pub fn keeps(angle: f64, share: f64, most: f64) -> bool {
     angle >= share * most * (1.0 - 1e-10)
 }

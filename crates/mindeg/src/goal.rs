@@ -167,7 +167,6 @@ impl GoalKind {
     }
 
     /// The option of the command line.
-    #[must_use]
     pub fn option(&self) -> String {
         format!("--{}", self.key.replace('_', "-"))
     }
@@ -175,7 +174,6 @@ impl GoalKind {
 
 impl Goal {
     /// The kind, and the value as [`GoalKind::read`] takes it.
-    #[must_use]
     pub fn kind_and_value(self) -> (&'static GoalKind, String) {
         let (key, value) = match self {
             Self::LeastDegree => ("least_degree", String::new()),
@@ -269,7 +267,6 @@ fn least_by_formula(domain: &Domain) -> Option<u32> {
 
 /// Whether the mesh of [`Goal::LeastDegree`] comes from the formula, in time linear in its vertices: the
 /// domain is convex and unconstrained, and too large for a search of about half a second. O(k) for k sides.
-#[must_use]
 pub fn is_by_formula(domain: &Domain) -> bool {
     domain.convex().is_some_and(|form| {
         let boundary = form.boundary();

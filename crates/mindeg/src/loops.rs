@@ -75,7 +75,6 @@ impl Loops {
     /// assert_eq!(loops.list()[0].vertices, [0, 1, 2, 3]);
     /// # Ok::<(), mindeg::TriMeshError>(())
     /// ```
-    #[must_use]
     pub fn of(mesh: &TriMesh) -> Self {
         let same = weld(mesh.positions(), 0.0);
         let merged = |corners: &[u32; 3]| corners.map(|vertex| same[vertex as usize]);
@@ -145,7 +144,6 @@ impl Loops {
     }
 
     /// The loops, in the order of their first vertices.
-    #[must_use]
     pub fn list(&self) -> &[MeshLoop] {
         &self.loops
     }
@@ -181,7 +179,6 @@ impl Loops {
 
 impl MeshLoop {
     /// The mean of its points.
-    #[must_use]
     pub fn center(&self, positions: &[DVec3]) -> DVec3 {
         let share = 1.0 / self.vertices.len() as f64;
         self.vertices.iter().map(|&vertex| positions[vertex as usize] * share).sum()

@@ -257,7 +257,6 @@ impl Domain {
     ///
     /// Rings run as in the mesh. If a ring was given the wrong way round, its sides have points
     /// instead of a spacing law.
-    #[must_use]
     pub fn description(&self) -> DomainDescription {
         let ring = |ring: usize| {
             let sides = self.rings().ring_sides(ring);

@@ -14,7 +14,6 @@ impl DomainDescription {
     ///
     /// assert!(DomainDescription::schema().contains("size_inside"));
     /// ```
-    #[must_use]
     pub fn schema() -> String {
         schema::<Self>("A domain of mindeg")
     }
@@ -22,7 +21,6 @@ impl DomainDescription {
 
 impl ModelDescription {
     /// The JSON Schema of a model.
-    #[must_use]
     pub fn schema() -> String {
         schema::<Self>("A model of mindeg")
     }

@@ -63,21 +63,18 @@ impl Plane {
     }
 
     /// The coordinates of a point in the plane.
-    #[must_use]
     pub fn project(&self, point: DVec3) -> DVec2 {
         let from_origin = point - self.origin;
         DVec2::new(from_origin.dot(self.axes[0]), from_origin.dot(self.axes[1]))
     }
 
     /// The point of the plane with these coordinates.
-    #[must_use]
     pub fn lift(&self, point: DVec2) -> DVec3 {
         let height = (self.center - self.origin).dot(self.normal);
         self.origin + self.axes[0] * point.x + self.axes[1] * point.y + self.normal * height
     }
 
     /// The distance of a point from the plane.
-    #[must_use]
     pub fn distance(&self, point: DVec3) -> f64 {
         (point - self.center).dot(self.normal).abs()
     }
@@ -90,7 +87,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such face.
-    #[must_use]
     pub fn face_vertices(&self, face: usize) -> Vec<u32> {
         self.face_rings(face).concat()
     }
@@ -161,7 +157,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such face.
-    #[must_use]
     pub fn plane(&self, face: usize) -> &Plane {
         &self.faces[face].plane
     }
@@ -171,7 +166,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such face.
-    #[must_use]
     pub fn face_size(&self, face: usize) -> u32 {
         let passes = self.faces[face].loops.iter().flatten();
         passes.map(|pass| self.edges[pass.edge as usize].law.intervals()).sum()

@@ -167,31 +167,26 @@ impl Model {
     }
 
     /// The name of the model.
-    #[must_use]
     pub fn name(&self) -> Option<&str> {
         self.name.as_deref()
     }
 
     /// The number of corners, including corners that no face uses.
-    #[must_use]
     pub fn corner_count(&self) -> usize {
         self.corners.len()
     }
 
     /// The number of edges of faces.
-    #[must_use]
     pub fn edge_count(&self) -> usize {
         self.edges.len()
     }
 
     /// The number of faces.
-    #[must_use]
     pub fn face_count(&self) -> usize {
         self.faces.len()
     }
 
     /// The number of vertices of a mesh of this model: corners and points of edges.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         let end = |edge: &Edge| edge.first + edge.law.intervals() - 1;
         self.edges.last().map_or(self.used.len() as u32, end)
@@ -199,7 +194,6 @@ impl Model {
 
     /// The groups of faces, in the order of their first faces. Groups of equal name but different
     /// materials follow one another.
-    #[must_use]
     pub fn groups(&self) -> &[FaceGroup] {
         &self.groups
     }
@@ -209,7 +203,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such face.
-    #[must_use]
     pub fn group_of(&self, face: usize) -> usize {
         self.faces[face].group as usize
     }
@@ -219,7 +212,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such face.
-    #[must_use]
     pub fn face_name(&self, face: usize) -> Option<&str> {
         self.faces[face].name.as_deref()
     }
@@ -229,7 +221,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such edge.
-    #[must_use]
     pub fn edge_corners(&self, edge: usize) -> [u32; 2] {
         self.edges[edge].corners
     }
@@ -239,7 +230,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such edge.
-    #[must_use]
     pub fn edge_name(&self, edge: usize) -> Option<&str> {
         self.edges[edge].name.as_deref()
     }
@@ -249,7 +239,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such edge.
-    #[must_use]
     pub fn intervals(&self, edge: usize) -> u32 {
         self.edges[edge].law.intervals()
     }
@@ -259,7 +248,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such edge.
-    #[must_use]
     pub fn faces_at(&self, edge: usize) -> u32 {
         self.edges[edge].passes.iter().sum()
     }
@@ -276,7 +264,6 @@ impl Model {
     }
 
     /// Whether every edge has at least two faces.
-    #[must_use]
     pub fn is_closed(&self) -> bool {
         (0..self.edges.len()).all(|edge| self.faces_at(edge) > 1)
     }
@@ -292,21 +279,18 @@ impl Model {
     }
 
     /// The maximum distance of a corner from the plane of its face.
-    #[must_use]
     pub fn planar_tolerance(&self) -> f64 {
         self.planar_tolerance
     }
 
     /// Notes on the model for the user, one sentence each: open, flipped, not manifold, not quite
     /// planar.
-    #[must_use]
     pub fn notes(&self) -> &[String] {
         &self.notes
     }
 
     /// The positions of all vertices. O(n). The points of an edge are computed from its lower to
     /// its higher corner.
-    #[must_use]
     pub fn positions(&self) -> Vec<DVec3> {
         let mut positions = Vec::with_capacity(self.vertex_count() as usize);
         positions.extend(self.used.iter().map(|&corner| self.corners[corner as usize]));
@@ -323,7 +307,6 @@ impl Model {
     /// # Panics
     ///
     /// If the model has no such vertex.
-    #[must_use]
     pub fn place(&self, vertex: u32) -> ModelPlace {
         if let Some(&corner) = self.used.get(vertex as usize) {
             return ModelPlace::Corner(corner);
@@ -336,7 +319,6 @@ impl Model {
 
     /// For each vertex, the number of divided-edge ends there: 2 inside an edge, the valence at a
     /// corner. O(n).
-    #[must_use]
     pub fn edge_degrees(&self) -> Vec<u32> {
         let mut degrees = vec![2; self.vertex_count() as usize];
         degrees[..self.used.len()].fill(0);

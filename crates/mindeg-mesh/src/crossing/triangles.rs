@@ -9,7 +9,6 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 /// # Panics
 ///
 /// If a triangle names a vertex that does not exist.
-#[must_use]
 pub fn cross(positions: &[DVec3], a: [u32; 3], b: [u32; 3]) -> bool {
     let at = |vertex: u32| positions[vertex as usize];
     let [p, q] = [a.map(at), b.map(at)];

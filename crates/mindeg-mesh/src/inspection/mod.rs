@@ -161,7 +161,6 @@ pub struct Inspection {
 impl Inspection {
     /// Inspects a mesh. O(n log n) time and O(n) memory for n vertices and triangles, except for
     /// welding with a tolerance near the rounding of the coordinates.
-    #[must_use]
     pub fn of(mesh: &TriMesh, options: &InspectionOptions) -> Self {
         let positions = mesh.positions();
         let vertex_count = positions.len();
@@ -236,20 +235,17 @@ impl Inspection {
     }
 
     /// Whether every edge has at least two faces.
-    #[must_use]
     pub fn is_closed(&self) -> bool {
         self.boundary_edge_count == 0 && self.face_count > 0
     }
 
     /// Whether no edge has more than two faces, and faces form one fan at every vertex.
-    #[must_use]
     pub fn is_manifold(&self) -> bool {
         self.non_manifold_edges.is_empty() && self.non_manifold_vertices.is_empty()
     }
 
     /// The number of handles of all components together: 0 for a sphere, 1 for a torus; `None` if
     /// the mesh is not closed, manifold and consistently wound.
-    #[must_use]
     pub fn genus(&self) -> Option<u64> {
         let has_inside =
             self.is_closed() && self.is_manifold() && self.inconsistent_edges.is_empty();
@@ -258,7 +254,6 @@ impl Inspection {
     }
 
     /// The degree of `highest_degree`; 0 if the mesh has no face.
-    #[must_use]
     pub fn max_degree(&self) -> u32 {
         self.highest_degree.map_or(0, |highest| highest.degree)
     }

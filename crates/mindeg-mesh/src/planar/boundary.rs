@@ -55,7 +55,6 @@ pub struct PlanarBoundary {
 impl PlanarBoundary {
     /// The boundary of triangles, which prove it: nothing is checked. The rings may be in any order, include several
     /// outer rings, and touch each other at points.
-    #[must_use]
     pub fn of_mesh<R: AsRef<[DVec2]>>(rings: &[R]) -> Self {
         let mut points = Vec::with_capacity(rings.iter().map(|ring| ring.as_ref().len()).sum());
         let mut starts = vec![0];
@@ -100,7 +99,6 @@ impl PlanarBoundary {
     }
 
     /// The points, ring after ring.
-    #[must_use]
     pub fn points(&self) -> &[DVec2] {
         &self.points
     }
@@ -110,25 +108,21 @@ impl PlanarBoundary {
     /// # Panics
     ///
     /// If the boundary has no such vertex; the same holds below.
-    #[must_use]
     pub fn point(&self, vertex: u32) -> DVec2 {
         self.points[vertex as usize]
     }
 
     /// The number of vertices, which is also the number of edges.
-    #[must_use]
     pub fn vertex_count(&self) -> u32 {
         self.points.len() as u32
     }
 
     /// The number of rings: 1 and the number of holes.
-    #[must_use]
     pub fn ring_count(&self) -> usize {
         self.starts.len() - 1
     }
 
     /// The vertices of a ring.
-    #[must_use]
     pub fn ring(&self, ring: usize) -> Range<u32> {
         self.starts[ring]..self.starts[ring + 1]
     }
@@ -139,20 +133,17 @@ impl PlanarBoundary {
     }
 
     /// The ring of a vertex and its index there. O(log h) for h rings, like the next two functions.
-    #[must_use]
     pub fn in_ring(&self, vertex: u32) -> InRing {
         let ring = sweep::ring_of(&self.starts, vertex);
         InRing { ring, index: (vertex - self.starts[ring]) as usize }
     }
 
     /// The vertex after `vertex` on its ring.
-    #[must_use]
     pub fn next(&self, vertex: u32) -> u32 {
         sweep::next(&self.starts, vertex)
     }
 
     /// The vertex before `vertex` on its ring.
-    #[must_use]
     pub fn previous(&self, vertex: u32) -> u32 {
         sweep::previous(&self.starts, vertex)
     }
@@ -166,13 +157,11 @@ impl PlanarBoundary {
     }
 
     /// The length of the edge that begins at `vertex`.
-    #[must_use]
     pub fn length(&self, vertex: u32) -> f64 {
         self.point(vertex).distance(self.point(self.next(vertex)))
     }
 
     /// The interior angle at `vertex` in radians, above 0 and below 2 pi.
-    #[must_use]
     pub fn angle(&self, vertex: u32) -> f64 {
         let at = self.point(vertex);
         let (after, before) =
@@ -182,19 +171,16 @@ impl PlanarBoundary {
     }
 
     /// The first vertices of the sides, ascending; empty if unknown.
-    #[must_use]
     pub fn corners(&self) -> &[u32] {
         &self.corners
     }
 
     /// For each vertex, the straight run that the edge beginning there belongs to.
-    #[must_use]
     pub fn runs(&self) -> &[u32] {
         &self.runs
     }
 
     /// The box around all points. O(n).
-    #[must_use]
     pub fn bounds(&self) -> Bounds {
         let origin = Bounds { min: DVec2::ZERO, max: DVec2::ZERO };
         Bounds::of(self.points.iter().copied()).unwrap_or(origin)

@@ -118,13 +118,11 @@ impl fmt::Display for BoundaryFaults {
 
 impl BoundaryFaults {
     /// The faults. The first is the one that the sweep from the left finds first.
-    #[must_use]
     pub fn list(&self) -> &[BoundaryFault] {
         &self.0
     }
 
     /// The first fault.
-    #[must_use]
     pub fn first(&self) -> BoundaryFault {
         self.0.first().copied().unwrap_or(BoundaryFault::NoRing)
     }

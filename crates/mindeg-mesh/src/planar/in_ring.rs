@@ -12,25 +12,21 @@ pub struct InRing {
 
 impl InRing {
     /// In words, counted from 1.
-    #[must_use]
     pub fn named(self, kind: &str) -> String {
         format!("{kind} {}", self.named_last())
     }
 
     /// A side in words.
-    #[must_use]
     pub fn side(self) -> String {
         self.named("side")
     }
 
     /// A corner in words.
-    #[must_use]
     pub fn corner(self) -> String {
         self.named("corner")
     }
 
     /// The index without the noun, and the hole, for the last item of a list.
-    #[must_use]
     pub fn named_last(self) -> String {
         let Self { ring, index } = self;
         let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
@@ -39,7 +35,6 @@ impl InRing {
 }
 
 /// A ring in words: "the outline" or "hole 2".
-#[must_use]
 pub fn ring_name(ring: usize) -> String {
     if ring == 0 { "the outline".to_owned() } else { format!("hole {ring}") }
 }

@@ -18,7 +18,6 @@ pub use in_ring::{InRing, ring_name};
 pub use turning::{LEAST_TURN, Turn, passes, straight_runs, turn};
 
 /// Positive if three points run counter-clockwise, 0 if they are on one line; the sign is exact.
-#[must_use]
 pub fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let [a, b, c] = [a, b, c].map(|DVec2 { x, y }| robust::Coord { x, y });
     robust::orient2d(a, b, c)

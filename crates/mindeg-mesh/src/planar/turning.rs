@@ -26,7 +26,6 @@ pub enum Turn {
 ///
 /// The turn is straight if it is less than [`LEAST_TURN`], or less than the rounding of the
 /// coordinates can produce.
-#[must_use]
 pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
     let [before, after] = [incoming, outgoing].map(|[start, end]| end - start);
     let angle = libm::atan2(before.perp_dot(after), before.dot(after));
@@ -51,7 +50,6 @@ pub fn turn(incoming: [DVec2; 2], outgoing: [DVec2; 2]) -> Turn {
 ///
 /// `pieces` gives the first vertices of the straight pieces of a ring, from the start of the ring, and the
 /// turn at each.
-#[must_use]
 pub fn straight_runs(
     rings: impl Iterator<Item = Range<u32>>,
     pieces: impl Fn(usize) -> Vec<(u32, Turn)>,
@@ -91,7 +89,6 @@ pub fn straight_runs(
 /// assert!(!passes(chord, DVec2::new(0.3, 0.1001)));
 /// assert!(!passes(chord, DVec2::new(6.0, 2.0)));
 /// ```
-#[must_use]
 pub fn passes([from, to]: [DVec2; 2], point: DVec2) -> bool {
     let (before, after) = (point - from, to - point);
     // Far more than any turn that counts as straight; most points end here.

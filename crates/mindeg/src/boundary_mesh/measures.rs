@@ -26,7 +26,6 @@ impl BoundaryMesh {
 
     /// The minimum and the maximum angle. O(n) time, next to no memory, and much faster than
     /// [`qualities`](Self::qualities).
-    #[must_use]
     pub fn angle_range(&self) -> AngleRange {
         self.measure_angles(Progress::NONE).expect("nothing cancels the work")
     }

@@ -40,7 +40,6 @@ const ENOUGH: f64 = 30.0;
 ///
 /// Constraints stay on their vertices' indices. Takes up to about 75 times as long as
 /// [`angle_limit`] of the changed domains.
-#[must_use]
 pub fn lift(domain: &Domain, wanted: &Interior, limit: &AngleLimit) -> Option<Lift> {
     if domain.rings().vertex_count() > MOST_VERTICES {
         return None;

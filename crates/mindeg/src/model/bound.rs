@@ -65,7 +65,6 @@ pub enum JointBound {
 
 impl JointBound {
     /// The maximum degree that this proves to be necessary.
-    #[must_use]
     pub fn max_degree(&self) -> u32 {
         match self {
             Self::Sum { sum, vertices } => sum.div_ceil(u64::from(*vertices).max(1)) as u32,

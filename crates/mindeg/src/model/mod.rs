@@ -58,7 +58,6 @@ pub struct ModelMesh {
 
 impl ModelMesh {
     /// Whether the maximum degree is proven to be the least.
-    #[must_use]
     pub fn is_proven(&self) -> bool {
         self.max_degree == self.lower_bound
     }

@@ -72,7 +72,6 @@ pub enum Proof {
 
 impl Proof {
     /// A name of the kind, which stays the same over versions.
-    #[must_use]
     pub fn kind(&self) -> &'static str {
         use mindeg_core::Certificate;
         match self {
