@@ -111,41 +111,8 @@ impl Boundary {
         if side == self.side_count() { 0 } else { self.corners[side] }
     }
 
-    /// The vertex after `vertex`, counter-clockwise. O(1).
-    ///
-    /// ```
-    /// # use mindeg_core::Boundary;
-    /// let boundary = Boundary::new(&[3, 3, 2, 2])?;
-    /// assert_eq!([boundary.next(4), boundary.next(9)], [5, 0]);
-    /// assert_eq!([boundary.previous(4), boundary.previous(0)], [3, 9]);
-    /// # Ok::<(), mindeg_core::Defect>(())
-    /// ```
-    ///
-    /// # Panics
-    ///
-    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    pub fn next(&self, vertex: u32) -> u32 {
-        self.assert_exists(vertex);
-        self.ring().forward(vertex, 1)
-    }
-
-    /// The vertex before `vertex`, counter-clockwise. O(1).
-    ///
-    /// # Panics
-    ///
-    /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
-    pub fn previous(&self, vertex: u32) -> u32 {
-        self.assert_exists(vertex);
-        self.ring().backward(vertex, 1)
-    }
-
     pub(crate) fn ring(&self) -> Ring {
         Ring::new(self.vertex_count())
-    }
-
-    fn assert_exists(&self, vertex: u32) {
-        let n = self.vertex_count();
-        assert!(vertex < n, "vertex {vertex} does not exist; the boundary has {n} vertices");
     }
 
     /// The side of `vertex`; a corner belongs to the side that starts there.
@@ -155,13 +122,9 @@ impl Boundary {
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     pub fn side_of(&self, vertex: u32) -> usize {
-        self.assert_exists(vertex);
+        let n = self.vertex_count();
+        assert!(vertex < n, "vertex {vertex} does not exist; the boundary has {n} vertices");
         self.corners.partition_point(|&corner| corner <= vertex) - 1
-    }
-
-    /// Whether `vertex` is a corner; false for vertices that do not exist. O(log k).
-    pub fn is_corner(&self, vertex: u32) -> bool {
-        self.corners[..self.side_count()].binary_search(&vertex).is_ok()
     }
 
     /// Whether all three vertices lie on one side, so that the triangle has no area. O(log k).
@@ -188,18 +151,11 @@ mod tests {
     use alloc::string::ToString;
 
     #[test]
-    #[should_panic(expected = "vertex 6 does not exist; the boundary has 6 vertices")]
-    fn no_vertex_follows_one_that_does_not_exist() {
-        let _ = Boundary::new(&[3, 1, 2]).unwrap().next(6);
-    }
-
-    #[test]
     fn indices_start_at_the_first_corner() {
         let boundary = Boundary::new(&[3, 1, 2]).unwrap();
         assert_eq!(boundary.vertex_count(), 6);
         assert_eq!((0..=3).map(|s| boundary.corner(s)).collect::<Vec<_>>(), [0, 3, 4, 0]);
         assert_eq!((0..6).map(|v| boundary.side_of(v)).collect::<Vec<_>>(), [0, 0, 0, 1, 2, 2]);
-        assert_eq!((0..=6).filter(|&v| boundary.is_corner(v)).collect::<Vec<_>>(), [0, 3, 4]);
         assert!(boundary.sides().eq([3, 1, 2]));
         assert_eq!((0..3).map(|s| boundary.intervals(s)).collect::<Vec<_>>(), [3, 1, 2]);
     }

@@ -46,54 +46,31 @@ impl HasPosition for Site {
 type Sites = ConstrainedDelaunayTriangulation<Site>;
 
 /// Why points have no Delaunay triangulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DelaunayError {
-    /// A coordinate for which the predicates are not exact.
-    #[error(
-        "vertex {vertex} has a coordinate that is neither 0 nor of magnitude 1.8e-43 to 3.2e60, \
-         where the predicates are exact; use another unit of length"
-    )]
-    CoordinateOutOfRange {
-        /// The first vertex with such a coordinate.
-        vertex: u32,
-    },
-    /// Two vertices have the same position in f64.
-    #[error(
-        "vertices {} and {} coincide once their coordinates are rounded to f64; use fewer \
-         intervals there, or an origin near the domain",
-        vertices[0],
-        vertices[1]
-    )]
-    CoincidentPoints {
-        /// The vertices.
-        vertices: [u32; 2],
-    },
-    /// The boundary through the rounded points crosses or touches itself.
-    #[error(
-        "the boundary edge from {} to {} crosses or touches another once coordinates are rounded \
-         to f64; use fewer intervals there, or an origin near the domain",
-        edge[0],
-        edge[1]
-    )]
-    CrossingBoundary {
-        /// The edge, with the domain on its left.
-        edge: [u32; 2],
-    },
-    /// A segment crosses the boundary or another segment.
-    #[error(
-        "the segment from {} to {} crosses the boundary or another segment; end both at a common \
-         point",
-        segment[0],
-        segment[1]
-    )]
-    CrossingSegment {
-        /// The segment.
-        segment: [u32; 2],
-    },
+    /// The reason in a sentence, with the vertices.
+    #[error("{0}")]
+    Refused(String),
     /// The [`Progress`] callback has cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+impl DelaunayError {
+    fn out_of_range(vertex: u32) -> Self {
+        Self::Refused(format!(
+            "vertex {vertex} has a coordinate that is neither 0 nor of magnitude 1.8e-43 to 3.2e60, where \
+             the predicates are exact; use another unit of length"
+        ))
+    }
+
+    fn crossing([from, to]: [u32; 2]) -> Self {
+        Self::Refused(format!(
+            "the boundary edge from {from} to {to} crosses or touches another once coordinates are rounded \
+             to f64; use fewer intervals there, or an origin near the domain"
+        ))
+    }
 }
 
 /// The triangles inside a boundary, counter-clockwise, in no particular order.
@@ -135,7 +112,7 @@ pub fn triangles(
 ) -> Result<Vec<[u32; 3]>, DelaunayError> {
     let in_range = |point: &DVec2| spade::validate_vertex(&Point2::from(point.to_array())).is_ok();
     if let Some(vertex) = boundary.points().iter().chain(inner).position(|point| !in_range(point)) {
-        return Err(DelaunayError::CoordinateOutOfRange { vertex: vertex as u32 });
+        return Err(DelaunayError::out_of_range(vertex as u32));
     }
     let (mut sites, handles) = insert(boundary, inner, progress)?;
     for [from, to] in boundary.edges() {
@@ -146,13 +123,16 @@ pub fn triangles(
         }
         // A constraint that passes through a vertex is split there.
         if !is_free || !sites.exists_constraint(a, b) {
-            return Err(DelaunayError::CrossingBoundary { edge: [from, to] });
+            return Err(DelaunayError::crossing([from, to]));
         }
     }
     for &[from, to] in segments {
         let (a, b) = (handles[from as usize], handles[to as usize]);
         if !sites.can_add_constraint(a, b) {
-            return Err(DelaunayError::CrossingSegment { segment: [from, to] });
+            return Err(DelaunayError::Refused(format!(
+                "the segment from {from} to {to} crosses the boundary or another segment; end both at a \
+                 common point"
+            )));
         }
         sites.add_constraint(a, b);
     }
@@ -188,10 +168,13 @@ fn insert(
             Some(hint) => sites.insert_with_hint(site, hint),
             None => sites.insert(site),
         };
-        let handle = inserted.map_err(|_| DelaunayError::CoordinateOutOfRange { vertex })?;
+        let handle = inserted.map_err(|_| DelaunayError::out_of_range(vertex))?;
         if sites.num_vertices() == before {
             let other = handles.iter().position(|&other| other == Some(handle)).unwrap_or(0);
-            return Err(DelaunayError::CoincidentPoints { vertices: [other as u32, vertex] });
+            return Err(DelaunayError::Refused(format!(
+                "vertices {other} and {vertex} coincide once their coordinates are rounded to f64; use \
+                 fewer intervals there, or an origin near the domain"
+            )));
         }
         handles[vertex as usize] = Some(handle);
         counter.add(1)?;
@@ -341,21 +324,14 @@ mod tests {
             let boundary = PlanarBoundary::of_mesh(&[points.map(DVec2::from)]);
             triangles(&boundary, &[], &[], Progress::NONE).unwrap_err()
         };
-        assert_eq!(
-            refusal([[0.0, 0.0], [1.0, 1e-50], [2.0, 0.0], [0.0, 1.0]]),
-            DelaunayError::CoordinateOutOfRange { vertex: 1 }
-        );
-        assert_eq!(
-            refusal([[0.0, 0.0], [1e99, 0.0], [2e99, 0.0], [0.0, f64::NAN]]),
-            DelaunayError::CoordinateOutOfRange { vertex: 1 }
-        );
-        assert_eq!(
-            refusal([[0.0, 0.0], [0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]),
-            DelaunayError::CoincidentPoints { vertices: [0, 1] }
-        );
+        let out_of_range = DelaunayError::out_of_range(1);
+        assert_eq!(refusal([[0.0, 0.0], [1.0, 1e-50], [2.0, 0.0], [0.0, 1.0]]), out_of_range);
+        assert_eq!(refusal([[0.0, 0.0], [1e99, 0.0], [2e99, 0.0], [0.0, f64::NAN]]), out_of_range);
+        let coincide = refusal([[0.0, 0.0], [0.0, 0.0], [2.0, 0.0], [0.0, 1.0]]);
+        assert!(coincide.to_string().starts_with("vertices 0 and 1 coincide "), "{coincide}");
         assert_eq!(
             refusal([[0.0, 0.0], [1.0, 2.0], [2.0, 0.0], [0.0, 1.0]]),
-            DelaunayError::CrossingBoundary { edge: [2, 3] }
+            DelaunayError::crossing([2, 3])
         );
     }
 
@@ -394,10 +370,10 @@ mod tests {
             |a, b| with_points.iter().any(|corners| corners.contains(&a) && corners.contains(&b));
         assert!(has(8, 10) && has(10, 9) && !has(8, 9));
 
-        let crossing = DelaunayError::CrossingSegment { segment: [10, 5] };
-        assert_eq!(of(12, &[[10, 5]]), Err(crossing));
-        let crossing = DelaunayError::CrossingSegment { segment: [1, 9] };
-        assert_eq!(of(12, &[[0, 8], [1, 9]]), Err(crossing));
+        let crossing = |segments: &[[u32; 2]]| {
+            of(12, segments).unwrap_err().to_string().starts_with("the segment")
+        };
+        assert!(crossing(&[[10, 5]]) && crossing(&[[0, 8], [1, 9]]));
     }
 
     /// Vertex 5 is on the edge from 1 to 2.
@@ -410,7 +386,7 @@ mod tests {
         let clockwise = [points[4], points[6], points[5]];
         let boundary = PlanarBoundary::of_mesh(&[&points[..4], &clockwise]);
         let refusal = triangles(&boundary, &[], &[], Progress::NONE);
-        assert_eq!(refusal, Err(DelaunayError::CrossingBoundary { edge: [1, 2] }));
+        assert_eq!(refusal, Err(DelaunayError::crossing([1, 2])));
     }
 
     /// Cancels at once, before the later fault.

@@ -47,7 +47,7 @@ pub fn refined(
         boundary.points().iter().map(|point| point.to_array().into()).collect();
     let in_range = |site: &Point2<f64>| spade::validate_vertex(site).is_ok();
     if let Some(vertex) = sites.iter().position(|site| !in_range(site)) {
-        return Err(DelaunayError::CoordinateOutOfRange { vertex: vertex as u32 });
+        return Err(DelaunayError::out_of_range(vertex as u32));
     }
     let edges = boundary.edges().map(|edge| edge.map(|vertex| vertex as usize)).collect();
     let mut conflict = None;
@@ -55,9 +55,9 @@ pub fn refined(
         ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(sites, edges, |edge| {
             conflict = Some(edge);
         })
-        .map_err(|_| DelaunayError::CoordinateOutOfRange { vertex: 0 })?;
+        .map_err(|_| DelaunayError::out_of_range(0))?;
     if let Some([a, b]) = conflict {
-        return Err(DelaunayError::CrossingBoundary { edge: [a as u32, b as u32] });
+        return Err(DelaunayError::crossing([a as u32, b as u32]));
     }
     let parameters = RefinementParameters::<f64>::new()
         .with_angle_limit(AngleLimit::from_deg(min_angle))

@@ -68,7 +68,7 @@ impl FaceList {
     ) -> Result<TriMesh, TriMeshError> {
         let Self { mut triangles, polygons, quads, larger } = self;
         let Ok(triangle_count) = u32::try_from(triangles.len()) else {
-            return Err(TriMeshError::TooManyTriangles { triangles: triangles.len() });
+            return Err(TriMeshError::too_many("triangles", triangles.len()));
         };
         let Some(mut polygons) = polygons else {
             return Ok(TriMesh::new(positions, triangles)?.with_non_triangles(counts));

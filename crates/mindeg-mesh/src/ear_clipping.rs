@@ -6,6 +6,8 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::planar::orientation;
+
 /// Cuts a polygon into triangles, and adds them to `triangles`: always k - 2 for k corners, each in
 /// the direction of the polygon; nothing for fewer than three corners.
 ///
@@ -74,12 +76,6 @@ fn in_plane(corners: &[u32], positions: &[DVec3]) -> Option<Vec<DVec2>> {
     let [x, y] = if along < 0.0 { [axes[1], axes[0]] } else { axes };
     // Also refuses NaN.
     (along.abs() > 0.0).then(|| points.iter().map(|p| DVec2::new(p[x], p[y])).collect())
-}
-
-/// Twice the area of a triangle, with an exact sign: positive where it is counter-clockwise.
-fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let [a, b, c] = [a, b, c].map(|p| robust::Coord { x: p.x, y: p.y });
-    robust::orient2d(a, b, c)
 }
 
 /// Whether all triangles of the fan from the first point are counter-clockwise.

@@ -32,7 +32,7 @@ use crate::polygons::{NonTriangles, Polygons};
 /// assert_eq!(mesh.degrees(), [3, 2, 3, 2]);
 /// # Ok::<(), mindeg_mesh::TriMeshError>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct TriMesh {
     name: Option<String>,
     positions: Vec<DVec3>,
@@ -48,52 +48,29 @@ pub struct TriMesh {
     non_triangles: NonTriangles,
     notes: Vec<String>,
     rounding: Option<f64>,
-    degrees: OnceLock<Vec<u32>>,
+    degrees: Degrees,
+}
+
+/// The degrees of a mesh, once they were asked for. They follow from its triangles, so they make no difference.
+#[derive(Clone, Debug, Default)]
+struct Degrees(OnceLock<Vec<u32>>);
+
+impl PartialEq for Degrees {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// Why points and triangles do not form a [`TriMesh`].
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum TriMeshError {
-    /// A triangle or segment names a vertex that the mesh does not have.
-    #[error(
-        "{what} {index} (counted from 0) names vertex {vertex} (counted from 0); the mesh has \
-         {vertices} vertices"
-    )]
-    NoSuchVertex {
-        /// "triangle" or "segment".
-        what: &'static str,
-        /// The index of the triangle or segment.
-        index: usize,
-        /// The index of the vertex.
-        vertex: u32,
-        /// The number of vertices.
-        vertices: usize,
-    },
-    /// A position with a coordinate that is infinite or not a number.
-    #[error("vertex {vertex} (counted from 0) has a coordinate that is not a finite number")]
-    NotFinite {
-        /// The index of the vertex.
-        vertex: usize,
-    },
-    /// More vertices than 32-bit indices can tell apart.
-    #[error("the mesh has {vertices} vertices; the maximum is {}", u32::MAX)]
-    TooManyVertices {
-        /// The number of vertices.
-        vertices: usize,
-    },
-    /// More triangles than 32-bit indices can tell apart.
-    #[error("the mesh has {triangles} triangles; the maximum is {}", u32::MAX)]
-    TooManyTriangles {
-        /// The number of triangles.
-        triangles: usize,
-    },
-    /// No triangle.
-    #[error("the mesh has no triangle ({vertices} vertices)")]
-    NoTriangles {
-        /// The number of vertices.
-        vertices: usize,
-    },
+#[error("{0}")]
+pub struct TriMeshError(String);
+
+impl TriMeshError {
+    /// A mesh with so many `things` that their indices are not u32.
+    pub fn too_many(things: &str, count: usize) -> Self {
+        Self(format!("the mesh has {count} {things}; the maximum is {}", u32::MAX))
+    }
 }
 
 impl TriMesh {
@@ -106,16 +83,18 @@ impl TriMesh {
     pub fn new(positions: Vec<DVec3>, triangles: Vec<[u32; 3]>) -> Result<Self, TriMeshError> {
         let vertices = positions.len();
         if u32::try_from(vertices).is_err() {
-            return Err(TriMeshError::TooManyVertices { vertices });
+            return Err(TriMeshError::too_many("vertices", vertices));
         }
         let Ok(triangle_count) = u32::try_from(triangles.len()) else {
-            return Err(TriMeshError::TooManyTriangles { triangles: triangles.len() });
+            return Err(TriMeshError::too_many("triangles", triangles.len()));
         };
         if triangle_count == 0 {
-            return Err(TriMeshError::NoTriangles { vertices });
+            return Err(TriMeshError(format!("the mesh has no triangle ({vertices} vertices)")));
         }
         if let Some(vertex) = positions.iter().position(|position| !position.is_finite()) {
-            return Err(TriMeshError::NotFinite { vertex });
+            return Err(TriMeshError(format!(
+                "vertex {vertex} (counted from 0) has a coordinate that is not a finite number"
+            )));
         }
         check_vertices("triangle", &triangles, vertices)?;
         Ok(Self {
@@ -131,7 +110,7 @@ impl TriMesh {
             non_triangles: NonTriangles::default(),
             notes: Vec::new(),
             rounding: None,
-            degrees: OnceLock::new(),
+            degrees: Degrees::default(),
         })
     }
 
@@ -296,7 +275,7 @@ impl TriMesh {
 
     /// The number of edges of triangles at each vertex. O(n log d) for degrees of d, computed once.
     pub fn degrees(&self) -> &[u32] {
-        self.degrees.get_or_init(|| {
+        self.degrees.0.get_or_init(|| {
             let mut degrees = vec![0; self.positions.len()];
             let faces = Faces::new(&self.triangles, None, None);
             let stars = Stars::new(self.positions.len(), &faces);
@@ -321,33 +300,17 @@ impl TriMesh {
     }
 }
 
-/// Two meshes are equal if they have the same points, triangles, names, groups, lines, polygons,
-/// depths and notes, and the same rounding.
-impl PartialEq for TriMesh {
-    fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
-            && self.positions == other.positions
-            && self.triangles == other.triangles
-            && self.groups == other.groups
-            && self.segments == other.segments
-            && self.lines == other.lines
-            && self.line_kinds == other.line_kinds
-            && self.depths == other.depths
-            && self.polygons == other.polygons
-            && self.non_triangles == other.non_triangles
-            && self.notes == other.notes
-            && self.rounding == other.rounding
-    }
-}
-
 fn check_vertices<const N: usize>(
-    what: &'static str,
+    what: &str,
     items: &[[u32; N]],
     vertices: usize,
 ) -> Result<(), TriMeshError> {
     for (index, corners) in items.iter().enumerate() {
         if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= vertices) {
-            return Err(TriMeshError::NoSuchVertex { what, index, vertex, vertices });
+            return Err(TriMeshError(format!(
+                "{what} {index} (counted from 0) names vertex {vertex} (counted from 0); the mesh has \
+                 {vertices} vertices"
+            )));
         }
     }
     Ok(())

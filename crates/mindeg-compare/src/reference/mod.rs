@@ -55,7 +55,7 @@ pub struct Timed {
 }
 
 /// Why a method gives no triangles.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum NoTriangulation {
     /// It did not finish in time.

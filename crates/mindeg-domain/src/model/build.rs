@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use glam::DVec3;
-use mindeg_mesh::Material;
+use mindeg_mesh::{Bounds, Material};
 
 use super::crossing;
 use super::faults::{self, coincident, face_error};
@@ -170,10 +170,7 @@ fn check_corners(
 
 /// The largest extent of some points along an axis.
 pub(super) fn largest_extent(points: impl Iterator<Item = DVec3>) -> f64 {
-    let box_of = |[low, high]: [DVec3; 2], point: DVec3| [low.min(point), high.max(point)];
-    let [low, high] =
-        points.fold([DVec3::splat(f64::INFINITY), DVec3::splat(f64::NEG_INFINITY)], box_of);
-    (high - low).max_element().max(0.0)
+    Bounds::of_space(points).map_or(0.0, |bounds| bounds.size().max_element())
 }
 
 fn plane(

@@ -291,7 +291,7 @@ impl<'a> Surface<'a> {
         }
         let vertices = start..self.positions.len();
         if u32::try_from(vertices.end).is_err() {
-            return Err(TriMeshError::TooManyVertices { vertices: vertices.end }.into());
+            return Err(TriMeshError::too_many("vertices", vertices.end).into());
         }
         self.vertices.insert(placed, vertices.clone());
         Ok(vertices)

@@ -150,7 +150,7 @@ fn read_facet(
 fn welded(corners: Vec<DVec3>, groups: Vec<Group>, is_binary: bool) -> Result<TriMesh, ReadError> {
     let count = corners.len();
     if u32::try_from(count).is_err() {
-        return Err(TriMeshError::TooManyTriangles { triangles: count / 3 }.into());
+        return Err(TriMeshError::too_many("triangles", count / 3).into());
     }
     // Adding zero turns -0 into 0, so that equal numbers have equal bits.
     let bits = |corner: DVec3| (corner + DVec3::ZERO).to_array().map(f64::to_bits);

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
 use mindeg_interior::{InteriorReport, Keep};
 use mindeg_mesh::weld;
-use mindeg_mesh::{Group, Progress, TriMesh, Triangles};
+use mindeg_mesh::{Bounds, Group, Progress, TriMesh, Triangles};
 
 use super::plane::Plane;
 use super::regions::{edges, interfaces, spread};
@@ -156,10 +156,11 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
         total += doubled.length();
     }
     let used = || triangles.iter().flatten().map(|v| (*v, positions[*v as usize]));
-    let low = used().map(|(_, at)| at).reduce(DVec3::min).unwrap_or_default();
-    let high = used().map(|(_, at)| at).reduce(DVec3::max).unwrap_or_default();
+    let none = Bounds { min: DVec3::ZERO, max: DVec3::ZERO };
+    let bounds = Bounds::of_space(used().map(|(_, at)| at)).unwrap_or(none);
+    let Bounds { min: low, max: high } = bounds;
     // A mesh across an axis has its normal exactly along it.
-    let flat = (high - low).to_array().map(|extent| extent == 0.0);
+    let flat = bounds.size().to_array().map(|extent| extent == 0.0);
     let normal = match flat {
         [true, false, false] => DVec3::new(normal.x, 0.0, 0.0),
         [false, true, false] => DVec3::new(0.0, normal.y, 0.0),
