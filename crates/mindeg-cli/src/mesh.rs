@@ -14,7 +14,7 @@ use mindeg::MeshError;
 use mindeg::{Domain, Goal, Meshed, Progress};
 use mindeg_answers::degree::triangle_count;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
-use mindeg_exact::{MAX_VERTICES, ProblemError};
+use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::Wanted;
 use std::path::PathBuf;
 
@@ -74,7 +74,7 @@ pub(crate) fn meshed(
 /// Why a domain has no mesh; where it is for its size, `way_out` says what to do.
 pub(crate) fn unsolved(error: &MeshError, way_out: &str) -> Failure {
     Failure::Input(match error {
-        MeshError::Problem(ProblemError::TooManyVertices { vertices }) => format!(
+        MeshError::Unsolved(Unsolved::TooManyVertices { vertices }) => format!(
             "the domain has {vertices} boundary vertices; exact work takes at most {MAX_VERTICES}; \
              use fewer intervals, or {way_out}"
         ),

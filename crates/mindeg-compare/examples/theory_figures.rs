@@ -111,7 +111,7 @@ fn least_degree(
     }
     let boundary = PlanarBoundary::new(&[&points])?.with_sides(starts, sides);
     let delaunay = mindeg_delaunay::triangles(&boundary, &[], &[], Progress::NONE)?;
-    let problem = Problem::triangulated(&points, boundary.runs(), &delaunay)?;
+    let problem = Problem::triangulated(&boundary, &delaunay)?;
     let answer = degree_range(&problem, Progress::NONE)?;
     let points = points.into_iter().map(|point| point.extend(0.0)).collect();
     let mesh = TriMesh::new(points, answer.triangles.clone())?;

@@ -14,7 +14,7 @@ mod outlines;
 
 use divan::Bencher;
 use glam::DVec2;
-use mindeg_exact::{Problem, Progress, WindowGoal, degree_range, measure, trade_off, windows};
+use mindeg_exact::{Problem, Progress, degree_range, measure, trade_off, windows};
 use outlines::{Outline, Random, turn};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
 
@@ -70,7 +70,7 @@ fn problem(outline: &Outline) -> (Problem, f64) {
     let triangles: Vec<[u32; 3]> = triangles.filter(is_inside).collect();
     let tangents = triangles.iter().map(|triangle| measure::min_angle_tangent(corners(triangle)));
     let least = tangents.fold(f64::INFINITY, f64::min);
-    (Problem::triangulated(points, &outline.side_of, &triangles).unwrap(), least)
+    (Problem::triangulated(&outline.boundary(), &triangles).unwrap(), least)
 }
 
 #[divan::bench(args = [500, 2000], sample_count = 3)]
@@ -101,8 +101,7 @@ fn trade_off_of_coast(bencher: Bencher, vertices: u32) {
 #[divan::bench(args = [2000, 20_000], sample_count = 3)]
 fn windows_of_coast(bencher: Bencher, vertices: u32) {
     let (problem, tangent) = problem(&coast(vertices));
-    let goal = WindowGoal { max_degree: 0, min_tangent: 0.9 * tangent };
-    bencher.bench(|| windows(&problem, goal, Progress::NONE).unwrap());
+    bencher.bench(|| windows(&problem, 0, 0.9 * tangent, Progress::NONE).unwrap());
 }
 
 #[divan::bench(args = [1_000_000], sample_count = 1, ignore)]

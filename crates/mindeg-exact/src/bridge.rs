@@ -28,12 +28,12 @@ mod plane;
 mod staircase;
 
 use crate::space;
+use crate::unsolved::Unsolved;
 use glam::DVec3;
-use mindeg_core::{Defect, RingStrip};
-use mindeg_mesh::{Cancelled, Progress};
+use mindeg_core::RingStrip;
+use mindeg_mesh::Progress;
 use plane::Plane;
-use staircase::{BLOCKED, Capacities, Path, Search, Steps};
-use thiserror::Error;
+use staircase::{Capacities, Path, Search, Steps};
 
 /// The most states that a search may visit: vertices of one ring times edges between the rings
 /// times lengths of runs. Most searches visit a small share of them.
@@ -41,6 +41,13 @@ pub const MAX_STEPS: u64 = 1 << 36;
 
 /// The most states that are kept at a time, of 8 bytes each.
 const MAX_TABLE: u64 = 1 << 25;
+
+const NO_PLANAR_STRIP: &str = "both loops lie in one plane, and no single strip fits between them: one must lie \
+    inside the other, each edge must see a vertex of the other loop, and the faces of both must look the same way";
+
+fn too_large(p: usize, q: usize) -> Unsolved {
+    Unsolved::Refused(format!("loops of {p} and {q} vertices are too large for the exact search"))
+}
 
 /// Two rings in space, and what is around them.
 ///
@@ -74,44 +81,6 @@ pub struct Bridge {
     pub is_planar: bool,
 }
 
-/// Why two rings have no strip.
-#[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum BridgeUnsolved {
-    /// A ring of fewer than three vertices, or too many vertices.
-    #[error(transparent)]
-    Rings(#[from] Defect),
-    /// The search could visit more than [`MAX_STEPS`] states, or keep too many.
-    #[error("loops of {p} and {q} vertices are too large for the exact search")]
-    TooLarge {
-        /// Vertices of the x ring.
-        p: usize,
-        /// Vertices of the y ring.
-        q: usize,
-    },
-    /// The rings are in one plane, and every strip folds or has an excluded edge.
-    #[error(
-        "both loops lie in one plane, and no single strip fits between them: one must lie inside \
-         the other, each edge must see a vertex of the other loop, and the faces of both must look \
-         the same way"
-    )]
-    NoPlanarStrip,
-    /// Every strip has an excluded edge.
-    #[error("each strip between the loops needs an edge that is there already")]
-    Excluded,
-    /// No strip keeps the limit.
-    #[error("no strip between the loops keeps degree limit {limit}; the least possible is {least}")]
-    Infeasible {
-        /// The limit.
-        limit: u32,
-        /// The least limit that some strip keeps.
-        least: u32,
-    },
-    /// The progress callback cancelled the work.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-}
-
 impl BridgeProblem {
     /// Two rings of three vertices or more. `external` are the edges at each vertex without those
     /// of the strip: its two ring edges, and what else is there. `excluded` are pairs of a vertex
@@ -119,7 +88,7 @@ impl BridgeProblem {
     ///
     /// # Errors
     ///
-    /// [`BridgeUnsolved::Rings`], or [`BridgeUnsolved::TooLarge`].
+    /// A ring of fewer than three vertices, or too many vertices.
     ///
     /// # Panics
     ///
@@ -129,14 +98,14 @@ impl BridgeProblem {
         points: [&[DVec3]; 2],
         external: [&[u32]; 2],
         excluded: impl IntoIterator<Item = [u32; 2]>,
-    ) -> Result<Self, BridgeUnsolved> {
+    ) -> Result<Self, Unsolved> {
         let [p, q] = points.map(<[DVec3]>::len);
         assert!(external.map(<[u32]>::len) == [p, q], "as many degrees as points");
         assert!(points.iter().all(|ring| ring.iter().all(|point| point.is_finite())));
         let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-        RingStrip::new(count(p), count(q))?;
+        RingStrip::new(count(p), count(q)).map_err(|error| Unsolved::refused(error.to_string()))?;
         if p as u64 * q as u64 > MAX_TABLE / 2 {
-            return Err(BridgeUnsolved::TooLarge { p, q });
+            return Err(too_large(p, q));
         }
         let mut pairs = vec![false; p * q];
         for [i, j] in excluded {
@@ -197,7 +166,8 @@ impl BridgeProblem {
 ///
 /// # Errors
 ///
-/// [`BridgeUnsolved`].
+/// A limit that no strip keeps, excluded edges that each needs, rings of one plane that no strip joins without
+/// folds, more work than [`MAX_STEPS`], or a cancelled `progress`.
 ///
 /// # Example
 ///
@@ -211,23 +181,25 @@ impl BridgeProblem {
 /// let problem = BridgeProblem::new([&square, &triangle], [&[2; 4], &[2; 3]], [])?;
 /// let bridge = bridge_rings(&problem, None, Progress::NONE)?;
 /// assert_eq!((bridge.triangles.len(), bridge.max_degree), (7, 5));
-/// # Ok::<(), mindeg_exact::BridgeUnsolved>(())
+/// # Ok::<(), mindeg_exact::Unsolved>(())
 /// ```
 pub fn bridge_rings(
     problem: &BridgeProblem,
     limit: Option<u32>,
     progress: Progress<'_>,
-) -> Result<Bridge, BridgeUnsolved> {
+) -> Result<Bridge, Unsolved> {
     let [p, q] = [0, 1].map(|ring| problem.points[ring].len());
     let plane = Plane::of(&problem.points[0], &problem.points[1]);
-    let no_strip =
-        if plane.is_some() { BridgeUnsolved::NoPlanarStrip } else { BridgeUnsolved::Excluded };
+    let no_strip = || match plane {
+        Some(_) => Unsolved::refused(NO_PLANAR_STRIP),
+        None => Unsolved::Excluded,
+    };
     if plane.as_ref().is_some_and(Plane::is_opposite) {
-        return Err(no_strip);
+        return Err(no_strip());
     }
     let (angles, areas) = problem.steps(plane.as_ref());
     let search = |steps: &Steps, limit, add| problem.search(steps, limit, add, progress);
-    let free = search(&angles, None, false)?.ok_or_else(|| no_strip.clone())?;
+    let free = search(&angles, None, false)?.ok_or_else(no_strip)?;
     let free_degree = problem.max_degree(&free);
     let lower_bound = problem.lower_bound();
     let mut least = lower_bound;
@@ -241,7 +213,7 @@ pub fn bridge_rings(
         }
         least += 1;
     };
-    let under = |limit: u32| -> Result<Path, BridgeUnsolved> {
+    let under = |limit: u32| -> Result<Path, Unsolved> {
         if limit == least {
             return Ok(best.clone());
         }
@@ -253,7 +225,7 @@ pub fn bridge_rings(
     };
     let limit = limit.unwrap_or(least);
     if limit < least {
-        return Err(BridgeUnsolved::Infeasible { limit, least });
+        return Err(Unsolved::Infeasible { max_degree: limit, least });
     }
     // More than the degree of the best strip of all makes no difference.
     let limit = limit.min(free_degree.max(least));
@@ -261,7 +233,7 @@ pub fn bridge_rings(
     let next = under(limit + 1)?.cost;
     // The least area of all strips with this angle.
     let good = areas.only_where(&angles, angle);
-    let chosen = search(&good, Some(limit), true)?.ok_or_else(|| no_strip.clone())?;
+    let chosen = search(&good, Some(limit), true)?.ok_or_else(no_strip)?;
     Ok(Bridge {
         triangles: chosen.triangles(p, q),
         max_degree: problem.max_degree(&chosen),
@@ -278,14 +250,14 @@ pub fn bridge_rings(
 ///
 /// # Errors
 ///
-/// [`BridgeUnsolved`].
+/// Excluded edges that each strip needs, more work than [`MAX_STEPS`], or a cancelled `progress`.
 pub fn largest_bridge_angle(
     problem: &BridgeProblem,
     progress: Progress<'_>,
-) -> Result<f64, BridgeUnsolved> {
+) -> Result<f64, Unsolved> {
     let (angles, _) = problem.steps(None);
     let best = problem.search(&angles, None, false, progress)?;
-    Ok(degrees(best.ok_or(BridgeUnsolved::Excluded)?.cost))
+    Ok(degrees(best.ok_or(Unsolved::Excluded)?.cost))
 }
 
 /// The angle of a cost, in degrees.
@@ -301,13 +273,13 @@ impl BridgeProblem {
         limit: Option<u32>,
         add: bool,
         progress: Progress<'_>,
-    ) -> Result<Option<Path>, BridgeUnsolved> {
+    ) -> Result<Option<Path>, Unsolved> {
         let capacities = limit.map(|limit| self.capacities(limit));
         let starts = self.starts();
         let search = Search { steps, capacities: capacities.as_ref(), starts: &starts, add };
         if search.table_len() > MAX_TABLE || search.most_steps() > MAX_STEPS {
             let [p, q] = [0, 1].map(|ring| self.points[ring].len());
-            return Err(BridgeUnsolved::TooLarge { p, q });
+            return Err(too_large(p, q));
         }
         Ok(search.best(progress)?)
     }
@@ -342,5 +314,3 @@ impl BridgeProblem {
         degrees.into_iter().max().unwrap_or(0)
     }
 }
-
-const _: () = assert!(BLOCKED == u64::MAX);

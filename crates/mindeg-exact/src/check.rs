@@ -38,8 +38,7 @@ pub struct CheckedOutline<'a> {
     pub points: &'a [DVec2],
     /// The vertices of each ring in its order, with the domain on the left.
     pub rings: &'a [Range<u32>],
-    /// The straight side of each boundary edge, named as for
-    /// [`Problem::triangulated`](crate::Problem::triangulated).
+    /// The straight side of the boundary edge that begins at each vertex.
     pub side_of: &'a [u32],
     /// Chords keep the tolerance: those of a domain that is as thin as it pass only what they touch
     /// ([`Problem::keeps_clear`](crate::Problem::keeps_clear)).
@@ -226,6 +225,7 @@ impl CheckedOutline<'_> {
 mod tests {
     use super::*;
     use crate::{LowerBound, Problem, Progress, ZigZag, degree_range};
+    use mindeg_mesh::planar::PlanarBoundary;
 
     /// What the checker takes for a zig-zag is one.
     #[test]
@@ -265,7 +265,8 @@ mod tests {
         let tips = (0..6).map(|tip| [(2 * tip + 11) % 12, 2 * tip, 2 * tip + 1]);
         let within = [[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]];
         let triangles: Vec<_> = tips.chain(within).collect();
-        let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
+        let boundary = PlanarBoundary::new(&[&points]).unwrap();
+        let problem = Problem::triangulated(&boundary, &triangles).unwrap();
         let range = degree_range(&problem, Progress::NONE).unwrap();
         let LowerBound::BlockedZigZags(blocked) = range.bounded_by else { panic!("not 4") };
         assert!(star.blocks_all_zigzags(&blocked));

@@ -1,9 +1,9 @@
 //! The edges that a triangulation may use.
 
-use crate::parallel::map_chunks;
 use crate::progress::Stage;
 use crate::sides::Sides;
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::parallel::map_chunks;
 use std::ops::Range;
 
 /// A set of edges that a triangulation may use: all boundary edges and some chords, ordered by

@@ -1,14 +1,14 @@
 //! The least maximum degree with its proof, or what is reached and what is known below.
 
 use crate::apex::{ApexBound, apex_bound};
-use crate::delaunay::least_tangent;
 use crate::feasibility::{any_triangulation, least_by_search};
 use crate::linked::Linked;
+use crate::measure::least_tangent;
 use crate::problem::{Domain, MANY_EDGES, Problem};
 use crate::progress::Stage;
 use crate::unsolved::Unsolved;
 use crate::visibility;
-use crate::windows::{WindowGoal, windows};
+use crate::windows::windows;
 use crate::zigzag::{self, Found, ZigZag};
 use mindeg_core::{least_degree_triangulation, least_max_degree};
 use mindeg_mesh::Progress;
@@ -111,6 +111,7 @@ pub enum LowerBound {
 /// ```
 /// use glam::DVec2;
 /// use mindeg_exact::{LowerBound, Problem, Progress, degree_range};
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
 /// // A star of six points.
 /// let at = |corner: u32| {
@@ -120,7 +121,7 @@ pub enum LowerBound {
 /// let points: Vec<DVec2> = (0..12).map(at).collect();
 /// let tips = (0..6).map(|tip| [(2 * tip + 11) % 12, 2 * tip, 2 * tip + 1]);
 /// let triangles: Vec<_> = tips.chain([[1, 3, 5], [1, 5, 7], [1, 7, 9], [1, 9, 11]]).collect();
-/// let problem = Problem::triangulated(&points, &Vec::from_iter(0..12), &triangles)?;
+/// let problem = Problem::triangulated(&PlanarBoundary::new(&[points])?, &triangles)?;
 ///
 /// let range = degree_range(&problem, Progress::NONE)?;
 /// assert_eq!((range.max_degree, range.lower_bound), (5, 5));
@@ -225,7 +226,7 @@ fn polygon(
         Err(Unsolved::TooLarge { .. }) => return Ok(range),
         within => within?,
     }
-    let start = least_tangent(mesh, problem.points());
+    let start = least_tangent(problem.points(), &mesh.triangles);
     while !range.is_proven() {
         // The lower half first: a smaller limit takes less time, and windows are seldom far off.
         let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
@@ -282,11 +283,10 @@ fn by_windows(
     lower_bound: u32,
     progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
-    let start = least_tangent(mesh, problem.points());
+    let start = least_tangent(problem.points(), &mesh.triangles);
     let mut best: Option<(u32, Vec<[u32; 3]>)> = None;
     for share in SHARES {
-        let goal = WindowGoal { max_degree: lower_bound, min_tangent: share * start };
-        let windowed = windows(problem, goal, progress)?;
+        let windowed = windows(problem, lower_bound, share * start, progress)?;
         if best.as_ref().is_none_or(|(degree, _)| windowed.max_degree < *degree) {
             best = Some((windowed.max_degree, windowed.triangles));
         }
@@ -299,8 +299,7 @@ fn by_windows(
 
 fn with_limits(problem: &Problem, progress: Progress<'_>) -> Result<DegreeRange, Unsolved> {
     let lower_bound = counting_bound(problem, problem.triangulation().triangles.len());
-    let goal = WindowGoal { max_degree: lower_bound, min_tangent: 0.0 };
-    let windowed = windows(problem, goal, progress)?;
+    let windowed = windows(problem, lower_bound, 0.0, progress)?;
     let range = DegreeRange {
         max_degree: windowed.max_degree,
         lower_bound,

@@ -1,7 +1,6 @@
 //! Delaunay by flips: a lower bound on the largest minimum angle.
 
 use crate::linked::{Linked, is_convex};
-use crate::measure::min_angle_tangent;
 use crate::sides::Sides;
 use glam::DVec2;
 use robust::{Coord, incircle};
@@ -28,16 +27,10 @@ pub(crate) fn make_delaunay(mesh: &mut Linked, points: &[DVec2], sides: &Sides) 
     }
 }
 
-/// The tangent of the minimum angle.
-pub(crate) fn least_tangent(mesh: &Linked, points: &[DVec2]) -> f64 {
-    let at = |corners: &[u32; 3]| corners.map(|corner| points[corner as usize]);
-    let tangents = mesh.triangles.iter().map(|corners| min_angle_tangent(at(corners)));
-    tangents.fold(f64::INFINITY, f64::min)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::measure::least_tangent;
     use mindeg_core::Boundary;
 
     #[test]
@@ -50,10 +43,10 @@ mod tests {
         let fan = (1..14).map(|vertex| [0, vertex, vertex + 1]).collect();
         let mut mesh = Linked::new(fan).unwrap();
         let sides = Sides::of_boundary(&Boundary::new(&[1; 15]).unwrap());
-        let before = least_tangent(&mesh, &points);
+        let before = least_tangent(&points, &mesh.triangles);
         make_delaunay(&mut mesh, &points, &sides);
         assert_eq!(mesh.triangles.len(), 13);
-        assert!(least_tangent(&mesh, &points) > 2.0 * before);
+        assert!(least_tangent(&points, &mesh.triangles) > 2.0 * before);
         let coord =
             |vertex: u32| Coord { x: points[vertex as usize].x, y: points[vertex as usize].y };
         for &[a, b, c] in &mesh.triangles {

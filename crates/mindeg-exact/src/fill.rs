@@ -27,26 +27,25 @@ mod any_degree;
 mod limited;
 mod problem;
 
+use crate::linked::chord_counts;
 use crate::space::{self, Cost};
+use crate::unsolved::Unsolved;
 use any_degree::AnyDegree;
 use limited::Limited;
 use mindeg_mesh::Progress;
-pub use problem::{LoopProblem, LoopUnsolved, MAX_LOOP, MAX_STATES};
+pub use problem::{LoopProblem, MAX_LOOP, MAX_STATES};
 
 /// How many edges a vertex may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LoopLimit {
-    /// Any number.
-    None,
     /// At most so many.
     AtMost(u32),
-    /// The least possible limit from this one up, without more flat triangles than without a limit.
-    LeastFrom(u32),
-    /// The same, and the area is to be at most `1 + extra_area` times the least without a limit.
+    /// The least limit whose triangulation has no more flat triangles than without a limit, and at most
+    /// `1 + extra_area` times the area.
     LeastWithin {
         /// The first limit to try.
         from: u32,
-        /// A share of the least area, 0 or more.
+        /// A share of the least area, 0 or more; infinite for any area.
         extra_area: f64,
     },
 }
@@ -56,8 +55,8 @@ pub enum LoopLimit {
 pub struct LoopTriangulation {
     /// n - 2 triangles, by indices of the loop's vertices. Each runs round as the loop does.
     pub triangles: Vec<[u32; 3]>,
-    /// The limit that it keeps; `None` without a requested limit.
-    pub limit: Option<u32>,
+    /// The limit that it keeps.
+    pub limit: u32,
     /// The largest total degree of the loop's vertices.
     pub max_degree: u32,
     /// The sum of areas, in square units of length.
@@ -79,7 +78,7 @@ type Solved = (Vec<[u32; 3]>, Cost);
 ///
 /// # Errors
 ///
-/// [`LoopUnsolved`].
+/// A limit that no triangulation keeps, excluded edges that each needs, too many states, or a cancelled `progress`.
 ///
 /// # Example
 ///
@@ -90,26 +89,26 @@ type Solved = (Vec<[u32; 3]>, Cost);
 /// // A square whose corners go up and down in turn: either diagonal folds it.
 /// let loop_ = [(0., 0., 0.), (1., 0., 1.), (1., 1., 0.), (0., 1., 1.)].map(DVec3::from);
 /// let problem = LoopProblem::new(&loop_, &[2; 4], [[0, 2]])?;
-/// let filled = fill_loop(&problem, LoopLimit::LeastFrom(6), Progress::NONE)?;
+/// let filled = fill_loop(&problem, LoopLimit::AtMost(6), Progress::NONE)?;
 /// assert_eq!(filled.triangles, [[0, 1, 3], [1, 2, 3]]);
-/// assert_eq!((filled.limit, filled.max_degree), (Some(6), 3));
-/// # Ok::<(), mindeg_exact::LoopUnsolved>(())
+/// assert_eq!((filled.limit, filled.max_degree), (6, 3));
+/// # Ok::<(), mindeg_exact::Unsolved>(())
 /// ```
 pub fn fill_loop(
     problem: &LoopProblem,
     limit: LoopLimit,
     progress: Progress<'_>,
-) -> Result<LoopTriangulation, LoopUnsolved> {
+) -> Result<LoopTriangulation, Unsolved> {
     let points = space::scaled(problem.points.iter());
-    let any = AnyDegree::solve(problem, &points, progress)?.ok_or(LoopUnsolved::Excluded)?;
+    let any = AnyDegree::solve(problem, &points, progress)?.ok_or(Unsolved::Excluded)?;
     let free = any.triangles(&points);
     let least = any.cost();
     let without_limit = (area(problem, &free), max_degree(problem, &free));
-    let result = |triangles: Vec<[u32; 3]>, limit: Option<u32>| {
+    let result = |triangles: Vec<[u32; 3]>, limit: u32| {
         let (area, max_degree) = (area(problem, &triangles), max_degree(problem, &triangles));
         LoopTriangulation { triangles, limit, max_degree, area, without_limit, least_limit: None }
     };
-    let solve = |limit: u32| -> Result<Option<Solved>, LoopUnsolved> {
+    let solve = |limit: u32| -> Result<Option<Solved>, Unsolved> {
         if keeps(problem, &free, limit) {
             return Ok(Some((free.clone(), least)));
         }
@@ -123,7 +122,7 @@ pub fn fill_loop(
         Ok(limited.best().map(|cost| (limited.triangles(&points), cost)))
     };
     // Without a limit `free` is an answer, so some limit has one.
-    let least_from = |from: u32, most_flat: u32, most_area: f64| -> Result<_, LoopUnsolved> {
+    let least_from = |from: u32, most_flat: u32, most_area: f64| -> Result<_, Unsolved> {
         let mut least_limit = None;
         for limit in from..without_limit.1 {
             if let Some((triangles, cost)) = solve(limit)?
@@ -131,27 +130,25 @@ pub fn fill_loop(
             {
                 let area = area(problem, &triangles);
                 if area <= most_area {
-                    return Ok(LoopTriangulation { least_limit, ..result(triangles, Some(limit)) });
+                    return Ok(LoopTriangulation { least_limit, ..result(triangles, limit) });
                 }
                 least_limit.get_or_insert((limit, area));
             }
         }
         let limit = from.max(without_limit.1);
-        Ok(LoopTriangulation { least_limit, ..result(free.clone(), Some(limit)) })
+        Ok(LoopTriangulation { least_limit, ..result(free.clone(), limit) })
     };
     match limit {
-        LoopLimit::None => Ok(result(free.clone(), None)),
-        LoopLimit::LeastFrom(from) => least_from(from, least.flat, f64::INFINITY),
         LoopLimit::LeastWithin { from, extra_area } => {
             // Infinity times zero is NaN; the least area then decides.
             let most_area = ((1.0 + extra_area) * without_limit.0).max(without_limit.0);
             least_from(from, least.flat, most_area)
         }
         LoopLimit::AtMost(limit) => match solve(limit)? {
-            Some((triangles, _)) => Ok(result(triangles, Some(limit))),
+            Some((triangles, _)) => Ok(result(triangles, limit)),
             None => {
                 let found = least_from(limit + 1, u32::MAX, f64::INFINITY)?;
-                Err(LoopUnsolved::Infeasible { limit, least: found.limit.unwrap_or(limit + 1) })
+                Err(Unsolved::Infeasible { max_degree: limit, least: found.limit })
             }
         },
     }
@@ -159,12 +156,8 @@ pub fn fill_loop(
 
 /// The total degrees: edges outside, and chords.
 fn degrees(problem: &LoopProblem, triangles: &[[u32; 3]]) -> Vec<u32> {
-    let mut degrees = problem.external.clone();
-    // The triangles of a piece at a vertex number one more than the chords within it.
-    for &vertex in triangles.iter().flatten() {
-        degrees[vertex as usize] += 1;
-    }
-    degrees.into_iter().map(|degree| degree - 1).collect()
+    let chords = chord_counts(problem.points.len(), triangles);
+    chords.iter().zip(&problem.external).map(|(chords, external)| chords + external).collect()
 }
 
 fn max_degree(problem: &LoopProblem, triangles: &[[u32; 3]]) -> u32 {

@@ -1,8 +1,8 @@
 //! Convex hulls of consecutive vertices, which tell whether any of them is on one side of a line without
 //! a look at each. Exact. O(n log n) to build, O(log² n) for each question.
 
-use crate::linked::orientation;
 use glam::DVec2;
+use mindeg_mesh::planar::orientation;
 use std::ops::Range;
 
 /// The vertices of the smallest hulls.

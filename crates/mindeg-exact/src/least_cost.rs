@@ -8,7 +8,7 @@
 //! chords; so are states that cannot end at or below a known cost.
 
 use crate::chords::Chords;
-use crate::rows::Rows;
+use crate::fronts::{Fronts, unfold};
 use glam::DVec2;
 use std::ops::ControlFlow;
 
@@ -60,9 +60,7 @@ struct Pieces<'a> {
     points: &'a [DVec2],
     costs: &'a Costs,
     triangle_cost: TriangleCost<'a>,
-    states: Vec<State>,
-    /// Where the states of a piece begin, and their number.
-    fronts: Rows<[u32; 2]>,
+    fronts: Fronts<State>,
     /// Pairs of states that were joined: the measure of work.
     steps: u64,
 }
@@ -80,12 +78,8 @@ pub(crate) fn least_cost(
     steps: &mut u64,
 ) -> Option<(Vec<[u32; 3]>, u32)> {
     let n = chords.vertex_count();
-    let states = vec![State { at_i: 0, at_j: 0, cost: 0 }];
-    let fronts = Rows::new(chords);
-    let mut pieces = Pieces { points, costs, triangle_cost, states, fronts, steps: 0 };
-    for i in 0..n as u32 - 1 {
-        pieces.fronts.put(i, i + 1, [0, 1]);
-    }
+    let fronts = Fronts::new(chords, State { at_i: 0, at_j: 0, cost: 0 });
+    let mut pieces = Pieces { points, costs, triangle_cost, fronts, steps: 0 };
     let mut grid = Vec::new();
     for span in 2..n {
         for &i in chords.of_span(span) {
@@ -97,10 +91,6 @@ pub(crate) fn least_cost(
 }
 
 impl Pieces<'_> {
-    fn of(&self, [start, len]: [u32; 2]) -> &[State] {
-        &self.states[start as usize..][..len as usize]
-    }
-
     /// Visits every state of the piece (i, j) with the two states that it is joined from and the
     /// apex, until `visit` breaks. Returns the number of pairs.
     fn join(
@@ -110,17 +100,16 @@ impl Pieces<'_> {
     ) -> u64 {
         let mut steps = 0;
         // The number of steps is wanted, whether it breaks or not.
-        let _ = self.fronts.meet(i as u32, j as u32, |apex, left_front, right_front| {
-            let apex = apex as usize;
+        let _ = self.fronts.meet([i, j], |apex, [lefts, rights]| {
             let corners = [i, apex, j].map(|vertex| self.points[vertex]);
             let Some(own) = (self.triangle_cost)(corners) else {
                 return ControlFlow::Continue(());
             };
             let [is_left, is_right] = [apex > i + 1, j > apex + 1].map(u16::from);
             let at_apex = self.costs.of(apex);
-            for &left in self.of(left_front) {
+            for &left in lefts {
                 let before = left.cost.saturating_add(own);
-                for &right in self.of(right_front) {
+                for &right in rights {
                     steps += 1;
                     let chords = left.at_j + right.at_i + is_left + is_right;
                     let Some(cost) = at_apex.get(usize::from(chords)) else {
@@ -143,7 +132,8 @@ impl Pieces<'_> {
     /// Solves the piece (i, j), when all shorter ones are.
     fn solve(&mut self, grid: &mut Vec<u32>, i: usize, j: usize) {
         let is_chord = usize::from(j - i < self.points.len() - 1);
-        let (costs_i, costs_j) = (self.costs.of(i), self.costs.of(j));
+        let costs = self.costs;
+        let (costs_i, costs_j) = (costs.of(i), costs.of(j));
         // The chord itself takes a place beside those of its piece.
         let (rows, columns) =
             (costs_i.len().saturating_sub(is_chord), costs_j.len().saturating_sub(is_chord));
@@ -161,35 +151,30 @@ impl Pieces<'_> {
             ControlFlow::Continue(())
         });
         self.steps += steps;
-        let start = self.states.len();
-        let bound = self.costs.bound;
-        for row in 0..rows {
-            let mut least = u32::MAX;
-            for column in 0..columns {
-                let at = row * columns + column;
-                let above = if row > 0 { grid[at - columns] } else { u32::MAX };
-                let beside = above.min(least);
-                let cost = grid[at];
-                let (ends_i, ends_j) = (costs_i[row + is_chord], costs_j[column + is_chord]);
-                let whole = cost.saturating_add(ends_i).saturating_add(ends_j);
-                if cost < beside && whole <= bound {
-                    let (at_i, at_j) = (row as u16, column as u16);
-                    self.states.push(State { at_i, at_j, cost });
+        self.fronts.put([i, j], |states| {
+            for row in 0..rows {
+                let mut least = u32::MAX;
+                for column in 0..columns {
+                    let at = row * columns + column;
+                    let above = if row > 0 { grid[at - columns] } else { u32::MAX };
+                    let beside = above.min(least);
+                    let cost = grid[at];
+                    let (ends_i, ends_j) = (costs_i[row + is_chord], costs_j[column + is_chord]);
+                    let whole = cost.saturating_add(ends_i).saturating_add(ends_j);
+                    if cost < beside && whole <= costs.bound {
+                        let (at_i, at_j) = (row as u16, column as u16);
+                        states.push(State { at_i, at_j, cost });
+                    }
+                    // From now on, the least cost with at most as many chords at both ends.
+                    grid[at] = cost.min(beside);
+                    least = grid[at];
                 }
-                // From now on, the least cost with at most as many chords at both ends.
-                grid[at] = cost.min(beside);
-                least = grid[at];
             }
-        }
-        let len = self.states.len() - start;
-        if len > 0 {
-            self.fronts.put(i as u32, j as u32, [start as u32, len as u32]);
-        }
+        });
     }
 
     fn triangles(&self, n: usize) -> Option<(Vec<[u32; 3]>, u32)> {
         let last = n - 1;
-        let (_, whole) = self.fronts.longest(0).filter(|&(end, _)| end as usize == last)?;
         let total = |state: &State| {
             let (at_first, at_last) = (self.costs.of(0), self.costs.of(last));
             state
@@ -197,15 +182,10 @@ impl Pieces<'_> {
                 .saturating_add(at_first[usize::from(state.at_i)])
                 .saturating_add(at_last[usize::from(state.at_j)])
         };
-        let root = *self.of(whole).iter().min_by_key(|state| total(state))?;
-        let mut triangles = Vec::with_capacity(n - 2);
-        let mut open = vec![(0, last, root)];
-        while let Some((i, j, whole)) = open.pop() {
-            if j == i + 1 {
-                continue;
-            }
+        let root = *self.fronts.whole().iter().min_by_key(|state| total(state))?;
+        let triangles = unfold(n, root, |ends, whole| {
             let mut found = None;
-            self.join([i, j], |apex, pair, state| {
+            self.join(ends, |apex, pair, state| {
                 let is_same = [state.at_i, state.at_j] == [whole.at_i, whole.at_j];
                 if is_same && state.cost == whole.cost {
                     found = Some((apex, pair));
@@ -213,11 +193,8 @@ impl Pieces<'_> {
                 }
                 ControlFlow::Continue(())
             });
-            let (apex, [left, right]) =
-                found.expect("a state of a piece comes from one of its apexes");
-            triangles.push([i, apex, j].map(|vertex| vertex as u32));
-            open.extend([(apex, j, right), (i, apex, left)]);
-        }
+            found
+        });
         Some((triangles, total(&root)))
     }
 }

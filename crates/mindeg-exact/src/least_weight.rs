@@ -1,6 +1,8 @@
 //! A lower bound on joint degrees: the least weight of a face's chords.
 
 use crate::chords::Lists;
+use crate::fronts::unfold;
+use crate::linked::chord_counts;
 use crate::measure::min_angle_tangent;
 use crate::problem::Problem;
 use crate::unsolved::Unsolved;
@@ -90,20 +92,13 @@ impl LeastWeight {
             best[i as usize] = own;
         }
         let weight = best[0][self.place(0, last)].0;
-        let mut chords = vec![0; n];
-        let mut open = vec![(0, last)];
-        while let Some((i, j)) = open.pop() {
-            if weight == u64::MAX || j == i + 1 {
-                continue;
-            }
-            if j - i < last {
-                chords[i as usize] += 1;
-                chords[j as usize] += 1;
-            }
-            let apex = best[i as usize][self.place(i, j)].1;
-            open.extend([(i, apex), (apex, j)]);
+        if weight == u64::MAX {
+            return None;
         }
-        (weight < u64::MAX).then_some((weight, chords))
+        let triangles = unfold(n, (), |[i, j], ()| {
+            Some((best[i][self.place(i as u32, j as u32)].1 as usize, [(), ()]))
+        });
+        Some((weight, chord_counts(n, &triangles)))
     }
 
     /// The place of the chord (i, j) among those from i upwards.

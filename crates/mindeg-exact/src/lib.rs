@@ -83,6 +83,7 @@ mod delaunay;
 mod feasibility;
 mod fill;
 mod front;
+mod fronts;
 mod hulls;
 mod least_cost;
 mod least_weight;
@@ -90,17 +91,14 @@ mod limits;
 mod linked;
 pub mod measure;
 mod merit;
-mod parallel;
 mod patch;
 mod pieces;
 mod problem;
-mod problem_error;
 mod progress;
 mod reach;
 mod rows;
 mod search;
 mod sides;
-mod size;
 mod space;
 mod unsolved;
 mod visibility;
@@ -110,20 +108,14 @@ mod zigzag;
 
 pub use answer::{AngleOptima, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
-pub use bridge::{
-    Bridge, BridgeProblem, BridgeUnsolved, MAX_STEPS, bridge_rings, largest_bridge_angle,
-};
+pub use bridge::{Bridge, BridgeProblem, MAX_STEPS, bridge_rings, largest_bridge_angle};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
-pub use fill::{
-    LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, MAX_LOOP, MAX_STATES, fill_loop,
-};
+pub use fill::{LoopLimit, LoopProblem, LoopTriangulation, MAX_LOOP, MAX_STATES, fill_loop};
 pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};
 pub use patch::{Block, Cost, Patch};
-pub use problem::Problem;
-pub use problem_error::ProblemError;
+pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem};
 pub use search::Optimum;
-pub use size::{MAX_TRIPLES, MAX_VERTICES};
 pub use unsolved::Unsolved;
-pub use windows::{WindowGoal, Windowed, windows};
+pub use windows::{Windowed, windows};
 pub use zigzag::ZigZag;

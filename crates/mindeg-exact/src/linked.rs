@@ -1,17 +1,11 @@
-//! Triangles with their neighbours, and the exact predicates on points.
+//! Triangles with their neighbours.
 
 use glam::DVec2;
 use mindeg_mesh::parallel::sort_all;
-use robust::{Coord, orient2d};
+use mindeg_mesh::planar::orientation;
 
 /// No triangle: beyond the boundary.
 pub(crate) const NONE: u32 = u32::MAX;
-
-/// Positive if `a`, `b`, `c` turn left, negative if they turn right, exactly.
-pub(crate) fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let [a, b, c] = [a, b, c].map(|point| Coord { x: point.x, y: point.y });
-    orient2d(a, b, c)
-}
 
 /// Whether triangles abc and bad are a strictly convex quadrilateral, so that cd may be flipped in for ab.
 pub(crate) fn is_convex([a, b, c, d]: [DVec2; 4]) -> bool {
@@ -122,6 +116,14 @@ impl Linked {
                 .map(|edge| [corners[edge], corners[(edge + 1) % 3]])
         })
     }
+}
+
+/// The chords at each vertex of some triangles in which each vertex is on the boundary: one fewer than its
+/// triangles.
+pub(crate) fn chord_counts(vertices: usize, triangles: &[[u32; 3]]) -> Vec<u32> {
+    let mut counts = vec![0_u32; vertices];
+    triangles.as_flattened().iter().for_each(|&vertex| counts[vertex as usize] += 1);
+    counts.into_iter().map(|triangles| triangles - 1).collect()
 }
 
 /// For every vertex the corners of triangles there, as 3 * triangle + corner.

@@ -33,16 +33,27 @@ pub const SHAPE_UNIT: u64 = 1 << 36;
 #[must_use]
 pub fn min_angle_tangent(triangle: [DVec2; 3]) -> f64 {
     let [a, b, c] = from_the_first(triangle);
-    const ROUNDED_OFF: u32 = f64::MANTISSA_DIGITS - 36;
     let squares = [(b - a).length_squared(), (c - b).length_squared(), (a - c).length_squared()];
-    let [x, y, z] = squares;
-    let tangent = 2.0 * (b - a).perp_dot(c - a) / (x + y + z - 2.0 * x.min(y).min(z));
+    tangent_of((b - a).perp_dot(c - a), squares)
+}
+
+/// The tangent of the minimum angle, to 36 bits, from twice the area and the squares of the edges.
+pub(crate) fn tangent_of(double_area: f64, [x, y, z]: [f64; 3]) -> f64 {
+    const ROUNDED_OFF: u32 = f64::MANTISSA_DIGITS - 36;
+    let tangent = 2.0 * double_area / (x + y + z - 2.0 * x.min(y).min(z));
     if tangent > 0.0 {
         let half = 1 << (ROUNDED_OFF - 1);
         f64::from_bits((tangent.to_bits() + half) >> ROUNDED_OFF << ROUNDED_OFF)
     } else {
         0.0
     }
+}
+
+/// The least [`min_angle_tangent`] of some triangles; infinite without any.
+#[must_use]
+pub fn least_tangent(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
+    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
+    triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
 }
 
 /// Verdict's `shape` of a counter-clockwise triangle, 4√3 A/(x²+y²+z²), in units of 2^-36:

@@ -29,6 +29,7 @@ pub trait Cost {
 /// ```
 /// use glam::DVec2;
 /// use mindeg_exact::{Block, Cost, Patch, Problem};
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
 /// /// Each chord at vertex 0 costs 1.
 /// struct KeepFree;
@@ -43,7 +44,7 @@ pub trait Cost {
 /// let at = |corner: u32| DVec2::from_angle(f64::from(corner) * std::f64::consts::FRAC_PI_4);
 /// let points: Vec<DVec2> = (0..8).map(at).collect();
 /// let fan: Vec<[u32; 3]> = (1..7).map(|corner| [0, corner, corner + 1]).collect();
-/// let problem = Problem::triangulated(&points, &[0, 1, 2, 3, 4, 5, 6, 7], &fan)?;
+/// let problem = Problem::triangulated(&PlanarBoundary::new(&[points])?, &fan)?;
 /// let mut patch = Patch::new(&problem);
 /// assert_eq!(patch.chords(0), 5);
 /// assert!(patch.improve(Block { vertex: 0, skip: 0, size: 8 }, &KeepFree));
@@ -128,7 +129,7 @@ fn solve(
     cost: &dyn Cost,
     steps: &mut u64,
 ) -> Option<Vec<[u32; 3]>> {
-    let inside = |place: usize| local.triangle_counts[place] - 1;
+    let inside = |place: usize| local.chord_counts[place];
     let vertex_cost = |place: usize, chords: u32| {
         let vertex = local.ring[place];
         let outside = work.fan_len(vertex) as u32 - 1 - inside(place);

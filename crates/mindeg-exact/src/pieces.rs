@@ -16,13 +16,13 @@
 
 use crate::chords::Chords;
 use crate::front::{Grid, State};
+use crate::fronts::{Fronts, unfold};
 use crate::limits::Capacity;
 use crate::measure::min_angle_tangent;
 use crate::merit::Merit;
-use crate::parallel::map_chunks;
-use crate::rows::Rows;
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::parallel::map_chunks;
 use std::ops::{ControlFlow, Range};
 
 /// The conditions on a triangulation.
@@ -35,16 +35,11 @@ pub(crate) struct Rules<'a> {
     pub(crate) capacities: Vec<Capacity>,
 }
 
-/// Where the front of a piece is in the list of all states: its start and its length.
-type Front = [u32; 2];
-
 /// The fronts of all pieces.
 pub(crate) struct Pieces<'a, M> {
     rules: Rules<'a>,
     vertices: usize,
-    states: Vec<State<M>>,
-    /// The fronts of the pieces that have a triangulation.
-    fronts: Rows<Front>,
+    fronts: Fronts<State<M>>,
     /// The largest tangent of a triangle that the threshold left out.
     left_out: f64,
 }
@@ -76,12 +71,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
         report: impl Fn(f64) -> Result<(), Cancelled>,
     ) -> Result<Self, Cancelled> {
         let vertices = chords.vertex_count();
-        let states = vec![State { at_i: 0, at_j: 0, merit: M::EMPTY }];
-        let fronts = Rows::new(chords);
-        let mut pieces = Self { rules, vertices, states, fronts, left_out: f64::NEG_INFINITY };
-        for i in 0..vertices as u32 - 1 {
-            pieces.fronts.put(i, i + 1, [0, 1]);
-        }
+        let fronts = Fronts::new(chords, State { at_i: 0, at_j: 0, merit: M::EMPTY });
+        let mut pieces = Self { rules, vertices, fronts, left_out: f64::NEG_INFINITY };
         let are_few = chords.len() < FEW;
         let mut grid = Grid::new();
         for span in 2..vertices {
@@ -92,15 +83,10 @@ impl<'a, M: Merit> Pieces<'a, M> {
             }
             if are_few || starts.len() <= BATCH {
                 for &i in starts {
-                    let j = i + span as u32;
-                    let left_out = pieces.fill(&mut grid, i as usize, j as usize);
+                    let ends = [i as usize, i as usize + span];
+                    let left_out = pieces.fill(&mut grid, ends);
                     pieces.left_out = pieces.left_out.max(left_out);
-                    let start = pieces.states.len();
-                    grid.append_front(&mut pieces.states);
-                    let len = pieces.states.len() - start;
-                    if len > 0 {
-                        pieces.fronts.put(i, j, [start as u32, len as u32]);
-                    }
+                    pieces.fronts.put(ends, |states| grid.append_front(states));
                 }
                 continue;
             }
@@ -118,8 +104,7 @@ impl<'a, M: Merit> Pieces<'a, M> {
         let mut batch = Batch { lens: Vec::new(), states: Vec::new(), left_out: f64::NEG_INFINITY };
         for &start in starts {
             let before = batch.states.len();
-            let (i, j) = (start as usize, start as usize + span);
-            let left_out = self.fill(&mut grid, i, j);
+            let left_out = self.fill(&mut grid, [start as usize, start as usize + span]);
             grid.append_front(&mut batch.states);
             batch.lens.push((batch.states.len() - before) as u32);
             batch.left_out = batch.left_out.max(left_out);
@@ -128,24 +113,19 @@ impl<'a, M: Merit> Pieces<'a, M> {
     }
 
     fn add(&mut self, starts: &[u32], span: usize, batch: Batch<M>) {
-        let mut start = self.states.len() as u32;
+        let mut rest = &batch.states[..];
         for (&i, len) in starts.iter().zip(batch.lens) {
-            if len > 0 {
-                self.fronts.put(i, i + span as u32, [start, len]);
-            }
-            start += len;
+            let (front, others) = rest.split_at(len as usize);
+            rest = others;
+            let ends = [i as usize, i as usize + span];
+            self.fronts.put(ends, |states| states.extend_from_slice(front));
         }
-        self.states.extend(batch.states);
         self.left_out = self.left_out.max(batch.left_out);
-    }
-
-    fn states(&self, [start, len]: Front) -> &[State<M>] {
-        &self.states[start as usize..][..len as usize]
     }
 
     /// Puts the best merits of the piece from `i` to `j` on the grid of end degrees, and returns
     /// the largest tangent of a triangle that the threshold left out.
-    fn fill(&self, grid: &mut Grid<M>, i: usize, j: usize) -> f64 {
+    fn fill(&self, grid: &mut Grid<M>, [i, j]: [usize; 2]) -> f64 {
         let [capacity_i, capacity_j] = [i, j].map(|vertex| self.rules.capacities[vertex]);
         // The chord (i, j) itself takes a place beside those of its piece.
         let is_chord = u32::from(j - i < self.vertices - 1);
@@ -160,9 +140,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
         };
         grid.clear(low, most);
         let mut left_out = f64::NEG_INFINITY;
-        let mut visit = |apex: usize, left: Front, right: Front| {
+        let mut visit = |apex: usize, pieces: [&[State<M>]; 2]| {
             let triangle = [i, apex, j];
-            let pieces = [self.states(left), self.states(right)];
             let fits = |state: State<M>| state.at_i <= most[0] && state.at_j <= most[1];
             if M::ALL_EQUAL {
                 // Few triangles add anything, and only these are measured.
@@ -192,21 +171,15 @@ impl<'a, M: Merit> Pieces<'a, M> {
             M::ALL_EQUAL && grid.has(capacity_i.step(), capacity_j.step())
         };
         let mut last_seen = i;
-        let flow = self.fronts.meet(i as u32, j as u32, |apex, left, right| {
-            last_seen = apex as usize;
-            if visit(last_seen, left, right) {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            }
+        let flow = self.fronts.meet([i, j], |apex, pieces| {
+            last_seen = apex;
+            if visit(apex, pieces) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         });
         if flow.is_break()
             && last_seen < j - 1
-            && let (Some((apex, left)), Some(right)) =
-                (self.fronts.longest(i as u32), self.fronts.shortest_to(j as u32))
-            && apex as usize == j - 1
+            && let Some(pieces) = self.fronts.before_last([i, j])
         {
-            visit(j - 1, left, right);
+            visit(j - 1, pieces);
         }
         left_out
     }
@@ -220,13 +193,10 @@ impl<'a, M: Merit> Pieces<'a, M> {
         let [step_i, step_j] = [i, j].map(|vertex| self.rules.capacities[vertex].step());
         let (mut low, mut high) = ([u32::MAX; 2], [0; 2]);
         // It visits all.
-        let _ = self.fronts.meet(i as u32, j as u32, |apex, left, right| {
-            let steps = [
-                u32::from(apex as usize > i + 1) * step_i,
-                u32::from(j > apex as usize + 1) * step_j,
-            ];
-            let at_i = self.states(left).iter().map(|state| (0, state.at_i));
-            let at_j = self.states(right).iter().map(|state| (1, state.at_j));
+        let _ = self.fronts.meet([i, j], |apex, [left, right]| {
+            let steps = [u32::from(apex > i + 1) * step_i, u32::from(j > apex + 1) * step_j];
+            let at_i = left.iter().map(|state| (0, state.at_i));
+            let at_j = right.iter().map(|state| (1, state.at_j));
             for (end, chords) in at_i.chain(at_j) {
                 let chords = chords + steps[end];
                 low[end] = low[end].min(chords);
@@ -279,9 +249,8 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// its merit; of equals, that with the fewest edges at the ends.
     fn best(&self) -> Option<(State<M>, M)> {
         let last = self.vertices - 1;
-        let (_, whole) = self.fronts.longest(0).filter(|&(end, _)| end as usize == last)?;
         let mut best: Option<(State<M>, M)> = None;
-        for &state in self.states(whole) {
+        for &state in self.fronts.whole() {
             let mut merit = state.merit;
             for (vertex, chords) in [(0, state.at_i), (last, state.at_j)] {
                 if self.rules.capacities[vertex] == Capacity::Limited(chords) {
@@ -300,35 +269,23 @@ impl<'a, M: Merit> Pieces<'a, M> {
     /// product of the fronts' lengths.
     pub(crate) fn triangles(&self) -> Option<(Vec<[u32; 3]>, M)> {
         let (root, merit) = self.best()?;
-        let mut triangles = Vec::with_capacity(self.vertices - 2);
-        let mut open = vec![(0, self.vertices - 1, root)];
-        while let Some((i, j, state)) = open.pop() {
-            if j == i + 1 {
-                continue;
-            }
-            let (apex, left, right) =
-                self.split(i, j, state).expect("a state of a piece comes from one of its apexes");
-            triangles.push([i, apex, j].map(|vertex| vertex as u32));
-            open.extend([(apex, j, right), (i, apex, left)]);
-        }
-        Some((triangles, merit))
+        Some((unfold(self.vertices, root, |ends, state| self.split(ends, state)), merit))
     }
 
     /// The first apex of the piece from `i` to `j`, and the states beside it, that make up `whole`.
-    fn split(&self, i: usize, j: usize, whole: State<M>) -> Option<(usize, State<M>, State<M>)> {
+    fn split(&self, [i, j]: [usize; 2], whole: State<M>) -> Option<(usize, [State<M>; 2])> {
         let mut found = None;
         // It breaks where it has found something.
-        let _ = self.fronts.meet(i as u32, j as u32, |apex, left, right| {
-            let triangle = [i, apex as usize, j];
+        let _ = self.fronts.meet([i, j], |apex, pieces| {
+            let triangle = [i, apex, j];
             let corners = self.corners(triangle);
             if min_angle_tangent(corners) < self.rules.threshold {
                 return ControlFlow::Continue(());
             }
             let own = M::of_triangle(corners);
-            let pieces = [self.states(left), self.states(right)];
             self.join(triangle, pieces, |left, right, state| {
                 if found.is_none() && (State { merit: state.merit.plus(own), ..state }) == whole {
-                    found = Some((triangle[1], left, right));
+                    found = Some((apex, [left, right]));
                 }
             });
             if found.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }

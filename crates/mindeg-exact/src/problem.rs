@@ -2,16 +2,26 @@
 
 use crate::chords::Chords;
 use crate::limits::DegreeLimits;
-use crate::linked::{Linked, orientation};
-use crate::problem_error::ProblemError;
+use crate::linked::Linked;
 use crate::progress::Stage;
 use crate::sides::Sides;
-use crate::size::{MAX_TRIPLES, MAX_VERTICES};
 use crate::unsolved::Unsolved;
 use crate::visibility;
 use glam::DVec2;
 use mindeg_core::{Boundary, least_degree_triangulation};
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use mindeg_mesh::{Cancelled, Progress};
+
+/// The most boundary vertices of a convex polygon, 4,096.
+///
+/// Time grows with the cube of the number of vertices and memory with its square.
+pub const MAX_VERTICES: u32 = 4096;
+
+/// The most triples of vertices that see each other in another polygon: 4 * 10^9.
+///
+/// One pass of the dynamic program over 10^9 triples takes 5 to 10 seconds on one core. A coastline
+/// of 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
+pub const MAX_TRIPLES: u64 = 4_000_000_000;
 
 /// The largest external degree in windows, which take larger ones for this.
 pub(crate) const MANY_EDGES: u32 = 1 << 30;
@@ -69,33 +79,33 @@ impl Problem {
     ///
     /// More than [`MAX_VERTICES`] vertices, another number of points, or a point that is not
     /// finite.
-    pub fn new(boundary: &Boundary, points: &[DVec2]) -> Result<Self, ProblemError> {
+    pub fn new(boundary: &Boundary, points: &[DVec2]) -> Result<Self, Unsolved> {
         let vertices = boundary.vertex_count();
         if vertices > MAX_VERTICES {
-            return Err(ProblemError::TooManyVertices { vertices });
+            return Err(Unsolved::TooManyVertices { vertices });
         }
         if points.len() != vertices as usize {
-            return Err(ProblemError::PointCount { vertices, points: points.len() });
+            return Err(Unsolved::Refused(format!(
+                "found {} points for {vertices} boundary vertices; give one for each",
+                points.len()
+            )));
         }
+        require_finite(points)?;
         let sides = Sides::of_boundary(boundary);
-        Self::checked(Domain::Convex(boundary.clone()), points, sides)
+        Ok(Self::new_with(Domain::Convex(boundary.clone()), points, sides))
     }
 
     /// The problem of any polygon, with or without holes, from some triangulation of its boundary
     /// points. O(n log n).
     ///
-    /// `side_of[v]` names the straight side of the boundary edge that begins at vertex v. Two
-    /// vertices of one side are never joined by a chord, which matters where rounding has moved
-    /// points off the line between the side's ends. Edges that are no part of a longer straight
-    /// side have names of their own.
+    /// Two vertices of one [run](PlanarBoundary::runs) are never joined by a chord, which matters where
+    /// rounding has moved points off the line between the ends of a side.
     ///
-    /// The triangles are counter-clockwise, with the domain on the left of all boundary edges, in
-    /// any order. Any triangulation shows which vertices see each other; for angles and for
-    /// [`windows`](crate::windows()) give a constrained Delaunay triangulation. Exact answers need
-    /// the boundary to be the ring 0, 1, 2, …, n-1; with holes, or with vertices in another order,
-    /// only windows work.
+    /// The triangles are counter-clockwise, in any order. Any triangulation shows which vertices see each
+    /// other; for angles and for [`windows`](crate::windows()) give a constrained Delaunay triangulation.
+    /// With holes, only windows work.
     ///
-    /// Rings that cross, and triangles that overlap without a common edge, are not detected.
+    /// Triangles that overlap without a common edge are not detected.
     ///
     /// No chord joins two vertices of one side, and none [passes](mindeg_mesh::planar::passes) a vertex. An
     /// edge of `triangles` that does is flipped; where it cannot be, the side is not straight, and each of
@@ -104,76 +114,71 @@ impl Problem {
     ///
     /// # Errors
     ///
-    /// Other numbers of sides than of points, points that are not finite, triangles that are not
-    /// counter-clockwise or overlap at an edge, vertices that the boundary does not pass exactly
-    /// once.
+    /// Points that are not finite, triangles that are not counter-clockwise or overlap at an edge, a boundary
+    /// of the triangles that is not this one.
     ///
     /// # Example
     ///
     /// ```
     /// use glam::DVec2;
     /// use mindeg_exact::{Problem, Progress, least_max_degree};
+    /// use mindeg_mesh::planar::PlanarBoundary;
     ///
     /// // An L of six corners.
     /// let points = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)];
     /// let points = points.map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
     /// let fan = [[3, 4, 5], [3, 5, 0], [3, 0, 1], [3, 1, 2]];
-    /// let problem = Problem::triangulated(&points, &[0, 1, 2, 3, 4, 5], &fan)?;
+    /// let problem = Problem::triangulated(&PlanarBoundary::new(&[points])?, &fan)?;
     /// assert_eq!(least_max_degree(&problem, Progress::NONE)?, 4);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn triangulated(
-        points: &[DVec2],
-        side_of: &[u32],
+        boundary: &PlanarBoundary,
         triangles: &[[u32; 3]],
-    ) -> Result<Self, ProblemError> {
-        let vertices = points.len();
-        if side_of.len() != vertices {
-            return Err(ProblemError::PointCount {
-                vertices: side_of.len() as u32,
-                points: vertices,
-            });
-        }
+    ) -> Result<Self, Unsolved> {
+        let points = boundary.points();
+        require_finite(points)?;
         for (triangle, corners) in triangles.iter().enumerate() {
-            if let Some(&vertex) = corners.iter().find(|&&corner| corner as usize >= vertices) {
-                let last = vertices.saturating_sub(1);
-                return Err(ProblemError::NoSuchVertex { triangle, vertex, last });
+            if let Some(vertex) = corners.iter().find(|&&corner| corner as usize >= points.len()) {
+                return Err(Unsolved::Refused(format!(
+                    "triangle {triangle} has vertex {vertex}, but the vertices are 0 to {}",
+                    points.len().saturating_sub(1)
+                )));
             }
-        }
-        find_not_finite(points)?;
-        for (triangle, corners) in triangles.iter().enumerate() {
             let [a, b, c] = corners.map(|corner| points[corner as usize]);
             if orientation(a, b, c) <= 0.0 {
-                return Err(ProblemError::NotCounterClockwise { triangle });
+                return Err(Unsolved::Refused(format!(
+                    "triangle {triangle} is clockwise or has no area; give counter-clockwise triangles"
+                )));
             }
         }
-        let mut mesh = Linked::new(triangles.to_vec())
-            .map_err(|[from, to]| ProblemError::Overlap { from, to })?;
-        let mut passes = vec![0_u32; vertices];
-        let mut is_ring = true;
-        for [from, to] in mesh.boundary_edges() {
-            passes[from as usize] += 1;
-            is_ring &= to as usize == (from as usize + 1) % vertices;
+        let mut mesh = Linked::new(triangles.to_vec()).map_err(|[from, to]| {
+            Unsolved::Refused(format!(
+                "the edge from {from} to {to} has two triangles on the same side; remove one of them"
+            ))
+        })?;
+        let is_boundary = |&[from, to]: &[u32; 2]| boundary.next(from) == to;
+        let edges = mesh.boundary_edges();
+        if !edges.clone().all(|edge| is_boundary(&edge)) || edges.count() < points.len() {
+            return Err(Unsolved::refused(
+                "the triangles have another boundary than the domain; give a triangulation of it",
+            ));
         }
-        if let Some((vertex, &times)) = (0..).zip(&passes).find(|&(_, &times)| times != 1) {
-            return Err(ProblemError::NotOnBoundary { vertex, times });
-        }
-        let sides = Sides::of_triangulation(&mut mesh, points, side_of);
-        let is_simple = is_ring && triangles.len() + 2 == vertices;
+        let sides = Sides::of_triangulation(&mut mesh, points, boundary.runs());
+        let is_simple = boundary.ring_count() == 1 && triangles.len() + 2 == points.len();
         let domain = if is_simple { Domain::Simple(mesh) } else { Domain::Rings(mesh) };
-        Self::checked(domain, points, sides)
+        Ok(Self::new_with(domain, points, sides))
     }
 
-    fn checked(domain: Domain, points: &[DVec2], sides: Sides) -> Result<Self, ProblemError> {
-        find_not_finite(points)?;
-        Ok(Self {
+    fn new_with(domain: Domain, points: &[DVec2], sides: Sides) -> Self {
+        Self {
             domain,
             points: points.to_vec(),
             sides,
             external_degrees: vec![0; points.len()],
             degree_limits: vec![None; points.len()],
             max_triples: MAX_TRIPLES,
-        })
+        }
     }
 
     /// Sets the most triples of vertices that see each other, in place of [`MAX_TRIPLES`]. Exact
@@ -340,11 +345,11 @@ impl Problem {
     }
 }
 
-fn find_not_finite(points: &[DVec2]) -> Result<(), ProblemError> {
-    match (0..).zip(points).find(|(_, point)| !point.is_finite()) {
-        Some((vertex, _)) => Err(ProblemError::NotFinite { vertex }),
-        None => Ok(()),
-    }
+fn require_finite(points: &[DVec2]) -> Result<(), Unsolved> {
+    let Some(vertex) = points.iter().position(|point| !point.is_finite()) else { return Ok(()) };
+    Err(Unsolved::Refused(format!(
+        "the point of vertex {vertex} is not finite; give finite coordinates"
+    )))
 }
 
 #[cfg(test)]

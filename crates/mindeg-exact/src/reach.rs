@@ -3,10 +3,10 @@
 
 use crate::chords::Chords;
 use crate::measure::min_angle_tangent;
-use crate::parallel::map_chunks;
 use crate::rows::gallop;
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::parallel::map_chunks;
 use std::ops::Range;
 
 /// The fewest edges of a batch, unless it is the only one: enough work for one thread.

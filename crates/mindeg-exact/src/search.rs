@@ -1,16 +1,16 @@
 //! The search for the largest minimum angle, and the choice of a mesh that reaches it.
 
 use crate::chords::Chords;
-use crate::delaunay::{least_tangent, make_delaunay};
+use crate::delaunay::make_delaunay;
 use crate::limits::{Capacity, DegreeLimits};
-use crate::measure::{self, min_angle_tangent};
+use crate::linked::chord_counts;
+use crate::measure::{self, least_tangent};
 use crate::merit::TieBreak;
 use crate::pieces::{Pieces, Rules};
 use crate::problem::Problem;
 use crate::progress::{Passes, Stage};
 use crate::reach::reaching;
 use crate::unsolved::Unsolved;
-use glam::DVec2;
 use mindeg_mesh::{Cancelled, Progress};
 
 /// From this multiple of the known tangent on, a threshold is far above it.
@@ -34,12 +34,6 @@ pub struct Optimum {
     pub shape_sum: f64,
     /// The n-2 triangles, counter-clockwise from their smallest vertex, in ascending order.
     pub triangles: Vec<[u32; 3]>,
-}
-
-fn min_tangent_of(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
-    let corners = |triangle: &[u32; 3]| triangle.map(|vertex| points[vertex as usize]);
-    let tangents = triangles.iter().map(|triangle| min_angle_tangent(corners(triangle)));
-    tangents.fold(f64::INFINITY, f64::min)
 }
 
 /// A problem with the edges that matter.
@@ -66,7 +60,7 @@ impl<'a> Search<'a> {
     ) -> Result<Self, Unsolved> {
         let mut mesh = problem.triangulation();
         make_delaunay(&mut mesh, problem.points(), problem.sides());
-        let known = least_tangent(&mesh, problem.points());
+        let known = least_tangent(problem.points(), &mesh.triangles);
         let mut search = Self {
             problem,
             all,
@@ -99,7 +93,7 @@ impl<'a> Search<'a> {
                     let pieces = Pieces::<()>::solve(rules, &chords, report)?;
                     search.passes.next();
                     let (triangles, ()) = pieces.triangles().expect("the edges reach it");
-                    possible = min_tangent_of(points, &triangles);
+                    possible = least_tangent(points, &triangles);
                     (search.chords, search.floor) = (chords, threshold);
                 }
             }
@@ -174,7 +168,7 @@ impl<'a> Search<'a> {
             let report = |_| stage.report((bits / 36.0).min(1.0));
             let pieces = Pieces::<()>::solve(rules, chords, report)?;
             if let Some((triangles, ())) = pieces.triangles() {
-                possible = min_tangent_of(points, &triangles);
+                possible = least_tangent(points, &triangles);
             } else {
                 let of_others = if is_far { threshold.next_down() } else { possible };
                 bound = possible.max(of_others).max(pieces.left_out());
@@ -243,13 +237,9 @@ fn uncounted_at_limit(
     capacities: &[Capacity],
     triangles: &[[u32; 3]],
 ) -> Vec<usize> {
-    // Between the triangles at a vertex are its chords.
-    let mut triangles_at = vec![0_u32; capacities.len()];
-    for &vertex in triangles.as_flattened() {
-        triangles_at[vertex as usize] += 1;
-    }
+    let chords = chord_counts(capacities.len(), triangles);
     let is_at_limit = |&vertex: &usize| {
-        capacities[vertex] == Capacity::Unlimited && triangles_at[vertex] > limits.chords[vertex]
+        capacities[vertex] == Capacity::Unlimited && chords[vertex] >= limits.chords[vertex]
     };
     (0..capacities.len()).filter(is_at_limit).collect()
 }

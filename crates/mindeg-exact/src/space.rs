@@ -4,6 +4,7 @@
 //! Areas and shapes are then rounded to integers, so that sums over a mesh are the same in
 //! whatever order they are taken, and "least" has one meaning on every machine.
 
+use crate::measure::tangent_of;
 use glam::DVec3;
 
 /// The unit of area: 2^-50 of the square of the scaled box's unit.
@@ -68,16 +69,9 @@ pub(crate) fn cost(a: DVec3, b: DVec3, c: DVec3) -> Cost {
 /// The tangent of the minimum angle, to 36 bits; 0 for a flat triangle.
 /// See [`measure::min_angle_tangent`](crate::measure::min_angle_tangent).
 pub(crate) fn min_angle_tangent(a: DVec3, b: DVec3, c: DVec3) -> f64 {
-    const ROUNDED_OFF: u32 = f64::MANTISSA_DIGITS - 36;
     let (u, v) = (b - a, c - a);
-    let [x, y, z] = [u.length_squared(), v.length_squared(), (c - b).length_squared()];
-    let tangent = 2.0 * u.cross(v).length() / (x + y + z - 2.0 * x.min(y).min(z));
-    if tangent > 0.0 {
-        let half = 1 << (ROUNDED_OFF - 1);
-        f64::from_bits((tangent.to_bits() + half) >> ROUNDED_OFF << ROUNDED_OFF)
-    } else {
-        0.0
-    }
+    let squares = [u.length_squared(), v.length_squared(), (c - b).length_squared()];
+    tangent_of(u.cross(v).length(), squares)
 }
 
 /// The area of a triangle, in square units of length.

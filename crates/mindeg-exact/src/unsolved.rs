@@ -1,12 +1,25 @@
-//! Why a problem has no answer.
+//! Why a problem cannot be posed or has no answer.
 
+use crate::problem::MAX_VERTICES;
 use mindeg_mesh::Cancelled;
 use thiserror::Error;
 
-/// Why a problem has no answer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+/// Why a problem cannot be posed or has no answer.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum Unsolved {
+    /// The input does not make a problem, or the work is too large: where, and how to mend it.
+    #[error("{0}")]
+    Refused(String),
+    /// A convex polygon with more vertices than [`MAX_VERTICES`].
+    #[error(
+        "found {vertices} boundary vertices; exact work takes at most {MAX_VERTICES}; use fewer \
+         intervals, or the formula of least degree, which takes any number"
+    )]
+    TooManyVertices {
+        /// Their number.
+        vertices: u32,
+    },
     /// No triangulation keeps the degree limit for all vertices.
     #[error("no triangulation here has maximum degree {max_degree}; the least is {least}")]
     Infeasible {
@@ -31,13 +44,20 @@ pub enum Unsolved {
         /// The limit.
         max_triples: u64,
     },
-    /// The domain has holes, or its boundary is not the ring 0, 1, 2, …
-    #[error(
-        "exact work needs a polygon without holes whose vertices are numbered along its boundary; \
-         use windows"
-    )]
+    /// The domain has holes.
+    #[error("exact work needs a polygon without holes; use windows")]
     NotAPolygon,
+    /// Every triangulation of a loop, or strip between loops, has an excluded edge.
+    #[error("every triangulation here needs an edge that exists already")]
+    Excluded,
     /// The progress callback cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),
+}
+
+impl Unsolved {
+    /// The refusal with this sentence.
+    pub(crate) fn refused(sentence: impl Into<String>) -> Self {
+        Self::Refused(sentence.into())
+    }
 }

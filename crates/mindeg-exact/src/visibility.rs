@@ -15,13 +15,13 @@
 
 use crate::chords::Chords;
 use crate::hulls::{Hulls, Which};
-use crate::linked::{Corners, Linked, NONE, orientation};
-use crate::parallel::map_chunks;
+use crate::linked::{Corners, Linked, NONE};
 use crate::progress::Stage;
 use crate::sides::Sides;
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
-use mindeg_mesh::planar::passes;
+use mindeg_mesh::parallel::map_chunks;
+use mindeg_mesh::planar::{orientation, passes};
 use std::ops::Range;
 
 /// The view through one edge.

@@ -2,7 +2,7 @@
 
 use crate::chords::Chords;
 use crate::limits::Capacity;
-use crate::linked::{Linked, NONE};
+use crate::linked::{Linked, NONE, chord_counts};
 use crate::pieces::{Pieces, Rules};
 use crate::problem::Problem;
 use crate::visibility::Eye;
@@ -37,8 +37,8 @@ pub(crate) struct Local {
     pub(crate) ring: Vec<u32>,
     pub(crate) points: Vec<DVec2>,
     pub(crate) mesh: Linked,
-    /// The triangles at each place: one more than its chords.
-    pub(crate) triangle_counts: Vec<u32>,
+    /// The chords of the triangles at each place.
+    pub(crate) chord_counts: Vec<u32>,
     /// All chords that a triangulation of the window may use.
     pub(crate) chords: Chords,
 }
@@ -224,10 +224,7 @@ impl<'a> Work<'a> {
                 })
                 .collect(),
         };
-        let mut triangle_counts = vec![0_u32; count];
-        for &place in local.triangles.as_flattened() {
-            triangle_counts[place as usize] += 1;
-        }
+        let chord_counts = chord_counts(count, &local.triangles);
         let mut seen = Vec::new();
         for corner in 0..3 * local.triangles.len() as u32 {
             let from = local.triangles[corner as usize / 3][corner as usize % 3];
@@ -241,7 +238,7 @@ impl<'a> Work<'a> {
         }
         seen.sort_unstable();
         let chords = Chords::new(count, &[seen]);
-        Local { ring, points, mesh: local, triangle_counts, chords }
+        Local { ring, points, mesh: local, chord_counts, chords }
     }
 
     /// The triangles of a triangulation of the window that achieves the aim.
@@ -251,7 +248,7 @@ impl<'a> Work<'a> {
             let total = self.totals[vertex as usize];
             let limit =
                 if vertex == aim.vertex { aim.keep } else { (aim.limit)(vertex).max(total) };
-            let beyond = total - (local.triangle_counts[place] - 1);
+            let beyond = total - local.chord_counts[place];
             let capacity = limit.checked_sub(beyond)?;
             Some(if visible <= capacity {
                 Capacity::Unlimited
@@ -268,7 +265,7 @@ impl<'a> Work<'a> {
     /// Replaces the window's triangles by these, each of which comes before those beneath it.
     /// Returns the vertices whose number of edges changes.
     fn replace(&mut self, window: &Window, local: &Local, triangles: &[[u32; 3]]) -> Vec<u32> {
-        let Local { ring, mesh: local, triangle_counts: before, .. } = local;
+        let Local { ring, mesh: local, chord_counts: before, .. } = local;
         let mut outer = vec![NONE; ring.len()];
         for ((&slot, corners), neighbours) in
             window.triangles.iter().zip(&local.triangles).zip(&local.neighbours)
@@ -298,8 +295,7 @@ impl<'a> Work<'a> {
         }
         self.join(slot(0), 2, ring, last, outer[last as usize]);
 
-        let mut after = vec![0_u32; ring.len()];
-        triangles.as_flattened().iter().for_each(|&place| after[place as usize] += 1);
+        let after = chord_counts(ring.len(), triangles);
         let mut changed = Vec::new();
         for (place, &vertex) in ring.iter().enumerate() {
             if after[place] != before[place] {

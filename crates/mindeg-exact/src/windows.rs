@@ -1,7 +1,7 @@
 //! Fewer edges at the vertices with the most, by windows around them, in near-linear time.
 
 use crate::linked::Linked;
-use crate::measure::{self, min_angle_tangent};
+use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use crate::progress::Stage;
 use crate::unsolved::Unsolved;
@@ -19,16 +19,6 @@ const PLACES: usize = 64;
 /// Vertices from one report of progress to the next.
 const REPORT: u32 = 64;
 
-/// The degree that [`windows()`] should reach, and the angle that it must keep.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WindowGoal {
-    /// The work ends when no vertex has more edges, external ones included; 0 for as few as
-    /// possible.
-    pub max_degree: u32,
-    /// No new triangle has a smaller [`min_angle_tangent`]. 0 allows any.
-    pub min_tangent: f64,
-}
-
 /// The result of [`windows()`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Windowed {
@@ -38,13 +28,17 @@ pub struct Windowed {
     pub max_degree: u32,
     /// Whether the triangles keep the degree limits of single vertices.
     pub keeps_vertex_limits: bool,
-    /// The minimum angle, in degrees: at least the smaller one of the goal's and of the given
+    /// The minimum angle, in degrees: at least the smaller one of the demanded one and of the given
     /// triangulation's.
     pub min_angle: f64,
 }
 
 /// Takes edges off the vertices with the most of them: an upper bound on the least maximum degree,
 /// at a guaranteed minimum angle.
+///
+/// The work ends when no vertex has more than `max_degree` edges, external ones included; 0 asks for as few as
+/// possible. No new triangle has a smaller [`min_angle_tangent`](measure::min_angle_tangent) than
+/// `min_tangent`; 0 allows any.
 ///
 /// The start is the given triangulation; for [`Problem::new`], that of the formula. A window is the
 /// fan of such a vertex with some triangles around it, a disk. The exact dynamic program finds a
@@ -63,21 +57,21 @@ pub struct Windowed {
 ///
 /// ```
 /// use glam::DVec2;
-/// use mindeg_exact::{Problem, Progress, WindowGoal, windows};
+/// use mindeg_exact::{Problem, Progress, windows};
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
 /// // A regular octagon, as a fan.
 /// let at = |corner: u32| DVec2::from_angle(f64::from(corner) * std::f64::consts::FRAC_PI_4);
 /// let points: Vec<DVec2> = (0..8).map(at).collect();
-/// let sides: Vec<u32> = (0..8).collect();
 /// let fan: Vec<[u32; 3]> = (1..7).map(|corner| [0, corner, corner + 1]).collect();
-/// let problem = Problem::triangulated(&points, &sides, &fan)?;
-/// let goal = WindowGoal { max_degree: 0, min_tangent: 0.0 };
-/// assert_eq!(windows(&problem, goal, Progress::NONE)?.max_degree, 4);
+/// let problem = Problem::triangulated(&PlanarBoundary::new(&[points])?, &fan)?;
+/// assert_eq!(windows(&problem, 0, 0.0, Progress::NONE)?.max_degree, 4);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn windows(
     problem: &Problem,
-    goal: WindowGoal,
+    max_degree: u32,
+    min_tangent: f64,
     progress: Progress<'_>,
 ) -> Result<Windowed, Unsolved> {
     let mut work = Work::new(problem);
@@ -99,7 +93,7 @@ pub fn windows(
                 vertex,
                 keep: work.totals[vertex as usize] - 1,
                 limit: &own_limit,
-                threshold: goal.min_tangent,
+                threshold: min_tangent,
             };
             if improve(&mut work, &aim, &mut resume).is_none() {
                 keeps_vertex_limits = false;
@@ -111,7 +105,7 @@ pub fn windows(
     let mut with_total = BTreeMap::<u32, Vec<u32>>::new();
     for vertex in vertices {
         let total = work.totals[vertex as usize];
-        if total > goal.max_degree {
+        if total > max_degree {
             with_total.entry(total).or_default().push(vertex);
         }
     }
@@ -131,10 +125,10 @@ pub fn windows(
             tries += 1;
             // Far from the goal, many edges of the window go at once, to vertices with far fewer
             // edges.
-            let is_far = total > 64 && total / 2 > goal.max_degree;
+            let is_far = total > 64 && total / 2 > max_degree;
             let most = if is_far { total / 2 } else { total - 1 };
             let limit = |other: u32| own_limit(other).min(most);
-            let threshold = goal.min_tangent;
+            let threshold = min_tangent;
             let steps = if is_far { &[24, 6, 1][..] } else { &[1] };
             let changed = steps.iter().find_map(|step| {
                 let aim = Aim { vertex, keep: total - step, limit: &limit, threshold };
@@ -143,7 +137,7 @@ pub fn windows(
             let Some(changed) = changed else { break 'levels };
             for vertex in changed {
                 let total = work.totals[vertex as usize];
-                if total > goal.max_degree {
+                if total > max_degree {
                     with_total.entry(total).or_default().push(vertex);
                 }
             }
@@ -160,10 +154,8 @@ fn finished(problem: &Problem, work: Work<'_>, keeps_vertex_limits: bool) -> Win
         triangle.rotate_left(least);
     }
     sort_all(&mut triangles);
-    let points = problem.points();
-    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
-    let least = triangles.iter().map(tangent).fold(f64::INFINITY, f64::min);
-    Windowed { triangles, max_degree, keeps_vertex_limits, min_angle: measure::degrees(least) }
+    let min_angle = measure::degrees(least_tangent(problem.points(), &triangles));
+    Windowed { triangles, max_degree, keeps_vertex_limits, min_angle }
 }
 
 /// Tries windows of growing size around the aim's vertex until one achieves the aim, and returns

@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 use mindeg_exact::{
-    Cancelled, LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, Progress, fill_loop,
+    Cancelled, LoopLimit, LoopProblem, LoopTriangulation, Progress, Unsolved, fill_loop,
 };
 use proptest::prelude::*;
 use std::ops::ControlFlow;
@@ -73,11 +73,11 @@ impl Case {
         assert!(self.is_allowed(&filled.triangles));
         assert_eq!(self.degrees(&filled.triangles).into_iter().max(), Some(filled.max_degree));
         assert!((self.area(&filled.triangles) - filled.area).abs() < 1e-12 * (1.0 + filled.area));
-        if let Some(limit) = filled.limit {
-            assert!(self.keeps(&filled.triangles, limit), "{filled:?}");
-        }
+        assert!(self.keeps(&filled.triangles, filled.limit), "{filled:?}");
     }
 }
+
+const LEAST_FROM_6: LoopLimit = LoopLimit::LeastWithin { from: 6, extra_area: f64::INFINITY };
 
 /// The edges that are not edges of the loop, each once.
 fn chords(triangles: &[[u32; 3]], n: u32) -> Vec<(u32, u32)> {
@@ -126,8 +126,8 @@ proptest! {
             all.iter().filter(|triangles| case.is_allowed(triangles)).collect();
         let solve = |limit| fill_loop(&case.problem(), limit, Progress::NONE);
         if allowed.is_empty() {
-            prop_assert_eq!(solve(LoopLimit::None), Err(LoopUnsolved::Excluded));
-            prop_assert_eq!(solve(LoopLimit::AtMost(9)), Err(LoopUnsolved::Excluded));
+            prop_assert_eq!(solve(LoopLimit::AtMost(1000)), Err(Unsolved::Excluded));
+            prop_assert_eq!(solve(LoopLimit::AtMost(9)), Err(Unsolved::Excluded));
             return Ok(());
         }
         // Flat triangles are avoided before area, so only loops without any tell areas.
@@ -146,7 +146,7 @@ proptest! {
         };
         let is_least = |area: f64, least: f64| (area - least).abs() <= 1e-8 * (1.0 + least);
 
-        let free = solve(LoopLimit::None).unwrap();
+        let free = solve(LoopLimit::AtMost(1000)).unwrap();
         case.check(&free);
         prop_assert!(is_least(free.area, least(1000, None).unwrap()));
         let mut least_limit = None;
@@ -154,12 +154,12 @@ proptest! {
             match (solve(LoopLimit::AtMost(limit)), least(limit, None)) {
                 (Ok(filled), Some(least)) => {
                     case.check(&filled);
-                    prop_assert_eq!(filled.limit, Some(limit));
+                    prop_assert_eq!(filled.limit, limit);
                     prop_assert!(is_least(filled.area, least), "{} {least}", filled.area);
                     prop_assert_eq!(filled.without_limit, (free.area, free.max_degree));
                     least_limit = least_limit.or(Some(limit));
                 }
-                (Err(LoopUnsolved::Infeasible { limit: asked, least: told }), None) => {
+                (Err(Unsolved::Infeasible { max_degree: asked, least: told }), None) => {
                     prop_assert_eq!(asked, limit);
                     let possible = (limit..).find(|&limit| least(limit, None).is_some());
                     prop_assert_eq!(Some(told), possible);
@@ -167,10 +167,10 @@ proptest! {
                 other => prop_assert!(false, "{other:?}"),
             }
         }
-        let default = solve(LoopLimit::LeastFrom(6)).unwrap();
+        let default = solve(LEAST_FROM_6).unwrap();
         case.check(&default);
         let expected = (6..).find(|&limit| least(limit, Some(fewest_flat)).is_some());
-        prop_assert_eq!(default.limit, expected);
+        prop_assert_eq!(Some(default.limit), expected);
         prop_assert!(is_least(default.area, least(expected.unwrap(), None).unwrap()));
         prop_assert_eq!(default.least_limit, None);
         // Within an area: the least limit whose area is small enough; the first one is told.
@@ -183,12 +183,12 @@ proptest! {
                 least(*limit, Some(fewest_flat)).is_some_and(|area| area <= most || is_near(area))
             };
             let limit = (6..).find(fits).unwrap();
-            prop_assert!(within.limit == Some(limit) || is_near(least(limit, None).unwrap()));
+            prop_assert!(within.limit == limit || is_near(least(limit, None).unwrap()));
             prop_assert!(within.area <= most * (1.0 + 1e-9));
             if within.limit == default.limit {
                 prop_assert_eq!(within.least_limit, None);
             } else {
-                prop_assert_eq!(within.least_limit.map(|it| it.0), default.limit);
+                prop_assert_eq!(within.least_limit.map(|it| it.0), Some(default.limit));
             }
         }
     }
@@ -209,10 +209,10 @@ fn any_number_of_threads_gives_the_same_triangles() {
     let solve = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         let problem = LoopProblem::new(&points, &[3; 70], [[0, 35]]).unwrap();
-        pool.install(|| fill_loop(&problem, LoopLimit::LeastFrom(6), Progress::NONE).unwrap())
+        pool.install(|| fill_loop(&problem, LEAST_FROM_6, Progress::NONE).unwrap())
     };
     let one = solve(1);
-    assert_eq!(one.limit, Some(6));
+    assert_eq!(one.limit, 6);
     for threads in [2, 7] {
         assert_eq!(solve(threads), one);
     }
@@ -225,8 +225,8 @@ fn work_is_cancelled() {
         let cancel = |step: mindeg_mesh::Step<'_>| {
             if step.stage == last { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let found = fill_loop(&problem, LoopLimit::LeastFrom(6), Progress::new(&cancel));
-        assert_eq!(found, Err(LoopUnsolved::Cancelled(Cancelled)), "{last}");
+        let found = fill_loop(&problem, LEAST_FROM_6, Progress::new(&cancel));
+        assert_eq!(found, Err(Unsolved::Cancelled(Cancelled)), "{last}");
     }
 }
 
@@ -237,12 +237,12 @@ fn large_loops_and_huge_coordinates_are_refused_or_solved() {
     for size in [1e300, 1e-300, 0.0] {
         let points: Vec<DVec3> = wavy(12).into_iter().map(|point| point * size).collect();
         let problem = LoopProblem::new(&points, &[2; 12], []).unwrap();
-        let filled = fill_loop(&problem, LoopLimit::LeastFrom(6), Progress::NONE).unwrap();
-        assert_eq!((filled.triangles.len(), filled.limit), (10, Some(6)), "{size}");
+        let filled = fill_loop(&problem, LEAST_FROM_6, Progress::NONE).unwrap();
+        assert_eq!((filled.triangles.len(), filled.limit), (10, 6), "{size}");
     }
     // All on one line: each triangle is flat, and the loop closes all the same.
     let line: Vec<DVec3> = (0..9).map(|i| DVec3::X * f64::from(i)).collect();
     let problem = LoopProblem::new(&line, &[2; 9], []).unwrap();
-    let filled = fill_loop(&problem, LoopLimit::LeastFrom(6), Progress::NONE).unwrap();
+    let filled = fill_loop(&problem, LEAST_FROM_6, Progress::NONE).unwrap();
     assert_eq!((filled.area, filled.triangles.len()), (0.0, 7));
 }

@@ -6,8 +6,8 @@ mod outlines;
 
 use glam::DVec2;
 use mindeg_exact::{
-    Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, WindowGoal,
-    best_angle, check::CheckedOutline as Rings, degree_range, least_max_degree, trade_off, windows,
+    Cancelled, DegreeRange, LowerBound, Problem, Progress, Reached, Unsolved, best_angle,
+    check::CheckedOutline as Rings, degree_range, least_max_degree, trade_off, windows,
 };
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Step, check};
@@ -141,8 +141,7 @@ fn windows_never_go_below_the_least_and_keep_the_angle() {
             .filter(|it| it.tangent >= min_tangent)
             .map(|it| it.degrees.iter().copied().max().unwrap())
             .min();
-        let goal = WindowGoal { max_degree: 0, min_tangent };
-        let windowed = windows(&problem, goal, Progress::NONE).unwrap();
+        let windowed = windows(&problem, 0, min_tangent, Progress::NONE).unwrap();
         let checked = check::triangulation(&outline.boundary(), &[], &windowed.triangles).unwrap();
         assert_eq!(checked.max_degree, windowed.max_degree);
         let measured = Measured::new(&outline.points, &windowed.triangles);
@@ -234,9 +233,9 @@ fn windows_take_domains_with_holes() {
         let (Outline { points, side_of }, rings, triangles) = frame(outer, inner);
         let slices: Vec<_> =
             rings.iter().map(|r| &points[r.start as usize..r.end as usize]).collect();
-        let boundary = PlanarBoundary::new(&slices).unwrap();
+        let boundary = PlanarBoundary::new(&slices).unwrap().with_sides(Vec::new(), side_of);
         let before = check::triangulation(&boundary, &[], &triangles).unwrap();
-        let problem = Problem::triangulated(&points, &side_of, &triangles).unwrap();
+        let problem = Problem::triangulated(&boundary, &triangles).unwrap();
         let range = degree_range(&problem, Progress::NONE).unwrap();
         let after = check::triangulation(&boundary, &[], &range.triangles).unwrap();
         assert_eq!((range.max_degree, range.lower_bound), (after.max_degree, 4));
@@ -281,11 +280,10 @@ fn answers_do_not_depend_on_the_number_of_threads() {
         let solve = |threads| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
             pool.install(|| {
-                let goal = WindowGoal { max_degree: 0, min_tangent: 1e-6 };
                 (
                     trade_off(&problem, Progress::NONE).unwrap(),
                     degree_range(&problem, Progress::NONE).unwrap(),
-                    windows(&problem, goal, Progress::NONE).unwrap(),
+                    windows(&problem, 0, 1e-6, Progress::NONE).unwrap(),
                 )
             })
         };
@@ -299,8 +297,8 @@ fn answers_do_not_depend_on_the_number_of_threads() {
 fn other_triangles_than_a_triangulation_are_refused() {
     let points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (1.0, 1.0)].map(DVec2::from);
     let refusal = |count: usize, triangles: &[[u32; 3]]| {
-        let side_of: Vec<u32> = (0..count as u32).collect();
-        Problem::triangulated(&points[..count], &side_of, triangles).unwrap_err().to_string()
+        let boundary = PlanarBoundary::of_mesh(&[&points[..count]]);
+        Problem::triangulated(&boundary, triangles).unwrap_err().to_string()
     };
     for (count, triangles, message) in [
         (4, &[[0, 1, 4]][..], "triangle 0 has vertex 4, but the vertices are 0 to 3"),
@@ -317,16 +315,11 @@ fn other_triangles_than_a_triangulation_are_refused() {
         (
             5,
             &[[0, 1, 2], [0, 2, 3]],
-            "the boundary passes vertex 4 0 times, expected once; leave out interior points, and \
-             keep rings apart",
+            "the triangles have another boundary than the domain; give a triangulation of it",
         ),
     ] {
         assert_eq!(refusal(count, triangles), message);
     }
-    // A vertex of some other ring order is a domain for windows only.
-    let turned = [points[0], points[2], points[1], points[3]];
-    let problem = Problem::triangulated(&turned, &[0, 1, 2, 3], &[[0, 2, 1], [0, 1, 3]]).unwrap();
-    assert_eq!(trade_off(&problem, Progress::NONE), Err(Unsolved::NotAPolygon));
 }
 
 /// Counting and searching as the checker does it, against every triangulation.
@@ -372,7 +365,8 @@ fn the_checkers_bounds_are_those_of_all_triangulations() {
 #[test]
 fn a_polygon_that_only_chords_along_sides_triangulate_has_them() {
     let points = [(4.0, 4.0), (4.0, 5.0), (0.0, 30.0), (0.0, 0.0)].map(DVec2::from);
-    let problem = Problem::triangulated(&points, &[0, 0, 1, 0], &[[0, 1, 3], [1, 2, 3]]).unwrap();
+    let boundary = PlanarBoundary::of_mesh(&[points]).with_sides(Vec::new(), vec![0, 0, 1, 0]);
+    let problem = Problem::triangulated(&boundary, &[[0, 1, 3], [1, 2, 3]]).unwrap();
     let answer = trade_off(&problem, Progress::NONE).unwrap();
     assert_eq!(answer.optima[0].max_degree, 3);
     assert!(best_angle(&problem, 9, Progress::NONE).is_ok());
@@ -394,7 +388,9 @@ fn a_chord_behind_a_bulge_of_one_unit_is_no_proof_of_less() {
     ]
     .map(DVec2::from);
     let start = [[2, 6, 1], [3, 4, 5], [0, 1, 6], [5, 6, 2], [5, 2, 3]];
-    let problem = Problem::triangulated(&points, &[0, 1, 2, 3, 4, 5, 0], &start).unwrap();
+    let sides = vec![0, 1, 2, 3, 4, 5, 0];
+    let boundary = PlanarBoundary::of_mesh(&[points]).with_sides(Vec::new(), sides);
+    let problem = Problem::triangulated(&boundary, &start).unwrap();
     let range = degree_range(&problem, Progress::NONE).unwrap();
     assert!(range.is_proven(), "{range:?}");
 }

@@ -71,14 +71,23 @@ pub fn first_of_blocks<R: Send>(
 }
 
 /// The results of `work` on each of a few large items, in order.
-pub(crate) fn map_all<T: Send, R: Send>(
-    items: Vec<T>,
-    work: impl Fn(T) -> R + Sync + Send,
-) -> Vec<R> {
+pub fn map_all<T: Send, R: Send>(items: Vec<T>, work: impl Fn(T) -> R + Sync + Send) -> Vec<R> {
     #[cfg(feature = "parallel")]
-    return items.into_par_iter().map(work).collect();
-    #[cfg(not(feature = "parallel"))]
-    return items.into_iter().map(work).collect();
+    if items.len() > 1 {
+        return items.into_par_iter().map(work).collect();
+    }
+    items.into_iter().map(work).collect()
+}
+
+/// The results of `work` on chunks of `len` items, in order; the last chunk may be shorter. For items that take
+/// much longer than those of [`blocks`].
+pub fn map_chunks<R: Send>(
+    items: Range<usize>,
+    len: usize,
+    work: impl Fn(Range<usize>) -> R + Sync + Send,
+) -> Vec<R> {
+    let chunks = items.clone().step_by(len).map(|start| start..items.end.min(start + len));
+    map_all(chunks.collect(), work)
 }
 
 /// Sorts values; equal ones must be identical. O(n log n), shared by all threads.
@@ -102,6 +111,15 @@ mod tests {
         }
         let last = try_blocks(u32::MAX, |range| if range.start == 0 { Ok(()) } else { Err(range) });
         assert!(last.is_err());
+    }
+
+    #[test]
+    fn chunks_come_in_order_without_gap() {
+        for (items, len) in [(0..0, 3), (5..6, 3), (0..9, 3), (7..17, 3), (2..1000, 1)] {
+            let chunks = map_chunks(items.clone(), len, |chunk| chunk);
+            assert!(chunks.iter().all(|chunk| !chunk.is_empty() && chunk.len() <= len));
+            assert!(chunks.into_iter().flatten().eq(items));
+        }
     }
 
     #[test]

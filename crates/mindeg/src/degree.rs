@@ -92,7 +92,7 @@ pub fn degree_of_boundary(
     progress: Progress<'_>,
 ) -> Result<DegreeAnswer, MeshError> {
     let triangles = mindeg_delaunay::triangles(boundary, &[], &[], progress)?;
-    let mut problem = Problem::triangulated(boundary.points(), boundary.runs(), &triangles)?;
+    let mut problem = Problem::triangulated(boundary, &triangles)?;
     problem.set_max_triples(max_triples);
     Ok(degree_range(&problem, progress)?.into())
 }

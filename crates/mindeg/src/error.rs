@@ -1,7 +1,7 @@
 //! Why there is no mesh.
 
 use mindeg_delaunay::DelaunayError;
-use mindeg_exact::{BridgeUnsolved, ProblemError, Unsolved};
+use mindeg_exact::Unsolved;
 use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::BoundaryFaults;
 use mindeg_mesh::{Cancelled, TriMeshError};
@@ -25,15 +25,9 @@ pub enum MeshError {
          too many vertices see each other, not all meshes are searched; raise these limits"
     )]
     LimitsNotReached,
-    /// It is too large.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
-    /// No mesh keeps the limit for all vertices.
+    /// The solver refuses it, or has proven that there is none.
     #[error(transparent)]
     Unsolved(#[from] Unsolved),
-    /// No strip joins the loops.
-    #[error(transparent)]
-    Bridge(#[from] BridgeUnsolved),
     /// Its points have no Delaunay triangulation to start from.
     #[error(transparent)]
     Delaunay(#[from] DelaunayError),

@@ -12,10 +12,10 @@
 
 use crate::error::MeshError;
 use crate::loops::{Loops, MeshLoop};
-use crate::parallel::map_indices;
 use glam::DVec3;
-use mindeg_exact::{LoopLimit, LoopProblem, LoopTriangulation, LoopUnsolved, fill_loop};
+use mindeg_exact::{LoopLimit, LoopProblem, LoopTriangulation, Unsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
+use mindeg_mesh::parallel::map_all;
 use mindeg_mesh::quality::TriangleQuality;
 use mindeg_mesh::{Cancelled, Progress, Step, TriMesh};
 use std::collections::BTreeMap;
@@ -169,7 +169,7 @@ pub fn fill(
     // A single loop tells more of itself.
     let inner = if tasks.len() > 1 { Progress::new(&is_cancelled) } else { progress };
     for level in levels(&tasks, all) {
-        let solved = map_indices(&level, |index| {
+        let solved = map_all(level.clone(), |index| {
             let solved = solve(&mesh, &all[index], &loops, limit, inner);
             counter.add(usize::from(tasks.len() > 1))?;
             solved
@@ -184,11 +184,11 @@ pub fn fill(
                     loops.add(&own);
                     solutions.insert(index, (solved, own));
                 }
-                Err(LoopUnsolved::Excluded) => {
+                Err(Unsolved::Excluded) => {
                     let (vertices, reason) = (vertices.len(), EDGES_THERE.to_owned());
                     left.push(LeftLoop { index, vertices, reason });
                 }
-                Err(LoopUnsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
+                Err(Unsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
                 Err(source) => {
                     let (number, first) = (index + 1, vertices[0]);
                     let sentence = format!("loop {number} from vertex {first}: {source}");
@@ -207,7 +207,7 @@ pub fn fill(
             vertices: all[index].vertices.len(),
             // Checked below, before anybody sees it.
             triangles: start as u32..(start + own.len()) as u32,
-            limit: solved.limit.unwrap_or(u32::MAX),
+            limit: solved.limit,
             max_degree: solved.max_degree,
             area: solved.area,
             without_limit: solved.without_limit,
@@ -250,7 +250,7 @@ fn solve(
     loops: &Loops,
     limit: LoopLimit,
     progress: Progress<'_>,
-) -> Result<LoopTriangulation, LoopUnsolved> {
+) -> Result<LoopTriangulation, Unsolved> {
     let backward = || found.vertices.iter().rev().copied();
     let points: Vec<_> = backward().map(|vertex| mesh.positions()[vertex as usize]).collect();
     let degrees: Vec<u32> = backward().map(|vertex| loops.degrees[vertex as usize]).collect();

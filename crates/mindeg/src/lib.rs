@@ -50,7 +50,6 @@ mod keep_angle;
 mod loops;
 mod meshed;
 pub mod model;
-mod parallel;
 mod posed;
 pub mod verify;
 mod windowed;

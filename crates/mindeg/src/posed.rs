@@ -5,10 +5,9 @@
 
 use std::cmp::Reverse;
 
-use glam::DVec2;
 use mindeg_domain::{ConvexForm, Domain};
-use mindeg_exact::measure::min_angle_tangent;
-use mindeg_exact::{MAX_VERTICES, Problem, ProblemError, Unsolved, WindowGoal, windows};
+use mindeg_exact::measure::least_tangent;
+use mindeg_exact::{MAX_VERTICES, Problem, Unsolved, windows};
 use mindeg_mesh::{Cancelled, Progress};
 
 use crate::boundary_mesh::{BoundaryMesh, points_of};
@@ -66,7 +65,7 @@ impl<'a> Posed<'a> {
         let (boundary, first) = (form.boundary(), form.first());
         // The solver refuses a number of vertices too large for the memory of one point each.
         if boundary.vertex_count() > MAX_VERTICES {
-            return Err(ProblemError::TooManyVertices { vertices: boundary.vertex_count() }.into());
+            return Err(Unsolved::TooManyVertices { vertices: boundary.vertex_count() }.into());
         }
         let mut points = points_of(domain);
         points.rotate_left(first as usize);
@@ -83,7 +82,7 @@ impl<'a> Posed<'a> {
         let boundary = domain.boundary()?;
         let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], progress)?;
         let least_tangent = least_tangent(boundary.points(), &triangles);
-        let problem = Problem::triangulated(boundary.points(), boundary.runs(), &triangles)?;
+        let problem = Problem::triangulated(&boundary, &triangles)?;
         let delaunay_min_angle = Some(libm::atan(least_tangent).to_degrees());
         Ok(Self { domain, problem, first: 0, delaunay_min_angle }.with_constraints())
     }
@@ -146,8 +145,8 @@ impl<'a> Posed<'a> {
         progress: Progress<'_>,
     ) -> Result<Option<BoundaryMesh>, MeshError> {
         let least_angle = share * self.delaunay_min_angle.unwrap_or(0.0);
-        let goal = WindowGoal { max_degree, min_tangent: libm::tan(least_angle.to_radians()) };
-        let windowed = windows(&self.problem, goal, progress)?;
+        let least_tangent = libm::tan(least_angle.to_radians());
+        let windowed = windows(&self.problem, max_degree, least_tangent, progress)?;
         if !windowed.keeps_vertex_limits {
             return Ok(None);
         }
@@ -213,12 +212,6 @@ impl<'a> Posed<'a> {
         vertices.sort_unstable();
         Ok(vertices)
     }
-}
-
-/// The tangent of the minimum angle of some triangles.
-fn least_tangent(points: &[DVec2], triangles: &[[u32; 3]]) -> f64 {
-    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
-    triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
 }
 
 /// The most times that the search for a conflict solves the problem, in O(n³) time each.

@@ -102,8 +102,8 @@ fn each_limit_is_kept_and_what_cannot_be_is_refused_with_the_least() {
     };
     // Four edges at each vertex, and 21 chords for 24 vertices.
     let message = under(5).unwrap_err().to_string();
-    let expected = "loop 1 from vertex 0: no triangulation of the loop keeps degree limit 5; \
-                    the least possible is 6";
+    let expected =
+        "loop 1 from vertex 0: no triangulation here has maximum degree 5; the least is 6";
     assert_eq!(message, expected);
     for limit in 6..9 {
         let closed = under(limit).unwrap();

@@ -85,7 +85,7 @@ fn delaunay(input: &Input) -> Triangles {
 }
 
 fn problem(input: &Input) -> Result<Problem, Box<dyn Error>> {
-    Ok(Problem::triangulated(&input.points, &input.side_of, &delaunay(input)?)?)
+    Ok(Problem::triangulated(&input.boundary()?, &delaunay(input)?)?)
 }
 
 fn spade(input: &Input) -> Triangles {

@@ -1,9 +1,10 @@
 //! The least cost of each piece of a loop, whatever its degrees.
 
 use super::problem::LoopProblem;
-use crate::parallel::map_chunks;
+use crate::fronts::unfold;
 use crate::space::{Cost, cost};
 use glam::DVec3;
+use mindeg_mesh::parallel::map_chunks;
 use mindeg_mesh::{Cancelled, Progress};
 
 /// The least cost of the piece between any two vertices.
@@ -55,16 +56,7 @@ impl AnyDegree {
 
     /// A triangulation of least cost.
     pub(super) fn triangles(&self, points: &[DVec3]) -> Vec<[u32; 3]> {
-        let mut triangles = Vec::with_capacity(self.n - 2);
-        let mut pieces = vec![(0, self.n - 1)];
-        while let Some((i, j)) = pieces.pop() {
-            if j - i > 1 {
-                let (_, k) = self.best(points, i, j);
-                triangles.push([i, k, j].map(|vertex| vertex as u32));
-                pieces.extend([(k, j), (i, k)]);
-            }
-        }
-        triangles
+        unfold(self.n, (), |[i, j], ()| Some((self.best(points, i, j).1, [(), ()])))
     }
 
     /// The least cost of the piece from i to j, and the third corner of its triangle at ij: the

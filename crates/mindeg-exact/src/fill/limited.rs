@@ -1,10 +1,12 @@
 //! The triangulations of each piece of a loop that keep degree limits and that no other one beats.
 
-use super::problem::{LoopProblem, LoopUnsolved, MAX_STATES};
-use crate::parallel::map_chunks;
+use super::problem::{LoopProblem, MAX_STATES};
+use crate::fronts::unfold;
 use crate::space::{Cost, cost};
+use crate::unsolved::Unsolved;
 use glam::DVec3;
 use mindeg_mesh::Progress;
+use mindeg_mesh::parallel::map_chunks;
 
 /// One triangulation of a piece: what the rest of the loop needs to know of it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +50,7 @@ impl<'a> Limited<'a> {
         capacities: &'a [u16],
         limit: u32,
         progress: Progress<'_>,
-    ) -> Result<Self, LoopUnsolved> {
+    ) -> Result<Self, Unsolved> {
         let n = points.len();
         let stage = format!("least area under degree limit {limit}");
         let mut all = Self { problem, capacities, spans: vec![Span::default()] };
@@ -75,7 +77,11 @@ impl<'a> Limited<'a> {
             }
             count += whole.states.len();
             if count > MAX_STATES {
-                return Err(LoopUnsolved::TooManyStates { limit });
+                return Err(Unsolved::Refused(format!(
+                    "under degree limit {limit} the search needs more memory than it may take ({} MB); \
+                     give another limit",
+                    MAX_STATES / 62500
+                )));
             }
             whole.starts.push(whole.states.len());
             all.spans.push(whole);
@@ -95,31 +101,21 @@ impl<'a> Limited<'a> {
 
     /// A triangulation of least cost; empty if no triangulation exists.
     pub(super) fn triangles(&self, points: &[DVec3]) -> Vec<[u32; 3]> {
-        let n = self.capacities.len();
-        let mut triangles = Vec::with_capacity(n - 2);
-        let mut pieces: Vec<_> =
-            self.best_state().map(|state| (0, n - 1, state)).into_iter().collect();
-        while let Some((i, j, state)) = pieces.pop() {
-            if j - i == 1 {
-                continue;
-            }
+        let Some(best) = self.best_state() else { return Vec::new() };
+        unfold(self.capacities.len(), best, |[i, j], state| {
             let mut found = None;
             for k in i + 1..j {
                 self.combine(points, [i, k, j], Cost::INFINITE, |whole, left, right| {
                     if found.is_none() && whole == state {
-                        found = Some((k, left, right));
+                        found = Some((k, [left, right]));
                     }
                 });
                 if found.is_some() {
                     break;
                 }
             }
-            if let Some((k, left, right)) = found {
-                triangles.push([i, k, j].map(|vertex| vertex as u32));
-                pieces.extend([(k, j, right), (i, k, left)]);
-            }
-        }
-        triangles
+            found
+        })
     }
 
     fn front(&self, i: usize, j: usize) -> &[State] {

@@ -1,8 +1,7 @@
-//! A loop in space, and why it has no triangulation.
+//! A loop in space.
 
+use crate::unsolved::Unsolved;
 use glam::DVec3;
-use mindeg_mesh::Cancelled;
-use thiserror::Error;
 
 /// The most vertices of a loop: n³/6 triangles are weighed, at this number 1.3 thousand million.
 pub const MAX_LOOP: usize = 2000;
@@ -19,44 +18,6 @@ pub struct LoopProblem {
     pub(super) excluded: Vec<bool>,
 }
 
-/// Why a loop has no triangulation.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-#[non_exhaustive]
-pub enum LoopUnsolved {
-    /// More vertices than [`MAX_LOOP`].
-    #[error("the loop has {vertices} vertices; the maximum is {MAX_LOOP}")]
-    TooLarge {
-        /// How many vertices it has.
-        vertices: usize,
-    },
-    /// More than [`MAX_STATES`] triangulations of pieces would be kept.
-    #[error(
-        "under degree limit {limit} the search needs more memory than it may take ({} MB); give \
-         another limit",
-        MAX_STATES / 62500
-    )]
-    TooManyStates {
-        /// The limit.
-        limit: u32,
-    },
-    /// Every triangulation has an edge that is excluded.
-    #[error("every triangulation of the loop needs an edge that is there already")]
-    Excluded,
-    /// No triangulation keeps the limit.
-    #[error(
-        "no triangulation of the loop keeps degree limit {limit}; the least possible is {least}"
-    )]
-    Infeasible {
-        /// The limit.
-        limit: u32,
-        /// The least limit that some triangulation keeps.
-        least: u32,
-    },
-    /// The progress callback cancelled the work.
-    #[error(transparent)]
-    Cancelled(#[from] Cancelled),
-}
-
 impl LoopProblem {
     /// A loop of three vertices or more. `external` are the edges at each vertex without those of
     /// the filling: its two loop edges and all others. `excluded` are pairs of vertices
@@ -64,7 +25,7 @@ impl LoopProblem {
     ///
     /// # Errors
     ///
-    /// [`LoopUnsolved::TooLarge`].
+    /// More vertices than [`MAX_LOOP`].
     ///
     /// # Panics
     ///
@@ -74,12 +35,14 @@ impl LoopProblem {
         points: &[DVec3],
         external: &[u32],
         excluded: impl IntoIterator<Item = [u32; 2]>,
-    ) -> Result<Self, LoopUnsolved> {
+    ) -> Result<Self, Unsolved> {
         let n = points.len();
         assert!(n >= 3 && external.len() == n, "three points and as many degrees");
         assert!(points.iter().all(|point| point.is_finite()), "points are finite");
         if n > MAX_LOOP {
-            return Err(LoopUnsolved::TooLarge { vertices: n });
+            return Err(Unsolved::Refused(format!(
+                "the loop has {n} vertices; the maximum is {MAX_LOOP}"
+            )));
         }
         let mut pairs = vec![false; n * n];
         for [a, b] in excluded {

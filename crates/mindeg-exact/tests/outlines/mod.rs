@@ -206,11 +206,11 @@ impl Outline {
 
     /// The points as one ring.
     pub(crate) fn boundary(&self) -> PlanarBoundary {
-        PlanarBoundary::new(&[&self.points]).unwrap()
+        PlanarBoundary::new(&[&self.points]).unwrap().with_sides(Vec::new(), self.side_of.clone())
     }
 
     pub(crate) fn problem(&self) -> Problem {
-        Problem::triangulated(&self.points, &self.side_of, &self.ears()).unwrap()
+        Problem::triangulated(&self.boundary(), &self.ears()).unwrap()
     }
 
     /// All triangulations.

@@ -16,7 +16,7 @@ use mindeg_exact::LeastWeight;
 use mindeg_mesh::{Cancelled, Progress};
 
 use super::joint::Joint;
-use crate::parallel::map_indices;
+use mindeg_mesh::parallel::map_all;
 
 /// The most triples of vertices, over all faces, for which weights are looked for.
 const MOST_TRIPLES: u64 = 4_000_000;
@@ -162,7 +162,7 @@ pub(super) fn with_weights(
     if faces.iter().map(triples).fold(0, u64::saturating_add) > MOST_TRIPLES {
         return Ok(bound);
     }
-    let solvers = map_indices(&faces, |face| {
+    let solvers = map_all(faces.clone(), |face| {
         let plane_face = joint.face(face);
         let problem = plane_face.problem(&joint.triangles[face]).ok()?;
         let least = LeastWeight::new(&problem, joint.thresholds[face]).ok();
@@ -175,7 +175,7 @@ pub(super) fn with_weights(
         let largest = weights.iter().copied().fold(0.0, f64::max);
         let whole: Vec<u64> =
             weights.iter().map(|weight| (weight / largest * UNIT + 0.5) as u64).collect();
-        let found = map_indices(&faces, |face| {
+        let found = map_all(faces.clone(), |face| {
             let (solver, vertices) = solvers[face].as_ref()?;
             let own: Vec<u64> = vertices.iter().map(|&vertex| whole[vertex as usize]).collect();
             solver.as_ref()?.of(&own)

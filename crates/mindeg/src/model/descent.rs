@@ -13,7 +13,7 @@ use super::colors::classes;
 use super::face::PlaneFace;
 use super::joint::Joint;
 use super::random::hash;
-use crate::parallel::map_indices;
+use mindeg_mesh::parallel::map_all;
 
 /// Steps of the dynamic program that one degree may take, by default: some seconds on one core.
 pub(super) const LEVEL_STEPS: u64 = 1 << 28;
@@ -140,7 +140,7 @@ impl<'j, 'm> Descent<'j, 'm> {
                     None
                 }
             };
-            let found = map_indices(&self.classes[class], solve);
+            let found = map_all(self.classes[class].clone(), solve);
             let faces = self.classes[class].clone();
             for (face, found) in faces.into_iter().zip(found) {
                 if let Some((triangles, own_steps)) = found {

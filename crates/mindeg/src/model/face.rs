@@ -4,7 +4,7 @@ use glam::DVec3;
 use mindeg_core::{Boundary, least_degree_triangulation};
 use mindeg_domain::Model;
 use mindeg_exact::Problem;
-use mindeg_exact::measure::min_angle_tangent;
+use mindeg_exact::measure::least_tangent;
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -26,8 +26,8 @@ impl PlaneFace {
     pub(super) fn problem(
         &self,
         triangles: &[[u32; 3]],
-    ) -> Result<Problem, mindeg_exact::ProblemError> {
-        Problem::triangulated(self.boundary.points(), self.boundary.runs(), triangles)
+    ) -> Result<Problem, mindeg_exact::Unsolved> {
+        Problem::triangulated(&self.boundary, triangles)
     }
 
     pub(super) fn delaunay(&self, face: usize) -> Result<Vec<[u32; 3]>, MeshError> {
@@ -37,10 +37,7 @@ impl PlaneFace {
 
     /// The tangent of the minimum angle of some triangles.
     pub(super) fn min_tangent(&self, triangles: &[[u32; 3]]) -> f64 {
-        let tangent = |triangle: &[u32; 3]| {
-            min_angle_tangent(triangle.map(|place| self.boundary.point(place)))
-        };
-        triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
+        least_tangent(self.boundary.points(), triangles)
     }
 
     /// The triangulation of least degree by the formula, if the face is convex.

@@ -8,7 +8,7 @@ use super::assembled;
 use super::face::PlaneFace;
 use crate::error::MeshError;
 use crate::fill::min_angle;
-use crate::parallel::map_indices;
+use mindeg_mesh::parallel::map_all;
 
 /// Faces from one report of progress to the next.
 const REPORT: usize = 64;
@@ -70,7 +70,7 @@ pub fn fill_model(
     let mut filled = Vec::with_capacity(faces.len());
     let counter = progress.counter("filling faces", faces.len() as u64);
     for chunk in faces.chunks(REPORT) {
-        for found in map_indices(chunk, fill) {
+        for found in map_all(chunk.to_vec(), fill) {
             filled.push(found?);
         }
         counter.add(chunk.len())?;

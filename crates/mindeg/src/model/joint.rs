@@ -7,7 +7,7 @@ use mindeg_mesh::Progress;
 
 use super::face::PlaneFace;
 use crate::error::MeshError;
-use crate::parallel::map_indices;
+use mindeg_mesh::parallel::map_all;
 
 /// Faces from one report of progress to the next.
 const REPORT: usize = 1 << 10;
@@ -48,7 +48,7 @@ impl<'m> Joint<'m> {
         let indices: Vec<usize> = (0..model.face_count()).collect();
         let counter = progress.counter("triangulating faces", indices.len() as u64);
         for chunk in indices.chunks(REPORT) {
-            let firsts = map_indices(chunk, |face| first(model, &positions, face, keep_angle));
+            let firsts = map_all(chunk.to_vec(), |face| first(model, &positions, face, keep_angle));
             for first in firsts {
                 let (face, first, threshold, tangent) = first?;
                 faces.push(face);

@@ -10,7 +10,7 @@ use mindeg_mesh::{Cancelled, Progress};
 
 use super::colors::classes;
 use super::joint::Joint;
-use crate::parallel::map_indices;
+use mindeg_mesh::parallel::map_all;
 
 /// How often every face is improved.
 const ROUNDS: u64 = 2;
@@ -54,7 +54,7 @@ pub(super) fn polish(joint: &mut Joint<'_>, progress: Progress<'_>) -> Result<()
     for round in 0..ROUNDS {
         for (index, class) in (0..).zip(&classes) {
             progress.report("improving angles", round * classes.len() as u64 + index, total)?;
-            let found = map_indices(class, |face| improved(joint, face, degree));
+            let found = map_all(class.to_vec(), |face| improved(joint, face, degree));
             for (&face, found) in class.iter().zip(found) {
                 if let Some(triangles) = found {
                     joint.replace(face, triangles);
