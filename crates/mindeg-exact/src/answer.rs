@@ -72,11 +72,11 @@ pub fn best_angle(
     let chords = problem.chords(progress)?;
     let is_possible = match closed_form(problem) {
         Some(least) => max_degree >= least,
-        None => any_triangulation(problem, &chords, max_degree, 0.0, progress)?.is_some(),
+        None => any_triangulation(problem, chords, max_degree, 0.0, progress)?.is_some(),
     };
     match problem.degree_limits(max_degree) {
         Some(limits) if is_possible => {
-            let mut search = Search::new(problem, &chords, progress)?;
+            let mut search = Search::new(problem, chords, progress)?;
             let tangent = search.best_tangent(&limits, 0.0)?;
             Ok(search.optimum(&limits, tangent)?)
         }
@@ -143,7 +143,7 @@ pub fn trade_off_until(
 ) -> Result<AngleOptima, Unsolved> {
     let chords = problem.chords(progress)?;
     let least = least_max_degree(problem, progress)?;
-    let mut search = Search::new(problem, &chords, progress)?;
+    let mut search = Search::new(problem, chords, progress)?;
     let limits =
         |max_degree| problem.degree_limits(max_degree).expect("no limit is below the least");
     let most = if problem.is_plain() {

@@ -222,7 +222,7 @@ fn polygon(
     if range.is_proven() {
         return Ok(range);
     }
-    match problem.require_triples(&chords, progress) {
+    match problem.require_triples(chords, progress) {
         Err(Unsolved::TooLarge { .. }) => return Ok(range),
         within => within?,
     }
@@ -232,7 +232,7 @@ fn polygon(
         let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
         let mut found = None;
         for share in SEARCHED_SHARES {
-            found = any_triangulation(problem, &chords, max_degree, share * start, progress)?;
+            found = any_triangulation(problem, chords, max_degree, share * start, progress)?;
             if found.is_some() {
                 break;
             }
@@ -317,7 +317,7 @@ fn with_limits(problem: &Problem, progress: Progress<'_>) -> Result<DegreeRange,
         }
         chords => chords?,
     };
-    let (least, triangles) = least_by_search(problem, &chords, progress)?;
+    let (least, triangles) = least_by_search(problem, chords, progress)?;
     Ok(DegreeRange {
         max_degree: least,
         lower_bound: least,

@@ -91,6 +91,44 @@ impl<'a> Hulls<'a> {
         if which == Which::First { own.find(is_left) } else { own.rfind(is_left) }
     }
 
+    /// Whether one of the vertices beside a segment, no farther from it than `distance`, has a property.
+    /// O(log² n), and O(log² n) more for each block of vertices with one of them.
+    pub(crate) fn any_beside(
+        &self,
+        [from, to]: [DVec2; 2],
+        distance: f64,
+        is: impl Fn(u32) -> bool,
+    ) -> bool {
+        let along = to - from;
+        let across = along.perp();
+        // Twice the distance, and the rounding of a coordinate: it may find more, never less.
+        let aside =
+            across.normalize_or_zero() * (2.0 * distance + 4.0 * f64::EPSILON * self.largest);
+        // All these are on the left of each of four lines.
+        let lines = [
+            [from - aside, to - aside],
+            [to + aside, from + aside],
+            [from, from - across],
+            [to, to + across],
+        ];
+        let mut open = vec![[self.levels.len() - 1, 0]];
+        while let Some([level, index]) = open.pop() {
+            let Some(hull) = self.levels[level].get(index) else { continue };
+            if !lines.iter().all(|&line| self.is_any_left(line, hull)) {
+                continue;
+            }
+            if level > 0 {
+                open.extend([[level - 1, 2 * index], [level - 1, 2 * index + 1]]);
+            } else {
+                let mut own = index * BLOCK..self.points.len().min((index + 1) * BLOCK);
+                if own.any(|vertex| is(vertex as u32)) {
+                    return true;
+                }
+            }
+        }
+        false
+    }
+
     /// Whether one of the points of a hull is on the left.
     fn is_any_left(&self, [from, to]: [DVec2; 2], hull: &Hull) -> bool {
         let along = to - from;
@@ -144,6 +182,31 @@ mod tests {
     /// Numbers in no order, below `most`.
     fn scattered(seed: u32, most: u32) -> u32 {
         (seed + 1).wrapping_mul(0x9e37_79b9).rotate_left(15).wrapping_mul(0x85eb_ca6b) % most
+    }
+
+    #[test]
+    fn the_points_beside_a_segment_are_found() {
+        // Neighbours are near each other, so that whole blocks are apart from most segments.
+        let point = |v: u32| DVec2::new(f64::from(v), f64::from(v * v) / 100.0);
+        let points: Vec<DVec2> = (0..300).map(point).collect();
+        let hulls = Hulls::new(&points);
+        let mut found = 0;
+        for seed in 0..3000 {
+            let [from, to] = [0, 1].map(|of| points[scattered(2 * seed + of, 300) as usize]);
+            let along = (to - from).normalize_or_zero();
+            let is_beside = |p: DVec2, distance: f64| {
+                (p - from).dot(to - from) > 0.0
+                    && (p - to).dot(from - to) > 0.0
+                    && along.perp_dot(p - from).abs() <= distance
+            };
+            let distance = f64::from(scattered(seed, 7));
+            let some = |p: &DVec2| (p.x as u32).is_multiple_of(20);
+            let is = |v: u32| some(&points[v as usize]) && is_beside(points[v as usize], distance);
+            let any = points.iter().any(|p| some(p) && is_beside(*p, distance));
+            assert_eq!(hulls.any_beside([from, to], distance, is), any, "{seed}");
+            found += u32::from(any);
+        }
+        assert!((100..2900).contains(&found), "{found}");
     }
 
     #[test]

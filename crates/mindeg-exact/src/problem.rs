@@ -11,6 +11,7 @@ use glam::DVec2;
 use mindeg_core::{Boundary, least_degree_triangulation};
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use mindeg_mesh::{Cancelled, Progress};
+use std::sync::OnceLock;
 
 /// The most boundary vertices of a convex polygon, 4,096.
 ///
@@ -54,6 +55,8 @@ pub struct Problem {
     external_degrees: Vec<u32>,
     degree_limits: Vec<Option<u32>>,
     max_triples: u64,
+    /// All chords that a triangulation may use, once they are known.
+    visible: OnceLock<Chords>,
 }
 
 /// The domain that the points bound.
@@ -178,6 +181,7 @@ impl Problem {
             external_degrees: vec![0; points.len()],
             degree_limits: vec![None; points.len()],
             max_triples: MAX_TRIPLES,
+            visible: OnceLock::new(),
         }
     }
 
@@ -185,6 +189,8 @@ impl Problem {
     /// work counts them before it starts; convex polygons have [`MAX_VERTICES`] instead.
     pub fn set_max_triples(&mut self, triples: u64) {
         self.max_triples = triples;
+        // They may be too many now.
+        self.visible = OnceLock::new();
     }
 
     /// The points, by vertex.
@@ -280,24 +286,28 @@ impl Problem {
     }
 
     /// All chords that a triangulation may use, if their triples are within the limit.
-    pub(crate) fn chords(&self, progress: Progress<'_>) -> Result<Chords, Unsolved> {
+    pub(crate) fn chords(&self, progress: Progress<'_>) -> Result<&Chords, Unsolved> {
         let chords = self.visible_chords(progress)?;
-        self.require_triples(&chords, progress)?;
+        self.require_triples(chords, progress)?;
         Ok(chords)
     }
 
     /// All chords that a triangulation may use, if they are not too many.
-    pub(crate) fn visible_chords(&self, progress: Progress<'_>) -> Result<Chords, Unsolved> {
-        match &self.domain {
-            Domain::Convex(_) => Ok(Chords::all(self.points.len(), &self.sides)),
+    pub(crate) fn visible_chords(&self, progress: Progress<'_>) -> Result<&Chords, Unsolved> {
+        if let Some(chords) = self.visible.get() {
+            return Ok(chords);
+        }
+        let chords = match &self.domain {
+            Domain::Convex(_) => Chords::all(self.points.len(), &self.sides),
             Domain::Simple(mesh) => {
                 let stage = Stage::new(progress, "finding chords");
                 let most = self.max_chords();
                 let chords = visibility::chords(mesh, &self.points, &self.sides, most, &stage)?;
-                chords.ok_or(Unsolved::TooLarge { max_triples: self.max_triples })
+                chords.ok_or(Unsolved::TooLarge { max_triples: self.max_triples })?
             }
-            Domain::Rings(_) => Err(Unsolved::NotAPolygon),
-        }
+            Domain::Rings(_) => return Err(Unsolved::NotAPolygon),
+        };
+        Ok(self.visible.get_or_init(|| chords))
     }
 
     /// Refuses chords of another polygon than a convex one if they have too many triples.

@@ -38,8 +38,13 @@ struct View {
 /// Finds the vertices that a vertex sees; reuses its memory.
 pub(crate) struct Eye<'a> {
     open: Vec<View>,
+    /// With these, one question shows that no vertex is near a chord.
+    hulls: Option<&'a Hulls<'a>>,
     /// With a polygon's ring it passes over many triangles at once.
     ring: Option<&'a Ring<'a>>,
+    /// The vertices follow each other along the boundary of one ring, and only larger ones than the eye are
+    /// wanted: half of all that it sees.
+    is_upward: bool,
     /// The field `clear` of [`Sides`].
     clear: Option<f64>,
 }
@@ -47,17 +52,16 @@ pub(crate) struct Eye<'a> {
 /// The ring 0, 1, 2, … of a polygon, where the vertices beyond an edge follow each other.
 pub(crate) struct Ring<'a> {
     mesh: &'a Linked,
-    hulls: Hulls<'a>,
+    hulls: &'a Hulls<'a>,
     /// The corners at each vertex counter-clockwise.
     corners: Corners,
 }
 
 impl<'a> Ring<'a> {
-    fn new(mesh: &'a Linked, points: &'a [DVec2]) -> Self {
-        let count = points.len();
+    fn new(mesh: &'a Linked, hulls: &'a Hulls<'a>, count: usize) -> Self {
         let mut corners = Corners::new(count, &mesh.triangles);
         corners.sort_by_key(mesh, |vertex, next| after(vertex, next, count));
-        Self { mesh, hulls: Hulls::new(points), corners }
+        Self { mesh, hulls, corners }
     }
 
     /// Goes on with a view past triangles with no corner in the cone, whose vertices are all on one side
@@ -106,28 +110,29 @@ fn after(from: u32, to: u32, count: usize) -> u32 {
 
 impl<'a> Eye<'a> {
     /// An eye that sees past no vertex that a chord may not pass.
-    pub(crate) fn new(sides: &Sides, ring: Option<&'a Ring<'a>>) -> Self {
-        Self { open: Vec::new(), ring, clear: sides.clear }
+    pub(crate) fn new(sides: &Sides, is_upward: bool) -> Self {
+        Self { open: Vec::new(), hulls: None, ring: None, is_upward, clear: sides.clear }
     }
 
     /// The views from one look at the whole ring to the next: about what that takes.
     const PATIENCE: u32 = if cfg!(test) { 2 } else { 32 };
 
-    /// Visits every vertex, once, that corner `corner` (3 * triangle + corner) sees through its
+    /// Visits every wanted vertex, once, that corner `corner` (3 * triangle + corner) sees through its
     /// triangle: the last corner of the triangle unless it is a boundary neighbour, and all that is
     /// visible through the opposite edge. All corners of a vertex together visit each vertex that
-    /// it sees, without its boundary neighbours. O(triangles seen).
+    /// it sees, without its boundary neighbours. O(triangles seen); returns how many it passed.
     pub(crate) fn look(
         &mut self,
         mesh: &Linked,
         points: &[DVec2],
         corner: u32,
+        is_wanted: impl Fn(u32) -> bool,
         mut visit: impl FnMut(u32),
-    ) {
+    ) -> u64 {
         let (triangle, at) = (corner as usize / 3, corner as usize % 3);
         let corners = mesh.triangles[triangle];
         let [eye, right, left] = [corners[at], corners[(at + 1) % 3], corners[(at + 2) % 3]];
-        if mesh.neighbours[triangle][(at + 2) % 3] != NONE {
+        if mesh.neighbours[triangle][(at + 2) % 3] != NONE && is_wanted(left) {
             visit(left);
         }
         let at_eye = points[eye as usize];
@@ -137,8 +142,14 @@ impl<'a> Eye<'a> {
             let (right_limit, left_limit) = (right, left);
             self.open.push(View { triangle: beyond, right, left, right_limit, left_limit });
         }
-        let mut views = 0;
+        // Beyond an edge are the vertices from its right end to its left one.
+        let is_upward = self.is_upward;
+        let is_open = |right: u32| !is_upward || (right > eye && right as usize + 1 < points.len());
+        let (mut views, mut walked) = (0, 0);
         while let Some(View { triangle, right, left, right_limit, left_limit }) = self.open.pop() {
+            if !is_open(right) {
+                continue;
+            }
             views += 1;
             let mut view = View { triangle, right, left, right_limit, left_limit };
             if let Some(ring) = self.ring
@@ -151,14 +162,17 @@ impl<'a> Eye<'a> {
             let (edge, apex) = mesh.enter(triangle, left);
             let is_left_of_right = turn(right_limit, apex) > 0.0;
             let is_right_of_left = turn(apex, left_limit) > 0.0;
-            if is_left_of_right && is_right_of_left {
-                // Few chords come so near to a vertex that it takes a look at all of them.
-                let is_near = |limit: u32| {
+            if is_left_of_right && is_right_of_left && is_wanted(apex) {
+                let is_near = |limit: u32, angle: f64| {
                     let [a, b] = [limit, apex].map(|vertex| points[vertex as usize] - at_eye);
-                    self.clear.is_some_and(|angle| a.perp_dot(b).abs() <= angle * a.dot(b))
+                    a.perp_dot(b).abs() <= angle * a.dot(b)
                 };
-                let may_pass = is_near(right_limit) || is_near(left_limit);
-                if !may_pass || sees_from(mesh, points, corner, apex, true, &mut 0) {
+                let may_pass = self.clear.is_some_and(|angle| {
+                    (is_near(right_limit, angle) || is_near(left_limit, angle))
+                        && self.is_any_passed(points, [eye, apex], angle)
+                });
+                // Few chords pass a vertex, seen or not.
+                if !may_pass || sees_from(mesh, points, corner, apex, true, &mut walked) {
                     visit(apex);
                 }
             }
@@ -177,6 +191,19 @@ impl<'a> Eye<'a> {
                 self.open.push(view);
             }
         }
+        u64::from(views) + walked
+    }
+}
+
+impl Eye<'_> {
+    /// Whether a chord may pass some vertex of the domain.
+    fn is_any_passed(&self, points: &[DVec2], ends: [u32; 2], angle: f64) -> bool {
+        self.hulls.is_none_or(|hulls| {
+            let chord = ends.map(|end| points[end as usize]);
+            let distance = angle * chord[0].distance(chord[1]);
+            let is_passed = |v: u32| !ends.contains(&v) && passes(chord, points[v as usize]);
+            hulls.any_beside(chord, distance, is_passed)
+        })
     }
 }
 
@@ -189,7 +216,7 @@ pub(crate) fn chords(
     most: usize,
     stage: &Stage<'_>,
 ) -> Result<Option<Chords>, Cancelled> {
-    let pairs = seen_pairs(mesh, points, sides, Some(&Ring::new(mesh, points)), most, stage)?;
+    let pairs = seen_pairs(mesh, points, sides, true, most, stage)?;
     Ok(pairs.map(|pairs| Chords::new(points.len(), &pairs)))
 }
 
@@ -203,14 +230,14 @@ pub(crate) fn pairs(
     most: usize,
     stage: &Stage<'_>,
 ) -> Result<Option<Vec<Vec<[u32; 2]>>>, Cancelled> {
-    seen_pairs(mesh, points, sides, None, most, stage)
+    seen_pairs(mesh, points, sides, false, most, stage)
 }
 
 fn seen_pairs(
     mesh: &Linked,
     points: &[DVec2],
     sides: &Sides,
-    ring: Option<&Ring<'_>>,
+    is_ring: bool,
     most: usize,
     stage: &Stage<'_>,
 ) -> Result<Option<Vec<Vec<[u32; 2]>>>, Cancelled> {
@@ -218,16 +245,15 @@ fn seen_pairs(
     const ROUND: usize = 32 * CHUNK;
     let vertices = points.len();
     let corners = Corners::new(vertices, &mesh.triangles);
+    let hulls = &Hulls::new(points);
+    let ring = is_ring.then(|| Ring::new(mesh, hulls, vertices));
     let seen_by = |range: Range<usize>| {
-        let mut eye = Eye::new(sides, ring);
+        let mut eye = Eye { hulls: Some(hulls), ring: ring.as_ref(), ..Eye::new(sides, is_ring) };
         let mut seen = Vec::new();
         for vertex in range.start as u32..range.end as u32 {
+            let is_wanted = |other: u32| other > vertex && !sides.has_both(vertex, other);
             for &corner in corners.of(vertex) {
-                eye.look(mesh, points, corner, |other| {
-                    if other > vertex && !sides.has_both(vertex, other) {
-                        seen.push([vertex, other]);
-                    }
-                });
+                eye.look(mesh, points, corner, is_wanted, |other| seen.push([vertex, other]));
             }
         }
         seen
@@ -319,6 +345,38 @@ mod tests {
     use super::*;
     use mindeg_mesh::Progress;
 
+    /// Each of its chords along the back was walked, past all teeth: a minute for 10,000 teeth.
+    #[test]
+    fn a_comb_takes_work_in_proportion_to_its_teeth() {
+        const TEETH: u32 = 1000;
+        let mut points = vec![DVec2::new(-1.0, 0.0), DVec2::new(f64::from(TEETH), 0.0)];
+        let mut triangles = Vec::new();
+        let mut before = None;
+        for tooth in 0..TEETH {
+            let x = f64::from(TEETH - 1 - tooth);
+            let right = points.len() as u32;
+            let corners = [(x + 0.9999, 1.0), (x + 0.6, 100.0), (x + 0.5, 100.0), (x, 1.0)];
+            points.extend(corners.map(DVec2::from));
+            triangles.extend([[right, right + 1, right + 2], [right, right + 2, right + 3]]);
+            triangles.extend(before.map(|left| [1, left, right]));
+            triangles.push([1, right, right + 3]);
+            before = Some(right + 3);
+        }
+        let count = points.len() as u32;
+        triangles.push([0, 1, count - 1]);
+        let mut mesh = Linked::new(triangles).unwrap();
+        let sides = Sides::of_triangulation(&mut mesh, &points, &Vec::from_iter(0..count));
+        let (corners, hulls) = (Corners::new(points.len(), &mesh.triangles), Hulls::new(&points));
+        let ring = Ring::new(&mesh, &hulls, points.len());
+        let mut eye = Eye { hulls: Some(&hulls), ring: Some(&ring), ..Eye::new(&sides, true) };
+        let (mut seen, mut steps) = (0, 0);
+        for &corner in corners.of(0) {
+            steps += eye.look(&mesh, &points, corner, |_| true, |_| seen += 1);
+        }
+        assert_eq!(seen, 2 * TEETH - 1);
+        assert!(steps < 10 * u64::from(count), "{steps} steps for {count} vertices");
+    }
+
     #[test]
     fn the_chords_are_those_of_the_definition() {
         let stage = &Stage::new(Progress::NONE, "");
@@ -342,12 +400,10 @@ mod tests {
             let found = chords(&mesh, &outline.points, &sides, n * n, stage).unwrap().unwrap();
             let corners = Corners::new(n, &mesh.triangles);
             // With a look at the whole ring now and then, and without.
-            let [mut with, mut without] =
-                [Some(Ring::new(&mesh, &outline.points)), None].map(|ring| {
-                    let (points, sides) = (&outline.points, &sides);
-                    let pairs = seen_pairs(&mesh, points, sides, ring.as_ref(), n * n, stage);
-                    pairs.unwrap().unwrap().concat()
-                });
+            let [mut with, mut without] = [true, false].map(|is_ring| {
+                let pairs = seen_pairs(&mesh, &outline.points, &sides, is_ring, n * n, stage);
+                pairs.unwrap().unwrap().concat()
+            });
             with.sort_unstable();
             without.sort_unstable();
             assert_eq!(with, without);

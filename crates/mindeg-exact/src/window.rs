@@ -75,7 +75,7 @@ impl<'a> Work<'a> {
         }
         let triangle_in_window = vec![NONE; mesh.triangles.len()];
         let vertex_in_window = vec![NONE; vertices];
-        let eye = Eye::new(problem.sides(), None);
+        let eye = Eye::new(problem.sides(), true);
         Self { problem, mesh, first, totals, vertex_in_window, triangle_in_window, eye }
     }
 
@@ -228,13 +228,10 @@ impl<'a> Work<'a> {
         let mut seen = Vec::new();
         for corner in 0..3 * local.triangles.len() as u32 {
             let from = local.triangles[corner as usize / 3][corner as usize % 3];
-            self.eye.look(&local, &points, corner, |to| {
-                let is_within_side =
-                    || self.problem.sides().has_both(ring[from as usize], ring[to as usize]);
-                if from < to && !is_within_side() {
-                    seen.push([from, to]);
-                }
-            });
+            let sides = self.problem.sides();
+            let is_wanted =
+                |to: u32| from < to && !sides.has_both(ring[from as usize], ring[to as usize]);
+            self.eye.look(&local, &points, corner, is_wanted, |to| seen.push([from, to]));
         }
         seen.sort_unstable();
         let chords = Chords::new(count, &[seen]);

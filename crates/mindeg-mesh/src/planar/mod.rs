@@ -18,7 +18,9 @@ pub use in_ring::{InRing, ring_name};
 pub use turning::{LEAST_TURN, Turn, passes, straight_runs, turn};
 
 /// Positive if three points run counter-clockwise, 0 if they are on one line; the sign is exact.
+#[inline]
 pub fn orientation(a: DVec2, b: DVec2, c: DVec2) -> f64 {
-    let [a, b, c] = [a, b, c].map(|DVec2 { x, y }| robust::Coord { x, y });
-    robust::orient2d(a, b, c)
+    // Not a map of an array, which is not inlined and takes as long as the predicate.
+    let coord = |DVec2 { x, y }: DVec2| robust::Coord { x, y };
+    robust::orient2d(coord(a), coord(b), coord(c))
 }
