@@ -30,7 +30,7 @@ fn written(domain: &str) -> (TempDir, PathBuf) {
 fn degree_tells_the_degree_and_why() {
     for (domain, least, at_least, reached, kind, words) in [
         (L, Some(5), 5, 5, "blocked_zig_zags", "one of 50 zig-zags"),
-        (FRAME, None, 4, 5, "counting", "Whether degree 4 is possible is not known: with holes"),
+        (FRAME, Some(5), 5, 5, "no_strip", "a mesh of degree 4 is a strip between two rings"),
         (U, Some(23), 23, 23, "apexes", "are the side of no ear, and only 3 vertices"),
     ] {
         let (_folder, path) = written(domain);

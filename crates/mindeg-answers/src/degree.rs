@@ -27,7 +27,7 @@ pub struct DegreeReport {
     pub at_least: u32,
     /// Some mesh has this one.
     pub reached: u32,
-    /// `formula`, `zig_zag`, `windows` or `exhaustive`.
+    /// `formula`, `zig_zag`, `strip`, `windows`, `search` (with holes) or `exhaustive`.
     pub reached_by: &'static str,
     /// Why no mesh has less than `at_least`.
     pub certificate: DegreeProof,
@@ -92,6 +92,13 @@ pub enum DegreeProof {
     },
     /// All triangulations were searched.
     Exhaustive,
+    /// Degree 4 takes a strip between both rings, and none lies inside.
+    NoStrip,
+    /// Clauses lead to a contradiction, each of which follows from those before.
+    Refuted {
+        /// Their number.
+        clauses: usize,
+    },
 }
 
 impl DegreeReport {
@@ -127,6 +134,8 @@ impl DegreeReport {
             reached: answer.reached,
             reached_by: match answer.reached_by {
                 Reached::ZigZag(_) => "zig_zag",
+                Reached::Strip => "strip",
+                Reached::Search => "search",
                 Reached::Windows => "windows",
                 Reached::ClosedForm => "formula",
                 _ => "exhaustive",
@@ -138,6 +147,10 @@ impl DegreeReport {
                     DegreeProof::Apexes { edges: bound.edges, apexes: bound.apexes }
                 }
                 LowerBound::Counting => DegreeProof::Counting,
+                LowerBound::NoStrip => DegreeProof::NoStrip,
+                LowerBound::Refuted(refutation) => {
+                    DegreeProof::Refuted { clauses: refutation.clauses.len() }
+                }
                 _ => DegreeProof::Exhaustive,
             },
             limit: None,
@@ -264,7 +277,7 @@ fn in_words(domain: &Domain, answer: &DegreeAnswer) -> String {
         text.push_str(&format!(
             "Whether {open} is possible is not known: {}.\n",
             if domain.rings().ring_count() > 1 {
-                "with holes, not all meshes are searched"
+                "the search of all meshes with holes took too many steps"
             } else {
                 "too many of its vertices see each other for a search of all meshes"
             }
@@ -312,6 +325,20 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
             count(vertices),
             if domain.is_constrained() { " with external edges besides" } else { "" }
         ),
+        LowerBound::NoStrip => format!(
+            "No mesh has less than {bound}: with a hole, a mesh of degree 4 is a strip between two rings of as many \
+             vertices,\nand no strip here lies inside (theorem 21 of docs/theory.md).\n"
+        ),
+        LowerBound::Refuted(refutation) => format!(
+            "No mesh has less than {bound}: a search with learned clauses over all triangulations refutes degree \
+             {}{}\nby {}, each of which follows from those before (theorem 23 of docs/theory.md).\n{STRAIGHT}",
+            bound.saturating_sub(1),
+            if domain.is_constrained() { " with the limits" } else { "" },
+            match refutation.clauses.len() {
+                1 => "one clause".to_owned(),
+                clauses => format!("{} clauses", count(clauses as u32)),
+            }
+        ),
         LowerBound::ClosedForm => {
             "It cannot be less, by the formula for convex domains.\n".to_owned()
         }
@@ -339,6 +366,9 @@ fn how_reached(answer: &DegreeAnswer) -> String {
             "Degree {degree} is reached by windows of a Delaunay triangulation, each triangulated \
              anew.\n"
         ),
+        Reached::Strip => {
+            format!("Degree {degree} is reached by the strip between the two rings.\n")
+        }
         _ => format!("Degree {degree} is reached by a search over all triangulations.\n"),
     }
 }

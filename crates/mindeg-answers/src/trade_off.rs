@@ -52,7 +52,7 @@ impl TradeOffAnswer {
             max_degree: exact.max_degree,
             min_angle: exact.min_angle,
             share_of_delaunay: trade_off.share(exact),
-            exact: trade_off.is_exact(),
+            exact: exact.is_proven,
         });
         Self {
             points: points.collect(),

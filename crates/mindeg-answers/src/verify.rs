@@ -335,6 +335,13 @@ fn in_words(proof: &Proof, degree: u32) -> String {
         Proof::Apexes { edges, apexes } => {
             format!("{edges} boundary edges have only {apexes} apexes (theorem 14)")
         }
+        Proof::NoStrip => {
+            format!("{less} takes a strip between both rings, and none lies inside (theorem 21)")
+        }
+        Proof::Refuted { clauses: 1 } => format!("{less} contradicts itself at once (theorem 23)"),
+        Proof::Refuted { clauses } => {
+            format!("{less} is refuted by {clauses} clauses (theorem 23)")
+        }
         _ => format!("two searches over all meshes, by different code, find none with {less}"),
     }
 }

@@ -174,8 +174,8 @@ pub fn trade_off_until(
 ///
 /// # Errors
 ///
-/// No triangulation keeps the degree limits of single vertices, a polygon that is too large or has
-/// holes, or a cancelled `progress`.
+/// No triangulation keeps the degree limits of single vertices, a polygon that is too large, a search with
+/// holes that takes too many steps, or a cancelled `progress`.
 ///
 /// # Example
 ///
@@ -198,13 +198,11 @@ pub fn least_max_degree(problem: &Problem, progress: Progress<'_>) -> Result<u32
     if let Some(least) = closed_form(problem) {
         return Ok(least);
     }
-    // With holes, windows seldom prove their result.
-    if let Domain::Rings(_) = problem.domain {
-        return Err(Unsolved::NotAPolygon);
-    }
     let range = degree_range(problem, progress)?;
     if range.is_proven() {
         Ok(range.max_degree)
+    } else if let Domain::Rings(_) = problem.domain {
+        Err(Unsolved::Undecided)
     } else {
         Err(Unsolved::TooLarge { max_triples: problem.max_triples() })
     }

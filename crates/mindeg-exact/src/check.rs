@@ -9,7 +9,10 @@
 //! Limits: an exhaustive search leaves nothing to check but its repetition
 //! ([`CheckedOutline::has_triangulation`]), which is for hundreds of vertices.
 
+mod refutation;
 mod search;
+
+pub use refutation::{CheckedFace, refutes};
 
 use crate::apex::ApexBound;
 use glam::DVec2;
@@ -114,6 +117,49 @@ impl CheckedOutline<'_> {
                         .filter(|&v| v != from && v != to)
                         .all(|v| !joins(v, from) || !joins(v, to))
             })
+    }
+
+    /// Whether no strip between the two rings of a domain with one hole is a triangulation of maximum degree 4:
+    /// the rings differ in their number of vertices, or each strip has a triangle that is not
+    /// counter-clockwise or a chord that is not admissible (Theorem 21 of docs/theory.md). O(n²).
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// # use glam::DVec2;
+    /// # use mindeg_exact::check::CheckedOutline;
+    /// // A square in a square: the strip without a shift has degree 4. Then the inner one is turned too far.
+    /// let ring = |half: f64| [(-half, -half), (-half, half), (half, half), (half, -half)];
+    /// let outer = ring(3.0).map(|(x, y)| DVec2::new(y, x));
+    /// let blocks = |inner: [(f64, f64); 4]| {
+    ///     let points: Vec<DVec2> = outer.into_iter().chain(inner.map(DVec2::from)).collect();
+    ///     let side_of = [0, 1, 2, 3, 4, 5, 6, 7];
+    ///     CheckedOutline { points: &points, rings: &[0..4, 4..8], side_of: &side_of, keeps_clear: true }
+    ///         .blocks_all_strips()
+    /// };
+    /// assert!(!blocks(ring(1.0)));
+    /// assert!(blocks([(-2.8, -2.8), (-2.8, -2.7), (-2.75, -2.6), (-2.7, -2.8)]));
+    /// ```
+    #[must_use]
+    pub fn blocks_all_strips(&self) -> bool {
+        let [outer, inner] = self.rings else { return false };
+        let count = outer.end - outer.start;
+        // The hole is clockwise.
+        let x = |step: u32| outer.start + step % count;
+        let y = |step: u32| inner.end - 1 - step % count;
+        let is_strip = |shift: u32| {
+            let is_counter_clockwise = |step: u32| {
+                let (from, to) = (y(step + shift), y(step + shift + 1));
+                self.turn(x(step), x(step + 1), from) > 0.0
+                    && self.turn(x(step + 1), to, from) > 0.0
+            };
+            let is_joined = |step: u32| {
+                let end = y(step + shift);
+                self.is_admissible([x(step), end]) && self.is_admissible([x(step + 1), end])
+            };
+            (0..count).all(is_counter_clockwise) && (0..count).all(is_joined)
+        };
+        inner.end - inner.start != count || !(0..count).any(is_strip)
     }
 
     /// The maximum degree that counting proves to be necessary, where vertices have external edges

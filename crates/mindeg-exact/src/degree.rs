@@ -1,10 +1,12 @@
 //! The least maximum degree with its proof, or what is reached and what is known below.
 
+use crate::annulus;
 use crate::apex::{ApexBound, apex_bound};
+use crate::cover::{Cover, Decision, Refutation};
 use crate::feasibility::{any_triangulation, least_by_search};
 use crate::linked::Linked;
 use crate::measure::least_tangent;
-use crate::problem::{Domain, MANY_EDGES, Problem};
+use crate::problem::{Domain, Problem};
 use crate::progress::Stage;
 use crate::unsolved::Unsolved;
 use crate::visibility;
@@ -53,6 +55,13 @@ impl DegreeRange {
     pub fn is_proven(&self) -> bool {
         self.max_degree == self.lower_bound
     }
+
+    /// Takes the triangles of a search.
+    fn reach(&mut self, problem: &Problem, triangles: Vec<[u32; 3]>) {
+        self.max_degree = problem.max_degree_of(&triangles);
+        self.reached_by = Reached::Search;
+        self.triangles = triangles;
+    }
 }
 
 /// The method that reached a maximum degree.
@@ -67,10 +76,14 @@ pub enum Reached {
     Windows,
     /// The dynamic program over all triangulations.
     Exhaustive,
+    /// The strip between the rings of a domain with one hole, of degree 4.
+    Strip,
+    /// The search with learned clauses over all triangulations, [`Cover`].
+    Search,
 }
 
 /// Why no triangulation has a smaller maximum degree.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum LowerBound {
     /// Liu's bounds, which the formula for convex polygons reaches.
@@ -84,6 +97,10 @@ pub enum LowerBound {
     Apexes(ApexBound),
     /// The dynamic program over all triangulations, which finds none of smaller degree.
     Exhaustive,
+    /// Degree 4 needs a strip between the rings of a domain with one hole, and none is a triangulation.
+    NoStrip,
+    /// Clauses prove that no triangulation has a smaller degree, or keeps the limits with it.
+    Refuted(Refutation),
 }
 
 /// The least maximum degree with its proof; if that takes too much work, a degree that is reached
@@ -97,13 +114,15 @@ pub enum LowerBound {
 /// 4. The dynamic program halves what is left between the bounds, if the triples of vertices that
 ///    see each other are within the problem's limit.
 ///
-/// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one.
+/// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one. The strips
+/// between two rings decide about degree 4. What is left between the bounds a [`Cover`] decides, within
+/// [`Problem::set_max_steps`].
 ///
 /// # Errors
 ///
 /// - [`Unsolved::VertexLimits`]: no triangulation keeps the degree limits of single vertices.
-/// - [`Unsolved::TooLarge`], [`Unsolved::NotAPolygon`]: windows do not keep these limits, and the
-///   polygon is too large for exact work or has holes.
+/// - [`Unsolved::TooLarge`], [`Unsolved::Undecided`]: windows do not keep these limits, and the
+///   polygon is too large for exact work, or a search with holes takes too many steps.
 /// - [`Unsolved::Cancelled`]: `progress` cancelled the work.
 ///
 /// # Example
@@ -273,7 +292,52 @@ fn rings(
         let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
         range.raise(apex_bound(&next, edges));
     }
+    let has_one_hole = mesh.triangles.len() == problem.points().len();
+    if has_one_hole && range.lower_bound == 4 && range.max_degree > 4 {
+        if let Some(triangles) = annulus::strip(problem, mesh) {
+            range.reach(problem, triangles);
+            range.reached_by = Reached::Strip;
+        } else {
+            (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
+        }
+    }
+    if !range.is_proven()
+        && let Some(cover) = Cover::of(problem, progress)?
+    {
+        close(problem, &cover, &mut range, problem.max_steps(), progress)?;
+    }
     Ok(range)
+}
+
+/// Closes a gap by searches, from the lower bound up, or as much of it as their steps suffice for.
+fn close(
+    problem: &Problem,
+    cover: &Cover,
+    range: &mut DegreeRange,
+    mut steps: u64,
+    progress: Progress<'_>,
+) -> Result<(), Unsolved> {
+    let mut is_upward = true;
+    while !range.is_proven() && steps > 1 {
+        let degree = if is_upward { range.lower_bound } else { range.max_degree - 1 };
+        let Some(limits) = problem.degree_limits(degree) else { return Ok(()) };
+        // Where the least degree stays open, the other half of the steps is for smaller ones than reached.
+        let mut left = steps.div_ceil(2);
+        steps -= left;
+        let start = [range.triangles.clone()];
+        let found = cover.decide_within(&limits.chords, &[0.0], &start, &mut left, progress)?;
+        steps += left;
+        match found {
+            Decision::Mesh(faces) => range.reach(problem, faces.concat()),
+            Decision::Refuted(refutation) => {
+                range.lower_bound = degree + 1;
+                range.bounded_by = LowerBound::Refuted(refutation);
+            }
+            Decision::Unknown if is_upward => is_upward = false,
+            Decision::Unknown => break,
+        }
+    }
+    Ok(())
 }
 
 /// The least degree that windows reach, with the largest of the shares that reaches it.
@@ -300,29 +364,55 @@ fn by_windows(
 fn with_limits(problem: &Problem, progress: Progress<'_>) -> Result<DegreeRange, Unsolved> {
     let lower_bound = counting_bound(problem, problem.triangulation().triangles.len());
     let windowed = windows(problem, lower_bound, 0.0, progress)?;
-    let range = DegreeRange {
-        max_degree: windowed.max_degree,
+    let mut range = DegreeRange {
+        max_degree: problem.max_degree_of(&windowed.triangles),
         lower_bound,
         reached_by: Reached::Windows,
         bounded_by: LowerBound::Counting,
         triangles: windowed.triangles,
     };
-    let is_exact = range.max_degree < MANY_EDGES;
-    if windowed.keeps_vertex_limits && range.is_proven() && is_exact {
+    if windowed.keeps_vertex_limits && range.is_proven() {
         return Ok(range);
     }
+    if let Domain::Rings(_) = problem.domain {
+        return rings_with_limits(problem, range, windowed.keeps_vertex_limits, progress);
+    }
     let chords = match problem.chords(progress) {
-        Err(Unsolved::TooLarge { .. } | Unsolved::NotAPolygon) if windowed.keeps_vertex_limits => {
-            return Ok(range);
-        }
+        Err(Unsolved::TooLarge { .. }) if windowed.keeps_vertex_limits => return Ok(range),
         chords => chords?,
     };
     let (least, triangles) = least_by_search(problem, chords, progress)?;
-    Ok(DegreeRange {
+    range = DegreeRange {
         max_degree: least,
         lower_bound: least,
         reached_by: Reached::Exhaustive,
         bounded_by: LowerBound::Exhaustive,
         triangles,
-    })
+    };
+    Ok(range)
+}
+
+/// The range of a domain with holes from that of windows, which may not keep the limits of single vertices.
+fn rings_with_limits(
+    problem: &Problem,
+    mut range: DegreeRange,
+    keeps_limits: bool,
+    progress: Progress<'_>,
+) -> Result<DegreeRange, Unsolved> {
+    let cover = Cover::of(problem, progress)?;
+    let mut steps = problem.max_steps();
+    if !keeps_limits {
+        let limits = problem.degree_limits(problem.no_limit()).ok_or(Unsolved::VertexLimits)?;
+        let cover = cover.as_ref().ok_or(Unsolved::Undecided)?;
+        let start = [range.triangles.clone()];
+        match cover.decide_within(&limits.chords, &[0.0], &start, &mut steps, progress)? {
+            Decision::Mesh(faces) => range.reach(problem, faces.concat()),
+            Decision::Refuted(_) => return Err(Unsolved::VertexLimits),
+            Decision::Unknown => return Err(Unsolved::Undecided),
+        }
+    }
+    if let Some(cover) = cover {
+        close(problem, &cover, &mut range, steps, progress)?;
+    }
+    Ok(range)
 }

@@ -73,11 +73,13 @@
 #[cfg(test)]
 extern crate self as mindeg_exact;
 
+mod annulus;
 mod answer;
 mod apex;
 mod bridge;
 pub mod check;
 mod chords;
+mod cover;
 mod degree;
 mod delaunay;
 mod feasibility;
@@ -109,6 +111,9 @@ mod zigzag;
 pub use answer::{AngleOptima, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
 pub use bridge::{Bridge, BridgeProblem, MAX_STEPS, bridge_rings, largest_bridge_angle};
+pub use cover::{
+    COVER_STEPS, Cover, Decision, Element, Literal, MAX_CANDIDATES, Refutation, SearchedAngle,
+};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
 pub use fill::{LoopLimit, LoopProblem, LoopTriangulation, MAX_LOOP, MAX_STATES, fill_loop};
 pub use least_weight::LeastWeight;

@@ -1,6 +1,7 @@
 //! A problem: boundary points, external degrees and degree limits of single vertices.
 
 use crate::chords::Chords;
+use crate::cover::COVER_STEPS;
 use crate::limits::DegreeLimits;
 use crate::linked::Linked;
 use crate::progress::Stage;
@@ -57,6 +58,7 @@ pub struct Problem {
     max_triples: u64,
     /// All chords that a triangulation may use, once they are known.
     visible: OnceLock<Chords>,
+    max_steps: u64,
 }
 
 /// The domain that the points bound.
@@ -182,6 +184,7 @@ impl Problem {
             degree_limits: vec![None; points.len()],
             max_triples: MAX_TRIPLES,
             visible: OnceLock::new(),
+            max_steps: COVER_STEPS,
         }
     }
 
@@ -191,6 +194,18 @@ impl Problem {
         self.max_triples = triples;
         // They may be too many now.
         self.visible = OnceLock::new();
+    }
+
+    /// Sets the most steps of all searches with learned clauses together, in place of [`COVER_STEPS`]. They decide
+    /// about domains with holes.
+    pub fn set_max_steps(&mut self, steps: u64) {
+        self.max_steps = steps;
+    }
+
+    /// The limit of [`set_max_steps`](Self::set_max_steps).
+    #[must_use]
+    pub fn max_steps(&self) -> u64 {
+        self.max_steps
     }
 
     /// The points, by vertex.
@@ -244,6 +259,18 @@ impl Problem {
         Some(DegreeLimits { max_degree, chords })
     }
 
+    /// The maximum degree of some triangles, external edges included.
+    pub(crate) fn max_degree_of(&self, triangles: &[[u32; 3]]) -> u32 {
+        // The edges at a vertex of one fan are one more than its triangles.
+        let mut totals: Vec<u32> =
+            self.external_degrees.iter().map(|external| external.saturating_add(1)).collect();
+        for &corner in triangles.as_flattened() {
+            let total = &mut totals[corner as usize];
+            *total = total.saturating_add(1);
+        }
+        totals.into_iter().max().unwrap_or(0)
+    }
+
     /// A limit for all vertices that no triangulation exceeds.
     pub(crate) fn no_limit(&self) -> u32 {
         let external = self.external_degrees.iter().copied().max().unwrap_or(0);
@@ -272,6 +299,19 @@ impl Problem {
     /// The degree limit of this vertex alone.
     pub(crate) fn own_limit(&self, vertex: u32) -> Option<u32> {
         self.degree_limits[vertex as usize]
+    }
+
+    /// For each vertex the one after it on its ring.
+    pub(crate) fn next(&self) -> Vec<u32> {
+        let vertices = self.points.len() as u32;
+        match &self.domain {
+            Domain::Convex(_) => (1..vertices).chain([0]).collect(),
+            Domain::Simple(mesh) | Domain::Rings(mesh) => {
+                let mut next = vec![0; self.points.len()];
+                mesh.boundary_edges().for_each(|[from, to]| next[from as usize] = to);
+                next
+            }
+        }
     }
 
     /// Some triangulation of the points.

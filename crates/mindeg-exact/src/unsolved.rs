@@ -50,6 +50,12 @@ pub enum Unsolved {
     /// Every triangulation of a loop, or strip between loops, has an excluded edge.
     #[error("every triangulation here needs an edge that exists already")]
     Excluded,
+    /// The search of a domain with holes took all its steps, or has too many triangles.
+    #[error(
+        "the search did not decide whether a triangulation keeps the limits; raise these limits, or \
+         let it take more steps"
+    )]
+    Undecided,
     /// The progress callback cancelled the work.
     #[error(transparent)]
     Cancelled(#[from] Cancelled),

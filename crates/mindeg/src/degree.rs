@@ -1,7 +1,7 @@
 //! The least maximum degree of any domain, with what proves it, or what is reached and what is known
 //! below.
 //!
-//! Limits: with holes, and beyond the solver's budget, there may be a gap.
+//! Limits: beyond the solver's budget there may be a gap.
 
 use mindeg_domain::Domain;
 use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
@@ -44,7 +44,7 @@ impl From<DegreeRange> for DegreeAnswer {
 ///
 /// O(k) for k sides of a convex domain without constraints. Else as [`degree_range`] finds it: for a
 /// polygon without holes in which at most [`MAX_TRIPLES`](mindeg_exact::MAX_TRIPLES) triples of vertices
-/// see each other it is proven; with holes, where windows meet a bound.
+/// see each other it is proven; with holes, wherever the search for it ends within its steps.
 ///
 /// # Errors
 ///

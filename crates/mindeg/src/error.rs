@@ -19,10 +19,10 @@ pub enum MeshError {
          outside_degree and max_degree for a mesh of least degree"
     )]
     Constrained,
-    /// Windows do not keep the degree limits of single vertices.
+    /// Windows do not keep the degree limits of single vertices, and the search did not decide about them.
     #[error(
-        "no mesh was found that keeps the degree limits of single vertices; with holes, and where \
-         too many vertices see each other, not all meshes are searched; raise these limits"
+        "no mesh was found that keeps the degree limits of single vertices, and the search did not decide \
+         whether one exists; raise these limits"
     )]
     LimitsNotReached,
     /// The solver refuses it, or has proven that there is none.
@@ -62,6 +62,14 @@ impl MeshError {
         Self::Refused(format!(
             "triangle {triangle:?} is so thin that it has no area at the precision of its coordinates; use \
              fewer intervals or gentler spacing laws, or move the domain towards the origin"
+        ))
+    }
+
+    /// No mesh within a degree limit was found, though one may exist.
+    pub(crate) fn not_reached(limit: u32, reached: u32, at_least: u32) -> Self {
+        Self::Refused(format!(
+            "no mesh of maximum degree {limit} was found; {reached} is reached, and no mesh has less than \
+             {at_least}"
         ))
     }
 

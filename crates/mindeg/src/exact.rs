@@ -5,8 +5,8 @@
 //! Degrees here are total: external degrees count.
 //!
 //! Limits: those of the solver, [`MAX_VERTICES`](mindeg_exact::MAX_VERTICES) boundary vertices of a
-//! convex domain above all. With holes, and where too many vertices see each other, windows reach what
-//! they can, and the answers say so.
+//! convex domain above all. With holes, searches decide within a number of steps; where they do not, and where
+//! too many vertices see each other, windows reach what they can, and the answers say so.
 
 use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, best_angle};
@@ -17,6 +17,7 @@ pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary};
 pub use crate::error::MeshError;
 use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
+use crate::searched::Searched;
 use crate::windowed::{SHARES, within};
 pub use mindeg_exact::{ApexBound, LowerBound, Reached, ZigZag};
 
@@ -27,6 +28,8 @@ pub struct ExactMesh {
     pub max_degree: u32,
     /// The minimum angle of the mesh, in degrees, as the solver compares it: to 36 bits.
     pub min_angle: f64,
+    /// Whether no mesh within the limit has a larger one.
+    pub is_proven: bool,
     /// The mesh.
     pub mesh: BoundaryMesh,
 }
@@ -41,6 +44,17 @@ pub struct TradeOff {
 }
 
 impl TradeOff {
+    /// A trade-off from the least degree on, which is proven or not.
+    pub(crate) fn new(
+        domain: &Domain,
+        meshes: Vec<ExactMesh>,
+        delaunay_min_angle: f64,
+        is_least_proven: bool,
+    ) -> Self {
+        let is_exact = is_least_proven && meshes.iter().all(|exact| exact.is_proven);
+        Self { domain: domain.clone(), meshes, delaunay_min_angle, is_exact }
+    }
+
     /// The domain.
     pub fn domain(&self) -> &Domain {
         &self.domain
@@ -59,8 +73,8 @@ impl TradeOff {
         self.delaunay_min_angle
     }
 
-    /// Whether the least degree and the angles are proven to be the best. If not, they are what windows
-    /// reach: the domain has holes, or too many of its vertices see each other.
+    /// Whether the least degree and the angles are proven to be the best. If not, some are what windows and
+    /// searches reach: too many vertices see each other.
     pub fn is_exact(&self) -> bool {
         self.is_exact
     }
@@ -187,7 +201,11 @@ pub fn mesh(
     max_degree: u32,
     progress: Progress<'_>,
 ) -> Result<ExactMesh, MeshError> {
-    best_mesh(&Posed::new(domain, progress)?, max_degree, progress)
+    let posed = Posed::new(domain, progress)?;
+    match Searched::new(&posed, progress)? {
+        Some(searched) => searched.within(max_degree),
+        None => best_mesh(&posed, max_degree, progress),
+    }
 }
 
 /// [`mesh()`] of a domain that has been posed.
@@ -239,6 +257,8 @@ pub fn trade_off_until(
     let posed = Posed::new(domain, progress)?;
     if posed.has_best_angles(progress)? {
         exact_trade_off(&posed, is_enough, progress)
+    } else if let Some(searched) = Searched::new(&posed, progress)? {
+        searched.trade_off(is_enough)
     } else {
         trade_off_by_windows(&posed, is_enough, progress)
     }
@@ -254,12 +274,8 @@ pub(crate) fn exact_trade_off(
     let answer = mindeg_exact::trade_off_until(&posed.problem, &mut is_enough, progress)
         .map_err(|error| posed.unsolved(error, progress))?;
     let meshes = answer.optima.into_iter().map(|optimum| placed(posed, optimum));
-    Ok(TradeOff {
-        domain: posed.domain().clone(),
-        meshes: meshes.collect::<Result<_, _>>()?,
-        delaunay_min_angle: answer.unlimited_min_angle,
-        is_exact: true,
-    })
+    let meshes = meshes.collect::<Result<_, _>>()?;
+    Ok(TradeOff::new(posed.domain(), meshes, answer.unlimited_min_angle, true))
 }
 
 /// The angles that windows reach at each degree, with holes and beyond the budget of exact work.
@@ -275,7 +291,7 @@ fn trade_off_by_windows(
         let Some(Meshed { mesh, .. }) = within(posed, [share], limit, progress)? else { continue };
         let max_degree = mesh.max_total_degree();
         let min_angle = mesh.measure_angles(progress)?.min;
-        meshes.push(ExactMesh { max_degree, min_angle, mesh });
+        meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh });
     }
     meshes.reverse();
     if meshes.is_empty() {
@@ -283,13 +299,12 @@ fn trade_off_by_windows(
     }
     let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
     meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
-    let domain = posed.domain().clone();
-    Ok(TradeOff { domain, meshes, delaunay_min_angle: most, is_exact: false })
+    Ok(TradeOff::new(posed.domain(), meshes, most, false))
 }
 
 fn placed(posed: &Posed<'_>, optimum: Optimum) -> Result<ExactMesh, MeshError> {
     let Optimum { max_degree, min_angle, triangles, .. } = optimum;
-    Ok(ExactMesh { max_degree, min_angle, mesh: posed.mesh(triangles)? })
+    Ok(ExactMesh { max_degree, min_angle, is_proven: true, mesh: posed.mesh(triangles)? })
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use crate::exact;
 use crate::keep_angle::keep_angle;
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 use crate::posed::Posed;
+use crate::searched::{Searched, with_larger_angle};
 use crate::windowed::{SHARES, within};
 
 /// Up to this many chords between different sides, times the least maximum degree, the search for the
@@ -42,7 +43,8 @@ pub enum Goal {
     /// degree, by the solver. Else, of a convex domain, the best of at most 64 candidates that the
     /// construction gives; of any other, one with an angle that is found on the way.
     ///
-    /// With holes, and where too many vertices see each other, the least degree that windows reach.
+    /// With holes the least degree, as far as a search within a number of steps decides; where too many vertices
+    /// see each other, the least that windows reach.
     #[default]
     LeastDegree,
     /// The least maximum degree of all meshes that have this share, 0 to 1, of the minimum angle of a
@@ -50,8 +52,8 @@ pub enum Goal {
     /// reach.
     KeepAngle(f64),
     /// No total degree above a limit, and the largest minimum angle within it: exactly up to
-    /// [`MAX_VERTICES`] boundary vertices of a convex domain, and for polygons in which few vertices see
-    /// each other; beyond that, and with holes, as large as windows reach.
+    /// [`MAX_VERTICES`] boundary vertices of a convex domain, for polygons in which few vertices see each
+    /// other, and with holes where searches decide; beyond that, as large as windows reach.
     MaxDegree(u32),
     /// The least maximum degree as the limit of [`MaxDegree`](Self::MaxDegree), also where
     /// [`LeastDegree`](Self::LeastDegree) leaves the search out for its cost.
@@ -321,6 +323,10 @@ fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, Mes
         delaunay_min_angle: posed.delaunay_min_angle,
         higher_degree: None,
     };
+    if let Reached::Search | Reached::Strip = range.reached_by {
+        let (triangles, found_by) = with_larger_angle(posed, &range, progress)?;
+        return Ok(meshed(posed.mesh(triangles)?, found_by));
+    }
     let found_by = match range.reached_by {
         Reached::Windows => FoundBy::Windows { share: 0.0 },
         Reached::ZigZag(_) => FoundBy::ZigZag,
@@ -367,6 +373,9 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
             higher_degree: None,
         });
     }
+    if let Some(searched) = Searched::new(&posed, progress)? {
+        return searched.max_degree(limit);
+    }
     if let Some(meshed) = within(&posed, SHARES, limit, progress)? {
         return Ok(meshed);
     }
@@ -378,11 +387,10 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
     let (reached, at_least) = (meshed.mesh.max_total_degree(), meshed.least_max_degree);
     if reached <= limit {
         Ok(meshed)
+    } else if reached == at_least {
+        Err(Unsolved::Infeasible { max_degree: limit, least: reached }.into())
     } else {
-        Err(MeshError::Refused(format!(
-            "no mesh of maximum degree {limit} was found; {reached} is reached, and no mesh has less than \
-             {at_least}"
-        )))
+        Err(MeshError::not_reached(limit, reached, at_least))
     }
 }
 

@@ -11,6 +11,7 @@ use crate::error::MeshError;
 use crate::exact;
 use crate::meshed::Meshed;
 use crate::posed::Posed;
+use crate::searched::Searched;
 use crate::windowed::{SHARES, windowed, within};
 
 /// The mesh with the smallest maximum degree that has `share` of the largest minimum angle there is,
@@ -21,6 +22,9 @@ pub(crate) fn keep_angle(
     progress: Progress<'_>,
 ) -> Result<Meshed, MeshError> {
     let posed = Posed::of_any_size(domain, progress)?;
+    if let Some(searched) = Searched::new(&posed, progress)? {
+        return searched.keep_angle(share);
+    }
     if !posed.has_best_angles(progress)? {
         let kept = windowed(&posed, share, progress)?;
         // The same degree may keep more.

@@ -34,7 +34,7 @@
 //! Polygons in the plane, with or without holes. Triangles use boundary points only, so a boundary
 //! that is dense against the width of its domain has thin triangles, whatever the mesh. The formula
 //! takes convex domains, of any size. On other domains the solver finds the least maximum degree with
-//! its proof; with holes, and where too many vertices see each other, it states the gap.
+//! its proof; where too many vertices see each other, it states the gap.
 
 mod boundary_mesh;
 pub mod bridge;
@@ -51,6 +51,7 @@ mod loops;
 mod meshed;
 pub mod model;
 mod posed;
+mod searched;
 pub mod verify;
 mod windowed;
 

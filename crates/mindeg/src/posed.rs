@@ -1,7 +1,7 @@
 //! A domain as the solver takes it: a convex one by its counts, up to the size of dense work; any
 //! other one by a Delaunay triangulation, which shows what sees what.
 //!
-//! Limits: with holes, the solver has windows only.
+//! Limits: with holes, the solver searches within a number of steps.
 
 use std::cmp::Reverse;
 
@@ -176,8 +176,8 @@ impl<'a> Posed<'a> {
     pub(crate) fn unsolved(&self, error: Unsolved, progress: Progress<'_>) -> MeshError {
         match error {
             Unsolved::VertexLimits => {}
-            // Windows did not keep the limits, and no search handles holes or this many vertices.
-            Unsolved::NotAPolygon => return MeshError::LimitsNotReached,
+            // Windows did not keep the limits, and the search with holes took all its steps.
+            Unsolved::NotAPolygon | Unsolved::Undecided => return MeshError::LimitsNotReached,
             _ => return error.into(),
         }
         match self.vertices_in_conflict(progress) {

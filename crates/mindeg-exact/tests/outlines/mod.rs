@@ -249,7 +249,7 @@ fn visit_all(
 }
 
 /// Whether closed segments touch.
-fn touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
+pub(crate) fn touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
     let sign = |x: f64| if x > 0.0 { 1 } else { -i32::from(x < 0.0) };
     let (s, t) = (sign(turn(a, b, c)), sign(turn(a, b, d)));
     let (u, v) = (sign(turn(c, d, a)), sign(turn(c, d, b)));
@@ -257,7 +257,7 @@ fn touch([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> bool {
 }
 
 /// Whether a point is on a closed segment.
-fn on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
+pub(crate) fn on(p: DVec2, [a, b]: [DVec2; 2]) -> bool {
     turn(a, b, p) == 0.0 && (p - a).dot(p - b) <= 0.0
 }
 

@@ -4,15 +4,14 @@
 //! proof holds for a checker that shares nothing with the solver, and a smaller degree if a mesh that has
 //! it passes.
 //!
-//! Limits: the search over all triangulations is repeated for some hundred vertices; holes often leave a
-//! gap.
+//! Limits: the search over all triangulations of a polygon is repeated for some hundred vertices.
 
 use std::ops::Range;
 
 use mindeg_core::{certificate, least_degree_triangulation};
 use mindeg_domain::{ConvexForm, Domain};
 use mindeg_exact::LowerBound;
-use mindeg_exact::check::CheckedOutline;
+use mindeg_exact::check::{CheckedFace, CheckedOutline, refutes};
 use mindeg_mesh::{Progress, check};
 
 use super::triangulation::VerifiedMesh;
@@ -68,6 +67,13 @@ pub enum Proof {
     },
     /// A search over all triangulations, done twice by different code.
     Search,
+    /// Degree 4 takes a strip between two rings, and none is a triangulation.
+    NoStrip,
+    /// Clauses, each of which follows from those before.
+    Refuted {
+        /// Their number.
+        clauses: usize,
+    },
 }
 
 impl Proof {
@@ -83,6 +89,8 @@ impl Proof {
             Self::BlockedZigZags { .. } => "blocked_zig_zags",
             Self::Apexes { .. } => "apexes",
             Self::Search => "search",
+            Self::NoStrip => "no_strip",
+            Self::Refuted { .. } => "refuted",
         }
     }
 }
@@ -214,19 +222,33 @@ fn proof(answer: &DegreeAnswer, outline: &CheckedOutline<'_>, domain: &Domain) -
             holds.then_some(Proof::Apexes { edges, apexes })
         }
         LowerBound::Exhaustive => {
-            let below = bound.checked_sub(1)?;
-            let chords = |vertex: u32| {
-                let limit = domain.degree_limit(vertex).map_or(below, |limit| limit.min(below));
-                limit.checked_sub(domain.external_degree(vertex).saturating_add(2))
-            };
-            let most: Option<Vec<u32>> = (0..domain.rings().vertex_count()).map(chords).collect();
-            let is_possible = match most {
+            let is_possible = match most_chords(domain, bound.checked_sub(1)?) {
                 Some(most) => outline.has_triangulation(&most, MOST_STEPS)?,
                 // The boundary edges alone are too many.
                 None => false,
             };
             (!is_possible).then_some(Proof::Search)
         }
+        LowerBound::NoStrip => {
+            (bound == 5 && outline.blocks_all_strips()).then_some(Proof::NoStrip)
+        }
+        LowerBound::Refuted(refutation) => {
+            let most = most_chords(domain, bound.checked_sub(1)?)?;
+            let vertices = Vec::from_iter(0..most.len() as u32);
+            let face = CheckedFace { outline: *outline, vertices: &vertices, least_tangent: 0.0 };
+            let clauses = refutation.clauses.len();
+            refutes(&[face], &most, refutation).then_some(Proof::Refuted { clauses })
+        }
         _ => None,
     }
+}
+
+/// The most chords that a degree limit and the domain's own limits leave to each vertex; none if a vertex has
+/// more edges without.
+fn most_chords(domain: &Domain, max_degree: u32) -> Option<Vec<u32>> {
+    let chords = |vertex: u32| {
+        let limit = domain.degree_limit(vertex).map_or(max_degree, |limit| limit.min(max_degree));
+        limit.checked_sub(domain.external_degree(vertex).saturating_add(2))
+    };
+    (0..domain.rings().vertex_count()).map(chords).collect()
 }

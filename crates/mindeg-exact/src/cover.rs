@@ -1,0 +1,222 @@
+//! Whether some triangulation keeps degree limits, decided with a proof of either answer, on any domain and on
+//! several faces at once.
+//!
+//! A dynamic program needs chords that cut a polygon in two; round a hole they do not. Here every triangle that
+//! a triangulation may have is a variable, and every chord: `rows.rs` says how many of which may hold
+//! together, and `search.rs` looks for values that keep all rows, learning a clause from every conflict. A
+//! solution is a triangulation (Theorem 22 of docs/theory.md). If there is none, the learned clauses are a proof
+//! (Theorem 23) that [`check::refutes`](crate::check::refutes) repeats.
+//!
+//! Work is counted and not timed, so the answer is the same on every machine.
+
+mod angles;
+mod rows;
+mod search;
+
+use crate::measure::min_angle_tangent;
+use crate::problem::{Domain, Problem};
+use crate::progress::Stage;
+use crate::visibility;
+use mindeg_mesh::{Cancelled, Progress};
+use rows::{Candidates, Rows};
+
+pub use angles::SearchedAngle;
+
+/// The most candidate triangles that a search takes, some 150 MB.
+pub const MAX_CANDIDATES: usize = 1_000_000;
+
+/// The steps of a search by default: visits of literals, some 10 seconds on one core.
+pub const COVER_STEPS: u64 = 1_000_000_000;
+
+/// The triangles that the triangulations of one face or of several may have.
+///
+/// # Example
+///
+/// ```
+/// use glam::DVec2;
+/// use mindeg_exact::{COVER_STEPS, Cover, Decision, Problem, Progress};
+///
+/// // A square with a square hole, one interval to a side.
+/// let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
+/// let [outer, [a, b, c, d]] = [2.0, 1.0].map(square);
+/// let points: Vec<DVec2> = outer.into_iter().chain([a, d, c, b]).map(DVec2::from).collect();
+/// let ring = [[0, 1, 4], [1, 7, 4], [1, 2, 7], [2, 6, 7], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
+/// let problem = Problem::triangulated(&points, &Vec::from_iter(0..8), &ring)?;
+///
+/// let cover = Cover::of(&problem, Progress::NONE)?.expect("the domain is small");
+/// // Degree 4 leaves two chords to each vertex, degree 3 one.
+/// let four = cover.decide(&[2; 8], &[0.0], &[], COVER_STEPS, Progress::NONE)?;
+/// assert!(matches!(four, Decision::Mesh(faces) if faces[0].len() == 8));
+/// let three = cover.decide(&[1; 8], &[0.0], &[], COVER_STEPS, Progress::NONE)?;
+/// assert!(matches!(three, Decision::Refuted(_)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Cover {
+    faces: Vec<Candidates>,
+    /// The chords of all triangulations.
+    chord_count: u64,
+}
+
+/// The answer of a search.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Decision {
+    /// These triangles of each face keep the limits.
+    Mesh(Vec<Vec<[u32; 3]>>),
+    /// No triangulation keeps the limits.
+    Refuted(Refutation),
+    /// The steps did not suffice.
+    Unknown,
+}
+
+/// A proof that no triangulation keeps some limits: clauses of which each follows from the rows and the clauses
+/// before it by unit propagation. The last one is empty.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Refutation {
+    /// The clauses. Of the literals of each, one or more hold in every triangulation that keeps the limits.
+    pub clauses: Vec<Vec<Literal>>,
+}
+
+/// One statement on a triangulation: it has a chord or triangle, or lacks it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Literal {
+    /// The face; 0 in a domain.
+    pub face: u32,
+    /// The chord or triangle.
+    pub element: Element,
+    /// Whether the triangulation has it.
+    pub is_used: bool,
+}
+
+/// A chord or triangle, by its vertices on the face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Element {
+    /// A chord, the smaller end first.
+    Chord([u32; 2]),
+    /// A triangle, counter-clockwise from its smallest vertex.
+    Triangle([u32; 3]),
+}
+
+impl Cover {
+    /// The candidates of a problem; none if they are more than [`MAX_CANDIDATES`].
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    pub fn of(problem: &Problem, progress: Progress<'_>) -> Result<Option<Self>, Cancelled> {
+        let vertices = Vec::from_iter(0..problem.points().len() as u32);
+        Self::of_faces(&[(problem, &vertices)], progress)
+    }
+
+    /// The candidates of several faces, each with the vertex of the whole at every vertex of its own; none if they
+    /// are more than [`MAX_CANDIDATES`].
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    pub fn of_faces(
+        faces: &[(&Problem, &[u32])],
+        progress: Progress<'_>,
+    ) -> Result<Option<Self>, Cancelled> {
+        let stage = Stage::new(progress, "finding triangles");
+        let (mut left, mut chord_count) = (MAX_CANDIDATES, 0);
+        let mut found = Vec::with_capacity(faces.len());
+        for &(problem, vertices) in faces {
+            let Some(pairs) = pairs(problem, left, &stage)? else { return Ok(None) };
+            let Some(face) = Candidates::new(problem, vertices, pairs, left, &stage)? else {
+                return Ok(None);
+            };
+            left -= face.triangles.len();
+            chord_count += face.chord_count;
+            found.push(face);
+        }
+        Ok(Some(Self { faces: found, chord_count }))
+    }
+
+    /// The number of candidate triangles.
+    #[must_use]
+    pub fn candidate_count(&self) -> usize {
+        self.faces.iter().map(|face| face.triangles.len()).sum()
+    }
+
+    /// Whether some triangulation of all faces gives no vertex more chords than `most_chords` says, and has no
+    /// [`min_angle_tangent`] below that of its face in `least_tangents`. `start` are triangles of each face
+    /// that the search tries first; none will do.
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    pub fn decide(
+        &self,
+        most_chords: &[u32],
+        least_tangents: &[f64],
+        start: &[Vec<[u32; 3]>],
+        steps: u64,
+        progress: Progress<'_>,
+    ) -> Result<Decision, Cancelled> {
+        let mut left = steps;
+        self.decide_within(most_chords, least_tangents, start, &mut left, progress)
+    }
+
+    /// [`decide`](Self::decide) that takes its steps off those that are left.
+    pub(crate) fn decide_within(
+        &self,
+        most_chords: &[u32],
+        least_tangents: &[f64],
+        start: &[Vec<[u32; 3]>],
+        left: &mut u64,
+        progress: Progress<'_>,
+    ) -> Result<Decision, Cancelled> {
+        let ends: u64 = most_chords.iter().map(|&most| u64::from(most)).sum();
+        if ends < 2 * self.chord_count {
+            return Ok(Decision::Refuted(Refutation { clauses: vec![Vec::new()] }));
+        }
+        let rows = Rows::new(&self.faces, most_chords, least_tangents);
+        // Making them takes about as long.
+        *left = left.saturating_sub(self.candidate_count() as u64);
+        search::run(&rows, start, left, &Stage::new(progress, "searching all triangulations"))
+    }
+
+    /// The tangents of the candidates' minimum angles above one, ascending, each once.
+    fn tangents_above(&self, low: f64) -> Vec<f64> {
+        let of_face = |face: &Candidates| {
+            let tangents = face.triangles.iter().map(|triangle| {
+                min_angle_tangent(triangle.corners.map(|v| face.points[v as usize]))
+            });
+            tangents.filter(|&tangent| low < tangent).collect::<Vec<f64>>()
+        };
+        let mut tangents: Vec<f64> = self.faces.iter().flat_map(of_face).collect();
+        tangents.sort_unstable_by(f64::total_cmp);
+        tangents.dedup();
+        tangents
+    }
+}
+
+/// The chords that a triangulation of a problem may have, the smaller end first, ascending; none if more than
+/// `most`.
+fn pairs(
+    problem: &Problem,
+    most: usize,
+    stage: &Stage<'_>,
+) -> Result<Option<Vec<[u32; 2]>>, Cancelled> {
+    let mut pairs = match &problem.domain {
+        Domain::Convex(_) => {
+            let n = problem.points().len() as u32;
+            if (n as usize).saturating_pow(2) / 8 > most {
+                return Ok(None);
+            }
+            let is_chord = |&[i, j]: &[u32; 2]| !problem.sides().has_both(i, j);
+            (0..n).flat_map(|i| (i + 1..n).map(move |j| [i, j])).filter(is_chord).collect()
+        }
+        Domain::Simple(mesh) | Domain::Rings(mesh) => {
+            match visibility::pairs(mesh, problem.points(), problem.sides(), most, stage)? {
+                Some(pairs) => pairs.concat(),
+                None => return Ok(None),
+            }
+        }
+    };
+    pairs.sort_unstable();
+    // Round a hole the same vertex is seen on either side of it once at most; nothing is seen twice.
+    pairs.dedup();
+    Ok(Some(pairs))
+}

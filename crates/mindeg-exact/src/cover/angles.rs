@@ -1,0 +1,81 @@
+//! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
+
+use super::{Cover, Decision};
+use crate::measure::{self, min_angle_tangent};
+use crate::problem::Problem;
+use glam::DVec2;
+use mindeg_mesh::{Cancelled, Progress};
+
+/// The triangulation with the largest minimum angle that searches find within a degree limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SearchedAngle {
+    /// The triangles, counter-clockwise.
+    pub triangles: Vec<[u32; 3]>,
+    /// Their minimum angle, in degrees.
+    pub min_angle: f64,
+    /// Whether no triangulation within the limit has a larger one: the searches have refuted the next
+    /// candidate's angle, or none is larger.
+    pub is_largest: bool,
+}
+
+impl Cover {
+    /// The largest minimum angle of all triangulations in which no vertex has more than `max_degree` edges,
+    /// external ones included, or more than its own degree limit, as far as `steps` suffice, which it takes off
+    /// them. `known` keeps these limits.
+    ///
+    /// # Errors
+    ///
+    /// A cancelled `progress`.
+    pub fn largest_angle(
+        &self,
+        problem: &Problem,
+        max_degree: u32,
+        known: &[[u32; 3]],
+        steps: &mut u64,
+        progress: Progress<'_>,
+    ) -> Result<SearchedAngle, Cancelled> {
+        let points = problem.points();
+        let mut triangles = known.to_vec();
+        let mut possible = least_tangent(&triangles, points);
+        let mut is_largest = false;
+        if let Some(limits) = problem.degree_limits(max_degree) {
+            let thresholds = self.tangents_above(possible);
+            // All below `low` are reached, all from `high` on are not: refuted, or given up.
+            let (mut low, mut high) = (0, thresholds.len());
+            is_largest = true;
+            // Often the limit costs nothing: first Delaunay's angle, and then whether more is possible.
+            let delaunay = least_tangent(&problem.triangulation().triangles, points);
+            let mut next = thresholds.partition_point(|&tangent| tangent < delaunay);
+            next = next.min(high.saturating_sub(1));
+            let mut is_first = true;
+            while low < high {
+                let mut left = steps.div_ceil(2);
+                *steps -= left;
+                let (most, start) = (&limits.chords, [triangles.clone()]);
+                let found =
+                    self.decide_within(most, &[thresholds[next]], &start, &mut left, progress)?;
+                *steps += left;
+                let is_reached = matches!(found, Decision::Mesh(_));
+                match found {
+                    Decision::Mesh(faces) => {
+                        triangles = faces.concat();
+                        possible = least_tangent(&triangles, points);
+                        low = thresholds.partition_point(|&tangent| tangent <= possible);
+                    }
+                    Decision::Refuted(_) => high = next,
+                    Decision::Unknown => (high, is_largest) = (next, false),
+                }
+                next =
+                    if is_first && is_reached { low } else { low + high.saturating_sub(low) / 2 };
+                is_first = false;
+            }
+        }
+        Ok(SearchedAngle { triangles, min_angle: measure::degrees(possible), is_largest })
+    }
+}
+
+/// The tangent of the minimum angle of some triangles.
+fn least_tangent(triangles: &[[u32; 3]], points: &[DVec2]) -> f64 {
+    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
+    triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
+}

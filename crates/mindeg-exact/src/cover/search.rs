@@ -1,0 +1,612 @@
+//! The search for values that keep all rows: unit propagation, a clause from every conflict.
+//!
+//! A row counts how many of its literals hold and how many do not; when one of the counts reaches its bound, the
+//! others follow. A conflict is traced back to the first literal of its level that implies it with those of
+//! earlier levels (the first unique implication point); the clause that says so is learned, and the search goes
+//! back to where it has one free literal. Learned clauses watch two of their literals.
+
+use super::rows::{Code, Rows};
+use super::{Decision, Refutation};
+use crate::progress::Stage;
+use mindeg_mesh::Cancelled;
+
+mod heap;
+
+use heap::Heap;
+
+/// The conflicts of the shortest run between restarts.
+const RUN: u64 = 100;
+
+/// The clauses that may be learned before the first are forgotten, and how many more each time.
+const FIRST_CLAUSES: usize = 4000;
+const MORE_CLAUSES: usize = 1000;
+
+/// The most words that clauses and their origins take: 256 MB.
+const MOST_WORDS: usize = 1 << 26;
+
+/// Conflicts from one report of progress to the next.
+const REPORT: u64 = 64;
+
+/// How activities of variables and of clauses fall with every conflict.
+const DECAY: f64 = 0.95;
+const CLAUSE_DECAY: f64 = 0.999;
+
+/// Activities are scaled down when they exceed this.
+const MOST_ACTIVITY: f64 = 1e100;
+
+/// Looks for values that keep all rows, at first those of a mesh; takes its steps off those that are left.
+pub(super) fn run(
+    rows: &Rows<'_>,
+    start: &[Vec<[u32; 3]>],
+    left: &mut u64,
+    stage: &Stage<'_>,
+) -> Result<Decision, Cancelled> {
+    let mut search = Search::new(rows);
+    for variable in rows.variables_of(start) {
+        search.phases[variable as usize] = true;
+    }
+    let most = *left;
+    let decision = search.decide(most, stage);
+    *left = most.saturating_sub(search.steps);
+    decision
+}
+
+/// Why a variable has its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Reason {
+    /// The search has decided so.
+    Decided,
+    /// All other literals of a learned clause are false.
+    Clause(u32),
+    /// As many literals of a row hold as may.
+    Most(u32),
+    /// As many literals of a row do not hold as may not.
+    Least(u32),
+}
+
+/// A learned clause.
+struct Clause {
+    start: u32,
+    len: u32,
+    /// Where the clauses and facts from which it was learned begin; they end where those of the next begin.
+    origins: u32,
+    activity: f64,
+    is_watched: bool,
+}
+
+/// A clause from which another was learned, or a variable that has its value at the root of the search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Origin {
+    Clause(u32),
+    Fact(u32),
+}
+
+struct Search<'a> {
+    rows: &'a Rows<'a>,
+    /// For each variable the rows with it: twice the row, and one more where it is negated.
+    row_starts: Vec<u32>,
+    rows_of: Vec<u32>,
+    /// For each row the literals that hold, and those that do not, of the trail up to `head`.
+    counts: Vec<[u32; 2]>,
+    /// For each literal whether it holds (1), its negation (-1), or neither.
+    values: Vec<i8>,
+    reasons: Vec<Reason>,
+    levels: Vec<u32>,
+    positions: Vec<u32>,
+    /// The literals that hold, in order.
+    trail: Vec<Code>,
+    level_starts: Vec<u32>,
+    head: usize,
+    clauses: Vec<Clause>,
+    /// The literals of all clauses ever learned.
+    words: Vec<Code>,
+    /// Their origins: twice a clause, or twice a variable and one more.
+    origins: Vec<u32>,
+    watched: usize,
+    /// For each literal the clauses that watch it.
+    watches: Vec<Vec<u32>>,
+    heap: Heap,
+    step_of_activity: f64,
+    step_of_clauses: f64,
+    phases: Vec<bool>,
+    is_seen: Vec<bool>,
+    steps: u64,
+}
+
+impl<'a> Search<'a> {
+    fn new(rows: &'a Rows<'a>) -> Self {
+        let (variables, count) = (rows.variable_count(), rows.row_count());
+        let mut row_starts = vec![0_u32; variables + 1];
+        for row in 0..count as u32 {
+            rows.literals(row).iter().for_each(|code| row_starts[*code as usize / 2 + 1] += 1);
+        }
+        for variable in 0..variables {
+            row_starts[variable + 1] += row_starts[variable];
+        }
+        let mut next = row_starts.clone();
+        let mut rows_of = vec![0; row_starts[variables] as usize];
+        for row in 0..count as u32 {
+            for code in rows.literals(row) {
+                let at = &mut next[*code as usize / 2];
+                rows_of[*at as usize] = 2 * row + code % 2;
+                *at += 1;
+            }
+        }
+        Self {
+            rows,
+            row_starts,
+            rows_of,
+            counts: vec![[0; 2]; count],
+            values: vec![0; 2 * variables],
+            reasons: vec![Reason::Decided; variables],
+            levels: vec![0; variables],
+            positions: vec![0; variables],
+            trail: Vec::with_capacity(variables),
+            level_starts: Vec::new(),
+            head: 0,
+            clauses: Vec::new(),
+            words: Vec::new(),
+            origins: Vec::new(),
+            watched: 0,
+            watches: vec![Vec::new(); 2 * variables],
+            heap: Heap::new(variables as u32, rows.chords),
+            step_of_activity: 1.0,
+            step_of_clauses: 1.0,
+            phases: vec![false; variables],
+            is_seen: vec![false; variables],
+            steps: 0,
+        }
+    }
+
+    fn decide(&mut self, most_steps: u64, stage: &Stage<'_>) -> Result<Decision, Cancelled> {
+        for row in 0..self.rows.row_count() as u32 {
+            let [least, most] = self.rows.bounds(row);
+            let len = self.rows.literals(row).len() as u32;
+            if len < least {
+                return Ok(self.refuted(Reason::Least(row)));
+            }
+            if most == 0 {
+                self.complete(row, false);
+            }
+            if len == least {
+                self.complete(row, true);
+            }
+            // Rows of one literal may contradict each other.
+        }
+        let (mut conflicts, mut run, mut runs) = (0, RUN, 1);
+        let mut most_clauses = FIRST_CLAUSES;
+        loop {
+            if let Some(conflict) = self.propagate() {
+                if self.level_starts.is_empty() {
+                    return Ok(self.refuted(conflict));
+                }
+                self.learn(conflict);
+                conflicts += 1;
+                if conflicts % REPORT == 0 {
+                    stage.report(self.steps as f64 / most_steps.max(1) as f64)?;
+                }
+                if self.steps > most_steps || self.words.len() + self.origins.len() > MOST_WORDS {
+                    return Ok(Decision::Unknown);
+                }
+                continue;
+            }
+            if conflicts >= run {
+                runs += 1;
+                run = conflicts + RUN * luby(runs);
+                self.back_to(0);
+            }
+            if self.watched > most_clauses {
+                most_clauses += MORE_CLAUSES;
+                self.forget();
+            }
+            let Some(variable) = self.heap.pop(|variable| self.values[2 * variable as usize] == 0)
+            else {
+                let holds = |variable: u32| self.values[2 * variable as usize] == 1;
+                return Ok(Decision::Mesh(self.rows.mesh(holds)));
+            };
+            self.level_starts.push(self.trail.len() as u32);
+            let is_negated = u32::from(!self.phases[variable as usize]);
+            self.set(2 * variable + is_negated, Reason::Decided);
+        }
+    }
+
+    fn value(&self, code: Code) -> i8 {
+        self.values[code as usize]
+    }
+
+    fn set(&mut self, code: Code, reason: Reason) {
+        let variable = code as usize / 2;
+        self.values[code as usize] = 1;
+        self.values[code as usize ^ 1] = -1;
+        self.reasons[variable] = reason;
+        self.levels[variable] = self.level_starts.len() as u32;
+        self.positions[variable] = self.trail.len() as u32;
+        self.trail.push(code);
+    }
+
+    /// Sets what is left of a row: all to hold, or none.
+    fn complete(&mut self, row: u32, holds: bool) {
+        let rows = self.rows;
+        let literals = rows.literals(row);
+        self.steps += literals.len() as u64;
+        let reason = if holds { Reason::Least(row) } else { Reason::Most(row) };
+        for &code in literals {
+            if self.value(code) == 0 {
+                self.set(code ^ u32::from(!holds), reason);
+            }
+        }
+    }
+
+    /// Sets what follows; the row or clause that is broken, if one is.
+    fn propagate(&mut self) -> Option<Reason> {
+        while let Some(&code) = self.trail.get(self.head) {
+            self.head += 1;
+            let rows = self.row_starts[code as usize / 2]..self.row_starts[code as usize / 2 + 1];
+            self.steps += 1 + rows.len() as u64;
+            let mut broken = None;
+            for at in rows.clone() {
+                let entry = self.rows_of[at as usize];
+                let (row, is_lost) = (entry / 2, (entry ^ code) & 1);
+                self.counts[row as usize][is_lost as usize] += 1;
+                let ([held, lost], [least, most]) =
+                    (self.counts[row as usize], self.rows.bounds(row));
+                if held > most {
+                    broken = Some(Reason::Most(row));
+                } else if self.rows.literals(row).len() as u32 - lost < least {
+                    broken = Some(Reason::Least(row));
+                }
+            }
+            if broken.is_some() {
+                return broken;
+            }
+            for at in rows {
+                let entry = self.rows_of[at as usize];
+                let (row, is_lost) = (entry / 2, (entry ^ code) & 1 == 1);
+                let ([held, lost], [least, most]) =
+                    (self.counts[row as usize], self.rows.bounds(row));
+                let len = self.rows.literals(row).len() as u32;
+                if held + lost == len {
+                    continue;
+                }
+                if !is_lost && held == most {
+                    self.complete(row, false);
+                } else if is_lost && len - lost == least {
+                    self.complete(row, true);
+                }
+            }
+            let broken = self.propagate_clauses(code ^ 1);
+            if broken.is_some() {
+                return broken;
+            }
+        }
+        None
+    }
+
+    /// Sets what follows from the clauses that watch a literal that has become false.
+    fn propagate_clauses(&mut self, code: Code) -> Option<Reason> {
+        let mut watching = std::mem::take(&mut self.watches[code as usize]);
+        let (mut kept, mut broken) = (0, None);
+        for at in 0..watching.len() {
+            let index = watching[at];
+            watching[kept] = index;
+            kept += 1;
+            if broken.is_some() {
+                continue;
+            }
+            let Clause { start, len, .. } = self.clauses[index as usize];
+            let literals = &mut self.words[start as usize..(start + len) as usize];
+            if literals[0] == code {
+                literals.swap(0, 1);
+            }
+            self.steps += 2;
+            let first = literals[0];
+            if self.values[first as usize] == 1 {
+                continue;
+            }
+            let other = literals[2..].iter().position(|&other| self.values[other as usize] != -1);
+            if let Some(other) = other {
+                literals.swap(1, other + 2);
+                self.steps += other as u64;
+                self.watches[literals[1] as usize].push(index);
+                kept -= 1;
+                continue;
+            }
+            self.steps += u64::from(len);
+            if self.values[first as usize] == -1 {
+                broken = Some(Reason::Clause(index));
+            } else {
+                self.set(first, Reason::Clause(index));
+            }
+        }
+        watching.truncate(kept);
+        self.watches[code as usize] = watching;
+        broken
+    }
+
+    /// The literals that hold and together imply `implied`, or break the row or clause if that is none.
+    fn causes(&mut self, reason: Reason, implied: Option<Code>, causes: &mut Vec<Code>) {
+        causes.clear();
+        let before = implied.map_or(u32::MAX, |code| self.positions[code as usize / 2]);
+        let more = usize::from(implied.is_none());
+        let (row, wanted, sign) = match reason {
+            Reason::Decided => return,
+            Reason::Clause(index) => {
+                let Clause { start, len, .. } = self.clauses[index as usize];
+                self.steps += u64::from(len);
+                let literals = &self.words[start as usize..(start + len) as usize];
+                causes.extend(
+                    literals.iter().filter(|&&code| Some(code) != implied).map(|code| code ^ 1),
+                );
+                return;
+            }
+            Reason::Most(row) => (row, self.rows.bounds(row)[1] as usize + more, 0),
+            Reason::Least(row) => {
+                let least = self.rows.bounds(row)[0] as usize;
+                (row, (self.rows.literals(row).len() + more).saturating_sub(least), 1)
+            }
+        };
+        let literals = self.rows.literals(row);
+        self.steps += literals.len() as u64;
+        let of_row = literals.iter().map(|code| code ^ sign);
+        causes.extend(of_row.filter(|&code| {
+            self.values[code as usize] == 1 && self.positions[code as usize / 2] < before
+        }));
+        // Those that came first suffice.
+        if causes.len() > wanted {
+            causes.sort_unstable_by_key(|&code| self.positions[code as usize / 2]);
+            causes.truncate(wanted);
+        }
+    }
+
+    /// Learns a clause from a conflict, goes back to where it has one free literal, and sets that.
+    fn learn(&mut self, conflict: Reason) {
+        let level = self.level_starts.len() as u32;
+        // The first literal is that of this level, at last.
+        let mut clause: Vec<Code> = vec![0];
+        let mut marked: Vec<u32> = Vec::new();
+        let mut causes = Vec::new();
+        let origins = self.origins.len() as u32;
+        let (mut reason, mut implied) = (conflict, None);
+        let (mut open, mut at) = (0_u32, self.trail.len());
+        loop {
+            if let Reason::Clause(index) = reason {
+                self.origins.push(2 * index);
+                self.raise_clause(index);
+            }
+            self.causes(reason, implied, &mut causes);
+            for &code in &causes {
+                let variable = code / 2;
+                if self.is_seen[variable as usize] {
+                    continue;
+                }
+                self.is_seen[variable as usize] = true;
+                marked.push(variable);
+                match self.levels[variable as usize] {
+                    0 => self.origins.push(2 * variable + 1),
+                    of if of == level => {
+                        open += 1;
+                        self.raise(variable);
+                    }
+                    _ => {
+                        clause.push(code ^ 1);
+                        self.raise(variable);
+                    }
+                }
+            }
+            let code = loop {
+                at -= 1;
+                let code = self.trail[at];
+                if self.is_seen[code as usize / 2] && self.levels[code as usize / 2] == level {
+                    break code;
+                }
+            };
+            open -= 1;
+            if open == 0 {
+                clause[0] = code ^ 1;
+                break;
+            }
+            (reason, implied) = (self.reasons[code as usize / 2], Some(code));
+        }
+        self.shorten(&mut clause, &mut marked);
+        for variable in marked {
+            self.is_seen[variable as usize] = false;
+        }
+        // Of the others, one of the latest level comes second: it is watched.
+        let latest = (1..clause.len()).max_by_key(|&at| self.levels[clause[at] as usize / 2]);
+        let back = latest.map_or(0, |at| {
+            clause.swap(1, at);
+            self.levels[clause[1] as usize / 2]
+        });
+        self.back_to(back);
+        let index = self.clauses.len() as u32;
+        let is_watched = clause.len() > 1;
+        if is_watched {
+            self.watches[clause[0] as usize].push(index);
+            self.watches[clause[1] as usize].push(index);
+            self.watched += 1;
+        }
+        let (start, len) = (self.words.len() as u32, clause.len() as u32);
+        self.words.extend(&clause);
+        let activity = self.step_of_clauses;
+        self.clauses.push(Clause { start, len, origins, activity, is_watched });
+        self.set(clause[0], Reason::Clause(index));
+        self.step_of_activity /= DECAY;
+        self.step_of_clauses /= CLAUSE_DECAY;
+    }
+
+    /// Leaves out the literals of a clause that its others imply.
+    fn shorten(&mut self, clause: &mut Vec<Code>, marked: &mut Vec<u32>) {
+        let mut causes = Vec::new();
+        let (mut kept, mut facts) = (1, Vec::new());
+        for at in 1..clause.len() {
+            let code = clause[at];
+            let reason = self.reasons[code as usize / 2];
+            facts.clear();
+            let is_implied = reason != Reason::Decided && {
+                self.causes(reason, Some(code ^ 1), &mut causes);
+                causes.iter().all(|&cause| {
+                    let variable = cause / 2;
+                    if self.levels[variable as usize] == 0 {
+                        facts.push(variable);
+                        return true;
+                    }
+                    self.is_seen[variable as usize]
+                })
+            };
+            if !is_implied {
+                clause[kept] = code;
+                kept += 1;
+                continue;
+            }
+            if let Reason::Clause(index) = reason {
+                self.origins.push(2 * index);
+            }
+            for &variable in &facts {
+                if !self.is_seen[variable as usize] {
+                    self.is_seen[variable as usize] = true;
+                    marked.push(variable);
+                    self.origins.push(2 * variable + 1);
+                }
+            }
+        }
+        clause.truncate(kept);
+    }
+
+    fn raise(&mut self, variable: u32) {
+        if self.heap.raise(variable, self.step_of_activity) > MOST_ACTIVITY {
+            self.heap.scale(1.0 / MOST_ACTIVITY);
+            self.step_of_activity /= MOST_ACTIVITY;
+        }
+    }
+
+    fn raise_clause(&mut self, index: u32) {
+        let clause = &mut self.clauses[index as usize];
+        clause.activity += self.step_of_clauses;
+        if clause.activity > MOST_ACTIVITY {
+            self.clauses.iter_mut().for_each(|clause| clause.activity /= MOST_ACTIVITY);
+            self.step_of_clauses /= MOST_ACTIVITY;
+        }
+    }
+
+    /// Takes back all values of later levels.
+    fn back_to(&mut self, level: u32) {
+        let Some(&start) = self.level_starts.get(level as usize) else { return };
+        self.level_starts.truncate(level as usize);
+        for at in (start as usize..self.trail.len()).rev() {
+            let code = self.trail[at];
+            let variable = code as usize / 2;
+            if at < self.head {
+                for row in self.row_starts[variable]..self.row_starts[variable + 1] {
+                    let entry = self.rows_of[row as usize];
+                    self.counts[entry as usize / 2][((entry ^ code) & 1) as usize] -= 1;
+                }
+            }
+            self.values[code as usize] = 0;
+            self.values[code as usize ^ 1] = 0;
+            self.phases[variable] = code.is_multiple_of(2);
+            self.heap.put_back(variable as u32);
+        }
+        self.trail.truncate(start as usize);
+        self.head = self.head.min(start as usize);
+    }
+
+    /// Takes the less active half of the clauses away that imply no value now.
+    fn forget(&mut self) {
+        let is_free = |(index, clause): &(u32, &Clause)| {
+            let first = self.words[clause.start as usize];
+            let implies = self.value(first) == 1
+                && self.reasons[first as usize / 2] == Reason::Clause(*index);
+            clause.is_watched && clause.len > 2 && !implies
+        };
+        let mut free: Vec<u32> =
+            (0..).zip(&self.clauses).filter(is_free).map(|(index, _)| index).collect();
+        free.sort_by(|&a, &b| {
+            let [a, b] = [a, b].map(|index| self.clauses[index as usize].activity);
+            a.total_cmp(&b)
+        });
+        free.truncate(free.len() / 2);
+        for &index in &free {
+            self.clauses[index as usize].is_watched = false;
+        }
+        self.watched -= free.len();
+        for list in &mut self.watches {
+            list.retain(|&index| self.clauses[index as usize].is_watched);
+        }
+    }
+
+    /// The clauses that a conflict at the root needs, in order, and the empty one.
+    fn refuted(&mut self, conflict: Reason) -> Decision {
+        let mut is_needed = vec![false; self.clauses.len()];
+        let mut open: Vec<Origin> = Vec::new();
+        let mut causes = Vec::new();
+        let open_causes =
+            |search: &mut Self, reason, implied, open: &mut Vec<Origin>, causes: &mut Vec<Code>| {
+                if let Reason::Clause(index) = reason {
+                    open.push(Origin::Clause(index));
+                }
+                search.causes(reason, implied, causes);
+                open.extend(causes.iter().map(|code| Origin::Fact(code / 2)));
+            };
+        open_causes(self, conflict, None, &mut open, &mut causes);
+        while let Some(origin) = open.pop() {
+            match origin {
+                Origin::Clause(index) if !is_needed[index as usize] => {
+                    is_needed[index as usize] = true;
+                    let index = index as usize;
+                    let end = self
+                        .clauses
+                        .get(index + 1)
+                        .map_or(self.origins.len(), |c| c.origins as usize);
+                    let own = &self.origins[self.clauses[index].origins as usize..end];
+                    open.extend(own.iter().map(|&origin| match origin % 2 {
+                        0 => Origin::Clause(origin / 2),
+                        _ => Origin::Fact(origin / 2),
+                    }));
+                }
+                Origin::Fact(variable) if !self.is_seen[variable as usize] => {
+                    self.is_seen[variable as usize] = true;
+                    let reason = self.reasons[variable as usize];
+                    let code = 2 * variable + u32::from(self.value(2 * variable) == -1);
+                    open_causes(self, reason, Some(code), &mut open, &mut causes);
+                }
+                _ => {}
+            }
+        }
+        let needed = self.clauses.iter().zip(is_needed).filter(|(_, is_needed)| *is_needed);
+        let mut clauses: Vec<_> = needed
+            .map(|(clause, _)| {
+                let literals =
+                    &self.words[clause.start as usize..(clause.start + clause.len) as usize];
+                literals.iter().map(|&code| self.rows.literal(code)).collect()
+            })
+            .collect();
+        clauses.push(Vec::new());
+        Decision::Refuted(Refutation { clauses })
+    }
+}
+
+/// The i-th number of 1, 1, 2, 1, 1, 2, 4, …, from 1 on.
+fn luby(index: u64) -> u64 {
+    let (mut index, mut size) = (index, 1_u64);
+    while size < index {
+        size = 2 * size + 1;
+    }
+    while size != index {
+        size /= 2;
+        if index > size {
+            index -= size;
+        }
+    }
+    size.div_ceil(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn runs_grow_as_lubys_numbers() {
+        let first: Vec<u64> = (1..=15).map(luby).collect();
+        assert_eq!(first, [1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8]);
+    }
+}

@@ -1,0 +1,152 @@
+//! Meshes with holes by searches with learned clauses: the largest minimum angle for every degree, starting from the
+//! meshes of windows.
+//!
+//! Limits: those of [`Cover`], and a share of the problem's steps for each degree.
+
+use mindeg_exact::{Cover, DegreeRange, Unsolved, degree_range};
+use mindeg_mesh::Progress;
+
+use crate::error::MeshError;
+use crate::exact::{ExactMesh, TradeOff, keeps, share_of};
+use crate::meshed::{FoundBy, Meshed};
+use crate::posed::Posed;
+use crate::windowed::{SHARES, windowed};
+
+/// For the angles at each degree, this part of the steps for the least degree.
+const SHARE_OF_STEPS: u64 = 4;
+
+/// A domain with holes, and its meshes that windows reach.
+pub(crate) struct Searched<'p, 'd> {
+    posed: &'p Posed<'d>,
+    cover: Cover,
+    range: DegreeRange,
+    /// Meshes that keep the limits, with their degrees: of those within a degree, the first has the largest angle.
+    known: Vec<(u32, Vec<[u32; 3]>)>,
+    progress: Progress<'p>,
+}
+
+impl<'p, 'd> Searched<'p, 'd> {
+    /// None without holes, and for too many candidates.
+    pub(crate) fn new(
+        posed: &'p Posed<'d>,
+        progress: Progress<'p>,
+    ) -> Result<Option<Self>, MeshError> {
+        if posed.domain().rings().ring_count() == 1 {
+            return Ok(None);
+        }
+        let Some(cover) = Cover::of(&posed.problem, progress)? else { return Ok(None) };
+        let range = degree_range(&posed.problem, progress)
+            .map_err(|error| posed.unsolved(error, progress))?;
+        let mut meshes = Vec::new();
+        for share in SHARES {
+            match windowed(posed, share, progress) {
+                Ok(Meshed { mesh, .. }) => {
+                    meshes.push((mesh.max_total_degree(), mesh.triangles().collect()));
+                }
+                Err(MeshError::LimitsNotReached) => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Ok(Some(Self { posed, cover, range, known: meshes, progress }))
+    }
+
+    /// The mesh with the largest minimum angle that is found within a degree limit.
+    ///
+    /// # Errors
+    ///
+    /// A limit below the degree reached.
+    pub(crate) fn within(&self, limit: u32) -> Result<ExactMesh, MeshError> {
+        let (reached, at_least) = (self.range.max_degree, self.range.lower_bound);
+        if limit < reached {
+            return Err(if limit < at_least {
+                Unsolved::Infeasible { max_degree: limit, least: at_least }.into()
+            } else {
+                MeshError::not_reached(limit, reached, at_least)
+            });
+        }
+        let known = self.known.iter().find(|(degree, _)| *degree <= limit);
+        let found = self.cover.largest_angle(
+            &self.posed.problem,
+            limit,
+            known.map_or(&self.range.triangles, |(_, triangles)| triangles),
+            &mut (self.posed.problem.max_steps() / SHARE_OF_STEPS),
+            self.progress,
+        )?;
+        let mesh = self.posed.mesh(found.triangles)?;
+        let (min_angle, is_proven) = (found.min_angle, found.is_largest);
+        Ok(ExactMesh { max_degree: limit, min_angle, is_proven, mesh })
+    }
+
+    /// The mesh of [`within`](Self::within), with what is known of the least degree.
+    pub(crate) fn max_degree(&self, limit: u32) -> Result<Meshed, MeshError> {
+        let exact = self.within(limit)?;
+        Ok(self.meshed(&exact, exact.is_proven))
+    }
+
+    /// The mesh of the smallest degree that is found to keep a share of Delaunay's minimum angle.
+    pub(crate) fn keep_angle(&self, share: f64) -> Result<Meshed, MeshError> {
+        let trade_off = self.trade_off(|angle, most| keeps(angle, share, most))?;
+        let kept = trade_off.meshes().last().ok_or(MeshError::LimitsNotReached)?;
+        Ok(self.meshed(kept, trade_off.is_exact()))
+    }
+
+    fn meshed(&self, exact: &ExactMesh, is_proven: bool) -> Meshed {
+        let delaunay = self.posed.delaunay_min_angle.unwrap_or(0.0);
+        let share = share_of(exact.min_angle, delaunay).min(1.0);
+        Meshed {
+            mesh: exact.mesh.clone(),
+            least_max_degree: self.range.lower_bound,
+            is_least_proven: self.range.is_proven(),
+            found_by: if is_proven { FoundBy::Search } else { FoundBy::Windows { share } },
+            delaunay_min_angle: self.posed.delaunay_min_angle,
+            higher_degree: None,
+        }
+    }
+
+    /// The best mesh for every degree, up to the first that is enough or has the largest angle of all. Degrees
+    /// without a better mesh than the one before are left out.
+    pub(crate) fn trade_off(
+        &self,
+        mut is_enough: impl FnMut(f64, f64) -> bool,
+    ) -> Result<TradeOff, MeshError> {
+        let delaunay = self.posed.delaunay_min_angle.unwrap_or(0.0);
+        let least = self.range.max_degree;
+        let mut highest = self.known.iter().map(|(degree, _)| *degree).max().unwrap_or(least);
+        let mut most = delaunay;
+        if self.posed.domain().is_constrained() {
+            // With degree limits of single vertices, no mesh may have Delaunay's angle.
+            let any = self.within(u32::MAX)?;
+            (highest, most) = (any.mesh.max_total_degree(), any.min_angle);
+        }
+        let mut meshes = Vec::<ExactMesh>::new();
+        for limit in least..=highest.max(least) {
+            let exact = self.within(limit)?;
+            let is_last = exact.min_angle >= most || is_enough(exact.min_angle, delaunay);
+            if meshes.last().is_none_or(|last| last.min_angle < exact.min_angle) {
+                meshes.push(exact);
+            }
+            if is_last {
+                break;
+            }
+        }
+        let is_least_proven = self.range.is_proven();
+        Ok(TradeOff::new(self.posed.domain(), meshes, delaunay, is_least_proven))
+    }
+}
+
+/// The triangles that reach the least degree of a search, with a larger minimum angle if one is found, and how.
+pub(crate) fn with_larger_angle(
+    posed: &Posed<'_>,
+    range: &DegreeRange,
+    progress: Progress<'_>,
+) -> Result<(Vec<[u32; 3]>, FoundBy), MeshError> {
+    let problem = &posed.problem;
+    let Some(cover) = Cover::of(problem, progress)? else {
+        return Ok((range.triangles.clone(), FoundBy::Exhaustive));
+    };
+    let mut steps = problem.max_steps();
+    let found =
+        cover.largest_angle(problem, range.max_degree, &range.triangles, &mut steps, progress)?;
+    let is_proven = found.is_largest && range.is_proven();
+    Ok((found.triangles, if is_proven { FoundBy::Search } else { FoundBy::Exhaustive }))
+}
