@@ -12,10 +12,11 @@
 //!     ys---y(s+1)-y(s+2)
 //! ```
 
-use crate::linked::{Corners, Linked, orientation};
+use crate::linked::{Corners, Linked};
 use crate::problem::Problem;
 use crate::visibility::sees;
 use glam::DVec2;
+use mindeg_mesh::planar::orientation;
 
 /// The admissible strip of a domain of one hole, the only kind of triangulation of degree 4.
 pub(crate) fn strip(problem: &Problem, mesh: &Linked) -> Option<Vec<[u32; 3]>> {

@@ -35,13 +35,14 @@ pub const COVER_STEPS: u64 = 1_000_000_000;
 /// ```
 /// use glam::DVec2;
 /// use mindeg_exact::{COVER_STEPS, Cover, Decision, Problem, Progress};
+/// use mindeg_mesh::planar::PlanarBoundary;
 ///
 /// // A square with a square hole, one interval to a side.
 /// let square = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
 /// let [outer, [a, b, c, d]] = [2.0, 1.0].map(square);
-/// let points: Vec<DVec2> = outer.into_iter().chain([a, d, c, b]).map(DVec2::from).collect();
+/// let rings = [outer, [a, d, c, b]].map(|ring| ring.map(DVec2::from));
 /// let ring = [[0, 1, 4], [1, 7, 4], [1, 2, 7], [2, 6, 7], [2, 3, 6], [3, 5, 6], [3, 0, 5], [0, 4, 5]];
-/// let problem = Problem::triangulated(&points, &Vec::from_iter(0..8), &ring)?;
+/// let problem = Problem::triangulated(&PlanarBoundary::new(&rings)?, &ring)?;
 ///
 /// let cover = Cover::of(&problem, Progress::NONE)?.expect("the domain is small");
 /// // Degree 4 leaves two chords to each vertex, degree 3 one.

@@ -113,6 +113,23 @@ fn no_bound_is_above_a_mesh() {
     }
 }
 
+/// A prism of six sides with a hole of three corners, of which descent and sums leave open whether degree 6 is possible.
+#[test]
+fn a_search_closes_the_gap_of_a_prism() {
+    let ring = |corners: u32, radius: f64| {
+        let at = |corner: u32| {
+            let angle = std::f64::consts::TAU * f64::from(corner) / f64::from(corners);
+            [radius * libm::cos(angle), radius * libm::sin(angle)]
+        };
+        (0..corners).map(at).collect::<Vec<_>>()
+    };
+    let prism = Solid::plate(&ring(6, 2.0), &[ring(3, 0.8)], 1.0);
+    let meshed =
+        mesh_model(&prism.model(Side::count(1)), Goal::LeastDegree, 0.01, Progress::NONE).unwrap();
+    assert_eq!((meshed.max_degree, meshed.lower_bound), (7, 7));
+    assert!(matches!(meshed.bounded_by, JointBound::Refuted { max_degree: 7, .. }));
+}
+
 /// Checks that a mesh satisfies what a bound says of every mesh.
 fn check_bound(bound: &JointBound, at_least: u32, mesh: &TriMesh) {
     let degrees = mesh.degrees();
@@ -135,6 +152,8 @@ fn check_bound(bound: &JointBound, at_least: u32, mesh: &TriMesh) {
         }
         // The degree of this bound is the degree that a mesh must have.
         JointBound::Side { max_degree, .. } => assert_eq!(*max_degree, at_least),
+        // The checker has repeated the proof.
+        JointBound::Refuted { max_degree, .. } => assert_eq!(*max_degree, at_least),
         other => unreachable!("{other:?} is checked nowhere"),
     }
 }

@@ -108,6 +108,7 @@ pub(super) fn run(model: &Model, arguments: &MeshArguments) -> Result<(), Failur
             JointBound::Sum { .. } => "sum",
             JointBound::Edges { .. } => "edges",
             JointBound::Side { .. } => "side",
+            JointBound::Refuted { .. } => "refuted",
             _ => "weights",
         },
         worst_vertices: &meshed.worst_vertices,
@@ -257,6 +258,11 @@ fn standing(meshed: &ModelMesh) -> String {
         }
         JointBound::Side { face, intervals, .. } => format!(
             "face {face} has a side of {intervals} intervals, whose triangles need apexes elsewhere"
+        ),
+        JointBound::Refuted { refutation, max_degree } => format!(
+            "a search over all triangulations refutes degree {} in {} steps, checked",
+            max_degree - 1,
+            refutation.clauses.len()
         ),
         _ => "a weighted sum of the degrees, least over all triangulations of each face".to_owned(),
     };

@@ -1,8 +1,8 @@
 //! A list of clauses as a proof that no triangulation keeps some limits, once more: the chords and triangles from
 //! the points alone, and each clause by setting whatever has no choice left.
 //!
-//! There is one kind of row, *at most so many of these literals hold*. A clause of m literals says that at most
-//! m - 1 of their negations hold; *exactly one* is two rows.
+//! There is one kind of row, *at most so many of these literals hold*; *exactly one* is two rows. Clauses are many and
+//! long, so two literals of each are watched that are not false, or were false last.
 
 use super::CheckedOutline;
 use crate::cover::{Element, Literal, Refutation};
@@ -77,6 +77,9 @@ type Code = usize;
 struct Table {
     variables: BTreeMap<(u32, Element), Code>,
     rows: Vec<Row>,
+    clauses: Vec<Vec<Code>>,
+    /// For each literal the clauses of which it is the first or second one.
+    watched_by: Vec<Vec<u32>>,
     /// For each literal the rows that have it.
     rows_of: Vec<Vec<u32>>,
     /// For each literal whether it holds.
@@ -160,6 +163,7 @@ impl Table {
         self.variables.insert((face, element), code);
         self.holds.extend([false; 2]);
         self.rows_of.extend([Vec::new(), Vec::new()]);
+        self.watched_by.extend([Vec::new(), Vec::new()]);
         code
     }
 
@@ -194,6 +198,42 @@ impl Table {
         count <= most
     }
 
+    /// Sets what follows from the clauses that watch a literal that has become false; whether none is broken.
+    fn follow_clauses(&mut self, lost: Code) -> bool {
+        let mut at = 0;
+        while let Some(&index) = self.watched_by[lost].get(at) {
+            let clause = &mut self.clauses[index as usize];
+            if clause[0] == lost {
+                clause.swap(0, 1);
+            }
+            let is_open = |code: &Code| !self.holds[*code ^ 1];
+            if let Some(other) = clause[2..].iter().position(is_open)
+                && !self.holds[clause[0]]
+            {
+                clause.swap(1, other + 2);
+                self.watched_by[lost].swap_remove(at);
+                let watched = self.clauses[index as usize][1];
+                self.watched_by[watched].push(index);
+                continue;
+            }
+            let first = clause[0];
+            if !self.set(first) {
+                return false;
+            }
+            at += 1;
+        }
+        true
+    }
+
+    /// Lets a literal hold; false if its negation does.
+    fn set(&mut self, code: Code) -> bool {
+        if !self.holds[code] && !self.holds[code ^ 1] {
+            self.holds[code] = true;
+            self.held.push(code);
+        }
+        self.holds[code]
+    }
+
     /// Sets what follows from what holds; whether no row is broken.
     fn follow(&mut self) -> bool {
         while let Some(&code) = self.held.get(self.counted) {
@@ -207,6 +247,9 @@ impl Table {
                 if !self.complete(row) {
                     return false;
                 }
+            }
+            if !self.follow_clauses(code ^ 1) {
+                return false;
             }
         }
         true
@@ -231,24 +274,24 @@ impl Table {
         let root = self.held.len();
         let mut is_contradiction = false;
         for &code in &literals {
-            is_contradiction |= self.holds[code];
-            if !self.holds[code ^ 1] && !self.holds[code] {
-                self.holds[code ^ 1] = true;
-                self.held.push(code ^ 1);
-            }
+            is_contradiction |= !self.set(code ^ 1);
         }
         is_contradiction = is_contradiction || !self.follow();
         self.back_to(root);
         if !is_contradiction {
             return false;
         }
-        match (literals.len() as u32).checked_sub(1) {
-            Some(most) => {
-                let row = self.rows.len();
-                self.add_row(literals.iter().map(|code| code ^ 1).collect(), most);
-                self.is_broken = !self.complete(row) || !self.follow();
+        // What does not hold at the root plays no part any more.
+        literals.retain(|code| !self.holds[code ^ 1]);
+        match literals[..] {
+            [] => self.is_broken = true,
+            [code] => self.is_broken = !self.set(code) || !self.follow(),
+            [first, second, ..] => {
+                for code in [first, second] {
+                    self.watched_by[code].push(self.clauses.len() as u32);
+                }
+                self.clauses.push(literals);
             }
-            None => self.is_broken = true,
         }
         true
     }

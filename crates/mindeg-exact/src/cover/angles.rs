@@ -1,9 +1,8 @@
 //! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
 
 use super::{Cover, Decision};
-use crate::measure::{self, min_angle_tangent};
+use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
-use glam::DVec2;
 use mindeg_mesh::{Cancelled, Progress};
 
 /// The triangulation with the largest minimum angle that searches find within a degree limit.
@@ -36,7 +35,7 @@ impl Cover {
     ) -> Result<SearchedAngle, Cancelled> {
         let points = problem.points();
         let mut triangles = known.to_vec();
-        let mut possible = least_tangent(&triangles, points);
+        let mut possible = least_tangent(points, &triangles);
         let mut is_largest = false;
         if let Some(limits) = problem.degree_limits(max_degree) {
             let thresholds = self.tangents_above(possible);
@@ -44,7 +43,7 @@ impl Cover {
             let (mut low, mut high) = (0, thresholds.len());
             is_largest = true;
             // Often the limit costs nothing: first Delaunay's angle, and then whether more is possible.
-            let delaunay = least_tangent(&problem.triangulation().triangles, points);
+            let delaunay = least_tangent(points, &problem.triangulation().triangles);
             let mut next = thresholds.partition_point(|&tangent| tangent < delaunay);
             next = next.min(high.saturating_sub(1));
             let mut is_first = true;
@@ -59,7 +58,7 @@ impl Cover {
                 match found {
                     Decision::Mesh(faces) => {
                         triangles = faces.concat();
-                        possible = least_tangent(&triangles, points);
+                        possible = least_tangent(points, &triangles);
                         low = thresholds.partition_point(|&tangent| tangent <= possible);
                     }
                     Decision::Refuted(_) => high = next,
@@ -72,10 +71,4 @@ impl Cover {
         }
         Ok(SearchedAngle { triangles, min_angle: measure::degrees(possible), is_largest })
     }
-}
-
-/// The tangent of the minimum angle of some triangles.
-fn least_tangent(triangles: &[[u32; 3]], points: &[DVec2]) -> f64 {
-    let tangent = |triangle: &[u32; 3]| min_angle_tangent(triangle.map(|v| points[v as usize]));
-    triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
 }

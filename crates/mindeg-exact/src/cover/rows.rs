@@ -6,12 +6,12 @@
 
 use super::{Element, Literal};
 use crate::chords::Lists;
-use crate::linked::orientation;
 use crate::measure::min_angle_tangent;
 use crate::problem::Problem;
 use crate::progress::Stage;
 use glam::DVec2;
 use mindeg_mesh::Cancelled;
+use mindeg_mesh::planar::orientation;
 
 /// A triangle that a triangulation may have.
 #[derive(Clone, Copy, Debug)]

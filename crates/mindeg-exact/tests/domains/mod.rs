@@ -86,7 +86,7 @@ impl Holed {
             first = triangles.to_vec();
             false
         });
-        Problem::triangulated(&self.points, &self.side_of, &first).unwrap()
+        Problem::triangulated(&self.boundary(), &first).unwrap()
     }
 
     /// The domain as the checker takes it.

@@ -11,8 +11,10 @@
 //! *Weights.* The average of degrees, weighted, is at most the largest degree. For any weights, each
 //! face has a triangulation whose chords weigh least, by a dynamic program. Multiplicative weights
 //! look for good ones; the arithmetic is exact.
+//!
+//! *Search.* `search.rs` decides what these leave open.
 
-use mindeg_exact::LeastWeight;
+use mindeg_exact::{LeastWeight, Refutation};
 use mindeg_mesh::{Cancelled, Progress};
 
 use super::joint::Joint;
@@ -61,6 +63,14 @@ pub enum JointBound {
         /// The weighted sum of the degrees is at least this.
         sum: u128,
     },
+    /// A search over the triangulations of all faces together, whose proof has been repeated by
+    /// [`mindeg_exact::check`].
+    Refuted {
+        /// The least maximum degree.
+        max_degree: u32,
+        /// Why no mesh has less.
+        refutation: Refutation,
+    },
 }
 
 impl JointBound {
@@ -69,7 +79,7 @@ impl JointBound {
         match self {
             Self::Sum { sum, vertices } => sum.div_ceil(u64::from(*vertices).max(1)) as u32,
             Self::Edges { edges, .. } => *edges,
-            Self::Side { max_degree, .. } => *max_degree,
+            Self::Side { max_degree, .. } | Self::Refuted { max_degree, .. } => *max_degree,
             Self::Weights { weights, sum } => {
                 let total: u128 = weights.iter().map(|&weight| u128::from(weight)).sum();
                 sum.div_ceil(total.max(1)) as u32

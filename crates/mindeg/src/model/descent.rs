@@ -86,6 +86,10 @@ impl<'j, 'm> Descent<'j, 'm> {
         self.joint
     }
 
+    pub(super) fn joint_mut(&mut self) -> &mut Joint<'m> {
+        self.joint
+    }
+
     /// Aims at a degree: whether no vertex has more edges at the end. If that fails, the result is
     /// the best there was.
     pub(super) fn reach(&mut self, degree: u32, most_steps: u64) -> Result<bool, Cancelled> {

@@ -17,6 +17,7 @@ mod filled;
 mod joint;
 mod polish;
 mod random;
+mod search;
 
 pub use bound::JointBound;
 #[cfg(feature = "interior")]
@@ -116,6 +117,8 @@ pub fn mesh_model(
         // A short try, then the dearer bound, and only then a long try.
         if !descent.reach(target, steps / 16)? {
             bound = bound::with_weights(descent.joint(), bound, progress)?;
+            // What a search decides at all, it mostly decides soon.
+            bound = search::close(descent.joint_mut(), bound, limit, effort / 16.0, progress)?;
             if bound.max_degree() <= target {
                 descent.reach(target, steps)?;
             }
@@ -128,6 +131,7 @@ pub fn mesh_model(
         bound = bound::with_weights(descent.joint(), bound, progress)?;
     }
     drop(descent);
+    bound = search::close(&mut joint, bound, limit, effort, progress)?;
     polish::polish(&mut joint, progress)?;
     finished(model, joint, bound)
 }

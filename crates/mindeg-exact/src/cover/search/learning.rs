@@ -1,0 +1,216 @@
+//! What a conflict teaches: a clause, and at the root of the search the proof.
+
+use super::super::{Decision, Refutation};
+use super::{Clause, Code, Reason, Search};
+
+/// How activities of variables and of clauses fall with every conflict.
+const DECAY: f64 = 0.95;
+const CLAUSE_DECAY: f64 = 0.999;
+
+/// A clause from which another was learned, or a variable that has its value at the root of the search.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Origin {
+    Clause(u32),
+    Fact(u32),
+}
+
+impl Search<'_> {
+    /// The literals that hold and together imply `implied`, or break the row or clause if that is none.
+    fn causes(&mut self, reason: Reason, implied: Option<Code>, causes: &mut Vec<Code>) {
+        causes.clear();
+        let before = implied.map_or(u32::MAX, |code| self.positions[code as usize / 2]);
+        let more = usize::from(implied.is_none());
+        let (row, wanted, sign) = match reason {
+            Reason::Decided => return,
+            Reason::Clause(index) => {
+                let Clause { start, len, .. } = self.clauses[index as usize];
+                self.steps += u64::from(len);
+                let literals = &self.words[start as usize..(start + len) as usize];
+                causes.extend(
+                    literals.iter().filter(|&&code| Some(code) != implied).map(|code| code ^ 1),
+                );
+                return;
+            }
+            Reason::Most(row) => (row, self.rows.bounds(row)[1] as usize + more, 0),
+            Reason::Least(row) => {
+                let least = self.rows.bounds(row)[0] as usize;
+                (row, (self.rows.literals(row).len() + more).saturating_sub(least), 1)
+            }
+        };
+        let literals = self.rows.literals(row);
+        self.steps += literals.len() as u64;
+        let of_row = literals.iter().map(|code| code ^ sign);
+        causes.extend(of_row.filter(|&code| {
+            self.values[code as usize] == 1 && self.positions[code as usize / 2] < before
+        }));
+        // Those that came first suffice.
+        if causes.len() > wanted {
+            causes.sort_unstable_by_key(|&code| self.positions[code as usize / 2]);
+            causes.truncate(wanted);
+        }
+    }
+
+    /// Learns a clause from a conflict, goes back to where it has one free literal, and sets that.
+    pub(super) fn learn(&mut self, conflict: Reason) {
+        let level = self.level_starts.len() as u32;
+        // The first literal is that of this level, at last.
+        let mut clause: Vec<Code> = vec![0];
+        let mut marked: Vec<u32> = Vec::new();
+        let mut causes = Vec::new();
+        let origins = self.origins.len() as u32;
+        let (mut reason, mut implied) = (conflict, None);
+        let (mut open, mut at) = (0_u32, self.trail.len());
+        loop {
+            if let Reason::Clause(index) = reason {
+                self.origins.push(2 * index);
+                self.raise_clause(index);
+            }
+            self.causes(reason, implied, &mut causes);
+            for &code in &causes {
+                let variable = code / 2;
+                if self.is_seen[variable as usize] {
+                    continue;
+                }
+                self.is_seen[variable as usize] = true;
+                marked.push(variable);
+                match self.levels[variable as usize] {
+                    0 => self.origins.push(2 * variable + 1),
+                    of if of == level => {
+                        open += 1;
+                        self.raise(variable);
+                    }
+                    _ => {
+                        clause.push(code ^ 1);
+                        self.raise(variable);
+                    }
+                }
+            }
+            let code = loop {
+                at -= 1;
+                let code = self.trail[at];
+                if self.is_seen[code as usize / 2] && self.levels[code as usize / 2] == level {
+                    break code;
+                }
+            };
+            open -= 1;
+            if open == 0 {
+                clause[0] = code ^ 1;
+                break;
+            }
+            (reason, implied) = (self.reasons[code as usize / 2], Some(code));
+        }
+        self.shorten(&mut clause, &mut marked);
+        for variable in marked {
+            self.is_seen[variable as usize] = false;
+        }
+        // Of the others, one of the latest level comes second: it is watched.
+        let latest = (1..clause.len()).max_by_key(|&at| self.levels[clause[at] as usize / 2]);
+        let back = latest.map_or(0, |at| {
+            clause.swap(1, at);
+            self.levels[clause[1] as usize / 2]
+        });
+        self.back_to(back);
+        let index = self.clauses.len() as u32;
+        let is_watched = clause.len() > 1;
+        if is_watched {
+            self.watches[clause[0] as usize].push(index);
+            self.watches[clause[1] as usize].push(index);
+            self.watched += 1;
+        }
+        let (start, len) = (self.words.len() as u32, clause.len() as u32);
+        self.words.extend(&clause);
+        let activity = self.step_of_clauses;
+        self.clauses.push(Clause { start, len, origins, activity, is_watched });
+        self.set(clause[0], Reason::Clause(index));
+        self.step_of_activity /= DECAY;
+        self.step_of_clauses /= CLAUSE_DECAY;
+    }
+
+    /// Leaves out the literals of a clause that its others imply.
+    fn shorten(&mut self, clause: &mut Vec<Code>, marked: &mut Vec<u32>) {
+        let mut causes = Vec::new();
+        let (mut kept, mut facts) = (1, Vec::new());
+        for at in 1..clause.len() {
+            let code = clause[at];
+            let reason = self.reasons[code as usize / 2];
+            facts.clear();
+            let is_implied = reason != Reason::Decided && {
+                self.causes(reason, Some(code ^ 1), &mut causes);
+                causes.iter().all(|&cause| {
+                    let variable = cause / 2;
+                    if self.levels[variable as usize] == 0 {
+                        facts.push(variable);
+                        return true;
+                    }
+                    self.is_seen[variable as usize]
+                })
+            };
+            if !is_implied {
+                clause[kept] = code;
+                kept += 1;
+                continue;
+            }
+            if let Reason::Clause(index) = reason {
+                self.origins.push(2 * index);
+            }
+            for &variable in &facts {
+                if !self.is_seen[variable as usize] {
+                    self.is_seen[variable as usize] = true;
+                    marked.push(variable);
+                    self.origins.push(2 * variable + 1);
+                }
+            }
+        }
+        clause.truncate(kept);
+    }
+
+    /// The clauses that a conflict at the root needs, in order, and the empty one.
+    pub(super) fn refuted(&mut self, conflict: Reason) -> Decision {
+        let mut is_needed = vec![false; self.clauses.len()];
+        let mut open: Vec<Origin> = Vec::new();
+        let mut causes = Vec::new();
+        let open_causes =
+            |search: &mut Self, reason, implied, open: &mut Vec<Origin>, causes: &mut Vec<Code>| {
+                if let Reason::Clause(index) = reason {
+                    open.push(Origin::Clause(index));
+                }
+                search.causes(reason, implied, causes);
+                open.extend(causes.iter().map(|code| Origin::Fact(code / 2)));
+            };
+        open_causes(self, conflict, None, &mut open, &mut causes);
+        while let Some(origin) = open.pop() {
+            match origin {
+                Origin::Clause(index) if !is_needed[index as usize] => {
+                    is_needed[index as usize] = true;
+                    let index = index as usize;
+                    let end = self
+                        .clauses
+                        .get(index + 1)
+                        .map_or(self.origins.len(), |c| c.origins as usize);
+                    let own = &self.origins[self.clauses[index].origins as usize..end];
+                    open.extend(own.iter().map(|&origin| match origin % 2 {
+                        0 => Origin::Clause(origin / 2),
+                        _ => Origin::Fact(origin / 2),
+                    }));
+                }
+                Origin::Fact(variable) if !self.is_seen[variable as usize] => {
+                    self.is_seen[variable as usize] = true;
+                    let reason = self.reasons[variable as usize];
+                    let code = 2 * variable + u32::from(self.value(2 * variable) == -1);
+                    open_causes(self, reason, Some(code), &mut open, &mut causes);
+                }
+                _ => {}
+            }
+        }
+        let needed = self.clauses.iter().zip(is_needed).filter(|(_, is_needed)| *is_needed);
+        let mut clauses: Vec<_> = needed
+            .map(|(clause, _)| {
+                let literals =
+                    &self.words[clause.start as usize..(clause.start + clause.len) as usize];
+                literals.iter().map(|&code| self.rows.literal(code)).collect()
+            })
+            .collect();
+        clauses.push(Vec::new());
+        Decision::Refuted(Refutation { clauses })
+    }
+}
