@@ -61,7 +61,8 @@ impl Divided {
         }
         let rings = Rings::new(&intervals)?;
         let of_sides = given_sides(given).zip(&paths).zip(rings.sides());
-        let laws = of_sides.map(|((side, path), intervals)| side.law(intervals, path));
+        let laws =
+            of_sides.map(|((side, path), intervals)| side.law(&side.side.spacing, intervals, path));
         Ok(Self { laws: laws.collect::<Result<_, _>>()?, rings, paths })
     }
 
@@ -84,7 +85,9 @@ impl Divided {
         }
         // Solved in the order given, so that errors name the sides as given.
         let of_sides = given_sides(given).zip(&self.paths).zip(self.rings.sides());
-        let laws = of_sides.map(|((side, path), intervals)| side.turned_law(intervals, path));
+        let laws = of_sides.map(|((side, path), intervals)| {
+            side.law(&side.side.spacing.reversed(), intervals, path)
+        });
         let mut laws = laws.collect::<Result<Vec<_>, _>>()?;
         laws.reverse();
         let mut intervals: Vec<u64> = self.rings.sides().map(u64::from).collect();
@@ -224,15 +227,13 @@ impl Given<'_> {
         intervals.on(path.length(), points).map_err(|error| error.of_side(self.at))
     }
 
-    fn law(&self, intervals: u32, path: &Path) -> Result<SpacingLaw, DomainError> {
-        SpacingLaw::solve(&self.side.spacing, intervals, path.length())
-            .map_err(|error| error.of_side(self.at))
-    }
-
-    /// The law from the side's end to its start.
-    fn turned_law(&self, intervals: u32, path: &Path) -> Result<SpacingLaw, DomainError> {
-        SpacingLaw::solve(&self.side.spacing.reversed(), intervals, path.length())
-            .map_err(|error| error.of_side(self.at))
+    fn law(
+        &self,
+        spacing: &Spacing,
+        intervals: u32,
+        path: &Path,
+    ) -> Result<SpacingLaw, DomainError> {
+        SpacingLaw::solve(spacing, intervals, path.length()).map_err(|error| error.of_side(self.at))
     }
 }
 

@@ -29,6 +29,8 @@ use self::angles::{cotangents, placed};
 use self::faces::{Faces, TriangleList};
 pub(crate) use self::flat::first_flat;
 pub use self::measures::AngleRange;
+#[cfg(feature = "interior")]
+pub(crate) use self::source::lines;
 
 /// A triangulation of a domain's boundary vertices, and their positions.
 ///

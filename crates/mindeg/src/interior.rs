@@ -34,6 +34,7 @@ pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{InteriorError, InteriorReport, Violation};
 use posed::{boundary, options};
 
+use crate::boundary_mesh::lines;
 use mindeg_domain::{Domain, Interior};
 use mindeg_interior::{Fixed, generate};
 use mindeg_mesh::{Line, Progress, TriMesh};
@@ -70,7 +71,8 @@ pub fn mesh(
     let found = generate(&boundary, &fixed, &options(domain, wanted), progress)?;
     let limit = AngleLimit::new(domain, &boundary, &found.report.limits);
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
-    let (mut lines, mut segments) = sides(domain);
+    let (rings, mut lines) = (domain.rings(), lines(domain));
+    let mut segments: Vec<_> = (0..rings.vertex_count()).map(|v| [v, rings.next(v)]).collect();
     let mut pieces = found.fixed_edges.iter().copied();
     let mut rest = fixed.segments.iter();
     for (index, ends) in wanted.fixed.lines.iter().enumerate() {
@@ -108,18 +110,6 @@ fn free_name(lines: &[Line], wanted: &str) -> String {
         name.push('\'');
     }
     name
-}
-
-/// The sides of a domain as lines, with the boundary's edges.
-fn sides(domain: &Domain) -> (Vec<Line>, Vec<[u32; 2]>) {
-    let rings = domain.rings();
-    let line = |side| Line {
-        name: domain.side_name(side),
-        segments: rings.corner(side)..rings.corner(side) + rings.intervals(side),
-        is_straight: domain.is_straight(side),
-    };
-    let edges = (0..rings.vertex_count()).map(|vertex| [vertex, rings.next(vertex)]).collect();
-    ((0..rings.side_count()).map(line).collect(), edges)
 }
 
 #[cfg(test)]

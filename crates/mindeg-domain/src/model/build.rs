@@ -41,7 +41,8 @@ impl Model {
         }
         faults::check_face_twice(&loops)?;
 
-        let ends = ends_of_edges(&loops);
+        let mut ends = faults::edges(loops.iter().flatten());
+        ends.dedup();
         let laws = laws(&corners, &ends, &edges, other_edges.as_ref())?;
         let used: BTreeSet<u32> = ends.iter().flatten().copied().collect();
         let used: Vec<u32> = used.into_iter().collect();
@@ -201,20 +202,6 @@ fn plane(
         ));
     }
     Ok(plane)
-}
-
-/// The lower and higher corners of all edges, ascending.
-fn ends_of_edges(faces: &[Vec<Vec<u32>>]) -> Vec<[u32; 2]> {
-    let mut ends = Vec::new();
-    for corners in faces.iter().flatten() {
-        for (i, &from) in corners.iter().enumerate() {
-            let to = corners[(i + 1) % corners.len()];
-            ends.push([from.min(to), from.max(to)]);
-        }
-    }
-    ends.sort_unstable();
-    ends.dedup();
-    ends
 }
 
 /// A loop as edges; counts each pass of an edge.

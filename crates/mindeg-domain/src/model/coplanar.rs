@@ -20,7 +20,7 @@ const NONE: usize = usize::MAX;
 pub(super) fn merged(corners: &[DVec3], faces: Vec<ModelFace>, tolerance: f64) -> Vec<ModelFace> {
     let edges = HalfEdges::new(&faces);
     let planes: Vec<_> = faces.iter().map(|face| plane(corners, face)).collect();
-    let area = |face: usize| doubled_area(corners, &faces[face]);
+    let area = |face: usize| doubled_area(corners, &faces[face].loops[0]).length();
     let mut order: Vec<usize> = (0..faces.len()).collect();
     order.sort_by(|&a, &b| area(b).total_cmp(&area(a)).then(a.cmp(&b)));
 
@@ -73,10 +73,10 @@ pub(super) fn merged(corners: &[DVec3], faces: Vec<ModelFace>, tolerance: f64) -
     result
 }
 
-fn doubled_area(corners: &[DVec3], face: &ModelFace) -> f64 {
-    let outer = &face.loops[0];
-    let at = |i: usize| corners[outer[i % outer.len()] as usize] - corners[outer[0] as usize];
-    (0..outer.len()).map(|i| at(i).cross(at(i + 1))).sum::<DVec3>().length()
+/// Twice the area of a loop, along its normal.
+fn doubled_area(corners: &[DVec3], of: &[u32]) -> DVec3 {
+    let at = |i: usize| corners[of[i % of.len()] as usize] - corners[of[0] as usize];
+    (0..of.len()).map(|i| at(i).cross(at(i + 1))).sum()
 }
 
 fn half_edges(face: &ModelFace) -> impl Iterator<Item = [u32; 2]> + '_ {
@@ -169,13 +169,7 @@ fn remove_straight_corners(corners: &[DVec3], faces: &mut [ModelFace]) {
 
 /// Puts the loop with the largest area first.
 pub(super) fn put_largest_first(loops: &mut [Vec<u32>], corners: &[DVec3]) {
-    let area = |corners_of: &[u32]| {
-        let at = |i: usize| {
-            corners[corners_of[i % corners_of.len()] as usize] - corners[corners_of[0] as usize]
-        };
-        let sum: DVec3 = (0..corners_of.len()).map(|i| at(i).cross(at(i + 1))).sum();
-        sum.length_squared()
-    };
+    let area = |of: &[u32]| doubled_area(corners, of).length_squared();
     let mut largest = 0;
     for (index, corners_of) in loops.iter().enumerate() {
         if area(corners_of) > area(&loops[largest]) {

@@ -43,13 +43,13 @@ pub(super) fn check_face_twice(faces: &[Vec<Vec<u32>>]) -> Result<(), DomainErro
     Ok(())
 }
 
-/// The edges of a face, without direction.
-fn edges(loops: &[Vec<u32>]) -> Vec<[u32; 2]> {
-    let mut edges = Vec::new();
-    for corners in loops {
+/// The edges of some loops, from the smaller corner to the larger, in order.
+pub(super) fn edges<'a>(loops: impl IntoIterator<Item = &'a Vec<u32>>) -> Vec<[u32; 2]> {
+    let of_loop = |corners: &'a Vec<u32>| {
         let next = corners.iter().cycle().skip(1);
-        edges.extend(corners.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)]));
-    }
+        corners.iter().zip(next).map(|(&a, &b)| [a.min(b), a.max(b)])
+    };
+    let mut edges: Vec<_> = loops.into_iter().flat_map(of_loop).collect();
     edges.sort_unstable();
     edges
 }

@@ -43,7 +43,7 @@ use crate::connectivity::faces::Faces;
 use crate::quality::{DegreeHistogram, QualitySummary, WorstTriangles};
 use crate::tri_mesh::TriMesh;
 use crate::weld;
-use shapes::Shapes;
+use shapes::shapes;
 use topology::Topology;
 
 /// The maximum length of [`Inspection::worst_triangles`].
@@ -178,7 +178,7 @@ impl Inspection {
         topology.poles.sort_by_key(|pole| (std::cmp::Reverse(pole.degree), pole.vertex));
         let face_count = topology.face_count;
         let used_count = vertex_count - welded_count - topology.isolated.len();
-        let Shapes { quality, worst_triangles, zero_area_triangles } = Shapes::of(mesh, WORST);
+        let (quality, worst_triangles, zero_area_triangles) = shapes(mesh, WORST);
 
         let loops = topology.boundary.loops();
         let boundary_loop_count = loops.iter().filter(|boundary| boundary.closed).count();

@@ -5,7 +5,6 @@ use std::ops::Range;
 use glam::DVec2;
 
 use super::in_ring::InRing;
-use super::sweep;
 use super::turning::{straight_runs, turn};
 use crate::Bounds;
 
@@ -134,18 +133,20 @@ impl PlanarBoundary {
 
     /// The ring of a vertex and its index there. O(log h) for h rings, like the next two functions.
     pub fn in_ring(&self, vertex: u32) -> InRing {
-        let ring = sweep::ring_of(&self.starts, vertex);
+        let ring = self.starts.partition_point(|&start| start <= vertex) - 1;
         InRing { ring, index: (vertex - self.starts[ring]) as usize }
     }
 
     /// The vertex after `vertex` on its ring.
     pub fn next(&self, vertex: u32) -> u32 {
-        sweep::next(&self.starts, vertex)
+        let Range { start, end } = self.ring(self.in_ring(vertex).ring);
+        if vertex + 1 == end { start } else { vertex + 1 }
     }
 
     /// The vertex before `vertex` on its ring.
     pub fn previous(&self, vertex: u32) -> u32 {
-        sweep::previous(&self.starts, vertex)
+        let Range { start, end } = self.ring(self.in_ring(vertex).ring);
+        if vertex == start { end - 1 } else { vertex - 1 }
     }
 
     /// The edges, each from the vertex that names it. O(1) each.

@@ -170,8 +170,8 @@ impl PlanarBoundary {
     pub fn oriented<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(Self, Vec<usize>), BoundaryFaults> {
         check_rings(rings)?;
         let mut boundary = Self::of_mesh(rings);
-        let nesting = sweep::nesting(&boundary.points, &boundary.starts)
-            .map_err(|first| BoundaryFaults::all(&boundary, first))?;
+        let nesting =
+            sweep::nesting(&boundary).map_err(|first| BoundaryFaults::all(&boundary, first))?;
         check_nesting(&nesting)?;
         let is_turned = |&ring: &usize| nesting[ring].is_counter_clockwise != (ring == 0);
         let turned: Vec<usize> = (0..nesting.len()).filter(is_turned).collect();

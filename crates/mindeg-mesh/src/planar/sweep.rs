@@ -19,6 +19,7 @@ use std::ops::Bound;
 
 use glam::DVec2;
 
+use super::boundary::PlanarBoundary;
 use super::orientation;
 
 /// A point where rings meet themselves or each other. An edge is named by its first vertex.
@@ -47,10 +48,11 @@ pub(super) struct Nesting {
 /// # Errors
 ///
 /// The first fault from the left.
-pub(super) fn nesting(points: &[DVec2], starts: &[u32]) -> Result<Vec<Nesting>, Meeting> {
-    let mut sweep = Sweep::new(points, starts);
+pub(super) fn nesting(boundary: &PlanarBoundary) -> Result<Vec<Nesting>, Meeting> {
+    let nesting = vec![None; boundary.ring_count()];
+    let mut sweep = Sweep { boundary, crossing: BTreeSet::new(), nesting };
     sweep.check_folds()?;
-    let mut vertices: Vec<(DVec2, u32)> = points.iter().copied().zip(0..).collect();
+    let mut vertices: Vec<_> = boundary.points().iter().copied().zip(0..).collect();
     vertices.sort_unstable_by(|a, b| from_left(a.0, b.0).then(a.1.cmp(&b.1)));
     if let Some(pair) = vertices.windows(2).find(|pair| pair[0].0 == pair[1].0) {
         return Err(Meeting::SamePoint([pair[0].1, pair[1].1]));
@@ -115,52 +117,19 @@ impl PartialEq for Edge {
 
 impl Eq for Edge {}
 
-/// The ring of a vertex: rings begin at `starts`, which ends with the number of vertices.
-pub(super) fn ring_of(starts: &[u32], vertex: u32) -> usize {
-    starts.partition_point(|&start| start <= vertex) - 1
-}
-
-/// The vertex after another on its ring.
-pub(super) fn next(starts: &[u32], vertex: u32) -> u32 {
-    let ring = ring_of(starts, vertex);
-    if vertex + 1 == starts[ring + 1] { starts[ring] } else { vertex + 1 }
-}
-
-/// The vertex before another on its ring.
-pub(super) fn previous(starts: &[u32], vertex: u32) -> u32 {
-    let ring = ring_of(starts, vertex);
-    if vertex == starts[ring] { starts[ring + 1] - 1 } else { vertex - 1 }
-}
-
 struct Sweep<'a> {
-    points: &'a [DVec2],
-    starts: &'a [u32],
+    boundary: &'a PlanarBoundary,
     /// The edges that cross the sweep line, from below.
     crossing: BTreeSet<Edge>,
     /// The nesting of each ring that the sweep has met.
     nesting: Vec<Option<Nesting>>,
 }
 
-impl<'a> Sweep<'a> {
-    fn new(points: &'a [DVec2], starts: &'a [u32]) -> Self {
-        Self { points, starts, crossing: BTreeSet::new(), nesting: vec![None; starts.len() - 1] }
-    }
-
-    fn next(&self, vertex: u32) -> u32 {
-        next(self.starts, vertex)
-    }
-
-    fn previous(&self, vertex: u32) -> u32 {
-        previous(self.starts, vertex)
-    }
-
-    fn point(&self, vertex: u32) -> DVec2 {
-        self.points[vertex as usize]
-    }
-
+impl Sweep<'_> {
     /// The edge that begins at a vertex.
     fn edge(&self, begin: u32) -> Edge {
-        let (from, to) = (self.point(begin), self.point(self.next(begin)));
+        let (from, to) =
+            (self.boundary.point(begin), self.boundary.point(self.boundary.next(begin)));
         let is_rightward = from_left(from, to) == Ordering::Less;
         let (left, right) = if is_rightward { (from, to) } else { (to, from) };
         Edge { left, right, begin, is_rightward }
@@ -169,21 +138,22 @@ impl<'a> Sweep<'a> {
     /// Checks that no edge lies on the previous one. Later steps rely on that.
     fn check_folds(&self) -> Result<(), Meeting> {
         let folds = |&vertex: &u32| {
-            let around = [self.previous(vertex), vertex, self.next(vertex)];
-            let [before, at, after] = around.map(|vertex| self.point(vertex));
+            let around = [self.boundary.previous(vertex), vertex, self.boundary.next(vertex)];
+            let [before, at, after] = around.map(|vertex| self.boundary.point(vertex));
             let side = from_left(at, before);
             side == from_left(at, after)
                 && side != Ordering::Equal
                 && orientation(at, before, after) == 0.0
         };
-        match (0..self.points.len() as u32).find(folds) {
+        match (0..self.boundary.vertex_count()).find(folds) {
             Some(vertex) => Err(Meeting::FoldsBack(vertex)),
             None => Ok(()),
         }
     }
 
     fn pass(&mut self, vertex: u32) -> Result<(), Meeting> {
-        let [before, after] = [self.previous(vertex), vertex].map(|begin| self.edge(begin));
+        let [before, after] =
+            [self.boundary.previous(vertex), vertex].map(|begin| self.edge(begin));
         match (before.is_rightward, after.is_rightward) {
             (true, true) => self.replace(before, after),
             (false, false) => self.replace(after, before),
@@ -227,14 +197,14 @@ impl<'a> Sweep<'a> {
 
     /// Finds the parent and the direction of a ring, from its leftmost vertex.
     fn place_ring(&mut self, vertex: u32, before: Edge, after: Edge) {
-        let ring = ring_of(self.starts, vertex);
+        let ring = self.boundary.in_ring(vertex).ring;
         if self.nesting[ring].is_some() {
             return;
         }
         let is_counter_clockwise = after < before;
         let lower = if is_counter_clockwise { after } else { before };
         let parent = self.neighbours(&lower)[0].and_then(|below| {
-            let around = ring_of(self.starts, below.begin);
+            let around = self.boundary.in_ring(below.begin).ring;
             // The sweep met the surrounding ring before.
             let Nesting { is_counter_clockwise, parent } = self.nesting[around]?;
             if below.is_rightward == is_counter_clockwise { Some(around) } else { parent }
@@ -244,17 +214,18 @@ impl<'a> Sweep<'a> {
 
     /// Checks that two edges have no common point, except the vertex between consecutive edges.
     fn check(&self, a: &Edge, b: &Edge) -> Result<(), Meeting> {
-        let [ends_of_a, ends_of_b] = [a, b].map(|edge| [edge.begin, self.next(edge.begin)]);
+        let [ends_of_a, ends_of_b] =
+            [a, b].map(|edge| [edge.begin, self.boundary.next(edge.begin)]);
         if ends_of_a.iter().any(|end| ends_of_b.contains(end)) {
             return Ok(());
         }
         let sides_of = |edge: &Edge, ends: [u32; 2]| {
-            ends.map(|end| orientation(edge.left, edge.right, self.point(end)))
+            ends.map(|end| orientation(edge.left, edge.right, self.boundary.point(end)))
         };
         let (around_b, around_a) = (sides_of(b, ends_of_a), sides_of(a, ends_of_b));
         for (edge, ends, sides) in [(a, ends_of_b, around_a), (b, ends_of_a, around_b)] {
             for (vertex, side) in ends.into_iter().zip(sides) {
-                if side == 0.0 && edge.spans(self.point(vertex)) {
+                if side == 0.0 && edge.spans(self.boundary.point(vertex)) {
                     return Err(Meeting::Touch { vertex, edge: edge.begin });
                 }
             }
@@ -282,18 +253,13 @@ mod tests {
     use proptest::prelude::*;
 
     fn of(rings: &[&[[i32; 2]]]) -> Result<Vec<Nesting>, Meeting> {
-        let (points, starts) = flat(rings);
-        nesting(&points, &starts)
+        nesting(&boundary(rings))
     }
 
-    fn flat(rings: &[&[[i32; 2]]]) -> (Vec<DVec2>, Vec<u32>) {
-        let mut starts = vec![0];
-        let mut points = Vec::new();
-        for ring in rings {
-            points.extend(ring.iter().map(|&[x, y]| DVec2::new(x.into(), y.into())));
-            starts.push(points.len() as u32);
-        }
-        (points, starts)
+    fn boundary(rings: &[&[[i32; 2]]]) -> PlanarBoundary {
+        let point = |&[x, y]: &[i32; 2]| DVec2::new(x.into(), y.into());
+        let rings = rings.iter().map(|ring| ring.iter().map(point).collect::<Vec<_>>());
+        PlanarBoundary::of_mesh(&rings.collect::<Vec<_>>())
     }
 
     const SQUARE: [[i32; 2]; 4] = [[0, 0], [9, 0], [9, 9], [0, 9]];
@@ -347,7 +313,7 @@ mod tests {
             |y: f64| [[0.0, 0.0], [1.0, 0.1], [1.0, 1.0], [0.5, y], [0.0, 1.0]].map(DVec2::from);
         let below = DVec2::new(0.5, 0.05);
 
-        let check = |y: f64| nesting(&tip(y), &[0, 5]);
+        let check = |y: f64| nesting(&PlanarBoundary::of_mesh(&[tip(y)]));
         assert_eq!(orientation(DVec2::ZERO, DVec2::new(1.0, 0.1), below), 0.0);
         assert!(check(below.y.next_up()).is_ok());
         assert_eq!(check(below.y), Err(Meeting::Touch { vertex: 3, edge: 0 }));
@@ -355,7 +321,7 @@ mod tests {
     }
 
     /// By the definition: every pair of edges, every pair of vertices, in exact integers.
-    fn is_simple(points: &[[i32; 2]], starts: &[u32]) -> bool {
+    fn is_simple(points: &[[i32; 2]], edges: &[[u32; 2]]) -> bool {
         let area = |[a, b, c]: [[i32; 2]; 3]| {
             i64::from(b[0] - a[0]) * i64::from(c[1] - a[1])
                 - i64::from(b[1] - a[1]) * i64::from(c[0] - a[0])
@@ -363,11 +329,6 @@ mod tests {
         let within = |a: [i32; 2], b: [i32; 2], c: [i32; 2]| {
             (0..2).all(|i| a[i].min(b[i]) <= c[i] && c[i] <= a[i].max(b[i]))
         };
-        let mut edges = Vec::new();
-        for ends in starts.windows(2) {
-            let [start, end] = [ends[0], ends[1]];
-            edges.extend((start..end).map(|v| [v, if v + 1 == end { start } else { v + 1 }]));
-        }
         let at = |v: u32| points[v as usize];
         for (i, &[a, b]) in edges.iter().enumerate() {
             for (j, &[c, d]) in edges.iter().enumerate() {
@@ -397,10 +358,10 @@ mod tests {
         fn agrees_with_the_definition(
             rings in prop::collection::vec(prop::collection::vec([0..7_i32, 0..7], 3..6), 1..3),
         ) {
-            let (points, starts) = flat(&rings.iter().map(Vec::as_slice).collect::<Vec<_>>());
-            let found = nesting(&points, &starts);
+            let boundary = boundary(&rings.iter().map(Vec::as_slice).collect::<Vec<_>>());
+            let found = nesting(&boundary);
             let all: Vec<[i32; 2]> = rings.concat();
-            prop_assert_eq!(found.is_ok(), is_simple(&all, &starts), "{:?}", found);
+            prop_assert_eq!(found.is_ok(), is_simple(&all, &Vec::from_iter(boundary.edges())), "{:?}", found);
             if let Ok(found) = found {
                 for (ring, nesting) in rings.iter().zip(found) {
                     let area: i32 = (0..ring.len())

@@ -3,6 +3,7 @@
 use std::borrow::Cow;
 
 use glam::DVec3;
+use mindeg_domain::Domain;
 use mindeg_mesh::{Bounds, Line, LineKind, Positions, Triangles};
 
 use super::BoundaryMesh;
@@ -52,16 +53,7 @@ impl Triangles for BoundaryMesh {
     }
 
     fn lines(&self) -> Cow<'_, [Line]> {
-        let rings = self.rings();
-        let line = |side| {
-            let start = rings.corner(side);
-            Line {
-                name: self.domain().side_name(side),
-                segments: start..start + rings.intervals(side),
-                is_straight: self.domain().is_straight(side),
-            }
-        };
-        Cow::Owned((0..rings.side_count()).map(line).collect())
+        Cow::Owned(lines(self.domain()))
     }
 
     fn line_kind(&self, line: usize) -> Option<LineKind> {
@@ -79,4 +71,15 @@ impl Triangles for BoundaryMesh {
             *segment = [start, if start + 1 == ring.end { ring.start } else { start + 1 }];
         }
     }
+}
+
+/// The sides of a domain as lines of a mesh.
+pub(crate) fn lines(domain: &Domain) -> Vec<Line> {
+    let rings = domain.rings();
+    let line = |side| Line {
+        name: domain.side_name(side),
+        segments: rings.corner(side)..rings.corner(side) + rings.intervals(side),
+        is_straight: domain.is_straight(side),
+    };
+    (0..rings.side_count()).map(line).collect()
 }
