@@ -228,7 +228,7 @@ impl DomainBuilder {
             outline,
             convex,
             sides: given.into_iter().flat_map(|ring| ring.sides).collect(),
-            placement,
+            placement: placement.into(),
             straight,
             constraints,
             interior: None,

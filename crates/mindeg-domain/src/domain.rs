@@ -9,6 +9,7 @@
 //! unit of length is the user's.
 
 use std::borrow::Cow;
+use std::sync::Arc;
 
 use glam::DVec2;
 use mindeg_mesh::planar::{BoundaryFaults, InRing, PlanarBoundary, ring_name};
@@ -44,8 +45,8 @@ pub struct Domain {
     pub(crate) name: Option<String>,
     pub(crate) outline: Outline,
     /// The sides of all rings.
-    pub(crate) sides: Vec<Side>,
-    pub(crate) placement: Placement,
+    pub(crate) sides: Arc<[Side]>,
+    pub(crate) placement: Arc<Placement>,
     /// Whether each side is straight.
     pub(crate) straight: Vec<bool>,
     pub(crate) convex: Option<ConvexForm>,
@@ -232,6 +233,15 @@ mod tests {
 
     fn polygon(corners: &[[f64; 2]], sides: Vec<Side>) -> Result<Domain, DomainError> {
         Domain::polygon(corners.iter().copied(), sides)
+    }
+
+    /// So that each mesh of a curve can have its domain.
+    #[test]
+    fn clones_share_their_points() {
+        let domain = polygon(&CORNERS, vec![Side::count(2); 4]).unwrap();
+        let clone = domain.clone().named("plate").unwrap();
+        assert!(std::ptr::eq(clone.placement(), domain.placement()));
+        assert!(std::ptr::eq(clone.sides(), domain.sides()));
     }
 
     #[test]

@@ -62,7 +62,7 @@ pub fn improve(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<ImprovedMesh, MeshError> {
-    let Merged { names, positions } = Merged::new(mesh);
+    let (names, positions) = merged(mesh);
     let rename = |v: u32| names[v as usize];
     let triangles: Vec<[u32; 3]> = mesh.triangles().iter().map(|t| t.map(rename)).collect();
     let segments: Vec<[u32; 2]> = mesh.segments().iter().map(|s| s.map(rename)).collect();
@@ -122,28 +122,20 @@ pub fn improve(
     })
 }
 
-/// A mesh's vertices; vertices at one position count as one.
-struct Merged {
-    /// The new index of each vertex.
-    names: Vec<u32>,
-    positions: Vec<DVec3>,
-}
-
-impl Merged {
-    fn new(mesh: &TriMesh) -> Self {
-        let mut names = weld(mesh.positions(), 0.0);
-        let mut positions = Vec::with_capacity(names.len());
-        for v in 0..names.len() {
-            // The first vertex at a place has been named before the others.
-            if names[v] as usize == v {
-                names[v] = positions.len() as u32;
-                positions.push(mesh.positions()[v]);
-            } else {
-                names[v] = names[names[v] as usize];
-            }
+/// The index of each vertex once those at one position are one, and the positions.
+fn merged(mesh: &TriMesh) -> (Vec<u32>, Vec<DVec3>) {
+    let mut names = weld(mesh.positions(), 0.0);
+    let mut positions = Vec::with_capacity(names.len());
+    for v in 0..names.len() {
+        // The first vertex at a position comes first.
+        if names[v] as usize == v {
+            names[v] = positions.len() as u32;
+            positions.push(mesh.positions()[v]);
+        } else {
+            names[v] = names[names[v] as usize];
         }
-        Self { names, positions }
     }
+    (names, positions)
 }
 
 /// The plane of a mesh.
