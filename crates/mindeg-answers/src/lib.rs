@@ -14,6 +14,7 @@ pub mod inspected;
 pub mod interior;
 pub mod interior_keys;
 pub mod limit;
+pub mod loops;
 pub mod measures;
 pub mod mesh;
 pub mod numbers;

@@ -4,34 +4,12 @@ use crate::args::LoopChoice;
 use crate::failure::Failure;
 use mindeg::glam::DVec3;
 use mindeg::{Loops, MeshLoop, TriMesh};
+use mindeg_answers::loops::LoopName;
 use mindeg_answers::numbers::significant;
-use serde::Serialize;
 use std::path::Path;
 
 /// How many loops a list names.
 const LISTED: usize = 20;
-
-/// A loop in a summary.
-#[derive(Serialize)]
-pub(crate) struct LoopName {
-    /// Counted from 1.
-    #[serde(rename = "loop")]
-    number: usize,
-    vertices: usize,
-    first_vertex: u32,
-}
-
-impl LoopName {
-    pub(crate) fn new(index: usize, found: &MeshLoop) -> Self {
-        let first_vertex = found.vertices.first().copied().unwrap_or(0);
-        Self { number: index + 1, vertices: found.vertices.len(), first_vertex }
-    }
-
-    pub(crate) fn text(&self) -> String {
-        let Self { number, vertices, first_vertex } = self;
-        format!("loop {number} ({vertices} vertices from vertex {first_vertex} on)")
-    }
-}
 
 /// The index of the loop that is meant.
 pub(crate) fn index_of(
@@ -93,18 +71,4 @@ pub(crate) fn listed(loops: &Loops, mesh: &TriMesh) -> String {
         text += &format!("\n  and {} more", list.len() - LISTED);
     }
     text
-}
-
-/// The remark of a summary on new triangles that cross others; empty if no triangles cross.
-pub(crate) fn crossing_text(crossings: &[[u32; 2]]) -> String {
-    match crossings {
-        [] => String::new(),
-        [[new, other]] => format!(
-            "\nwarning: a new triangle crosses another one: {new} and {other} (counted from 0)"
-        ),
-        [[new, other], ..] => format!(
-            "\nwarning: {} new triangles cross others, the first {new} and {other} (counted from 0)",
-            crossings.len()
-        ),
-    }
 }

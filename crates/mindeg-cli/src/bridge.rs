@@ -1,36 +1,14 @@
 //! `mindeg bridge`: two boundary loops joined by a strip.
 
 use crate::args::{BridgeArguments, LoopChoice};
-use crate::boundary_loops::{LoopName, crossing_text, index_of, listed};
+use crate::boundary_loops::{index_of, listed};
 use crate::demands::new_triangles_met;
 use crate::failure::Failure;
 use crate::making::Making;
-use mindeg::bridge::{Bridged, bridge};
+use mindeg::bridge::bridge;
 use mindeg::{Loops, TriMesh};
-use mindeg_answers::numbers::steady_angle;
-use serde::Serialize;
+use mindeg_answers::loops::{BridgeAnswer, LoopName};
 use std::path::Path;
-
-/// The output of `--json`; angles in degrees.
-#[derive(Serialize)]
-struct Summary<'a> {
-    from: &'a LoopName,
-    to: &'a LoopName,
-    vertices: usize,
-    triangles: usize,
-    /// The first triangle of the strip, and the one after the last.
-    strip: [u32; 2],
-    max_degree: u32,
-    least_max_degree: u32,
-    at_least: u32,
-    min_angle: f64,
-    /// The minimum angle with one degree more; null if that is not better.
-    next_min_angle: Option<f64>,
-    angle_without_limit: f64,
-    degree_without_limit: u32,
-    planar: bool,
-    crossings: &'a [[u32; 2]],
-}
 
 /// A mesh that was read, and its loops.
 struct Side<'a> {
@@ -106,24 +84,8 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     let (angle, strip) = (result.min_angle, &result.triangles);
     new_triangles_met(arguments.target_angle, &result.mesh, strip, angle)?;
     let made = making.write_checked(&result.mesh)?;
-    let strip = &result.strip;
-    let text = || text(&result, &from_name, &to_name);
-    made.say(text, || Summary {
-        from: &from_name,
-        to: &to_name,
-        vertices: result.mesh.positions().len(),
-        triangles: result.mesh.triangles().len(),
-        strip: [result.triangles.start, result.triangles.end],
-        max_degree: strip.max_degree,
-        least_max_degree: strip.least_max_degree,
-        at_least: strip.lower_bound,
-        min_angle: result.min_angle,
-        next_min_angle: strip.next_min_angle,
-        angle_without_limit: strip.without_limit.0,
-        degree_without_limit: strip.without_limit.1,
-        planar: strip.is_planar,
-        crossings: &result.crossings,
-    })
+    let answer = BridgeAnswer::of(&result, from_name, to_name);
+    made.say(|| answer.text(), || &answer)
 }
 
 /// Two loops of one mesh: those that are named, or the only two.
@@ -146,40 +108,4 @@ fn both_of_one(side: &Side<'_>, arguments: &BridgeArguments) -> Result<(usize, u
         ))),
         (from, to, _) => Ok((side.index(from, "--from")?, side.index(to, "--to")?)),
     }
-}
-
-fn text(result: &Bridged, from: &LoopName, to: &LoopName) -> String {
-    let strip = &result.strip;
-    let optimal = match (strip.max_degree, strip.least_max_degree, strip.lower_bound) {
-        (degree, least, bound) if degree == least && least == bound => {
-            "the least possible, as counting proves".to_owned()
-        }
-        (degree, least, _) if degree == least => "the least possible, found by search".to_owned(),
-        (_, least, _) => format!("the least possible is {least}"),
-    };
-    let mut text = format!(
-        "joined {} and {} with {} triangles: maximum degree on them {} ({optimal}), minimum angle {}, the \
-         largest for this degree",
-        from.text(),
-        to.text(),
-        result.triangles.len(),
-        strip.max_degree,
-        steady_angle(result.min_angle),
-    );
-    if let Some(next) = strip.next_min_angle {
-        text += &format!(
-            "\nhint: --max-degree {} gives a minimum angle of {}",
-            strip.max_degree + 1,
-            steady_angle(next)
-        );
-    }
-    if let Some(turned) = result.turned_over {
-        text += &format!(
-            "\nwarning: the strip is twisted; if the triangles of the second mesh were turned over, \
-             its minimum angle would be {}",
-            steady_angle(turned)
-        );
-    }
-    text += &crossing_text(&result.crossings);
-    text
 }

@@ -1,0 +1,276 @@
+//! Boundary loops that were filled or joined.
+
+use crate::numbers::{four_digits, percent, steady_angle};
+use mindeg::bridge::Bridged;
+use mindeg::fill::{FIRST_LIMIT, FillOptions, Filled, FilledLoop};
+use mindeg::{Loops, MeshLoop};
+use serde::Serialize;
+
+/// How many loops a text describes one by one.
+const DESCRIBED: usize = 8;
+
+/// A boundary loop by its number, from 1, and its first vertex.
+#[derive(Clone, Debug, Serialize)]
+pub struct LoopName {
+    #[serde(rename = "loop")]
+    number: usize,
+    vertices: usize,
+    first_vertex: u32,
+}
+
+impl LoopName {
+    /// The loop with this index.
+    #[must_use]
+    pub fn new(index: usize, found: &MeshLoop) -> Self {
+        let first_vertex = found.vertices.first().copied().unwrap_or(0);
+        Self { number: index + 1, vertices: found.vertices.len(), first_vertex }
+    }
+
+    /// The loop in words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let Self { number, vertices, first_vertex } = self;
+        format!("loop {number} ({vertices} vertices from vertex {first_vertex} on)")
+    }
+}
+
+/// A mesh whose loops were filled; angles in degrees.
+#[derive(Clone, Debug, Serialize)]
+pub struct FillAnswer {
+    file: String,
+    vertices: usize,
+    triangles: usize,
+    max_degree: u32,
+    filled: Vec<FilledLoopAnswer>,
+    /// The loops that stay open.
+    pub left_open: Vec<OpenLoop>,
+    crossings: Vec<[u32; 2]>,
+}
+
+/// A loop that was filled.
+#[derive(Clone, Debug, Serialize)]
+struct FilledLoopAnswer {
+    #[serde(flatten)]
+    name: LoopName,
+    limit: u32,
+    max_degree: u32,
+    area: f64,
+    area_without_limit: f64,
+    /// The least possible limit from 6 up and its area, where a higher one was chosen for its area;
+    /// else null.
+    least_limit: Option<u32>,
+    area_at_least_limit: Option<f64>,
+    degree_without_limit: u32,
+    min_angle: f64,
+    /// The first, and the one after the last.
+    triangles: [u32; 2],
+}
+
+/// A loop that stays open, and why.
+#[derive(Clone, Debug, Serialize)]
+pub struct OpenLoop {
+    #[serde(flatten)]
+    name: LoopName,
+    reason: String,
+}
+
+impl OpenLoop {
+    /// The loop and the reason in words.
+    #[must_use]
+    pub fn text(&self) -> String {
+        format!("{} stays open: {}", self.name.text(), self.reason)
+    }
+}
+
+impl FilledLoopAnswer {
+    fn of(found: &FilledLoop, loops: &Loops) -> Self {
+        Self {
+            name: LoopName::new(found.index, &loops.list()[found.index]),
+            limit: found.limit,
+            max_degree: found.max_degree,
+            area: found.area,
+            area_without_limit: found.without_limit.0,
+            least_limit: found.least_limit.map(|(limit, _)| limit),
+            area_at_least_limit: found.least_limit.map(|(_, area)| area),
+            degree_without_limit: found.without_limit.1,
+            min_angle: found.min_angle,
+            triangles: [found.triangles.start, found.triangles.end],
+        }
+    }
+
+    /// The limit, the area, and what the limit costs; `extra_area` is the share that decided the limit, unless the
+    /// user gave it.
+    fn text(&self, extra_area: Option<f64>) -> String {
+        let Self { limit, least_limit, area, area_without_limit: least, .. } = self;
+        let why = match (extra_area, least_limit) {
+            (Some(extra), Some(_)) => {
+                format!(", the least that takes at most {} more area than no limit", percent(extra))
+            }
+            (Some(_), None) if *limit > FIRST_LIMIT => ", the least that is possible".to_owned(),
+            _ => String::new(),
+        };
+        let more = |area: f64| (area / least - 1.0).max(0.0);
+        let degree = self.degree_without_limit;
+        let cost = if degree == self.max_degree && area <= least || *least == 0.0 {
+            "the least without a limit, too".to_owned()
+        } else if more(*area) == 0.0 {
+            format!("as little as without a limit, where the degree is {degree}")
+        } else {
+            let more = percent(more(*area));
+            format!("{more} more than without a limit, where the degree is {degree}")
+        };
+        let lower =
+            least_limit.zip(self.area_at_least_limit).map_or_else(String::new, |(limit, area)| {
+                format!("; --max-degree {limit} takes {} more", percent(more(area)))
+            });
+        let (name, area) = (self.name.text(), four_digits(*area));
+        format!("{name}: degree limit {limit}{why}; area {area}, {cost}{lower}")
+    }
+}
+
+impl FillAnswer {
+    /// The answer for a mesh in a file whose loops were filled.
+    #[must_use]
+    pub fn of(file: &str, result: &Filled, loops: &Loops) -> Self {
+        let name = |index: usize| LoopName::new(index, &loops.list()[index]);
+        let left = result.left.iter();
+        Self {
+            file: file.to_owned(),
+            vertices: result.mesh.positions().len(),
+            triangles: result.mesh.triangles().len(),
+            max_degree: result.max_degree,
+            filled: result.filled.iter().map(|it| FilledLoopAnswer::of(it, loops)).collect(),
+            left_open: left
+                .map(|left| OpenLoop { name: name(left.index), reason: left.reason.clone() })
+                .collect(),
+            crossings: result.crossings.clone(),
+        }
+    }
+
+    /// What was filled, a line a loop.
+    #[must_use]
+    pub fn text(&self, options: &FillOptions) -> String {
+        let (filled, open) = (self.filled.len(), self.left_open.len());
+        let triangles: u32 = self.filled.iter().map(|it| it.triangles[1] - it.triangles[0]).sum();
+        let largest = self.filled.iter().map(|it| it.max_degree).max().unwrap_or(0);
+        let angle = self.filled.iter().map(|it| it.min_angle).fold(f64::INFINITY, f64::min);
+        let plural = if filled == 1 { "loop" } else { "loops" };
+        let mut text = format!(
+            "{}: filled {filled} {plural} with {triangles} triangles; maximum degree on them {largest}, \
+             minimum angle {}",
+            self.file,
+            steady_angle(angle),
+        );
+        let extra_area = options.max_degree.is_none().then_some(options.extra_area);
+        for found in self.filled.iter().take(DESCRIBED) {
+            text += &format!("\n  {}", found.text(extra_area));
+        }
+        if filled > DESCRIBED {
+            text += &format!("\n  and {} more", filled - DESCRIBED);
+        }
+        for left in self.left_open.iter().take(DESCRIBED) {
+            text += &format!("\n  {}", left.text());
+        }
+        if open > DESCRIBED {
+            text += &format!("\n  and {} more stay open", open - DESCRIBED);
+        }
+        text + &crossing_text(&self.crossings)
+    }
+}
+
+/// Two loops joined by a strip; angles in degrees.
+#[derive(Clone, Debug, Serialize)]
+pub struct BridgeAnswer {
+    from: LoopName,
+    to: LoopName,
+    vertices: usize,
+    triangles: usize,
+    /// The first triangle of the strip, and the one after the last.
+    strip: [u32; 2],
+    max_degree: u32,
+    least_max_degree: u32,
+    at_least: u32,
+    min_angle: f64,
+    /// The minimum angle with one degree more; null if that is not better.
+    next_min_angle: Option<f64>,
+    angle_without_limit: f64,
+    degree_without_limit: u32,
+    planar: bool,
+    crossings: Vec<[u32; 2]>,
+    #[serde(skip)]
+    turned_over: Option<f64>,
+}
+
+impl BridgeAnswer {
+    /// The answer for two loops that were joined.
+    #[must_use]
+    pub fn of(result: &Bridged, from: LoopName, to: LoopName) -> Self {
+        let strip = &result.strip;
+        Self {
+            from,
+            to,
+            vertices: result.mesh.positions().len(),
+            triangles: result.mesh.triangles().len(),
+            strip: [result.triangles.start, result.triangles.end],
+            max_degree: strip.max_degree,
+            least_max_degree: strip.least_max_degree,
+            at_least: strip.lower_bound,
+            min_angle: result.min_angle,
+            next_min_angle: strip.next_min_angle,
+            angle_without_limit: strip.without_limit.0,
+            degree_without_limit: strip.without_limit.1,
+            planar: strip.is_planar,
+            crossings: result.crossings.clone(),
+            turned_over: result.turned_over,
+        }
+    }
+
+    /// What was joined, and what to do next.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let optimal = match (self.max_degree, self.least_max_degree, self.at_least) {
+            (degree, least, bound) if degree == least && least == bound => {
+                "the least possible, as counting proves".to_owned()
+            }
+            (degree, least, _) if degree == least => {
+                "the least possible, found by search".to_owned()
+            }
+            (_, least, _) => format!("the least possible is {least}"),
+        };
+        let mut text = format!(
+            "joined {} and {} with {} triangles: maximum degree on them {} ({optimal}), minimum angle {}, the \
+             largest for this degree",
+            self.from.text(),
+            self.to.text(),
+            self.strip[1] - self.strip[0],
+            self.max_degree,
+            steady_angle(self.min_angle),
+        );
+        if let Some(next) = self.next_min_angle {
+            let (more, next) = (self.max_degree + 1, steady_angle(next));
+            text += &format!("\nhint: --max-degree {more} gives a minimum angle of {next}");
+        }
+        if let Some(turned) = self.turned_over {
+            text += &format!(
+                "\nwarning: the strip is twisted; if the triangles of the second mesh were turned over, \
+                 its minimum angle would be {}",
+                steady_angle(turned)
+            );
+        }
+        text + &crossing_text(&self.crossings)
+    }
+}
+
+/// A remark on new triangles that cross others, on a line of its own; empty if none do.
+fn crossing_text(crossings: &[[u32; 2]]) -> String {
+    match crossings {
+        [] => String::new(),
+        [[new, other]] => format!(
+            "\nwarning: a new triangle crosses another one: {new} and {other} (counted from 0)"
+        ),
+        [[new, other], ..] => format!(
+            "\nwarning: {} new triangles cross others, the first {new} and {other} (counted from 0)",
+            crossings.len()
+        ),
+    }
+}
