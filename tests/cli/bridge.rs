@@ -68,7 +68,7 @@ fn a_higher_degree_is_taken_where_it_is_allowed() {
     let found = run.json();
     assert!(found["min_angle"].as_f64() >= found["angle_without_limit"].as_f64().map(|a| a - 1e-9));
     let (folder, run) = bridge(&files, &["--max-degree", "5"]);
-    run.refuses(&["no strip between the loops keeps degree limit 5; the least possible is 6"]);
+    run.refuses(&["maximum degree 5; the least is 6"]);
     assert_eq!(content(folder.path()), ["lower.obj", "upper.obj"]);
     let (folder, run) = bridge(&files, &["--target-angle", "59"]);
     assert_eq!(run.code, Some(3), "{run:?}");

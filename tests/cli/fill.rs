@@ -178,7 +178,7 @@ fn what_cannot_be_filled_is_refused_or_stays_open_with_a_reason() {
         (
             &cone(40, 0.0, 1.0),
             &["--max-degree", "4"],
-            &["m.obj: loop 1 from vertex 0: no triangulation", "limit 4; the least possible is 5"],
+            &["m.obj: loop 1 from vertex 0: no triangulation", "maximum degree 4; the least is 5"],
         ),
         (&cone(2001, 0.0, 1.0), &["--max-loop", "9999"], &["2001 vertices; the maximum is 2000"]),
         (&cone(9, 0.0, 1.0), &["--max-degree", "few"], &["--max-degree", "whole number"]),
