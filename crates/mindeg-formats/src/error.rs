@@ -51,6 +51,14 @@ impl ReadError {
         Self::Fault { place: place.into(), problem: problem.into() }
     }
 
+    /// The same error; a fault without a place gets that of `at`.
+    pub(crate) fn or_at(self, at: impl FnOnce(String) -> Self) -> Self {
+        match self {
+            Self::Fault { place, problem } if place.is_empty() => at(problem),
+            error => error,
+        }
+    }
+
     /// The same error, in a file that is one of several.
     pub(crate) fn within(self, file: &str) -> Self {
         match self {

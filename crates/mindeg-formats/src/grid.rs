@@ -6,4 +6,4 @@ mod read;
 mod write;
 
 pub(crate) use read::{CellData, Cells, Grid};
-pub(crate) use write::{Arrays, text_of_names};
+pub(crate) use write::{Arrays, Field, text_of_names};

@@ -45,6 +45,7 @@ pub mod msh;
 mod names;
 pub mod npz;
 mod numbered;
+mod numbers;
 pub mod obj;
 pub mod off;
 mod options;

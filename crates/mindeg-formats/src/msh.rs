@@ -18,7 +18,6 @@ mod entities;
 mod nodes;
 mod parts;
 mod read;
-mod record;
 mod shapes;
 mod write;
 mod write2;

@@ -1,6 +1,7 @@
 //! A file in memory, read from front to back as words, lines and bytes.
 
 use crate::ReadError;
+use crate::numbers::Numbers;
 use crate::words::number;
 
 /// The place in a file up to which it has been read.
@@ -9,14 +10,6 @@ pub(crate) struct Scanner<'a> {
     at: usize,
     /// Whether numbers are bytes, and in which order.
     pub(crate) encoding: Numbers,
-}
-
-/// How numbers are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Numbers {
-    Text,
-    LittleEndian,
-    BigEndian,
 }
 
 impl<'a> Scanner<'a> {

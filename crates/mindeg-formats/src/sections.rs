@@ -26,8 +26,8 @@ type Format<'a> = dyn Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a;
 /// Items of one kind that follow one another in a file.
 pub(crate) struct Section<'a> {
     items: Range<u32>,
-    /// How many items go into a block.
-    block: u32,
+    /// About how many bytes an item takes.
+    item_len: u32,
     format: Box<Format<'a>>,
 }
 
@@ -48,13 +48,13 @@ impl<'a> Section<'a> {
         item_len: u32,
         format: impl Fn(Range<u32>, &mut Vec<u8>) + Sync + 'a,
     ) -> Self {
-        Self { items, block: (BLOCK_LEN / item_len).max(1), format: Box::new(format) }
+        Self { items, item_len, format: Box::new(format) }
     }
 
     /// Some bytes as they are.
     pub(crate) fn bytes(bytes: impl Into<Vec<u8>>) -> Self {
         let bytes = bytes.into();
-        Self::new(1, BLOCK_LEN, move |_, buffer| buffer.extend_from_slice(&bytes))
+        Self::new(1, bytes.len() as u32, move |_, buffer| buffer.extend_from_slice(&bytes))
     }
 
     /// The same bytes for each of `count` items.
@@ -71,11 +71,21 @@ impl<'a> Section<'a> {
         })
     }
 
+    /// The length in bytes, if all items are as long as was said.
+    pub(crate) fn byte_len(&self) -> u64 {
+        self.items.len() as u64 * u64::from(self.item_len)
+    }
+
+    /// How many items go into a block.
+    fn block(&self) -> u32 {
+        BLOCK_LEN.checked_div(self.item_len).unwrap_or(1).max(1)
+    }
+
     /// The items of each block.
     fn blocks(&self) -> impl Iterator<Item = Block<'_, 'a>> {
-        let starts = self.items.clone().step_by(self.block as usize);
+        let starts = self.items.clone().step_by(self.block() as usize);
         starts.map(move |start| {
-            let end = start.saturating_add(self.block).min(self.items.end);
+            let end = start.saturating_add(self.block()).min(self.items.end);
             Block { section: self, items: start..end }
         })
     }
@@ -100,7 +110,10 @@ impl Block<'_, '_> {
 
 /// How many blocks some sections have.
 pub(crate) fn block_count(sections: &[Section<'_>]) -> u64 {
-    sections.iter().map(|section| section.items.len().div_ceil(section.block as usize) as u64).sum()
+    sections
+        .iter()
+        .map(|section| section.items.len().div_ceil(section.block() as usize) as u64)
+        .sum()
 }
 
 /// Writes the sections one after the other.

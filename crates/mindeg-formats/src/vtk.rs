@@ -11,7 +11,6 @@
 //! Limits: 31 bits for vertices. Names of sides and groups are not kept: field data before the points,
 //! where they would be, is more than Gmsh reads. Gmsh 4.15 reads such files as text only.
 
-mod kind;
 mod read;
 mod write;
 

@@ -224,7 +224,7 @@ fn errors_say_where() {
         (Format::Msh, "$MeshFormat\n4 0 8\n", "line 2: MSH 4 is not read; save it as 4.1 or 2.2"),
         (Format::Msh, msh2, "line 6: a coordinate is \"x\", which is not a number"),
         (Format::Msh, big, "line 7: the file ends before the tag of a node"),
-        (Format::Vtk, &huge, "line 5: no file has so many points"),
+        (Format::Vtk, &huge, "line 5: no file has so many numbers"),
         (Format::Vtk, &cut, "byte 78: numbers should take 48 bytes; the file has 4 more"),
         (Format::Vtk, "x", "line 1: a legacy VTK file begins with # vtk DataFile Version"),
         (Format::Vtu, "<a/>", "byte 0: no element VTKFile; is it a VTU?"),

@@ -3,6 +3,7 @@
 use super::container::Buffers;
 use super::schema::{Accessor, BufferView, Document, Whole, named};
 use crate::ReadError;
+use crate::numbers::{Scalar, bits};
 use glam::DVec3;
 
 /// A document with the bytes of its buffers.
@@ -12,42 +13,22 @@ pub(super) struct Arrays<'a> {
     pub(super) buffers: &'a Buffers<'a>,
 }
 
-/// The type of an array's components.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Component {
-    I8,
-    U8,
-    I16,
-    U16,
-    U32,
-    F32,
+/// The type of an array's components, by the code of the format.
+fn scalar_of(code: Whole) -> Option<Scalar> {
+    Some(match code.0 {
+        5120 => Scalar::Signed(1),
+        5121 => Scalar::Unsigned(1),
+        5122 => Scalar::Signed(2),
+        5123 => Scalar::Unsigned(2),
+        5125 => Scalar::Unsigned(4),
+        5126 => Scalar::Float(4),
+        _ => return None,
+    })
 }
 
-impl Component {
-    fn of_code(code: Whole) -> Option<Self> {
-        Some(match code.0 {
-            5120 => Self::I8,
-            5121 => Self::U8,
-            5122 => Self::I16,
-            5123 => Self::U16,
-            5125 => Self::U32,
-            5126 => Self::F32,
-            _ => return None,
-        })
-    }
-
-    fn size(self) -> usize {
-        match self {
-            Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
-            Self::U32 | Self::F32 => 4,
-        }
-    }
-
-    /// Whether it can be an index.
-    fn is_index(self) -> bool {
-        matches!(self, Self::U8 | Self::U16 | Self::U32)
-    }
+/// The type of an array of indices.
+fn index_type(code: Whole) -> Option<Scalar> {
+    scalar_of(code).filter(|scalar| matches!(scalar, Scalar::Unsigned(_)))
 }
 
 impl<'a> Arrays<'a> {
@@ -55,66 +36,43 @@ impl<'a> Arrays<'a> {
     /// that hold it.
     pub(super) fn positions(&self, accessor: usize) -> Result<(Vec<DVec3>, f64), ReadError> {
         let source = &self.document.accessors[accessor];
-        let component = Component::of_code(source.component_type);
-        let quantized = [Component::I8, Component::U8, Component::I16, Component::U16];
-        let component = match component {
-            Some(Component::F32) => Component::F32,
-            Some(integer) if quantized.contains(&integer) && self.document.is_quantized() => {
-                integer
-            }
-            _ => return Err(no_positions(accessor, self.document.is_quantized())),
+        let is_quantized = self.document.is_quantized();
+        let known = match scalar_of(source.component_type) {
+            Some(Scalar::Unsigned(4)) => None,
+            Some(Scalar::Float(len)) => Some(Scalar::Float(len)),
+            integer => integer.filter(|_| is_quantized),
         };
-        if source.kind != "VEC3" {
-            return Err(no_positions(accessor, self.document.is_quantized()));
+        let Some(scalar) = known.filter(|_| source.kind == "VEC3") else {
+            return Err(no_positions(accessor, is_quantized));
+        };
+        if scalar == Scalar::Float(4) {
+            let value = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+            let point = |b: &[u8]| DVec3::new(value(b), value(&b[4..]), value(&b[8..]));
+            let positions = self.decoded(accessor, scalar, 3, DVec3::ZERO, point)?;
+            let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
+            return Ok((positions, largest / f64::from(1 << 24)));
         }
-        let scaled = |value: f64, largest: f64| {
+        let size = scalar.len();
+        let bits = 8 * size - usize::from(matches!(scalar, Scalar::Signed(_)));
+        let largest = f64::from((1 << bits) - 1);
+        let value = |item: &[u8]| {
+            let value = scalar.float(&item[..size], false);
             if source.normalized { (value / largest).max(-1.0) } else { value }
         };
-        let decode_all = |decode: &dyn Fn(&[u8]) -> f64| {
-            let size = component.size();
-            let point =
-                |item: &[u8]| DVec3::from_array([0, 1, 2].map(|i| decode(&item[i * size..])));
-            self.decoded(accessor, component, 3, DVec3::ZERO, point)
-        };
-        let positions = match component {
-            Component::I8 => decode_all(&|b| scaled(f64::from(b[0] as i8), 127.0)),
-            Component::U8 => decode_all(&|b| scaled(f64::from(b[0]), 255.0)),
-            Component::I16 => {
-                decode_all(&|b| scaled(f64::from(i16::from_le_bytes([b[0], b[1]])), 32_767.0))
-            }
-            Component::U16 => {
-                decode_all(&|b| scaled(f64::from(u16::from_le_bytes([b[0], b[1]])), 65_535.0))
-            }
-            Component::F32 | Component::U32 => {
-                let value = |b: &[u8]| f64::from(f32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-                let point = |b: &[u8]| DVec3::new(value(b), value(&b[4..]), value(&b[8..]));
-                self.decoded(accessor, component, 3, DVec3::ZERO, point)
-            }
-        }?;
-        let rounding = match component {
-            Component::I8 | Component::U8 | Component::I16 | Component::U16 => {
-                let bits = 8 * component.size() as i32;
-                let is_signed = matches!(component, Component::I8 | Component::I16);
-                let steps = f64::from(1 << (bits - i32::from(is_signed))) - 1.0;
-                if source.normalized { 0.5 / steps } else { 0.5 }
-            }
-            Component::F32 | Component::U32 => {
-                let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
-                largest / f64::from(1 << 24)
-            }
-        };
-        Ok((positions, rounding))
+        let point = |b: &[u8]| DVec3::new(value(b), value(&b[size..]), value(&b[2 * size..]));
+        let positions = self.decoded(accessor, scalar, 3, DVec3::ZERO, point)?;
+        Ok((positions, if source.normalized { 0.5 / largest } else { 0.5 }))
     }
 
     /// The indices that an accessor holds.
     pub(super) fn indices(&self, accessor: usize) -> Result<Vec<u32>, ReadError> {
         let source = &self.document.accessors[accessor];
-        let component = Component::of_code(source.component_type).filter(|c| c.is_index());
+        let component = index_type(source.component_type);
         let Some(component) = component.filter(|_| source.kind == "SCALAR") else {
             let problem = "is used for indices; these must be unsigned integers";
             return Err(ReadError::place(format!("accessors[{accessor}]"), problem));
         };
-        self.decoded(accessor, component, 1, 0, |bytes| index(component, bytes))
+        self.decoded(accessor, component, 1, 0, |bytes| bits(bytes, false) as u32)
     }
 
     /// The items of an accessor whose type was checked, each of this number of components.
@@ -122,7 +80,7 @@ impl<'a> Arrays<'a> {
     fn decoded<T: Clone>(
         &self,
         accessor: usize,
-        component: Component,
+        component: Scalar,
         components: usize,
         zero: T,
         decode: impl Fn(&[u8]) -> T,
@@ -146,8 +104,7 @@ impl<'a> Arrays<'a> {
         }
         let Some(sparse) = sparse else { return Ok(values) };
         let place = || format!("accessors[{accessor}].sparse");
-        let index_type = sparse.indices.component_type;
-        let Some(index_type) = Component::of_code(index_type).filter(|c| c.is_index()) else {
+        let Some(index_type) = index_type(sparse.indices.component_type) else {
             let problem = "has indices that are not unsigned integers";
             return Err(ReadError::place(place(), problem));
         };
@@ -156,7 +113,7 @@ impl<'a> Arrays<'a> {
         let start = Start { view: sparse.values.buffer_view, offset: sparse.values.byte_offset };
         let items = self.items(place(), start, sparse.count, component, components)?;
         for (bytes, item) in indices.zip(items) {
-            let (index, count) = (index(index_type, bytes) as usize, values.len());
+            let (index, count) = (bits(bytes, false) as usize, values.len());
             let value = values.get_mut(index).ok_or_else(|| {
                 ReadError::place(place(), format!("has the index {index}, and {count} items"))
             })?;
@@ -171,7 +128,7 @@ impl<'a> Arrays<'a> {
         place: String,
         Start { view, offset }: Start,
         count: Whole,
-        component: Component,
+        component: Scalar,
         components: usize,
     ) -> Result<impl ExactSizeIterator<Item = &'a [u8]> + use<'a>, ReadError> {
         let Self { document, buffers } = *self;
@@ -189,7 +146,7 @@ impl<'a> Arrays<'a> {
                 None => problem(format!("lies in buffers[{buffer}], which has no data")),
             });
         };
-        let size = component.size() * components;
+        let size = component.len() * components;
         let BufferView { byte_offset, byte_length, byte_stride, .. } = view;
         let stride = byte_stride.map_or(size as u64, |stride| stride.0);
         if count.0 == 0 {
@@ -209,7 +166,7 @@ impl<'a> Arrays<'a> {
                 "lies in bufferViews[{view_index}], which reaches beyond buffers[{buffer}]"
             )));
         }
-        let (start, unit) = (byte_offset.0 + offset.0, component.size() as u64);
+        let (start, unit) = (byte_offset.0 + offset.0, component.len() as u64);
         if !start.is_multiple_of(unit) || !stride.is_multiple_of(unit) {
             return Err(problem(format!(
                 "starts at byte {start} of buffers[{buffer}], with {stride} bytes from item to \
@@ -227,14 +184,6 @@ impl<'a> Arrays<'a> {
 struct Start {
     view: Whole,
     offset: Whole,
-}
-
-fn index(component: Component, bytes: &[u8]) -> u32 {
-    match component.size() {
-        1 => bytes[0].into(),
-        2 => u16::from_le_bytes([bytes[0], bytes[1]]).into(),
-        _ => u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]),
-    }
 }
 
 fn no_positions(accessor: usize, is_quantized: bool) -> ReadError {

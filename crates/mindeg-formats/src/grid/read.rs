@@ -1,5 +1,7 @@
 //! A mesh from points and cells.
 
+use std::collections::TryReserveError;
+
 use glam::DVec3;
 use mindeg_mesh::{NonTriangles, TriMesh};
 
@@ -51,25 +53,24 @@ impl Grid {
         Ok(())
     }
 
-    /// Adds cells of the points from `first` on. An error is told as a cell and what is wrong with it.
+    /// Adds cells of the points from `first` on; `at` makes an error of what is wrong with one.
     pub(crate) fn add_cells(
         &mut self,
         first: usize,
         cells: &Cells<'_>,
-    ) -> Result<(), (usize, ReadErrorOr)> {
+        at: impl Fn(String) -> ReadError,
+    ) -> Result<(), ReadError> {
         let Cells { connectivity, ends, types, data } = *cells;
         let count = self.positions.len() - first;
         let mut start = 0;
         let mut corners = Vec::new();
         for (cell, (&end, &cell_type)) in ends.iter().zip(types).enumerate() {
-            let wrong = |problem: String| (cell, ReadErrorOr::Problem(problem));
+            let wrong = |problem: String| at(format!("cell {cell} (counted from 0): {problem}"));
             let of_cell = usize::try_from(end).ok().filter(|&end| start <= end);
             let of_cell =
                 of_cell.and_then(|end| connectivity.get(start..end)).ok_or_else(|| {
-                    wrong(format!(
-                        "its corners end at {end}; expected {start} to {}",
-                        connectivity.len()
-                    ))
+                    let last = connectivity.len();
+                    wrong(format!("its corners end at {end}; expected {start} to {last}"))
                 })?;
             start += of_cell.len();
             corners.clear();
@@ -78,10 +79,10 @@ impl Grid {
                 let Some(corner) = known else {
                     return Err(wrong(format!("point {corner} does not exist; there are {count}")));
                 };
-                push(&mut corners, (first + corner) as u32)
-                    .map_err(|error| (cell, error.into()))?;
+                push(&mut corners, (first + corner) as u32)?;
             }
-            self.add_cell(cell, cell_type, &mut corners, data).map_err(|error| (cell, error))?;
+            let added = self.add_cell(cell, cell_type, &mut corners, data);
+            added.map_err(|error| error.or_at(wrong))?;
         }
         Ok(())
     }
@@ -92,9 +93,9 @@ impl Grid {
         cell_type: i64,
         corners: &mut Vec<u32>,
         data: &CellData,
-    ) -> Result<(), ReadErrorOr> {
+    ) -> Result<(), ReadError> {
         let few = |count: usize| {
-            ReadErrorOr::Problem(format!("a cell of type {cell_type} has {count} corners or more"))
+            ReadError::place("", format!("a cell of type {cell_type} has {count} corners or more"))
         };
         // Of curved cells the corners, which come first.
         let straight = match cell_type {
@@ -141,13 +142,13 @@ impl Grid {
         Ok(())
     }
 
-    fn note_group(&mut self, cell: usize, data: &CellData) -> Result<(), ReadErrorOr> {
+    fn note_group(&mut self, cell: usize, data: &CellData) -> Result<(), TryReserveError> {
         let group = data.groups.get(cell).copied();
         let name = || match group {
             Some(_) => name_of(group, &data.group_names, "group"),
             None => String::new(),
         };
-        Ok(self.groups.push(group.unwrap_or(-1), self.faces.triangle_count(), name)?)
+        self.groups.push(group.unwrap_or(-1), self.faces.triangle_count(), name)
     }
 
     pub(crate) fn into_mesh(self) -> Result<TriMesh, ReadError> {
@@ -169,28 +170,6 @@ fn name_of(index: Option<i64>, names: &[String], kind: &str) -> String {
     match name {
         Some(name) if !name.trim().is_empty() => name.clone(),
         _ => format!("{kind} {}", index.saturating_add(1)),
-    }
-}
-
-/// Why a cell is refused: what is wrong with it, or an error that has nothing to do with it.
-pub(crate) enum ReadErrorOr {
-    Problem(String),
-    Other(ReadError),
-}
-
-impl<E: Into<ReadError>> From<E> for ReadErrorOr {
-    fn from(error: E) -> Self {
-        Self::Other(error.into())
-    }
-}
-
-impl ReadErrorOr {
-    /// The error, at a place that `at` knows.
-    pub(crate) fn at(self, cell: usize, at: impl FnOnce(String) -> ReadError) -> ReadError {
-        match self {
-            Self::Problem(problem) => at(format!("cell {cell} (counted from 0): {problem}")),
-            Self::Other(error) => error,
-        }
     }
 }
 

@@ -51,6 +51,15 @@ impl Entities {
         }
         Self { curves, surfaces, physical_names }
     }
+
+    /// How many segments the curves have.
+    pub(super) fn segment_count(&self) -> u32 {
+        self.curves.last().map_or(0, |curve| curve.elements.end)
+    }
+
+    pub(super) fn element_count(&self, mesh: &dyn Mesh) -> u64 {
+        u64::from(self.segment_count()) + u64::from(mesh.triangle_count())
+    }
 }
 
 /// Physical groups, one for each dimension and name.

@@ -11,8 +11,9 @@ use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, shape};
 use crate::ReadError;
 use crate::face_list::FaceList;
+use crate::numbers::Numbers;
 use crate::runs::{Polylines, Segments, TriangleRuns};
-use crate::scanner::{Numbers, Scanner};
+use crate::scanner::Scanner;
 
 /// Reads a mesh from MSH 4.1, or any 2.x, in text or binary of either byte order.
 ///

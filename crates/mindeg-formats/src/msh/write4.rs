@@ -5,10 +5,10 @@ use std::ops::Range;
 use mindeg_mesh::{Bounds, Mesh};
 
 use super::entities::{Entities, bounds_of_line};
-use super::record::{Record, end_of};
 use super::shapes::{LINE, TRIANGLE};
+use super::write::end_of;
 use crate::corners::{positions, segments, triangles};
-use crate::decimals::Decimals;
+use crate::numbers::Numbers;
 use crate::sections::Section;
 use glam::DVec3;
 
@@ -16,153 +16,89 @@ use glam::DVec3;
 pub(super) fn add_sections<'a>(
     mesh: &'a dyn Mesh,
     entities: &Entities,
-    is_binary: bool,
+    numbers: Numbers,
     sections: &mut Vec<Section<'a>>,
 ) {
-    sections.push(Section::bytes(entity_list(mesh, entities, is_binary)));
-    let vertices = mesh.vertex_count();
+    sections.push(Section::bytes(entity_list(mesh, entities, numbers)));
+    sections.push(end_of("Entities", numbers));
 
     let mut head = b"$Nodes\n".to_vec();
-    let count = u64::from(vertices);
+    let count = u64::from(mesh.vertex_count());
     // All in one block, on the first surface.
-    let mut record = Record::new(is_binary, &mut head);
-    record.size(1).size(count).size(1).size(count).end();
-    record.int(2).int(1).int(0).size(count).end();
+    numbers.put([1, count, 1, count], &mut head);
+    numbers.end_line(&mut head);
+    put_head(&mut head, [2, 1, 0], count, numbers);
     sections.push(Section::bytes(head));
-    sections.push(tags(vertices, is_binary));
-    sections.push(coordinates(mesh, is_binary));
-    sections.push(end_of("Nodes", is_binary));
+    let vertices = 0..mesh.vertex_count();
+    let tags = |range: Range<u32>| range.map(|index| [u64::from(index) + 1]);
+    sections.push(numbers.records(vertices.clone(), tags));
+    let points = move |range| positions(mesh, range).map(|point| point.to_array());
+    sections.push(numbers.records(vertices, points));
+    sections.push(end_of("Nodes", numbers));
 
-    let segment_count = entities.curves.last().map_or(0, |curve| curve.elements.end);
-    let elements = u64::from(segment_count) + u64::from(mesh.triangle_count());
+    let elements = entities.element_count(mesh);
     let blocks = entities.curves.len() + entities.surfaces.len();
     let mut head = b"$Elements\n".to_vec();
-    Record::new(is_binary, &mut head)
-        .size(blocks as u64)
-        .size(elements)
-        .size(1)
-        .size(elements)
-        .end();
+    numbers.put([blocks as u64, elements, 1, elements], &mut head);
+    numbers.end_line(&mut head);
     sections.push(Section::bytes(head));
     for (curve, tag) in entities.curves.iter().zip(1..) {
-        let elements = curve.elements.clone();
-        sections.push(head_of_block(1, tag, LINE, elements.len(), is_binary));
-        sections.push(elements_of(elements, 0, is_binary, move |range| segments(mesh, range)));
+        let mut head = Vec::new();
+        put_head(&mut head, [1, tag, LINE], curve.elements.len() as u64, numbers);
+        sections.push(Section::bytes(head));
+        sections.push(numbers.records(curve.elements.clone(), move |range: Range<u32>| {
+            let segments = range.clone().zip(segments(mesh, range));
+            segments.map(|(index, [a, b])| [index, a, b].map(|number| u64::from(number) + 1))
+        }));
     }
+    let before = u64::from(entities.segment_count());
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
-        let elements = surface.elements.clone();
-        sections.push(head_of_block(2, tag, TRIANGLE, elements.len(), is_binary));
-        let of = move |range| triangles(mesh, range);
-        sections.push(elements_of(elements, segment_count, is_binary, of));
+        let mut head = Vec::new();
+        put_head(&mut head, [2, tag, TRIANGLE], surface.elements.len() as u64, numbers);
+        sections.push(Section::bytes(head));
+        sections.push(numbers.records(surface.elements.clone(), move |range: Range<u32>| {
+            let triangles = range.clone().zip(triangles(mesh, range));
+            triangles.map(move |(index, [a, b, c])| {
+                let [a, b, c] = [a, b, c].map(|vertex| u64::from(vertex) + 1);
+                [before + u64::from(index) + 1, a, b, c]
+            })
+        }));
     }
-    sections.push(end_of("Elements", is_binary));
+    sections.push(end_of("Elements", numbers));
+}
+
+/// The head of a block: dimension, entity and kind, and the number of what follows.
+fn put_head(head: &mut Vec<u8>, kinds: [i32; 3], count: u64, numbers: Numbers) {
+    numbers.put(kinds, head);
+    numbers.put([count], head);
+    numbers.end_line(head);
 }
 
 /// All entities with their boxes and physical tags. Gmsh refuses elements without them.
-fn entity_list(mesh: &dyn Mesh, entities: &Entities, is_binary: bool) -> Vec<u8> {
+fn entity_list(mesh: &dyn Mesh, entities: &Entities, numbers: Numbers) -> Vec<u8> {
     let mut list = b"$Entities\n".to_vec();
     let Entities { curves, surfaces, .. } = entities;
     let lines = mesh.lines();
-    let mut record = Record::new(is_binary, &mut list);
-    record.size(0).size(curves.len() as u64).size(surfaces.len() as u64).size(0).end();
+    numbers.put([0, curves.len() as u64, surfaces.len() as u64, 0], &mut list);
+    numbers.end_line(&mut list);
+    let mut put = |tag: i32, bounds: Bounds<DVec3>, physical: i32| {
+        numbers.put([tag], &mut list);
+        for corner in [bounds.min, bounds.max] {
+            // Adding zero turns -0 into 0.
+            numbers.put((corner + DVec3::ZERO).to_array(), &mut list);
+        }
+        // One physical tag; what bounds the entity is not told.
+        numbers.put([1_u64], &mut list);
+        numbers.put([physical], &mut list);
+        numbers.put([0_u64], &mut list);
+        numbers.end_line(&mut list);
+    };
     for ((curve, tag), line) in curves.iter().zip(1..).zip(lines.iter()) {
-        put_entity(&mut record, tag, bounds_of_line(mesh, line), curve.physical);
+        put(tag, bounds_of_line(mesh, line), curve.physical);
     }
     let bounds = mesh.bounds();
     for (surface, tag) in surfaces.iter().zip(1..) {
-        put_entity(&mut record, tag, bounds, surface.physical);
+        put(tag, bounds, surface.physical);
     }
-    if is_binary {
-        list.push(b'\n');
-    }
-    list.extend_from_slice(b"$EndEntities\n");
     list
-}
-
-fn put_entity(record: &mut Record<'_>, tag: i32, bounds: Bounds<DVec3>, physical: i32) {
-    record.int(tag);
-    for corner in [bounds.min, bounds.max] {
-        for coordinate in corner.to_array() {
-            record.double(coordinate);
-        }
-    }
-    // One physical tag; what bounds the entity is not told.
-    record.size(1).int(physical).size(0).end();
-}
-
-fn head_of_block<'a>(
-    dimension: i32,
-    tag: i32,
-    element_type: i32,
-    count: usize,
-    is_binary: bool,
-) -> Section<'a> {
-    let mut head = Vec::new();
-    let mut record = Record::new(is_binary, &mut head);
-    record.int(dimension).int(tag).int(element_type).size(count as u64).end();
-    Section::bytes(head)
-}
-
-/// The tags 1 to `count`.
-fn tags<'a>(count: u32, is_binary: bool) -> Section<'a> {
-    Section::new(count, if is_binary { 8 } else { 11 }, move |range, buffer| {
-        let mut digits = itoa::Buffer::new();
-        for tag in range.map(|index| u64::from(index) + 1) {
-            if is_binary {
-                buffer.extend_from_slice(&tag.to_le_bytes());
-            } else {
-                buffer.extend_from_slice(digits.format(tag).as_bytes());
-                buffer.push(b'\n');
-            }
-        }
-    })
-}
-
-fn coordinates(mesh: &dyn Mesh, is_binary: bool) -> Section<'_> {
-    Section::new(mesh.vertex_count(), if is_binary { 24 } else { 40 }, move |range, buffer| {
-        if is_binary {
-            for position in positions(mesh, range) {
-                let bytes = position.to_array().map(f64::to_le_bytes);
-                buffer.extend_from_slice(bytes.as_flattened());
-            }
-        } else {
-            let [mut x, mut y, mut z] = [0; 3].map(|_| Decimals::new());
-            for position in positions(mesh, range) {
-                x.push_first(position.x, buffer);
-                y.push(position.y, buffer);
-                z.push(position.z, buffer);
-                buffer.push(b'\n');
-            }
-        }
-    })
-}
-
-/// Elements with tags that follow `before`, each its tag and its nodes.
-fn elements_of<'a, const N: usize>(
-    elements: Range<u32>,
-    before: u32,
-    is_binary: bool,
-    of: impl Fn(Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
-) -> Section<'a> {
-    let len = if is_binary { 8 * (1 + N) } else { 11 * (1 + N) };
-    Section::of(elements, len as u32, move |range, buffer| {
-        let first = u64::from(before) + u64::from(range.start) + 1;
-        if is_binary {
-            for (tag, element) in (first..).zip(of(range)) {
-                buffer.extend_from_slice(&tag.to_le_bytes());
-                let nodes = element.map(|vertex| (u64::from(vertex) + 1).to_le_bytes());
-                buffer.extend_from_slice(nodes.as_flattened());
-            }
-        } else {
-            let mut digits = itoa::Buffer::new();
-            for (tag, element) in (first..).zip(of(range)) {
-                buffer.extend_from_slice(digits.format(tag).as_bytes());
-                for vertex in element {
-                    buffer.push(b' ');
-                    buffer.extend_from_slice(digits.format(u64::from(vertex) + 1).as_bytes());
-                }
-                buffer.push(b'\n');
-            }
-        }
-    })
 }

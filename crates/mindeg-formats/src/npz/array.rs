@@ -1,6 +1,7 @@
 //! An array of numpy: a head that tells type and shape, then the numbers.
 
 use crate::ReadError;
+use crate::numbers::{HALF_EPSILON, Scalar, bits};
 use std::borrow::Cow;
 
 /// The head of an array with rows of three numbers, or of one if `columns` is none.
@@ -18,21 +19,11 @@ pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
     head
 }
 
-/// Types of numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Signed,
-    Unsigned,
-    Float,
-}
-
 /// An array that is read.
 #[derive(Debug)]
 pub(super) struct Array<'a> {
-    kind: Kind,
-    /// Bytes of a number.
-    size: usize,
-    is_big_endian: bool,
+    scalar: Scalar,
+    is_big: bool,
     is_transposed: bool,
     shape: [usize; 2],
     numbers: Cow<'a, [u8]>,
@@ -58,26 +49,16 @@ impl<'a> Array<'a> {
         let kind = value("descr").ok_or_else(broken)?;
         let kind = kind.strip_prefix('\'').and_then(|kind| kind.split_once('\''));
         let (kind, _) = kind.ok_or_else(|| problem("the array has records, not numbers"))?;
-        let is_big_endian = kind.starts_with('>');
-        let (kind, size) = match kind.trim_start_matches(['<', '>', '|', '=']) {
-            "f2" => (Kind::Float, 2),
-            "f4" => (Kind::Float, 4),
-            "f8" => (Kind::Float, 8),
-            "i1" => (Kind::Signed, 1),
-            "i2" => (Kind::Signed, 2),
-            "i4" => (Kind::Signed, 4),
-            "i8" => (Kind::Signed, 8),
-            "u1" => (Kind::Unsigned, 1),
-            "u2" => (Kind::Unsigned, 2),
-            "u4" => (Kind::Unsigned, 4),
-            "u8" => (Kind::Unsigned, 8),
-            "O" => return Err(problem("the array is pickled, which is not read")),
-            kind => {
-                return Err(problem(&format!(
-                    "the array has the type {kind:?}; integers and floats of 16, 32 and 64 bits are read"
-                )));
-            }
-        };
+        let is_big = kind.starts_with('>');
+        let kind = kind.trim_start_matches(['<', '>', '|', '=']);
+        if kind == "O" {
+            return Err(problem("the array is pickled, which is not read"));
+        }
+        let scalar = Scalar::of_name(kind, ["i", "u", "f"], 1).ok_or_else(|| {
+            problem(&format!(
+                "the array has the type {kind:?}; integers and floats of 16, 32 and 64 bits are read"
+            ))
+        })?;
         let is_transposed = value("fortran_order").ok_or_else(broken)?.starts_with("True");
         let shape = value("shape").and_then(|shape| shape.strip_prefix('(')?.split_once(')'));
         let (shape, _) = shape.ok_or_else(broken)?;
@@ -87,7 +68,7 @@ impl<'a> Array<'a> {
         let &[rows, columns] = &lengths[..] else {
             return Err(problem(&format!("the array has {} dimensions, not 2", lengths.len())));
         };
-        let len = rows.checked_mul(columns).and_then(|count| count.checked_mul(size));
+        let len = rows.checked_mul(columns).and_then(|count| count.checked_mul(scalar.len()));
         if len != Some(numbers.len()) {
             return Err(problem(&format!(
                 "the array has {} bytes, which is not what its shape ({shape}) takes",
@@ -103,7 +84,7 @@ impl<'a> Array<'a> {
                 Cow::Owned(bytes)
             }
         };
-        Ok(Self { kind, size, is_big_endian, is_transposed, shape, numbers })
+        Ok(Self { scalar, is_big, is_transposed, shape, numbers })
     }
 
     pub(super) fn shape(&self) -> [usize; 2] {
@@ -112,72 +93,38 @@ impl<'a> Array<'a> {
 
     /// The most that rounding to the type has changed a number, as a share of it; 0 for 64 bits.
     pub(super) fn rounding(&self) -> f64 {
-        match (self.kind, self.size) {
-            (Kind::Float, 2) => HALF_EPSILON / 2.0,
-            (Kind::Float, 4) => f64::from(f32::EPSILON) / 2.0,
+        match self.scalar {
+            Scalar::Float(2) => HALF_EPSILON / 2.0,
+            Scalar::Float(4) => f64::from(f32::EPSILON) / 2.0,
             _ => 0.0,
         }
     }
 
-    /// The bytes of a number, the least significant first, with its sign continued.
-    fn bytes(&self, row: usize, column: usize) -> [u8; 8] {
+    fn bytes(&self, row: usize, column: usize) -> &[u8] {
         let [rows, columns] = self.shape;
         let index = if self.is_transposed { column * rows + row } else { row * columns + column };
-        let stored = &self.numbers[index * self.size..][..self.size];
-        let mut bytes = [0; 8];
-        bytes[..self.size].copy_from_slice(stored);
-        if self.is_big_endian {
-            bytes[..self.size].reverse();
-        }
-        if self.kind == Kind::Signed && bytes[self.size - 1] >= 0x80 {
-            bytes[self.size..].fill(0xff);
-        }
-        bytes
+        let len = self.scalar.len();
+        &self.numbers[index * len..][..len]
     }
 
     /// A number, as a float.
     pub(super) fn float(&self, row: usize, column: usize) -> f64 {
-        let bytes = self.bytes(row, column);
-        match self.kind {
-            Kind::Float => match (self.size, bytes) {
-                (2, [a, b, ..]) => half(u16::from_le_bytes([a, b])),
-                (4, [a, b, c, d, ..]) => f32::from_le_bytes([a, b, c, d]).into(),
-                _ => f64::from_le_bytes(bytes),
-            },
-            Kind::Signed => i64::from_le_bytes(bytes) as f64,
-            Kind::Unsigned => u64::from_le_bytes(bytes) as f64,
-        }
+        self.scalar.float(self.bytes(row, column), self.is_big)
     }
 
     /// A number, if it is a whole one of 0 to 2^32 - 1; or else in words.
     pub(super) fn index(&self, row: usize, column: usize) -> Result<u32, String> {
-        if self.kind == Kind::Float {
-            let value = self.float(row, column);
-            let index = value as u32;
-            return if f64::from(index) == value { Ok(index) } else { Err(value.to_string()) };
-        }
         let bytes = self.bytes(row, column);
-        let (signed, unsigned) = (i64::from_le_bytes(bytes), u64::from_le_bytes(bytes));
-        if self.kind == Kind::Signed {
-            return u32::try_from(signed).map_err(|_| signed.to_string());
+        match self.scalar.whole(bytes, self.is_big) {
+            Some(i64::MAX) => Err(bits(bytes, self.is_big).to_string()),
+            Some(whole) => u32::try_from(whole).map_err(|_| whole.to_string()),
+            None => {
+                let value = self.float(row, column);
+                let index = value as u32;
+                if f64::from(index) == value { Ok(index) } else { Err(value.to_string()) }
+            }
         }
-        u32::try_from(unsigned).map_err(|_| unsigned.to_string())
     }
-}
-
-/// The distance from 1 to the next float of 16 bits.
-const HALF_EPSILON: f64 = 1.0 / 1024.0;
-
-/// A float of 16 bits: a sign, 5 bits of exponent, 10 of fraction.
-fn half(bits: u16) -> f64 {
-    let (exponent, fraction) = (i32::from(bits >> 10 & 0x1f), f64::from(bits & 0x3ff));
-    let magnitude = match exponent {
-        0 => fraction * HALF_EPSILON * libm::exp2(-14.0),
-        31 if fraction == 0.0 => f64::INFINITY,
-        31 => f64::NAN,
-        _ => (1.0 + fraction * HALF_EPSILON) * libm::exp2(f64::from(exponent - 15)),
-    };
-    if bits >> 15 == 0 { magnitude } else { -magnitude }
 }
 
 #[cfg(test)]
@@ -211,17 +158,8 @@ mod tests {
         assert_eq!([array.float(0, 0), array.float(0, 1)], [0.5, -1.5]);
     }
 
-    /// The page of formats says any type of numbers, and numpy has these.
     #[test]
-    fn halves_and_whole_floats_are_read() {
-        let halves: Vec<u8> =
-            [0x3c00_u16, 0xc100, 0x0001, 0x7bff].iter().flat_map(|x| x.to_le_bytes()).collect();
-        let bytes = array("'<f2'", "False", "(2, 2)", &halves);
-        let halves = Array::new(0, Cow::Borrowed(&bytes)).unwrap();
-        let floats = [[0, 0], [0, 1], [1, 0], [1, 1]].map(|[i, j]| halves.float(i, j));
-        assert_eq!(floats, [1.0, -2.5, 1.0 / 16_777_216.0, 65504.0]);
-        assert_eq!(half(0x7c00), f64::INFINITY);
-        assert!(half(0xfe00).is_nan());
+    fn whole_floats_are_indices() {
         let floats: Vec<u8> =
             [7.0, 1.5, -1.0, 1e10].iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
         let bytes = array("'<f8'", "False", "(1, 4)", &floats);

@@ -4,7 +4,7 @@
 //! sum; a directory of all entries ends the file.
 
 use crate::ReadError;
-use crate::unfold::{UnfoldError, unfold};
+use crate::unfold::unfold;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -275,13 +275,10 @@ impl<'a> Stored<'a> {
             0 => Cow::Borrowed(bytes),
             8 => {
                 let mut unfolded = Vec::new();
-                match unfold(bytes, false, self.len, &mut unfolded) {
-                    Ok(()) => Cow::Owned(unfolded),
-                    Err(UnfoldError::Memory(error)) => return Err(error.into()),
-                    Err(UnfoldError::Damaged) => {
-                        return Err(problem("the compressed array is damaged"));
-                    }
+                if !unfold(bytes, false, self.len, &mut unfolded)? {
+                    return Err(problem("the compressed array is damaged"));
                 }
+                Cow::Owned(unfolded)
             }
             method => {
                 return Err(problem(&format!(

@@ -1,71 +1,29 @@
 //! The header of a PLY: what the rows after it hold.
 
 use crate::ReadError;
+use crate::numbers::{Numbers, Scalar};
 use crate::records::Words;
 use std::io::{BufRead, Read};
 
 /// The longest header that is read, in bytes.
 const LONGEST: u64 = 1 << 24;
 
-/// How numbers are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Encoding {
-    Ascii,
-    LittleEndian,
-    BigEndian,
-}
-
-/// A type of numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Scalar {
-    I8,
-    U8,
-    I16,
-    U16,
-    I32,
-    U32,
-    F32,
-    F64,
-}
-
-impl Scalar {
-    fn of_name(name: &[u8]) -> Option<Self> {
-        Some(match name {
-            b"char" | b"int8" => Self::I8,
-            b"uchar" | b"uint8" => Self::U8,
-            b"short" | b"int16" => Self::I16,
-            b"ushort" | b"uint16" => Self::U16,
-            b"int" | b"int32" => Self::I32,
-            b"uint" | b"uint32" => Self::U32,
-            b"float" | b"float32" => Self::F32,
-            b"double" | b"float64" => Self::F64,
-            _ => return None,
-        })
-    }
-
-    pub(super) fn len(self) -> usize {
-        match self {
-            Self::I8 | Self::U8 => 1,
-            Self::I16 | Self::U16 => 2,
-            Self::I32 | Self::U32 | Self::F32 => 4,
-            Self::F64 => 8,
+/// The type of numbers with a name.
+fn scalar_of(name: &[u8]) -> Option<Scalar> {
+    Some(match name {
+        b"char" => Scalar::Signed(1),
+        b"uchar" => Scalar::Unsigned(1),
+        b"short" => Scalar::Signed(2),
+        b"ushort" => Scalar::Unsigned(2),
+        b"int" => Scalar::Signed(4),
+        b"uint" => Scalar::Unsigned(4),
+        b"float" => Scalar::Float(4),
+        b"double" => Scalar::Float(8),
+        name => {
+            let name = std::str::from_utf8(name).ok()?;
+            return Scalar::of_name(name, ["int", "uint", "float"], 8);
         }
-    }
-
-    /// The number that the first bytes are, the least significant first.
-    pub(super) fn value(self, bytes: [u8; 8]) -> f64 {
-        let [a, b, c, d, ..] = bytes;
-        match self {
-            Self::I8 => i8::from_le_bytes([a]).into(),
-            Self::U8 => a.into(),
-            Self::I16 => i16::from_le_bytes([a, b]).into(),
-            Self::U16 => u16::from_le_bytes([a, b]).into(),
-            Self::I32 => i32::from_le_bytes([a, b, c, d]).into(),
-            Self::U32 => u32::from_le_bytes([a, b, c, d]).into(),
-            Self::F32 => f32::from_le_bytes([a, b, c, d]).into(),
-            Self::F64 => f64::from_le_bytes(bytes),
-        }
-    }
+    })
 }
 
 /// A property of the rows of an element.
@@ -85,7 +43,7 @@ pub(super) struct Element {
 
 /// The header and its length.
 pub(super) struct Header {
-    pub(super) encoding: Encoding,
+    pub(super) encoding: Numbers,
     pub(super) elements: Vec<Element>,
     pub(super) lines: u64,
     pub(super) bytes: u64,
@@ -94,8 +52,7 @@ pub(super) struct Header {
 impl Header {
     pub(super) fn read(input: &mut impl BufRead) -> Result<Self, ReadError> {
         let mut input = input.take(LONGEST);
-        let mut header =
-            Self { encoding: Encoding::Ascii, elements: Vec::new(), lines: 0, bytes: 0 };
+        let mut header = Self { encoding: Numbers::Text, elements: Vec::new(), lines: 0, bytes: 0 };
         let mut encoding = None;
         let mut text = Vec::new();
         loop {
@@ -137,14 +94,14 @@ impl Header {
     }
 }
 
-fn encoding_of(mut words: Words<'_>) -> Result<Encoding, ReadError> {
+fn encoding_of(mut words: Words<'_>) -> Result<Numbers, ReadError> {
     match words.word() {
-        Some(b"ascii") => Ok(Encoding::Ascii),
-        Some(b"binary_little_endian") => Ok(Encoding::LittleEndian),
-        Some(b"binary_big_endian") => Ok(Encoding::BigEndian),
+        Some(b"ascii") => Ok(Numbers::Text),
+        Some(b"binary_little_endian") => Ok(Numbers::LittleEndian),
+        Some(b"binary_big_endian") => Ok(Numbers::BigEndian),
         _ => {
-            Err(words
-                .problem("the format must be ascii, binary_little_endian or binary_big_endian"))
+            let problem = "the format must be ascii, binary_little_endian or binary_big_endian";
+            Err(words.problem(problem))
         }
     }
 }
@@ -160,7 +117,7 @@ fn property(mut words: Words<'_>) -> Result<Property, ReadError> {
     let line = words;
     let scalar = |words: &mut Words<'_>, word: Option<&[u8]>| {
         let word = word.or_else(|| words.word()).unwrap_or_default();
-        Scalar::of_name(word).ok_or_else(|| {
+        scalar_of(word).ok_or_else(|| {
             let word = String::from_utf8_lossy(word);
             line.problem(format!("the property has the unknown type {word:?}"))
         })
@@ -168,7 +125,7 @@ fn property(mut words: Words<'_>) -> Result<Property, ReadError> {
     let (list, scalar) = match words.word() {
         Some(b"list") => {
             let list = scalar(&mut words, None)?;
-            if matches!(list, Scalar::F32 | Scalar::F64) {
+            if !list.is_whole() {
                 return Err(line.problem("the length of a list is a whole number"));
             }
             (Some(list), scalar(&mut words, None)?)

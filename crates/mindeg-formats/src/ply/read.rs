@@ -1,10 +1,11 @@
 //! Reading PLY.
 
-use super::header::{Element, Encoding, Header, Property, Scalar};
+use super::header::{Element, Header, Property};
 use crate::ReadError;
 use crate::bytes::Bytes;
 use crate::face_list::FaceList;
 use crate::lists::push;
+use crate::numbers::{Numbers, Scalar};
 use crate::records::Records;
 use glam::DVec3;
 use mindeg_mesh::{NonTriangles, TriMesh};
@@ -41,12 +42,12 @@ use std::io::BufRead;
 pub fn read(mut input: impl BufRead) -> Result<TriMesh, ReadError> {
     let header = Header::read(&mut input)?;
     let source = match header.encoding {
-        Encoding::Ascii => {
+        Numbers::Text => {
             Source::Text { records: Records::new(input, None).after(header.lines), at: 0 }
         }
         encoding => Source::Binary {
             bytes: Bytes::new(input, header.bytes),
-            is_big_endian: encoding == Encoding::BigEndian,
+            is_big: encoding == Numbers::BigEndian,
         },
     };
     let mut contents = Contents {
@@ -77,7 +78,7 @@ enum Source<R> {
     },
     Binary {
         bytes: Bytes<R>,
-        is_big_endian: bool,
+        is_big: bool,
     },
 }
 
@@ -99,14 +100,11 @@ impl<R: BufRead> Source<R> {
                 *at += before - words.rest.len();
                 Ok(number)
             }
-            Self::Binary { bytes, is_big_endian } => {
+            Self::Binary { bytes, is_big } => {
                 let mut number = [0; 8];
                 let digits = &mut number[..scalar.len()];
                 bytes.fill(digits, &property.name)?;
-                if *is_big_endian {
-                    digits.reverse();
-                }
-                Ok(scalar.value(number))
+                Ok(scalar.float(digits, *is_big))
             }
         }
     }
@@ -176,7 +174,7 @@ impl<R: BufRead> Contents<R> {
                         let what = format!("the coordinate {} is {number}", property.name);
                         return Err(source.problem(what));
                     }
-                    if property.scalar == Scalar::F32 {
+                    if property.scalar == Scalar::Float(4) {
                         largest = largest.max(number.abs());
                     }
                     point[axis] = number;

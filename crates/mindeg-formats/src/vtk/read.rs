@@ -4,11 +4,11 @@ use std::io::Read;
 
 use mindeg_mesh::TriMesh;
 
-use super::kind::Kind;
 use crate::ReadError;
 use crate::grid::{CellData, Cells, Grid};
 use crate::lists::push;
-use crate::scanner::{Numbers, Scanner};
+use crate::numbers::{Numbers, Scalar, Value};
+use crate::scanner::Scanner;
 
 /// Reads a mesh from a legacy VTK file: an unstructured grid, or polygonal data.
 ///
@@ -66,7 +66,38 @@ fn head(scanner: &mut Scanner<'_>) -> Result<Numbers, ReadError> {
     }
 }
 
+/// The type of numbers with the name that follows; none for bits.
+fn kind(scanner: &mut Scanner<'_>) -> Result<Option<Scalar>, ReadError> {
+    let word = scanner.word().unwrap_or_default().to_ascii_lowercase();
+    Ok(Some(match &word[..] {
+        b"bit" => return Ok(None),
+        b"char" | b"signed_char" => Scalar::Signed(1),
+        b"unsigned_char" => Scalar::Unsigned(1),
+        b"short" => Scalar::Signed(2),
+        b"unsigned_short" => Scalar::Unsigned(2),
+        b"int" => Scalar::Signed(4),
+        b"unsigned_int" => Scalar::Unsigned(4),
+        b"long" | b"long_long" | b"vtkidtype" => Scalar::Signed(8),
+        b"unsigned_long" | b"unsigned_long_long" => Scalar::Unsigned(8),
+        b"float" => Scalar::Float(4),
+        b"double" => Scalar::Float(8),
+        other => {
+            let other = String::from_utf8_lossy(&other[..other.len().min(40)]);
+            let known = other.strip_prefix("vtktype");
+            let known = known.and_then(|name| Scalar::of_name(name, ["int", "uint", "float"], 8));
+            let problem = || scanner.problem(format!("{other:?} is not a type of numbers"));
+            known.ok_or_else(problem)?
+        }
+    }))
+}
+
+/// The product of two counts of the file.
+fn product(scanner: &Scanner<'_>, count: u64, each: u64) -> Result<u64, ReadError> {
+    count.checked_mul(each).ok_or_else(|| scanner.problem("no file has so many numbers"))
+}
+
 /// The contents of the file read so far.
+#[derive(Default)]
 struct Contents {
     encoding: Numbers,
     positions: Vec<f64>,
@@ -80,22 +111,6 @@ struct Contents {
     count: u64,
     /// Where the cells begin in the file.
     start: usize,
-}
-
-impl Default for Contents {
-    fn default() -> Self {
-        Self {
-            encoding: Numbers::Text,
-            positions: Vec::new(),
-            connectivity: Vec::new(),
-            ends: Vec::new(),
-            types: Vec::new(),
-            data: CellData::default(),
-            on_cells: None,
-            count: 0,
-            start: 0,
-        }
-    }
 }
 
 impl Contents {
@@ -119,10 +134,9 @@ impl Contents {
             },
             b"POINTS" => {
                 let count = scanner.size("the number of points")?;
-                let kind = Kind::read(scanner)?;
-                let count = count.checked_mul(3);
-                let count = count.ok_or_else(|| scanner.problem("no file has so many points"))?;
-                self.positions = self.values(scanner, count, kind, "a coordinate")?;
+                let kind = kind(scanner)?;
+                let count = product(scanner, count, 3)?;
+                self.positions = self.numbers(scanner, count, kind, "a coordinate")?;
             }
             b"CELLS" => {
                 self.start = start;
@@ -134,27 +148,26 @@ impl Contents {
             b"TRIANGLE_STRIPS" => self.take_cells(scanner, Some(6))?,
             b"CELL_TYPES" => {
                 let count = scanner.size("the number of cell types")?;
-                self.types = self.whole(scanner, count, Kind::Int(4), "the type of a cell")?;
+                let kind = Some(Scalar::Signed(4));
+                self.types = self.numbers(scanner, count, kind, "the type of a cell")?;
             }
             b"POINT_DATA" | b"CELL_DATA" => {
                 self.on_cells = Some(word == b"CELL_DATA");
                 self.count = scanner.size("the number of data")?;
             }
             b"FIELD" => self.take_field(scanner)?,
-            b"METADATA" => {
-                // It ends at an empty line.
-                scanner.line();
-                while scanner.line().is_some_and(|line| !line.trim_ascii().is_empty()) {}
-            }
+            b"METADATA" => pass_over_metadata(scanner),
             b"LOOKUP_TABLE" => {
                 scanner.word();
                 let count = scanner.size("the size of a table")?;
-                self.colors(scanner, count, 4)?;
+                let count = product(scanner, count, 4)?;
+                self.take_data(scanner, b"", count, Some(Scalar::Unsigned(1)))?;
             }
             b"COLOR_SCALARS" => {
                 scanner.word();
                 let components = scanner.size("the number of components")?;
-                self.colors(scanner, self.count, components)?;
+                let count = product(scanner, self.count, components)?;
+                self.take_data(scanner, b"", count, Some(Scalar::Unsigned(1)))?;
             }
             _ => return self.take_attribute(word, start, scanner),
         }
@@ -168,7 +181,7 @@ impl Contents {
         start: usize,
         scanner: &mut Scanner<'_>,
     ) -> Result<(), ReadError> {
-        let components = match word {
+        let mut components = match word {
             b"SCALARS" | b"GLOBAL_IDS" | b"PEDIGREE_IDS" => 1,
             b"VECTORS" | b"NORMALS" => 3,
             b"TENSORS" => 9,
@@ -180,12 +193,10 @@ impl Contents {
             }
         };
         let name = scanner.word().unwrap_or_default();
-        let components = match word {
-            b"TEXTURE_COORDINATES" => scanner.size("the number of dimensions")?,
-            _ => components,
-        };
-        let kind = Kind::read(scanner)?;
-        let mut components = components;
+        if word == b"TEXTURE_COORDINATES" {
+            components = scanner.size("the number of dimensions")?;
+        }
+        let kind = kind(scanner)?;
         if word == b"SCALARS" {
             // The number of components may follow in the same line, and a table in the next.
             let rest = scanner.line().unwrap_or_default();
@@ -197,8 +208,7 @@ impl Contents {
                 scanner.go_to(before);
             }
         }
-        let count = self.count.checked_mul(components);
-        let count = count.ok_or_else(|| scanner.problem("no file has so much data"))?;
+        let count = product(scanner, self.count, components)?;
         self.take_data(scanner, name, count, kind)
     }
 
@@ -211,18 +221,14 @@ impl Contents {
             let name = loop {
                 // Of each array there may be more, up to an empty line.
                 match scanner.word() {
-                    Some(b"METADATA") => {
-                        scanner.line();
-                        while scanner.line().is_some_and(|line| !line.trim_ascii().is_empty()) {}
-                    }
+                    Some(b"METADATA") => pass_over_metadata(scanner),
                     name => break name.unwrap_or_default(),
                 }
             };
             let components = scanner.size("the number of components")?;
             let tuples = scanner.size("the number of values")?;
-            let kind = Kind::read(scanner)?;
-            let count = components.checked_mul(tuples);
-            let count = count.ok_or_else(|| scanner.problem("no file has so much data"))?;
+            let kind = kind(scanner)?;
+            let count = product(scanner, components, tuples)?;
             self.take_data(scanner, name, count, kind)?;
         }
         Ok(())
@@ -233,11 +239,12 @@ impl Contents {
         scanner: &mut Scanner<'_>,
         name: &[u8],
         count: u64,
-        kind: Kind,
+        kind: Option<Scalar>,
     ) -> Result<(), ReadError> {
         let is_of_cells = self.on_cells == Some(true) && count == self.count;
-        if is_of_cells && kind.is_whole() && matches!(name, b"side" | b"group") {
-            let values = self.whole(scanner, count, kind, "a side or group")?;
+        let is_whole = kind.is_some_and(Scalar::is_whole);
+        if is_of_cells && is_whole && matches!(name, b"side" | b"group") {
+            let values = self.numbers(scanner, count, kind, "a side or group")?;
             *(if name == b"side" { &mut self.data.sides } else { &mut self.data.groups }) = values;
             return Ok(());
         }
@@ -249,24 +256,11 @@ impl Contents {
             return Ok(());
         }
         let bytes = match kind {
-            Kind::Bit => count.div_ceil(8),
-            Kind::Int(len) | Kind::Unsigned(len) | Kind::Float(len) => {
-                count.saturating_mul(len as u64)
-            }
+            None => count.div_ceil(8),
+            Some(kind) => count.saturating_mul(kind.len() as u64),
         };
         self.start_of_bytes(scanner);
         scanner.take_items(bytes, 1, "bytes of data").map(drop)
-    }
-
-    /// Colors: bytes, or words of a text.
-    fn colors(
-        &mut self,
-        scanner: &mut Scanner<'_>,
-        count: u64,
-        components: u64,
-    ) -> Result<(), ReadError> {
-        let count = count.saturating_mul(components);
-        self.take_data(scanner, b"", count, Kind::Unsigned(1))
     }
 
     /// Goes to where bytes begin: after the line's end.
@@ -283,45 +277,27 @@ impl Contents {
     }
 
     /// So many numbers, each `what`.
-    fn values(
+    fn numbers<T: Value>(
         &self,
         scanner: &mut Scanner<'_>,
         count: u64,
-        kind: Kind,
+        kind: Option<Scalar>,
         what: &str,
-    ) -> Result<Vec<f64>, ReadError> {
+    ) -> Result<Vec<T>, ReadError> {
         self.start_of_bytes(scanner);
         let mut values = Vec::new();
         if self.encoding == Numbers::Text {
             for _ in 0..count {
-                push(&mut values, scanner.double(what)?)?;
+                push(&mut values, scanner.parsed(what, T::KIND)?)?;
             }
-        } else {
-            let bytes = scanner.take_items(count, kind.len(), "numbers")?;
-            values.try_reserve_exact(bytes.len() / kind.len())?;
-            values.extend(bytes.chunks_exact(kind.len()).map(|item| kind.float(item)));
+            return Ok(values);
         }
-        Ok(values)
-    }
-
-    /// So many whole numbers, each `what`.
-    fn whole(
-        &self,
-        scanner: &mut Scanner<'_>,
-        count: u64,
-        kind: Kind,
-        what: &str,
-    ) -> Result<Vec<i64>, ReadError> {
-        self.start_of_bytes(scanner);
-        let mut values = Vec::new();
-        if self.encoding == Numbers::Text {
-            for _ in 0..count {
-                push(&mut values, scanner.int(what)?)?;
-            }
-        } else {
-            let bytes = scanner.take_items(count, kind.len(), "numbers")?;
-            values.try_reserve_exact(bytes.len() / kind.len())?;
-            values.extend(bytes.chunks_exact(kind.len()).map(|item| kind.whole(item)));
+        let wrong = |scanner: &Scanner<'_>| scanner.problem(format!("{what} must be {}", T::KIND));
+        let kind = kind.ok_or_else(|| wrong(scanner))?;
+        let bytes = scanner.take_items(count, kind.len(), "numbers")?;
+        values.try_reserve_exact(bytes.len() / kind.len())?;
+        for item in bytes.chunks_exact(kind.len()) {
+            values.push(T::of(kind, item, true).ok_or_else(|| wrong(scanner))?);
         }
         Ok(values)
     }
@@ -339,14 +315,14 @@ impl Contents {
         let first = self.connectivity.len() as i64;
         let types_before = self.ends.len();
         if scanner.word() == Some(b"OFFSETS") {
-            let kind = Kind::read(scanner)?;
-            let offsets = self.whole(scanner, count, kind, "an offset")?;
+            let kind_of_offsets = kind(scanner)?;
+            let offsets: Vec<i64> = self.numbers(scanner, count, kind_of_offsets, "an offset")?;
             scanner.encoding = Numbers::Text;
             if scanner.word() != Some(b"CONNECTIVITY") {
                 return Err(scanner.problem("CONNECTIVITY should follow here"));
             }
-            let kind = Kind::read(scanner)?;
-            let connectivity = self.whole(scanner, size, kind, "a corner")?;
+            let kind = kind(scanner)?;
+            let connectivity: Vec<i64> = self.numbers(scanner, size, kind, "a corner")?;
             self.ends.try_reserve(offsets.len())?;
             let ends = offsets.iter().skip(1).map(|offset| first.saturating_add(*offset));
             self.ends.extend(ends);
@@ -372,7 +348,7 @@ impl Contents {
     }
 
     fn into_mesh(self, scanner: &Scanner<'_>) -> Result<TriMesh, ReadError> {
-        let problem = |problem| scanner.problem_at(self.start, problem);
+        let problem = |problem: String| scanner.problem_at(self.start, problem);
         if self.types.len() != self.ends.len() {
             let (cells, types) = (self.ends.len(), self.types.len());
             return Err(problem(format!("the file has {cells} cells and {types} cell types")));
@@ -387,8 +363,13 @@ impl Contents {
             }
         }
         let cells = Cells { connectivity: &connectivity, ends: &ends, types: &types, data: &data };
-        grid.add_cells(0, &cells)
-            .map_err(|(cell, error)| error.at(cell, |text| scanner.problem_at(self.start, text)))?;
+        grid.add_cells(0, &cells, problem)?;
         grid.into_mesh()
     }
+}
+
+/// Metadata end at an empty line.
+fn pass_over_metadata(scanner: &mut Scanner<'_>) {
+    scanner.line();
+    while scanner.line().is_some_and(|line| !line.trim_ascii().is_empty()) {}
 }

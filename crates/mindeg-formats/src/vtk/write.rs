@@ -2,9 +2,9 @@
 
 use mindeg_mesh::Mesh;
 
-use crate::grid::Arrays;
+use crate::grid::{Arrays, Field};
 use crate::names::one_line;
-use crate::scanner::Numbers;
+use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::{Encoding, WriteOptions, mesh_name};
 
@@ -17,31 +17,35 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
     let (kind, numbers) =
         if is_binary { ("BINARY", Numbers::BigEndian) } else { ("ASCII", Numbers::Text) };
     let arrays = Arrays::new(mesh, numbers, options.fields);
-    let (points, cells) = (arrays.vertex_count(), arrays.cell_count());
-    let mut file = File { is_binary, sections: Vec::new() };
+    let (points, cells) = (mesh.vertex_count(), arrays.cell_count());
+    let mut file = Vec::new();
+    let mut add = |head: String, numbers: Vec<Section<'a>>| {
+        file.push(Section::bytes(head));
+        file.extend(numbers);
+        if is_binary {
+            file.push(Section::bytes("\n"));
+        }
+    };
     let title = title(mesh_name(mesh));
-    file.text(format!(
+    let head = format!(
         "# vtk DataFile Version 4.2\n{title}\n{kind}\nDATASET UNSTRUCTURED_GRID\n\
          POINTS {points} double\n"
-    ));
-    file.numbers(vec![arrays.points()]);
-    file.text(format!("CELLS {cells} {}\n", cells + arrays.corner_count()));
-    file.numbers(arrays.counted_cells());
-    file.text(format!("CELL_TYPES {cells}\n"));
-    file.numbers(arrays.wide_types());
+    );
+    add(head, arrays.points());
+    let size = cells + arrays.corner_count();
+    add(format!("CELLS {cells} {size}\n"), arrays.counted_cells());
+    add(format!("CELL_TYPES {cells}\n"), arrays.types::<i32>());
     if options.fields {
-        file.text(format!("POINT_DATA {points}\n"));
-        file.scalars("degree", "int", vec![arrays.degrees()]);
-        file.text(format!("CELL_DATA {cells}\n"));
-        file.scalars("min_angle", "double", arrays.min_angles());
-        if arrays.segments > 0 {
-            file.scalars("side", "int", arrays.sides());
-        }
-        if mesh.groups().len() > 1 {
-            file.scalars("group", "int", arrays.groups());
+        let mut head = format!("POINT_DATA {points}\n");
+        let of_points = [(arrays.degrees(), format!("CELL_DATA {cells}\n"))];
+        let of_cells = arrays.of_cells().into_iter().map(|field| (field, String::new()));
+        for (Field { name, is_float, sections }, next) in of_points.into_iter().chain(of_cells) {
+            let kind = if is_float { "double" } else { "int" };
+            head += &format!("SCALARS {name} {kind} 1\nLOOKUP_TABLE default\n");
+            add(std::mem::replace(&mut head, next), sections);
         }
     }
-    file.sections
+    file
 }
 
 /// A name in one line that is not too long.
@@ -51,29 +55,6 @@ fn title(name: &str) -> String {
         title.pop();
     }
     title
-}
-
-struct File<'a> {
-    is_binary: bool,
-    sections: Vec<Section<'a>>,
-}
-
-impl<'a> File<'a> {
-    fn text(&mut self, text: String) {
-        self.sections.push(Section::bytes(text));
-    }
-
-    fn numbers(&mut self, sections: Vec<Section<'a>>) {
-        self.sections.extend(sections);
-        if self.is_binary {
-            self.text("\n".to_owned());
-        }
-    }
-
-    fn scalars(&mut self, name: &str, kind: &str, sections: Vec<Section<'a>>) {
-        self.text(format!("SCALARS {name} {kind} 1\nLOOKUP_TABLE default\n"));
-        self.numbers(sections);
-    }
 }
 
 #[cfg(test)]

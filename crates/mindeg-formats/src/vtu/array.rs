@@ -4,11 +4,10 @@ use base64::Engine;
 use base64::engine::DecodePaddingMode;
 use base64::engine::general_purpose::{GeneralPurpose, GeneralPurposeConfig};
 
-use std::collections::TryReserveError;
-
 use super::xml::Tag;
 use crate::ReadError;
-use crate::unfold::{UnfoldError, unfold};
+use crate::numbers::{Scalar, Value, bits};
+use crate::unfold::unfold;
 use crate::words::{number, words};
 
 /// Padding is as writers have it.
@@ -31,84 +30,8 @@ pub(super) struct Storage<'a> {
     pub(super) appended: Option<(usize, bool)>,
 }
 
-/// The type of an array's numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Signed(usize),
-    Unsigned(usize),
-    Float(usize),
-}
-
-impl Kind {
-    fn of(name: &str) -> Option<Self> {
-        let bytes = |bits: &str| match bits {
-            "8" => Some(1),
-            "16" => Some(2),
-            "32" => Some(4),
-            "64" => Some(8),
-            _ => None,
-        };
-        if let Some(bits) = name.strip_prefix("UInt") {
-            return bytes(bits).map(Self::Unsigned);
-        }
-        if let Some(bits) = name.strip_prefix("Int") {
-            return bytes(bits).map(Self::Signed);
-        }
-        let len = name.strip_prefix("Float").and_then(bytes)?;
-        (len >= 4).then_some(Self::Float(len))
-    }
-
-    fn len(self) -> usize {
-        match self {
-            Self::Signed(len) | Self::Unsigned(len) | Self::Float(len) => len,
-        }
-    }
-}
-
-/// Why an array has no bytes.
-enum Problem {
-    /// An error of this array.
-    Fault(String),
-    /// There is too little memory.
-    Memory(TryReserveError),
-}
-
-impl From<String> for Problem {
-    fn from(words: String) -> Self {
-        Self::Fault(words)
-    }
-}
-
-impl From<&str> for Problem {
-    fn from(words: &str) -> Self {
-        Self::Fault(words.to_owned())
-    }
-}
-
-/// The values of an array.
-pub(super) trait Value: Sized + std::str::FromStr {
-    fn of_integer(value: i64) -> Self;
-    fn of_float(value: f64) -> Option<Self>;
-}
-
-impl Value for f64 {
-    fn of_integer(value: i64) -> Self {
-        value as Self
-    }
-
-    fn of_float(value: f64) -> Option<Self> {
-        Some(value)
-    }
-}
-
-impl Value for i64 {
-    fn of_integer(value: i64) -> Self {
-        value
-    }
-
-    fn of_float(_: f64) -> Option<Self> {
-        None
-    }
+fn fault(problem: impl Into<String>) -> ReadError {
+    ReadError::place("", problem)
 }
 
 /// The values of the array that begins with a tag.
@@ -118,10 +41,9 @@ pub(super) fn values<T: Value>(storage: &Storage<'_>, tag: &Tag<'_>) -> Result<V
         ReadError::byte(tag.start, format!("the array {name}: {problem}"))
     };
     let kind = tag.attribute("type").unwrap_or_default();
-    let kind = Kind::of(kind)
+    let kind = Scalar::of_name(kind, ["Int", "UInt", "Float"], 8)
         .ok_or_else(|| problem(format!("its type {kind:?} is not a number's such as Float64")))?;
-    let format = tag.attribute("format").unwrap_or("ascii");
-    let bytes = match format {
+    let bytes = match tag.attribute("format").unwrap_or("ascii") {
         "ascii" => {
             let mut list = Vec::new();
             for word in words(inline(storage, tag)) {
@@ -145,19 +67,13 @@ pub(super) fn values<T: Value>(storage: &Storage<'_>, tag: &Tag<'_>) -> Result<V
                 .ok_or_else(|| problem(format!("its offset {offset} is beyond the file's end")))?;
             storage.block(place, is_base64)
         }
-        _ => {
-            let words = format!("its format is {format:?}, not ascii, binary or appended");
-            return Err(problem(words));
-        }
+        other => Err(fault(format!("its format is {other:?}, not ascii, binary or appended"))),
     };
-    let bytes = bytes.map_err(|found| match found {
-        Problem::Fault(words) => problem(words),
-        Problem::Memory(error) => error.into(),
-    })?;
+    let bytes = bytes.map_err(|error| error.or_at(problem))?;
     let mut list = Vec::new();
     list.try_reserve_exact(bytes.len() / kind.len())?;
     for item in bytes.chunks_exact(kind.len()) {
-        let value = value_of(item, kind, storage.is_big);
+        let value = T::of(kind, item, storage.is_big);
         list.push(value.ok_or_else(|| problem("its numbers must be whole".into()))?);
     }
     Ok(list)
@@ -172,55 +88,37 @@ fn inline<'a>(storage: &Storage<'a>, tag: &Tag<'_>) -> &'a [u8] {
     &rest[..memchr::memchr(b'<', rest).unwrap_or(rest.len())]
 }
 
-fn value_of<T: Value>(item: &[u8], kind: Kind, is_big: bool) -> Option<T> {
-    // The bytes from the least on.
-    let mut least_first = [0; 8];
-    for (index, byte) in least_first.iter_mut().take(item.len()).enumerate() {
-        *byte = item[if is_big { item.len() - 1 - index } else { index }];
-    }
-    let bits = u64::from_le_bytes(least_first);
-    match kind {
-        Kind::Float(4) => T::of_float(f32::from_bits(bits as u32).into()),
-        Kind::Float(_) => T::of_float(f64::from_bits(bits)),
-        // One beyond the range of i64 is far beyond any count.
-        Kind::Unsigned(_) => Some(T::of_integer(i64::try_from(bits).unwrap_or(i64::MAX))),
-        Kind::Signed(len) => {
-            let unused = 64 - 8 * len as u32;
-            Some(T::of_integer(((bits << unused) as i64) >> unused))
-        }
-    }
-}
-
 impl Storage<'_> {
     /// The bytes of the array that begins here, without what tells their length.
-    fn block(&self, place: &[u8], is_base64: bool) -> Result<Vec<u8>, Problem> {
+    fn block(&self, place: &[u8], is_base64: bool) -> Result<Vec<u8>, ReadError> {
         let mut source = Source { place, is_base64 };
         let word = self.length_len;
         if !self.is_compressed {
-            let head = source.peek(word)?;
-            let len = self.length(&head);
+            let len = self.length(&{ source }.take(word as u64)?);
             // Some writers end the base64 of the length by itself.
             let is_apart = is_base64 && place.get(chars(word) - 1) == Some(&b'=');
             if is_apart || !is_base64 {
-                source.skip(word)?;
-                return Ok(source.take(len)?);
+                source.take(word as u64)?;
+                return source.take(len);
             }
-            let len = len.checked_add(word as u64).ok_or("its length is beyond any file's")?;
+            let len = len.checked_add(word as u64);
+            let len = len.ok_or_else(|| fault("its length is beyond any file's"))?;
             let mut bytes = source.take(len)?;
             bytes.drain(..word);
             return Ok(bytes);
         }
         // The number of blocks, the length of all but the last, that of the last unless it is 0,
         // and what each block takes.
-        let blocks = self.length(&source.peek(word)?);
+        let blocks = self.length(&{ source }.take(word as u64)?);
         let head_len = (blocks.saturating_add(3)).saturating_mul(word as u64);
         let head = source.take(head_len)?;
         let lengths: Vec<u64> = head.chunks_exact(word).map(|item| self.length(item)).collect();
         let [_, full, last, compressed @ ..] = &lengths[..] else {
-            return Err("its list of compressed blocks is too short".into());
+            return Err(fault("its list of compressed blocks is too short"));
         };
         let all = compressed.iter().try_fold(0_u64, |sum, &len| sum.checked_add(len));
-        let data = source.take(all.ok_or("its blocks are longer than any file")?)?;
+        let all = all.ok_or_else(|| fault("its blocks are longer than any file"))?;
+        let data = source.take(all)?;
         let mut rest = &data[..];
         let mut bytes = Vec::new();
         for (index, &len) in compressed.iter().enumerate() {
@@ -229,17 +127,15 @@ impl Storage<'_> {
             rest = others;
             let is_last = index + 1 == compressed.len();
             let expected = if is_last && *last > 0 { *last } else { *full };
-            unfold(block, true, expected, &mut bytes).map_err(|error| match error {
-                UnfoldError::Memory(error) => Problem::Memory(error),
-                UnfoldError::Damaged => format!("block {index} of its zlib data is broken").into(),
-            })?;
+            if !unfold(block, true, expected, &mut bytes)? {
+                return Err(fault(format!("block {index} of its zlib data is broken")));
+            }
         }
         Ok(bytes)
     }
 
     fn length(&self, bytes: &[u8]) -> u64 {
-        let kind = Kind::Unsigned(self.length_len);
-        value_of::<i64>(bytes, kind, self.is_big).map_or(0, i64::unsigned_abs)
+        bits(bytes, self.is_big)
     }
 }
 
@@ -249,29 +145,18 @@ fn chars(bytes: usize) -> usize {
 }
 
 /// Bytes as they are, or as base64.
+#[derive(Clone, Copy)]
 struct Source<'a> {
     place: &'a [u8],
     is_base64: bool,
 }
 
 impl Source<'_> {
-    /// The next bytes, which stay the next.
-    fn peek(&mut self, len: usize) -> Result<Vec<u8>, String> {
-        let place = self.place;
-        let bytes = self.take(len as u64);
-        self.place = place;
-        bytes
-    }
-
-    fn skip(&mut self, len: usize) -> Result<(), String> {
-        self.take(len as u64).map(drop)
-    }
-
     /// The next bytes. Base64 ends with them.
-    fn take(&mut self, len: u64) -> Result<Vec<u8>, String> {
+    fn take(&mut self, len: u64) -> Result<Vec<u8>, ReadError> {
         let too_long = || {
             let left = self.place.len();
-            format!("it should have {len} bytes; the file goes on for {left} bytes")
+            fault(format!("it should have {len} bytes; the file goes on for {left} bytes"))
         };
         let len = usize::try_from(len).map_err(|_| too_long())?;
         let stored = if self.is_base64 {
@@ -285,39 +170,12 @@ impl Source<'_> {
         if !self.is_base64 {
             return Ok(stored.to_vec());
         }
-        let mut bytes = BASE64.decode(stored).map_err(|error| format!("its base64: {error}"))?;
+        let bytes = BASE64.decode(stored);
+        let mut bytes = bytes.map_err(|error| fault(format!("its base64: {error}")))?;
         if bytes.len() < len {
-            return Err("its base64 ends too early".into());
+            return Err(fault("its base64 ends too early"));
         }
         bytes.truncate(len);
         Ok(bytes)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_have_their_sign_and_their_order_of_bytes() {
-        for (bytes, kind, expected) in [
-            (&[0xfe][..], Kind::Signed(1), -2),
-            (&[0xfe, 0xff], Kind::Signed(2), -2),
-            (&[0x01, 0x00, 0x00, 0x80], Kind::Signed(4), -0x7fff_ffff),
-            (&[7, 0, 0, 0, 0, 0, 0, 0], Kind::Signed(8), 7),
-            (&[0xfe, 0xff], Kind::Unsigned(2), 0xfffe),
-            (&[0xff; 8], Kind::Unsigned(8), i64::MAX),
-        ] {
-            let backward: Vec<u8> = bytes.iter().rev().copied().collect();
-            assert_eq!(value_of::<i64>(bytes, kind, false), Some(expected), "{kind:?}");
-            assert_eq!(value_of::<i64>(&backward, kind, true), Some(expected), "{kind:?}");
-            assert_eq!(value_of::<f64>(bytes, kind, false), Some(expected as f64), "{kind:?}");
-        }
-        for (bytes, kind) in
-            [(1.5_f64.to_le_bytes().to_vec(), 8), (1.5_f32.to_le_bytes().to_vec(), 4)]
-        {
-            assert_eq!(value_of::<f64>(&bytes, Kind::Float(kind), false), Some(1.5));
-            assert_eq!(value_of::<i64>(&bytes, Kind::Float(kind), false), None);
-        }
     }
 }

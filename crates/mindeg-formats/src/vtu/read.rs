@@ -245,6 +245,6 @@ impl<'a> Piece<'a> {
         grid.add_points(&positions)?;
         let cells =
             Cells { connectivity: &connectivity, ends: &offsets, types: &types, data: &data };
-        grid.add_cells(first, &cells).map_err(|(cell, error)| error.at(cell, problem))
+        grid.add_cells(first, &cells, problem)
     }
 }

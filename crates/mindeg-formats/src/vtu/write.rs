@@ -2,26 +2,17 @@
 
 use mindeg_mesh::Mesh;
 
-use crate::grid::{Arrays, text_of_names};
-use crate::scanner::Numbers;
+use crate::grid::{Arrays, Field, text_of_names};
+use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::{Encoding, GENERATOR, WriteOptions};
-
-/// One array of the file.
-struct Array<'a> {
-    /// The start of its element, up to how it is stored.
-    head: String,
-    /// Its length in bytes.
-    len: u64,
-    sections: Vec<Section<'a>>,
-}
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Section<'a>> {
     let is_binary = options.encoding == Encoding::Binary;
-    let numbers = if is_binary { Numbers::LittleEndian } else { Numbers::Text };
+    let numbers = Numbers::of(options.encoding);
     let arrays = Arrays::new(mesh, numbers, options.fields);
-    let (points, cells) = (arrays.vertex_count(), arrays.cell_count());
+    let (points, cells) = (mesh.vertex_count(), arrays.cell_count());
     let mut file = File { is_binary, ..File::default() };
 
     file.text(&format!(
@@ -37,9 +28,9 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
         file.text("<FieldData>\n");
         for (name, names) in lists {
             if names.iter().any(|name| !name.is_empty()) {
-                let (text, len) = text_of_names(names.into_iter(), numbers);
+                let (text, len) = text_of_names(&names, numbers);
                 let head = format!("type=\"UInt8\" Name=\"{name}\" NumberOfTuples=\"{len}\"");
-                file.array(Array { head, len: len as u64, sections: vec![Section::bytes(text)] });
+                file.array(&head, vec![Section::bytes(text)]);
             }
         }
         file.text("</FieldData>\n");
@@ -47,24 +38,17 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
     file.text(&format!("<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n"));
     if options.fields {
         file.text("<PointData Scalars=\"degree\">\n");
-        file.add("Int32", "degree", 4 * points, vec![arrays.degrees()]);
+        file.field(arrays.degrees());
         file.text("</PointData>\n<CellData Scalars=\"min_angle\">\n");
-        file.add("Float64", "min_angle", 8 * cells, arrays.min_angles());
-        if arrays.segments > 0 {
-            file.add("Int32", "side", 4 * cells, arrays.sides());
-        }
-        if mesh.groups().len() > 1 {
-            file.add("Int32", "group", 4 * cells, arrays.groups());
-        }
+        arrays.of_cells().into_iter().for_each(|field| file.field(field));
         file.text("</CellData>\n");
     }
     file.text("<Points>\n");
-    let head = "type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"".to_owned();
-    file.array(Array { head, len: 24 * points, sections: vec![arrays.points()] });
+    file.array("type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"", arrays.points());
     file.text("</Points>\n<Cells>\n");
-    file.add("Int64", "connectivity", 8 * arrays.corner_count(), arrays.connectivity());
-    file.add("Int64", "offsets", 8 * cells, arrays.offsets());
-    file.add("UInt8", "types", cells, arrays.types());
+    file.array("type=\"Int64\" Name=\"connectivity\"", arrays.connectivity());
+    file.array("type=\"Int64\" Name=\"offsets\"", arrays.offsets());
+    file.array("type=\"UInt8\" Name=\"types\"", arrays.types::<u8>());
     file.text("</Cells>\n</Piece>\n</UnstructuredGrid>\n");
     file.finish()
 }
@@ -86,15 +70,17 @@ impl<'a> File<'a> {
         self.xml += text;
     }
 
-    fn add(&mut self, kind: &str, name: &str, len: u64, sections: Vec<Section<'a>>) {
-        self.array(Array { head: format!("type=\"{kind}\" Name=\"{name}\""), len, sections });
+    fn field(&mut self, field: Field<'a>) {
+        let kind = if field.is_float { "Float64" } else { "Int32" };
+        self.array(&format!("type=\"{kind}\" Name=\"{}\"", field.name), field.sections);
     }
 
-    fn array(&mut self, array: Array<'a>) {
-        let Array { head, len, sections } = array;
+    /// An array; `head` is the start of its element, up to how it is stored.
+    fn array(&mut self, head: &str, sections: Vec<Section<'a>>) {
         if self.is_binary {
             let offset = self.offset;
             self.text(&format!("<DataArray {head} format=\"appended\" offset=\"{offset}\"/>\n"));
+            let len: u64 = sections.iter().map(Section::byte_len).sum();
             self.appended.push(Section::bytes(len.to_le_bytes()));
             self.appended.extend(sections);
             self.offset += 8 + len;
