@@ -15,7 +15,6 @@
 //! coordinates are passed over. Elements of higher order are taken by their corners.
 
 mod entities;
-mod nodes;
 mod parts;
 mod read;
 mod shapes;

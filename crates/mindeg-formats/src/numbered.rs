@@ -4,15 +4,99 @@
 use crate::ReadError;
 use crate::face_list::FaceList;
 use crate::lists::push;
+use crate::runs::TriangleRuns;
 use glam::DVec3;
-use mindeg_mesh::{Group, Line, LineKind, NonTriangles, TriMesh};
+use mindeg_mesh::{Line, LineKind, NonTriangles, TriMesh};
 use std::collections::TryReserveError;
+
+/// Vertices, each with a number of its own.
+#[derive(Default)]
+pub(crate) struct Nodes {
+    pub(crate) positions: Vec<DVec3>,
+    count: u32,
+    /// The number of the first vertex.
+    first: u64,
+    /// Number and index of every vertex, in the order of numbers, unless they count up from the first.
+    numbers: Option<Vec<(u64, u32)>>,
+}
+
+/// The number of a vertex, and the line that names it.
+pub(crate) type Named = (u32, u64);
+
+impl Nodes {
+    pub(crate) fn push(&mut self, number: u64, position: DVec3) -> Result<(), TryReserveError> {
+        self.push_number(number)?;
+        push(&mut self.positions, position)
+    }
+
+    /// Adds a vertex whose position follows.
+    pub(crate) fn push_number(&mut self, number: u64) -> Result<(), TryReserveError> {
+        if self.count == 0 {
+            self.first = number;
+        }
+        let index = self.count;
+        let counts_up = number.checked_sub(self.first) == Some(index.into());
+        if !counts_up && self.numbers.is_none() {
+            let mut numbers = Vec::new();
+            numbers.try_reserve(index as usize + 1)?;
+            numbers.extend((0..index).map(|index| (self.first + u64::from(index), index)));
+            self.numbers = Some(numbers);
+        }
+        if let Some(numbers) = &mut self.numbers {
+            push(numbers, (number, index))?;
+        }
+        // More than 32 bits count are refused with the positions.
+        self.count = index.saturating_add(1);
+        Ok(())
+    }
+
+    /// Makes the vertices ready to be found.
+    pub(crate) fn sort(&mut self) -> Result<(), ReadError> {
+        let Some(numbers) = &mut self.numbers else { return Ok(()) };
+        numbers.sort_unstable();
+        let Some(pair) = numbers.windows(2).find(|pair| pair[0].0 == pair[1].0) else {
+            return Ok(());
+        };
+        let [(number, first), (_, second)] = [pair[0], pair[1]];
+        let problem = format!(
+            "two vertices, {first} and {second} (counted from 0), have the number {number}"
+        );
+        Err(ReadError::place("", problem))
+    }
+
+    /// The index of the vertex with a number.
+    pub(crate) fn index(&self, number: u64) -> Option<u32> {
+        match &self.numbers {
+            None => {
+                let index = u32::try_from(number.checked_sub(self.first)?).ok()?;
+                (index < self.count).then_some(index)
+            }
+            Some(numbers) => {
+                let found = numbers.binary_search_by_key(&number, |&(number, _)| number).ok()?;
+                Some(numbers[found].1)
+            }
+        }
+    }
+
+    /// The index of the vertex that a line names.
+    pub(crate) fn named(&self, (number, line): Named) -> Result<u32, ReadError> {
+        self.index(number.into()).ok_or_else(|| {
+            let known = match self.numbers {
+                None if self.count > 0 => {
+                    let last = self.first + u64::from(self.count) - 1;
+                    format!("; the file has {} to {last}", self.first)
+                }
+                _ => String::new(),
+            };
+            ReadError::line(line, format!("vertex {number} does not exist{known}"))
+        })
+    }
+}
 
 /// The contents of the lines read so far.
 #[derive(Default)]
 pub(crate) struct Numbered {
-    ids: Vec<u32>,
-    positions: Vec<DVec3>,
+    pub(crate) nodes: Nodes,
     elements: Vec<Element>,
     segments: Vec<[Named; 2]>,
     lines: Vec<Line>,
@@ -30,18 +114,10 @@ struct Element {
     material: i64,
 }
 
-/// The number of a vertex, and the line that names it.
-type Named = (u32, u64);
-
 impl Numbered {
     /// The contents of several files: the elements are in the first, the segments in the second.
     pub(crate) fn of_files(files: [&'static str; 2]) -> Self {
         Self { files: Some(files), ..Self::default() }
-    }
-
-    pub(crate) fn vertex(&mut self, id: u32, position: DVec3) -> Result<(), TryReserveError> {
-        push(&mut self.ids, id)?;
-        push(&mut self.positions, position)
     }
 
     /// Adds an element of three or four corners, which a line of the file has.
@@ -89,109 +165,60 @@ impl Numbered {
     }
 
     /// The mesh; materials, if there are several, become groups named `material` and their number.
-    pub(crate) fn into_mesh(self, material: &str) -> Result<TriMesh, ReadError> {
-        let ids = Ids::new(self.ids)?;
+    pub(crate) fn into_mesh(mut self, material: &str) -> Result<TriMesh, ReadError> {
+        self.nodes.sort()?;
         let within = |error: ReadError, file: usize| match self.files {
             Some(files) => error.within(files[file]),
             None => error,
         };
         let mut faces = FaceList::default();
-        let mut groups: Vec<(i64, Group)> = Vec::new();
+        let mut groups = TriangleRuns::default();
         for element in &self.elements {
             let mut corners = [0; 4];
             let count = if element.is_quad { 4 } else { 3 };
             for (corner, &id) in corners.iter_mut().zip(&element.corners[..count]) {
-                *corner = ids.index(id, element.line).map_err(|error| within(error, 0))?;
+                let found = self.nodes.named((id, element.line));
+                *corner = found.map_err(|error| within(error, 0))?;
             }
-            let start = faces.triangle_count() as u32;
             faces.push(&corners[..count])?;
-            let end = faces.triangle_count() as u32;
-            match groups.last_mut() {
-                Some((number, group)) if *number == element.material => group.triangles.end = end,
-                _ => {
-                    let name = format!("{material} {}", element.material);
-                    push(&mut groups, (element.material, Group::new(name, start..end)))?;
-                }
-            }
+            let name = || format!("{material} {}", element.material);
+            groups.push(element.material, faces.triangle_count(), name)?;
         }
         let mut segments = Vec::new();
         segments.try_reserve_exact(self.segments.len())?;
         for ends in self.segments {
-            let [a, b] = ends.map(|(id, line)| ids.index(id, line));
+            let [a, b] = ends.map(|end| self.nodes.named(end));
             let within = |error| within(error, 1);
             segments.push([a.map_err(within)?, b.map_err(within)?]);
         }
         let counts =
             NonTriangles { line_segments: segments.len() as u64, ..NonTriangles::default() };
-        let mesh = faces.into_mesh(self.positions, counts)?.with_lines(self.lines, segments)?;
-        let mesh = mesh.with_line_kinds(self.kinds);
-        let mut numbers: Vec<_> = groups.iter().map(|(number, _)| *number).collect();
-        numbers.sort_unstable();
-        numbers.dedup();
-        Ok(match groups.len() {
-            0 | 1 => mesh,
-            count if count == numbers.len() => {
-                mesh.with_groups(groups.into_iter().map(|(_, group)| group).collect())
-            }
-            _ => {
-                let note = format!(
-                    "{} {material}s, whose triangles do not follow one another, are not kept",
-                    numbers.len()
-                );
-                mesh.with_notes(vec![note])
-            }
-        })
+        let mesh = faces.into_mesh(self.nodes.positions, counts)?;
+        let mesh = mesh.with_lines(self.lines, segments)?.with_line_kinds(self.kinds);
+        let (mesh, note) = groups.unless_one().give_to(mesh, &format!("{material}s"));
+        Ok(mesh.with_notes(note.into_iter().collect()))
     }
 }
 
-/// Which vertex has which number.
-enum Ids {
-    /// Numbers that follow one another.
-    InOrder { first: u32, count: u32 },
-    /// Number and index, in the order of numbers.
-    Sorted(Vec<(u32, u32)>),
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-impl Ids {
-    fn new(ids: Vec<u32>) -> Result<Self, ReadError> {
-        let first = ids.first().copied().unwrap_or(0);
-        if ids.iter().zip(u64::from(first)..).all(|(&id, expected)| u64::from(id) == expected) {
-            return Ok(Self::InOrder { first, count: ids.len() as u32 });
-        }
-        let mut sorted = Vec::new();
-        sorted.try_reserve_exact(ids.len())?;
-        sorted.extend(ids.into_iter().zip(0..));
-        sorted.sort_unstable();
-        if let Some(twice) = sorted.windows(2).find(|pair| pair[0].0 == pair[1].0) {
-            let problem = format!(
-                "is the number of two vertices, {} and {} (counted from 0)",
-                twice[0].1, twice[1].1
-            );
-            return Err(ReadError::place(twice[0].0.to_string(), problem));
-        }
-        Ok(Self::Sorted(sorted))
-    }
-
-    /// The index of the vertex with a number, which a line names.
-    fn index(&self, id: u32, line: u64) -> Result<u32, ReadError> {
-        let index = match self {
-            Self::InOrder { first, count } => id.checked_sub(*first).filter(|index| index < count),
-            Self::Sorted(sorted) => {
-                let found = sorted.binary_search_by_key(&id, |&(id, _)| id);
-                found.ok().map(|found| sorted[found].1)
+    #[test]
+    fn vertices_are_found_by_any_numbers() {
+        for numbers in [&[1, 2, 3, 4][..], &[0, 1], &[7, 8, 12, 9], &[5, 3], &[u64::MAX, 0, 1]] {
+            let mut nodes = Nodes::default();
+            numbers.iter().for_each(|&number| nodes.push_number(number).unwrap());
+            nodes.sort().unwrap();
+            for (&number, index) in numbers.iter().zip(0..) {
+                assert_eq!(nodes.index(number), Some(index), "{numbers:?}");
             }
-        };
-        index.ok_or_else(|| {
-            let numbers = match self {
-                Self::InOrder { first, count } if *count > 0 => {
-                    format!(
-                        "; the file has {first} to {}",
-                        u64::from(*first) + u64::from(*count) - 1
-                    )
-                }
-                _ => String::new(),
-            };
-            ReadError::line(line, format!("vertex {id} does not exist{numbers}"))
-        })
+            assert_eq!(nodes.index(99), None);
+            assert_eq!(nodes.index(13), None);
+        }
+        let mut nodes = Nodes::default();
+        [4, 5, 4].iter().for_each(|&number| nodes.push_number(number).unwrap());
+        let problem = "two vertices, 0 and 2 (counted from 0), have the number 4";
+        assert_eq!(nodes.sort().unwrap_err().to_string(), problem);
     }
 }

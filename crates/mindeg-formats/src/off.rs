@@ -83,7 +83,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
     {
         return Err(line.problem("only text OFF files in three dimensions are read"));
     }
-    if words.rest.trim_ascii().is_empty() {
+    if words.is_empty() {
         words = records.expect("the number of vertices")?;
     }
     let vertices = words.count("the number of vertices")?;

@@ -5,6 +5,7 @@ use crate::lines::Lines;
 use crate::words::{finite, number};
 use glam::DVec3;
 use std::io::BufRead;
+use std::slice::SliceIndex;
 
 /// The lines of a text file that say something: without comments, without blank ones.
 pub(crate) struct Records<R> {
@@ -51,25 +52,29 @@ impl<R: BufRead> Records<R> {
         self.text.clear();
         self.text.try_reserve(line.len())?;
         self.text.extend_from_slice(line);
-        Ok(Some(self.words(0)))
+        Ok(Some(self.words(..)))
     }
 
-    /// The words of the line gone to last, from a place in it.
-    pub(crate) fn words(&self, from: usize) -> Words<'_> {
-        Words { rest: &self.text[from..], line: self.number }
+    /// The words of a part of the last line.
+    pub(crate) fn words(&self, part: impl SliceIndex<[u8], Output = [u8]>) -> Words<'_> {
+        Words { rest: &self.text[part], line: self.number }
+    }
+
+    /// The number of the last line.
+    pub(crate) fn line(&self) -> u64 {
+        self.number
     }
 
     /// The next line that says something.
     pub(crate) fn next(&mut self) -> Result<Option<Words<'_>>, ReadError> {
-        Ok(self.advance()?.then(|| self.words(0)))
+        Ok(self.advance()?.then(|| self.words(..)))
     }
 
     /// The next line that says something, which is to be `what`.
     pub(crate) fn expect(&mut self, what: &str) -> Result<Words<'_>, ReadError> {
         // Where the file ends is the line after the last.
         let line = self.number + 1;
-        let problem = || format!("the file ends before {what}");
-        self.next()?.ok_or_else(|| ReadError::line(line, problem()))
+        self.next()?.ok_or_else(|| ReadError::line(line, format!("the file ends before {what}")))
     }
 }
 
@@ -88,6 +93,11 @@ impl<'a> Words<'a> {
         let (word, rest) = text.split_at(end);
         self.rest = rest;
         (!word.is_empty()).then_some(word)
+    }
+
+    /// Whether no word follows.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.rest.trim_ascii().is_empty()
     }
 
     /// An error in this line.

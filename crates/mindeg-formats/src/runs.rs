@@ -118,6 +118,11 @@ impl TriangleRuns {
         Ok(())
     }
 
+    /// No runs, if all triangles are in one.
+    pub(crate) fn unless_one(self) -> Self {
+        if self.runs.len() > 1 { self } else { Self::default() }
+    }
+
     /// The mesh with a group for each thing; in one piece, with a note, if the triangles of one
     /// thing, a `what`, do not follow one another.
     pub(crate) fn give_to(self, mesh: TriMesh, what: &str) -> (TriMesh, Option<String>) {

@@ -110,7 +110,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
             b"MESHNAME" => name = Some(words.text().trim_matches('"').to_owned()),
             b"ND" => {
                 let id = words.id()?;
-                contents.vertex(id, words.point("z")?)?;
+                contents.nodes.push(id.into(), words.point("z")?)?;
             }
             b"E3T" => element(&mut contents, words, [0, 1, 2], 3)?,
             b"E4Q" => element(&mut contents, words, [0, 1, 2, 3], 4)?,
@@ -118,7 +118,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
             b"E8Q" => element(&mut contents, words, [0, 2, 4, 6], 8)?,
             b"E9Q" => element(&mut contents, words, [0, 2, 4, 6], 9)?,
             b"NS" => {
-                while !words.rest.trim_ascii().is_empty() {
+                while !words.is_empty() {
                     let id = words.integer("the number of a vertex")?;
                     let number = u32::try_from(id.unsigned_abs())
                         .map_err(|_| words.problem(format!("the vertex {id} is beyond 32 bits")))?;
@@ -156,7 +156,6 @@ fn element<const N: usize>(
     for vertex in &mut vertices[..count] {
         *vertex = words.id()?;
     }
-    let has_material = !words.rest.trim_ascii().is_empty();
-    let material = if has_material { words.number("the material")? as i64 } else { 1 };
+    let material = if words.is_empty() { 1 } else { words.number("the material")? as i64 };
     Ok(contents.element(words.line, &corners.map(|corner| vertices[corner]), material)?)
 }

@@ -11,9 +11,10 @@ mod read;
 mod write;
 
 use crate::facts::{Facts, SIGNED};
+use crate::words::{number, words};
 
-pub use read::read;
 use read::{EXTENSIONS, read_files};
+pub use read::{read, read_lines};
 use write::sections;
 
 pub(crate) const FACTS: Facts = Facts {
@@ -35,8 +36,7 @@ pub(crate) const FACTS: Facts = Facts {
 fn counts_vertices(bytes: &[u8]) -> bool {
     let mut lines = bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);
     let first = lines.find(|line| !matches!(line, [] | [b'#', ..])).unwrap_or_default();
-    let words = first.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
-    let number = |word| std::str::from_utf8(word).ok()?.parse::<u32>().ok();
-    let numbers: Vec<Option<u32>> = words.map(number).collect();
+    let bare = first.split(|&byte| byte == b'#').next().unwrap_or_default();
+    let numbers: Vec<Option<u32>> = words(bare).map(number).collect();
     matches!(numbers[..], [Some(_), Some(2), Some(_), Some(0 | 1)])
 }

@@ -310,7 +310,7 @@ fn files_of_other_programs_are_read_and_faults_are_named() {
         (
             Format::Sms2dm,
             format!("MESH2D\n{nodes}ND 1 2 2 0\n"),
-            "1: is the number of two vertices, 0 and 3 (counted from 0)",
+            "two vertices, 0 and 3 (counted from 0), have the number 1",
         ),
         (
             Format::Npz,

@@ -3,6 +3,8 @@
 use std::io;
 use std::path::Path;
 
+use mindeg_formats::Format;
+
 use super::outline::Outlines;
 use super::{csv, dxf, geojson, mesh_lines, poly, svg, wkt};
 use crate::error::OutlineError;
@@ -117,7 +119,7 @@ impl OutlineFormat {
         if is_obj(first) {
             return Some(Obj);
         }
-        if poly::begins(first) {
+        if Format::of_all(first.as_bytes()) == Some(Format::Node) {
             return Some(Poly);
         }
         csv::begins([first].into_iter().chain(rows.take(1))).then_some(Csv)

@@ -59,7 +59,7 @@ pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, OutlineError> {
 }
 
 /// The polygons that lines form; sides begin where another line does, if `by_line`.
-fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, OutlineError> {
+pub(super) fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, OutlineError> {
     let mut links = Vec::with_capacity(file.segments.len());
     for (index, line) in (0..).zip(&file.lines) {
         let side = (!line.name.trim().is_empty()).then(|| Shared::from(&*line.name));

@@ -29,26 +29,6 @@ pub(super) fn number(word: &str) -> Option<f64> {
     word.parse().ok().filter(|number: &f64| number.is_finite())
 }
 
-/// The number that a word of a line must be.
-pub(super) fn number_at(line: u64, word: Option<&str>, what: &str) -> Result<f64, OutlineError> {
-    let Some(word) = word else {
-        return Err(at_line(line, format!("the {what} is missing")));
-    };
-    number(word).ok_or_else(|| {
-        at_line(line, format!("found {}, expected the {what}, a finite number", quoted(word)))
-    })
-}
-
-/// The whole number that a word of a line must be.
-pub(super) fn whole_at(line: u64, word: Option<&str>, what: &str) -> Result<i64, OutlineError> {
-    let Some(word) = word else {
-        return Err(at_line(line, format!("the {what} is missing")));
-    };
-    word.parse().map_err(|_| {
-        at_line(line, format!("found {}, expected the {what}, a whole number", quoted(word)))
-    })
-}
-
 /// A word as a message shows it: in quotes, not longer than a line.
 pub(super) fn quoted(word: &str) -> String {
     const LONGEST: usize = 40;

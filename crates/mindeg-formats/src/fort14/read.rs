@@ -50,7 +50,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
         let mut point = words.point("the depth")?;
         push(&mut depths, point.z)?;
         point.z = 0.0;
-        contents.vertex(id, point)?;
+        contents.nodes.push(id.into(), point)?;
     }
     for _ in 0..elements {
         let mut words = records.expect("its last element")?;

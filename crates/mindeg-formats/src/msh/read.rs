@@ -6,11 +6,12 @@ use std::io::Read;
 use glam::DVec3;
 use mindeg_mesh::{NonTriangles, TriMesh};
 
-use super::nodes::Nodes;
 use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, shape};
 use crate::ReadError;
 use crate::face_list::FaceList;
+use crate::lists::push;
+use crate::numbered::Nodes;
 use crate::numbers::Numbers;
 use crate::runs::{Polylines, Segments, TriangleRuns};
 use crate::scanner::Scanner;
@@ -61,7 +62,7 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     input.read_to_end(&mut file)?;
     let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
     let others = contents.faces.face_count() + contents.volumes;
-    let positions = contents.nodes.map(Nodes::into_positions).unwrap_or_default();
+    let positions = contents.nodes.map(|nodes| nodes.positions).unwrap_or_default();
     let (lines, segments) = contents.segments.into_lines();
     Ok(Polylines { positions, segments, lines, others })
 }
@@ -232,16 +233,16 @@ impl Contents {
             let count = scanner.size("the number of nodes of a block")?;
             let parameters = if is_parametric { dimension.clamp(0, 3) } else { 0 };
             for _ in 0..count {
-                nodes.push_tag(scanner.size("the tag of a node")?)?;
+                nodes.push_number(scanner.size("the tag of a node")?)?;
             }
             for _ in 0..count {
-                nodes.push_position(scanner)?;
+                push(&mut nodes.positions, position(scanner)?)?;
                 for _ in 0..parameters {
                     scanner.double("a parameter of a node")?;
                 }
             }
         }
-        nodes.sort(scanner)
+        nodes.sort().map_err(|error| error.or_at(|problem| scanner.problem(problem)))
     }
 
     fn take_nodes_2(
@@ -258,10 +259,10 @@ impl Contents {
             let tag = u64::try_from(tag).map_err(|_| {
                 scanner.problem(format!("the number of a node is {tag}; it cannot be negative"))
             })?;
-            nodes.push_tag(tag)?;
-            nodes.push_position(scanner)?;
+            nodes.push_number(tag)?;
+            push(&mut nodes.positions, position(scanner)?)?;
         }
-        nodes.sort(scanner)
+        nodes.sort().map_err(|error| error.or_at(|problem| scanner.problem(problem)))
     }
 
     fn take_elements_4(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
@@ -385,13 +386,24 @@ impl Contents {
     fn into_mesh(self) -> Result<TriMesh, ReadError> {
         let line_segments = self.segments.count() as u64;
         let counts = NonTriangles { line_segments, points: self.points, ..Default::default() };
-        let positions: Vec<DVec3> = self.nodes.map(Nodes::into_positions).unwrap_or_default();
+        let positions: Vec<DVec3> = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
         let mesh = self.faces.into_mesh(positions, counts)?;
         let mesh = self.segments.give_to(mesh)?;
         let (mesh, note) = self.surfaces.give_to(mesh, "surfaces");
         let volumes = (self.volumes > 0).then(|| format!("{} volume elements", self.volumes));
         Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
     }
+}
+
+fn position(scanner: &mut Scanner<'_>) -> Result<DVec3, ReadError> {
+    let mut position = [0.0; 3];
+    for coordinate in &mut position {
+        *coordinate = scanner.double("a coordinate")?;
+        if !coordinate.is_finite() {
+            return Err(scanner.problem(format!("a coordinate is {coordinate}")));
+        }
+    }
+    Ok(DVec3::from_array(position))
 }
 
 fn known_shape(scanner: &Scanner<'_>, element_type: i64) -> Result<Shape, ReadError> {

@@ -94,7 +94,7 @@ impl<R: BufRead> Source<R> {
     fn number(&mut self, property: &Property, scalar: Scalar) -> Result<f64, ReadError> {
         match self {
             Self::Text { records, at } => {
-                let mut words = records.words(*at);
+                let mut words = records.words(*at..);
                 let before = words.rest.len();
                 let number = words.number(&property.name)?;
                 *at += before - words.rest.len();
@@ -132,7 +132,7 @@ impl<R: BufRead> Source<R> {
 
     fn problem(&self, problem: String) -> ReadError {
         match self {
-            Self::Text { records, .. } => records.words(0).problem(problem),
+            Self::Text { records, .. } => records.words(..).problem(problem),
             Self::Binary { bytes, .. } => bytes.problem(problem),
         }
     }

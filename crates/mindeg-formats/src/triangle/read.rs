@@ -1,13 +1,15 @@
 //! Reading .node, .ele and .poly.
 
-use crate::ReadError;
 use crate::facts::Source;
-use crate::numbered::Numbered;
+use crate::lists::push;
+use crate::numbered::{Named, Nodes, Numbered};
 use crate::records::{Records, Words};
 use crate::words::number;
-use mindeg_mesh::TriMesh;
+use crate::{Polylines, ReadError};
+use glam::DVec3;
+use mindeg_mesh::{Line, TriMesh};
 use std::collections::BTreeMap;
-use std::io::{BufRead, ErrorKind};
+use std::io::{self, BufRead, ErrorKind};
 use std::path::Path;
 
 /// The extensions of the vertices, of the triangles, and of the segments with the holes.
@@ -25,8 +27,8 @@ pub(super) const EXTENSIONS: [&str; 3] = ["node", "ele", "poly"];
 ///
 /// # Errors
 ///
-/// Errors of the inputs; lines that are not as the format has them; elements and segments that name
-/// vertices that the `.node` does not have; files without elements, and such in three dimensions.
+/// Errors of the inputs; malformed lines; elements and segments that name
+/// vertices that the `.node` does not have; files without elements, and files in three dimensions.
 /// Places name the file that a line is in.
 ///
 /// # Example
@@ -50,10 +52,21 @@ pub fn read(
     poly: Option<impl BufRead>,
 ) -> Result<TriMesh, ReadError> {
     let mut contents = Numbered::of_files(["the .ele", "the .poly"]);
-    read_node(node, &mut contents).map_err(|error| error.within("the .node"))?;
+    let nodes = read_nodes(&mut Rows::new(node));
+    contents.nodes = nodes.map_err(|error| error.within("the .node"))?;
     read_ele(ele, &mut contents).map_err(|error| error.within("the .ele"))?;
     if let Some(poly) = poly {
-        read_poly(poly, &mut contents).map_err(|error| error.within("the .poly"))?;
+        let poly = Poly::read(poly).map_err(|error| error.within("the .poly"))?;
+        let mut segments: BTreeMap<i64, Vec<[Named; 2]>> = BTreeMap::new();
+        for &(marker, ends) in poly.segments.iter().filter(|(marker, _)| *marker != Some(0)) {
+            push(segments.entry(marker.unwrap_or(1)).or_default(), ends)?;
+        }
+        for (marker, segments) in segments {
+            let name = poly.name(marker);
+            for ends in segments {
+                contents.string(&name, None, ends)?;
+            }
+        }
     }
     contents.into_mesh("region")
 }
@@ -84,11 +97,60 @@ pub(super) fn read_files(source: Source<'_>) -> Result<TriMesh, ReadError> {
     read(&node?[..], &ele?[..], poly.as_deref())
 }
 
-fn read_node(node: impl BufRead, contents: &mut Numbered) -> Result<(), ReadError> {
-    let mut records = Records::new(node, Some(b'#'));
-    let mut head = records.expect("the number of vertices")?;
+/// Reads the segments of a `.poly`, and the points in its holes. `node` gives the `.node` beside it, for a
+/// file that has no vertices of its own.
+///
+/// Segments in a row with the same marker are a line, which has a name unless its marker is 0, or all have
+/// one that no comment names.
+///
+/// # Errors
+///
+/// Errors of the inputs; malformed lines; segments that name vertices that do not exist.
+pub fn read_lines(
+    poly: impl BufRead,
+    node: impl FnOnce() -> io::Result<Vec<u8>>,
+) -> Result<(Polylines, Vec<DVec3>), ReadError> {
+    let mut poly = Poly::read(poly)?;
+    let mut nodes = std::mem::take(&mut poly.nodes);
+    if nodes.positions.is_empty() {
+        const NODE: &str = "the .node beside the .poly";
+        let bytes = node().map_err(|error| {
+            let problem = format!(
+                "the .poly has no vertices of its own, and the .node that has them cannot be read: \
+                 {error}"
+            );
+            ReadError::place(NODE, problem)
+        })?;
+        nodes = read_nodes(&mut Rows::new(&bytes[..])).map_err(|error| error.within(NODE))?;
+    }
+    nodes.sort()?;
+    let mut segments = Vec::new();
+    let mut lines: Vec<Line> = Vec::new();
+    let first = poly.segments.first().map(|&(marker, _)| marker.unwrap_or(0));
+    let is_first = |marker: Option<i64>| Some(marker.unwrap_or(0)) == first;
+    let is_one = poly.segments.iter().all(|&(marker, _)| is_first(marker));
+    let mut last = None;
+    for &(marker, [a, b]) in &poly.segments {
+        let marker = marker.unwrap_or(0);
+        push(&mut segments, [nodes.named(a)?, nodes.named(b)?])?;
+        let end = segments.len() as u32;
+        if let Some(line) = lines.last_mut().filter(|_| last == Some(marker)) {
+            line.segments.end = end;
+            continue;
+        }
+        last = Some(marker);
+        let is_unnamed = (marker == 0 || is_one) && !poly.names.contains_key(&marker);
+        let name = if is_unnamed { String::new() } else { poly.name(marker) };
+        push(&mut lines, Line { name, segments: end - 1..end, is_straight: false })?;
+    }
+    Ok((Polylines { positions: nodes.positions, segments, lines, others: 0 }, poly.holes))
+}
+
+/// The vertices, in two dimensions.
+fn read_nodes(rows: &mut Rows<impl BufRead>) -> Result<Nodes, ReadError> {
+    let mut head = rows.expect("the number of vertices")?;
     let count = head.count("the number of vertices")?;
-    let dimension = head.count("the number of dimensions")?;
+    let dimension = if head.is_empty() { 2 } else { head.count("the number of dimensions")? };
     if dimension != 2 {
         let problem = format!(
             "the file has {dimension} dimensions; only triangles in the plane are read, no \
@@ -96,96 +158,117 @@ fn read_node(node: impl BufRead, contents: &mut Numbered) -> Result<(), ReadErro
         );
         return Err(head.problem(problem));
     }
+    let mut nodes = Nodes::default();
     for _ in 0..count {
-        let mut words = records.expect("its last vertex")?;
-        contents.vertex(words.id()?, [words.number("x")?, words.number("y")?, 0.0].into())?;
+        let mut words = rows.expect("its last vertex")?;
+        let number = words.id()?;
+        nodes.push(number.into(), plane_point(&mut words)?)?;
     }
-    Ok(())
+    Ok(nodes)
+}
+
+fn plane_point(words: &mut Words<'_>) -> Result<DVec3, ReadError> {
+    Ok(DVec3::new(words.number("x")?, words.number("y")?, 0.0))
 }
 
 fn read_ele(ele: impl BufRead, contents: &mut Numbered) -> Result<(), ReadError> {
-    let mut records = Records::new(ele, Some(b'#'));
-    let mut head = records.expect("the number of triangles")?;
+    let mut rows = Rows::new(ele);
+    let mut head = rows.expect("the number of triangles")?;
     let count = head.count("the number of triangles")?;
     let corners = head.count("the number of vertices of a triangle")?;
     if !matches!(corners, 3 | 6) {
         return Err(head.problem(format!("triangles have {corners} vertices, not 3 or 6")));
     }
     for _ in 0..count {
-        let mut words = records.expect("its last triangle")?;
+        let mut words = rows.expect("its last triangle")?;
         words.id()?;
         let triangle = [words.id()?, words.id()?, words.id()?];
         for _ in 3..corners {
             words.id()?;
         }
-        let has_attribute = !words.rest.is_empty();
-        let attribute = if has_attribute { words.number("the attribute")? as i64 } else { 0 };
+        let attribute = if words.is_empty() { 0 } else { words.number("the attribute")? as i64 };
         contents.element(words.line, &triangle, attribute)?;
     }
     Ok(())
 }
 
-fn read_poly(poly: impl BufRead, contents: &mut Numbered) -> Result<(), ReadError> {
-    let mut records = Records::new(poly, None);
-    let mut names = BTreeMap::new();
-    let mut expect = |records: &mut Records<_>, what: &str| -> Result<_, ReadError> {
-        loop {
-            let mut words = records.expect(what)?;
-            if words.rest.first() != Some(&b'#') {
-                let end = memchr::memchr(b'#', words.rest).unwrap_or(words.rest.len());
-                words.rest = &words.rest[..end];
-                return Ok(Row { line: words.line, rest: words.rest.to_vec() });
-            }
-            if let Some((marker, name)) = name(words) {
-                names.insert(marker, name);
-            }
-        }
-    };
-    let head = expect(&mut records, "the number of vertices")?;
-    let vertices = head.words().count("the number of vertices")?;
-    for _ in 0..vertices {
-        // The .node has them too.
-        expect(&mut records, "its last vertex")?;
-    }
-    let head = expect(&mut records, "the number of segments")?;
-    let count = head.words().count("the number of segments")?;
-    let mut segments: BTreeMap<i64, Vec<[(u32, u64); 2]>> = BTreeMap::new();
-    for _ in 0..count {
-        let row = expect(&mut records, "its last segment")?;
-        let mut words = row.words();
-        words.id()?;
-        let ends = [words.id()?, words.id()?].map(|id| (id, row.line));
-        let has_marker = !words.rest.trim_ascii().is_empty();
-        let marker = if has_marker { words.integer("the marker")? } else { 1 };
-        if marker != 0 {
-            crate::lists::push(segments.entry(marker).or_default(), ends)?;
-        }
-    }
-    for (marker, segments) in segments {
-        let name = names.remove(&marker).unwrap_or_else(|| format!("marker {marker}"));
-        for ends in segments {
-            contents.string(&name, None, ends)?;
-        }
-    }
-    Ok(())
+/// The contents of a .poly.
+struct Poly {
+    /// Empty if the .node has them.
+    nodes: Nodes,
+    /// The marker of each segment, if it has one, and its ends.
+    segments: Vec<(Option<i64>, [Named; 2])>,
+    /// A point in each hole.
+    holes: Vec<DVec3>,
+    names: BTreeMap<i64, String>,
 }
 
-/// A line without its comment.
-struct Row {
-    line: u64,
-    rest: Vec<u8>,
+impl Poly {
+    fn read(input: impl BufRead) -> Result<Self, ReadError> {
+        let mut rows = Rows::new(input);
+        let nodes = read_nodes(&mut rows)?;
+        let mut segments = Vec::new();
+        let count = rows.expect("the number of segments")?.count("the number of segments")?;
+        for _ in 0..count {
+            let mut words = rows.expect("its last segment")?;
+            words.id()?;
+            let ends = [(words.id()?, words.line), (words.id()?, words.line)];
+            let marker = if words.is_empty() { None } else { Some(words.integer("the marker")?) };
+            push(&mut segments, (marker, ends))?;
+        }
+        let mut holes = Vec::new();
+        // A file may end before its holes.
+        let count = match rows.next()? {
+            Some(mut words) => words.count("the number of holes")?,
+            None => 0,
+        };
+        for _ in 0..count {
+            let mut words = rows.expect("its last hole")?;
+            words.id()?;
+            push(&mut holes, plane_point(&mut words)?)?;
+        }
+        Ok(Self { nodes, segments, holes, names: rows.names })
+    }
+
+    /// The name of a line of segments.
+    fn name(&self, marker: i64) -> String {
+        self.names.get(&marker).cloned().unwrap_or_else(|| format!("marker {marker}"))
+    }
 }
 
-impl Row {
-    fn words(&self) -> Words<'_> {
-        Words { rest: &self.rest, line: self.line }
+/// The lines of a file without comments, and the names that these give to markers.
+struct Rows<R> {
+    records: Records<R>,
+    names: BTreeMap<i64, String>,
+}
+
+impl<R: BufRead> Rows<R> {
+    fn new(input: R) -> Self {
+        Self { records: Records::new(input, None), names: BTreeMap::new() }
+    }
+
+    fn next(&mut self) -> Result<Option<Words<'_>>, ReadError> {
+        while let Some(words) = self.records.next()? {
+            let end = memchr::memchr(b'#', words.rest).unwrap_or(words.rest.len());
+            self.names.extend(name(&words.rest[end..]));
+            if !words.rest[..end].is_empty() {
+                return Ok(Some(self.records.words(0..end)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// The next line, which is to be `what`.
+    fn expect(&mut self, what: &str) -> Result<Words<'_>, ReadError> {
+        let line = self.records.line() + 1;
+        self.next()?.ok_or_else(|| ReadError::line(line, format!("the file ends before {what}")))
     }
 }
 
 /// The marker and the name of a comment `# marker 1: inlet`.
-fn name(words: Words<'_>) -> Option<(i64, String)> {
-    let text = words.rest.strip_prefix(b"# marker ")?;
+fn name(comment: &[u8]) -> Option<(i64, String)> {
+    let text = comment.strip_prefix(b"#")?.trim_ascii().strip_prefix(b"marker ")?;
     let colon = memchr::memchr(b':', text)?;
     let name = String::from_utf8_lossy(text[colon + 1..].trim_ascii()).into_owned();
-    (!name.is_empty()).then_some((number(&text[..colon])?, name))
+    (!name.is_empty()).then_some((number(text[..colon].trim_ascii())?, name))
 }

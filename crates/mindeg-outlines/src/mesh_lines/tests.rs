@@ -98,7 +98,7 @@ fn a_binary_file_gives_what_its_text_gives() {
 fn errors_of_an_msh_say_where_and_what() {
     for (text, from, to, message) in [
         (V4, "4.1 0 8", "4.0 0 8", "line 2: MSH 4 is not read; save it as 4.1 or 2.2"),
-        (V4, "\n12\n11", "\n12\n12", "two nodes have the tag 12"),
+        (V4, "\n12\n11", "\n12\n12", "two vertices, 1 and 2 (counted from 0), have the number 12"),
         (V4, "0.1 3.3 0", "0.1 x 0", "line 25: "),
         (V4, "0.1 3.3 0", "0.1 3.3 1", "the points do not lie in a plane of equal z"),
         (V4, "3 12 11", "3 12 13", "line 33: node 13 does not exist"),
