@@ -17,6 +17,8 @@ pub mod limit;
 pub mod loops;
 pub mod measures;
 pub mod mesh;
+pub mod model;
+pub mod names;
 pub mod numbers;
 pub mod preset;
 pub mod suggest;

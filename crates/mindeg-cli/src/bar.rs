@@ -3,8 +3,8 @@
 //! There is a bar only where standard error is a terminal, and only from a second on. It is gone
 //! when the work is done, or interrupted.
 
-use crate::terminal::shown;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
+use mindeg_answers::names::shown;
 use mindeg_files::READING;
 use mindeg_mesh::{Progress, Step};
 use std::fmt;

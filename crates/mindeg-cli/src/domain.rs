@@ -6,8 +6,9 @@ use crate::args::{Counts, CountsArguments, DomainArguments, DomainOptions, Outli
 use crate::bar::Bar;
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
-use crate::terminal::{say, shown};
+use crate::terminal::say;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
+use mindeg_answers::names::shown;
 use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Wanted};
 use std::borrow::Cow;
 use std::path::Path;

@@ -4,6 +4,7 @@
 use anstream::AutoStream;
 use clap::ColorChoice;
 use clap::builder::styling::Styles;
+use mindeg_answers::names::{safe_lines, shown};
 use std::borrow::Cow;
 use std::ffi::OsString;
 use std::io::{self, Write};
@@ -61,10 +62,10 @@ pub(crate) fn safe(text: &str) -> Cow<'_, str> {
 
 /// The text with its own line breaks alone: those of these names are escaped, too.
 fn on_one_line<'a>(text: &'a str, broken: &[String]) -> Cow<'a, str> {
-    let safe = escaped(text, |c| c != '\n' && steers(c));
+    let safe = safe_lines(text);
     broken.iter().fold(safe, |text, name| {
         // What else steers in the name is an escape by now.
-        let name = escaped(name, |c| c != '\n' && steers(c));
+        let name = safe_lines(name);
         match text.contains(&*name) {
             true => Cow::Owned(text.replace(&*name, &shown(&name))),
             false => text,
@@ -85,29 +86,6 @@ fn broken_names(arguments: impl Iterator<Item = OsString>) -> Vec<String> {
         }));
     }
     names
-}
-
-/// A name within a line: escaped as in [`safe`], line breaks included.
-pub(crate) fn shown(name: &str) -> Cow<'_, str> {
-    escaped(name, steers)
-}
-
-/// Whether a character moves, colors, ends or turns round what a terminal shows.
-fn steers(c: char) -> bool {
-    c.is_control() && c != '\t'
-        || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
-        || matches!(c, '\u{2066}'..='\u{2069}')
-}
-
-fn escaped(text: &str, is_escaped: impl Fn(char) -> bool) -> Cow<'_, str> {
-    if !text.contains(&is_escaped) {
-        return Cow::Borrowed(text);
-    }
-    let mut safe = String::with_capacity(text.len() + 8);
-    for c in text.chars() {
-        if is_escaped(c) { safe.extend(c.escape_default()) } else { safe.push(c) }
-    }
-    Cow::Owned(safe)
 }
 
 /// Wraps a text to the terminal; leaves it unchanged if standard error is not a terminal.
