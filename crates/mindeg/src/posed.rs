@@ -88,7 +88,12 @@ impl<'a> Posed<'a> {
     }
 
     fn with_constraints(mut self) -> Self {
-        self.set_external_degrees();
+        if self.domain.is_constrained() {
+            for vertex in 0..self.domain.rings().vertex_count() {
+                let external = self.domain.external_degree(self.in_domain(vertex));
+                self.problem.set_external_degree(vertex, external);
+            }
+        }
         self.set_degree_limits(&self.degree_limits());
         self
     }
@@ -98,15 +103,6 @@ impl<'a> Posed<'a> {
         let count = self.domain.rings().vertex_count();
         let left = count - self.first;
         if vertex < left { vertex + self.first } else { vertex - left }
-    }
-
-    fn set_external_degrees(&mut self) {
-        if self.domain.is_constrained() {
-            for vertex in 0..self.domain.rings().vertex_count() {
-                let external = self.domain.external_degree(self.in_domain(vertex));
-                self.problem.set_external_degree(vertex, external);
-            }
-        }
     }
 
     fn set_degree_limits(&mut self, limits: &[(u32, u32)]) {

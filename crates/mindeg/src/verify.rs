@@ -32,6 +32,6 @@ mod optimality;
 mod triangulation;
 
 pub use defect::MeshDefect;
-pub use matching::{DEFAULT_TOLERANCE, MatchedPlane};
+pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
 pub use optimality::{Optimality, Proof, optimality};
-pub use triangulation::{VerifiedMesh, triangulation};
+pub use triangulation::triangulation;

@@ -37,16 +37,34 @@ impl MatchedPlane {
     }
 }
 
-/// A mesh by the points of a domain.
-pub(super) struct Matched {
-    /// The boundary points, then the others.
-    pub(super) points: Vec<DVec2>,
-    pub(super) vertex_of: Vec<u32>,
-    pub(super) triangles: Vec<[u32; 3]>,
-    pub(super) unused_vertices: usize,
-    pub(super) plane: MatchedPlane,
-    pub(super) tolerance: f64,
-    pub(super) farthest: f64,
+/// A mesh that is a triangulation of a domain.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct VerifiedMesh {
+    /// The domain's boundary points as the domain has them, then the others as the mesh has them.
+    pub points: Vec<DVec2>,
+    /// The vertex of the mesh at each of these: the first, if several are there.
+    pub vertex_of: Vec<u32>,
+    /// The triangles of the mesh, in its order, by these points and counter-clockwise.
+    pub triangles: Vec<[u32; 3]>,
+    /// How many points are not on the boundary.
+    pub interior_points: usize,
+    /// How many vertices of the mesh no triangle uses.
+    pub unused_vertices: usize,
+    /// The number of edges at each point, the domain's external degrees included.
+    pub degrees: Vec<u32>,
+    /// The largest of them.
+    pub max_degree: u32,
+    /// The boundary points with more edges than the domain allows there.
+    pub above_limit: Vec<u32>,
+    /// How the mesh lies in space.
+    pub plane: MatchedPlane,
+    /// Whether all triangles of the mesh are clockwise.
+    pub is_reversed: bool,
+    /// How far a vertex may be from its boundary point, in units of length.
+    pub tolerance: f64,
+    /// How far the farthest one is.
+    pub farthest: f64,
 }
 
 /// How far a vertex may be from its boundary point.
@@ -97,7 +115,7 @@ pub(super) fn matched(
     domain: &Domain,
     plane: MatchedPlane,
     tolerance: f64,
-) -> Result<Matched, MeshDefect> {
+) -> Result<VerifiedMesh, MeshDefect> {
     const NONE: u32 = u32::MAX;
     let positions = mesh.positions();
     let mut points = points_of(domain);
@@ -164,7 +182,21 @@ pub(super) fn matched(
     let triangles = mesh.triangles().iter().map(|corners| corners.map(|v| point_of[v as usize]));
     let triangles = triangles.collect();
     let unused_vertices = is_used.iter().filter(|is_used| !**is_used).count();
-    Ok(Matched { points, vertex_of, triangles, unused_vertices, plane, tolerance, farthest })
+    let interior_points = points.len() - boundary_count;
+    Ok(VerifiedMesh {
+        points,
+        vertex_of,
+        triangles,
+        interior_points,
+        unused_vertices,
+        plane,
+        tolerance,
+        farthest,
+        degrees: Vec::new(),
+        max_degree: 0,
+        above_limit: Vec::new(),
+        is_reversed: false,
+    })
 }
 
 /// Why no vertex is at a boundary point.

@@ -14,7 +14,7 @@ use mindeg_exact::LowerBound;
 use mindeg_exact::check::{CheckedFace, CheckedOutline, refutes};
 use mindeg_mesh::{Progress, check};
 
-use super::triangulation::VerifiedMesh;
+use super::matching::VerifiedMesh;
 use crate::error::MeshError;
 use crate::exact::{self, DegreeAnswer};
 use crate::goal::{Goal, mesh};
