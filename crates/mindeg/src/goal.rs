@@ -10,7 +10,7 @@ use mindeg_mesh::Progress;
 
 use crate::boundary_mesh::BoundaryMesh;
 use crate::error::MeshError;
-use crate::exact;
+use crate::exact::{self, ExactMesh};
 use crate::keep_angle::keep_angle;
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 use crate::posed::Posed;
@@ -281,11 +281,8 @@ fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshE
     if is_by_formula(domain) {
         return formula(domain, progress);
     }
-    if domain.convex().is_some() {
-        return best_of_least_degree(&Posed::new(domain, progress)?, progress);
-    }
     let posed = Posed::new(domain, progress)?;
-    if posed.is_within(FEW_TRIPLES, progress)? {
+    if domain.convex().is_some() || posed.is_within(FEW_TRIPLES, progress)? {
         best_of_least_degree(&posed, progress)
     } else {
         degree_first(&posed, progress)
@@ -301,11 +298,10 @@ fn best_of_least_degree(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Mes
     };
     let trade_off = exact::exact_trade_off(posed, is_third, progress)?;
     let [least, higher @ ..] = trade_off.meshes() else { return formula(posed.domain(), progress) };
-    let is_much = |exact: &&exact::ExactMesh| exact.min_angle >= MUCH * least.min_angle;
-    let higher_degree = higher
-        .iter()
-        .find(is_much)
-        .map(|exact| HigherDegree { max_degree: exact.max_degree, min_angle: exact.min_angle });
+    let is_much = |exact: &&ExactMesh| exact.min_angle >= MUCH * least.min_angle;
+    let hint =
+        |&ExactMesh { max_degree, min_angle, .. }: &_| HigherDegree { max_degree, min_angle };
+    let higher_degree = higher.iter().find(is_much).map(hint);
     Ok(Meshed { higher_degree, ..trade_off.meshed(0) })
 }
 
