@@ -52,6 +52,7 @@ mod meshed;
 pub mod model;
 mod posed;
 mod searched;
+mod trade_off;
 pub mod verify;
 mod windowed;
 

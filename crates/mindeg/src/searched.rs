@@ -7,9 +7,9 @@ use mindeg_exact::{Cover, DegreeRange, Unsolved, degree_range};
 use mindeg_mesh::Progress;
 
 use crate::error::MeshError;
-use crate::exact::{ExactMesh, TradeOff, keeps, share_of};
 use crate::meshed::{FoundBy, Meshed};
 use crate::posed::Posed;
+use crate::trade_off::{ExactMesh, TradeOff, keeps, share_of};
 use crate::windowed::{SHARES, windowed};
 
 /// For the angles at each degree, this part of the steps for the least degree.
