@@ -85,8 +85,7 @@ impl Heap {
 
     fn sink(&mut self, mut index: usize) {
         let variable = self.entries[index];
-        loop {
-            let Some(&left) = self.entries.get(2 * index + 1) else { break };
+        while let Some(&left) = self.entries.get(2 * index + 1) {
             let (mut below, mut first) = (2 * index + 1, left);
             if let Some(&right) = self.entries.get(below + 1)
                 && self.is_before(right, left)
