@@ -4,47 +4,6 @@ use std::path::Path;
 
 use crate::format::{Format, extensions};
 
-/// Why a file's format is not known.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Unknown {
-    /// The name says one format and the content another.
-    Lie {
-        /// The format of the extension.
-        named: Format,
-        /// The format of the content.
-        found: Format,
-    },
-    /// The extension is that of a format that is written and not read.
-    OnlyWritten(Format),
-    /// Neither the name nor the content tells a format.
-    Nothing,
-}
-
-impl Unknown {
-    pub(crate) fn problem(self) -> String {
-        match self {
-            Self::Lie { named, found } => format!(
-                "the name ends in .{}, which is {}, but the content is {}; rename the file to end \
-                 in .{}",
-                named.extension(),
-                named.description(),
-                found.description(),
-                found.extension()
-            ),
-            Self::OnlyWritten(format) => format!(
-                "mindeg writes .{} files and does not read them as meshes; a mesh ends in {}",
-                format.extension(),
-                extensions(&Format::READ)
-            ),
-            Self::Nothing => format!(
-                "neither the name nor the content tells a mesh format that can be read; the name \
-                 must end in {}",
-                extensions(&Format::READ)
-            ),
-        }
-    }
-}
-
 impl Format {
     /// The format that the first bytes of a file tell; some thousand of them are enough. Formats
     /// that are nothing but numbers tell none.
@@ -94,23 +53,38 @@ impl Format {
 }
 
 /// The format of a file with a name and some first bytes: what the extension says, unless the
-/// content is of another format for sure; else what the content says.
-pub(crate) fn format_of(path: &Path, head: &[u8]) -> Result<Format, Unknown> {
+/// content is of another format for sure; else what the content says. An error is a sentence.
+pub(crate) fn format_of(path: &Path, head: &[u8]) -> Result<Format, String> {
     let named = Format::of_path(path);
     let found = Format::of_content(head);
-    let is_read = |format: Format| match format.facts().read {
-        Some(_) => Ok(format),
-        None => Err(Unknown::OnlyWritten(format)),
-    };
-    match (named, found) {
-        (Some(named), Some(_)) if (named.facts().fits)(head) => is_read(named),
+    let format = match (named, found) {
+        (Some(named), Some(_)) if (named.facts().fits)(head) => named,
         // The first word of an OBJ is too short to be sure of anything else.
         (Some(named), Some(found)) if found != named && found != Format::Obj => {
-            Err(Unknown::Lie { named, found })
+            let [name, right] = [named, found].map(Format::extension);
+            let [named, found] = [named, found].map(Format::description);
+            return Err(format!(
+                "the name ends in .{name}, which is {named}, but the content is {found}; rename the \
+                 file to end in .{right}"
+            ));
         }
-        (Some(format), _) | (None, Some(format)) => is_read(format),
-        (None, None) => Err(Unknown::Nothing),
+        (Some(format), _) | (None, Some(format)) => format,
+        (None, None) => {
+            return Err(format!(
+                "neither the name nor the content tells a mesh format that can be read; the name \
+                 must end in {}",
+                extensions(&Format::READ)
+            ));
+        }
+    };
+    if format.facts().read.is_some() {
+        return Ok(format);
     }
+    Err(format!(
+        "mindeg writes .{} files and does not read them as meshes; a mesh ends in {}",
+        format.extension(),
+        extensions(&Format::READ)
+    ))
 }
 
 #[cfg(test)]
@@ -150,15 +124,18 @@ mod tests {
         assert_eq!(of("a.gltf", b"glTF\x02\0\0\0"), Ok(Format::Gltf));
         assert_eq!(of("a.node", b"v 1 2 3"), Ok(Format::Node));
         assert_eq!(of("a.mesh", b"OFF\n"), Ok(Format::Off));
-        assert_eq!(of("a.svg", b"<svg>"), Err(Unknown::OnlyWritten(Format::Svg)));
-        assert_eq!(of("a.txt", b"hello"), Err(Unknown::Nothing));
+        let starts = |path: &str, head: &[u8], start: &str| {
+            let error = of(path, head).unwrap_err();
+            assert!(error.starts_with(start), "{error}");
+        };
+        starts("a.svg", b"<svg>", "mindeg writes .svg files and does not read them");
+        starts("a.txt", b"hello", "neither the name nor the content tells");
         assert_eq!(of("a.14", b"solid rock\r\n 8 9 = sizes\r\n"), Ok(Format::Fort14));
         assert_eq!(of("a.14", b"OFF\n8 9 0\n"), Ok(Format::Fort14));
-        let lie = Unknown::Lie { named: Format::Fort14, found: Format::Ply };
-        assert_eq!(of("a.14", b"ply\nformat ascii 1.0\n"), Err(lie));
+        starts("a.14", b"ply\nformat ascii 1.0\n", "the name ends in .14, which is ADCIRC");
         let lie = of("a.vtk", b"<VTKFile type=\"UnstructuredGrid\">").unwrap_err();
         assert_eq!(
-            lie.problem(),
+            lie,
             "the name ends in .vtk, which is legacy VTK, but the content is VTK's XML \
              unstructured grid; rename the file to end in .vtu"
         );

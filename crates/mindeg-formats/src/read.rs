@@ -47,7 +47,7 @@ pub fn read(
     let mut input = BufReader::with_capacity(HEAD, input);
     let head = if has_more(&mut input)? { input.fill_buf()? } else { &[] };
     let format = format_of(name, head);
-    let format = format.map_err(|unknown| ReadError::place("", unknown.problem()))?;
+    let format = format.map_err(|problem| ReadError::place("", problem))?;
     read_as(format, name, input, beside)
 }
 

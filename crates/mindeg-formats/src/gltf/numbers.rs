@@ -5,88 +5,36 @@
 //! with the digits of a 64-bit float.
 
 use gltf_json::Root;
-use serde::Serialize;
-use serde_json::Serializer;
-use serde_json::ser::{CompactFormatter, Formatter, PrettyFormatter};
-use std::io::{self, Write};
+use std::io;
 
 /// The document on one line.
 pub(super) fn compact(root: &Root) -> io::Result<Vec<u8>> {
-    formatted(root, CompactFormatter)
+    with_exact_translations(serde_json::to_vec(root)?, root)
 }
 
 /// The document with a line for each value.
 pub(super) fn pretty(root: &Root) -> io::Result<Vec<u8>> {
-    formatted(root, PrettyFormatter::new())
+    with_exact_translations(serde_json::to_vec_pretty(root)?, root)
 }
 
-fn formatted(root: &Root, layout: impl Formatter) -> io::Result<Vec<u8>> {
-    let mut json = Vec::new();
-    let formatter = ExactTranslations { layout, in_translation: false };
-    root.serialize(&mut Serializer::with_formatter(&mut json, formatter))?;
-    Ok(json)
-}
-
-/// Lays a document out as another formatter does, but for the numbers of translations.
-struct ExactTranslations<F> {
-    layout: F,
-    /// Whether the last string was "translation". Each key is a string, so the numbers that
-    /// follow are of that key.
-    in_translation: bool,
-}
-
-impl<F: Formatter> Formatter for ExactTranslations<F> {
-    fn write_f32<W: ?Sized + Write>(&mut self, out: &mut W, value: f32) -> io::Result<()> {
-        if self.in_translation {
-            return self.layout.write_f64(out, f64::from(value));
+fn with_exact_translations(mut json: Vec<u8>, root: &Root) -> io::Result<Vec<u8>> {
+    // Inside a string its quotes would be escaped.
+    const KEY: &[u8] = b"\"translation\":";
+    let mut at = 0;
+    for translation in root.nodes.iter().filter_map(|node| node.translation) {
+        let Some(key) = memchr::memmem::find(&json[at..], KEY) else { break };
+        at += key + KEY.len();
+        for value in translation {
+            let is_digit = |byte: &u8| byte.is_ascii_digit() || b"-+.eE".contains(byte);
+            let rest = json[at..].iter();
+            let start = at + rest.take_while(|byte| !is_digit(byte)).count();
+            let end = start + json[start..].iter().take_while(|byte| is_digit(byte)).count();
+            let exact = serde_json::to_vec(&f64::from(value))?;
+            at = start + exact.len();
+            json.splice(start..end, exact);
         }
-        self.layout.write_f32(out, value)
     }
-
-    fn write_string_fragment<W: ?Sized + Write>(
-        &mut self,
-        out: &mut W,
-        fragment: &str,
-    ) -> io::Result<()> {
-        self.in_translation = fragment == "translation";
-        self.layout.write_string_fragment(out, fragment)
-    }
-
-    fn begin_array<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.begin_array(out)
-    }
-
-    fn end_array<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.end_array(out)
-    }
-
-    fn begin_array_value<W: ?Sized + Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
-        self.layout.begin_array_value(out, first)
-    }
-
-    fn end_array_value<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.end_array_value(out)
-    }
-
-    fn begin_object<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.begin_object(out)
-    }
-
-    fn end_object<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.end_object(out)
-    }
-
-    fn begin_object_key<W: ?Sized + Write>(&mut self, out: &mut W, first: bool) -> io::Result<()> {
-        self.layout.begin_object_key(out, first)
-    }
-
-    fn begin_object_value<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.begin_object_value(out)
-    }
-
-    fn end_object_value<W: ?Sized + Write>(&mut self, out: &mut W) -> io::Result<()> {
-        self.layout.end_object_value(out)
-    }
+    Ok(json)
 }
 
 #[cfg(test)]
@@ -99,7 +47,7 @@ mod tests {
         let far = [4_650_008.1, -3_300_000.7, 1e9];
         let mut root = Root::default();
         root.push(Node {
-            name: Some("translation".to_owned()),
+            name: Some("\"translation\":[1,2,3]".to_owned()),
             scale: Some([0.1, 1.0, 1.0]),
             translation: Some(far),
             ..Node::default()
