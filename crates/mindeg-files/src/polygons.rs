@@ -60,8 +60,7 @@ impl PolygonFile {
             stem.clone_into(&mut polygon.label);
         }
         if let Some(wanted) = &options.feature {
-            polygons = outlines::chosen(polygons, wanted)
-                .map_err(|error| FileError::wrong(error.to_string()))?;
+            polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
         }
         Ok(Self {
             file: input.name(),
@@ -81,7 +80,7 @@ impl PolygonFile {
     /// Why it is no domain, under its name.
     pub fn domain(&self, polygon: &Polygon) -> Result<Domain, FileError> {
         polygon.domain(&self.division).map_err(|error| {
-            let hint = if error.is_touch() && !self.is_repaired {
+            let hint = if error.is_touch && !self.is_repaired {
                 format!("; {}repair parts rings that touch themselves", self.dashes)
             } else {
                 String::new()

@@ -4,12 +4,11 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use mindeg_domain::Domain;
-use thiserror::Error;
 
-use super::domain::FeatureError;
 use super::outline::Feature;
 use super::sides::Division;
 use super::text::clean;
+use crate::error::OutlineError;
 
 /// One polygon of a file.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,7 +33,7 @@ impl Polygon {
     /// # Errors
     ///
     /// The errors of [`Feature::domain`].
-    pub fn domain(&self, division: &Division) -> Result<Domain, FeatureError> {
+    pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
         let name = (!self.label.is_empty()).then(|| self.label.clone());
         Feature { name, rings: self.feature.rings.clone() }.domain(division)
     }
@@ -63,21 +62,12 @@ pub fn labelled(features: Vec<Feature>) -> Vec<Polygon> {
     features.into_iter().enumerate().map(polygon).collect()
 }
 
-/// A name or index that no polygon has.
-#[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("no polygon is {wanted:?}; give a name, or an index from 1 to {count}: {polygons}")]
-pub struct NoSuchPolygon {
-    wanted: String,
-    count: usize,
-    polygons: String,
-}
-
 /// The polygons that a text names: one by its label or index, or all of one name.
 ///
 /// # Errors
 ///
-/// [`NoSuchPolygon`], with those that there are.
-pub fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, NoSuchPolygon> {
+/// No polygon has that name or index; names the first polygons.
+pub fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, OutlineError> {
     let of_name = |polygon: &Polygon| polygon.feature.name.as_deref() == Some(wanted);
     let by_label = polygons.iter().any(|polygon| polygon.label == wanted);
     let by_name = !by_label && polygons.iter().any(of_name);
@@ -88,9 +78,11 @@ pub fn chosen(polygons: Vec<Polygon>, wanted: &str) -> Result<Vec<Polygon>, NoSu
         _ => Some(polygon.index) == index,
     };
     if !polygons.iter().any(is_chosen) {
-        let listed = Listed(&polygons).to_string();
-        let count = polygons.len();
-        return Err(NoSuchPolygon { wanted: wanted.to_owned(), count, polygons: listed });
+        let (count, listed) = (polygons.len(), Listed(&polygons));
+        let problem = format!(
+            "no polygon is {wanted:?}; give a name, or an index from 1 to {count}: {listed}"
+        );
+        return Err(OutlineError::place("", problem));
     }
     Ok(polygons.into_iter().filter(|it| is_chosen(it)).collect())
 }

@@ -3,34 +3,12 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
-use mindeg_domain::{Domain, DomainError, Ring, Side};
-use thiserror::Error;
+use mindeg_domain::{Domain, Ring, Side};
 
 use super::outline::Feature;
-use super::sides::{DividedSide, Division, SizeTooSmall};
+use super::sides::{DividedSide, Division};
 use super::text::clean;
-
-/// The reason why a polygon of a file is not a domain.
-#[derive(Clone, Debug, Error, PartialEq)]
-#[non_exhaustive]
-pub enum FeatureError {
-    /// A size that makes too many points.
-    #[error(transparent)]
-    Size(#[from] SizeTooSmall),
-    /// Rings that are not those of a domain.
-    #[error(transparent)]
-    Domain(#[from] DomainError),
-}
-
-impl FeatureError {
-    /// Whether rings cross, touch or repeat points, which [`Outlines::repaired`] may mend.
-    ///
-    /// [`Outlines::repaired`]: super::Outlines::repaired
-    #[must_use]
-    pub fn is_touch(&self) -> bool {
-        matches!(self, Self::Domain(error) if error.is_touch)
-    }
-}
+use crate::error::OutlineError;
 
 impl Feature {
     /// The domain inside the outer ring and outside the holes.
@@ -39,7 +17,7 @@ impl Feature {
     ///
     /// A size that makes too many points; rings that cross or touch, and everything else that
     /// [`Domain::of_rings`] refuses.
-    pub fn domain(&self, division: &Division) -> Result<Domain, FeatureError> {
+    pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
         let divided = self.rings.iter().map(|ring| ring.divided(division));
         let divided: Vec<Vec<DividedSide>> = divided.collect::<Result<_, _>>()?;
         let mut names = SideNames::default();
@@ -180,7 +158,7 @@ mod tests {
         ] {
             let outlines = read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap();
             let error = outlines.features[0].domain(&Division::default()).unwrap_err();
-            assert_eq!(error.is_touch(), is_touch, "{error}");
+            assert_eq!(error.is_touch, is_touch, "{error}");
         }
     }
 }

@@ -14,7 +14,7 @@ use serde_json::error::Category;
 use serde_json::{Map, Value};
 
 use super::outline::{DrawnRing, Feature, Outlines};
-use super::text::{at_line, counted, quoted, text_of};
+use super::text::{at_line, counted_all, quoted, text_of};
 use crate::error::OutlineError;
 
 /// Reads a GeoJSON text.
@@ -219,13 +219,12 @@ impl Reader {
     fn end(mut self) -> Result<Outlines, OutlineError> {
         let notes = &mut self.outlines.notes;
         if !self.skipped.is_empty() {
-            let skipped: Vec<String> =
-                self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
+            let skipped = counted_all(&self.skipped);
             if self.outlines.features.is_empty() {
-                return Err(Path::Start
-                    .error(format!("no Polygon or MultiPolygon, only {}", skipped.join(", "))));
+                let problem = format!("no Polygon or MultiPolygon, only {skipped}");
+                return Err(Path::Start.error(problem));
             }
-            notes.push(format!("left out {}", skipped.join(", ")));
+            notes.push(format!("left out {skipped}"));
         }
         if self.heights {
             notes.push("left out the heights of positions".to_owned());

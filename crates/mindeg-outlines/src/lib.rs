@@ -47,10 +47,9 @@ mod text;
 mod vertices;
 mod wkt;
 
-pub use choice::{Listed, NoSuchPolygon, Polygon, chosen, labelled};
+pub use choice::{Listed, Polygon, chosen, labelled};
 pub use curve::{EllipseArc, PieceCurve, Segment};
-pub use domain::FeatureError;
 pub use error::OutlineError;
 pub use format::{OutlineFormat, read};
 pub use outline::{DrawnRing, Feature, FillRule, Outlines, Piece};
-pub use sides::{DividedSide, Division, SizeTooSmall};
+pub use sides::{DividedSide, Division};

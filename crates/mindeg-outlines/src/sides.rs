@@ -9,6 +9,7 @@ use glam::DVec2;
 
 use super::curve::{PieceCurve, Segment, angle_between};
 use super::outline::DrawnRing;
+use crate::error::OutlineError;
 
 /// How rings are divided.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,19 +39,6 @@ pub struct DividedSide {
     pub is_line: bool,
 }
 
-/// A size that makes more points than a domain stores.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error(
-    "the size {size:?} makes {points:.1e} points, and at most {MOST_POINTS} are stored; give a \
-     larger size"
-)]
-pub struct SizeTooSmall {
-    /// The size.
-    pub size: f64,
-    /// The points that it makes.
-    pub points: f64,
-}
-
 /// The most points that a division makes.
 const MOST_POINTS: u64 = 50_000_000;
 
@@ -64,7 +52,7 @@ impl DrawnRing {
     /// # Errors
     ///
     /// A size that makes more than fifty million points.
-    pub fn divided(&self, division: &Division) -> Result<Vec<DividedSide>, SizeTooSmall> {
+    pub fn divided(&self, division: &Division) -> Result<Vec<DividedSide>, OutlineError> {
         let count = self.pieces.len();
         let corner_angle = division.corner_angle.to_radians() + ROUNDING;
         let mut corners: Vec<usize> =
@@ -113,17 +101,22 @@ impl DrawnRing {
     }
 }
 
-fn check_total(total: &mut f64, more: f64, size: f64) -> Result<(), SizeTooSmall> {
+fn check_total(total: &mut f64, more: f64, size: f64) -> Result<(), OutlineError> {
     *total += more;
     // Not a NaN either.
     if *total <= MOST_POINTS as f64 {
         return Ok(());
     }
-    Err(SizeTooSmall { size, points: *total })
+    let points = *total;
+    let problem = format!(
+        "the size {size:?} makes {points:.1e} points, and at most {MOST_POINTS} are stored; give a \
+         larger size"
+    );
+    Err(OutlineError::place("", problem))
 }
 
 /// The points of the file, and some along curves.
-fn kept(segments: &[Segment], total: &mut f64) -> Result<Vec<DVec2>, SizeTooSmall> {
+fn kept(segments: &[Segment], total: &mut f64) -> Result<Vec<DVec2>, OutlineError> {
     let mut points = Vec::with_capacity(segments.len());
     for segment in segments {
         let intervals = segment.intervals_by_turning();
@@ -144,7 +137,7 @@ fn evenly_spaced(
     size: f64,
     least: u32,
     total: &mut f64,
-) -> Result<Vec<DVec2>, SizeTooSmall> {
+) -> Result<Vec<DVec2>, OutlineError> {
     let lengths: Vec<f64> = segments.iter().map(Segment::length).collect();
     let length: f64 = lengths.iter().sum();
     let intervals = libm::round(length / size).max(f64::from(least));

@@ -29,7 +29,7 @@ use self::path::Subpath;
 use self::style::Style;
 use super::outline::FillRule;
 use super::outline::{DrawnRing, Outlines};
-use super::text::{at_line, counted, quoted, text_of};
+use super::text::{at_line, counted, counted_all, quoted, text_of};
 use crate::error::OutlineError;
 
 /// Reads the shapes of an SVG document.
@@ -251,9 +251,7 @@ impl<'a, 'input> Reader<'a, 'input> {
     }
 
     fn end(mut self) -> Result<Outlines, OutlineError> {
-        let left_out: Vec<String> =
-            self.left_out.iter().map(|(what, &count)| counted(count, what)).collect();
-        let left_out = left_out.join(", ");
+        let left_out = counted_all(&self.left_out);
         if self.outlines.features.is_empty() {
             let only =
                 if left_out.is_empty() { String::new() } else { format!(", only {left_out}") };

@@ -1,5 +1,7 @@
 //! Text formats: lines, words and numbers, with the line in every error.
 
+use std::collections::BTreeMap;
+
 use glam::DVec2;
 
 use crate::error::OutlineError;
@@ -46,6 +48,13 @@ pub(super) fn shown(point: DVec2) -> String {
 /// Such as "1 line" or "3 lines".
 pub(super) fn counted(count: usize, one: &str) -> String {
     if count == 1 { format!("1 {one}") } else { format!("{count} {one}s") }
+}
+
+/// Kinds with their numbers, such as "1 line, 3 points"; empty without any.
+pub(super) fn counted_all<K: AsRef<str>>(counts: &BTreeMap<K, usize>) -> String {
+    let kinds: Vec<String> =
+        counts.iter().map(|(kind, &count)| counted(count, kind.as_ref())).collect();
+    kinds.join(", ")
 }
 
 /// A name without the characters that a domain refuses and a terminal obeys.

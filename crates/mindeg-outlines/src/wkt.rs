@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use glam::DVec2;
 
 use super::outline::{DrawnRing, Feature, Outlines};
-use super::text::{counted, number, quoted, text_of};
+use super::text::{counted_all, number, quoted, text_of};
 use crate::error::OutlineError;
 
 /// How deep collections may be in each other.
@@ -234,18 +234,17 @@ impl<'a> Reader<'a> {
     }
 
     fn end(mut self) -> Result<Outlines, OutlineError> {
-        let skipped: Vec<String> =
-            self.skipped.iter().map(|(what, &count)| counted(count, what)).collect();
+        let skipped = counted_all(&self.skipped);
         if self.outlines.features.is_empty() {
-            let only = match &skipped[..] {
-                [] => "the text is empty".to_owned(),
-                skipped => format!("only {}", skipped.join(", ")),
+            let only = match &*skipped {
+                "" => "the text is empty".to_owned(),
+                skipped => format!("only {skipped}"),
             };
             return Err(OutlineError::place("", format!("no POLYGON or MULTIPOLYGON: {only}")));
         }
         let notes = &mut self.outlines.notes;
         if !skipped.is_empty() {
-            notes.push(format!("left out {}", skipped.join(", ")));
+            notes.push(format!("left out {skipped}"));
         }
         if self.heights {
             notes.push("left out the Z and M values of points".to_owned());
