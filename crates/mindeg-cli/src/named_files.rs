@@ -76,13 +76,13 @@ pub(crate) fn prepare(files: &[PathBuf]) -> Result<(), Failure> {
     Ok(())
 }
 
-/// All failures of several polygons as one: it is one of reading or writing if any of them is.
+/// All failures of several as one: it is one of reading or writing if any of them is.
 pub(crate) fn summed_up(failures: Vec<Failure>, of: usize, what: &str) -> Result<(), Failure> {
     if failures.is_empty() {
         return Ok(());
     }
     let lines: Vec<&str> = failures.iter().filter_map(Failure::message).collect();
-    let message = format!("{} of {of} polygons {what}\n{}", failures.len(), lines.join("\n"));
+    let message = format!("{} of {of} {what}\n{}", failures.len(), lines.join("\n"));
     let is = |wanted: fn(&Failure) -> bool| failures.iter().any(wanted);
     Err(if is(|failure| matches!(failure, Failure::Io(_) | Failure::ClosedPipe)) {
         Failure::Io(message)

@@ -124,7 +124,8 @@ pub struct FormatFact {
 impl Request {
     /// The request, if its goal, measure and format exist.
     pub(crate) fn checked(self) -> Result<Self, String> {
-        self.goal.checked()?;
+        let (kind, value) = self.goal.kind_and_value();
+        kind.read(&value).map_err(|problem| format!("{}: {problem}", kind.key))?;
         let is_measure = |name: &String| METRICS.iter().any(|metric| metric.name == name);
         if let Some(name) = self.color.as_ref().filter(|name| !is_measure(name)) {
             return Err(format!("no measure is called {name:?}"));

@@ -187,20 +187,6 @@ impl Goal {
         (kind.expect("each goal has a row, as a test holds"), value)
     }
 
-    /// The goal, if its value is in range.
-    ///
-    /// # Errors
-    ///
-    /// A sentence that names the key.
-    pub fn checked(self) -> Result<Self, String> {
-        match self {
-            Self::KeepAngle(share) if !(0.0..=1.0).contains(&share) => {
-                Err(format!("keep_angle is {share}; give a share from 0 to 1"))
-            }
-            goal => Ok(goal),
-        }
-    }
-
     /// The share for [`KeepAngle`](Self::KeepAngle) that people write as `0.95` or as `95%`.
     ///
     /// # Errors

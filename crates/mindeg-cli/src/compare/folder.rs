@@ -6,6 +6,7 @@ use crate::args::CompareArguments;
 use crate::domain::{UNNAMED, from_file, from_options};
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
+use crate::named_files::summed_up;
 use crate::provenance::provenance;
 use crate::terminal::say;
 use mindeg::Domain;
@@ -59,7 +60,7 @@ pub(super) fn run(
             Err(failure) => {
                 let reason = failure.message().unwrap_or("its reader stopped");
                 entries.push(IndexEntry::failed(name, reason));
-                failures.push((name, failure));
+                failures.push(failure.of(name));
             }
         }
     }
@@ -72,26 +73,9 @@ pub(super) fn run(
         let pages = if count == 1 { "page" } else { "pages" };
         say(&format!("wrote {} and {count} {pages} beside it", index.display()));
     }
-    summed_up(&failures, entries.len())?;
+    let what = "domains could not be compared; the index lists them";
+    summed_up(failures, entries.len(), what)?;
     if gated.is_empty() { Ok(()) } else { Err(Failure::Gate(gated.join("\n"))) }
-}
-
-/// All failures as one: it is one of reading or writing if any of them is.
-fn summed_up(failures: &[(&String, Failure)], of: usize) -> Result<(), Failure> {
-    if failures.is_empty() {
-        return Ok(());
-    }
-    let line = |(name, failure): &(&String, Failure)| {
-        format!("{name}: {}", failure.message().unwrap_or("its reader stopped"))
-    };
-    let lines: Vec<String> = failures.iter().map(line).collect();
-    let message = format!(
-        "{} of {of} domains could not be compared; the index lists them\n{}",
-        failures.len(),
-        lines.join("\n")
-    );
-    let is_io = |(_, failure): &(&String, Failure)| matches!(failure, Failure::Io(_));
-    Err(if failures.iter().any(is_io) { Failure::Io(message) } else { Failure::Input(message) })
 }
 
 /// A domain to be read when its turn comes, and the name of its page.

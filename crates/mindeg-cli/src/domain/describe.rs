@@ -137,5 +137,5 @@ fn write_all(polygons: &PolygonFile, pattern: &Path) -> Result<(), Failure> {
         let written = domain.and_then(|domain| write(&domain, file));
         failures.extend(written.err());
     }
-    summed_up(failures, files.len(), "are no domains; the others were written")
+    summed_up(failures, files.len(), "polygons are no domains; the others were written")
 }

@@ -42,7 +42,11 @@ pub(super) fn run(
             meshed => failures.extend(meshed.err()),
         }
     }
-    summed_up(failures, polygons.polygons.len(), "have no mesh; those of the others were written")
+    summed_up(
+        failures,
+        polygons.polygons.len(),
+        "polygons have no mesh; those of the others were written",
+    )
 }
 
 /// The outputs for the mesh of the only polygon; its name replaces patterns.
