@@ -44,6 +44,41 @@ fn degree_tells_the_degree_and_why() {
     }
 }
 
+/// Windows reach 7 here, and 4 is the bound of counting.
+const SLITS: &str = r#"{"ring": [[0, -4112], [25, 625], [-22, 484]], "holes": [
+    {"ring": [[5, -1856], [3, -2013], [4, -1392], [10, -1980]]},
+    {"ring": [[17, -494], [12, 120], [15, 86], [15, 63], [14, -14]]}]}"#;
+
+#[test]
+fn a_refutation_is_written_and_repeated() {
+    let (folder, path) = written(SLITS);
+    let at = |name: &str| folder.path().join(name).to_str().expect("a path is text").to_owned();
+    let (path, out, proof) =
+        (path.to_str().expect("a path is text"), at("mesh.obj"), at("proof.json"));
+    let answer = mindeg(["degree", path, "--proof", &proof, "--json"]).json();
+    assert_eq!((&answer["least_max_degree"], &answer["reached_by"]), (&6.into(), &"search".into()));
+    assert_eq!(answer["certificate"]["kind"], "refuted");
+    assert_eq!(mindeg(["mesh", path, "-o", &out]).code, Some(0));
+    let verified = mindeg(["verify", &out, path, "--proof", &proof, "--optimal", "--json"]).json();
+    assert_eq!(
+        (&verified["optimal"], &verified["proof"]["kind"]),
+        (&"yes".into(), &"refuted".into())
+    );
+    // Without its first clause the rest does not follow; on another domain neither.
+    let text = fs::read_to_string(&proof).expect("the proof is there");
+    let mut changed: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
+    changed["clauses"].as_array_mut().expect("a list").remove(0);
+    fs::write(&proof, changed.to_string()).expect("the proof is written");
+    let verified = mindeg(["verify", &out, path, "--proof", &proof, "--json"]).json();
+    assert_eq!(verified["optimal"], "unknown");
+    fs::write(&proof, r#"{"refuted_degree": 5, "clauses": [[{"has": [1]}]]}"#)
+        .expect("it is written");
+    mindeg(["verify", &out, path, "--proof", &proof]).refuses(&["neither a chord nor a triangle"]);
+    let (_other, path) = written(FRAME);
+    let path = path.to_str().expect("a path is text");
+    mindeg(["degree", path, "--proof", &proof]).refuses(&["no clauses prove this degree"]);
+}
+
 #[test]
 fn a_mesh_keeps_what_it_is_asked_for() {
     let (folder, path) = written(L);
@@ -70,21 +105,21 @@ fn a_mesh_goes_around_a_hole_in_every_report() {
     let [obj, svg, html] = ["frame.obj", "frame.svg", "frame.html"].map(at);
     let mesh = mindeg(["mesh", path, "-o", &obj, "-o", &svg, "--json"]).json();
     assert_eq!((&mesh["max_degree"], &mesh["triangles"]), (&5.into(), &24.into()));
-    assert!(mesh["least_max_degree"].is_null() && mesh["at_least"] == 4);
+    assert_eq!((&mesh["least_max_degree"], &mesh["at_least"]), (&5.into(), &5.into()));
     let seen = mindeg(["inspect", &obj, "--json"]).json();
     assert_eq!((&seen["boundary_loops"], &seen["area"]), (&2.into(), &12.0.into()));
     assert_eq!((&seen["polygon"]["holes"], &seen["polygon"]["reached"]), (&1.into(), &5.into()));
     let curve = mindeg(["tradeoff", path, "--json", "-o", &svg, "-o", &html]).json();
-    assert_eq!(curve["points"][0]["exact"], false);
+    assert_eq!(curve["points"][0]["exact"], true);
     let report = mindeg(["compare", path, "--json", "-o", &html]).json();
     assert_eq!(
         (&report["domain"]["holes"], &report["domain"]["triangles"]),
         (&1.into(), &24.into())
     );
-    assert_eq!(report["domain"]["least_max_degree"], serde_json::Value::Null);
+    assert_eq!(report["domain"]["least_max_degree"], 5);
     let methods = report["methods"].as_array().expect("a list");
     let names: Vec<_> = methods.iter().filter_map(|method| method["name"].as_str()).collect();
-    assert_eq!(names, ["mindeg", "Delaunay", "Ear clipping"]);
+    assert_eq!(names, ["mindeg", "Delaunay", "Ear clipping", "Exact, degree 5"]);
     assert_eq!((&methods[0]["max_degree"], &methods[0]["valid"]), (&5.into(), &true.into()));
     assert_eq!((&methods[1]["max_degree"], &methods[1]["valid"]), (&6.into(), &true.into()));
 }

@@ -2,7 +2,8 @@
 
 use crate::limit::LimitAnswer;
 use crate::numbers::count;
-use mindeg::exact::{DegreeAnswer, LowerBound, Reached, degree};
+use crate::proof::ProofFile;
+use mindeg::exact::{DegreeAnswer, LowerBound, Reached, degree_with};
 use mindeg::{Domain, Progress, Rings};
 use mindeg_core::{Boundary, Certificate};
 use serde::Serialize;
@@ -31,6 +32,9 @@ pub struct DegreeReport {
     pub reached_by: &'static str,
     /// Why no mesh has less than `at_least`.
     pub certificate: DegreeProof,
+    /// The clauses of a refutation, for a file of their own.
+    #[serde(skip)]
+    pub proof: Option<ProofFile>,
     /// The limit of the minimum angle with interior points, if it was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitAnswer>,
@@ -106,8 +110,21 @@ impl DegreeReport {
     ///
     /// # Errors
     ///
-    /// The errors of [`degree`].
+    /// The errors of [`degree_with`].
     pub fn of(domain: &Domain, progress: Progress<'_>) -> Result<Self, mindeg::MeshError> {
+        Self::with_effort(domain, 1.0, progress)
+    }
+
+    /// [`of`](Self::of) with `effort` times the default steps of searches.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`degree_with`].
+    pub fn with_effort(
+        domain: &Domain,
+        effort: f64,
+        progress: Progress<'_>,
+    ) -> Result<Self, mindeg::MeshError> {
         if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
             let mut report = Self::of_counts(form.boundary());
             if form.first() > 0 || report.intervals.len() != domain.rings().side_count() {
@@ -119,7 +136,7 @@ impl DegreeReport {
             }
             return Ok(report);
         }
-        let answer = degree(domain, progress)?;
+        let answer = degree_with(domain, effort, progress)?;
         let rings = domain.rings();
         let triangles = triangle_count(rings);
         Ok(Self {
@@ -141,6 +158,12 @@ impl DegreeReport {
                 _ => "exhaustive",
             },
             words: in_words(domain, &answer),
+            proof: match &answer.bounded_by {
+                LowerBound::Refuted(refutation) => {
+                    Some(ProofFile::new(answer.at_least.saturating_sub(1), refutation))
+                }
+                _ => None,
+            },
             certificate: match answer.bounded_by {
                 LowerBound::BlockedZigZags(chords) => DegreeProof::BlockedZigZags { chords },
                 LowerBound::Apexes(bound) => {
@@ -173,6 +196,7 @@ impl DegreeReport {
             reached: bound,
             reached_by: "formula",
             words: certificate_in_words(boundary, &certificate),
+            proof: None,
             certificate: match certificate {
                 Certificate::BalancedCut { cut, .. } => DegreeProof::BalancedCut {
                     first_side: cut.first_side + 1,

@@ -21,6 +21,7 @@ pub mod model;
 pub mod names;
 pub mod numbers;
 pub mod preset;
+pub mod proof;
 pub mod suggest;
 pub mod trade_off;
 pub mod verify;

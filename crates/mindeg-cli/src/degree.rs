@@ -4,6 +4,7 @@ use crate::args::DegreeArguments;
 use crate::bar::Bar;
 use crate::domain::{Counted, counted};
 use crate::failure::Failure;
+use crate::interrupt::{SESSION, clean_up_on_interrupt};
 use crate::standard_output::{print, print_json};
 use mindeg::{Domain, Goal, Interior, Progress};
 use mindeg_answers::advice::shell_word;
@@ -12,6 +13,8 @@ use mindeg_answers::limit::Lifting;
 use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::suggest::in_words;
 use mindeg_core::{Boundary, suggest};
+use mindeg_files::{Outputs, write_to};
+use std::path::Path;
 
 /// On larger domains the limit of the angle is not worked out: it takes all points in memory.
 const MOST_VERTICES: u32 = 1_000_000;
@@ -25,10 +28,14 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
         }
         Counted::Domain(domain) => {
             let bar = Bar::new(arguments.json);
-            let found = bar.work(|progress| DegreeReport::of(&domain, progress));
+            let found =
+                bar.work(|progress| DegreeReport::with_effort(&domain, arguments.effort, progress));
             (found.map_err(|error| input(&error))?, Some(domain))
         }
     };
+    if let Some(path) = &arguments.proof {
+        write_proof(path, &report)?;
+    }
     let lifting = domain.as_ref().and_then(|domain| lifting(domain, arguments.boundary_degree, 1));
     if arguments.json {
         report.limit = lifting.as_ref().map(Lifting::answer);
@@ -41,6 +48,21 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
     }
     text.extend(lifting.map(|found| format!("With interior points: {}\n", found.text())));
     print(&text)
+}
+
+/// Writes the clauses that refute a smaller degree.
+fn write_proof(path: &Path, report: &DegreeReport) -> Result<(), Failure> {
+    let Some(proof) = &report.proof else {
+        return Err(Failure::Input(
+            "--proof: no clauses prove this degree; the answer without --proof says what does"
+                .to_owned(),
+        ));
+    };
+    clean_up_on_interrupt()?;
+    let mut outputs = Outputs::new(&SESSION);
+    let out = outputs.open(path)?;
+    write_to(path, out, |out| Ok(serde_json::to_writer(out, proof)?))?;
+    Ok(outputs.finish()?)
 }
 
 /// The limit of a domain's minimum angle with interior points, at a boundary degree, and up to `steps` changes
@@ -70,6 +92,9 @@ fn fewer(report: &DegreeReport) -> Option<String> {
 
 /// The gain from one or two degrees more on a domain, if it is large and found in about half a second.
 fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
+    if domain.rings().ring_count() > 1 {
+        return None;
+    }
     // A domain without a mesh says so when it is meshed.
     let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE).ok()?;
     let higher = meshed.higher_degree?;

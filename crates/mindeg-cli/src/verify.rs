@@ -9,9 +9,12 @@ use crate::interrupt::clean_up_on_interrupt;
 use crate::making::read_mesh;
 use crate::mesh::unsolved;
 use crate::standard_output::{print, print_json};
+use mindeg::exact::Refutation;
 use mindeg::verify;
+use mindeg_answers::proof::ProofFile;
 use mindeg_answers::verify::{VerifyAnswer, VerifyDemands};
 use mindeg_files::is_domain_name;
+use std::path::Path;
 
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
@@ -20,6 +23,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         Some(path) => from_file(path, &arguments.options)?,
         None => from_options(&arguments.options)?,
     };
+    let refutation = arguments.proof.as_deref().map(read_proof).transpose()?;
     let bar = Bar::new(arguments.quiet);
     let mesh = read_mesh(&arguments.file, None, &bar)?;
     let file = arguments.file.display().to_string();
@@ -47,8 +51,11 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         optimal: arguments.optimal,
     };
     let answer = bar.work(|progress| {
-        let optimality = verify::optimality(&verified, &domain, progress)
-            .map_err(|error| unsolved(&error, "leave out --optimal"))?;
+        let optimality = match &refutation {
+            Some(refutation) => verify::optimality_by(&verified, &domain, refutation, progress),
+            None => verify::optimality(&verified, &domain, progress),
+        };
+        let optimality = optimality.map_err(|error| unsolved(&error, "leave out --optimal"))?;
         Ok::<_, Failure>(VerifyAnswer::of(
             &file,
             &domain,
@@ -66,6 +73,16 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         print(&answer.text(&name_in_text(&domain)))?;
     }
     met(&answer.failed)
+}
+
+/// Reads the clauses that `mindeg degree --proof` has written.
+fn read_proof(path: &Path) -> Result<Refutation, Failure> {
+    let fault = |error: &dyn std::fmt::Display| {
+        Failure::Input(format!("--proof {}: {error}", path.display()))
+    };
+    let text = std::fs::read_to_string(path).map_err(|error| fault(&error))?;
+    let file: ProofFile = serde_json::from_str(&text).map_err(|error| fault(&error))?;
+    file.refutation().map_err(|error| fault(&error))
 }
 
 /// Refuses a domain where the mesh is expected.

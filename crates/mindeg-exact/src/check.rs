@@ -9,10 +9,8 @@
 //! Limits: an exhaustive search leaves nothing to check but its repetition
 //! ([`CheckedOutline::has_triangulation`]), which is for hundreds of vertices.
 
-mod refutation;
+pub mod refutation;
 mod search;
-
-pub use refutation::{CheckedFace, refutes};
 
 use crate::apex::ApexBound;
 use glam::DVec2;

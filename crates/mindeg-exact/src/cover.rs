@@ -5,11 +5,12 @@
 //! a triangulation may have is a variable, and every chord: `rows.rs` says how many of which may hold
 //! together, and `search.rs` looks for values that keep all rows, learning a clause from every conflict. A
 //! solution is a triangulation (Theorem 22 of docs/theory.md). If there is none, the learned clauses are a proof
-//! (Theorem 23) that [`check::refutes`](crate::check::refutes) repeats.
+//! (Theorem 23) that [`check::refutation`](crate::check::refutation) repeats.
 //!
 //! Work is counted and not timed, so the answer is the same on every machine.
 
 mod angles;
+mod decision;
 mod rows;
 mod search;
 
@@ -20,13 +21,10 @@ use crate::visibility;
 use mindeg_mesh::{Cancelled, Progress};
 use rows::{Candidates, Rows};
 
-pub use angles::SearchedAngle;
+pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 
 /// The most candidate triangles that a search takes, some 150 MB.
 pub const MAX_CANDIDATES: usize = 1_000_000;
-
-/// The steps of a search by default: visits of literals, some 10 seconds on one core.
-pub const COVER_STEPS: u64 = 1_000_000_000;
 
 /// The triangles that the triangulations of one face or of several may have.
 ///
@@ -57,45 +55,6 @@ pub struct Cover {
     faces: Vec<Candidates>,
     /// The chords of all triangulations.
     chord_count: u64,
-}
-
-/// The answer of a search.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Decision {
-    /// These triangles of each face keep the limits.
-    Mesh(Vec<Vec<[u32; 3]>>),
-    /// No triangulation keeps the limits.
-    Refuted(Refutation),
-    /// The steps did not suffice.
-    Unknown,
-}
-
-/// A proof that no triangulation keeps some limits: clauses of which each follows from the rows and the clauses
-/// before it by unit propagation. The last one is empty.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Refutation {
-    /// The clauses. Of the literals of each, one or more hold in every triangulation that keeps the limits.
-    pub clauses: Vec<Vec<Literal>>,
-}
-
-/// One statement on a triangulation: it has a chord or triangle, or lacks it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Literal {
-    /// The face; 0 in a domain.
-    pub face: u32,
-    /// The chord or triangle.
-    pub element: Element,
-    /// Whether the triangulation has it.
-    pub is_used: bool,
-}
-
-/// A chord or triangle, by its vertices on the face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Element {
-    /// A chord, the smaller end first.
-    Chord([u32; 2]),
-    /// A triangle, counter-clockwise from its smallest vertex.
-    Triangle([u32; 3]),
 }
 
 impl Cover {

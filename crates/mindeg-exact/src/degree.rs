@@ -14,8 +14,6 @@ use mindeg_mesh::Progress;
 
 mod rings;
 
-use rings::{rings, rings_with_limits};
-
 /// The most triangles that the test for degree 4 walks through, about a second.
 const ZIGZAG_STEPS: u64 = 50_000_000;
 
@@ -161,7 +159,9 @@ pub fn degree_range(problem: &Problem, progress: Progress<'_>) -> Result<DegreeR
             })
         }
         Domain::Simple(mesh) if problem.is_plain() => polygon(problem, mesh, progress),
-        Domain::Rings(mesh) if problem.is_plain() => rings(problem, mesh, progress),
+        Domain::Rings(mesh) if problem.is_plain() => {
+            DegreeRange::with_holes(problem, mesh, progress)
+        }
         _ => with_limits(problem, progress),
     }
 }
@@ -306,7 +306,7 @@ fn with_limits(problem: &Problem, progress: Progress<'_>) -> Result<DegreeRange,
         return Ok(range);
     }
     if let Domain::Rings(_) = problem.domain {
-        return rings_with_limits(problem, range, windowed.keeps_vertex_limits, progress);
+        return range.within_limits(problem, windowed.keeps_vertex_limits, progress);
     }
     let chords = match problem.chords(progress) {
         Err(Unsolved::TooLarge { .. }) if windowed.keeps_vertex_limits => return Ok(range),

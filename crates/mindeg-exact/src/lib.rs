@@ -111,15 +111,13 @@ mod zigzag;
 pub use answer::{AngleOptima, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
 pub use bridge::{Bridge, BridgeProblem, MAX_STEPS, bridge_rings, largest_bridge_angle};
-pub use cover::{
-    COVER_STEPS, Cover, Decision, Element, Literal, MAX_CANDIDATES, Refutation, SearchedAngle,
-};
+pub use cover::{Cover, Decision, Element, Literal, MAX_CANDIDATES, Refutation, SearchedAngle};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};
 pub use fill::{LoopLimit, LoopProblem, LoopTriangulation, MAX_LOOP, MAX_STATES, fill_loop};
 pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};
 pub use patch::{Block, Cost, Patch};
-pub use problem::{MAX_TRIPLES, MAX_VERTICES, Problem};
+pub use problem::{COVER_STEPS, MAX_TRIPLES, MAX_VERTICES, Problem};
 pub use search::Optimum;
 pub use unsolved::Unsolved;
 pub use windows::{Windowed, windows};

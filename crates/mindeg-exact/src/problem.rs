@@ -1,7 +1,6 @@
 //! A problem: boundary points, external degrees and degree limits of single vertices.
 
 use crate::chords::Chords;
-use crate::cover::COVER_STEPS;
 use crate::limits::DegreeLimits;
 use crate::linked::Linked;
 use crate::progress::Stage;
@@ -24,6 +23,9 @@ pub const MAX_VERTICES: u32 = 4096;
 /// One pass of the dynamic program over 10^9 triples takes 5 to 10 seconds on one core. A coastline
 /// of 20,000 vertices has some 10^9, an L of 2,000 has 2.5 * 10^8.
 pub const MAX_TRIPLES: u64 = 4_000_000_000;
+
+/// The steps of searches with holes by default, some 10 seconds on one core.
+pub const COVER_STEPS: u64 = 1_000_000_000;
 
 /// The largest external degree in windows, which take larger ones for this.
 pub(crate) const MANY_EDGES: u32 = 1 << 30;
@@ -196,14 +198,12 @@ impl Problem {
         self.visible = OnceLock::new();
     }
 
-    /// Sets the most steps of all searches with learned clauses together, in place of [`COVER_STEPS`]. They decide
-    /// about domains with holes.
+    /// Sets the most steps of all searches of a domain with holes together, in place of [`COVER_STEPS`].
     pub fn set_max_steps(&mut self, steps: u64) {
         self.max_steps = steps;
     }
 
     /// The limit of [`set_max_steps`](Self::set_max_steps).
-    #[must_use]
     pub fn max_steps(&self) -> u64 {
         self.max_steps
     }
@@ -262,13 +262,10 @@ impl Problem {
     /// The maximum degree of some triangles, external edges included.
     pub(crate) fn max_degree_of(&self, triangles: &[[u32; 3]]) -> u32 {
         // The edges at a vertex of one fan are one more than its triangles.
-        let mut totals: Vec<u32> =
-            self.external_degrees.iter().map(|external| external.saturating_add(1)).collect();
-        for &corner in triangles.as_flattened() {
-            let total = &mut totals[corner as usize];
-            *total = total.saturating_add(1);
-        }
-        totals.into_iter().max().unwrap_or(0)
+        let mut edges = vec![1_u32; self.points.len()];
+        triangles.as_flattened().iter().for_each(|&corner| edges[corner as usize] += 1);
+        let all = edges.iter().zip(&self.external_degrees);
+        all.map(|(&own, &external)| external.saturating_add(own)).max().unwrap_or(0)
     }
 
     /// A limit for all vertices that no triangulation exceeds.

@@ -6,7 +6,7 @@
 mod domains;
 
 use domains::{Holed, for_random};
-use mindeg_exact::check::refutes;
+use mindeg_exact::check::refutation::refutes;
 use mindeg_exact::{
     COVER_STEPS, Cover, Decision, Element, Literal, LowerBound, Problem, Progress, Reached,
     Refutation, Unsolved, degree_range,
@@ -32,7 +32,7 @@ fn decide(
             assert!(refutes(&[domain.checked(least_tangent)], most, &refutation), "{domain:?}");
             (false, Some(refutation))
         }
-        Decision::Unknown => panic!("{domain:?}"),
+        Decision::Unknown => unreachable!("{domain:?}"),
     }
 }
 
@@ -112,7 +112,9 @@ fn degree_ranges_with_holes_are_the_least() {
                 check_bound(domain, &range.bounded_by, least, &external, &own);
             }
             (Err(error), None) => assert_eq!(error, Unsolved::VertexLimits),
-            (range, least) => panic!("{range:?}, {least:?}: {domain:?}, {external:?}, {own:?}"),
+            (range, least) => {
+                unreachable!("{range:?}, {least:?}: {domain:?}, {external:?}, {own:?}")
+            }
         }
     });
 }
@@ -157,7 +159,7 @@ fn check_bound(domain: &Holed, bound: &LowerBound, least: u32, external: &[u32],
             assert_eq!(counted, least, "{domain:?}");
         }
         LowerBound::Apexes(bound) => assert!(checked.outline.bounds_apexes(bound), "{domain:?}"),
-        other => panic!("{other:?}: {domain:?}"),
+        other => unreachable!("{other:?}: {domain:?}"),
     }
 }
 

@@ -4,7 +4,7 @@
 //! Limits: beyond the solver's budget there may be a gap.
 
 use mindeg_domain::Domain;
-use mindeg_exact::{DegreeRange, LowerBound, Problem, Reached, degree_range};
+use mindeg_exact::{COVER_STEPS, DegreeRange, LowerBound, Problem, Reached, degree_range};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -66,6 +66,20 @@ impl From<DegreeRange> for DegreeAnswer {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, MeshError> {
+    degree_with(domain, 1.0, progress)
+}
+
+/// [`degree`] with more steps for searches with holes, or fewer: `effort` times their default, which takes some
+/// seconds.
+///
+/// # Errors
+///
+/// As [`degree`].
+pub fn degree_with(
+    domain: &Domain,
+    effort: f64,
+    progress: Progress<'_>,
+) -> Result<DegreeAnswer, MeshError> {
     if let Some(form) = domain.convex()
         && !domain.is_constrained()
     {
@@ -73,7 +87,8 @@ pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, M
         let (reached_by, bounded_by) = (Reached::ClosedForm, LowerBound::ClosedForm);
         return Ok(DegreeAnswer { reached: least, at_least: least, reached_by, bounded_by });
     }
-    let posed = Posed::new(domain, progress)?;
+    let mut posed = Posed::new(domain, progress)?;
+    posed.problem.set_max_steps((COVER_STEPS as f64 * effort.max(0.0)) as u64);
     let range = degree_range(&posed.problem, progress);
     Ok(range.map_err(|error| posed.unsolved(error, progress))?.into())
 }

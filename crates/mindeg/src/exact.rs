@@ -12,14 +12,14 @@ use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
-pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary};
+pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary, degree_with};
 pub use crate::error::MeshError;
 use crate::meshed::Meshed;
 use crate::posed::Posed;
 use crate::searched::Searched;
 pub use crate::trade_off::{ExactMesh, TradeOff, keeps, share_of};
 use crate::windowed::{SHARES, within};
-pub use mindeg_exact::{ApexBound, LowerBound, Reached, ZigZag};
+pub use mindeg_exact::{ApexBound, Element, Literal, LowerBound, Reached, Refutation, ZigZag};
 
 /// The least maximum degree of all meshes of a domain; O(k) for k sides of a convex domain without
 /// constraints. [`degree`] has more to say.

@@ -43,8 +43,7 @@ pub enum Goal {
     /// degree, by the solver. Else, of a convex domain, the best of at most 64 candidates that the
     /// construction gives; of any other, one with an angle that is found on the way.
     ///
-    /// With holes the least degree, as far as a search within a number of steps decides; where too many vertices
-    /// see each other, the least that windows reach.
+    /// Where too many vertices see each other, the least degree that windows reach.
     #[default]
     LeastDegree,
     /// The least maximum degree of all meshes that have this share, 0 to 1, of the minimum angle of a
@@ -369,8 +368,6 @@ fn max_degree(domain: &Domain, limit: u32, progress: Progress<'_>) -> Result<Mes
     let (reached, at_least) = (meshed.mesh.max_total_degree(), meshed.least_max_degree);
     if reached <= limit {
         Ok(meshed)
-    } else if reached == at_least {
-        Err(Unsolved::Infeasible { max_degree: limit, least: reached }.into())
     } else {
         Err(MeshError::not_reached(limit, reached, at_least))
     }

@@ -1,6 +1,7 @@
 //! Commands that interval counts alone can answer.
 
 use super::domain::DomainOptions;
+use super::mesh::factor;
 use super::values::{IntervalCounts, whole_number};
 use super::with_exit_codes;
 use clap::Args;
@@ -27,6 +28,14 @@ pub(crate) struct DegreeArguments {
     /// [default: 5]
     #[arg(long, value_name = "D", value_parser = whole_number, allow_hyphen_values = true)]
     pub(crate) boundary_degree: Option<u32>,
+
+    /// How long to search with holes, as a multiple of the default, which takes seconds
+    #[arg(long, value_name = "FACTOR", value_parser = factor, default_value = "1", allow_hyphen_values = true)]
+    pub(crate) effort: f64,
+
+    /// Write the clauses that refute a smaller degree to a JSON file, which mindeg verify --proof repeats
+    #[arg(long, value_name = "FILE")]
+    pub(crate) proof: Option<PathBuf>,
 
     /// Print JSON: intervals, holes, vertices, triangles, interior_edges, least_max_degree (null if
     /// not known), at_least, reached, reached_by, certificate (sides counted from 1); for a domain limit, with

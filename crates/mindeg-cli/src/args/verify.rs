@@ -51,6 +51,10 @@ pub(crate) struct VerifyArguments {
     #[arg(long)]
     pub(crate) optimal: bool,
 
+    /// Repeat the proof that mindeg degree --proof has written, instead of searching for one
+    #[arg(long, value_name = "FILE")]
+    pub(crate) proof: Option<PathBuf>,
+
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
     /// interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, optimal, proof,
     /// reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,

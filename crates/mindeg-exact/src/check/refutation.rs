@@ -29,7 +29,8 @@ pub struct CheckedFace<'a> {
 /// ```
 /// use glam::DVec2;
 /// use mindeg_exact::{Element, Literal, Refutation};
-/// use mindeg_exact::check::{CheckedFace, CheckedOutline, refutes};
+/// use mindeg_exact::check::CheckedOutline;
+/// use mindeg_exact::check::refutation::{CheckedFace, refutes};
 ///
 /// let points = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(x, y)| DVec2::new(f64::from(x), f64::from(y)));
 /// let (side_of, vertices) = ([0, 1, 2, 3], [0, 1, 2, 3]);

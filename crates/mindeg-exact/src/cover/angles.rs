@@ -1,21 +1,10 @@
 //! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
 
-use super::{Cover, Decision};
+use super::Cover;
+use super::decision::{Decision, SearchedAngle};
 use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use mindeg_mesh::{Cancelled, Progress};
-
-/// The triangulation with the largest minimum angle that searches find within a degree limit.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SearchedAngle {
-    /// The triangles, counter-clockwise.
-    pub triangles: Vec<[u32; 3]>,
-    /// Their minimum angle, in degrees.
-    pub min_angle: f64,
-    /// Whether no triangulation within the limit has a larger one: the searches have refuted the next
-    /// candidate's angle, or none is larger.
-    pub is_largest: bool,
-}
 
 impl Cover {
     /// The largest minimum angle of all triangulations in which no vertex has more than `max_degree` edges,

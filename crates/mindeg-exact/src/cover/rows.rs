@@ -4,7 +4,7 @@
 //! - On either side of a chord lies exactly one triangle, or the chord is not used.
 //! - A vertex has no more chords than its limit leaves.
 
-use super::{Element, Literal};
+use super::decision::{Element, Literal};
 use crate::chords::Lists;
 use crate::measure::min_angle_tangent;
 use crate::problem::Problem;

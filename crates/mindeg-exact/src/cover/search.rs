@@ -5,7 +5,7 @@
 //! earlier levels (the first unique implication point); the clause that says so is learned, and the search goes
 //! back to where it has one free literal. Learned clauses watch two of their literals.
 
-use super::Decision;
+use super::decision::Decision;
 use super::rows::{Code, Rows};
 use crate::progress::Stage;
 use mindeg_mesh::Cancelled;

@@ -11,43 +11,70 @@ use crate::unsolved::Unsolved;
 use crate::visibility;
 use mindeg_mesh::Progress;
 
-/// The degree that windows reach in a domain with holes, and bounds.
-pub(super) fn rings(
-    problem: &Problem,
-    mesh: &Linked,
-    progress: Progress<'_>,
-) -> Result<DegreeRange, Unsolved> {
-    let lower_bound = counting_bound(problem, mesh.triangles.len());
-    let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
-    let (reached_by, bounded_by) = (Reached::Windows, LowerBound::Counting);
-    let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };
-    if range.is_proven() {
-        return Ok(range);
-    }
-    let stage = Stage::new(progress, "finding chords");
-    let most = problem.max_chords();
-    let pairs = visibility::pairs(mesh, problem.points(), problem.sides(), most, &stage)?;
-    if let Some(pairs) = pairs {
-        let mut next = vec![0; problem.points().len()];
-        mesh.boundary_edges().for_each(|[from, to]| next[from as usize] = to);
-        let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
-        range.raise(apex_bound(&next, edges));
-    }
-    let has_one_hole = mesh.triangles.len() == problem.points().len();
-    if has_one_hole && range.lower_bound == 4 && range.max_degree > 4 {
-        if let Some(triangles) = annulus::strip(problem, mesh) {
-            range.reach(problem, triangles);
-            range.reached_by = Reached::Strip;
-        } else {
-            (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
+impl DegreeRange {
+    /// The degree that windows reach in a domain with holes, and bounds.
+    pub(super) fn with_holes(
+        problem: &Problem,
+        mesh: &Linked,
+        progress: Progress<'_>,
+    ) -> Result<Self, Unsolved> {
+        let lower_bound = counting_bound(problem, mesh.triangles.len());
+        let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
+        let (reached_by, bounded_by) = (Reached::Windows, LowerBound::Counting);
+        let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };
+        if range.is_proven() {
+            return Ok(range);
         }
+        let stage = Stage::new(progress, "finding chords");
+        let most = problem.max_chords();
+        let pairs = visibility::pairs(mesh, problem.points(), problem.sides(), most, &stage)?;
+        if let Some(pairs) = pairs {
+            let mut next = vec![0; problem.points().len()];
+            mesh.boundary_edges().for_each(|[from, to]| next[from as usize] = to);
+            let edges = mesh.boundary_edges().chain(pairs.iter().flatten().copied());
+            range.raise(apex_bound(&next, edges));
+        }
+        let has_one_hole = mesh.triangles.len() == problem.points().len();
+        if has_one_hole && range.lower_bound == 4 && range.max_degree > 4 {
+            if let Some(triangles) = annulus::strip(problem, mesh) {
+                range.reach(problem, triangles);
+                range.reached_by = Reached::Strip;
+            } else {
+                (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
+            }
+        }
+        if !range.is_proven()
+            && let Some(cover) = Cover::of(problem, progress)?
+        {
+            close(problem, &cover, &mut range, problem.max_steps(), progress)?;
+        }
+        Ok(range)
     }
-    if !range.is_proven()
-        && let Some(cover) = Cover::of(problem, progress)?
-    {
-        close(problem, &cover, &mut range, problem.max_steps(), progress)?;
+
+    /// The range of a domain with holes from that of windows, which may not keep the limits of single vertices.
+    pub(super) fn within_limits(
+        mut self,
+        problem: &Problem,
+        keeps_limits: bool,
+        progress: Progress<'_>,
+    ) -> Result<Self, Unsolved> {
+        let cover = Cover::of(problem, progress)?;
+        let mut steps = problem.max_steps();
+        if !keeps_limits {
+            let limits = problem.degree_limits(problem.no_limit()).ok_or(Unsolved::VertexLimits)?;
+            let cover = cover.as_ref().ok_or(Unsolved::Undecided)?;
+            let start = [self.triangles.clone()];
+            match cover.decide_within(&limits.chords, &[0.0], &start, &mut steps, progress)? {
+                Decision::Mesh(faces) => self.reach(problem, faces.concat()),
+                Decision::Refuted(_) => return Err(Unsolved::VertexLimits),
+                Decision::Unknown => return Err(Unsolved::Undecided),
+            }
+        }
+        if let Some(cover) = cover {
+            close(problem, &cover, &mut self, steps, progress)?;
+        }
+        Ok(self)
     }
-    Ok(range)
 }
 
 /// Closes a gap by searches, from the lower bound up, or as much of it as their steps suffice for.
@@ -79,29 +106,4 @@ fn close(
         }
     }
     Ok(())
-}
-
-/// The range of a domain with holes from that of windows, which may not keep the limits of single vertices.
-pub(super) fn rings_with_limits(
-    problem: &Problem,
-    mut range: DegreeRange,
-    keeps_limits: bool,
-    progress: Progress<'_>,
-) -> Result<DegreeRange, Unsolved> {
-    let cover = Cover::of(problem, progress)?;
-    let mut steps = problem.max_steps();
-    if !keeps_limits {
-        let limits = problem.degree_limits(problem.no_limit()).ok_or(Unsolved::VertexLimits)?;
-        let cover = cover.as_ref().ok_or(Unsolved::Undecided)?;
-        let start = [range.triangles.clone()];
-        match cover.decide_within(&limits.chords, &[0.0], &start, &mut steps, progress)? {
-            Decision::Mesh(faces) => range.reach(problem, faces.concat()),
-            Decision::Refuted(_) => return Err(Unsolved::VertexLimits),
-            Decision::Unknown => return Err(Unsolved::Undecided),
-        }
-    }
-    if let Some(cover) = cover {
-        close(problem, &cover, &mut range, steps, progress)?;
-    }
-    Ok(range)
 }

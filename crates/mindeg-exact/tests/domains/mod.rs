@@ -4,7 +4,8 @@
 mod outlines;
 
 use glam::DVec2;
-use mindeg_exact::check::{CheckedFace, CheckedOutline};
+use mindeg_exact::check::CheckedOutline;
+use mindeg_exact::check::refutation::CheckedFace;
 use mindeg_exact::{Problem, measure};
 use mindeg_mesh::check;
 use mindeg_mesh::planar::PlanarBoundary;

@@ -2,7 +2,8 @@
 //!
 //! Limits: those of [`Cover`], and a number of steps.
 
-use mindeg_exact::check::{CheckedFace, CheckedOutline, refutes};
+use mindeg_exact::check::CheckedOutline;
+use mindeg_exact::check::refutation::{CheckedFace, refutes};
 use mindeg_exact::{COVER_STEPS, Cover, Decision, Problem, Refutation};
 use mindeg_mesh::{Cancelled, Progress};
 

@@ -10,8 +10,9 @@ use std::ops::Range;
 
 use mindeg_core::{certificate, least_degree_triangulation};
 use mindeg_domain::{ConvexForm, Domain};
-use mindeg_exact::LowerBound;
-use mindeg_exact::check::{CheckedFace, CheckedOutline, refutes};
+use mindeg_exact::check::CheckedOutline;
+use mindeg_exact::check::refutation::{CheckedFace, refutes};
+use mindeg_exact::{LowerBound, Reached, Refutation};
 use mindeg_mesh::{Progress, check};
 
 use super::matching::VerifiedMesh;
@@ -119,6 +120,39 @@ pub fn optimality(
         Some(form) if !domain.is_constrained() => Ok(of_convex(form, verified.max_degree)),
         _ => of_any(verified, domain, progress),
     }
+}
+
+/// [`optimality`] by a proof that no mesh of the domain has a smaller maximum degree, which is repeated by code that
+/// shares nothing with the search that made it.
+///
+/// # Errors
+///
+/// Points without a Delaunay triangulation, and a `progress` that cancels.
+pub fn optimality_by(
+    verified: &VerifiedMesh,
+    domain: &Domain,
+    refutation: &Refutation,
+    progress: Progress<'_>,
+) -> Result<Optimality, MeshError> {
+    let answer = DegreeAnswer {
+        reached: verified.max_degree,
+        at_least: verified.max_degree,
+        reached_by: Reached::Search,
+        bounded_by: LowerBound::Refuted(refutation.clone()),
+    };
+    let keeps_limits = verified.interior_points == 0 && verified.above_limit.is_empty();
+    let boundary = domain.boundary()?;
+    let rings: Vec<Range<u32>> = domain.rings().rings().collect();
+    let outline = CheckedOutline {
+        points: boundary.points(),
+        rings: &rings,
+        side_of: boundary.runs(),
+        keeps_clear: Posed::triangulated(domain, progress)?.problem.keeps_clear(),
+    };
+    Ok(match proof(&answer, &outline, domain) {
+        Some(proof) if keeps_limits => Optimality::Optimal { proof },
+        _ => Optimality::Unknown { reason: "the proof does not hold for this mesh".to_owned() },
+    })
 }
 
 fn of_convex(form: &ConvexForm, max_degree: u32) -> Optimality {

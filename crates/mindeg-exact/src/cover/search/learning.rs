@@ -1,7 +1,7 @@
 //! What a conflict teaches: a clause, and at the root of the search the proof.
 
-use super::super::{Decision, Refutation};
 use super::{Clause, Code, Reason, Search};
+use crate::cover::decision::{Decision, Refutation};
 
 /// How activities of variables and of clauses fall with every conflict.
 const DECAY: f64 = 0.95;
