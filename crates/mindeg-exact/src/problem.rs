@@ -259,9 +259,8 @@ impl Problem {
         Some(DegreeLimits { max_degree, chords })
     }
 
-    /// The maximum degree of some triangles, external edges included.
+    /// The maximum degree of triangles; the edges at a vertex of one fan are one more than its triangles.
     pub(crate) fn max_degree_of(&self, triangles: &[[u32; 3]]) -> u32 {
-        // The edges at a vertex of one fan are one more than its triangles.
         let mut edges = vec![1_u32; self.points.len()];
         triangles.as_flattened().iter().for_each(|&corner| edges[corner as usize] += 1);
         let all = edges.iter().zip(&self.external_degrees);
