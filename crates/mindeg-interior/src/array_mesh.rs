@@ -172,7 +172,8 @@ impl ArrayMesh {
         Ok(())
     }
 
-    fn lock(&mut self, a: u32, b: u32) -> Result<(), String> {
+    /// Makes an edge stay; an error if it is not there.
+    pub(crate) fn lock(&mut self, a: u32, b: u32) -> Result<(), String> {
         let mut star = Vec::new();
         self.star(a, &mut star);
         let mut found = false;
@@ -373,14 +374,14 @@ impl ArrayMesh {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::operations::{Cavity, operations};
     use crate::samples;
     use proptest::prelude::*;
 
     /// A square of 2 by 2 cells on each side, each cell cut in two, with a locked edge inside.
-    fn grid(cells: u32) -> ArrayMesh {
+    pub(crate) fn grid(cells: u32) -> ArrayMesh {
         let across = cells + 1;
         let on_rim = |i: u32| i == 0 || i == cells;
         let vertex = |v: u32| Vertex {

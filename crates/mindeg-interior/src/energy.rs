@@ -1,8 +1,9 @@
 //! What a mesh costs: the sum of the costs of its triangles and its vertices.
 
-use crate::array_mesh::{ArrayMesh, Kind};
-use crate::goal::Weights;
+use crate::array_mesh::ArrayMesh;
+use crate::goal::{Goal, Weights};
 use crate::triangle::{SQRT_3, distortion, doubled_area, min_angle};
+use glam::DVec2;
 
 /// How far below its limit a corner's angle may stay, as a share.
 const NEAR_LIMIT: f64 = 0.97;
@@ -22,15 +23,28 @@ impl Weights {
         let mut wanted = self.floor;
         for v in mesh.triangles[triangle as usize].vertices {
             if let Some(goal) = mesh.goals.get(mesh.vertices[v as usize].goal as usize) {
-                wanted = wanted.min(NEAR_LIMIT * goal.limit);
+                wanted = wanted.min(NEAR_LIMIT * goal.local_limit());
             }
         }
         wanted
     }
 
-    /// The cost of a triangle: shape, size, and what its minimum angle lacks; with the angle.
+    /// The least limit at a triangle's vertices, in degrees; 60 at most.
+    pub(crate) fn local_limit(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+        let goal = |v: u32| mesh.goals.get(mesh.vertices[v as usize].goal as usize);
+        let limits = mesh.triangles[triangle as usize]
+            .vertices
+            .map(|v| goal(v).map_or(60.0, Goal::local_limit));
+        limits.into_iter().fold(60.0, f64::min)
+    }
+
+    /// The cost of a triangle: shape, size, and what its minimum angle lacks; with the angle, which is not
+    /// told where shares count.
     pub(crate) fn triangle(&self, mesh: &ArrayMesh, triangle: u32) -> (f64, f64) {
         let corners = mesh.corners(triangle);
+        if self.by_share {
+            return (self.share(corners, self.wanted_sine(mesh, triangle)), 0.0);
+        }
         let shape = distortion(corners);
         if !shape.is_finite() {
             return (f64::INFINITY, -180.0);
@@ -42,6 +56,33 @@ impl Weights {
         let lack = (self.wanted_angle(mesh, triangle) - angle).max(0.0) / 5.0;
         let squared = shape * shape;
         (squared * squared - 1.0 + 0.3 * growth * growth + self.angle * lack * lack, angle)
+    }
+
+    /// The sine of the angle that a triangle should have.
+    pub(crate) fn wanted_sine(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+        let mut wanted = self.floor_sine;
+        for v in mesh.triangles[triangle as usize].vertices {
+            if let Some(goal) = mesh.goals.get(mesh.vertices[v as usize].goal as usize) {
+                wanted = wanted.min(goal.sine);
+            }
+        }
+        wanted
+    }
+
+    /// The cost of a triangle whose minimum angle should have this sine: mostly by the share of it.
+    pub(crate) fn share(&self, corners @ [a, b, c]: [DVec2; 3], wanted: f64) -> f64 {
+        let doubled = doubled_area(corners);
+        if doubled <= 0.0 {
+            return f64::INFINITY;
+        }
+        let squares = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
+        let least = squares[0].min(squares[1]).min(squares[2]);
+        let sum = squares[0] + squares[1] + squares[2];
+        // The minimum angle's sine is the doubled area over the product of the two longer edges.
+        let longer = (squares[0] * squares[1] * squares[2] / least).sqrt();
+        let lack = (wanted * longer / doubled - 1.0).max(0.0);
+        let shape = (sum / (2.0 * SQRT_3 * doubled) - 1.0).min(20.0);
+        self.angle * (lack + lack * lack) + 0.1 * shape
     }
 
     /// The cost of a vertex's degree: all of it, and the part for a hard violation.
@@ -62,13 +103,11 @@ impl Weights {
 
     /// The same if it had so many triangles.
     pub(crate) fn excess_of(&self, mesh: &ArrayMesh, vertex: u32, triangles: u32) -> u32 {
-        let v = &mesh.vertices[vertex as usize];
-        match (v.kind, mesh.goals.get(v.goal as usize)) {
-            (Kind::Boundary, Some(goal)) => triangles.saturating_sub(goal.triangles),
-            _ => {
-                let (least, most) = (*self.interior.start(), *self.interior.end());
-                triangles.saturating_sub(most).max(least.saturating_sub(triangles))
-            }
-        }
+        let goal = mesh.goals.get(mesh.vertices[vertex as usize].goal as usize);
+        let (least, most) = match goal {
+            Some(goal) => (goal.least, goal.triangles),
+            None => (*self.interior.start(), *self.interior.end()),
+        };
+        triangles.saturating_sub(most).max(least.saturating_sub(triangles))
     }
 }

@@ -1,23 +1,24 @@
 //! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds where the first leaves something to be desired.
 
-use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
-use crate::edge_tree::{EdgeTree, Item};
+use crate::array_mesh::{ArrayMesh, Kind, NONE};
 use crate::fixed::{Breaklines, breaklines};
-use crate::goal::{Goal, Weights, goals};
-use crate::limits::limits;
-use crate::optimise::optimise;
+use crate::goal::{Weights, goals};
+use crate::limits::{fan_limit_at, limits};
+use crate::optimise::{Pairs, optimise};
 use crate::options::{Fixed, InteriorError, Options, check_coordinates};
-use crate::order::along_hilbert_curve;
-use crate::packing::{Ground, is_inside_of};
+use crate::packing::is_inside_of;
+use crate::places::mend_places;
 use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
 use crate::size::SizeField;
 use crate::stage::Stage;
+use crate::star::limit_stars;
+use crate::start::Start;
 use crate::triangle::SQRT_3;
-use crate::verdict::{check_target, floor, is_enough, rank};
+use crate::verdict::{check_target, floor, is_enough, is_large, rank};
 use glam::DVec2;
 use mindeg_domain::{Prefer, SizeAt};
 use mindeg_mesh::Progress;
-use mindeg_mesh::planar::{PlanarBoundary, orientation};
+use mindeg_mesh::planar::PlanarBoundary;
 
 /// A mesh and what it is like.
 #[derive(Debug, Clone, PartialEq)]
@@ -91,9 +92,16 @@ pub fn generate(
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
         let mut stage = Stage::of_try(progress, "adding interior points", index, tries.len());
         let mut mesh =
-            start.mesh(seed.spacing, floor, options.wanted.max_points(), progress, &mut stage)?;
+            start.mesh(seed.spacing, floor, options.wanted.max_points(), None, &mut stage)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
-        optimise(&mut mesh, &weights(&way, floor), seed.pairs, &mut stage)?;
+        let weights = weights(&way, floor);
+        limit_stars(&mut mesh, weights.goal_inside());
+        let pairs = seed.pairs.then_some(Pairs::FOR_A_TRY);
+        optimise(&mut mesh, &weights, pairs, &mut stage)?;
+        // Where angles come first, no place is mended for its degrees.
+        if *prefer == Prefer::Degree {
+            mend_places(&mut mesh, &way, floor, &mut stage)?;
+        }
         stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
@@ -109,6 +117,7 @@ pub fn generate(
             goal,
             limits,
             limits_at,
+            |vertex, count| fan_limit_at(outline, vertex, Some(count)),
         );
         let found = Generated { points, triangles, fixed_edges: breaklines.edges.clone(), report };
         let is_better = best
@@ -117,7 +126,8 @@ pub fn generate(
         if is_better {
             best = Some(found);
         }
-        if best.as_ref().is_some_and(|best| is_enough(&best.report, options)) {
+        let ends = |best: &Generated| is_enough(&best.report, options) || is_large(&best.report);
+        if best.as_ref().is_some_and(ends) {
             break;
         }
     }
@@ -174,96 +184,6 @@ fn size_field(
     let finer = field(&crowded);
     let (breaklines, _) = crate::fixed::breaklines(outline, fixed, &finer)?;
     Ok((breaklines, finer))
-}
-
-/// The data that all seeds begin with.
-struct Start<'a> {
-    outline: &'a PlanarBoundary,
-    goals: &'a [Goal],
-    breaklines: &'a Breaklines,
-    field: &'a SizeField,
-}
-
-impl Start<'_> {
-    /// Packs points, triangulates them, and links the triangles.
-    fn mesh(
-        &self,
-        spacing: f64,
-        floor: f64,
-        max_points: usize,
-        progress: Progress<'_>,
-        stage: &mut Stage<'_>,
-    ) -> Result<ArrayMesh, InteriorError> {
-        let pieces = self.breaklines.pieces(self.outline);
-        let items = pieces.iter().enumerate().map(|(id, piece)| Item {
-            id: id as u32,
-            from: piece.from,
-            to: piece.to,
-            size: piece.from.distance(piece.to),
-            reach: 0.0,
-        });
-        let bounds = self.outline.bounds();
-        let ground = Ground {
-            outline: self.outline,
-            goals: self.goals,
-            field: self.field,
-            fixed: &self.breaklines.points,
-            tree_of_pieces: EdgeTree::of_items(items.collect()),
-            pieces: &pieces,
-            spacing,
-            fan_angle: floor + 3.0,
-            rounding: f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element(),
-            max_points,
-        };
-        let (packed, sizes) = ground.pack(stage)?;
-        let given = self.outline.points().len() + self.breaklines.points.len();
-        let mut vertices = Vec::with_capacity(given + packed.len());
-        let vertex =
-            |at, size, kind, goal| Vertex { at, size, anchor: NONE, goal, triangles: 0, kind };
-        for (v, at) in (0..).zip(self.outline.points()) {
-            let before = self.outline.length(self.outline.previous(v));
-            let size = (self.outline.length(v) + before) / 2.0;
-            vertices.push(vertex(*at, size, Kind::Boundary, v));
-        }
-        for at in &self.breaklines.points {
-            vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
-        }
-        let extent = bounds.size().max_element();
-        for index in along_hilbert_curve(&packed) {
-            let (at, size) = (clean(packed[index as usize], extent), sizes[index as usize]);
-            vertices.push(vertex(at, size, Kind::Free, NONE));
-        }
-        let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
-        let inner = &points[self.outline.points().len()..];
-        let edges = &self.breaklines.edges;
-        let mut triangles = mindeg_delaunay::triangles(self.outline, inner, edges, progress)?;
-        // Near each other in the plane, near each other in memory.
-        triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
-        let boundary = self.outline.points().len();
-        let expected = 2 * points.len() - boundary + 2 * self.outline.ring_count() - 4;
-        if triangles.len() != expected {
-            return Err(InteriorError::NotFilled(format!(
-                "found {} triangles inside, expected {expected}",
-                triangles.len()
-            )));
-        }
-        let bad = triangles.iter().find(|t| {
-            let [a, b, c] = t.map(|v| points[v as usize]);
-            orientation(a, b, c) <= 0.0
-        });
-        if let Some([a, b, c]) = bad {
-            return Err(InteriorError::NotFilled(format!(
-                "triangle {a}-{b}-{c} is not counter-clockwise"
-            )));
-        }
-        ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
-            .map_err(InteriorError::NotFilled)
-    }
-}
-
-/// The same point without coordinates that are nothing beside the domain: exact predicates have a least number.
-fn clean(point: DVec2, extent: f64) -> DVec2 {
-    DVec2::select(point.abs().cmplt(DVec2::splat(1e-25 * extent)), DVec2::ZERO, point)
 }
 
 /// The living vertices and triangles, in order, with the index that each point had in the array mesh.

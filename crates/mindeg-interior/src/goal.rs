@@ -1,33 +1,60 @@
 //! What is wanted of each vertex and of the mesh as a whole.
 
-use crate::limits::fan_limit_at;
+use crate::limits::{fan_limit_at, tent_limits};
 use crate::options::Options;
 use mindeg_domain::Prefer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// What is wanted of a boundary vertex.
+/// What is wanted of a vertex that stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Goal {
+    /// The least number of triangles.
+    pub(crate) least: u32,
     /// The greatest number of triangles.
     pub(crate) triangles: u32,
-    /// The interior angle over 60 degrees: the best number of triangles.
+    /// The best number of triangles: the angle over 60 degrees.
     pub(crate) ideal: f64,
     /// The greatest number of triangles that a good fan may have; any if angles are preferred.
     pub(crate) fan: Option<u32>,
     /// The fan limit with so many, in degrees.
     pub(crate) limit: f64,
+    /// The limit of its edges' tents, in degrees, or [`MOST`].
+    pub(crate) tents: f64,
+    /// The sine of the angle that a search at one place aims at.
+    pub(crate) sine: f64,
+}
+
+/// As near to its limit a search at one place brings an angle, as a share.
+const NEAR_LIMIT: f64 = 0.995;
+
+/// Tent limits from here on do not matter, in degrees: no search aims so high unasked.
+pub(crate) const MOST: f64 = 40.0;
+
+impl Goal {
+    /// No triangle at the vertex need have a greater minimum angle than this, in degrees.
+    pub(crate) fn local_limit(&self) -> f64 {
+        self.limit.min(self.tents)
+    }
+
+    /// With the sine of its limits.
+    pub(crate) fn aimed(self) -> Self {
+        Self { sine: libm::sin(NEAR_LIMIT * self.local_limit().min(60.0) * (PI / 180.0)), ..self }
+    }
 }
 
 /// The goals of an outline's vertices.
 pub(crate) fn goals(outline: &PlanarBoundary, options: &Options) -> Vec<Goal> {
+    let tents = tent_limits(outline, MOST);
     let goal = |vertex| {
         let angle = outline.angle(vertex);
         let triangles = options.degree_limit(outline, vertex) - 1;
         let fan = (options.wanted.prefer() == Prefer::Degree).then_some(triangles);
         let limit = fan_limit_at(outline, vertex, fan);
-        Goal { triangles, ideal: angle / (PI / 3.0), fan, limit }
+        let tents = tents[vertex as usize];
+        Goal { least: 1, triangles, ideal: angle / (PI / 3.0), fan, limit, tents, sine: 0.0 }
+            .aimed()
     };
     (0..outline.vertex_count()).map(goal).collect()
 }
@@ -45,6 +72,10 @@ pub(crate) struct Weights {
     pub(crate) interior: RangeInclusive<u32>,
     /// True if a better shape may cost a violation more.
     pub(crate) may_violate: bool,
+    /// The sine of the floor.
+    pub(crate) floor_sine: f64,
+    /// True if what an angle lacks counts as a share of its local limit, and shape hardly.
+    pub(crate) by_share: bool,
 }
 
 impl Weights {
@@ -54,7 +85,15 @@ impl Weights {
             Prefer::Degree => (1e3, false),
             Prefer::Angle => (2.0, true),
         };
-        Self { floor, angle: 2.0, degree, interior: options.wanted.interior_degree(), may_violate }
+        Self {
+            floor,
+            angle: 2.0,
+            degree,
+            interior: options.wanted.interior_degree(),
+            may_violate,
+            floor_sine: libm::sin(floor.min(60.0) * (PI / 180.0)),
+            by_share: false,
+        }
     }
 
     /// The weights of the search for pairs of operations: angles count more, so that no good fan is
@@ -62,5 +101,18 @@ impl Weights {
     pub(crate) fn pairs(options: &Options, floor: f64) -> Self {
         let single = Self::single(options, floor);
         Self { angle: 100.0, degree: 100.0 * single.degree, ..single }
+    }
+
+    /// The weights of the search at one place.
+    pub(crate) fn local(options: &Options, floor: f64) -> Self {
+        let single = Self::single(options, floor);
+        let degree = if single.may_violate { 2.0 } else { 300.0 };
+        Self { angle: 30.0, degree, by_share: true, ..single }
+    }
+
+    /// The goal of a vertex inside.
+    pub(crate) fn goal_inside(&self) -> Goal {
+        let (least, triangles) = (*self.interior.start(), *self.interior.end());
+        Goal { least, triangles, ideal: 6.0, fan: None, limit: 60.0, tents: MOST, sine: 1.0 }
     }
 }

@@ -3,14 +3,17 @@
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::generate::compact;
 use crate::goal::{Weights, goals};
-use crate::limits::{Limits, limits};
-use crate::optimise::optimise;
+use crate::limits::{Limits, fan_limit_at, limits};
+use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, MAX_POINTS, Options, is_usable};
+use crate::places::mend_places;
 use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
 use crate::stage::Stage;
+use crate::star::limit_stars;
 use crate::triangle::{SQRT_3, doubled_area};
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
+use mindeg_domain::Prefer;
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
@@ -65,7 +68,12 @@ pub fn improve(
         let mut mesh = start.mesh.clone();
         let weights = if pairs { Weights::pairs } else { Weights::single };
         let mut stage = Stage::of_try(progress, "improving", index, 2);
-        optimise(&mut mesh, &weights(options, floor(options)), pairs, &mut stage)?;
+        let floor = floor(options);
+        let all = Pairs { most: usize::MAX, ..Pairs::FOR_A_TRY };
+        optimise(&mut mesh, &weights(options, floor), pairs.then_some(all), &mut stage)?;
+        if options.wanted.prefer() == Prefer::Degree {
+            mend_places(&mut mesh, options, floor, &mut stage)?;
+        }
         stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::BadMesh)?;
         let (new_points, new_triangles, sources) = compact(&mesh);
@@ -133,7 +141,7 @@ impl Input {
         kept.for_each(|v| vertices[*v as usize].kind = Kind::Fixed);
         let mut mesh = ArrayMesh::new(vertices, triangles, Vec::new(), &keep.edges)
             .map_err(InteriorError::BadMesh)?;
-        let rings = boundary(&mesh);
+        let rings = mesh.rings();
         let positions: Vec<Vec<DVec2>> =
             rings.iter().map(|ring| ring.iter().map(|v| mesh.at(*v)).collect()).collect();
         let outline = PlanarBoundary::of_mesh(&positions);
@@ -143,6 +151,7 @@ impl Input {
             mesh.vertices[*v as usize].goal = goal;
         }
         mesh.goals = goals(&outline, options);
+        limit_stars(&mut mesh, Weights::single(options, floor(options)).goal_inside());
         let mut limits = limits(&outline, |v| options.degree_limit(&outline, v));
         let name = |v: &mut u32| *v = names[*v as usize];
         name(&mut limits.any_degree.vertex);
@@ -162,7 +171,9 @@ impl Input {
             let has = degrees_at_boundary(broken, &goal);
             limits(&self.boundary, |v| options.degree_limit(&self.boundary, v).max(has(v)))
         };
-        let goal_of = |v: u32| self.mesh.goals.get(goal(v) as usize);
+        // Vertices on kept edges have goals, too, after those of the boundary.
+        let at_boundary = |v: u32| goal(v) < self.boundary.vertex_count();
+        let goal_of = |v: u32| self.mesh.goals.get(goal(v) as usize).filter(|_| at_boundary(v));
         measure(
             points,
             triangles,
@@ -170,6 +181,7 @@ impl Input {
             goal_of,
             self.limits,
             limits_at,
+            |vertex, count| fan_limit_at(&self.boundary, goal(vertex), Some(count)),
         )
     }
 }
@@ -200,27 +212,4 @@ fn check(points: &[DVec2], triangles: &[[u32; 3]], keep: &Keep) -> Result<(), St
         }
     }
     Ok(())
-}
-
-/// The rings of boundary edges, the mesh on their left.
-fn boundary(mesh: &ArrayMesh) -> Vec<Vec<u32>> {
-    let mut next = vec![NONE; mesh.vertices.len()];
-    for triangle in &mesh.triangles {
-        for i in (0..3).filter(|i| triangle.neighbours[*i] == NONE) {
-            next[triangle.vertices[(i + 1) % 3] as usize] = triangle.vertices[(i + 2) % 3];
-        }
-    }
-    let mut rings = Vec::new();
-    for start in 0..next.len() {
-        let mut ring = Vec::new();
-        let mut v = start as u32;
-        while next[v as usize] != NONE {
-            ring.push(v);
-            v = std::mem::replace(&mut next[v as usize], NONE);
-        }
-        if !ring.is_empty() {
-            rings.push(ring);
-        }
-    }
-    rings
 }

@@ -33,8 +33,9 @@
 //! 3. A constrained Delaunay triangulation connects the points.
 //! 4. The optimiser smooths, and where a degree or an angle is wrong it tries flips, collapses and
 //!    vertex splits. Each is undone unless the energy falls and no small angle gets smaller.
-//! 5. If something is left to be desired, pairs of operations and then other seeds are tried, and the best mesh
-//!    is returned.
+//! 5. Where something is left to be desired, the disc round that place is worked on alone, with its rim frozen: pairs of
+//!    operations, random operations in a row, new starts.
+//! 6. If the mesh is small, or little is left in it, other seeds are tried, and the best mesh is returned.
 //!
 //! # What is proven, and what is not
 //!
@@ -50,11 +51,14 @@
 //! Equal input gives equal bytes on every machine: transcendental functions come from `libm`, orders
 //! are fixed, and one thread does all the work.
 
+mod anneal;
 mod array_mesh;
+mod disc;
 mod edge_tree;
 mod energy;
 mod exact;
 mod fixed;
+mod frozen;
 mod generate;
 mod goal;
 mod improve;
@@ -67,12 +71,16 @@ mod optimise;
 mod options;
 mod order;
 mod packing;
+mod places;
 mod report;
+mod restart;
 #[cfg(test)]
 mod samples;
 mod size;
 mod smooth;
 mod stage;
+mod star;
+mod start;
 mod trial;
 mod triangle;
 mod verdict;
@@ -81,4 +89,4 @@ pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use mindeg_domain::{Interior, Prefer, SizeAt};
 pub use options::{Fixed, InteriorError, Options, check_coordinates};
-pub use report::{InteriorReport, Violation};
+pub use report::{InteriorReport, LocalShares, Violation};

@@ -170,34 +170,69 @@ pub fn limits(outline: &PlanarBoundary, degree_limit: impl Fn(u32) -> u32) -> Li
 /// The tent limit of an outline, if it is below `below` degrees.
 #[must_use]
 pub fn tent_limit(outline: &PlanarBoundary, below: f64) -> Option<TentLimit> {
-    let tree = EdgeTree::of_boundary(outline);
-    let mut tangent = libm::tan(below.min(60.0) * (PI / 180.0));
+    let least = std::cell::Cell::new(below.min(60.0));
     let mut found = None;
+    tents_near(outline, &mut || least.get(), &mut |edge, other| {
+        least.set(touching_angle(outline, [edge, other], least.get()));
+        found = Some([edge, other]);
+    });
+    found.map(|edges| TentLimit { angle: least.get(), edges })
+}
+
+/// The tent limit of each boundary vertex in degrees: that of its two edges, `most` where it is more. So one strait excuses
+/// nothing elsewhere.
+pub(crate) fn tent_limits(outline: &PlanarBoundary, most: f64) -> Vec<f64> {
+    let mut edges = vec![most; outline.points().len()];
+    tents_near(outline, &mut || most, &mut |edge, other| {
+        let angle = touching_angle(outline, [edge, other], most);
+        for edge in [edge, other] {
+            edges[edge as usize] = edges[edge as usize].min(angle);
+        }
+    });
+    let of = |vertex: u32| edges[vertex as usize].min(edges[outline.previous(vertex) as usize]);
+    (0..outline.vertex_count()).map(of).collect()
+}
+
+/// Calls `found` with each pair of edges whose tents of the angle `angle()`, in degrees, overlap.
+fn tents_near(
+    outline: &PlanarBoundary,
+    angle: &mut dyn FnMut() -> f64,
+    found: &mut dyn FnMut(u32, u32),
+) {
     if outline.points().len() == 3 {
-        return None;
+        return;
     }
+    let tree = EdgeTree::of_boundary(outline);
+    let mut near = Vec::new();
     for [a, b] in outline.edges() {
+        let tangent = libm::tan(angle() * (PI / 180.0));
         let ends = [outline.point(a), outline.point(b)];
         let (middle, half) = (ends[0].midpoint(ends[1]), ends[0].distance(ends[1]) / 2.0);
         let reach = half * (1.0 + tangent * tangent).sqrt();
-        let mut near = Vec::new();
+        near.clear();
         tree.visit(
             |node| node.distance(middle) <= reach + node.greatest / 2.0 * tangent,
             |edge| near.push(edge),
         );
-        for other in near {
-            let next = outline.next(other);
-            if other <= a || other == b || next == a {
+        for other in &near {
+            let next = outline.next(*other);
+            if *other <= a || *other == b || next == a {
                 continue;
             }
-            let others = [outline.point(other), outline.point(next)];
+            let tangent = libm::tan(angle() * (PI / 180.0));
+            let others = [outline.point(*other), outline.point(next)];
             if overlap(tent(ends, tangent), tent(others, tangent)) {
-                tangent = touching(ends, others, tangent);
-                found = Some([a, other]);
+                found(a, *other);
             }
         }
     }
-    found.map(|edges| TentLimit { angle: libm::atan(tangent) * (180.0 / PI), edges })
+}
+
+/// The angle in degrees up to which the tents of two edges do not overlap, at most `most`.
+fn touching_angle(outline: &PlanarBoundary, edges: [u32; 2], most: f64) -> f64 {
+    let ends = |edge: u32| [outline.point(edge), outline.point(outline.next(edge))];
+    let tangent = libm::tan(most * (PI / 180.0));
+    libm::atan(touching(ends(edges[0]), ends(edges[1]), tangent)) * (180.0 / PI)
 }
 
 /// The isosceles triangle on an edge, to its left, with base angles of this tangent.
@@ -315,6 +350,25 @@ mod tests {
         }
         assert!((limits(&dominated, 4).angle() - 5.73).abs() < 0.01);
         assert_eq!(limits(&dominated, 5).vertex(), 0);
+    }
+
+    #[test]
+    fn the_least_tent_limit_is_that_of_the_outline() {
+        for outline in [
+            samples::rectangle(40.0, 0.2, [100, 1, 100, 1]),
+            samples::rectangle(9.0, 0.7, [9, 1, 14, 1]),
+        ] {
+            let limits = tent_limits(&outline, 60.0);
+            let least = limits.iter().copied().fold(60.0, f64::min);
+            assert_eq!(least, tent_limit(&outline, 60.0).unwrap().angle);
+        }
+        // Far from the strait there is no limit.
+        let hole = samples::ring(&[[1.0, 0.1], [1.0, 2.0], [2.0, 2.0], [2.0, 0.1]], &[1; 4]);
+        let outer = samples::ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], &[4; 4]);
+        let limits = tent_limits(&PlanarBoundary::new(&[outer, hole]).unwrap(), 35.0);
+        let strait = libm::atan(0.1).to_degrees();
+        assert!((limits[1] - strait).abs() < 1e-6 && (limits[2] - strait).abs() < 1e-6);
+        assert_eq!(limits[10], 35.0);
     }
 
     #[test]

@@ -27,10 +27,22 @@ enum Need {
 pub(crate) fn optimise(
     mesh: &mut ArrayMesh,
     weights: &Weights,
-    pairs: bool,
+    mut pairs: Option<Pairs>,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
     let mut sweeper = Sweeper::new();
+    smooth_and_mend(mesh, weights, pairs.as_mut(), &mut sweeper, stage)?;
+    polish_all(mesh, weights, &mut sweeper, stage)
+}
+
+/// The same without moving the vertices of small angles.
+pub(crate) fn smooth_and_mend(
+    mesh: &mut ArrayMesh,
+    weights: &Weights,
+    mut pairs: Option<&mut Pairs>,
+    sweeper: &mut Sweeper,
+    stage: &mut Stage<'_>,
+) -> Result<(), Cancelled> {
     stage.reach(0.3)?;
     sweeper.run(mesh, Power::Two, 10, stage)?;
     stage.reach(0.5)?;
@@ -41,15 +53,15 @@ pub(crate) fn optimise(
         for need in [Need::Any, Need::Degree] {
             changes += singles(mesh, weights, need, stage)?;
         }
-        if pairs {
-            changes += pairs_of_operations(mesh, weights, stage)?;
+        if let Some(pairs) = &mut pairs {
+            changes += pairs_of_operations(mesh, weights, pairs, stage)?;
         }
         if changes == 0 && round > 0 {
             break;
         }
         sweeper.run(mesh, Power::Four, 5, stage)?;
     }
-    polish_all(mesh, weights, &mut sweeper, stage)
+    Ok(())
 }
 
 /// True if something is wrong at a vertex.
@@ -138,10 +150,29 @@ fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<
     best.map(|(_, operation)| operation)
 }
 
+/// How far the search for pairs goes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pairs {
+    /// Vertices that one round tries pairs at: some ten milliseconds each.
+    pub(crate) vertices: usize,
+    /// First operations that are followed up.
+    pub(crate) firsts: usize,
+    /// How often operations have been tried.
+    pub(crate) trials: usize,
+    /// How often they may be tried in all.
+    pub(crate) most: usize,
+}
+
+impl Pairs {
+    /// A whole mesh, from one start.
+    pub(crate) const FOR_A_TRY: Self = Self { vertices: 300, firsts: 12, trials: 0, most: 3000 };
+}
+
 /// The same with two operations in a row, the first of which may be worse.
-fn pairs_of_operations(
+pub(crate) fn pairs_of_operations(
     mesh: &mut ArrayMesh,
     weights: &Weights,
+    pairs: &mut Pairs,
     stage: &mut Stage<'_>,
 ) -> Result<usize, Cancelled> {
     let mut star = Vec::new();
@@ -149,10 +180,10 @@ fn pairs_of_operations(
     let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
         .filter(|v| is_needy(&mut bench, *v, Need::Any, &mut star))
         .collect();
-    let mut left = (3 * queue.len() + 20).min(MOST_PAIRS);
+    let mut left = (3 * queue.len() + 20).min(pairs.vertices);
     let mut done = 0;
     while let Some(vertex) = queue.pop_front() {
-        if left == 0 {
+        if left == 0 || pairs.trials + bench.trials() > pairs.most {
             break;
         }
         left -= 1;
@@ -160,23 +191,18 @@ fn pairs_of_operations(
         if !is_needy(&mut bench, vertex, Need::Any, &mut star) {
             continue;
         }
-        let Some([first, second]) = best_pair(&mut bench, vertex) else { continue };
+        let Some([first, second]) = best_pair(&mut bench, vertex, pairs.firsts) else { continue };
         bench.perform(first, f64::INFINITY);
         queue.extend(&bench.cavity.vertices);
         bench.perform(second, f64::INFINITY);
         queue.extend(&bench.cavity.vertices);
         done += 1;
     }
+    pairs.trials += bench.trials();
     Ok(done)
 }
 
-/// Vertices that one round tries pairs at: some ten milliseconds each.
-const MOST_PAIRS: usize = 300;
-
-/// First operations that are followed up.
-const MOST_FIRST: usize = 12;
-
-fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
+fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operation; 2]> {
     let mut firsts = Vec::new();
     operations(bench.mesh, vertex, true, &mut firsts);
     bench.mesh.record();
@@ -194,7 +220,7 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32) -> Option<[Operation; 2]> {
     let floor = bench.weights.floor;
     let mut best: Option<(f64, [Operation; 2])> = None;
     let (mut star, mut seconds) = (Vec::new(), Vec::new());
-    for (_, index) in ranked.into_iter().take(MOST_FIRST) {
+    for (_, index) in ranked.into_iter().take(most) {
         let first = firsts[index];
         let mark = bench.mesh.mark();
         if let Some(one) = bench.perform(first, f64::INFINITY) {

@@ -37,6 +37,8 @@ pub(crate) struct Ground<'a> {
     pub(crate) spacing: f64,
     /// The minimum angle that fans aim at, in degrees.
     pub(crate) fan_angle: f64,
+    /// A vertex that gets a fan of so many triangles, whatever its angle.
+    pub(crate) spokes: Option<(u32, u32)>,
     /// The rounding of the largest coordinate.
     pub(crate) rounding: f64,
     pub(crate) max_points: usize,
@@ -110,15 +112,15 @@ impl Ground<'_> {
                 (self.outline.length(vertex), self.outline.length(self.outline.previous(vertex)));
             let ratio = last / first;
             let is_corner = (angle / PI - 1.0).abs() > 1.0 / 18.0;
-            if !is_corner || ratio.max(1.0 / ratio) <= 1.3 {
+            let given = self.spokes.filter(|spokes| spokes.0 == vertex).map(|spokes| spokes.1);
+            if given.is_none() && (!is_corner || ratio.max(1.0 / ratio) <= 1.3) {
                 continue;
             }
             let goal = &self.goals[vertex as usize];
             let reachable = goal.limit.min(self.fan_angle);
             let most = goal.fan.unwrap_or(MOST_SPOKES);
-            let count = (1..=most)
-                .find(|k| fan_limit(angle, first, last, Some(*k)) >= reachable - 1e-9)
-                .unwrap_or(most);
+            let is_enough = |k: &u32| fan_limit(angle, first, last, Some(*k)) >= reachable - 1e-9;
+            let count = given.unwrap_or_else(|| (1..=most).find(is_enough).unwrap_or(most));
             let at = self.outline.point(vertex);
             let along = (self.outline.point(self.outline.next(vertex)) - at) / first;
             for spoke in 1..count {

@@ -7,6 +7,9 @@ use glam::DVec2;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
+/// Up to this angle a greater share of the limit is worth a search, in degrees.
+pub(crate) const ENOUGH: f64 = 35.0;
+
 /// A vertex whose degree is out of its range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Violation {
@@ -18,6 +21,25 @@ pub struct Violation {
     pub degree: u32,
     /// True for a boundary vertex.
     pub is_boundary: bool,
+}
+
+/// The angles of all triangles beside the limits of their places.
+///
+/// A triangle's share is its minimum angle over the least limit at its vertices ([fan, tent](crate::limits)), which is
+/// the one of the degree that the vertex has where that is above its limit; at most 35°
+/// count, and a share of 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LocalShares {
+    /// The least share.
+    pub worst: f64,
+    /// The vertex with the limit of the triangle with the least share.
+    pub vertex: u32,
+    /// The limit there, in degrees.
+    pub limit: f64,
+    /// The 1st percentile of the shares.
+    pub percentile: f64,
+    /// The number of triangles below 0.9.
+    pub below: usize,
 }
 
 /// What was reached. Angles are in degrees.
@@ -34,6 +56,8 @@ pub struct InteriorReport {
     pub angle_limit: f64,
     /// The minimum angle over [`angle_limit`](Self::angle_limit), never above 1 but for rounding.
     pub share_of_limit: f64,
+    /// The angles beside the limits of their places.
+    pub local: LocalShares,
     /// The maximum angle.
     pub max_angle: f64,
     /// The least and greatest degree inside; `None` without interior vertices.
@@ -53,7 +77,8 @@ pub struct InteriorReport {
 }
 
 /// Measures a mesh. `goal` gives the goal of a boundary vertex, none of an interior one; `limits_at` the
-/// limits if vertices have the degrees of these violations.
+/// limits if vertices have the degrees of these violations; `fan_at` the fan limit of a boundary vertex with so many
+/// triangles.
 pub(crate) fn measure<'a>(
     points: &[DVec2],
     triangles: &[[u32; 3]],
@@ -61,13 +86,16 @@ pub(crate) fn measure<'a>(
     goal: impl Fn(u32) -> Option<&'a Goal>,
     limits: Limits,
     limits_at: impl Fn(&[Violation]) -> Limits,
+    fan_at: impl Fn(u32, u32) -> f64,
 ) -> InteriorReport {
     let corners = |t: &[u32; 3]| t.map(|v| points[v as usize]);
     let mut counts = vec![0_u32; points.len()];
     let (mut least, mut greatest) = ((f64::INFINITY, 0), 0.0_f64);
+    let mut angles = Vec::with_capacity(triangles.len());
     let mut halves = Vec::with_capacity(3 * triangles.len());
     for (index, t) in triangles.iter().enumerate() {
         let angle = min_angle(corners(t));
+        angles.push(angle);
         if angle < least.0 {
             least = (angle, index);
         }
@@ -93,10 +121,16 @@ pub(crate) fn measure<'a>(
     let mut inside: Option<(u32, u32)> = None;
     let mut boundary = (u32::MAX, 0);
     let mut interior_points = 0;
+    let mut local = vec![ENOUGH; points.len()];
     for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
         let (degree, is_fine, is_boundary) = match goal(vertex) {
             Some(goal) => {
                 let degree = count + 1;
+                let fan = match count > goal.triangles {
+                    true => fan_at(vertex, count),
+                    false => goal.limit,
+                };
+                local[vertex as usize] = ENOUGH.min(fan).min(goal.tents);
                 boundary = (boundary.0.min(degree), boundary.1.max(degree));
                 (degree, count <= goal.triangles, true)
             }
@@ -120,6 +154,7 @@ pub(crate) fn measure<'a>(
         min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),
         angle_limit,
         share_of_limit: least.0 / angle_limit,
+        local: local_shares(triangles, &angles, &local),
         max_angle: greatest,
         interior_degree: inside.map(|(low, high)| low..=high),
         boundary_degree: boundary.0..=boundary.1,
@@ -129,6 +164,31 @@ pub(crate) fn measure<'a>(
         triangles: triangles.len(),
         interior_points,
     }
+}
+
+/// The shares of triangles with these angles, if vertices have these limits.
+fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> LocalShares {
+    let limit = |v: &u32| limits[*v as usize];
+    let mut worst = (f64::INFINITY, 0);
+    let mut shares = Vec::with_capacity(angles.len());
+    for (triangle, angle) in triangles.iter().zip(angles) {
+        let [a, b, c] = triangle;
+        let of =
+            [b, c].into_iter().fold(a, |best, v| if limit(v) < limit(best) { v } else { best });
+        let share = (angle / limit(of)).min(1.0);
+        shares.push(share);
+        if share < worst.0 {
+            worst = (share, *of);
+        }
+    }
+    let percentile = shares.len().saturating_sub(1) / 100;
+    let below = shares.iter().filter(|share| **share < 0.9).count();
+    let percentile = match shares.is_empty() {
+        true => 1.0,
+        false => *shares.select_nth_unstable_by(percentile, f64::total_cmp).1,
+    };
+    let limit = limits.get(worst.1 as usize).copied().unwrap_or(ENOUGH);
+    LocalShares { worst: worst.0.min(1.0), vertex: worst.1, limit, percentile, below }
 }
 
 /// The degree of each vertex of the boundary that breaks its limit, by its index there; 0 of others.
@@ -162,7 +222,8 @@ mod tests {
         for turn in 0..3 {
             let mut triangles = [[3, 0, 2], [0, 1, 2]];
             triangles.iter_mut().for_each(|triangle| triangle.rotate_left(turn));
-            let report = measure(&points, &triangles, &(5..=7), |_| None, limits, |_| limits);
+            let report =
+                measure(&points, &triangles, &(5..=7), |_| None, limits, |_| limits, |_, _| 45.0);
             let [small, large] = [libm::atan2(2.0, 4.0), libm::atan2(4.0, 4.0)];
             let least = (large - small).to_degrees();
             assert!((report.min_angle - least).abs() < 1e-9, "{report:?}");
@@ -183,14 +244,25 @@ mod tests {
             let fan = FanLimit { angle, vertex: 0 };
             Limits { any_degree: fan, with_degree_limit: fan, tent: None }
         };
-        let goal = Goal { triangles: 1, ideal: 1.0, fan: None, limit: 10.0 };
+        let goal = Goal {
+            least: 1,
+            triangles: 1,
+            ideal: 1.0,
+            fan: None,
+            limit: 10.0,
+            tents: 40.0,
+            sine: 0.0,
+        };
         let goals = |vertex: u32| (vertex == 0).then_some(&goal);
         let limits_at = |broken: &[Violation]| {
             assert_eq!([0, 1].map(degrees_at_boundary(broken, |vertex| vertex)), [3, 0]);
             of(30.0)
         };
         let triangles = [[3, 0, 2], [0, 1, 2]];
-        let report = measure(&points, &triangles, &(1..=7), goals, of(10.0), limits_at);
+        let report =
+            measure(&points, &triangles, &(1..=7), goals, of(10.0), limits_at, |_, count| {
+                f64::from(10 * count)
+            });
         assert_eq!((report.limits.angle(), report.angle_limit), (10.0, 30.0));
         assert_eq!(report.share_of_limit, report.min_angle / 30.0);
         assert!(report.share_of_limit < 1.0);

@@ -22,6 +22,8 @@ pub(crate) struct SizeField {
     places: EdgeTree,
     growth: f64,
     inside: Option<f64>,
+    /// What the mean of the boundary's lengths is multiplied by.
+    coarser: f64,
 }
 
 /// Inside, edges are this much longer than the mean: the packing puts some points nearer to each other than
@@ -56,7 +58,13 @@ impl SizeField {
             places: EdgeTree::of_items(items.collect()),
             growth,
             inside,
+            coarser: COARSER,
         }
+    }
+
+    /// Multiplies the mean of the boundary's lengths.
+    pub(crate) fn scale_mean(&mut self, factor: f64) {
+        self.coarser *= factor;
     }
 
     pub(crate) fn boundary(&self) -> &EdgeTree {
@@ -124,7 +132,7 @@ impl SizeField {
             self.add_mean(*root, x, &mut weights, &mut sum);
         }
         // On the boundary itself a weight is infinite; the growth bound decides there.
-        if sum.is_finite() && weights > 0.0 { COARSER * sum / weights } else { f64::INFINITY }
+        if sum.is_finite() && weights > 0.0 { self.coarser * sum / weights } else { f64::INFINITY }
     }
 
     fn add_mean(&self, at: u32, x: DVec2, weights: &mut f64, sum: &mut f64) {

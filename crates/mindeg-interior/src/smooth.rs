@@ -1,6 +1,7 @@
 //! Moving free vertices: Newton's method on distortion, and a search along a compass for angles.
 
 use crate::array_mesh::{ArrayMesh, Kind};
+use crate::goal::Weights;
 use crate::stage::Stage;
 use crate::triangle::{SQRT_3, cross, distortion, min_angle};
 use glam::DVec2;
@@ -33,6 +34,8 @@ impl Power {
 pub(crate) struct Ring {
     edges: Vec<[DVec2; 2]>,
     triangles: Vec<u32>,
+    /// The sine of the angle that each triangle should have.
+    wanted: Vec<f64>,
 }
 
 impl Ring {
@@ -115,6 +118,21 @@ pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut
     0.0
 }
 
+/// Eight directions.
+const COMPASS: [[f64; 2]; 8] = {
+    let diagonal = std::f64::consts::FRAC_1_SQRT_2;
+    [
+        [1.0, 0.0],
+        [0.0, 1.0],
+        [-1.0, 0.0],
+        [0.0, -1.0],
+        [diagonal, diagonal],
+        [-diagonal, diagonal],
+        [-diagonal, -diagonal],
+        [diagonal, -diagonal],
+    ]
+};
+
 /// Moves a free vertex along a compass to where small angles at it weigh less, without lowering
 /// the least. True if it moved.
 pub(crate) fn polish(mesh: &mut ArrayMesh, vertex: u32, below: f64, ring: &mut Ring) -> bool {
@@ -138,24 +156,62 @@ pub(crate) fn polish(mesh: &mut ArrayMesh, vertex: u32, below: f64, ring: &mut R
     let mut best = weight(ring, x).0;
     let reach = ring.edges.iter().map(|[b, _]| b.distance(x)).fold(f64::INFINITY, f64::min);
     let mut step = 0.1 * reach;
-    let diagonal = std::f64::consts::FRAC_1_SQRT_2;
     while step > 2e-3 * reach {
-        let compass = [
-            [1.0, 0.0],
-            [0.0, 1.0],
-            [-1.0, 0.0],
-            [0.0, -1.0],
-            [diagonal, diagonal],
-            [-diagonal, diagonal],
-            [-diagonal, -diagonal],
-            [diagonal, -diagonal],
-        ];
         let mut found = false;
-        for direction in compass {
+        for direction in COMPASS {
             let place = x + DVec2::from(direction) * step;
             let (sum, angle) = weight(ring, place);
             if sum < best * (1.0 - 1e-9) && angle >= least {
                 (x, best, least, found) = (place, sum, angle, true);
+            }
+        }
+        if !found {
+            step /= 2.0;
+        }
+    }
+    if x == start {
+        return false;
+    }
+    mesh.move_to(vertex, x);
+    true
+}
+
+/// Moves a free vertex along a compass to where what its triangles cost by their shares is least. `finest`: the
+/// last step as a share of the shortest edge. True if it moved.
+pub(crate) fn settle(
+    mesh: &mut ArrayMesh,
+    vertex: u32,
+    weights: &Weights,
+    finest: f64,
+    ring: &mut Ring,
+) -> bool {
+    ring.load(mesh, vertex);
+    let wanted = |t: &u32| weights.wanted_sine(mesh, *t);
+    ring.wanted.clear();
+    ring.wanted.extend(ring.triangles.iter().map(wanted));
+    // Sums that are greater already than what is known are not told to their end.
+    let cost = |ring: &Ring, x: DVec2, below: f64| {
+        let mut sum = 0.0;
+        for ([b, c], wanted) in ring.edges.iter().zip(&ring.wanted) {
+            sum += weights.share([x, *b, *c], *wanted);
+            if sum >= below {
+                return f64::INFINITY;
+            }
+        }
+        sum
+    };
+    let start = mesh.at(vertex);
+    let mut x = start;
+    let mut best = cost(ring, x, f64::INFINITY);
+    let reach = ring.edges.iter().map(|[b, _]| b.distance(x)).fold(f64::INFINITY, f64::min);
+    let mut step = 0.16 * reach;
+    while step > finest * reach {
+        let mut found = false;
+        for direction in COMPASS {
+            let place = x + DVec2::from(direction) * step;
+            let sum = cost(ring, place, best * (1.0 - 1e-9));
+            if sum.is_finite() {
+                (x, best, found) = (place, sum, true);
             }
         }
         if !found {

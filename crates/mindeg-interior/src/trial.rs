@@ -4,7 +4,7 @@ use crate::array_mesh::{ArrayMesh, Kind};
 use crate::energy::Cost;
 use crate::goal::Weights;
 use crate::operations::{Cavity, Operation};
-use crate::smooth::{Power, Ring, smooth};
+use crate::smooth::{Power, Ring, settle, smooth};
 
 /// The mesh under work, with what trials need again and again.
 pub(crate) struct Bench<'a> {
@@ -52,6 +52,11 @@ impl<'a> Bench<'a> {
             seen,
             round: 0,
         }
+    }
+
+    /// How often operations have been tried.
+    pub(crate) fn trials(&self) -> usize {
+        self.round as usize / 2
     }
 
     /// The cost of some vertices, of all triangles at those that can move, and of further triangles.
@@ -117,6 +122,14 @@ impl<'a> Bench<'a> {
                 let vertex = &self.mesh.vertices[*v as usize];
                 if vertex.kind == Kind::Free && vertex.triangles > 0 {
                     smooth(self.mesh, *v, Power::Four, &mut self.ring);
+                }
+            }
+        }
+        if self.weights.by_share {
+            for v in &cavity.vertices {
+                let vertex = &self.mesh.vertices[*v as usize];
+                if vertex.kind == Kind::Free && vertex.triangles > 0 {
+                    settle(self.mesh, *v, &self.weights, 0.03, &mut self.ring);
                 }
             }
         }

@@ -2,21 +2,29 @@
 
 use crate::limits::Limits;
 use crate::options::{InteriorError, Options};
-use crate::report::InteriorReport;
+use crate::report::{ENOUGH, InteriorReport};
 use mindeg_domain::Prefer;
 
 /// The angle aimed at where neither the boundary nor the user says otherwise, in degrees.
 const FLOOR: f64 = 36.0;
-/// Up to this angle a greater share of the limit is worth a search, in degrees.
-const ENOUGH: f64 = 35.0;
 /// With at least this share of the limit and no violation, the search ends.
 const GOOD_SHARE: f64 = 0.98;
-/// Larger meshes are searched once: each further search takes as long as the first.
+/// Larger meshes with more than [`FEW`] triangles left to be desired are begun once: a further start takes as long as the
+/// first, and helps little where each place was worked on.
+const SMALL: usize = 600;
+/// So few triangles and violations are worth further starts of a large mesh, too.
+const FEW: usize = 20;
+/// Larger meshes are begun once in any case.
 const MOST_TRIANGLES: usize = 400_000;
 
 /// The angle that the optimiser aims at.
 pub(crate) fn floor(options: &Options) -> f64 {
     options.wanted.target_angle.map_or(FLOOR, |angle| (angle + 1.0).max(FLOOR))
+}
+
+/// The angle from which on nothing is left to be desired.
+pub(crate) fn enough(options: &Options) -> f64 {
+    options.wanted.target_angle.unwrap_or(ENOUGH)
 }
 
 /// The proven limit that counts, and the vertex that decides it: angles that are preferred may cost degrees.
@@ -41,7 +49,7 @@ pub(crate) fn check_target(limits: &Limits, options: &Options) -> Result<(), Int
 /// The share reached of what the limit, the target, and sense allow.
 fn share(report: &InteriorReport, options: &Options) -> f64 {
     let (limit, _) = limit(&report.limits, options);
-    (report.min_angle / limit.min(options.wanted.target_angle.unwrap_or(ENOUGH))).min(1.0)
+    (report.min_angle / limit.min(enough(options))).min(1.0)
 }
 
 /// True if further search is not worth its time.
@@ -50,6 +58,11 @@ pub(crate) fn is_enough(report: &InteriorReport, options: &Options) -> bool {
     let degrees = report.violations.is_empty() || options.wanted.prefer() == Prefer::Angle;
     let is_good = degrees && share(report, options) >= wanted;
     is_good || report.triangles > MOST_TRIANGLES
+}
+
+/// True if another start takes longer than it is worth.
+pub(crate) fn is_large(report: &InteriorReport) -> bool {
+    report.triangles > SMALL && report.local.below + report.violations.len() > FEW
 }
 
 /// A key that is less for a better mesh.

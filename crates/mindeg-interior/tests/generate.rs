@@ -93,6 +93,15 @@ fn random_polygons_have_no_violation() {
     }
 }
 
+/// A corner of 3 degrees between very unequal intervals had 6 edges.
+#[test]
+fn a_corner_where_degree_and_angle_pull_apart_keeps_its_degree() {
+    let domain = mindeg_domain::Domain::from_json(include_str!("multiscale-side.json")).unwrap();
+    let found = plain(&[domain.boundary().unwrap().points().to_vec()]);
+    assert_eq!(found.report.violations, []);
+    assert!(found.report.local.worst > 0.0 && found.report.local.worst <= 1.0);
+}
+
 #[test]
 fn two_runs_give_the_same_bytes() {
     let rings = plate();

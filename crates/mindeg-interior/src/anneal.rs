@@ -1,0 +1,105 @@
+//! Random operations on a disc, each kept by chance if it costs little: the way over a hill that no pair crosses.
+
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::goal::Weights;
+use crate::operations::operations;
+use crate::smooth::{Ring, settle};
+use crate::trial::Bench;
+
+/// SplitMix64.
+pub(crate) struct Random(pub(crate) u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    /// From 0 up to but not 1.
+    fn unit(&mut self) -> f64 {
+        (self.next() >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// Below `count`.
+    fn below(&mut self, count: usize) -> usize {
+        (self.unit() * count as f64) as usize
+    }
+}
+
+/// The heat at the start and at the end.
+const HEAT: [f64; 2] = [6.0, 0.1];
+
+/// Tries so many operations at the first `near` vertices of a mesh and at new ones, and ends with the best mesh on
+/// the way. Returns how many could be done.
+pub(crate) fn anneal(
+    mesh: &mut ArrayMesh,
+    weights: &Weights,
+    near: usize,
+    steps: u32,
+    random: &mut Random,
+) -> usize {
+    let given = mesh.vertices.len();
+    let mut bench = Bench::new(mesh, weights.clone());
+    let mut list = Vec::new();
+    let (mut gained, mut best) = (0.0, (0.0, bench.mesh.mark()));
+    bench.mesh.record();
+    for step in 0..steps {
+        let share = f64::from(step) / f64::from(steps);
+        let heat = HEAT[0] * libm::exp(share * libm::log(HEAT[1] / HEAT[0]));
+        let among = near + bench.mesh.vertices.len() - given;
+        // The vertex in the middle more often than others.
+        let vertex = match random.below(among + 3) {
+            at if at < near => at,
+            at if at < among => given + at - near,
+            _ => 0,
+        } as u32;
+        if bench.mesh.vertices[vertex as usize].triangles == 0 {
+            continue;
+        }
+        operations(bench.mesh, vertex, true, &mut list);
+        if list.is_empty() {
+            continue;
+        }
+        let operation = list[random.below(list.len())];
+        let mark = bench.mesh.mark();
+        let allowance = if random.unit() < 0.5 { 0.0 } else { f64::INFINITY };
+        let keeps = match bench.perform(operation, allowance) {
+            Some(effect) if effect.gain() > heat * libm::log(random.unit().max(1e-300)) => {
+                gained += effect.gain();
+                true
+            }
+            _ => false,
+        };
+        if !keeps {
+            bench.mesh.undo(mark);
+        } else if gained > best.0 + 1e-9 {
+            best = (gained, bench.mesh.mark());
+        }
+    }
+    bench.mesh.undo(best.1);
+    bench.mesh.commit();
+    bench.trials()
+}
+
+/// Sweeps at most.
+const SWEEPS: usize = 4;
+
+/// Moves all free vertices of a disc until they rest.
+pub(crate) fn settle_all(mesh: &mut ArrayMesh, weights: &Weights) {
+    let mut ring = Ring::default();
+    for _ in 0..SWEEPS {
+        let mut moved = false;
+        for v in 0..mesh.vertices.len() as u32 {
+            let vertex = &mesh.vertices[v as usize];
+            if vertex.kind == Kind::Free && vertex.triangles > 0 {
+                moved |= settle(mesh, v, weights, 0.004, &mut ring);
+            }
+        }
+        if !moved {
+            break;
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! The search by place: where a degree is out of its range or an angle below its local limit, the disc round
+//! that place is worked on alone, until it is as wanted or all has failed.
+
+use crate::anneal::{Random, anneal, settle_all};
+use crate::array_mesh::{ArrayMesh, Kind};
+use crate::disc::Disc;
+use crate::goal::{Goal, Weights};
+use crate::optimise::{Pairs, pairs_of_operations, smooth_and_mend};
+use crate::options::Options;
+use crate::restart::Restart;
+use crate::smooth::Sweeper;
+use crate::stage::Stage;
+use crate::triangle::min_angle;
+use crate::verdict::enough;
+use mindeg_mesh::Cancelled;
+use std::collections::BTreeSet;
+
+/// A triangle with this share of its local limit is good.
+const GOOD: f64 = 0.98;
+/// Shares that differ by less are alike.
+const ALIKE: f64 = 2e-3;
+
+/// How good a mesh is, or a disc of it.
+#[derive(Debug, Clone, PartialEq)]
+struct Worth {
+    /// By how much degrees are out of their ranges, in all.
+    excess: u32,
+    /// The shares of the local limits that are below 1, ascending.
+    shares: Vec<f64>,
+    /// The minimum angle, up to what is enough.
+    angle: f64,
+    /// The sum of what shapes cost.
+    cost: f64,
+}
+
+impl Worth {
+    fn of(mesh: &ArrayMesh, weights: &Weights, enough: f64) -> Self {
+        let mut worth = Self { excess: 0, shares: Vec::new(), angle: enough, cost: 0.0 };
+        for (v, vertex) in (0..).zip(&mesh.vertices) {
+            if vertex.triangles > 0 {
+                worth.excess += weights.excess(mesh, v);
+            }
+        }
+        for (t, triangle) in (0..).zip(&mesh.triangles) {
+            if !triangle.is_alive() {
+                continue;
+            }
+            let angle = min_angle(mesh.corners(t));
+            let share = angle / weights.local_limit(mesh, t).min(enough);
+            worth.angle = worth.angle.min(angle);
+            worth.cost += weights.triangle(mesh, t).0;
+            if share < GOOD {
+                worth.shares.push(share);
+            }
+        }
+        worth.shares.sort_by(f64::total_cmp);
+        worth
+    }
+
+    /// True if this is better: by degrees, then by the least shares, then by shapes.
+    fn is_better(&self, than: &Self) -> bool {
+        if self.excess != than.excess {
+            return self.excess < than.excess;
+        }
+        for i in 0..self.shares.len().max(than.shares.len()) {
+            let [a, b] = [self, than].map(|w| w.shares.get(i).copied().unwrap_or(GOOD));
+            if (a - b).abs() > ALIKE {
+                return a > b;
+            }
+        }
+        self.cost < than.cost - 0.5
+    }
+
+    /// True if it may replace the other: fewer violations, or as many and no smaller least share and least angle.
+    fn is_allowed(&self, before: &Self) -> bool {
+        let least = |worth: &Self| worth.shares.first().copied().unwrap_or(1.0);
+        self.excess < before.excess
+            || self.excess == before.excess
+                && least(self) >= least(before).min(GOOD) - 1e-9
+                && self.angle >= before.angle - 1e-9
+    }
+
+    fn is_good(&self) -> bool {
+        self.excess == 0 && self.shares.is_empty()
+    }
+}
+
+/// Passes over all places; each tries twice as much as the one before.
+const PASSES: u32 = 5;
+/// The rings of a disc in each pass.
+const RINGS: [usize; 6] = [2, 3, 4, 6, 9, 9];
+/// So many times as much is tried where a degree is out of its range.
+const BROKEN: u64 = 4;
+/// Trials of operations for angles: at any mesh, and for each triangle.
+const TRIALS: [usize; 2] = [1500, 3];
+/// Trials of operations for degrees, likewise.
+const TRIALS_FOR_DEGREES: [usize; 2] = [12_000, 1];
+/// Random operations in a row.
+const STEPS: u32 = 100;
+/// The same after a new start.
+const STEPS_AFTER_START: u32 = 40;
+
+/// Works on all places where something is left to be desired. The mesh never gets worse: a disc is replaced if
+/// violations get fewer, or if the least share of a local limit and the least angle do not fall and something gets better.
+pub(crate) fn mend_places(
+    mesh: &mut ArrayMesh,
+    options: &Options,
+    floor: f64,
+    stage: &mut Stage<'_>,
+) -> Result<(), Cancelled> {
+    let weights = Weights::local(options, floor);
+    let work = Work { options, enough: enough(options), weights };
+    let triangles = mesh.triangles.len();
+    let mut left = [TRIALS, TRIALS_FOR_DEGREES].map(|[any, each]| any + each * triangles);
+    for pass in 0..PASSES {
+        for vertex in work.places(mesh) {
+            stage.still()?;
+            if mesh.vertices[vertex as usize].triangles == 0 {
+                continue;
+            }
+            let is_broken = work.weights.excess(mesh, vertex) > 0;
+            let rings = RINGS[pass as usize + usize::from(is_broken)];
+            let Some(disc) = Disc::cut(mesh, &work.weights, vertex, rings) else { continue };
+            let before = work.worth(&disc.mesh);
+            let left = &mut left[usize::from(before.excess > 0)];
+            if before.is_good() || *left == 0 {
+                continue;
+            }
+            let effort = (1 << pass) * if is_broken { BROKEN } else { 1 };
+            if let Some(better) = work.mended(&disc, before, effort, left, stage)? {
+                disc.put_back(mesh, &better);
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What all places have in common.
+struct Work<'a> {
+    options: &'a Options,
+    weights: Weights,
+    /// The angle from which on nothing is left to be desired.
+    enough: f64,
+}
+
+/// The best mesh of a disc so far.
+struct Best {
+    before: Worth,
+    found: Option<(Worth, ArrayMesh)>,
+}
+
+impl Best {
+    /// Takes a mesh if it is better. True if nothing is left to be desired.
+    fn offer(&mut self, mesh: ArrayMesh, worth: Worth) -> bool {
+        let least = self.found.as_ref().map_or(&self.before, |best| &best.0);
+        if !worth.is_allowed(&self.before) || !worth.is_better(least) || mesh.check().is_err() {
+            return false;
+        }
+        let is_good = worth.is_good();
+        self.found = Some((worth, mesh));
+        is_good
+    }
+}
+
+impl Work<'_> {
+    fn worth(&self, mesh: &ArrayMesh) -> Worth {
+        Worth::of(mesh, &self.weights, self.enough)
+    }
+
+    /// The vertices where something is left to be desired, the worst first.
+    fn places(&self, mesh: &ArrayMesh) -> Vec<u32> {
+        // Degrees come first, by how far they are out of their range; then the least shares.
+        let mut found: Vec<(std::cmp::Reverse<u32>, f64, u32)> = Vec::new();
+        for (v, vertex) in (0..).zip(&mesh.vertices) {
+            let excess = if vertex.triangles > 0 { self.weights.excess(mesh, v) } else { 0 };
+            if excess > 0 {
+                found.push((std::cmp::Reverse(excess), 0.0, v));
+            }
+        }
+        for (t, triangle) in (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive()) {
+            let share = self.share(mesh, t);
+            if share < GOOD {
+                // The vertex with the least limit.
+                let goal = |v: u32| mesh.goals.get(mesh.vertices[v as usize].goal as usize);
+                let limit = |v: u32| goal(v).map_or(90.0, Goal::local_limit);
+                let [a, b, c] = triangle.vertices;
+                let least = |v: u32, u: u32| if limit(u) < limit(v) { u } else { v };
+                found.push((std::cmp::Reverse(0), share, least(least(a, b), c)));
+            }
+        }
+        found.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+        let mut once = BTreeSet::new();
+        found.into_iter().map(|place| place.2).filter(|v| once.insert(*v)).collect()
+    }
+
+    /// The share of its local limit that a triangle's minimum angle has.
+    fn share(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+        let limit = self.weights.local_limit(mesh, triangle).min(self.enough);
+        min_angle(mesh.corners(triangle)) / limit
+    }
+
+    /// A better mesh of a disc, if one was found: by pairs of operations, by random operations in a row,
+    /// and by new starts. `left`: the trials that may be made.
+    fn mended(
+        &self,
+        disc: &Disc,
+        before: Worth,
+        effort: u64,
+        left: &mut usize,
+        stage: &Stage<'_>,
+    ) -> Result<Option<ArrayMesh>, Cancelled> {
+        let weights = &self.weights;
+        let single = Weights::single(self.options, weights.floor);
+        let mut best = Best { before, found: None };
+        let mut stage = stage.within();
+        let mut mesh = disc.mesh.clone();
+        self.pairs(&mut mesh, effort, left, &mut stage)?;
+        settle_all(&mut mesh, weights);
+        let worth = self.worth(&mesh);
+        let mut is_done = best.offer(mesh, worth);
+        // Vertices of the rim come last.
+        let near = disc.mesh.vertices.iter().filter(|v| v.kind == Kind::Free).count().max(1);
+        let mut starts = Restart::new(&disc.mesh, self.options, weights).starts();
+        for turn in 0..2 * effort {
+            let mut random = Random(effort << 32 | turn);
+            if is_done || *left == 0 {
+                break;
+            }
+            if turn < effort {
+                let mut mesh = disc.mesh.clone();
+                let trials = anneal(&mut mesh, weights, near, STEPS, &mut random);
+                *left = left.saturating_sub(trials);
+                settle_all(&mut mesh, weights);
+                let worth = self.worth(&mesh);
+                if best.offer(mesh, worth) {
+                    break;
+                }
+            }
+            if let Some(mut mesh) = starts.next(&mut stage)? {
+                smooth_and_mend(&mut mesh, &single, None, &mut Sweeper::new(), &mut stage)?;
+                // What packing, triangulating and smoothing take, as trials.
+                *left = left.saturating_sub(mesh.triangles.len() / 2);
+                if effort >= BROKEN {
+                    self.pairs(&mut mesh, effort / 2, left, &mut stage)?;
+                }
+                let all = mesh.vertices.len();
+                let trials = anneal(&mut mesh, weights, all, STEPS_AFTER_START, &mut random);
+                *left = left.saturating_sub(trials);
+                settle_all(&mut mesh, weights);
+                let worth = self.worth(&mesh);
+                is_done = best.offer(mesh, worth);
+            }
+        }
+        Ok(best.found.map(|best| best.1))
+    }
+
+    /// A round of pairs of operations at so many vertices.
+    fn pairs(
+        &self,
+        mesh: &mut ArrayMesh,
+        vertices: u64,
+        left: &mut usize,
+        stage: &mut Stage<'_>,
+    ) -> Result<(), Cancelled> {
+        let mut pairs = Pairs { vertices: vertices as usize, firsts: 2, trials: 0, most: *left };
+        pairs_of_operations(mesh, &self.weights, &mut pairs, stage)?;
+        *left = left.saturating_sub(pairs.trials);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::array_mesh::tests::grid;
+    use mindeg_mesh::Progress;
+
+    #[test]
+    fn places_are_mended_beside_edges_that_stay() {
+        let mut mesh = grid(7);
+        let area = |mesh: &ArrayMesh| -> f64 {
+            let alive = (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive());
+            alive.map(|(t, _)| crate::triangle::doubled_area(mesh.corners(t))).sum()
+        };
+        let goal = Goal {
+            least: 1,
+            triangles: 4,
+            limit: 45.0,
+            ..Weights::local(&Options::default(), 36.0).goal_inside()
+        };
+        mesh.goals.push(goal.aimed());
+        for vertex in mesh.vertices.iter_mut().filter(|vertex| vertex.kind == Kind::Boundary) {
+            vertex.goal = 0;
+        }
+        // A vertex beside the locked edge is pushed far off its middle.
+        mesh.vertices[17].at.x += 0.9;
+        let before = area(&mesh);
+        let options = Options::default();
+        let mut stage = Stage::of_try(Progress::NONE, "mending", 0, 1);
+        mend_places(&mut mesh, &options, 36.0, &mut stage).unwrap();
+        mesh.check().unwrap();
+        assert!((area(&mesh) - before).abs() < 1e-9);
+        assert_eq!(mesh.locked_edges().len(), 2);
+        let alive = (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive());
+        let least = alive.map(|(t, _)| crate::triangle::min_angle(mesh.corners(t)));
+        assert!(least.fold(90.0, f64::min) > 30.0);
+    }
+}

@@ -1,0 +1,105 @@
+//! The first mesh: points packed, triangulated and linked.
+
+use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::edge_tree::{EdgeTree, Item};
+use crate::fixed::Breaklines;
+use crate::goal::Goal;
+use crate::options::InteriorError;
+use crate::order::along_hilbert_curve;
+use crate::packing::Ground;
+use crate::size::SizeField;
+use crate::stage::Stage;
+use glam::DVec2;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
+
+/// The data that all seeds begin with.
+pub(crate) struct Start<'a> {
+    pub(crate) outline: &'a PlanarBoundary,
+    pub(crate) goals: &'a [Goal],
+    pub(crate) breaklines: &'a Breaklines,
+    pub(crate) field: &'a SizeField,
+}
+
+impl Start<'_> {
+    /// Packs points, triangulates them, and links the triangles.
+    pub(crate) fn mesh(
+        &self,
+        spacing: f64,
+        floor: f64,
+        max_points: usize,
+        spokes: Option<(u32, u32)>,
+        stage: &mut Stage<'_>,
+    ) -> Result<ArrayMesh, InteriorError> {
+        let pieces = self.breaklines.pieces(self.outline);
+        let items = pieces.iter().enumerate().map(|(id, piece)| Item {
+            id: id as u32,
+            from: piece.from,
+            to: piece.to,
+            size: piece.from.distance(piece.to),
+            reach: 0.0,
+        });
+        let bounds = self.outline.bounds();
+        let ground = Ground {
+            outline: self.outline,
+            goals: self.goals,
+            field: self.field,
+            fixed: &self.breaklines.points,
+            tree_of_pieces: EdgeTree::of_items(items.collect()),
+            pieces: &pieces,
+            spacing,
+            fan_angle: floor + 3.0,
+            spokes,
+            rounding: f64::EPSILON * bounds.min.abs().max(bounds.max.abs()).max_element(),
+            max_points,
+        };
+        let (packed, sizes) = ground.pack(stage)?;
+        let given = self.outline.points().len() + self.breaklines.points.len();
+        let mut vertices = Vec::with_capacity(given + packed.len());
+        let vertex =
+            |at, size, kind, goal| Vertex { at, size, anchor: NONE, goal, triangles: 0, kind };
+        for (v, at) in (0..).zip(self.outline.points()) {
+            let before = self.outline.length(self.outline.previous(v));
+            let size = (self.outline.length(v) + before) / 2.0;
+            vertices.push(vertex(*at, size, Kind::Boundary, v));
+        }
+        for at in &self.breaklines.points {
+            vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
+        }
+        let extent = bounds.size().max_element();
+        for index in along_hilbert_curve(&packed) {
+            let (at, size) = (clean(packed[index as usize], extent), sizes[index as usize]);
+            vertices.push(vertex(at, size, Kind::Free, NONE));
+        }
+        let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
+        let inner = &points[self.outline.points().len()..];
+        let edges = &self.breaklines.edges;
+        let mut triangles =
+            mindeg_delaunay::triangles(self.outline, inner, edges, stage.progress())?;
+        // Near each other in the plane, near each other in memory.
+        triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
+        let boundary = self.outline.points().len();
+        let expected = 2 * points.len() - boundary + 2 * self.outline.ring_count() - 4;
+        if triangles.len() != expected {
+            return Err(InteriorError::NotFilled(format!(
+                "found {} triangles inside, expected {expected}",
+                triangles.len()
+            )));
+        }
+        let bad = triangles.iter().find(|t| {
+            let [a, b, c] = t.map(|v| points[v as usize]);
+            orientation(a, b, c) <= 0.0
+        });
+        if let Some([a, b, c]) = bad {
+            return Err(InteriorError::NotFilled(format!(
+                "triangle {a}-{b}-{c} is not counter-clockwise"
+            )));
+        }
+        ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
+            .map_err(InteriorError::NotFilled)
+    }
+}
+
+/// The same point without coordinates that are nothing beside the domain: exact predicates have a least number.
+fn clean(point: DVec2, extent: f64) -> DVec2 {
+    DVec2::select(point.abs().cmplt(DVec2::splat(1e-25 * extent)), DVec2::ZERO, point)
+}
