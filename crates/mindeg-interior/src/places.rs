@@ -113,7 +113,11 @@ pub(crate) fn mend_places(
     let triangles = mesh.triangles.len();
     let mut left = [TRIALS, TRIALS_FOR_DEGREES].map(|[any, each]| any + each * triangles);
     for pass in 0..PASSES {
-        for vertex in work.places(mesh) {
+        let places = work.places(mesh);
+        if places.is_empty() {
+            break;
+        }
+        for vertex in places {
             stage.still()?;
             if mesh.vertices[vertex as usize].triangles == 0 {
                 continue;
