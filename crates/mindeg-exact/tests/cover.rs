@@ -1,7 +1,7 @@
 //! Decisions of degree limits and of angles with holes, against all triangulations; their proofs, and proofs that
 //! are not.
 
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod domains;
 
