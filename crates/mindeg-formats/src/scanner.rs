@@ -3,6 +3,7 @@
 use crate::ReadError;
 use crate::numbers::Numbers;
 use crate::words::number;
+use glam::DVec3;
 
 /// The place in a file up to which it has been read.
 pub(crate) struct Scanner<'a> {
@@ -121,6 +122,18 @@ impl<'a> Scanner<'a> {
             Numbers::LittleEndian => f64::from_le_bytes(self.array(what)?),
             Numbers::BigEndian => f64::from_be_bytes(self.array(what)?),
         })
+    }
+
+    /// Three finite numbers.
+    pub(crate) fn point(&mut self) -> Result<DVec3, ReadError> {
+        let mut point = [0.0; 3];
+        for coordinate in &mut point {
+            *coordinate = self.double("a coordinate")?;
+            if !coordinate.is_finite() {
+                return Err(self.problem(format!("a coordinate is {coordinate}")));
+            }
+        }
+        Ok(DVec3::from_array(point))
     }
 
     fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N], ReadError> {

@@ -1,7 +1,9 @@
 //! The parts of a file, each from `$Name` to `$EndName`.
 
 use crate::ReadError;
+use crate::numbers::Numbers;
 use crate::scanner::Scanner;
+use crate::sections::Section;
 
 /// The name of the next part; its contents follow in the next line.
 pub(super) fn next_part<'a>(scanner: &mut Scanner<'a>) -> Option<&'a [u8]> {
@@ -35,4 +37,10 @@ pub(super) fn end_part(scanner: &mut Scanner<'_>, name: &[u8]) -> Result<(), Rea
     }
     let name = String::from_utf8_lossy(name);
     Err(scanner.problem_at(start, format!("$End{name} should follow here")))
+}
+
+/// The end of a part that is written.
+pub(super) fn end_of<'a>(kind: &str, numbers: Numbers) -> Section<'a> {
+    let line_end = if numbers == Numbers::Text { "" } else { "\n" };
+    Section::bytes(format!("{line_end}$End{kind}\n"))
 }

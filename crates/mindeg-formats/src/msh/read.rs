@@ -3,7 +3,6 @@
 use std::collections::HashMap;
 use std::io::Read;
 
-use glam::DVec3;
 use mindeg_mesh::{NonTriangles, TriMesh};
 
 use super::parts::{end_part, next_part, skip};
@@ -236,7 +235,7 @@ impl Contents {
                 nodes.push_number(scanner.size("the tag of a node")?)?;
             }
             for _ in 0..count {
-                push(&mut nodes.positions, position(scanner)?)?;
+                push(&mut nodes.positions, scanner.point()?)?;
                 for _ in 0..parameters {
                     scanner.double("a parameter of a node")?;
                 }
@@ -260,7 +259,7 @@ impl Contents {
                 scanner.problem(format!("the number of a node is {tag}; it cannot be negative"))
             })?;
             nodes.push_number(tag)?;
-            push(&mut nodes.positions, position(scanner)?)?;
+            push(&mut nodes.positions, scanner.point()?)?;
         }
         nodes.sort().map_err(|error| error.or_at(|problem| scanner.problem(problem)))
     }
@@ -386,24 +385,13 @@ impl Contents {
     fn into_mesh(self) -> Result<TriMesh, ReadError> {
         let line_segments = self.segments.count() as u64;
         let counts = NonTriangles { line_segments, points: self.points, ..Default::default() };
-        let positions: Vec<DVec3> = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
+        let positions = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
         let mesh = self.faces.into_mesh(positions, counts)?;
         let mesh = self.segments.give_to(mesh)?;
         let (mesh, note) = self.surfaces.give_to(mesh, "surfaces");
         let volumes = (self.volumes > 0).then(|| format!("{} volume elements", self.volumes));
         Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
     }
-}
-
-fn position(scanner: &mut Scanner<'_>) -> Result<DVec3, ReadError> {
-    let mut position = [0.0; 3];
-    for coordinate in &mut position {
-        *coordinate = scanner.double("a coordinate")?;
-        if !coordinate.is_finite() {
-            return Err(scanner.problem(format!("a coordinate is {coordinate}")));
-        }
-    }
-    Ok(DVec3::from_array(position))
 }
 
 fn known_shape(scanner: &Scanner<'_>, element_type: i64) -> Result<Shape, ReadError> {

@@ -5,6 +5,7 @@ use std::ops::Range;
 use mindeg_mesh::Mesh;
 
 use super::entities::Entities;
+use super::parts::end_of;
 use super::{write2, write4};
 use crate::corners::{degrees, min_angles};
 use crate::numbers::Numbers;
@@ -95,10 +96,4 @@ fn values<'a, I: Iterator<Item = f64> + 'a>(
             numbers.end_line(buffer);
         }
     })
-}
-
-/// The end of a part of the file.
-pub(super) fn end_of<'a>(kind: &str, numbers: Numbers) -> Section<'a> {
-    let line_end = if numbers == Numbers::Text { "" } else { "\n" };
-    Section::bytes(format!("{line_end}$End{kind}\n"))
 }

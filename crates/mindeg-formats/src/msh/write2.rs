@@ -3,8 +3,8 @@
 use mindeg_mesh::Mesh;
 
 use super::entities::{Entities, Entity};
+use super::parts::end_of;
 use super::shapes::{LINE, TRIANGLE};
-use super::write::end_of;
 use crate::corners::{positions, segments, triangles};
 use crate::numbers::Numbers;
 use crate::sections::Section;

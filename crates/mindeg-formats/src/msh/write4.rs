@@ -5,8 +5,8 @@ use std::ops::Range;
 use mindeg_mesh::{Bounds, Mesh};
 
 use super::entities::{Entities, bounds_of_line};
+use super::parts::end_of;
 use super::shapes::{LINE, TRIANGLE};
-use super::write::end_of;
 use crate::corners::{positions, segments, triangles};
 use crate::numbers::Numbers;
 use crate::sections::Section;
