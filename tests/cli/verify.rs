@@ -284,7 +284,7 @@ const KINDS: [&str; 11] = [
     "open_edge",
 ];
 
-const PROOFS: [&str; 8] = [
+const PROOFS: [&str; 10] = [
     "balanced_cut",
     "medial_triangle",
     "long_side",
@@ -292,5 +292,7 @@ const PROOFS: [&str; 8] = [
     "counting",
     "blocked_zig_zags",
     "apexes",
+    "no_strip",
+    "refuted",
     "search",
 ];

@@ -126,7 +126,7 @@ impl CheckedOutline<'_> {
     /// ```
     /// # use glam::DVec2;
     /// # use mindeg_exact::check::CheckedOutline;
-    /// // A square in a square: the strip without a shift has degree 4. Then the inner one is turned too far.
+    /// // A square in a square: the strip without a shift has degree 4. Then a hole with a notch, which no strip fits.
     /// let ring = |half: f64| [(-half, -half), (-half, half), (half, half), (half, -half)];
     /// let outer = ring(3.0).map(|(x, y)| DVec2::new(y, x));
     /// let blocks = |inner: [(f64, f64); 4]| {
@@ -136,7 +136,7 @@ impl CheckedOutline<'_> {
     ///         .blocks_all_strips()
     /// };
     /// assert!(!blocks(ring(1.0)));
-    /// assert!(blocks([(-2.8, -2.8), (-2.8, -2.7), (-2.75, -2.6), (-2.7, -2.8)]));
+    /// assert!(blocks([(-1.0, 0.0), (1.0, 2.0), (1.0, 0.0), (0.9, 0.2)]));
     /// ```
     #[must_use]
     pub fn blocks_all_strips(&self) -> bool {

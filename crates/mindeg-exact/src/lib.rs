@@ -117,8 +117,8 @@ pub use fill::{LoopLimit, LoopProblem, LoopTriangulation, MAX_LOOP, MAX_STATES, 
 pub use least_weight::LeastWeight;
 pub use mindeg_mesh::{Cancelled, Progress};
 pub use patch::{Block, Cost, Patch};
-pub use problem::{COVER_STEPS, MAX_TRIPLES, MAX_VERTICES, Problem};
+pub use problem::{COVER_STEPS, MAX_TRIPLES, Problem};
 pub use search::Optimum;
-pub use unsolved::Unsolved;
+pub use unsolved::{MAX_VERTICES, Unsolved};
 pub use windows::{Windowed, windows};
 pub use zigzag::ZigZag;

@@ -5,18 +5,13 @@ use crate::limits::DegreeLimits;
 use crate::linked::Linked;
 use crate::progress::Stage;
 use crate::sides::Sides;
-use crate::unsolved::Unsolved;
+use crate::unsolved::{MAX_VERTICES, Unsolved};
 use crate::visibility;
 use glam::DVec2;
 use mindeg_core::{Boundary, least_degree_triangulation};
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use mindeg_mesh::{Cancelled, Progress};
 use std::sync::OnceLock;
-
-/// The most boundary vertices of a convex polygon, 4,096.
-///
-/// Time grows with the cube of the number of vertices and memory with its square.
-pub const MAX_VERTICES: u32 = 4096;
 
 /// The most triples of vertices that see each other in another polygon: 4 * 10^9.
 ///

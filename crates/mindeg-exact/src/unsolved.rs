@@ -1,8 +1,12 @@
 //! Why a problem cannot be posed or has no answer.
 
-use crate::problem::MAX_VERTICES;
 use mindeg_mesh::Cancelled;
 use thiserror::Error;
+
+/// The most boundary vertices of a convex polygon, 4,096.
+///
+/// Time grows with the cube of the number of vertices and memory with its square.
+pub const MAX_VERTICES: u32 = 4096;
 
 /// Why a problem cannot be posed or has no answer.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
