@@ -77,7 +77,7 @@ pub enum Reached {
     Exhaustive,
     /// The strip between the rings of a domain with one hole, of degree 4.
     Strip,
-    /// The search with learned clauses over all triangulations, [`Cover`].
+    /// The search with learned clauses over all triangulations, [`Cover`](crate::Cover).
     Search,
 }
 
@@ -114,7 +114,7 @@ pub enum LowerBound {
 ///    see each other are within the problem's limit.
 ///
 /// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one. The strips
-/// between two rings decide about degree 4. What is left between the bounds a [`Cover`] decides, within
+/// between two rings decide about degree 4. What is left between the bounds a [`Cover`](crate::Cover) decides, within
 /// [`Problem::set_max_steps`].
 ///
 /// # Errors

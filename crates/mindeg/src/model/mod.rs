@@ -76,8 +76,8 @@ impl ModelMesh {
 ///
 /// # Errors
 ///
-/// A goal that [`GOALS`](crate::GOALS) does not give to models; a face that cannot be triangulated once its points are rounded to f64, or a cancelled
-/// `progress`.
+/// A goal that [`GOALS`] does not give to models; a face that cannot be triangulated once its points are rounded to
+/// f64, or a cancelled `progress`.
 ///
 /// # Example
 ///
