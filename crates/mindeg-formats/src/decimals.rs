@@ -38,9 +38,15 @@ impl<const N: usize> Text<N> {
     }
 }
 
+impl<F> Default for Decimals<F> {
+    fn default() -> Self {
+        Self { last: None, text: Text::EMPTY, digits: zmij::Buffer::new() }
+    }
+}
+
 impl<F: zmij::Float + PartialEq> Decimals<F> {
     pub(crate) fn new() -> Self {
-        Self { last: None, text: Text::EMPTY, digits: zmij::Buffer::new() }
+        Self::default()
     }
 
     /// Appends a finite number that is not -0: the shortest decimal that reads back the same.
@@ -70,6 +76,11 @@ impl<F: zmij::Float + PartialEq> Decimals<F> {
 /// Appends a whole number after a space.
 pub(crate) fn push_integer(value: impl itoa::Integer, buffer: &mut Vec<u8>) {
     buffer.push(b' ');
+    push_digits(value, buffer);
+}
+
+/// Appends the digits of a whole number.
+pub(crate) fn push_digits(value: impl itoa::Integer, buffer: &mut Vec<u8>) {
     buffer.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
 }
 

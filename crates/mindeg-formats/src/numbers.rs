@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::str::FromStr;
 
+use crate::decimals::{Decimals, push_digits};
 use crate::sections::Section;
 
 /// How a file stores numbers.
@@ -25,15 +26,23 @@ impl Numbers {
 
     /// Appends numbers; in a text with a blank before each but the first of a line.
     pub(crate) fn put<T: Number, const N: usize>(self, numbers: [T; N], buffer: &mut Vec<u8>) {
-        for number in numbers {
+        self.put_row(&mut columns::<T, N>(), numbers, buffer);
+    }
+
+    /// [`put`](Self::put), for one row of numbers after another.
+    pub(crate) fn put_row<T: Number, const N: usize>(
+        self,
+        columns: &mut [T::Column; N],
+        numbers: [T; N],
+        buffer: &mut Vec<u8>,
+    ) {
+        for (column, number) in columns.iter_mut().zip(numbers) {
             match self {
                 Self::LittleEndian => number.put_bytes(false, buffer),
                 Self::BigEndian => number.put_bytes(true, buffer),
                 Self::Text => {
-                    if !matches!(buffer.last(), None | Some(b'\n')) {
-                        buffer.push(b' ');
-                    }
-                    number.put_text(buffer);
+                    let is_first = matches!(buffer.last(), None | Some(b'\n'));
+                    number.put_text(is_first, column, buffer);
                 }
             }
         }
@@ -58,8 +67,9 @@ impl Numbers {
     {
         let number_len = if self == Self::Text { T::TEXT_LEN } else { size_of::<T>() };
         Section::of(items, (N * number_len) as u32, move |range, buffer| {
+            let mut columns = columns::<T, N>();
             of(range).for_each(|record| {
-                self.put(record, buffer);
+                self.put_row(&mut columns, record, buffer);
                 self.end_line(buffer);
             });
         })
@@ -74,52 +84,62 @@ impl Numbers {
     }
 }
 
+/// The columns of a table in a text, before its first row.
+pub(crate) fn columns<T: Number, const N: usize>() -> [T::Column; N] {
+    std::array::from_fn(|_| T::Column::default())
+}
+
 /// A number that is written.
 pub(crate) trait Number: Copy + Send + Sync {
     /// About how long it is as text, with what follows.
     const TEXT_LEN: usize;
 
+    /// A column of a table as text: decimals keep the last one, which often comes again.
+    type Column: Default;
+
     fn put_bytes(self, is_big: bool, buffer: &mut Vec<u8>);
 
-    fn put_text(self, buffer: &mut Vec<u8>);
+    /// With a blank before all but the first of a line.
+    fn put_text(self, is_first: bool, column: &mut Self::Column, buffer: &mut Vec<u8>);
 }
 
 macro_rules! number {
-    ($($kind:ty: $len:literal, $put_text:expr;)*) => {$(
+    ($($kind:ty: $len:literal, $column:ty, $put_text:expr;)*) => {$(
         impl Number for $kind {
             const TEXT_LEN: usize = $len;
+
+            type Column = $column;
 
             fn put_bytes(self, is_big: bool, buffer: &mut Vec<u8>) {
                 let bytes = if is_big { self.to_be_bytes() } else { self.to_le_bytes() };
                 buffer.extend_from_slice(&bytes);
             }
 
-            fn put_text(self, buffer: &mut Vec<u8>) {
-                $put_text(self, buffer);
+            fn put_text(self, is_first: bool, column: &mut $column, buffer: &mut Vec<u8>) {
+                $put_text(self, is_first, column, buffer);
             }
         }
     )*};
 }
 
 number! {
-    u8: 4, put_digits;
-    i32: 8, put_digits;
-    u32: 10, put_digits;
-    i64: 10, put_digits;
-    u64: 11, put_digits;
-    f64: 18, put_decimal;
+    u8: 4, (), put_whole;
+    i32: 8, (), put_whole;
+    u32: 10, (), put_whole;
+    i64: 10, (), put_whole;
+    u64: 11, (), put_whole;
+    f64: 18, Decimals<f64>, put_decimal;
 }
 
-/// Appends the digits of a whole number.
-pub(crate) fn put_digits(value: impl itoa::Integer, buffer: &mut Vec<u8>) {
-    buffer.extend_from_slice(itoa::Buffer::new().format(value).as_bytes());
+fn put_whole(value: impl itoa::Integer, is_first: bool, (): &mut (), buffer: &mut Vec<u8>) {
+    if !is_first {
+        buffer.push(b' ');
+    }
+    push_digits(value, buffer);
 }
 
-/// Appends the shortest decimal that reads back as the same finite number.
-fn put_decimal(value: f64, buffer: &mut Vec<u8>) {
-    let mut digits = zmij::Buffer::new();
-    let text = digits.format_finite(value);
-    buffer.extend_from_slice(text.strip_suffix(".0").unwrap_or(text).as_bytes());
+fn put_decimal(value: f64, is_first: bool, column: &mut Decimals<f64>, buffer: &mut Vec<u8>) {
+    if is_first { column.push_first(value, buffer) } else { column.push(value, buffer) }
 }
 
 /// A type of numbers in a binary file, and the bytes of each: 1, 2, 4 or 8.

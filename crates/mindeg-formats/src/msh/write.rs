@@ -8,7 +8,7 @@ use super::entities::Entities;
 use super::parts::end_of;
 use super::{write2, write4};
 use crate::corners::{degrees, min_angles};
-use crate::numbers::Numbers;
+use crate::numbers::{Numbers, columns};
 use crate::sections::Section;
 use crate::{MshVersion, WriteOptions};
 
@@ -90,9 +90,10 @@ fn values<'a, I: Iterator<Item = f64> + 'a>(
 ) -> Section<'a> {
     let len = if numbers == Numbers::Text { 30 } else { 12 };
     Section::new(count, len, move |range, buffer| {
+        let mut column = columns::<f64, 1>();
         for (index, value) in range.clone().zip(of(range)) {
             numbers.put([first + index], buffer);
-            numbers.put([value], buffer);
+            numbers.put_row(&mut column, [value], buffer);
             numbers.end_line(buffer);
         }
     })

@@ -6,7 +6,7 @@ use super::entities::{Entities, Entity};
 use super::parts::end_of;
 use super::shapes::{LINE, TRIANGLE};
 use crate::corners::{positions, segments, triangles};
-use crate::numbers::Numbers;
+use crate::numbers::{Numbers, columns};
 use crate::sections::Section;
 
 /// Nodes and elements. Each element has two tags, physical and elementary: many programs want both.
@@ -52,9 +52,10 @@ fn head_of_block<'a>(element_type: i32, count: u32, numbers: Numbers) -> Section
 fn nodes(mesh: &dyn Mesh, numbers: Numbers) -> Section<'_> {
     let len = if numbers == Numbers::Text { 48 } else { 28 };
     Section::new(mesh.vertex_count(), len, move |range, buffer| {
+        let mut axes = columns::<f64, 3>();
         for (index, position) in range.clone().zip(positions(mesh, range)) {
             numbers.put([index + 1], buffer);
-            numbers.put(position.to_array(), buffer);
+            numbers.put_row(&mut axes, position.to_array(), buffer);
             numbers.end_line(buffer);
         }
     })
