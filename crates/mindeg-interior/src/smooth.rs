@@ -133,17 +133,51 @@ const COMPASS: [[f64; 2]; 8] = {
     ]
 };
 
+/// Where a descent along a compass ends: each step goes to a place that `is_better` than all before, and steps get
+/// shorter where there is none, from `first` to `finest` times the shortest edge.
+fn descend(
+    ring: &Ring,
+    start: DVec2,
+    [first, finest]: [f64; 2],
+    mut is_better: impl FnMut(DVec2) -> bool,
+) -> DVec2 {
+    let reach = ring.edges.iter().map(|[b, _]| b.distance(start)).fold(f64::INFINITY, f64::min);
+    let mut x = start;
+    let mut step = first * reach;
+    while step > finest * reach {
+        let mut found = false;
+        for direction in COMPASS {
+            let place = x + DVec2::from(direction) * step;
+            if is_better(place) {
+                (x, found) = (place, true);
+            }
+        }
+        if !found {
+            step /= 2.0;
+        }
+    }
+    x
+}
+
+/// Moves a vertex. True if that changes its place.
+fn put(mesh: &mut ArrayMesh, vertex: u32, x: DVec2) -> bool {
+    let is_moved = x != mesh.at(vertex);
+    if is_moved {
+        mesh.move_to(vertex, x);
+    }
+    is_moved
+}
+
 /// Moves a free vertex along a compass to where small angles at it weigh less, without lowering
 /// the least. True if it moved.
 pub(crate) fn polish(mesh: &mut ArrayMesh, vertex: u32, below: f64, ring: &mut Ring) -> bool {
     ring.load(mesh, vertex);
     let start = mesh.at(vertex);
-    let mut x = start;
-    let mut least = ring.min_angle(x);
+    let mut least = ring.min_angle(start);
     if least >= below {
         return false;
     }
-    let weight = |ring: &Ring, x: DVec2| {
+    let weight = |x: DVec2| {
         let mut least = f64::INFINITY;
         let mut sum = 0.0;
         for [b, c] in &ring.edges {
@@ -153,27 +187,16 @@ pub(crate) fn polish(mesh: &mut ArrayMesh, vertex: u32, below: f64, ring: &mut R
         }
         (sum, least)
     };
-    let mut best = weight(ring, x).0;
-    let reach = ring.edges.iter().map(|[b, _]| b.distance(x)).fold(f64::INFINITY, f64::min);
-    let mut step = 0.1 * reach;
-    while step > 2e-3 * reach {
-        let mut found = false;
-        for direction in COMPASS {
-            let place = x + DVec2::from(direction) * step;
-            let (sum, angle) = weight(ring, place);
-            if sum < best * (1.0 - 1e-9) && angle >= least {
-                (x, best, least, found) = (place, sum, angle, true);
-            }
+    let mut best = weight(start).0;
+    let x = descend(ring, start, [0.1, 2e-3], |place| {
+        let (sum, angle) = weight(place);
+        let is_better = sum < best * (1.0 - 1e-9) && angle >= least;
+        if is_better {
+            (best, least) = (sum, angle);
         }
-        if !found {
-            step /= 2.0;
-        }
-    }
-    if x == start {
-        return false;
-    }
-    mesh.move_to(vertex, x);
-    true
+        is_better
+    });
+    put(mesh, vertex, x)
 }
 
 /// Moves a free vertex along a compass to where what its triangles cost by their shares is least. `finest`: the
@@ -190,7 +213,7 @@ pub(crate) fn settle(
     ring.wanted.clear();
     ring.wanted.extend(ring.triangles.iter().map(wanted));
     // Sums that are greater already than what is known are not told to their end.
-    let cost = |ring: &Ring, x: DVec2, below: f64| {
+    let cost = |x: DVec2, below: f64| {
         let mut sum = 0.0;
         for ([b, c], wanted) in ring.edges.iter().zip(&ring.wanted) {
             sum += weights.share([x, *b, *c], *wanted);
@@ -201,28 +224,15 @@ pub(crate) fn settle(
         sum
     };
     let start = mesh.at(vertex);
-    let mut x = start;
-    let mut best = cost(ring, x, f64::INFINITY);
-    let reach = ring.edges.iter().map(|[b, _]| b.distance(x)).fold(f64::INFINITY, f64::min);
-    let mut step = 0.16 * reach;
-    while step > finest * reach {
-        let mut found = false;
-        for direction in COMPASS {
-            let place = x + DVec2::from(direction) * step;
-            let sum = cost(ring, place, best * (1.0 - 1e-9));
-            if sum.is_finite() {
-                (x, best, found) = (place, sum, true);
-            }
+    let mut best = cost(start, f64::INFINITY);
+    let x = descend(ring, start, [0.16, finest], |place| {
+        let sum = cost(place, best * (1.0 - 1e-9));
+        if sum.is_finite() {
+            best = sum;
         }
-        if !found {
-            step /= 2.0;
-        }
-    }
-    if x == start {
-        return false;
-    }
-    mesh.move_to(vertex, x);
-    true
+        sum.is_finite()
+    });
+    put(mesh, vertex, x)
 }
 
 /// Smooths all free vertices, those that stopped moving less often.
