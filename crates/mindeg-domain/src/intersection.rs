@@ -3,6 +3,7 @@
 //! Limits: reports only the leftmost of several faults.
 
 use glam::DVec2;
+use mindeg_mesh::planar::BoundaryPlace::Ring;
 use mindeg_mesh::planar::{BoundaryFault, InRing};
 
 use crate::error::{DomainError, Place};
@@ -20,7 +21,7 @@ pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> Do
     };
     let first = |ring| format!("with its first corner {}", position(InRing { ring, index: 0 }));
     let (place, message) = match fault {
-        BoundaryFault::SamePoint([first, second]) => {
+        BoundaryFault::SamePoint([Ring(first), Ring(second)]) => {
             let (first, name, at) = (name(first), name(second), position(second));
             let message = format!(
                 "{name} is {at}, where {first} is too; a boundary passes each point once: move one of \
@@ -28,7 +29,7 @@ pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> Do
             );
             (names.point_place(vertex(second)), message)
         }
-        BoundaryFault::Touch { vertex: at, edge } => {
+        BoundaryFault::Touch { vertex: Ring(at), edge: Ring(edge) } => {
             let message = format!(
                 "{} {} lies on {}; rings may not touch: move the point off, or split the ring there",
                 name(at),
@@ -45,7 +46,8 @@ pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> Do
             );
             (names.point_place(vertex(at)), message)
         }
-        BoundaryFault::Crossing(edges) => {
+        BoundaryFault::Crossing([Ring(first), Ring(second)]) => {
+            let edges = [first, second];
             let ends = |at| [vertex(at), rings.next(vertex(at))].map(|v| points[v as usize]);
             let DVec2 { x, y } = crossing(edges.map(ends));
             let [first, second] = edges.map(edge_name);

@@ -2,6 +2,7 @@
 //! for the coordinates in the plane of the face.
 
 use glam::{DVec2, DVec3};
+use mindeg_mesh::planar::BoundaryPlace::Ring;
 use mindeg_mesh::planar::{BoundaryFault, InRing, PlanarBoundary};
 
 use super::faults::{coincident, face_error};
@@ -25,16 +26,16 @@ pub(super) fn oriented(
     };
     let edge = |at: InRing| [corner(at), next(at)];
     let (_, turned) = PlanarBoundary::oriented(&rings).map_err(|faults| match faults.first() {
-        BoundaryFault::SamePoint(places) => coincident(places.map(corner)),
-        BoundaryFault::Touch { vertex, edge: on } => {
+        BoundaryFault::SamePoint([Ring(a), Ring(b)]) => coincident([a, b].map(corner)),
+        BoundaryFault::Touch { vertex: Ring(vertex), edge: Ring(on) } => {
             let (corner, [a, b]) = (corner(vertex), edge(on));
             face_error(
                 face,
                 format!("touches itself: corner {corner} lies on its edge {a}-{b} (by corners)"),
             )
         }
-        BoundaryFault::Crossing(places) => {
-            let [[a, b], [c, d]] = places.map(edge);
+        BoundaryFault::Crossing([Ring(first), Ring(second)]) => {
+            let [[a, b], [c, d]] = [first, second].map(edge);
             face_error(
                 face,
                 format!("crosses itself: its edges {a}-{b} and {c}-{d} (by corners) meet"),

@@ -9,18 +9,14 @@ use super::turning::{straight_runs, turn};
 use crate::Bounds;
 
 /// The boundary of a domain of the plane: points, in rings, with the domain on the left of every
-/// edge.
+/// edge; and lines and points inside it.
 ///
 /// Ring 0 is the outer one and counter-clockwise, the others are holes and clockwise. Vertices
-/// count from 0, ring after ring. [`new`](Self::new) proves once, by an exact sweep, that the rings
-/// are simple, apart and nested like that; code with a boundary need not prove it again.
-///
-/// # What belongs here later
-///
-/// A region is a part of the domain: rings of its own, over the same points, and a name. A line
-/// between rings is a sequence of points with an edge from each to the next, which two regions or
-/// one have beside it. Both join `points` after the rings, and the sweep, which passes edges and not
-/// rings, then proves them too.
+/// count from 0, ring after ring, then the inner points. A line joins vertices of both kinds, so it may
+/// end on a ring or on another line. [`new`](Self::new) and [`map`](Self::map) prove once, by an exact
+/// sweep, that rings are simple, apart and nested like that, and that lines and points lie inside and
+/// meet only at their vertices; code with a boundary need not prove it again. The lines divide the domain
+/// into [faces](Self::faces).
 ///
 /// # Example
 ///
@@ -42,9 +38,14 @@ use crate::Bounds;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlanarBoundary {
+    /// The points of the rings, then the inner points.
     pub(super) points: Vec<DVec2>,
-    /// The first vertex of each ring, then the number of vertices.
+    /// The first vertex of each ring, then the number of vertices on rings.
     pub(super) starts: Vec<u32>,
+    /// The edges of all lines, line after line.
+    pub(super) segments: Vec<[u32; 2]>,
+    /// The first segment of each line, then the number of segments.
+    pub(super) line_starts: Vec<u32>,
     /// The first vertices of the sides, ascending.
     corners: Vec<u32>,
     /// For each vertex, the straight run of the edge that begins there.
@@ -62,7 +63,7 @@ impl PlanarBoundary {
             starts.push(points.len() as u32);
         }
         let (corners, runs) = (Vec::new(), (0..points.len() as u32).collect());
-        Self { points, starts, corners, runs }
+        Self { points, starts, segments: Vec::new(), line_starts: vec![0], corners, runs }
     }
 
     /// Sets the sides, which begin at `corners`, in ascending order, and for each vertex the
@@ -73,7 +74,7 @@ impl PlanarBoundary {
     /// If the number of runs differs from the number of vertices.
     #[must_use]
     pub fn with_sides(mut self, corners: Vec<u32>, runs: Vec<u32>) -> Self {
-        assert_eq!(runs.len(), self.points.len(), "each edge is of one run");
+        assert_eq!(runs.len(), self.points().len(), "each edge is of one run");
         (self.corners, self.runs) = (corners, runs);
         self
     }
@@ -97,9 +98,42 @@ impl PlanarBoundary {
         self.with_sides(corners, runs)
     }
 
-    /// The points, ring after ring.
+    /// The points of the rings, ring after ring.
     pub fn points(&self) -> &[DVec2] {
-        &self.points
+        &self.points[..self.vertex_count() as usize]
+    }
+
+    /// The points inside, which are vertices after those of the rings.
+    pub fn inner_points(&self) -> &[DVec2] {
+        &self.points[self.vertex_count() as usize..]
+    }
+
+    /// The number of lines.
+    pub fn line_count(&self) -> usize {
+        self.line_starts.len() - 1
+    }
+
+    /// The edges of a line, from its first vertex on.
+    pub fn line(&self, line: usize) -> &[[u32; 2]] {
+        &self.segments[self.line_starts[line] as usize..self.line_starts[line + 1] as usize]
+    }
+
+    /// The edges of all lines, line after line.
+    pub fn segments(&self) -> &[[u32; 2]] {
+        &self.segments
+    }
+
+    /// The ends of an edge: of the rings, each by the vertex that names it, then of the lines.
+    pub fn ends(&self, edge: u32) -> [u32; 2] {
+        match edge.checked_sub(self.vertex_count()) {
+            None => [edge, self.next(edge)],
+            Some(segment) => self.segments[segment as usize],
+        }
+    }
+
+    /// The number of edges of rings and lines.
+    pub fn edge_count(&self) -> u32 {
+        self.vertex_count() + self.segments.len() as u32
     }
 
     /// The point of a vertex.
@@ -111,9 +145,9 @@ impl PlanarBoundary {
         self.points[vertex as usize]
     }
 
-    /// The number of vertices, which is also the number of edges.
+    /// The number of vertices on rings, which is also the number of their edges.
     pub fn vertex_count(&self) -> u32 {
-        self.points.len() as u32
+        self.starts[self.starts.len() - 1]
     }
 
     /// The number of rings: 1 and the number of holes.
@@ -131,7 +165,7 @@ impl PlanarBoundary {
         self.starts.windows(2).map(|ends| ends[0]..ends[1])
     }
 
-    /// The ring of a vertex and its index there. O(log h) for h rings, like the next two functions.
+    /// The ring of a vertex on a ring and its index there. O(log h) for h rings, like the next two functions.
     pub fn in_ring(&self, vertex: u32) -> InRing {
         let ring = self.starts.partition_point(|&start| start <= vertex) - 1;
         InRing { ring, index: (vertex - self.starts[ring]) as usize }
@@ -149,7 +183,7 @@ impl PlanarBoundary {
         if vertex == start { end - 1 } else { vertex - 1 }
     }
 
-    /// The edges, each from the vertex that names it. O(1) each.
+    /// The edges of the rings, each from the vertex that names it. O(1) each.
     pub fn edges(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         self.rings().flat_map(|ring| {
             let next = (ring.start + 1..ring.end).chain([ring.start]);
@@ -184,6 +218,6 @@ impl PlanarBoundary {
     /// The box around all points. O(n).
     pub fn bounds(&self) -> Bounds {
         let origin = Bounds { min: DVec2::ZERO, max: DVec2::ZERO };
-        Bounds::of(self.points.iter().copied()).unwrap_or(origin)
+        Bounds::of(self.points().iter().copied()).unwrap_or(origin)
     }
 }

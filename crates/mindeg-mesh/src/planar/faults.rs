@@ -1,16 +1,13 @@
 //! All faults of rings that bound no domain, with their rings and indices.
 
 use std::fmt;
-use std::ops::Range;
 
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 use super::boundary::PlanarBoundary;
-use super::in_ring::{InRing, ring_name};
-use super::orientation;
-use super::sweep::{self, Meeting, Nesting};
-use crate::Bounds;
-use crate::crossing::tree::Tree;
+use super::in_ring::{BoundaryPlace, InRing, ring_name};
+use super::meetings::meetings;
+use super::sweep::{Meeting, Swept};
 
 /// The maximum number of listed faults: a scribble can have one for each pair of edges.
 pub const MOST_FAULTS: usize = 1000;
@@ -30,21 +27,28 @@ pub enum BoundaryFault {
         /// Its points.
         points: usize,
     },
+    /// A line with fewer than two points.
+    ShortLine {
+        /// The line.
+        line: usize,
+    },
     /// A point with a coordinate that is infinite or not a number.
-    NotFinite(InRing),
+    NotFinite(BoundaryPlace),
     /// Two vertices at one point.
-    SamePoint([InRing; 2]),
+    SamePoint([BoundaryPlace; 2]),
     /// A vertex inside an edge.
     Touch {
         /// The vertex.
-        vertex: InRing,
+        vertex: BoundaryPlace,
         /// The edge.
-        edge: InRing,
+        edge: BoundaryPlace,
     },
     /// Two edges that cross inside both.
-    Crossing([InRing; 2]),
-    /// A vertex whose edges lie on each other.
+    Crossing([BoundaryPlace; 2]),
+    /// A vertex of a ring whose edges lie on each other.
     FoldsBack(InRing),
+    /// An edge of a line that lies on another edge from the same vertex.
+    Overlap([BoundaryPlace; 2]),
     /// A ring that runs the wrong way round.
     Direction {
         /// The ring.
@@ -67,22 +71,29 @@ pub enum BoundaryFault {
         /// The hole.
         hole: usize,
     },
+    /// An edge of a line, or an inner point, that is in a hole or outside the outline.
+    Outside(BoundaryPlace),
 }
 
 impl fmt::Display for BoundaryFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [point, edge] = ["point", "edge"].map(|kind| move |at: &InRing| at.named(kind));
+        let [point, edge] = ["point", "edge"].map(|kind| move |at: &BoundaryPlace| at.named(kind));
         match self {
             Self::NoRing => write!(f, "a boundary needs an outer ring"),
             Self::TooManyPoints => write!(f, "a boundary has at most {} points", u32::MAX),
             Self::ShortRing { ring, points } => {
                 write!(f, "{} has {points} points, and needs at least 3", ring_name(*ring))
             }
+            Self::ShortLine { line } => {
+                write!(f, "line {} has fewer than 2 points", line + 1)
+            }
             Self::NotFinite(at) => write!(f, "{} is not finite", point(at)),
             Self::SamePoint([a, b]) => write!(f, "{} and {} coincide", point(a), point(b)),
             Self::Touch { vertex, edge: on } => write!(f, "{} lies on {}", point(vertex), edge(on)),
             Self::Crossing([a, b]) => write!(f, "{} and {} cross", edge(a), edge(b)),
-            Self::FoldsBack(at) => write!(f, "the boundary folds back at {}", point(at)),
+            Self::FoldsBack(at) => write!(f, "the boundary folds back at {}", at.named("point")),
+            Self::Overlap([a, b]) => write!(f, "{} and {} lie on each other", edge(a), edge(b)),
+            Self::Outside(at) => write!(f, "{} lies outside the domain", edge(at)),
             Self::Direction { ring: 0 } => {
                 write!(f, "the outline runs clockwise, and should run counter-clockwise")
             }
@@ -128,58 +139,27 @@ impl BoundaryFaults {
     }
 
     /// Rings that run the wrong way round.
-    fn directions(rings: Vec<usize>) -> Self {
+    pub(super) fn directions(rings: Vec<usize>) -> Self {
         Self(rings.into_iter().map(|ring| BoundaryFault::Direction { ring }).collect())
     }
 
-    /// All points where rings meet, starting with the first that the sweep found.
-    fn all(boundary: &PlanarBoundary, first: Meeting) -> Self {
+    /// All points where rings and lines meet, starting with the first that the sweep found.
+    pub(super) fn all(boundary: &PlanarBoundary, first: Meeting) -> Self {
         let mut found = vec![first];
         let new = meetings(boundary).filter(|meeting| *meeting != first);
         found.extend(new.take(MOST_FAULTS - 1));
-        let at = |vertex| boundary.in_ring(vertex);
+        let vertex = |vertex| boundary.place_of_vertex(vertex);
+        let edge = |edge| boundary.place_of_edge(edge);
         let placed = found.into_iter().map(|meeting| match meeting {
-            Meeting::SamePoint(vertices) => BoundaryFault::SamePoint(vertices.map(at)),
-            Meeting::Touch { vertex, edge } => {
-                BoundaryFault::Touch { vertex: at(vertex), edge: at(edge) }
+            Meeting::SamePoint(vertices) => BoundaryFault::SamePoint(vertices.map(vertex)),
+            Meeting::Touch { vertex: at, edge: on } => {
+                BoundaryFault::Touch { vertex: vertex(at), edge: edge(on) }
             }
-            Meeting::Crossing(edges) => BoundaryFault::Crossing(edges.map(at)),
-            Meeting::FoldsBack(vertex) => BoundaryFault::FoldsBack(at(vertex)),
+            Meeting::Crossing(edges) => BoundaryFault::Crossing(edges.map(edge)),
+            Meeting::FoldsBack(vertex) => BoundaryFault::FoldsBack(boundary.in_ring(vertex)),
+            Meeting::Overlap(edges) => BoundaryFault::Overlap(edges.map(edge)),
         });
         Self(placed.collect())
-    }
-}
-
-impl PlanarBoundary {
-    /// A boundary of rings that run the right way round: the outer one first. O(n log n).
-    ///
-    /// # Errors
-    ///
-    /// All faults of the rings.
-    pub fn new<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<Self, BoundaryFaults> {
-        let (boundary, turned) = Self::oriented(rings)?;
-        if turned.is_empty() { Ok(boundary) } else { Err(BoundaryFaults::directions(turned)) }
-    }
-
-    /// A boundary of rings that run either way round, and the indices of the reversed rings, which
-    /// keep their first points. O(n log n).
-    ///
-    /// # Errors
-    ///
-    /// All faults of the rings.
-    pub fn oriented<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(Self, Vec<usize>), BoundaryFaults> {
-        check_rings(rings)?;
-        let mut boundary = Self::of_mesh(rings);
-        let nesting =
-            sweep::nesting(&boundary).map_err(|first| BoundaryFaults::all(&boundary, first))?;
-        check_nesting(&nesting)?;
-        let is_turned = |&ring: &usize| nesting[ring].is_counter_clockwise != (ring == 0);
-        let turned: Vec<usize> = (0..nesting.len()).filter(is_turned).collect();
-        for &ring in &turned {
-            let Range { start, end } = boundary.ring(ring);
-            boundary.points[start as usize + 1..end as usize].reverse();
-        }
-        Ok((boundary, turned))
     }
 }
 
@@ -188,7 +168,7 @@ fn result(faults: Vec<BoundaryFault>) -> Result<(), BoundaryFaults> {
 }
 
 /// Checks each ring for itself.
-fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), BoundaryFaults> {
+pub(super) fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), BoundaryFaults> {
     let count = rings.iter().map(|ring| ring.as_ref().len()).sum::<usize>();
     if rings.is_empty() {
         return result(vec![BoundaryFault::NoRing]);
@@ -202,68 +182,56 @@ fn check_rings<R: AsRef<[DVec2]>>(rings: &[R]) -> Result<(), BoundaryFaults> {
             faults.push(BoundaryFault::ShortRing { ring, points: points.len() });
         }
         let bad = points.iter().enumerate().filter(|(_, point)| !point.is_finite());
-        let bad = bad.map(|(index, _)| BoundaryFault::NotFinite(InRing { ring, index }));
+        let place = |index| BoundaryPlace::Ring(InRing { ring, index });
+        let bad = bad.map(|(index, _)| BoundaryFault::NotFinite(place(index)));
         faults.extend(bad.take(MOST_FAULTS - faults.len().min(MOST_FAULTS)));
     }
     result(faults)
 }
 
-/// Checks that ring 0 contains all other rings, and that no other ring contains one.
-fn check_nesting(nesting: &[Nesting]) -> Result<(), BoundaryFaults> {
+/// Checks each line for itself, and that inner points are numbers.
+pub(super) fn check_lines(
+    boundary: &PlanarBoundary,
+    lines: &[Vec<u32>],
+) -> Result<(), BoundaryFaults> {
+    let mut faults = Vec::new();
+    let vertices = boundary.vertex_count()..boundary.points.len() as u32;
+    let bad = vertices.filter(|&vertex| !boundary.point(vertex).is_finite());
+    faults.extend(bad.map(|vertex| BoundaryFault::NotFinite(boundary.place_of_vertex(vertex))));
+    for (line, vertices) in lines.iter().enumerate() {
+        faults.extend((vertices.len() < 2).then_some(BoundaryFault::ShortLine { line }));
+        let same = vertices.windows(2).enumerate().filter(|(_, pair)| pair[0] == pair[1]);
+        faults.extend(same.map(|(index, _)| {
+            BoundaryFault::SamePoint([0, 1].map(|i| BoundaryPlace::Line { line, index: index + i }))
+        }));
+    }
+    faults.truncate(MOST_FAULTS);
+    result(faults)
+}
+
+/// Checks that ring 0 contains all other rings, that no other ring contains one, and that lines and points are
+/// inside ring 0 alone.
+pub(super) fn check_nesting(
+    boundary: &PlanarBoundary,
+    swept: &Swept,
+) -> Result<(), BoundaryFaults> {
+    let nesting = &swept.nesting;
     if let Some(hole) = nesting.first().and_then(|outer| outer.parent) {
         return result(vec![BoundaryFault::HoleAround { hole }]);
     }
-    let wrong = |(hole, nested): (usize, &Nesting)| match nested.parent {
-        Some(0) => None,
-        None => Some(BoundaryFault::HoleOutside { hole }),
-        Some(around) => Some(BoundaryFault::HoleInHole { hole, around }),
-    };
-    result(nesting.iter().enumerate().skip(1).filter_map(wrong).take(MOST_FAULTS).collect())
-}
-
-/// All points where rings meet themselves or each other, by the first vertex of each.
-fn meetings(boundary: &PlanarBoundary) -> impl Iterator<Item = Meeting> + '_ {
-    let ends = move |edge: u32| [edge, boundary.next(edge)];
-    let at = move |vertex: u32| boundary.point(vertex);
-    let around = |[from, to]: [u32; 2]| {
-        let [a, b] = [from, to].map(|vertex| boundary.point(vertex).extend(0.0));
-        Bounds::<DVec3> { min: a.min(b), max: a.max(b) }
-    };
-    let tree = Tree::new(boundary.edges().map(around).collect());
-    (0..boundary.vertex_count()).flat_map(move |edge| {
-        let [a, b] = ends(edge);
-        let [p, q] = [a, b].map(at);
-        let mut found = Vec::new();
-        let before = boundary.previous(edge);
-        if p != q && p != at(before) && orientation(at(before), p, q) == 0.0 {
-            let folds = (at(before) - p).dot(q - p) > 0.0;
-            found.extend(folds.then_some(Meeting::FoldsBack(edge)));
-        }
-        let mut near = Vec::new();
-        tree.meet(edge, &mut near);
-        near.sort_unstable();
-        for other in near {
-            let [c, d] = ends(other);
-            if c > a && at(c) == p {
-                found.push(Meeting::SamePoint([a, c]));
-            }
-            let on_line = |vertex: u32| orientation(p, q, at(vertex)) == 0.0;
-            let is_inside =
-                |point: DVec2| (point - p).dot(q - p) > 0.0 && (point - q).dot(p - q) > 0.0;
-            if c != a && c != b && on_line(c) && is_inside(at(c)) {
-                found.push(Meeting::Touch { vertex: c, edge });
-            }
-            let sides = |[from, to]: [u32; 2], [c, d]: [u32; 2]| {
-                let [from, to, c, d] = [from, to, c, d].map(at);
-                [orientation(from, to, c), orientation(from, to, d)]
-            };
-            let are_opposite = |[x, y]: [f64; 2]| x > 0.0 && y < 0.0 || x < 0.0 && y > 0.0;
-            if c > a && are_opposite(sides([a, b], [c, d])) && are_opposite(sides([c, d], [a, b])) {
-                found.push(Meeting::Crossing([a, c]));
-            }
-        }
-        found
-    })
+    let holes =
+        nesting.iter().enumerate().skip(1).filter_map(|(hole, nested)| match nested.parent {
+            Some(0) => None,
+            None => Some(BoundaryFault::HoleOutside { hole }),
+            Some(around) => Some(BoundaryFault::HoleInHole { hole, around }),
+        });
+    let is_outside = |around: &Option<usize>| *around != Some(0);
+    let edges = (boundary.vertex_count()..).zip(&swept.around_segments);
+    let edges = edges.filter(|(_, around)| is_outside(around));
+    let edges = edges.map(|(edge, _)| BoundaryFault::Outside(boundary.place_of_edge(edge)));
+    let points = swept.around_points.iter().filter(|(_, around)| is_outside(around));
+    let points = points.map(|(point, _)| BoundaryFault::Outside(boundary.place_of_vertex(*point)));
+    result(holes.chain(edges).chain(points).take(MOST_FAULTS).collect())
 }
 
 #[cfg(test)]

@@ -1,12 +1,15 @@
-//! The boundary of a domain of the plane, proven once: rings of points, straight runs, corners.
+//! The boundary of a domain of the plane, proven once: rings of points, straight runs, corners; lines and points
+//! inside, and the faces between them.
 //!
 //! [`PlanarBoundary`] is the only type for points with rings. Its exact sweep is the only proof that
-//! rings are simple, apart and nested; only [`turn`] decides whether a boundary is straight at a
-//! point.
+//! rings are simple, apart and nested, and that lines meet at vertices only; only [`turn`] decides whether a
+//! boundary is straight at a point.
 
 mod boundary;
 mod faults;
 mod in_ring;
+mod map;
+mod meetings;
 mod sweep;
 mod turning;
 
@@ -14,7 +17,8 @@ use glam::DVec2;
 
 pub use boundary::PlanarBoundary;
 pub use faults::{BoundaryFault, BoundaryFaults, MOST_FAULTS};
-pub use in_ring::{InRing, ring_name};
+pub use in_ring::{BoundaryPlace, InRing, ring_name};
+pub use map::Faces;
 pub use turning::{LEAST_TURN, Turn, passes, straight_runs, turn};
 
 /// Positive if three points run counter-clockwise, 0 if they are on one line; the sign is exact.

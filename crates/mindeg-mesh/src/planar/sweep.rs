@@ -1,11 +1,12 @@
-//! Checks that rings of points are simple and apart, and finds how they nest: a sweep from left to
-//! right (Shamos and Hoey 1976) with exact predicates.
+//! Checks that the rings and lines of a boundary are simple and apart, finds how rings nest, and what lies
+//! between them: a sweep from left to right (Shamos and Hoey 1976) with exact predicates.
 //!
 //! The sweep visits the vertices in the order of x, then of y. The edges that cross the sweep line
 //! are kept in the order in which they cross it. Two edges are compared when they become neighbours
 //! there. Before any point where edges meet that should not, the first edges to meet are neighbours,
 //! so the sweep stops there at the latest and its order never fails. The edge below the leftmost
-//! vertex of a ring gives the ring that contains that vertex.
+//! vertex of a ring gives the ring that contains that vertex; the edge below any other edge gives the face
+//! between the two.
 //!
 //! Every decision is a comparison of coordinates or the sign of `robust::orient2d`, which is exact:
 //! no decision has a tolerance. O(n log n) time.
@@ -13,16 +14,21 @@
 //! Limits: reports only the leftmost of several faults. Coordinates must be finite; if a product of
 //! two differences is below 1e-290, the sign is that of floating point.
 
+mod edge;
+
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
-use glam::DVec2;
+pub(super) use edge::side_of;
+use edge::{Edge, POINT, from_left};
 
 use super::boundary::PlanarBoundary;
 use super::orientation;
+use crate::connectivity::disjoint_sets::DisjointSets;
 
-/// A point where rings meet themselves or each other. An edge is named by its first vertex.
+/// A point where rings or lines meet themselves or each other. An edge has the index of
+/// [`PlanarBoundary::ends`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Meeting {
     /// Two vertices are at the same point.
@@ -31,8 +37,10 @@ pub(super) enum Meeting {
     Touch { vertex: u32, edge: u32 },
     /// Two edges cross inside both.
     Crossing([u32; 2]),
-    /// The edges at a vertex lie on each other.
+    /// The edges of a ring at a vertex lie on each other.
     FoldsBack(u32),
+    /// Two edges from one vertex lie on each other, and one of them is of a line.
+    Overlap([u32; 2]),
 }
 
 /// The nesting and the direction of a ring.
@@ -43,99 +51,117 @@ pub(super) struct Nesting {
     pub(super) parent: Option<usize>,
 }
 
-/// Checks rings of points, each of at least 3 vertices, and returns their nesting. O(n log n).
+/// What a sweep over a valid boundary finds.
+pub(super) struct Swept {
+    pub(super) nesting: Vec<Nesting>,
+    /// The innermost ring around each edge of a line.
+    pub(super) around_segments: Vec<Option<usize>>,
+    /// The inner points that no line has, with the innermost ring around each.
+    pub(super) around_points: Vec<(u32, Option<usize>)>,
+    /// If wanted: the [sides](side_of) of edges, joined where no edge is between them.
+    pub(super) sides: Option<DisjointSets>,
+}
+
+/// The outside of all rings, as a side.
+pub(super) fn outside(boundary: &PlanarBoundary) -> u32 {
+    2 * boundary.edge_count()
+}
+
+/// What is around an inner point, as a side.
+pub(super) fn around_point(boundary: &PlanarBoundary, vertex: u32) -> u32 {
+    outside(boundary) + 1 + vertex - boundary.vertex_count()
+}
+
+/// Checks a boundary whose rings have at least 3 vertices each, in either direction. O(n log n).
 ///
 /// # Errors
 ///
 /// The first fault from the left.
-pub(super) fn nesting(boundary: &PlanarBoundary) -> Result<Vec<Nesting>, Meeting> {
-    let nesting = vec![None; boundary.ring_count()];
-    let mut sweep = Sweep { boundary, crossing: BTreeSet::new(), nesting };
+pub(super) fn swept(boundary: &PlanarBoundary, has_sides: bool) -> Result<Swept, Meeting> {
+    let points = boundary.inner_points().len();
+    let mut sweep = Sweep {
+        boundary,
+        spokes: spokes(boundary),
+        crossing: BTreeSet::new(),
+        nesting: vec![None; boundary.ring_count()],
+        around_segments: vec![None; boundary.segments().len()],
+        around_points: Vec::new(),
+        sides: has_sides.then(|| DisjointSets::new(outside(boundary) as usize + 1 + points)),
+    };
     sweep.check_folds()?;
-    let mut vertices: Vec<_> = boundary.points().iter().copied().zip(0..).collect();
+    sweep.check_overlaps()?;
+    let mut vertices: Vec<_> = boundary.points.iter().copied().zip(0..).collect();
     vertices.sort_unstable_by(|a, b| from_left(a.0, b.0).then(a.1.cmp(&b.1)));
     if let Some(pair) = vertices.windows(2).find(|pair| pair[0].0 == pair[1].0) {
         return Err(Meeting::SamePoint([pair[0].1, pair[1].1]));
     }
+    let (mut ending, mut starting) = (Vec::new(), Vec::new());
     for (_, vertex) in vertices {
-        sweep.pass(vertex)?;
+        sweep.edges_at(vertex, &mut ending, &mut starting);
+        sweep.pass(vertex, &mut ending, &mut starting)?;
     }
-    let known = sweep.nesting.into_iter().flatten();
-    Ok(known.collect())
+    let Sweep { nesting, around_segments, mut around_points, sides, .. } = sweep;
+    around_points.sort_unstable();
+    let nesting = nesting.into_iter().flatten().collect();
+    Ok(Swept { nesting, around_segments, around_points, sides })
 }
 
-/// The order in which the sweep passes points.
-fn from_left(a: DVec2, b: DVec2) -> Ordering {
-    let order = |a: f64, b: f64| a.partial_cmp(&b).unwrap_or(Ordering::Equal);
-    order(a.x, b.x).then(order(a.y, b.y))
+/// The edges of lines at each vertex, as pairs in ascending order.
+fn spokes(boundary: &PlanarBoundary) -> Vec<(u32, u32)> {
+    let edges = (boundary.vertex_count()..).zip(boundary.segments());
+    let mut spokes: Vec<_> = edges.flat_map(|(edge, ends)| ends.map(|end| (end, edge))).collect();
+    spokes.sort_unstable();
+    spokes
 }
-
-/// An edge that crosses the sweep line.
-#[derive(Clone, Copy, Debug)]
-struct Edge {
-    left: DVec2,
-    right: DVec2,
-    /// The vertex where it begins, at either end.
-    begin: u32,
-    /// Whether the edge begins at its left end.
-    is_rightward: bool,
-}
-
-/// From below, where both edges cross the sweep line. Edges that overlap are in any order.
-impl Ord for Edge {
-    fn cmp(&self, other: &Self) -> Ordering {
-        if self.begin == other.begin {
-            return Ordering::Equal;
-        }
-        if from_left(self.left, other.left) == Ordering::Greater {
-            return other.cmp(self).reverse();
-        }
-        let above = |point| orientation(self.left, self.right, point);
-        let mut side = 0.0;
-        if self.left != other.left {
-            side = above(other.left);
-        }
-        if side == 0.0 {
-            side = above(other.right);
-        }
-        // An edge is below another edge that lies to its left.
-        0.0.partial_cmp(&side).unwrap_or(Ordering::Equal).then(self.begin.cmp(&other.begin))
-    }
-}
-
-impl PartialOrd for Edge {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl PartialEq for Edge {
-    fn eq(&self, other: &Self) -> bool {
-        self.begin == other.begin
-    }
-}
-
-impl Eq for Edge {}
 
 struct Sweep<'a> {
     boundary: &'a PlanarBoundary,
+    /// The edges of lines at each vertex.
+    spokes: Vec<(u32, u32)>,
     /// The edges that cross the sweep line, from below.
     crossing: BTreeSet<Edge>,
     /// The nesting of each ring that the sweep has met.
     nesting: Vec<Option<Nesting>>,
+    around_segments: Vec<Option<usize>>,
+    around_points: Vec<(u32, Option<usize>)>,
+    sides: Option<DisjointSets>,
 }
 
 impl Sweep<'_> {
-    /// The edge that begins at a vertex.
-    fn edge(&self, begin: u32) -> Edge {
-        let (from, to) =
-            (self.boundary.point(begin), self.boundary.point(self.boundary.next(begin)));
+    fn edge(&self, index: u32) -> Edge {
+        let [from, to] = self.boundary.ends(index).map(|vertex| self.boundary.point(vertex));
         let is_rightward = from_left(from, to) == Ordering::Less;
         let (left, right) = if is_rightward { (from, to) } else { (to, from) };
-        Edge { left, right, begin, is_rightward }
+        Edge { left, right, index, is_rightward }
     }
 
-    /// Checks that no edge lies on the previous one. Later steps rely on that.
+    fn is_on_ring(&self, vertex: u32) -> bool {
+        vertex < self.boundary.vertex_count()
+    }
+
+    /// The edges of lines at a vertex.
+    fn spokes_at(&self, vertex: u32) -> &[(u32, u32)] {
+        let from = self.spokes.partition_point(|&(end, _)| end < vertex);
+        let count = self.spokes[from..].partition_point(|&(end, _)| end == vertex);
+        &self.spokes[from..from + count]
+    }
+
+    /// The edges that end at a vertex, coming from the left, and those that start there.
+    fn edges_at(&self, vertex: u32, ending: &mut Vec<Edge>, starting: &mut Vec<Edge>) {
+        ending.clear();
+        starting.clear();
+        let at = self.boundary.point(vertex);
+        let mut take = |index: u32| {
+            let edge = self.edge(index);
+            if edge.left == at { starting.push(edge) } else { ending.push(edge) }
+        };
+        if self.is_on_ring(vertex) {
+            [self.boundary.previous(vertex), vertex].into_iter().for_each(&mut take);
+        }
+        self.spokes_at(vertex).iter().for_each(|&(_, edge)| take(edge));
+    }
+
+    /// Checks that no edge of a ring lies on the previous one. Later steps rely on that.
     fn check_folds(&self) -> Result<(), Meeting> {
         let folds = |&vertex: &u32| {
             let around = [self.boundary.previous(vertex), vertex, self.boundary.next(vertex)];
@@ -151,36 +177,50 @@ impl Sweep<'_> {
         }
     }
 
-    fn pass(&mut self, vertex: u32) -> Result<(), Meeting> {
-        let [before, after] =
-            [self.boundary.previous(vertex), vertex].map(|begin| self.edge(begin));
-        match (before.is_rightward, after.is_rightward) {
-            (true, true) => self.replace(before, after),
-            (false, false) => self.replace(after, before),
-            (true, false) => {
-                self.crossing.remove(&before);
-                self.crossing.remove(&after);
-                match self.neighbours(&before) {
-                    [Some(below), Some(above)] => self.check(&below, &above),
-                    _ => Ok(()),
+    /// Checks that no edge of a line lies on another edge from the same vertex.
+    fn check_overlaps(&self) -> Result<(), Meeting> {
+        let (mut ending, mut starting) = (Vec::new(), Vec::new());
+        for same in self.spokes.chunk_by(|a, b| a.0 == b.0) {
+            let at = self.boundary.point(same[0].0);
+            self.edges_at(same[0].0, &mut ending, &mut starting);
+            for edges in [&mut ending, &mut starting] {
+                let far = |edge: &Edge| if edge.left == at { edge.right } else { edge.left };
+                let turn = |a: &Edge, b: &Edge| orientation(at, far(a), far(b));
+                let order = |a: &Edge, b: &Edge| 0.0.partial_cmp(&turn(a, b));
+                edges.sort_by(|a, b| order(a, b).unwrap_or(Ordering::Equal));
+                if let Some(pair) = edges.windows(2).find(|pair| turn(&pair[0], &pair[1]) == 0.0) {
+                    let [a, b] = [pair[0].index, pair[1].index];
+                    return Err(Meeting::Overlap([a.min(b), a.max(b)]));
                 }
             }
-            (false, true) => {
-                self.crossing.insert(before);
-                self.crossing.insert(after);
-                self.check_neighbours(&before)?;
-                self.check_neighbours(&after)?;
-                self.place_ring(vertex, before, after);
-                Ok(())
-            }
         }
+        Ok(())
     }
 
-    /// An edge ends where another begins.
-    fn replace(&mut self, old: Edge, new: Edge) -> Result<(), Meeting> {
-        self.crossing.remove(&old);
-        self.crossing.insert(new);
-        self.check_neighbours(&new)
+    fn pass(
+        &mut self,
+        vertex: u32,
+        ending: &mut [Edge],
+        starting: &mut [Edge],
+    ) -> Result<(), Meeting> {
+        for edge in &*ending {
+            self.crossing.remove(edge);
+        }
+        self.crossing.extend(starting.iter().copied());
+        for edge in &*starting {
+            self.check_neighbours(edge)?;
+        }
+        starting.sort_unstable();
+        for edge in &*starting {
+            self.place(edge);
+        }
+        if let ([edge, ..], []) = (&*ending, &*starting)
+            && let [Some(below), Some(above)] = self.neighbours(edge)
+        {
+            self.check(&below, &above)?;
+        }
+        self.join_sides(ending, starting);
+        if ending.is_empty() && starting.is_empty() { self.place_point(vertex) } else { Ok(()) }
     }
 
     /// The edges below and above an edge, which itself need not be in the list.
@@ -195,27 +235,85 @@ impl Sweep<'_> {
         neighbours.iter().flatten().try_for_each(|other| self.check(edge, other))
     }
 
-    /// Finds the parent and the direction of a ring, from its leftmost vertex.
-    fn place_ring(&mut self, vertex: u32, before: Edge, after: Edge) {
-        let ring = self.boundary.in_ring(vertex).ring;
-        if self.nesting[ring].is_some() {
+    /// Finds what is below an edge that starts, where that is not known. Of edges that start at one vertex,
+    /// the lowest comes first.
+    fn place(&mut self, edge: &Edge) {
+        let segment = edge.index.checked_sub(self.boundary.vertex_count());
+        let ring = match segment {
+            None => Some(self.boundary.in_ring(edge.index).ring),
+            Some(_) => None,
+        };
+        if ring.is_some_and(|ring| self.nesting[ring].is_some()) && self.sides.is_none() {
             return;
         }
-        let is_counter_clockwise = after < before;
-        let lower = if is_counter_clockwise { after } else { before };
-        let parent = self.neighbours(&lower)[0].and_then(|below| {
-            let around = self.boundary.in_ring(below.begin).ring;
-            // The sweep met the surrounding ring before.
-            let Nesting { is_counter_clockwise, parent } = self.nesting[around]?;
-            if below.is_rightward == is_counter_clockwise { Some(around) } else { parent }
-        });
-        self.nesting[ring] = Some(Nesting { is_counter_clockwise, parent });
+        let below = self.neighbours(edge)[0];
+        let around = self.around(below);
+        if let Some(segment) = segment {
+            self.around_segments[segment as usize] = around;
+        }
+        if let Some(ring) = ring {
+            // At its leftmost vertex, a ring's lower edge runs to the right if the ring is counter-clockwise.
+            let is_counter_clockwise = edge.is_rightward;
+            self.nesting[ring].get_or_insert(Nesting { is_counter_clockwise, parent: around });
+        }
+        let outside = outside(self.boundary);
+        if let Some(sides) = &mut self.sides {
+            sides.join(edge.below(), below.map_or(outside, |below| below.above()));
+        }
     }
 
-    /// Checks that two edges have no common point, except the vertex between consecutive edges.
+    /// The innermost ring around what is right above an edge, or below all edges.
+    fn around(&self, below: Option<Edge>) -> Option<usize> {
+        let below = below?;
+        if let Some(segment) = below.index.checked_sub(self.boundary.vertex_count()) {
+            return self.around_segments[segment as usize];
+        }
+        let ring = self.boundary.in_ring(below.index).ring;
+        // The sweep met the ring before.
+        let Nesting { is_counter_clockwise, parent } = self.nesting[ring]?;
+        if below.is_rightward == is_counter_clockwise { Some(ring) } else { parent }
+    }
+
+    /// Finds what is around a point that no edge has, and checks that it is on none.
+    fn place_point(&mut self, vertex: u32) -> Result<(), Meeting> {
+        let at = self.boundary.point(vertex);
+        let point = Edge { left: at, right: at, index: POINT, is_rightward: true };
+        let [below, above] = self.neighbours(&point);
+        let touches =
+            |edge: &&Edge| orientation(edge.left, edge.right, at) == 0.0 && edge.spans(at);
+        if let Some(edge) = below.iter().chain(&above).find(touches) {
+            return Err(Meeting::Touch { vertex, edge: edge.index });
+        }
+        self.around_points.push((vertex, self.around(below)));
+        let (outside, side) = (outside(self.boundary), around_point(self.boundary, vertex));
+        if let Some(sides) = &mut self.sides {
+            sides.join(side, below.map_or(outside, |below| below.above()));
+        }
+        Ok(())
+    }
+
+    /// Joins the sides between the edges at one vertex.
+    fn join_sides(&mut self, ending: &mut [Edge], starting: &[Edge]) {
+        let Some(sides) = &mut self.sides else { return };
+        ending.sort_unstable();
+        for pair in ending.windows(2) {
+            sides.join(pair[0].above(), pair[1].below());
+        }
+        match (&*ending, starting) {
+            ([low, .., high], []) | ([], [low, .., high]) => sides.join(low.below(), high.above()),
+            ([edge], []) | ([], [edge]) => sides.join(edge.below(), edge.above()),
+            ([low, ..], [lowest, ..]) => {
+                sides.join(low.below(), lowest.below());
+                let [high, highest] = [ending, starting].map(|edges| edges[edges.len() - 1]);
+                sides.join(high.above(), highest.above());
+            }
+            ([], []) => {}
+        }
+    }
+
+    /// Checks that two edges have no common point, except a vertex of both.
     fn check(&self, a: &Edge, b: &Edge) -> Result<(), Meeting> {
-        let [ends_of_a, ends_of_b] =
-            [a, b].map(|edge| [edge.begin, self.boundary.next(edge.begin)]);
+        let [ends_of_a, ends_of_b] = [a, b].map(|edge| self.boundary.ends(edge.index));
         if ends_of_a.iter().any(|end| ends_of_b.contains(end)) {
             return Ok(());
         }
@@ -226,7 +324,7 @@ impl Sweep<'_> {
         for (edge, ends, sides) in [(a, ends_of_b, around_a), (b, ends_of_a, around_b)] {
             for (vertex, side) in ends.into_iter().zip(sides) {
                 if side == 0.0 && edge.spans(self.boundary.point(vertex)) {
-                    return Err(Meeting::Touch { vertex, edge: edge.begin });
+                    return Err(Meeting::Touch { vertex, edge: edge.index });
                 }
             }
         }
@@ -234,26 +332,19 @@ impl Sweep<'_> {
         if are_apart(around_a) || are_apart(around_b) {
             return Ok(());
         }
-        let edges = [a.begin.min(b.begin), a.begin.max(b.begin)];
+        let edges = [a.index.min(b.index), a.index.max(b.index)];
         Err(Meeting::Crossing(edges))
-    }
-}
-
-impl Edge {
-    /// Whether a point on the line through the edge lies on the edge.
-    fn spans(&self, point: DVec2) -> bool {
-        from_left(self.left, point) != Ordering::Greater
-            && from_left(point, self.right) != Ordering::Greater
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec2;
     use proptest::prelude::*;
 
     fn of(rings: &[&[[i32; 2]]]) -> Result<Vec<Nesting>, Meeting> {
-        nesting(&boundary(rings))
+        swept(&boundary(rings), false).map(|swept| swept.nesting)
     }
 
     fn boundary(rings: &[&[[i32; 2]]]) -> PlanarBoundary {
@@ -313,7 +404,8 @@ mod tests {
             |y: f64| [[0.0, 0.0], [1.0, 0.1], [1.0, 1.0], [0.5, y], [0.0, 1.0]].map(DVec2::from);
         let below = DVec2::new(0.5, 0.05);
 
-        let check = |y: f64| nesting(&PlanarBoundary::of_mesh(&[tip(y)]));
+        let check =
+            |y: f64| swept(&PlanarBoundary::of_mesh(&[tip(y)]), false).map(|swept| swept.nesting);
         assert_eq!(orientation(DVec2::ZERO, DVec2::new(1.0, 0.1), below), 0.0);
         assert!(check(below.y.next_up()).is_ok());
         assert_eq!(check(below.y), Err(Meeting::Touch { vertex: 3, edge: 0 }));
@@ -359,7 +451,7 @@ mod tests {
             rings in prop::collection::vec(prop::collection::vec([0..7_i32, 0..7], 3..6), 1..3),
         ) {
             let boundary = boundary(&rings.iter().map(Vec::as_slice).collect::<Vec<_>>());
-            let found = nesting(&boundary);
+            let found = swept(&boundary, false).map(|swept| swept.nesting);
             let all: Vec<[i32; 2]> = rings.concat();
             prop_assert_eq!(found.is_ok(), is_simple(&all, &Vec::from_iter(boundary.edges())), "{:?}", found);
             if let Ok(found) = found {
