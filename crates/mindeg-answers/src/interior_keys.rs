@@ -13,13 +13,13 @@ pub struct InteriorKey {
     pub text: String,
     /// The value without it, in words.
     pub default: String,
-    /// What its value is.
+    /// The kind of its value.
     pub value: KeyValue,
     /// The values of a choice.
     pub choices: Vec<String>,
 }
 
-/// What the value of a key is.
+/// The kind of a key's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum KeyValue {

@@ -147,7 +147,7 @@ impl FillAnswer {
         }
     }
 
-    /// What was filled, a line a loop.
+    /// The filled loops, one line each.
     #[must_use]
     pub fn text(&self, options: &FillOptions) -> String {
         let (filled, open) = (self.filled.len(), self.left_open.len());
@@ -225,7 +225,7 @@ impl BridgeAnswer {
         }
     }
 
-    /// What was joined, and what to do next.
+    /// The loops that were joined, and the next step.
     #[must_use]
     pub fn text(&self) -> String {
         let optimal = match (self.max_degree, self.least_max_degree, self.at_least) {

@@ -31,7 +31,7 @@ pub struct ModelAnswer {
     pub words: String,
 }
 
-/// What is known of a mesh besides.
+/// Further facts about a mesh, by its goal.
 #[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 enum Known {

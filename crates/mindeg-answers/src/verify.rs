@@ -11,7 +11,7 @@ use serde::Serialize;
 /// Up to this many boundary points the largest possible angle is worked out.
 const MOST_VERTICES: u32 = 1_000_000;
 
-/// What is demanded of a mesh of a domain.
+/// The limits that a mesh of a domain must keep.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct VerifyDemands {
     /// Of any mesh.

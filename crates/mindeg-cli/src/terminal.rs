@@ -64,7 +64,7 @@ pub(crate) fn safe(text: &str) -> Cow<'_, str> {
 fn on_one_line<'a>(text: &'a str, broken: &[String]) -> Cow<'a, str> {
     let safe = safe_lines(text);
     broken.iter().fold(safe, |text, name| {
-        // What else steers in the name is an escape by now.
+        // The text has escapes in place of other control characters of the name.
         let name = safe_lines(name);
         match text.contains(&*name) {
             true => Cow::Owned(text.replace(&*name, &shown(&name))),

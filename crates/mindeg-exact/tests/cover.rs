@@ -55,7 +55,7 @@ fn random_domains_agree_with_all_triangulations() {
             let (found, proof) = decide(domain, &problem, &most, 0.0);
             assert_eq!(found, is_possible(&most, 0.0), "{domain:?}, {degree}");
             if found {
-                // What refutes the smaller limit does not refute this one.
+                // The proof against the smaller limit does not refute this one.
                 if let Some(proof) = proof_of_less.take() {
                     assert!(!refutes(&[domain.checked(0.0)], &most, &proof), "{domain:?}");
                 }

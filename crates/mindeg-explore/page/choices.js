@@ -1,4 +1,4 @@
-// What the library's tables offer: a button for each goal, and a field for each key of points inside.
+// The choices in the library's tables: a button for each goal, and a field for each key of points inside.
 // From the viewer's script: make.
 
 import { apply, ask } from "./asking.js";

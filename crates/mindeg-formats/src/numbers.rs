@@ -230,7 +230,7 @@ fn half(bits: u16) -> f64 {
 
 /// A number that is read: f64, or i64 of whole numbers.
 pub(crate) trait Value: FromStr {
-    /// What a word must be, to be one.
+    /// The kind of number, as messages name it.
     const KIND: &'static str;
 
     /// The value of the bytes of an item; none if it is not of this kind.

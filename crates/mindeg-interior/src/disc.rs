@@ -160,7 +160,7 @@ impl Growing {
 }
 
 impl Goal {
-    /// What is left of a goal beside so many triangles elsewhere. No fan begins where only a part of the
+    /// The goal that remains beside `outside` triangles elsewhere. No fan begins where only a part of the
     /// triangles may change.
     fn beside(self, outside: u32) -> Self {
         if outside == 0 {

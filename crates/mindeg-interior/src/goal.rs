@@ -7,7 +7,7 @@ use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
 
-/// What is wanted of a vertex that stays.
+/// The wanted degrees and angles of a vertex that stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Goal {
     /// The least number of triangles.

@@ -139,7 +139,7 @@ pub(crate) fn mend_places(
     Ok(())
 }
 
-/// What all places have in common.
+/// The input that all places share.
 struct Work<'a> {
     options: &'a Options,
     weights: Weights,
@@ -242,7 +242,7 @@ impl Work<'_> {
             }
             if let Some(mut mesh) = starts.next(&mut stage)? {
                 smooth_and_mend(&mut mesh, &single, None, &mut Sweeper::new(), &mut stage)?;
-                // What packing, triangulating and smoothing take, as trials.
+                // The cost of packing, triangulating and smoothing, in trials.
                 *left = left.saturating_sub(mesh.triangles.len() / 2);
                 if effort >= BROKEN {
                     self.pairs(&mut mesh, effort / 2, left, &mut stage)?;

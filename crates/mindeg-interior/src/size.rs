@@ -22,7 +22,7 @@ pub(crate) struct SizeField {
     places: EdgeTree,
     growth: f64,
     inside: Option<f64>,
-    /// What the mean of the boundary's lengths is multiplied by.
+    /// The factor on the mean of the boundary's lengths.
     coarser: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What a mesh of a domain is to be: an option for each row of [`GOALS`].
+//! The goal of a domain's mesh: an option for each row of [`GOALS`].
 
 use clap::builder::{PossibleValuesParser, TypedValueParser, ValueParser};
 use clap::error::{Error, ErrorKind};

@@ -90,7 +90,7 @@ fn option(key: &'static InteriorKey) -> Arg {
     }))
 }
 
-/// Such as D for a degree.
+/// The name of the value in the help, such as D for a degree.
 fn value_name(key: &InteriorKey) -> String {
     let initial = key.name.rsplit('_').next().and_then(|last| last.chars().next());
     match key.value {

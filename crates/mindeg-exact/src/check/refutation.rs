@@ -265,7 +265,7 @@ impl Table {
         for &Literal { face, element, is_used } in clause {
             match self.variables.get(&(face, element)) {
                 Some(&code) => literals.push(code + usize::from(!is_used)),
-                // What no triangulation has is lacking in all.
+                // A triangle or chord that is no candidate is absent from every triangulation.
                 None if !is_used => return true,
                 None => {}
             }
@@ -282,7 +282,7 @@ impl Table {
         if !is_contradiction {
             return false;
         }
-        // What does not hold at the root plays no part any more.
+        // A literal that is false at the root no longer matters.
         literals.retain(|code| !self.holds[code ^ 1]);
         match literals[..] {
             [] => self.is_broken = true,

@@ -44,7 +44,7 @@ struct Ring {
 }
 
 impl Candidates {
-    /// Those of these chords; none if there are more triangles than `most`.
+    /// The candidates that these chords form; none if there are more triangles than `most`.
     pub(super) fn new(
         problem: &Problem,
         vertices: &[u32],

@@ -21,7 +21,7 @@ pub(crate) struct Arrays<'a> {
     mesh: &'a dyn Mesh,
     numbers: Numbers,
     triangles: Range<u32>,
-    /// Those of the mesh's segments that are cells.
+    /// The mesh's segments that are cells.
     segments: Range<u32>,
 }
 

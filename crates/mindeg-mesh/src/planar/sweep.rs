@@ -51,7 +51,7 @@ pub(super) struct Nesting {
     pub(super) parent: Option<usize>,
 }
 
-/// What a sweep over a valid boundary finds.
+/// The result of a sweep over a valid boundary.
 pub(super) struct Swept {
     pub(super) nesting: Vec<Nesting>,
     /// The innermost ring around each edge of a line.
@@ -67,7 +67,7 @@ pub(super) fn outside(boundary: &PlanarBoundary) -> u32 {
     2 * boundary.edge_count()
 }
 
-/// What is around an inner point, as a side.
+/// The face around an inner point, as a side.
 pub(super) fn around_point(boundary: &PlanarBoundary, vertex: u32) -> u32 {
     outside(boundary) + 1 + vertex - boundary.vertex_count()
 }

@@ -117,7 +117,7 @@ pub fn mesh_model(
         // A short try, then the dearer bound, and only then a long try.
         if !descent.reach(target, steps / 16)? {
             bound = bound::with_weights(descent.joint(), bound, progress)?;
-            // What a search decides at all, it mostly decides soon.
+            // Most degrees that a search decides, it decides soon.
             bound = search::close(descent.joint_mut(), bound, limit, effort / 16.0, progress)?;
             if bound.max_degree() <= target {
                 descent.reach(target, steps)?;

@@ -1,4 +1,4 @@
-//! What descent and bounds leave open, decided by searches over the triangulations of all faces together.
+//! Decides the degrees that descent and bounds leave open, by searches over the triangulations of all faces together.
 //!
 //! Limits: those of [`Cover`], and a number of steps.
 

@@ -1,4 +1,4 @@
-//! What a conflict teaches: a clause, and at the root of the search the proof.
+//! Learns a clause from a conflict; a conflict at the root of the search ends the proof.
 
 use super::{Clause, Code, Reason, Search};
 use crate::cover::decision::{Decision, Refutation};
@@ -43,7 +43,7 @@ impl Search<'_> {
         causes.extend(of_row.filter(|&code| {
             self.values[code as usize] == 1 && self.positions[code as usize / 2] < before
         }));
-        // Those that came first suffice.
+        // The earliest causes suffice.
         if causes.len() > wanted {
             causes.sort_unstable_by_key(|&code| self.positions[code as usize / 2]);
             causes.truncate(wanted);
