@@ -13,6 +13,8 @@ from pathlib import Path
 
 from jsonschema import Draft202012Validator
 
+from tally import Tally
+
 ROOT = Path(__file__).resolve().parents[2]
 
 # A domain with every key that exists.
@@ -109,16 +111,7 @@ def inside(document, keys):
 def main():
     mindeg, folder = sys.argv[1], Path(sys.argv[2])
     folder.mkdir(parents=True, exist_ok=True)
-    passed = failed = 0
-
-    def record(name, is_right, what=""):
-        nonlocal passed, failed
-        if is_right:
-            passed += 1
-            print(f"ok      {name}")
-        else:
-            failed += 1
-            print(f"FAILED  {name}: {what}", flush=True)
+    tally = Tally()
 
     def run(*arguments):
         return subprocess.run([mindeg, *arguments], capture_output=True, text=True, timeout=300)
@@ -126,26 +119,26 @@ def main():
     def validator(name, text):
         schema = json.loads(text)
         Draft202012Validator.check_schema(schema)
-        record(f"{name}: a JSON Schema", True)
+        tally.record(f"{name}: a JSON Schema", True)
         return Draft202012Validator(schema)
 
     def keeps(name, judge, document):
         faults = [f"{list(fault.absolute_path)}: {fault.message[:200]}" for fault in judge.iter_errors(document)]
-        record(f"{name} keeps to its schema", not faults, faults[:3])
+        tally.record(f"{name} keeps to its schema", not faults, faults[:3])
 
     domains = validator("domains", run("schema").stdout)
     models = validator("models", run("schema", "--model").stdout)
     for kind, judge, wrong in (("domains", domains, WRONG_DOMAINS), ("models", models, WRONG_MODELS)):
         examples = sorted((ROOT / "assets" / kind).glob("*.json"))
-        record(f"{kind}: examples", len(examples) > 2, len(examples))
+        tally.record(f"{kind}: examples", len(examples) > 2, len(examples))
         for example in examples:
             keeps(example.name, judge, json.loads(example.read_text()))
         for number, document in enumerate(wrong):
             file = folder / f"wrong-{kind}-{number}.json"
             file.write_text(json.dumps(document))
-            record(f"{kind}: the schema refuses {document}", not judge.is_valid(document), "it takes it")
+            tally.record(f"{kind}: the schema refuses {document}", not judge.is_valid(document), "it takes it")
             refused = run("degree", file).returncode == 2
-            record(f"{kind}: mindeg refuses {document}", refused, "it takes it")
+            tally.record(f"{kind}: mindeg refuses {document}", refused, "it takes it")
 
     keeps("a domain with every key", domains, FULL)
     full = folder / "full.json"
@@ -153,7 +146,7 @@ def main():
     copied = folder / "written.json"
     written = run("domain", full, "-o", copied)
     if written.returncode:
-        record("the domain with every key is written", False, written.stderr)
+        tally.record("the domain with every key is written", False, written.stderr)
     else:
         keeps("the domain with every key, as mindeg writes it,", domains, json.loads(copied.read_text()))
 
@@ -167,7 +160,7 @@ def main():
         report = folder / "report.json"
         made = run("compare", domain, "-o", report, "--quiet", "--time-limit", str(limit))
         if made.returncode:
-            record(f"a report of {intervals} in {limit} s", False, made.stderr)
+            tally.record(f"a report of {intervals} in {limit} s", False, made.stderr)
             continue
         document = json.loads(report.read_text())
         keeps(f"a report of {intervals} in {limit} s", reports, document)
@@ -175,13 +168,12 @@ def main():
     for keys, value in WRONG_REPORTS:
         wrong = copy.deepcopy(good)
         inside(wrong, keys[:-1])[keys[-1]] = value
-        record(f"the schema refuses a report with {keys} = {value}", not reports.is_valid(wrong), "it takes it")
+        tally.record(f"the schema refuses a report with {keys} = {value}", not reports.is_valid(wrong), "it takes it")
     for keys in NEEDED:
         wrong = copy.deepcopy(good)
         del inside(wrong, keys[:-1])[keys[-1]]
-        record(f"the schema refuses a report without {keys}", not reports.is_valid(wrong), "it takes it")
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+        tally.record(f"the schema refuses a report without {keys}", not reports.is_valid(wrong), "it takes it")
+    tally.finish()
 
 
 if __name__ == "__main__":

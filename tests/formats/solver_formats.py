@@ -14,6 +14,8 @@ from pathlib import Path
 
 import numpy
 
+from tally import Tally
+
 DOMAINS = Path(__file__).resolve().parents[2] / "assets" / "domains"
 # The files of a mesh: what each is called besides the domain, and how mindeg is told.
 FILES = {
@@ -359,24 +361,7 @@ def main():
     mindeg, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     domains = [Path(name) for name in sys.argv[3:]] or sorted(DOMAINS.glob("*.json"))
     folder.mkdir(parents=True, exist_ok=True)
-    passed, failed = 0, 0
-
-    def record(name, is_right, what=""):
-        nonlocal passed, failed
-        if is_right:
-            passed += 1
-            print(f"ok      {name}")
-        else:
-            failed += 1
-            print(f"FAILED  {name}: {what}", flush=True)
-
-    def attempt(name, work, *arguments):
-        try:
-            result = work(*arguments)
-        except Exception as problem:
-            record(name, False, f"{type(problem).__name__}: {' '.join(str(problem).split())[:300]}")
-            return None
-        return record(name, True) if result is None else result
+    tally = Tally()
 
     for name, command, domain in meshes(mindeg, domains):
         stem = folder / name
@@ -385,7 +370,7 @@ def main():
             [*command, "-o", obj, "--boundary-lines", "--json"], capture_output=True, text=True
         )
         if finished.returncode:
-            record(f"{name} in mindeg", False, finished.stderr.strip())
+            tally.record(f"{name} in mindeg", False, finished.stderr.strip())
             continue
         expected = Expected(obj, json.loads(finished.stdout), domain)
         for suffix, options in FILES.items():
@@ -393,28 +378,27 @@ def main():
         for program, (sees, suffixes) in PROGRAMS.items():
             for suffix in suffixes:
                 path = Path(f"{stem}{suffix}")
-                seen = attempt(f"{path.name} in {program}: read", sees, path)
+                seen = tally.attempt(f"{path.name} in {program}: read", sees, path)
                 for check, is_right in seen.checks(expected) if seen else ():
-                    record(f"{path.name} in {program}: {check}", is_right, "not as expected")
+                    tally.record(f"{path.name} in {program}: {check}", is_right, "not as expected")
         if len(expected.points) <= MOST_SOLVED:
             for suffix in ("-4.msh", "-2.msh"):
                 path = f"{stem}-angles{suffix}"
                 goal = [] if "--interior" in command else ["--keep-angle", "100%"]
                 options = [*goal, *FILES[suffix]]
                 subprocess.run([*command, "--quiet", "-o", path, *options], check=True)
-                attempt(f"{Path(path).name} in scikit-fem: Poisson", poisson, path, expected)
+                tally.attempt(f"{Path(path).name} in scikit-fem: Poisson", poisson, path, expected)
         others = folder / f"{name}-others"
         others.mkdir(exist_ok=True)
         for stale in others.iterdir():
             stale.unlink()
-        attempt(f"{name}: files of other programs", foreign_files, stem, others)
+        tally.attempt(f"{name}: files of other programs", foreign_files, stem, others)
         for file in sorted(others.iterdir()):
-            attempt(f"{name}: {file.name} in mindeg", mindeg_sees, mindeg, file, expected)
+            tally.attempt(f"{name}: {file.name} in mindeg", mindeg_sees, mindeg, file, expected)
             if file.suffix == ".msh" and file.name.startswith("gmsh"):
                 what = f"{name}: names of {file.name} in mindeg"
-                attempt(what, mindeg_keeps_names, mindeg, file, expected)
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+                tally.attempt(what, mindeg_keeps_names, mindeg, file, expected)
+    tally.finish()
 
 
 if __name__ == "__main__":

@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy
 
 from solver_formats import meshes
+from tally import Tally
 
 DOMAINS = Path(__file__).resolve().parents[2] / "assets" / "domains"
 EXTENSIONS = ("ply", "stl", "off", "node", "14", "2dm", "npz")
@@ -240,18 +241,7 @@ def main():
     mindeg, folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
     domains = [Path(name) for name in sys.argv[3:]] or sorted(DOMAINS.glob("*.json"))
     folder.mkdir(parents=True, exist_ok=True)
-    passed, failed = 0, 0
-
-    def check(name, work, *arguments):
-        nonlocal passed, failed
-        try:
-            work(*arguments)
-        except Exception as problem:
-            failed += 1
-            print(f"FAILED  {name}: {type(problem).__name__}: {' '.join(str(problem).split())[:300]}")
-        else:
-            passed += 1
-            print(f"ok      {name}")
+    tally = Tally()
 
     for name, command, _ in meshes(mindeg, domains):
         stem = folder / name
@@ -263,21 +253,19 @@ def main():
             capture_output=True, text=True,
         )
         if finished.returncode:
-            failed += 1
-            print(f"FAILED  {name} in mindeg: {finished.stderr.strip()}")
+            tally.record(f"{name} in mindeg", False, finished.stderr.strip())
             continue
         colors = [*command, "-o", f"{stem}-colors.ply", "--degree-colors", "--double"]
         subprocess.run(colors, check=True)
         expected = Expected(f"{stem}.obj")
         for reader in READERS:
-            check(f"{name} in {reader.__name__[:-6]}", reader, stem, expected)
+            tally.attempt(f"{name} in {reader.__name__[:-6]}", reader, stem, expected)
         others = folder / f"{name}-others"
         others.mkdir(exist_ok=True)
         foreign_files(others, expected)
         for file in sorted(others.iterdir()):
-            check(f"{name}: {file.name} in mindeg", mindeg_reads, mindeg, file, expected)
-    print(f"{passed} passed, {failed} failed")
-    sys.exit(1 if failed else 0)
+            tally.attempt(f"{name}: {file.name} in mindeg", mindeg_reads, mindeg, file, expected)
+    tally.finish()
 
 
 if __name__ == "__main__":
