@@ -7,6 +7,8 @@ FOLDER/shapes: 40 L, T, U, wedge, star and hole shapes. FOLDER/real: 50 states, 
 come from the npm packages us-atlas, world-atlas and simple-icons, which npm fetches.
 """
 
+import gzip
+import io
 import json
 import math
 import random
@@ -232,7 +234,8 @@ def main():
         real += [("county", d) for d in some(list(polygons(counties, "counties")), 20, 13)]
         real += [("country", d) for d in some(list(polygons(world, "countries")), 20, 12)]
         archive = next(Path(folder).glob("simple-icons-*.tgz"))
-        with tarfile.open(archive) as tar:
+        # Members are read in any order, which takes long in a compressed file.
+        with tarfile.open(fileobj=io.BytesIO(gzip.decompress(archive.read_bytes()))) as tar:
             names = sorted(m for m in tar.getnames() if m.endswith(".svg"))
             numbers.shuffle(names)
             icons = 0

@@ -1,6 +1,7 @@
 //! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds where the first leaves something to be desired.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE};
+use crate::finish::finish;
 use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Weights, goals};
 use crate::limits::{fan_limit_at, limits};
@@ -102,6 +103,7 @@ pub fn generate(
         if *prefer == Prefer::Degree {
             mend_places(&mut mesh, &way, floor, &mut stage)?;
         }
+        finish(&mut mesh, &way, floor, &mut stage)?;
         stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);

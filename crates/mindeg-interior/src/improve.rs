@@ -1,6 +1,7 @@
 //! The optimiser alone, on any planar triangle mesh.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::finish::finish;
 use crate::generate::compact;
 use crate::goal::{Weights, goals};
 use crate::limits::{Limits, fan_limit_at, limits};
@@ -74,6 +75,7 @@ pub fn improve(
         if options.wanted.prefer() == Prefer::Degree {
             mend_places(&mut mesh, options, floor, &mut stage)?;
         }
+        finish(&mut mesh, options, floor, &mut stage)?;
         stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::BadMesh)?;
         let (new_points, new_triangles, sources) = compact(&mesh);

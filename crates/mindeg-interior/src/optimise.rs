@@ -1,6 +1,6 @@
 //! The optimiser: smoothing, single operations where something is wrong, then pairs of operations.
 
-use crate::array_mesh::{ArrayMesh, Kind};
+use crate::array_mesh::ArrayMesh;
 use crate::goal::Weights;
 use crate::operations::{Operation, operations};
 use crate::smooth::{Power, Sweeper, polish};
@@ -266,29 +266,9 @@ fn polish_all(
     sweeper: &mut Sweeper,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
-    let mut active = vec![true; mesh.vertices.len()];
-    for _ in 0..15 {
-        stage.still()?;
-        let mut moved = false;
-        for v in 0..mesh.vertices.len() as u32 {
-            let vertex = &mesh.vertices[v as usize];
-            if vertex.kind != Kind::Free || vertex.triangles == 0 || !active[v as usize] {
-                continue;
-            }
-            active[v as usize] = false;
-            if polish(mesh, v, weights.floor + MARGIN, &mut sweeper.ring) {
-                moved = true;
-                for t in sweeper.ring.triangles() {
-                    mesh.triangles[*t as usize]
-                        .vertices
-                        .iter()
-                        .for_each(|u| active[*u as usize] = true);
-                }
-            }
-        }
-        if !moved {
-            break;
-        }
-    }
-    Ok(())
+    sweeper.start(mesh.vertices.len(), true);
+    sweeper.sweep(mesh, 15, stage, |mesh, v, ring| {
+        // However short a move is, it counts.
+        if polish(mesh, v, weights.floor + MARGIN, ring) { f64::INFINITY } else { 0.0 }
+    })
 }

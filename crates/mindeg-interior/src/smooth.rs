@@ -1,6 +1,7 @@
 //! Moving free vertices: Newton's method on distortion, and a search along a compass for angles.
 
 use crate::array_mesh::{ArrayMesh, Kind};
+use crate::finish::Kept;
 use crate::goal::Weights;
 use crate::stage::Stage;
 use crate::triangle::{SQRT_3, cross, distortion, min_angle};
@@ -10,6 +11,7 @@ use mindeg_mesh::Cancelled;
 /// The exponent of distortion in what smoothing minimises. More weighs bad triangles more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Power {
+    One,
     Two,
     Four,
 }
@@ -17,7 +19,11 @@ pub(crate) enum Power {
 // By multiplication: the library's integer powers may differ from machine to machine.
 impl Power {
     fn exponent(self) -> f64 {
-        if self == Self::Two { 2.0 } else { 4.0 }
+        match self {
+            Self::One => 1.0,
+            Self::Two => 2.0,
+            Self::Four => 4.0,
+        }
     }
 
     fn of(self, x: f64) -> f64 {
@@ -25,7 +31,11 @@ impl Power {
     }
 
     fn of_two_less(self, x: f64) -> f64 {
-        if self == Self::Two { 1.0 } else { x * x }
+        match self {
+            Self::One => 1.0 / x,
+            Self::Two => 1.0,
+            Self::Four => x * x,
+        }
     }
 }
 
@@ -67,8 +77,39 @@ impl Ring {
 /// One step of Newton's method on the sum of distortion^power over the triangles at a free vertex.
 /// The sum is convex where no triangle is inverted. Returns how far the vertex moved.
 pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut Ring) -> f64 {
-    debug_assert_eq!(mesh.vertices[vertex as usize].kind, Kind::Free);
     ring.load(mesh, vertex);
+    step(mesh, vertex, power, ring, |_| true)
+}
+
+/// The same for the sum of distortions, if no angle falls that is kept.
+pub(crate) fn round(mesh: &mut ArrayMesh, vertex: u32, kept: &Kept, ring: &mut Ring) -> f64 {
+    ring.load(mesh, vertex);
+    let x = mesh.at(vertex);
+    // A hair more, so that rounding lowers nothing.
+    let least = |(t, [b, c]): (&u32, &[DVec2; 2])| {
+        kept.angle(mesh, *t).min(min_angle([x, *b, *c])) * (1.0 + 1e-12)
+    };
+    let mut wanted = std::mem::take(&mut ring.wanted);
+    wanted.clear();
+    wanted.extend(ring.triangles.iter().zip(&ring.edges).map(least));
+    let each = |ring: &Ring, place: DVec2| {
+        let mut all = ring.edges.iter().zip(&wanted);
+        all.all(|([b, c], wanted)| min_angle([place, *b, *c]) >= *wanted)
+    };
+    let moved = step(mesh, vertex, Power::One, ring, |place| each(ring, place));
+    ring.wanted = wanted;
+    moved
+}
+
+/// A step for the vertex that the ring was loaded for, to a place that may be.
+fn step(
+    mesh: &mut ArrayMesh,
+    vertex: u32,
+    power: Power,
+    ring: &Ring,
+    may_be: impl Fn(DVec2) -> bool,
+) -> f64 {
+    debug_assert_eq!(mesh.vertices[vertex as usize].kind, Kind::Free);
     let x = mesh.at(vertex);
     let (mut before, mut slope) = (0.0, DVec2::ZERO);
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -109,7 +150,7 @@ pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut
     let mut share = 1.0;
     for _ in 0..5 {
         let place = x + step * share;
-        if place.is_finite() && ring.distortion(place, power) < before {
+        if place.is_finite() && ring.distortion(place, power) < before && may_be(place) {
             mesh.move_to(vertex, place);
             return step.length() * share;
         }
@@ -257,8 +298,29 @@ impl Sweeper {
         sweeps: usize,
         stage: &mut Stage<'_>,
     ) -> Result<(), Cancelled> {
+        self.start(mesh.vertices.len(), true);
+        self.sweep(mesh, sweeps, stage, |mesh, v, ring| smooth(mesh, v, power, ring))
+    }
+
+    /// Begins with all vertices of a mesh, or with none.
+    pub(crate) fn start(&mut self, vertices: usize, is_active: bool) {
         self.is_active.clear();
-        self.is_active.resize(mesh.vertices.len(), true);
+        self.is_active.resize(vertices, is_active);
+    }
+
+    /// The next sweep goes over these vertices, too.
+    pub(crate) fn wake(&mut self, vertices: &[u32]) {
+        vertices.iter().for_each(|v| self.is_active[*v as usize] = true);
+    }
+
+    /// `sweeps` sweeps with moves that tell how far they went.
+    pub(crate) fn sweep(
+        &mut self,
+        mesh: &mut ArrayMesh,
+        sweeps: usize,
+        stage: &mut Stage<'_>,
+        mut go: impl FnMut(&mut ArrayMesh, u32, &mut Ring) -> f64,
+    ) -> Result<(), Cancelled> {
         for _ in 0..sweeps {
             stage.still()?;
             let mut moved = false;
@@ -270,13 +332,11 @@ impl Sweeper {
                 }
                 self.is_active[v as usize] = false;
                 let size = vertex.size;
-                if smooth(mesh, v, power, &mut self.ring) > STILL * size {
+                if go(mesh, v, &mut self.ring) > STILL * size {
                     moved = true;
                     for t in self.ring.triangles() {
-                        mesh.triangles[*t as usize]
-                            .vertices
-                            .iter()
-                            .for_each(|u| self.is_active[*u as usize] = true);
+                        let vertices = mesh.triangles[*t as usize].vertices;
+                        vertices.iter().for_each(|u| self.is_active[*u as usize] = true);
                     }
                 }
             }
