@@ -57,7 +57,9 @@ fn a_refutation_is_written_and_repeated() {
         (path.to_str().expect("a path is text"), at("mesh.obj"), at("proof.json"));
     let answer = mindeg(["degree", path, "--proof", &proof, "--json"]).json();
     assert_eq!((&answer["least_max_degree"], &answer["reached_by"]), (&6.into(), &"search".into()));
-    assert_eq!(answer["certificate"]["kind"], "refuted");
+    let certificate = &answer["certificate"];
+    assert_eq!((&certificate["kind"], &certificate["checked"]), (&"refuted".into(), &true.into()));
+    assert!(certificate["clauses"].as_u64().is_some_and(|clauses| clauses > 0), "{certificate}");
     assert_eq!(mindeg(["mesh", path, "-o", &out]).code, Some(0));
     let verified = mindeg(["verify", &out, path, "--proof", &proof, "--optimal", "--json"]).json();
     assert_eq!(

@@ -4,6 +4,7 @@ use crate::limit::LimitAnswer;
 use crate::numbers::count;
 use crate::proof::ProofFile;
 use mindeg::exact::{DegreeAnswer, LowerBound, Reached, degree_with};
+use mindeg::verify::checked_proof;
 use mindeg::{Domain, Progress, Rings};
 use mindeg_core::{Boundary, Certificate};
 use serde::Serialize;
@@ -102,6 +103,8 @@ pub enum DegreeProof {
     Refuted {
         /// Their number.
         clauses: usize,
+        /// Whether code that shares nothing with the search has repeated them.
+        checked: bool,
     },
 }
 
@@ -137,6 +140,8 @@ impl DegreeReport {
             return Ok(report);
         }
         let answer = degree_with(domain, effort, progress)?;
+        let is_checked = matches!(answer.bounded_by, LowerBound::Refuted(_))
+            && checked_proof(&answer, domain, progress)?.is_some();
         let rings = domain.rings();
         let triangles = triangle_count(rings);
         Ok(Self {
@@ -157,7 +162,7 @@ impl DegreeReport {
                 Reached::ClosedForm => "formula",
                 _ => "exhaustive",
             },
-            words: in_words(domain, &answer),
+            words: in_words(domain, &answer, is_checked),
             proof: match &answer.bounded_by {
                 LowerBound::Refuted(refutation) => {
                     Some(ProofFile::new(answer.at_least.saturating_sub(1), refutation))
@@ -172,7 +177,8 @@ impl DegreeReport {
                 LowerBound::Counting => DegreeProof::Counting,
                 LowerBound::NoStrip => DegreeProof::NoStrip,
                 LowerBound::Refuted(refutation) => {
-                    DegreeProof::Refuted { clauses: refutation.clauses.len() }
+                    let clauses = refutation.clauses.len();
+                    DegreeProof::Refuted { clauses, checked: is_checked }
                 }
                 _ => DegreeProof::Exhaustive,
             },
@@ -290,8 +296,8 @@ It is reached by the triangle through the three midpoints.\n"
 
 /// Why the least maximum degree of any domain cannot be less and how it is reached, or what is not known, in
 /// sentences that end in a new line.
-fn in_words(domain: &Domain, answer: &DegreeAnswer) -> String {
-    let mut text = why_not_less(domain, answer);
+fn in_words(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> String {
+    let mut text = why_not_less(domain, answer, is_checked);
     text.push_str(&how_reached(answer));
     if answer.least_max_degree().is_none() {
         let open = match (answer.at_least, answer.reached - 1) {
@@ -317,7 +323,7 @@ pub fn triangle_count(rings: &Rings) -> u32 {
 }
 
 /// Why the degree cannot be less, in sentences.
-fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
+fn why_not_less(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> String {
     /// The tolerance of docs/theory.md, section 8.
     const STRAIGHT: &str = "A chord passes a vertex if it turns there by less than 1e-9 radians.\n";
     let vertices = domain.rings().vertex_count();
@@ -354,13 +360,17 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer) -> String {
              vertices,\nand no strip here lies inside (theorem 21 of docs/theory.md).\n"
         ),
         LowerBound::Refuted(refutation) => format!(
-            "No mesh has less than {bound}: a search with learned clauses over all triangulations refutes degree \
-             {}{}\nby {}, each of which follows from those before (theorem 23 of docs/theory.md).\n{STRAIGHT}",
+            "No mesh has less than {bound}: degree {}{} is refuted by {}, {}\n(theorem 23 of docs/theory.md).\n{STRAIGHT}",
             bound.saturating_sub(1),
             if domain.is_constrained() { " with the limits" } else { "" },
             match refutation.clauses.len() {
                 1 => "one clause".to_owned(),
                 clauses => format!("{} clauses", count(clauses as u32)),
+            },
+            if is_checked {
+                "checked"
+            } else {
+                "which the checker does not confirm; please report it"
             }
         ),
         LowerBound::ClosedForm => {

@@ -217,7 +217,7 @@ fn standing(meshed: &ModelMesh) -> String {
             "face {face} has a side of {intervals} intervals, whose triangles need apexes elsewhere"
         ),
         JointBound::Refuted { refutation, max_degree } => format!(
-            "a search over all triangulations refutes degree {} in {} steps, checked",
+            "degree {} is refuted by {} clauses, checked",
             max_degree - 1,
             refutation.clauses.len()
         ),

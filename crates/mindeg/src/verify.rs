@@ -33,5 +33,5 @@ mod triangulation;
 
 pub use defect::MeshDefect;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
-pub use optimality::{Optimality, Proof, optimality, optimality_by};
+pub use optimality::{Optimality, Proof, checked_proof, optimality, optimality_by};
 pub use triangulation::triangulation;

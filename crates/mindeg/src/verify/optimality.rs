@@ -141,18 +141,32 @@ pub fn optimality_by(
         bounded_by: LowerBound::Refuted(refutation.clone()),
     };
     let keeps_limits = verified.interior_points == 0 && verified.above_limit.is_empty();
+    Ok(match checked_proof(&answer, domain, progress)? {
+        Some(proof) if keeps_limits => Optimality::Optimal { proof },
+        _ => Optimality::Unknown { reason: "the proof does not hold for this mesh".to_owned() },
+    })
+}
+
+/// The proof of an answer's lower bound, if code that shares nothing with the search finds that it holds for the
+/// points of a domain.
+///
+/// # Errors
+///
+/// Points without a Delaunay triangulation, and a `progress` that cancels.
+pub fn checked_proof(
+    answer: &DegreeAnswer,
+    domain: &Domain,
+    progress: Progress<'_>,
+) -> Result<Option<Proof>, MeshError> {
     let boundary = domain.boundary()?;
     let rings: Vec<Range<u32>> = domain.rings().rings().collect();
     let outline = CheckedOutline {
         points: boundary.points(),
         rings: &rings,
         side_of: boundary.runs(),
-        keeps_clear: Posed::triangulated(domain, progress)?.problem.keeps_clear(),
+        keeps_clear: Posed::of_any_size(domain, progress)?.problem.keeps_clear(),
     };
-    Ok(match proof(&answer, &outline, domain) {
-        Some(proof) if keeps_limits => Optimality::Optimal { proof },
-        _ => Optimality::Unknown { reason: "the proof does not hold for this mesh".to_owned() },
-    })
+    Ok(proof(answer, &outline, domain))
 }
 
 fn of_convex(form: &ConvexForm, max_degree: u32) -> Optimality {
@@ -186,22 +200,15 @@ fn of_any(
 ) -> Result<Optimality, MeshError> {
     let answer = exact::degree(domain, progress)?;
     let max_degree = verified.max_degree;
-    let rings: Vec<Range<u32>> = domain.rings().rings().collect();
-    let boundary = domain.boundary()?;
-    let outline = CheckedOutline {
-        points: boundary.points(),
-        rings: &rings,
-        side_of: boundary.runs(),
-        keeps_clear: Posed::new(domain, progress)?.problem.keeps_clear(),
-    };
     if answer.reached < max_degree {
         let least = mesh(domain, Goal::LeastDegree, progress)?.mesh;
         let triangles: Vec<[u32; 3]> = least.triangles().collect();
+        let boundary = domain.boundary()?;
         let reached = check::triangulation(&boundary, &[], &triangles)
             .ok()
             .and_then(|checked| total_degree(domain, &checked.degrees));
         if let Some(reached) = reached.filter(|&reached| reached < max_degree) {
-            let proof = proof(&answer, &outline, domain);
+            let proof = checked_proof(&answer, domain, progress)?;
             let at_least = proof.map(|_| answer.at_least);
             return Ok(Optimality::Improvable { reached, at_least });
         }
@@ -217,7 +224,7 @@ fn of_any(
         );
         return Ok(Optimality::Unknown { reason });
     }
-    Ok(match proof(&answer, &outline, domain) {
+    Ok(match checked_proof(&answer, domain, progress)? {
         Some(proof) => Optimality::Optimal { proof },
         None if answer.bounded_by == LowerBound::Exhaustive => {
             let reason = format!(
