@@ -8,6 +8,11 @@
 //!
 //! Limits: degrees from 8 upwards look alike.
 
+use std::ops::Range;
+
+use crate::corners::degrees;
+use mindeg_mesh::Mesh;
+
 /// The degrees that have a color of their own, from the lowest a vertex of a triangulation
 /// can have to the one that stands for all above it.
 pub const DISTINCT: std::ops::RangeInclusive<u32> = 2..=8;
@@ -51,6 +56,16 @@ pub(crate) fn linear(degree: u32) -> [u8; 3] {
         };
         libm::round(light * 255.0) as u8
     })
+}
+
+/// The color of each vertex; none if colors are not `wanted`.
+pub(crate) fn of_vertices(
+    mesh: &dyn Mesh,
+    vertices: Range<u32>,
+    wanted: bool,
+) -> impl Iterator<Item = Option<[u8; 3]>> + use<> {
+    let degrees = if wanted { degrees(mesh, vertices.clone()) } else { Vec::new() };
+    (0..vertices.len()).map(move |index| degrees.get(index).map(|&degree| srgb(degree)))
 }
 
 #[cfg(test)]

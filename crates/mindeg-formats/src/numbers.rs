@@ -24,28 +24,9 @@ impl Numbers {
         }
     }
 
-    /// Appends numbers; in a text with a blank before each but the first of a line.
-    pub(crate) fn put<T: Number, const N: usize>(self, numbers: [T; N], buffer: &mut Vec<u8>) {
-        self.put_row(&mut columns::<T, N>(), numbers, buffer);
-    }
-
-    /// [`put`](Self::put), for one row of numbers after another.
-    pub(crate) fn put_row<T: Number, const N: usize>(
-        self,
-        columns: &mut [T::Column; N],
-        numbers: [T; N],
-        buffer: &mut Vec<u8>,
-    ) {
-        for (column, number) in columns.iter_mut().zip(numbers) {
-            match self {
-                Self::LittleEndian => number.put_bytes(false, buffer),
-                Self::BigEndian => number.put_bytes(true, buffer),
-                Self::Text => {
-                    let is_first = matches!(buffer.last(), None | Some(b'\n'));
-                    number.put_text(is_first, column, buffer);
-                }
-            }
-        }
+    /// Appends a row; in a text with a blank before each number but the first of a line.
+    pub(crate) fn put<R: Row>(self, row: R, buffer: &mut Vec<u8>) {
+        row.put(self, &mut R::columns(), buffer);
     }
 
     /// Ends the line of a text.
@@ -55,38 +36,124 @@ impl Numbers {
         }
     }
 
-    /// The same numbers for each item; a line of a text.
-    pub(crate) fn records<'a, T, I, const N: usize>(
+    /// A row for each item; a line of a text.
+    pub(crate) fn records<'a, I: Iterator<Item: Row>>(
         self,
         items: Range<u32>,
         of: impl Fn(Range<u32>) -> I + Sync + 'a,
-    ) -> Section<'a>
-    where
-        T: Number,
-        I: Iterator<Item = [T; N]>,
-    {
-        let number_len = if self == Self::Text { T::TEXT_LEN } else { size_of::<T>() };
-        Section::of(items, (N * number_len) as u32, move |range, buffer| {
-            let mut columns = columns::<T, N>();
-            of(range).for_each(|record| {
-                self.put_row(&mut columns, record, buffer);
+    ) -> Section<'a> {
+        let len = if self == Self::Text { I::Item::TEXT_LEN } else { I::Item::BYTE_LEN };
+        Section::of(items, len as u32, move |range, buffer| {
+            let mut columns = I::Item::columns();
+            of(range).for_each(|row| {
+                row.put(self, &mut columns, buffer);
                 self.end_line(buffer);
             });
         })
     }
 
-    /// One number for all of `count` items.
-    pub(crate) fn repeated<'a, T: Number>(self, count: u32, value: T) -> Section<'a> {
+    /// The same row for all of `count` items.
+    pub(crate) fn repeated<'a>(self, count: u32, row: impl Row) -> Section<'a> {
         let mut item = Vec::new();
-        self.put([value], &mut item);
+        self.put(row, &mut item);
         self.end_line(&mut item);
         Section::repeated(count, &item)
     }
 }
 
-/// The columns of a table in a text, before its first row.
-pub(crate) fn columns<T: Number, const N: usize>() -> [T::Column; N] {
-    std::array::from_fn(|_| T::Column::default())
+/// A line of a text, or a record of bytes: arrays of numbers, one after another.
+pub(crate) trait Row {
+    /// About how long it is as text.
+    const TEXT_LEN: usize;
+
+    /// How long it is as bytes, with all that is optional.
+    const BYTE_LEN: usize;
+
+    /// What a table as text keeps from one row to the next.
+    type Columns;
+
+    /// The columns before the first row.
+    fn columns() -> Self::Columns;
+
+    fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>);
+}
+
+impl<T: Number, const N: usize> Row for [T; N] {
+    const TEXT_LEN: usize = N * T::TEXT_LEN;
+    const BYTE_LEN: usize = N * size_of::<T>();
+
+    type Columns = [T::Column; N];
+
+    fn columns() -> Self::Columns {
+        std::array::from_fn(|_| T::Column::default())
+    }
+
+    fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
+        if numbers != Numbers::Text {
+            return T::put_bytes(self, numbers == Numbers::BigEndian, buffer);
+        }
+        for (column, number) in columns.iter_mut().zip(self) {
+            let is_first = matches!(buffer.last(), None | Some(b'\n' | b' '));
+            number.put_text(is_first, column, buffer);
+        }
+    }
+}
+
+/// A keyword that begins a line, or the blank before its first number.
+impl Row for &'static str {
+    const TEXT_LEN: usize = 4;
+    const BYTE_LEN: usize = 0;
+
+    type Columns = ();
+
+    fn columns() {}
+
+    fn put(self, _: Numbers, (): &mut (), buffer: &mut Vec<u8>) {
+        buffer.extend_from_slice(self.as_bytes());
+    }
+}
+
+/// Numbers that some files leave out.
+impl<R: Row> Row for Option<R> {
+    const TEXT_LEN: usize = R::TEXT_LEN;
+    const BYTE_LEN: usize = R::BYTE_LEN;
+
+    type Columns = R::Columns;
+
+    fn columns() -> Self::Columns {
+        R::columns()
+    }
+
+    fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
+        if let Some(row) = self {
+            row.put(numbers, columns, buffer);
+        }
+    }
+}
+
+macro_rules! rows {
+    ($(($($row:ident: $index:tt),*))*) => {$(
+        impl<$($row: Row),*> Row for ($($row,)*) {
+            const TEXT_LEN: usize = $($row::TEXT_LEN +)* 1;
+            const BYTE_LEN: usize = $($row::BYTE_LEN +)* 0;
+
+            type Columns = ($($row::Columns,)*);
+
+            fn columns() -> Self::Columns {
+                ($($row::columns(),)*)
+            }
+
+            fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
+                $(self.$index.put(numbers, &mut columns.$index, buffer);)*
+            }
+        }
+    )*};
+}
+
+rows! {
+    (A: 0, B: 1)
+    (A: 0, B: 1, C: 2)
+    (A: 0, B: 1, C: 2, D: 3)
 }
 
 /// A number that is written.
@@ -97,7 +164,7 @@ pub(crate) trait Number: Copy + Send + Sync {
     /// A column of a table as text: decimals keep the last one, which often comes again.
     type Column: Default;
 
-    fn put_bytes(self, is_big: bool, buffer: &mut Vec<u8>);
+    fn put_bytes<const N: usize>(numbers: [Self; N], is_big: bool, buffer: &mut Vec<u8>);
 
     /// With a blank before all but the first of a line.
     fn put_text(self, is_first: bool, column: &mut Self::Column, buffer: &mut Vec<u8>);
@@ -110,9 +177,9 @@ macro_rules! number {
 
             type Column = $column;
 
-            fn put_bytes(self, is_big: bool, buffer: &mut Vec<u8>) {
-                let bytes = if is_big { self.to_be_bytes() } else { self.to_le_bytes() };
-                buffer.extend_from_slice(&bytes);
+            fn put_bytes<const N: usize>(numbers: [Self; N], is_big: bool, buffer: &mut Vec<u8>) {
+                let bytes = if is_big { Self::to_be_bytes } else { Self::to_le_bytes };
+                buffer.extend_from_slice(numbers.map(bytes).as_flattened());
             }
 
             fn put_text(self, is_first: bool, column: &mut $column, buffer: &mut Vec<u8>) {
@@ -125,9 +192,11 @@ macro_rules! number {
 number! {
     u8: 4, (), put_whole;
     i32: 8, (), put_whole;
+    u16: 6, (), put_whole;
     u32: 10, (), put_whole;
     i64: 10, (), put_whole;
     u64: 11, (), put_whole;
+    f32: 12, Decimals<f32>, put_decimal;
     f64: 18, Decimals<f64>, put_decimal;
 }
 
@@ -138,7 +207,12 @@ fn put_whole(value: impl itoa::Integer, is_first: bool, (): &mut (), buffer: &mu
     push_digits(value, buffer);
 }
 
-fn put_decimal(value: f64, is_first: bool, column: &mut Decimals<f64>, buffer: &mut Vec<u8>) {
+fn put_decimal<F: zmij::Float + PartialEq>(
+    value: F,
+    is_first: bool,
+    column: &mut Decimals<F>,
+    buffer: &mut Vec<u8>,
+) {
     if is_first { column.push_first(value, buffer) } else { column.push(value, buffer) }
 }
 

@@ -4,10 +4,10 @@
 
 use crate::ReadError;
 use crate::corners::{positions, triangles};
-use crate::decimals::{Decimals, push_integer};
 use crate::face_list::FaceList;
 use crate::facts::Facts;
 use crate::lists::push;
+use crate::numbers::Numbers;
 use crate::records::Records;
 use crate::sections::Section;
 use crate::{GENERATOR, MeshPlane};
@@ -27,25 +27,13 @@ pub(crate) const FACTS: Facts = Facts {
 /// The file from front to back.
 fn sections(mesh: &dyn Mesh, plane: MeshPlane) -> Vec<Section<'_>> {
     let (vertices, faces) = (mesh.vertex_count(), mesh.triangle_count());
-    let points = Section::new(vertices, 36, move |range, buffer| {
-        let mut decimals = [0; 3].map(|_| Decimals::new());
-        for point in positions(mesh, range) {
-            let start = buffer.len();
-            let point = plane.place(point).to_array();
-            decimals.iter_mut().zip(point).for_each(|(decimals, x)| decimals.push(x, buffer));
-            buffer.remove(start);
-            buffer.push(b'\n');
-        }
-    });
-    let faces = Section::new(faces, 28, move |range, buffer| {
-        for triangle in triangles(mesh, range) {
-            buffer.push(b'3');
-            triangle.into_iter().for_each(|vertex| push_integer(vertex, buffer));
-            buffer.push(b'\n');
-        }
-    });
-    let (m, n) = (vertices, mesh.triangle_count());
-    vec![Section::bytes(format!("OFF\n# {GENERATOR}\n{m} {n} 0\n")), points, faces]
+    let points = move |range| positions(mesh, range).map(move |p| plane.place(p).to_array());
+    let corners = |range| triangles(mesh, range).into_iter().map(|corners| ([3], corners));
+    vec![
+        Section::bytes(format!("OFF\n# {GENERATOR}\n{vertices} {faces} 0\n")),
+        Numbers::Text.records(0..vertices, points),
+        Numbers::Text.records(0..faces, corners),
+    ]
 }
 
 /// Reads a mesh from a text OFF, with or without the keyword `OFF` and what may come before it (`C`,

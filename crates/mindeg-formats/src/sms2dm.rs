@@ -6,16 +6,19 @@
 //! Limits: names of groups and lines are not kept, since the format has numbers for them.
 
 use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
+use crate::corners::positions;
 use crate::decimals::push_integer;
 use crate::facts::Facts;
 use crate::names::quoted;
 use crate::numbered::Numbered;
 use crate::records::{Records, Words};
 use crate::sections::Section;
-use crate::tables::{triangle_lines, vertex_lines};
+use crate::tables::{corners_from_one, ends_of_groups, numbered_lines, runs_of};
 use crate::{GENERATOR, ReadError, mesh_name};
 use mindeg_mesh::{Mesh, TriMesh};
 use std::io::BufRead;
+use std::ops::Range;
+use std::sync::Arc;
 
 /// Vertices of a node string to a line of the file.
 const STRING_WIDTH: u32 = 10;
@@ -34,15 +37,17 @@ pub(crate) const FACTS: Facts = Facts {
 /// The file from front to back.
 fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = quoted(mesh_name(mesh));
-    let ends: Vec<u32> = mesh.groups().iter().map(|group| group.triangles.end).collect();
-    let material = move |triangle: u32, buffer: &mut Vec<u8>| {
-        push_integer(ends.partition_point(|&end| end <= triangle) + 1, buffer);
+    let ends = ends_of_groups(mesh);
+    let elements = move |range: Range<u32>| {
+        let materials = runs_of(Arc::clone(&ends), range.clone()).map(|group| [group + 1]);
+        corners_from_one(mesh, range).zip(materials)
     };
+    let points = |range| positions(mesh, range).map(|point| point.to_array());
     let head = format!("MESH2D\n# {GENERATOR}\nMESHNAME \"{name}\"\n");
     let mut sections = vec![
         Section::bytes(head),
-        triangle_lines(mesh, b"E3T", b"", material),
-        vertex_lines(mesh, b"ND", 3, |_, _| {}),
+        numbered_lines("E3T", 0..mesh.triangle_count(), elements),
+        numbered_lines("ND", 0..mesh.vertex_count(), points),
     ];
     let chains = MarkedChains::of(mesh).chains;
     sections.extend(chains.into_iter().zip(1..).map(|(chain, id)| node_string(mesh, chain, id)));

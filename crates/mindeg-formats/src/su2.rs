@@ -11,14 +11,14 @@ use mindeg_mesh::Mesh;
 
 use crate::GENERATOR;
 use crate::corners::{positions, segments, triangles};
-use crate::decimals::{Decimals, push_integer};
 use crate::facts::Facts;
 use crate::names::{Names, word};
+use crate::numbers::Numbers;
 use crate::sections::Section;
 
 /// VTK's numbers of the elements.
-const LINE: u8 = b'3';
-const TRIANGLE: u8 = b'5';
+const LINE: u8 = 3;
+const TRIANGLE: u8 = 5;
 
 pub(crate) const FACTS: Facts = Facts {
     name: "su2",
@@ -34,45 +34,29 @@ pub(crate) const FACTS: Facts = Facts {
 /// The file from front to back.
 fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let (vertices, count) = (mesh.vertex_count(), mesh.triangle_count());
+    let elements = |range: Range<u32>| {
+        let corners = range.clone().zip(triangles(mesh, range));
+        corners.map(|(index, corners)| ([TRIANGLE], corners, [index]))
+    };
+    let points = |range: Range<u32>| {
+        let points = range.clone().zip(positions(mesh, range));
+        points.map(|(index, point)| ([point.x, point.y], [index]))
+    };
     let mut sections = vec![
         Section::bytes(format!("% {GENERATOR}\nNDIME= 2\nNELEM= {count}\n")),
-        Section::new(count, 36, move |range, buffer| {
-            for (index, triangle) in range.clone().zip(triangles(mesh, range)) {
-                buffer.push(TRIANGLE);
-                triangle.into_iter().for_each(|vertex| push_integer(vertex, buffer));
-                push_integer(index, buffer);
-                buffer.push(b'\n');
-            }
-        }),
+        Numbers::Text.records(0..count, elements),
         Section::bytes(format!("NPOIN= {vertices}\n")),
-        Section::new(vertices, 44, move |range, buffer| {
-            let [mut x, mut y] = [0; 2].map(|_| Decimals::new());
-            for (vertex, point) in range.clone().zip(positions(mesh, range)) {
-                x.push_first(point.x, buffer);
-                y.push(point.y, buffer);
-                push_integer(vertex, buffer);
-                buffer.push(b'\n');
-            }
-        }),
+        Numbers::Text.records(0..vertices, points),
     ];
     let markers = markers(mesh);
     sections.push(Section::bytes(format!("NMARK= {}\n", markers.len())));
     for (name, ranges) in markers {
         let count: u64 = ranges.iter().map(|range| range.len() as u64).sum();
         sections.push(Section::bytes(format!("MARKER_TAG= {name}\nMARKER_ELEMS= {count}\n")));
-        sections.extend(ranges.into_iter().map(|range| marker_elements(mesh, range)));
+        let ends = |range| segments(mesh, range).into_iter().map(|ends| ([LINE], ends));
+        sections.extend(ranges.into_iter().map(|range| Numbers::Text.records(range, ends)));
     }
     sections
-}
-
-fn marker_elements(mesh: &dyn Mesh, of_line: Range<u32>) -> Section<'_> {
-    Section::of(of_line, 24, move |range, buffer| {
-        for segment in segments(mesh, range) {
-            buffer.push(LINE);
-            segment.into_iter().for_each(|vertex| push_integer(vertex, buffer));
-            buffer.push(b'\n');
-        }
-    })
 }
 
 /// The names of the lines, each with the segments of all lines of the name.

@@ -2,12 +2,13 @@
 
 use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
 use crate::corners::positions;
-use crate::decimals::{Decimals, push_integer};
 use crate::names::one_line;
+use crate::numbers::Numbers;
 use crate::sections::Section;
-use crate::tables::triangle_lines;
+use crate::tables::{corners_from_one, from_one, numbered_lines};
 use crate::{GENERATOR, mesh_name};
 use mindeg_mesh::{LineKind, Mesh, filled};
+use std::ops::Range;
 
 /// The file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
@@ -15,8 +16,12 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let (elements, nodes) = (mesh.triangle_count(), mesh.vertex_count());
     let head =
         format!("{name}\n {elements} {nodes} = number of elements and of nodes, by {GENERATOR}\n");
-    let mut sections =
-        vec![Section::bytes(head), vertices(mesh), triangle_lines(mesh, b"", b" 3", |_, _| {})];
+    let corners = |range| corners_from_one(mesh, range).map(|corners| ([3], corners));
+    let mut sections = vec![
+        Section::bytes(head),
+        numbered_lines(" ", 0..nodes, |range| points(mesh, range)),
+        numbered_lines(" ", 0..elements, corners),
+    ];
     let [open, closed] = segments(mesh);
     for (kind, boundaries) in [("open", open), ("land", closed)] {
         let nodes: u64 = boundaries.iter().map(|segment| segment.node_count()).sum();
@@ -32,21 +37,11 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     sections
 }
 
-/// Number, x, y and depth.
-fn vertices(mesh: &dyn Mesh) -> Section<'_> {
-    Section::new(mesh.vertex_count(), 48, |range, buffer| {
-        let mut decimals = [0; 3].map(|_| Decimals::new());
-        let points = positions(mesh, range.clone());
-        let depths = filled(range.clone(), 0.0, |first, out| mesh.fill_depths(first, out));
-        for ((vertex, point), depth) in range.zip(points).zip(depths) {
-            push_integer(u64::from(vertex) + 1, buffer);
-            for (decimals, value) in decimals.iter_mut().zip([point.x, point.y, depth]) {
-                // Adding zero turns -0 into 0.
-                decimals.push(value + 0.0, buffer);
-            }
-            buffer.push(b'\n');
-        }
-    })
+/// Each vertex with its depth for z.
+fn points(mesh: &dyn Mesh, range: Range<u32>) -> impl Iterator<Item = [f64; 3]> {
+    let depths = filled(range.clone(), 0.0, |first, out| mesh.fill_depths(first, out));
+    // Adding zero turns -0 into 0.
+    positions(mesh, range).zip(depths).map(|(point, depth)| [point.x, point.y, depth + 0.0])
 }
 
 /// A boundary segment of the file.
@@ -113,12 +108,11 @@ impl Segment {
         )));
         let counts: Vec<_> = self.node_counts().collect();
         for (chain, count) in self.chains.into_iter().zip(counts) {
-            sections.push(Section::new(count, 9, move |range, buffer| {
-                for vertex in chain_vertices(mesh, &chain, range) {
-                    push_integer(u64::from(vertex) + 1, buffer);
-                    buffer.push(b'\n');
-                }
-            }));
+            let vertices = move |range| {
+                let vertices = chain_vertices(mesh, &chain, range).into_iter();
+                vertices.map(|vertex| (" ", from_one([vertex])))
+            };
+            sections.push(Numbers::Text.records(0..count, vertices));
         }
     }
 }

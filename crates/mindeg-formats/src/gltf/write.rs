@@ -5,13 +5,16 @@ use super::numbers::pretty;
 use super::positions::Stored;
 use crate::corners::{degrees, positions, segments, triangles};
 use crate::degree_color;
+use crate::numbers::Numbers;
 use crate::options::in_box;
 use crate::sections::{Section, write_sections};
-use crate::{SurfaceOptions, WriteError};
+use crate::{MeshPlane, SurfaceOptions, WriteError};
 use gltf_json::Root;
 use mindeg_mesh::{Mesh, vertex_normals};
 use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use std::io::{self, Write};
+use std::ops::Range;
+use std::sync::Arc;
 
 /// Writes a mesh as a JSON document, the `.gltf`, and a binary, the `.bin` beside it.
 ///
@@ -86,72 +89,56 @@ impl<'a> Arrays<'a> {
     /// The arrays in the order of the document.
     pub(super) fn sections(&self) -> Vec<Section<'a>> {
         let Self { mesh, stored, options, layout } = *self;
-        let mut sections = vec![Section::new(layout.vertices, 12, move |range, buffer| {
-            for point in positions(mesh, range) {
-                push_floats(buffer, stored.of(point).to_array());
-            }
-        })];
+        let (bytes, vertices) = (Numbers::LittleEndian, 0..layout.vertices);
+        let points = move |range| positions(mesh, range).map(|point| stored.of(point).to_array());
+        let mut sections = vec![bytes.records(vertices.clone(), points)];
         if layout.normals {
-            sections.push(normals(mesh, options));
+            sections.push(normals(mesh, options.plane));
         }
         if layout.texture_coordinates {
             let bounds = mesh.bounds();
-            sections.push(Section::new(layout.vertices, 8, move |range, buffer| {
-                for point in positions(mesh, range) {
-                    let [s, t] = in_box(bounds, point).to_array();
-                    push_floats(buffer, [s as f32, (1.0 - t) as f32]);
-                }
+            sections.push(bytes.records(vertices.clone(), move |range| {
+                let places = positions(mesh, range).map(move |point| in_box(bounds, point));
+                places.map(|place| [place.x as f32, (1.0 - place.y) as f32])
             }));
         }
         if layout.degree_colors {
-            sections.push(Section::new(layout.vertices, 4, move |range, buffer| {
-                for degree in degrees(mesh, range) {
-                    let [red, green, blue] = degree_color::linear(degree);
-                    buffer.extend_from_slice(&[red, green, blue, u8::MAX]);
-                }
+            sections.push(bytes.records(vertices, move |range| {
+                let colors = degrees(mesh, range).into_iter().map(degree_color::linear);
+                colors.map(|color| (color, [u8::MAX]))
             }));
         }
         let wide = layout.has_wide_indices();
-        sections.push(Section::new(layout.triangles, 12, move |range, buffer| {
-            for triangle in triangles(mesh, range) {
-                push_indices(buffer, triangle, wide);
-            }
-        }));
+        sections.push(indices(layout.triangles, wide, move |range| triangles(mesh, range)));
         if layout.segments > 0 {
-            sections.push(Section::new(layout.segments, 8, move |range, buffer| {
-                for segment in segments(mesh, range) {
-                    push_indices(buffer, segment, wide);
-                }
-            }));
+            sections.push(indices(layout.segments, wide, move |range| segments(mesh, range)));
         }
         sections
     }
 }
 
 /// A unit normal for each vertex.
-fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
-    let plane = options.plane;
+fn normals(mesh: &dyn Mesh, plane: MeshPlane) -> Section<'_> {
+    let placed = move |normal| plane.place(normal).as_vec3().to_array();
     if let Some(normal) = mesh.normal() {
-        let normal = plane.place(normal).as_vec3().to_array().map(f32::to_le_bytes);
-        return Section::repeated(mesh.vertex_count(), normal.as_flattened());
+        return Numbers::LittleEndian.repeated(mesh.vertex_count(), placed(normal));
     }
-    let normals = vertex_normals(mesh);
-    Section::new(mesh.vertex_count(), 12, move |range, buffer| {
-        for &normal in &normals[range.start as usize..range.end as usize] {
-            push_floats(buffer, plane.place(normal).as_vec3().to_array());
-        }
+    let normals = Arc::new(vertex_normals(mesh));
+    Numbers::LittleEndian.records(0..mesh.vertex_count(), move |range: Range<u32>| {
+        let normals = Arc::clone(&normals);
+        range.map(move |vertex| placed(normals[vertex as usize]))
     })
 }
 
-fn push_floats<const N: usize>(buffer: &mut Vec<u8>, values: [f32; N]) {
-    buffer.extend_from_slice(values.map(f32::to_le_bytes).as_flattened());
-}
-
-fn push_indices<const N: usize>(buffer: &mut Vec<u8>, vertices: [u32; N], wide: bool) {
+fn indices<'a, const N: usize>(
+    count: u32,
+    wide: bool,
+    of: impl Fn(Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
+) -> Section<'a> {
     if wide {
-        buffer.extend_from_slice(vertices.map(u32::to_le_bytes).as_flattened());
-    } else {
-        // Narrow indices are used only for fewer vertices.
-        buffer.extend_from_slice(vertices.map(|v| (v as u16).to_le_bytes()).as_flattened());
+        return Numbers::LittleEndian.records(0..count, move |range| of(range).into_iter());
     }
+    // Narrow indices are used only for fewer vertices.
+    let narrow = |vertices: [u32; N]| vertices.map(|vertex| vertex as u16);
+    Numbers::LittleEndian.records(0..count, move |range| of(range).into_iter().map(narrow))
 }

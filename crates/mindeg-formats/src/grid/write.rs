@@ -1,6 +1,7 @@
 //! The arrays of a grid.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use mindeg_mesh::Mesh;
 
@@ -8,6 +9,7 @@ use crate::corners::{degrees, min_angles, positions, segments, triangles};
 use crate::names::one_line;
 use crate::numbers::{Number, Numbers};
 use crate::sections::Section;
+use crate::tables::{ends_of_groups, runs_of};
 
 /// VTK's numbers of the cells that are written.
 const LINE: u8 = 3;
@@ -87,7 +89,7 @@ impl<'a> Arrays<'a> {
     /// The type of each cell.
     pub(crate) fn types<T: Number + From<u8>>(&self) -> Vec<Section<'a>> {
         let counts = [(self.triangles.end, TRIANGLE), (self.segments.end, LINE)];
-        counts.map(|(count, kind)| self.numbers.repeated(count, T::from(kind))).into()
+        counts.map(|(count, kind)| self.numbers.repeated(count, [T::from(kind)])).into()
     }
 
     /// For each cell the number of its corners and the corners, i32.
@@ -121,36 +123,25 @@ impl<'a> Arrays<'a> {
         let mesh = self.mesh;
         let angles = move |range| min_angles(mesh, range).map(|angle| [angle]);
         let angles = self.numbers.records(self.triangles.clone(), angles);
-        let of_segments = self.numbers.repeated(self.segments.end, EQUILATERAL);
+        let of_segments = self.numbers.repeated(self.segments.end, [EQUILATERAL]);
         let sections = vec![angles, of_segments];
         let mut fields = vec![Field { name: "min_angle", is_float: true, sections }];
         let [no_side, no_group] = [self.triangles.end, self.segments.end]
-            .map(|count| self.numbers.repeated(count, -1_i32));
+            .map(|count| self.numbers.repeated(count, [-1_i32]));
+        let indices = |items: Range<u32>, ends: Arc<[u32]>| {
+            let index = move |range| runs_of(Arc::clone(&ends), range).map(|index| [index]);
+            self.numbers.records(items, index)
+        };
         if !self.segments.is_empty() {
             let ends = mesh.lines().iter().map(|line| line.segments.end).collect();
-            let sections = vec![no_side, self.indices_of(self.segments.clone(), ends)];
+            let sections = vec![no_side, indices(self.segments.clone(), ends)];
             fields.push(Field { name: "side", is_float: false, sections });
         }
         if mesh.groups().len() > 1 {
-            let ends = mesh.groups().iter().map(|group| group.triangles.end).collect();
-            let sections = vec![self.indices_of(self.triangles.clone(), ends), no_group];
+            let sections = vec![indices(self.triangles.clone(), ends_of_groups(mesh)), no_group];
             fields.push(Field { name: "group", is_float: false, sections });
         }
         fields
-    }
-
-    /// For each item, which of the ranges with these ends it is in.
-    fn indices_of(&self, items: Range<u32>, ends: Vec<u32>) -> Section<'a> {
-        self.numbers.records(items, move |range| {
-            let mut index = ends.partition_point(|&end| end <= range.start);
-            let ends = ends.clone();
-            range.map(move |item| {
-                while ends.get(index).is_some_and(|&end| end <= item) {
-                    index += 1;
-                }
-                [index as i32]
-            })
-        })
     }
 }
 

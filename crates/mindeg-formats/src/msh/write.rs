@@ -8,7 +8,7 @@ use super::entities::Entities;
 use super::parts::end_of;
 use super::{write2, write4};
 use crate::corners::{degrees, min_angles};
-use crate::numbers::{Numbers, columns};
+use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::{MshVersion, WriteOptions};
 
@@ -88,13 +88,7 @@ fn values<'a, I: Iterator<Item = f64> + 'a>(
     numbers: Numbers,
     of: impl Fn(Range<u32>) -> I + Sync + 'a,
 ) -> Section<'a> {
-    let len = if numbers == Numbers::Text { 30 } else { 12 };
-    Section::new(count, len, move |range, buffer| {
-        let mut column = columns::<f64, 1>();
-        for (index, value) in range.clone().zip(of(range)) {
-            numbers.put([first + index], buffer);
-            numbers.put_row(&mut column, [value], buffer);
-            numbers.end_line(buffer);
-        }
+    numbers.records(0..count, move |range: Range<u32>| {
+        range.clone().zip(of(range)).map(move |(index, value)| ([first + index], [value]))
     })
 }

@@ -1,12 +1,14 @@
 //! Writing MSH 2.2.
 
+use std::ops::Range;
+
 use mindeg_mesh::Mesh;
 
 use super::entities::{Entities, Entity};
 use super::parts::end_of;
 use super::shapes::{LINE, TRIANGLE};
 use crate::corners::{positions, segments, triangles};
-use crate::numbers::{Numbers, columns};
+use crate::numbers::Numbers;
 use crate::sections::Section;
 
 /// Nodes and elements. Each element has two tags, physical and elementary: many programs want both.
@@ -50,14 +52,9 @@ fn head_of_block<'a>(element_type: i32, count: u32, numbers: Numbers) -> Section
 }
 
 fn nodes(mesh: &dyn Mesh, numbers: Numbers) -> Section<'_> {
-    let len = if numbers == Numbers::Text { 48 } else { 28 };
-    Section::new(mesh.vertex_count(), len, move |range, buffer| {
-        let mut axes = columns::<f64, 3>();
-        for (index, position) in range.clone().zip(positions(mesh, range)) {
-            numbers.put([index + 1], buffer);
-            numbers.put_row(&mut axes, position.to_array(), buffer);
-            numbers.end_line(buffer);
-        }
+    numbers.records(0..mesh.vertex_count(), move |range: Range<u32>| {
+        let points = range.clone().zip(positions(mesh, range));
+        points.map(|(index, point)| ([index + 1], point.to_array()))
     })
 }
 
@@ -74,18 +71,14 @@ fn elements_of<'a, const N: usize>(
     entity: &Entity,
     before: Before,
     numbers: Numbers,
-    of: impl Fn(std::ops::Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
+    of: impl Fn(Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
 ) -> Section<'a> {
-    let len = if numbers == Numbers::Text { 20 + 11 * N } else { 4 * (3 + N) };
-    Section::of(entity.elements.clone(), len as u32, move |range, buffer| {
-        for (index, element) in range.clone().zip(of(range)) {
-            numbers.put([before.element + index + 1], buffer);
-            if numbers == Numbers::Text {
-                numbers.put([before.kind, 2], buffer);
-            }
-            numbers.put(before.tags, buffer);
-            numbers.put(element.map(|vertex| vertex + 1), buffer);
-            numbers.end_line(buffer);
-        }
+    numbers.records(entity.elements.clone(), move |range: Range<u32>| {
+        let elements = range.clone().zip(of(range));
+        // Binary elements have kind and number of tags in their head.
+        let kind = (numbers == Numbers::Text).then_some([before.kind, 2]);
+        elements.map(move |(index, element)| {
+            ([before.element + index + 1], kind, before.tags, element.map(|vertex| vertex + 1))
+        })
     })
 }

@@ -4,12 +4,13 @@ use std::ops::Range;
 
 use mindeg_mesh::{Bounds, Mesh};
 
-use super::entities::{Entities, bounds_of_line};
+use super::entities::{Entities, Entity, bounds_of_line};
 use super::parts::end_of;
 use super::shapes::{LINE, TRIANGLE};
 use crate::corners::{positions, segments, triangles};
 use crate::numbers::Numbers;
 use crate::sections::Section;
+use crate::tables::from_one;
 use glam::DVec3;
 
 /// Entities, nodes and elements.
@@ -43,28 +44,34 @@ pub(super) fn add_sections<'a>(
     numbers.end_line(&mut head);
     sections.push(Section::bytes(head));
     for (curve, tag) in entities.curves.iter().zip(1..) {
-        let mut head = Vec::new();
-        put_head(&mut head, [1, tag, LINE], curve.elements.len() as u64, numbers);
-        sections.push(Section::bytes(head));
-        sections.push(numbers.records(curve.elements.clone(), move |range: Range<u32>| {
-            let segments = range.clone().zip(segments(mesh, range));
-            segments.map(|(index, [a, b])| [index, a, b].map(|number| u64::from(number) + 1))
-        }));
+        push_block([1, tag, LINE], curve, 0, numbers, move |range| segments(mesh, range), sections);
     }
-    let before = u64::from(entities.segment_count());
+    let before = entities.segment_count();
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
-        let mut head = Vec::new();
-        put_head(&mut head, [2, tag, TRIANGLE], surface.elements.len() as u64, numbers);
-        sections.push(Section::bytes(head));
-        sections.push(numbers.records(surface.elements.clone(), move |range: Range<u32>| {
-            let triangles = range.clone().zip(triangles(mesh, range));
-            triangles.map(move |(index, [a, b, c])| {
-                let [a, b, c] = [a, b, c].map(|vertex| u64::from(vertex) + 1);
-                [before + u64::from(index) + 1, a, b, c]
-            })
-        }));
+        let kinds = [2, tag, TRIANGLE];
+        push_block(kinds, surface, before, numbers, move |range| triangles(mesh, range), sections);
     }
     sections.push(end_of("Elements", numbers));
+}
+
+/// The elements of an entity, of which others come before.
+fn push_block<'a, const N: usize>(
+    kinds: [i32; 3],
+    entity: &Entity,
+    before: u32,
+    numbers: Numbers,
+    of: impl Fn(Range<u32>) -> Vec<[u32; N]> + Sync + 'a,
+    sections: &mut Vec<Section<'a>>,
+) {
+    let mut head = Vec::new();
+    put_head(&mut head, kinds, entity.elements.len() as u64, numbers);
+    sections.push(Section::bytes(head));
+    sections.push(numbers.records(entity.elements.clone(), move |range: Range<u32>| {
+        let elements = range.clone().zip(of(range));
+        elements.map(move |(index, element)| {
+            ([u64::from(before) + u64::from(index) + 1], from_one(element))
+        })
+    }));
 }
 
 /// The head of a block: dimension, entity and kind, and the number of what follows.

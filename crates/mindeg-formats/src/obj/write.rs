@@ -3,15 +3,17 @@
 use super::library::NamedMaterials;
 use super::numbers::CornerNames;
 use crate::corners::{self, positions};
-use crate::decimals::Decimals;
 use crate::materials::is_same_object;
 use crate::names::{Names, word};
+use crate::numbers::Numbers;
 use crate::options::in_box;
 use crate::sections::{Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
+use glam::Vec3;
 use mindeg_mesh::{Mesh, vertex_normals};
 use std::io::{self, Write};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// Writes a mesh as OBJ. Of materials it holds the names; [`Writer`](crate::Writer) writes their
 /// colors beside it.
@@ -125,42 +127,21 @@ fn header<'a>(mesh: &dyn Mesh, mtllib: &str, surface: &str) -> Section<'a> {
 }
 
 fn coordinates<'a>(mesh: &'a dyn Mesh, options: &'a SurfaceOptions) -> Section<'a> {
-    Section::new(mesh.vertex_count(), 32, |range, buffer| {
-        let mut decimals = [0; 3].map(|_| Decimals::new());
-        let mut levels = [0; 3].map(|_| Decimals::new());
-        let degrees =
-            if options.degree_colors { corners::degrees(mesh, range.clone()) } else { Vec::new() };
-        for (i, point) in positions(mesh, range).enumerate() {
-            buffer.push(b'v');
-            for (decimals, value) in decimals.iter_mut().zip(options.plane.place(point).to_array())
-            {
-                decimals.push(value, buffer);
-            }
-            if let Some(&degree) = degrees.get(i) {
-                // A thousandth is enough to tell 256 levels apart.
-                let thousandths = |level: u8| (1000 * u32::from(level) + 127) / 255;
-                let color = degree_color::srgb(degree).map(thousandths);
-                for (decimals, value) in levels.iter_mut().zip(color) {
-                    decimals.push(value as f32 / 1000.0, buffer);
-                }
-            }
-            buffer.push(b'\n');
-        }
+    // A thousandth is enough to tell 256 levels apart.
+    let thousandths = |level: u8| ((1000 * u32::from(level) + 127) / 255) as f32 / 1000.0;
+    Numbers::Text.records(0..mesh.vertex_count(), move |range: Range<u32>| {
+        let colors = degree_color::of_vertices(mesh, range.clone(), options.degree_colors);
+        let colors = colors.map(move |color| color.map(|color| color.map(thousandths)));
+        let points = positions(mesh, range).zip(colors);
+        points.map(|(point, color)| ("v", options.plane.place(point).to_array(), color))
     })
 }
 
 fn texture_coordinates(mesh: &dyn Mesh) -> Section<'_> {
     let bounds = mesh.bounds();
-    Section::new(mesh.vertex_count(), 24, move |range, buffer| {
-        let mut decimals = [0; 2].map(|_| Decimals::new());
-        for point in positions(mesh, range) {
-            buffer.extend_from_slice(b"vt");
-            let place = in_box(bounds, point).as_vec2().to_array();
-            for (decimals, value) in decimals.iter_mut().zip(place) {
-                decimals.push(value, buffer);
-            }
-            buffer.push(b'\n');
-        }
+    Numbers::Text.records(0..mesh.vertex_count(), move |range| {
+        let points = positions(mesh, range);
+        points.map(move |point| ("vt", in_box(bounds, point).as_vec2().to_array()))
     })
 }
 
@@ -171,30 +152,18 @@ fn normals<'a>(mesh: &'a dyn Mesh, options: &SurfaceOptions) -> Section<'a> {
         let [x, y, z] = plane.place(normal).to_array();
         return Section::repeated(mesh.vertex_count(), format!("vn {x} {y} {z}\n").as_bytes());
     }
-    let normals = vertex_normals(mesh);
-    Section::new(mesh.vertex_count(), 24, move |range, buffer| {
-        let mut decimals = [0; 3].map(|_| Decimals::new());
-        for &normal in &normals[range.start as usize..range.end as usize] {
-            buffer.extend_from_slice(b"vn");
-            let normal = plane.place(normal).as_vec3().to_array();
-            for (decimals, value) in decimals.iter_mut().zip(normal) {
-                decimals.push(value + 0.0, buffer);
-            }
-            buffer.push(b'\n');
-        }
+    let normals = Arc::new(vertex_normals(mesh));
+    Numbers::Text.records(0..mesh.vertex_count(), move |range: Range<u32>| {
+        let normals = Arc::clone(&normals);
+        // Adding zero turns -0 into 0.
+        let normal = move |vertex| plane.place(normals[vertex as usize]).as_vec3() + Vec3::ZERO;
+        range.map(move |vertex| ("vn", normal(vertex).to_array()))
     })
 }
 
 fn segments(mesh: &dyn Mesh, segments: Range<u32>) -> Section<'_> {
-    Section::of(segments, 20, move |range, buffer| {
-        let mut digits = itoa::Buffer::new();
-        for segment in corners::segments(mesh, range) {
-            buffer.push(b'l');
-            for vertex in segment {
-                buffer.push(b' ');
-                buffer.extend_from_slice(digits.format(vertex + 1).as_bytes());
-            }
-            buffer.push(b'\n');
-        }
+    Numbers::Text.records(segments, |range| {
+        let segments = corners::segments(mesh, range).into_iter();
+        segments.map(|ends| ("l", ends.map(|vertex| vertex + 1)))
     })
 }

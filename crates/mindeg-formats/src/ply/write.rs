@@ -1,9 +1,12 @@
 //! Writing PLY.
 
-use crate::corners::{degrees, positions, triangles};
+use crate::corners::{positions, triangles};
+use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::{GENERATOR, WriteOptions, degree_color};
+use glam::{DVec3, Vec3};
 use mindeg_mesh::Mesh;
+use std::ops::Range;
 
 /// The file from front to back.
 pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Vec<Section<'a>> {
@@ -27,36 +30,23 @@ fn header<'a>(mesh: &dyn Mesh, options: &WriteOptions) -> Section<'a> {
 }
 
 fn vertices<'a>(mesh: &'a dyn Mesh, options: &'a WriteOptions) -> Section<'a> {
-    let len =
-        if options.double { 24 } else { 12 } + if options.surface.degree_colors { 3 } else { 0 };
-    Section::new(mesh.vertex_count(), len, move |range, buffer| {
-        let degrees =
-            if options.surface.degree_colors { degrees(mesh, range.clone()) } else { Vec::new() };
-        for (i, point) in positions(mesh, range).enumerate() {
-            let point = options.surface.plane.place(point);
-            if options.double {
-                buffer.extend_from_slice(point.to_array().map(f64::to_le_bytes).as_flattened());
-            } else {
-                // Rounding can make a zero negative; adding zero undoes it.
-                let point = point.as_vec3() + glam::Vec3::ZERO;
-                buffer.extend_from_slice(point.to_array().map(f32::to_le_bytes).as_flattened());
-            }
-            if let Some(&degree) = degrees.get(i) {
-                buffer.extend_from_slice(&degree_color::srgb(degree));
-            }
-        }
-    })
+    let (vertices, bytes) = (0..mesh.vertex_count(), Numbers::LittleEndian);
+    let points = move |range: Range<u32>| {
+        let has_colors = options.surface.degree_colors;
+        let colors = degree_color::of_vertices(mesh, range.clone(), has_colors);
+        positions(mesh, range).map(|point| options.surface.plane.place(point)).zip(colors)
+    };
+    if options.double {
+        let row = |(point, color): (DVec3, _)| (point.to_array(), color);
+        return bytes.records(vertices, move |range| points(range).map(row));
+    }
+    // Rounding can make a zero negative; adding zero undoes it.
+    let row = |(point, color): (DVec3, _)| ((point.as_vec3() + Vec3::ZERO).to_array(), color);
+    bytes.records(vertices, move |range| points(range).map(row))
 }
 
 fn faces(mesh: &dyn Mesh) -> Section<'_> {
-    Section::new(mesh.triangle_count(), 13, |range, buffer| {
-        for triangle in triangles(mesh, range) {
-            let [a, b, c] = triangle.map(u32::to_le_bytes);
-            let mut face = [3; 13];
-            face[1..5].copy_from_slice(&a);
-            face[5..9].copy_from_slice(&b);
-            face[9..].copy_from_slice(&c);
-            buffer.extend_from_slice(&face);
-        }
+    Numbers::LittleEndian.records(0..mesh.triangle_count(), |range| {
+        triangles(mesh, range).into_iter().map(|corners| ([3_u8], corners))
     })
 }

@@ -2,13 +2,14 @@
 
 use crate::GENERATOR;
 use crate::boundary::{MarkedChain, MarkedChains};
-use crate::corners::segments;
-use crate::decimals::{Decimals, push_integer};
+use crate::corners::{positions, segments};
 use crate::names::one_line;
+use crate::numbers::Numbers;
 use crate::sections::Section;
-use crate::tables::{triangle_lines, vertex_lines};
+use crate::tables::{corners_from_one, ends_of_groups, from_one, numbered_lines, runs_of};
 use mindeg_mesh::Mesh;
 use std::fmt::Write as _;
+use std::ops::Range;
 use std::sync::Arc;
 
 /// Each file from front to back.
@@ -19,20 +20,24 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {
 
 fn node<'a>(mesh: &'a dyn Mesh, boundary: Arc<MarkedChains<'a>>) -> Vec<Section<'a>> {
     let head = format!("# {GENERATOR}\n{} 2 0 1\n", mesh.vertex_count());
-    let marker = move |vertex, buffer: &mut Vec<u8>| push_integer(boundary.marker(vertex), buffer);
-    vec![Section::bytes(head), vertex_lines(mesh, b"", 2, marker)]
+    let rows = move |range: Range<u32>| {
+        let markers = range.clone().map(|vertex| [boundary.marker(vertex)]).collect::<Vec<_>>();
+        positions(mesh, range).map(|point| [point.x, point.y]).zip(markers)
+    };
+    vec![Section::bytes(head), numbered_lines(" ", 0..mesh.vertex_count(), rows)]
 }
 
 fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
-    let ends: Vec<u32> = mesh.groups().iter().map(|group| group.triangles.end).collect();
-    let attributes = u32::from(ends.len() > 1);
-    let head = format!("# {GENERATOR}\n{} 3 {attributes}\n", mesh.triangle_count());
-    let attribute = move |triangle: u32, buffer: &mut Vec<u8>| {
-        if attributes > 0 {
-            push_integer(ends.partition_point(|&end| end <= triangle) + 1, buffer);
-        }
+    let ends = ends_of_groups(mesh);
+    let has_attributes = ends.len() > 1;
+    let (count, attributes) = (mesh.triangle_count(), u8::from(has_attributes));
+    let rows = move |range: Range<u32>| {
+        let groups = runs_of(Arc::clone(&ends), range.clone());
+        corners_from_one(mesh, range)
+            .zip(groups.map(move |group| has_attributes.then_some([group + 1])))
     };
-    vec![Section::bytes(head), triangle_lines(mesh, b"", b"", attribute)]
+    let head = format!("# {GENERATOR}\n{count} 3 {attributes}\n");
+    vec![Section::bytes(head), numbered_lines(" ", 0..count, rows)]
 }
 
 fn poly<'a>(mesh: &'a dyn Mesh, boundary: &MarkedChains<'_>) -> Vec<Section<'a>> {
@@ -48,10 +53,9 @@ fn poly<'a>(mesh: &'a dyn Mesh, boundary: &MarkedChains<'_>) -> Vec<Section<'a>>
     let holes: Vec<_> = rings.filter(|ring| boundary.is_hole(ring)).collect();
     let mut tail = format!("{}\n", holes.len()).into_bytes();
     for (ring, number) in holes.into_iter().zip(1_u32..) {
-        push_integer(number, &mut tail);
         // Adding zero turns -0 into 0.
         let point = boundary.point_inside(ring).to_array().map(|x| x + 0.0);
-        point.into_iter().for_each(|x| Decimals::new().push(x, &mut tail));
+        Numbers::Text.put((" ", [number], point), &mut tail);
         tail.push(b'\n');
     }
     sections.push(Section::bytes(tail));
@@ -60,12 +64,8 @@ fn poly<'a>(mesh: &'a dyn Mesh, boundary: &MarkedChains<'_>) -> Vec<Section<'a>>
 
 /// Number, ends and marker of each segment.
 fn chain_lines(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
-    Section::of(chain.segments, 32, move |range, buffer| {
-        for (index, ends) in range.clone().zip(segments(mesh, range)) {
-            push_integer(u64::from(index) + 1, buffer);
-            ends.into_iter().for_each(|vertex| push_integer(u64::from(vertex) + 1, buffer));
-            push_integer(chain.line as u64 + 1, buffer);
-            buffer.push(b'\n');
-        }
+    let marker = chain.line as u64 + 1;
+    numbered_lines(" ", chain.segments, move |range| {
+        segments(mesh, range).into_iter().map(move |ends| (from_one(ends), [marker]))
     })
 }
