@@ -1,11 +1,12 @@
 //! Reading NPZ.
 
 use super::array::Array;
-use super::zip::{Stored, entries};
+use super::zip::{archive, entry};
 use crate::ReadError;
 use glam::DVec3;
 use mindeg_mesh::TriMesh;
-use std::io::Read;
+use std::io::{Cursor, Read};
+use zip::ZipArchive;
 
 /// Reads a mesh from an NPZ: `points`, of two or three columns, and `triangles`, of three.
 ///
@@ -34,8 +35,9 @@ use std::io::Read;
 pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
-    let entries = entries(&file)?;
-    let [points, triangles] = ["points", "triangles"].map(|name| array(&entries, name));
+    let mut archive = archive(&file)?;
+    let arrays = ["points", "triangles"].map(|name| array(&file, &mut archive, name));
+    let [points, triangles] = arrays;
     let (points, triangles) = (points?, triangles?);
     let [rows, columns] = points.shape();
     if !matches!(columns, 2 | 3) {
@@ -54,17 +56,19 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     Ok(mesh.with_rounding(largest * points.rounding()))
 }
 
-fn array<'a>(entries: &[Stored<'a>], name: &str) -> Result<Array<'a>, ReadError> {
-    let is_named = |entry: &&Stored<'_>| entry.name.strip_suffix(".npy") == Some(name);
-    let entry = entries.iter().find(is_named).ok_or_else(|| {
-        let found: Vec<_> = entries.iter().take(20).map(|entry| &*entry.name).collect();
+fn array<'a>(
+    file: &'a [u8],
+    archive: &mut ZipArchive<Cursor<&[u8]>>,
+    name: &str,
+) -> Result<Array<'a>, ReadError> {
+    let Some((offset, bytes)) = entry(file, archive, &format!("{name}.npy"))? else {
+        let found: Vec<_> = archive.file_names().take(20).collect();
         let problem = format!(
             "the archive has no such array; a mesh has points and triangles, this one has: {}",
             found.join(", ")
         );
-        ReadError::place(name, problem)
-    })?;
-    let (offset, bytes) = entry.bytes()?;
+        return Err(ReadError::place(name, problem));
+    };
     Array::new(offset, bytes)
 }
 
