@@ -4,7 +4,7 @@
 use crate::ReadError;
 use crate::face_list::FaceList;
 use crate::lists::push;
-use crate::runs::TriangleRuns;
+use crate::runs::Runs;
 use glam::DVec3;
 use mindeg_mesh::{Line, LineKind, NonTriangles, TriMesh};
 use std::collections::TryReserveError;
@@ -172,7 +172,7 @@ impl Numbered {
             None => error,
         };
         let mut faces = FaceList::default();
-        let mut groups = TriangleRuns::default();
+        let mut groups = Runs::default();
         for element in &self.elements {
             let mut corners = [0; 4];
             let count = if element.is_quad { 4 } else { 3 };

@@ -1,10 +1,13 @@
-//! Named runs of triangles and segments, as a file has them one after the other.
+//! The elements of a file in its order, and the named runs of triangles and segments.
 
-use std::collections::{HashMap, TryReserveError};
+use std::collections::{HashMap, HashSet, TryReserveError};
+use std::ops::Range;
 
 use glam::DVec3;
-use mindeg_mesh::{Group, Line, TriMesh, TriMeshError};
+use mindeg_mesh::{Group, Line, NonTriangles, TriMesh};
 
+use crate::ReadError;
+use crate::face_list::FaceList;
 use crate::lists::push;
 
 /// The lines of a file, whether or not it has faces.
@@ -20,12 +23,42 @@ pub struct Polylines {
     pub others: u64,
 }
 
-/// Segments in the order of a file, with what each belongs to: a curve, a side, a part.
+/// The elements of a file so far, in its order.
+#[derive(Default)]
+pub(crate) struct Elements {
+    pub(crate) faces: FaceList,
+    /// What the faces belong to.
+    pub(crate) groups: Runs,
+    pub(crate) segments: Segments,
+    pub(crate) points: u64,
+    pub(crate) volumes: u64,
+}
+
+impl Elements {
+    /// The mesh of these elements, with a group for each `thing` and a note of volumes, which are called
+    /// `volumes`.
+    pub(crate) fn into_mesh(
+        self,
+        positions: Vec<DVec3>,
+        things: &str,
+        volumes: &str,
+    ) -> Result<TriMesh, ReadError> {
+        let Self { faces, groups, segments, points, volumes: count } = self;
+        let line_segments = segments.segments.len() as u64;
+        let counts = NonTriangles { line_segments, points, ..NonTriangles::default() };
+        let (lines, segments) = segments.into_lines();
+        let mesh = faces.into_mesh(positions, counts)?.with_lines(lines, segments)?;
+        let (mesh, note) = groups.give_to(mesh, things);
+        let volumes = (count > 0).then(|| format!("{count} {volumes}"));
+        Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
+    }
+}
+
+/// Segments in the order of a file, with what each belongs to: a curve, a side, a group.
 #[derive(Default)]
 pub(crate) struct Segments {
     segments: Vec<[u32; 2]>,
-    /// Each run: what it belongs to, its name, and the end of its segments.
-    runs: Vec<(i64, String, u32)>,
+    runs: Runs,
 }
 
 impl Segments {
@@ -37,124 +70,87 @@ impl Segments {
         name: impl FnOnce() -> String,
     ) -> Result<(), TryReserveError> {
         push(&mut self.segments, segment)?;
-        let end = self.segments.len() as u32;
-        match self.runs.last_mut() {
-            Some((last, _, last_end)) if *last == of => *last_end = end,
-            _ => push(&mut self.runs, (of, name(), end))?,
-        }
-        Ok(())
-    }
-
-    pub(crate) fn count(&self) -> usize {
-        self.segments.len()
-    }
-
-    /// The mesh with a line for each thing, in the order in which they first come.
-    pub(crate) fn give_to(self, mesh: TriMesh) -> Result<TriMesh, TriMeshError> {
-        let (lines, segments) = self.into_lines();
-        mesh.with_lines(lines, segments)
+        self.runs.push(of, self.segments.len(), name)
     }
 
     /// A line for each thing, in the order in which they first come, and all segments.
     pub(crate) fn into_lines(self) -> (Vec<Line>, Vec<[u32; 2]>) {
-        let Self { mut segments, mut runs } = self;
-        let mut order = HashMap::new();
-        for (of, _, _) in &runs {
-            let next = order.len();
-            order.entry(*of).or_insert(next);
-        }
-        if order.len() < runs.len() {
-            // Some come again: those of each are put together, in the order of the file.
-            let mut starts = 0;
-            let mut parts: Vec<Vec<[u32; 2]>> = vec![Vec::new(); order.len()];
-            let mut names: Vec<(i64, String, u32)> = Vec::new();
-            for (of, name, end) in runs {
-                let part = order[&of];
-                parts[part].extend_from_slice(&segments[starts as usize..end as usize]);
-                if part == names.len() {
-                    names.push((of, name, 0));
-                }
-                starts = end;
+        let mut indices = HashMap::new();
+        let mut things: Vec<(String, Vec<[u32; 2]>)> = Vec::new();
+        for (of, name, range) in self.runs.ranges() {
+            let index = *indices.entry(of).or_insert(things.len());
+            if index == things.len() {
+                things.push((name, Vec::new()));
             }
-            let mut end = 0;
-            for (part, name) in parts.iter().zip(&mut names) {
-                end += part.len() as u32;
-                name.2 = end;
-            }
-            segments = parts.concat();
-            runs = names;
+            let range = range.start as usize..range.end as usize;
+            things[index].1.extend_from_slice(&self.segments[range]);
         }
-        let mut start = 0;
-        let line = |(_, name, end): (i64, String, u32)| {
-            let segments = start..end;
-            start = end;
-            Line { name, segments, is_straight: false }
-        };
-        (runs.into_iter().map(line).collect(), segments)
+        let (mut lines, mut segments) = (Vec::new(), Vec::with_capacity(self.segments.len()));
+        for (name, of_thing) in things {
+            let start = segments.len() as u32;
+            segments.extend(of_thing);
+            let range = start..segments.len() as u32;
+            lines.push(Line { name, segments: range, is_straight: false });
+        }
+        (lines, segments)
     }
 }
 
-/// Runs of triangles in the order of a file, with what each belongs to.
+/// Runs of items in the order of a file: the number of the thing that each belongs to, its name, and its
+/// end.
 #[derive(Default)]
-pub(crate) struct TriangleRuns {
-    /// The owner of a run, its name, and the end of its triangles.
-    runs: Vec<(i64, String, u32)>,
-}
+pub(crate) struct Runs(Vec<(i64, String, u32)>);
 
-impl TriangleRuns {
-    /// The triangles up to `end` belong to the thing with a number. `name` is asked at the start of a
-    /// run.
+impl Runs {
+    /// The items up to `end` belong to the thing with a number. `name` is asked at the start of a run.
     pub(crate) fn push(
         &mut self,
         of: i64,
         end: usize,
         name: impl FnOnce() -> String,
     ) -> Result<(), TryReserveError> {
+        // More items than 32 bits count are refused at the end.
         let end = end as u32;
-        match self.runs.last_mut() {
+        match self.0.last_mut() {
             Some((last, _, last_end)) if *last == of => *last_end = end,
-            _ => push(&mut self.runs, (of, name(), end))?,
+            _ => push(&mut self.0, (of, name(), end))?,
         }
         Ok(())
     }
 
+    fn ranges(self) -> impl Iterator<Item = (i64, String, Range<u32>)> {
+        let mut start = 0;
+        self.0
+            .into_iter()
+            .map(move |(of, name, end)| (of, name, std::mem::replace(&mut start, end)..end))
+    }
+
     /// No runs, if all triangles are in one.
     pub(crate) fn unless_one(self) -> Self {
-        if self.runs.len() > 1 { self } else { Self::default() }
+        if self.0.len() > 1 { self } else { Self::default() }
     }
 
     /// The mesh with a group for each thing; in one piece, with a note, if the triangles of one
-    /// thing, a `what`, do not follow one another.
-    pub(crate) fn give_to(self, mesh: TriMesh, what: &str) -> (TriMesh, Option<String>) {
-        let mut things: Vec<_> = self.runs.iter().map(|run| run.0).collect();
-        things.sort_unstable();
-        things.dedup();
-        let has_names = self.runs.iter().any(|(_, name, _)| !name.is_empty());
-        if self.runs.is_empty() || !has_names {
+    /// thing, one of `things`, do not follow one another.
+    pub(crate) fn give_to(self, mesh: TriMesh, things: &str) -> (TriMesh, Option<String>) {
+        let count = self.0.iter().map(|run| run.0).collect::<HashSet<_>>().len();
+        if self.0.iter().all(|(_, name, _)| name.is_empty()) {
             return (mesh, None);
         }
-        if things.len() < self.runs.len() {
+        if count < self.0.len() {
             let note = format!(
-                "the triangles of {} {what} do not follow one another; their names are not kept",
-                things.len()
+                "the triangles of {count} {things} do not follow one another; their names are not kept"
             );
             return (mesh, Some(note));
         }
-        let mut start = 0;
-        let group = |(_, name, end): (i64, String, u32)| {
-            let triangles = start..end;
-            start = end;
-            Group::new(name, triangles)
-        };
-        (mesh.with_groups(self.runs.into_iter().map(group).collect()), None)
+        let groups = self.ranges().map(|(_, name, triangles)| Group::new(name, triangles));
+        (mesh.with_groups(groups.collect()), None)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
-    use mindeg_mesh::Triangles;
 
     fn square() -> TriMesh {
         let points = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
@@ -167,17 +163,16 @@ mod tests {
         for (of, segment) in [(7, [0, 1]), (7, [1, 2]), (5, [2, 3]), (7, [3, 0])] {
             segments.push(of, segment, || format!("side {of}")).unwrap();
         }
-        let mesh = segments.give_to(square()).unwrap();
-        assert_eq!(mesh.segments(), [[0, 1], [1, 2], [3, 0], [2, 3]]);
-        let lines: Vec<_> =
-            mesh.lines().iter().map(|line| (line.name.clone(), line.segments.clone())).collect();
+        let (lines, segments) = segments.into_lines();
+        assert_eq!(segments, [[0, 1], [1, 2], [3, 0], [2, 3]]);
+        let lines: Vec<_> = lines.into_iter().map(|line| (line.name, line.segments)).collect();
         assert_eq!(lines, [("side 7".to_owned(), 0..3), ("side 5".to_owned(), 3..4)]);
     }
 
     #[test]
     fn groups_are_kept_where_they_follow_one_another() {
         let runs = |of: [i64; 2]| {
-            let mut runs = TriangleRuns::default();
+            let mut runs = Runs::default();
             for (of, end) in of.into_iter().zip(1..) {
                 runs.push(of, end, || format!("{of}")).unwrap();
             }
@@ -186,7 +181,7 @@ mod tests {
         let (mesh, note) = runs([4, 2]);
         let groups: Vec<_> = mesh.groups().iter().map(|group| group.triangles.clone()).collect();
         assert_eq!((groups, note), (vec![0..1, 1..2], None));
-        let mut again = TriangleRuns::default();
+        let mut again = Runs::default();
         for (of, end) in [(1, 1), (2, 2), (1, 3)] {
             again.push(of, end, || "a".to_owned()).unwrap();
         }

@@ -115,11 +115,10 @@ pub(super) struct Scene {
     pub(super) nodes: Vec<Whole>,
 }
 
-#[derive(Deserialize)]
-#[serde(expecting = "an object")]
+#[derive(Default, Deserialize)]
+#[serde(default, expecting = "an object")]
 pub(super) struct Node {
     pub(super) name: Option<String>,
-    #[serde(default)]
     pub(super) children: Vec<Whole>,
     pub(super) mesh: Option<Whole>,
     pub(super) skin: Option<IgnoredAny>,
@@ -127,15 +126,19 @@ pub(super) struct Node {
     pub(super) translation: Option<[Real; 3]>,
     pub(super) rotation: Option<[Real; 4]>,
     pub(super) scale: Option<[Real; 3]>,
-    #[serde(default)]
-    pub(super) extensions: NodeExtensions,
+    pub(super) extensions: Extensions,
 }
 
+/// The extensions that change where triangles are, of whatever has them.
 #[derive(Default, Deserialize)]
 #[serde(expecting = "an object")]
-pub(super) struct NodeExtensions {
+pub(super) struct Extensions {
     #[serde(rename = "EXT_mesh_gpu_instancing")]
     pub(super) instancing: Option<IgnoredAny>,
+    #[serde(rename = "KHR_draco_mesh_compression")]
+    pub(super) draco: Option<IgnoredAny>,
+    #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
+    pub(super) meshopt: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -155,7 +158,7 @@ pub(super) struct Primitive {
     #[serde(default)]
     pub(super) targets: Vec<IgnoredAny>,
     #[serde(default)]
-    pub(super) extensions: PrimitiveExtensions,
+    pub(super) extensions: Extensions,
 }
 
 #[derive(Deserialize)]
@@ -177,13 +180,6 @@ pub(super) struct Material {
 #[serde(rename_all = "camelCase", expecting = "an object")]
 pub(super) struct Surface {
     pub(super) base_color_factor: Option<[Real; 4]>,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(expecting = "an object")]
-pub(super) struct PrimitiveExtensions {
-    #[serde(rename = "KHR_draco_mesh_compression")]
-    pub(super) draco: Option<IgnoredAny>,
 }
 
 #[derive(Deserialize)]
@@ -235,14 +231,7 @@ pub(super) struct BufferView {
     pub(super) byte_length: Whole,
     pub(super) byte_stride: Option<Whole>,
     #[serde(default)]
-    pub(super) extensions: ViewExtensions,
-}
-
-#[derive(Default, Deserialize)]
-#[serde(expecting = "an object")]
-pub(super) struct ViewExtensions {
-    #[serde(rename = "EXT_meshopt_compression", alias = "KHR_meshopt_compression")]
-    pub(super) meshopt: Option<IgnoredAny>,
+    pub(super) extensions: Extensions,
 }
 
 #[derive(Deserialize)]

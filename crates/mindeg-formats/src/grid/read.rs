@@ -3,22 +3,17 @@
 use std::collections::TryReserveError;
 
 use glam::DVec3;
-use mindeg_mesh::{NonTriangles, TriMesh};
+use mindeg_mesh::TriMesh;
 
 use crate::ReadError;
-use crate::face_list::FaceList;
 use crate::lists::push;
-use crate::runs::{Segments, TriangleRuns};
+use crate::runs::Elements;
 
 /// The points and cells of a file so far.
 #[derive(Default)]
 pub(crate) struct Grid {
     positions: Vec<DVec3>,
-    faces: FaceList,
-    groups: TriangleRuns,
-    segments: Segments,
-    points: u64,
-    volumes: u64,
+    elements: Elements,
 }
 
 /// Cells of one piece of a file.
@@ -111,12 +106,12 @@ impl Grid {
             corners.truncate(straight);
         }
         match cell_type {
-            1 | 2 => self.points += corners.len() as u64,
+            1 | 2 => self.elements.points += corners.len() as u64,
             3 | 4 | 21 | 35 | 68 => {
                 let side = data.sides.get(cell).copied();
                 for pair in corners.windows(2) {
                     let name = || name_of(side, &data.side_names, "side");
-                    self.segments.push(side.unwrap_or(-1), [pair[0], pair[1]], name)?;
+                    self.elements.segments.push(side.unwrap_or(-1), [pair[0], pair[1]], name)?;
                 }
             }
             5 | 7 | 8 | 9 | 22 | 23 | 28 | 30 | 34 | 69 | 70 => {
@@ -127,17 +122,17 @@ impl Grid {
                 if cell_type == 8 {
                     corners.swap(2, 3);
                 }
-                self.faces.push(corners)?;
+                self.elements.faces.push(corners)?;
                 self.note_group(cell, data)?;
             }
             6 => {
                 for (index, triangle) in corners.windows(3).enumerate() {
                     let (a, b) = (triangle[index % 2], triangle[1 - index % 2]);
-                    self.faces.push(&[a, b, triangle[2]])?;
+                    self.elements.faces.push(&[a, b, triangle[2]])?;
                 }
                 self.note_group(cell, data)?;
             }
-            _ => self.volumes += 1,
+            _ => self.elements.volumes += 1,
         }
         Ok(())
     }
@@ -148,17 +143,11 @@ impl Grid {
             Some(_) => name_of(group, &data.group_names, "group"),
             None => String::new(),
         };
-        self.groups.push(group.unwrap_or(-1), self.faces.triangle_count(), name)
+        self.elements.groups.push(group.unwrap_or(-1), self.elements.faces.triangle_count(), name)
     }
 
     pub(crate) fn into_mesh(self) -> Result<TriMesh, ReadError> {
-        let line_segments = self.segments.count() as u64;
-        let counts = NonTriangles { line_segments, points: self.points, ..Default::default() };
-        let mesh = self.faces.into_mesh(self.positions, counts)?;
-        let mesh = self.segments.give_to(mesh)?;
-        let (mesh, note) = self.groups.give_to(mesh, "groups");
-        let volumes = (self.volumes > 0).then(|| format!("{} volume cells", self.volumes));
-        Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
+        self.elements.into_mesh(self.positions, "groups", "volume cells")
     }
 }
 

@@ -3,16 +3,15 @@
 use std::collections::HashMap;
 use std::io::Read;
 
-use mindeg_mesh::{NonTriangles, TriMesh};
+use mindeg_mesh::TriMesh;
 
 use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, shape};
 use crate::ReadError;
-use crate::face_list::FaceList;
 use crate::lists::push;
 use crate::numbered::Nodes;
 use crate::numbers::Numbers;
-use crate::runs::{Polylines, Segments, TriangleRuns};
+use crate::runs::{Elements, Polylines};
 use crate::scanner::Scanner;
 
 /// Reads a mesh from MSH 4.1, or any 2.x, in text or binary of either byte order.
@@ -60,9 +59,9 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
     let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
-    let others = contents.faces.face_count() + contents.volumes;
+    let others = contents.elements.faces.face_count() + contents.elements.volumes;
     let positions = contents.nodes.map(|nodes| nodes.positions).unwrap_or_default();
-    let (lines, segments) = contents.segments.into_lines();
+    let (lines, segments) = contents.elements.segments.into_lines();
     Ok(Polylines { positions, segments, lines, others })
 }
 
@@ -121,11 +120,7 @@ struct Contents {
     /// The first physical tag of each entity, by dimension and tag.
     physical_of: HashMap<(i64, i64), i64>,
     nodes: Option<Nodes>,
-    faces: FaceList,
-    surfaces: TriangleRuns,
-    segments: Segments,
-    points: u64,
-    volumes: u64,
+    elements: Elements,
 }
 
 /// Reads up to the end of `$MeshFormat`, and says how numbers are stored.
@@ -368,29 +363,23 @@ impl Contents {
             None => String::new(),
         };
         match (shape.dimension, &corners[..shape.corners]) {
-            (0, _) => self.points += 1,
-            (1, &[a, b]) => self.segments.push(entity, [a, b], || name(1, "curve"))?,
+            (0, _) => self.elements.points += 1,
+            (1, &[a, b]) => self.elements.segments.push(entity, [a, b], || name(1, "curve"))?,
             (2, corners) => {
-                self.faces.push(corners)?;
+                self.elements.faces.push(corners)?;
                 // Surfaces without a name are one.
                 let surface = if physical.is_some() { entity } else { i64::MIN };
-                let end = self.faces.triangle_count();
-                self.surfaces.push(surface, end, || name(2, "surface"))?;
+                let end = self.elements.faces.triangle_count();
+                self.elements.groups.push(surface, end, || name(2, "surface"))?;
             }
-            _ => self.volumes += 1,
+            _ => self.elements.volumes += 1,
         }
         Ok(())
     }
 
     fn into_mesh(self) -> Result<TriMesh, ReadError> {
-        let line_segments = self.segments.count() as u64;
-        let counts = NonTriangles { line_segments, points: self.points, ..Default::default() };
         let positions = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
-        let mesh = self.faces.into_mesh(positions, counts)?;
-        let mesh = self.segments.give_to(mesh)?;
-        let (mesh, note) = self.surfaces.give_to(mesh, "surfaces");
-        let volumes = (self.volumes > 0).then(|| format!("{} volume elements", self.volumes));
-        Ok(mesh.with_notes(note.into_iter().chain(volumes).collect()))
+        self.elements.into_mesh(positions, "surfaces", "volume elements")
     }
 }
 

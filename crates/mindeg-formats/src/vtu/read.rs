@@ -1,5 +1,6 @@
 //! Reading VTU.
 
+use std::collections::BTreeMap;
 use std::io::Read;
 
 use mindeg_mesh::TriMesh;
@@ -49,7 +50,7 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     // Raw bytes follow, not XML.
     let end = storage.appended.map_or(file.len(), |(start, _)| start);
     let mut grid = Grid::default();
-    let mut names = Names::default();
+    let mut data = CellData::default();
     let mut piece: Option<Piece<'_>> = None;
     // The element that arrays are in.
     let mut inside: &[u8] = b"";
@@ -59,12 +60,12 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
             (b"Piece", false) => piece = Some(Piece::new(&tag)?),
             (b"Piece", true) => {
                 if let Some(piece) = piece.take() {
-                    piece.add_to(&mut grid, &storage, &names)?;
+                    piece.add_to(&mut grid, &storage, &mut data)?;
                 }
             }
             (b"DataArray", false) => match &mut piece {
                 Some(piece) => piece.take_array(inside, tag),
-                None if inside == b"FieldData" => names.take(&storage, &tag)?,
+                None if inside == b"FieldData" => take_names(&mut data, &storage, &tag)?,
                 None => {}
             },
             (b"AppendedData", _) => break,
@@ -133,41 +134,31 @@ fn appended(file: &[u8]) -> Result<Option<(usize, bool)>, ReadError> {
     Ok(Some((tag.end + mark + 1, is_base64)))
 }
 
-/// The names of sides and groups.
-#[derive(Default)]
-struct Names {
-    sides: Vec<String>,
-    groups: Vec<String>,
+/// Takes the names of sides or groups.
+fn take_names(data: &mut CellData, storage: &Storage<'_>, tag: &Tag<'_>) -> Result<(), ReadError> {
+    let list = match tag.attribute("Name") {
+        Some("side_names") => &mut data.side_names,
+        Some("group_names") => &mut data.group_names,
+        _ => return Ok(()),
+    };
+    let bytes: Vec<u8> =
+        values::<i64>(storage, tag)?.into_iter().map(|value| value as u8).collect();
+    let bytes = bytes.strip_suffix(b"\0").unwrap_or(&bytes);
+    let names = bytes.split(|&byte| byte == 0);
+    *list = names.map(|name| String::from_utf8_lossy(name).into_owned()).collect();
+    Ok(())
 }
 
-impl Names {
-    fn take(&mut self, storage: &Storage<'_>, tag: &Tag<'_>) -> Result<(), ReadError> {
-        let list = match tag.attribute("Name") {
-            Some("side_names") => &mut self.sides,
-            Some("group_names") => &mut self.groups,
-            _ => return Ok(()),
-        };
-        let bytes: Vec<u8> =
-            values::<i64>(storage, tag)?.into_iter().map(|value| value as u8).collect();
-        let bytes = bytes.strip_suffix(b"\0").unwrap_or(&bytes);
-        let names = bytes.split(|&byte| byte == 0);
-        *list = names.map(|name| String::from_utf8_lossy(name).into_owned()).collect();
-        Ok(())
-    }
-}
-
-/// The arrays of one piece.
+/// The arrays of one piece, by the element that they are in and their name.
 struct Piece<'a> {
     start: usize,
     points: u64,
     cells: u64,
-    positions: Option<Tag<'a>>,
-    connectivity: Option<Tag<'a>>,
-    offsets: Option<Tag<'a>>,
-    types: Option<Tag<'a>>,
-    side: Option<Tag<'a>>,
-    group: Option<Tag<'a>>,
+    arrays: BTreeMap<(&'a [u8], &'a str), Tag<'a>>,
 }
+
+/// The name of the one array in Points, which may have any name there.
+const POINTS: &str = "in Points";
 
 impl<'a> Piece<'a> {
     fn new(tag: &Tag<'a>) -> Result<Self, ReadError> {
@@ -177,45 +168,29 @@ impl<'a> Piece<'a> {
                 ReadError::byte(tag.start, format!("{name} is {value:?}, not a whole number"))
             })
         };
-        Ok(Self {
-            start: tag.start,
-            points: count("NumberOfPoints")?,
-            cells: count("NumberOfCells")?,
-            positions: None,
-            connectivity: None,
-            offsets: None,
-            types: None,
-            side: None,
-            group: None,
-        })
+        let (points, cells) = (count("NumberOfPoints")?, count("NumberOfCells")?);
+        Ok(Self { start: tag.start, points, cells, arrays: BTreeMap::new() })
     }
 
-    fn take_array(&mut self, inside: &[u8], tag: Tag<'a>) {
-        let place = match (inside, tag.attribute("Name")) {
-            (b"Points", _) => &mut self.positions,
-            (b"Cells", Some("connectivity")) => &mut self.connectivity,
-            (b"Cells", Some("offsets")) => &mut self.offsets,
-            (b"Cells", Some("types")) => &mut self.types,
-            (b"CellData", Some("side")) => &mut self.side,
-            (b"CellData", Some("group")) => &mut self.group,
-            _ => return,
-        };
-        place.get_or_insert(tag);
+    fn take_array(&mut self, inside: &'a [u8], tag: Tag<'a>) {
+        let name = if inside == b"Points" { Some(POINTS) } else { tag.attribute("Name") };
+        self.arrays.entry((inside, name.unwrap_or_default())).or_insert(tag);
     }
 
     fn add_to(
         &self,
         grid: &mut Grid,
         storage: &Storage<'_>,
-        names: &Names,
+        data: &mut CellData,
     ) -> Result<(), ReadError> {
         let problem =
             |problem: String| ReadError::byte(self.start, format!("the piece: {problem}"));
         if self.points == 0 && self.cells == 0 {
             return Ok(());
         }
-        let needed = |tag: &'_ Option<Tag<'a>>, what: &str| {
-            tag.ok_or_else(|| problem(format!("it has no array {what}")))
+        let needed = |inside: &'static str, name: &'static str| {
+            let tag = self.arrays.get(&(inside.as_bytes(), name));
+            tag.ok_or_else(|| problem(format!("it has no array {name}")))
         };
         let check = |found: usize, expected: u64, what: &str| {
             if found as u64 == expected {
@@ -223,28 +198,23 @@ impl<'a> Piece<'a> {
             }
             Err(problem(format!("{what} has {found} numbers; expected {expected}")))
         };
-        let positions: Vec<f64> = values(storage, &needed(&self.positions, "in Points")?)?;
+        let positions: Vec<f64> = values(storage, needed("Points", POINTS)?)?;
         check(positions.len(), self.points.saturating_mul(3), "Points")?;
-        let offsets: Vec<i64> = values(storage, &needed(&self.offsets, "offsets")?)?;
+        let offsets: Vec<i64> = values(storage, needed("Cells", "offsets")?)?;
         check(offsets.len(), self.cells, "offsets")?;
-        let types: Vec<i64> = values(storage, &needed(&self.types, "types")?)?;
+        let types: Vec<i64> = values(storage, needed("Cells", "types")?)?;
         check(types.len(), self.cells, "types")?;
-        let connectivity: Vec<i64> = values(storage, &needed(&self.connectivity, "connectivity")?)?;
+        let connectivity: Vec<i64> = values(storage, needed("Cells", "connectivity")?)?;
         // Other programs may use these names too: only whole numbers, one for each, are ours.
-        let of_cells = |tag: &Option<Tag<'a>>| {
-            let values: Option<Vec<i64>> = tag.and_then(|tag| values(storage, &tag).ok());
+        let of_cells = |name: &'static str| {
+            let tag = self.arrays.get(&(&b"CellData"[..], name));
+            let values: Option<Vec<i64>> = tag.and_then(|tag| values(storage, tag).ok());
             values.filter(|values| values.len() as u64 == self.cells).unwrap_or_default()
         };
-        let data = CellData {
-            sides: of_cells(&self.side),
-            side_names: names.sides.clone(),
-            groups: of_cells(&self.group),
-            group_names: names.groups.clone(),
-        };
+        (data.sides, data.groups) = (of_cells("side"), of_cells("group"));
         let first = grid.point_count();
         grid.add_points(&positions)?;
-        let cells =
-            Cells { connectivity: &connectivity, ends: &offsets, types: &types, data: &data };
+        let cells = Cells { connectivity: &connectivity, ends: &offsets, types: &types, data };
         grid.add_cells(first, &cells, problem)
     }
 }
