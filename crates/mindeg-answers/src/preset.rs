@@ -2,7 +2,6 @@
 
 use crate::numbers::{four_digits, steady_angle};
 use mindeg_mesh::TriMesh;
-use mindeg_mesh::weld;
 use std::ops::RangeInclusive;
 
 /// The rules of a program.
@@ -66,18 +65,16 @@ pub static PRESETS: [PresetRules; 4] = [
 ];
 
 impl PresetRules {
-    /// The first place that breaks each rule, in words; `None` if the mesh keeps all. Vertices with equal
-    /// coordinates count as one.
+    /// The first place that breaks each rule, in words; `None` if the mesh keeps all. Vertices at one position
+    /// count one by one.
     #[must_use]
     pub fn broken_by(&self, mesh: &TriMesh) -> Option<String> {
-        let names = weld(mesh.positions(), 0.0);
-        let triangles: Vec<[u32; 3]> =
-            mesh.triangles().iter().map(|t| t.map(|v| names[v as usize])).collect();
-        let broken = self.broken(mesh, &triangles);
+        let broken = self.broken(mesh);
         (!broken.is_empty()).then(|| format!("preset {}: {}", self.name, broken.join("; ")))
     }
 
-    fn broken(&self, mesh: &TriMesh, triangles: &[[u32; 3]]) -> Vec<String> {
+    fn broken(&self, mesh: &TriMesh) -> Vec<String> {
+        let triangles = mesh.triangles();
         let vertices = Vertices::new(mesh.positions().len(), triangles);
         let mut broken = Vec::new();
         let mut vertex =
@@ -128,7 +125,7 @@ impl PresetRules {
             }
         }
         if let Some(most) = self.area_ratio
-            && let Some((ratio, [a, b])) = area_ratio(mesh, triangles)
+            && let Some((ratio, [a, b])) = area_ratio(mesh)
             && ratio > most
         {
             let ratio = four_digits(ratio);
@@ -176,7 +173,8 @@ fn sorted_halves(triangles: &[[u32; 3]]) -> Vec<(u32, u32, u32)> {
 }
 
 /// The greatest ratio of the areas of two triangles with a common edge, and these.
-fn area_ratio(mesh: &TriMesh, triangles: &[[u32; 3]]) -> Option<(f64, [u32; 2])> {
+fn area_ratio(mesh: &TriMesh) -> Option<(f64, [u32; 2])> {
+    let triangles = mesh.triangles();
     let area = |t: u32| {
         let [a, b, c] = triangles[t as usize].map(|v| mesh.positions()[v as usize]);
         (b - a).cross(c - a).length()
@@ -196,14 +194,14 @@ mod tests {
     use super::*;
     use mindeg::glam::DVec3;
 
-    /// A polygon of so many corners round its center, each triangle with vertices of its own.
+    /// A polygon of so many corners round its center.
     fn wheel(corners: u32) -> TriMesh {
         let corner = |i: u32| {
-            let angle = std::f64::consts::TAU * f64::from(i % corners) / f64::from(corners);
+            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(corners);
             DVec3::new(angle.cos(), angle.sin(), 0.0)
         };
-        let points = (0..corners).flat_map(|i| [DVec3::ZERO, corner(i), corner(i + 1)]).collect();
-        let triangles = (0..corners).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let points = [DVec3::ZERO].into_iter().chain((0..corners).map(corner)).collect();
+        let triangles = (0..corners).map(|i| [0, 1 + i, 1 + (i + 1) % corners]).collect();
         TriMesh::new(points, triangles).unwrap()
     }
 
@@ -238,7 +236,7 @@ mod tests {
         let points =
             [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 3.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let mesh = TriMesh::new(points.to_vec(), vec![[0, 1, 2], [2, 1, 3]]).unwrap();
-        assert_eq!(area_ratio(&mesh, mesh.triangles()), Some((3.0, [0, 1])));
+        assert_eq!(area_ratio(&mesh), Some((3.0, [0, 1])));
         let broken = preset("sms").broken_by(&mesh).unwrap();
         assert!(broken.contains("triangles 0 and 1 differ in area by a factor of 3"), "{broken}");
     }

@@ -63,9 +63,8 @@ pub(crate) fn unmet_by_boundary_mesh(
     };
     let mut unmet = demands.unmet(max_degree, min_angle, worst);
     if let Some(preset) = demands.preset {
-        let points = mesh.points().map(|point| point.extend(0.0)).collect();
-        let listed = TriMesh::new(points, mesh.triangles().collect());
-        unmet.extend(preset.broken_by(&listed.map_err(|error| Failure::Input(error.to_string()))?));
+        let listed = TriMesh::of(mesh).map_err(Failure::input)?;
+        unmet.extend(preset.broken_by(&listed));
     }
     Ok(unmet)
 }

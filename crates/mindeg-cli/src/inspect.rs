@@ -17,8 +17,9 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
     let bar = Bar::new(arguments.quiet);
     let input = Input::of(&arguments.file);
     if arguments.format.is_some() && input != Input::StandardInput {
-        let message = "--format is for standard input; the name of a file tells its format";
-        return Err(Failure::Input(message.to_owned()));
+        return Err(Failure::input(
+            "--format is for standard input; the name of a file tells its format",
+        ));
     }
     let mesh = read_mesh(&arguments.file, arguments.format, &bar)?;
     let options = InspectionOptions {
@@ -42,6 +43,9 @@ pub(crate) fn run(arguments: &InspectArguments) -> Result<(), Failure> {
         vertex: inspection.highest_degree.map(|highest| highest.vertex),
         triangle: report.worst_triangles.first().map(|worst| (worst.triangle, worst.vertices)),
     });
-    unmet.extend(demands.preset.and_then(|preset| preset.broken_by(&mesh)));
+    if let Some(preset) = demands.preset {
+        let welded = options.weld.map(|tolerance| mesh.welded(tolerance));
+        unmet.extend(preset.broken_by(welded.as_ref().unwrap_or(&mesh)));
+    }
     met(&unmet).and(printed)
 }

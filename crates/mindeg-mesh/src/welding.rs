@@ -2,6 +2,7 @@
 
 use crate::connectivity::disjoint_sets::DisjointSets;
 use crate::parallel::sort_all;
+use crate::tri_mesh::TriMesh;
 use glam::DVec3;
 
 /// For each vertex, the vertex of lowest index that it is merged with (itself if not merged).
@@ -29,6 +30,17 @@ pub fn weld(positions: &[DVec3], tolerance: f64) -> Vec<u32> {
         first.iter_mut().for_each(|first| *first = sets.least(*first));
     }
     first
+}
+
+impl TriMesh {
+    /// The triangles alone, between the vertices that [`weld`] merges theirs with; vertices keep their indices.
+    #[must_use]
+    pub fn welded(&self, tolerance: f64) -> Self {
+        let first = weld(self.positions(), tolerance);
+        let triangles = self.triangles().iter().map(|t| t.map(|v| first[v as usize])).collect();
+        Self::new(self.positions().to_vec(), triangles)
+            .expect("the positions and the number of triangles are those of a mesh")
+    }
 }
 
 /// For every vertex the first with equal coordinates; -0 equals 0. O(n log n), shared by all

@@ -7,8 +7,8 @@ use mindeg::Progress;
 use mindeg::exact::{DegreeAnswer, degree_of_boundary};
 use mindeg::glam::{DVec2, DVec3};
 use mindeg::inspection::{Inspection, InspectionOptions};
+use mindeg_mesh::TriMesh;
 use mindeg_mesh::planar::PlanarBoundary;
-use mindeg_mesh::{TriMesh, weld};
 use serde::Serialize;
 use std::ops::Range;
 
@@ -93,15 +93,10 @@ pub(super) fn polygon(
 /// The boundary loops of a mesh in a plane of constant z, the outer one first and counter-clockwise.
 fn rings(mesh: &TriMesh, options: &InspectionOptions) -> Option<(Vec<DVec2>, Vec<Range<u32>>)> {
     let positions = mesh.positions();
-    let first = match options.weld {
-        Some(tolerance) => weld(positions, tolerance),
-        None => (0..positions.len() as u32).collect(),
-    };
-    let triangles = mesh.triangles().iter().map(|corners| corners.map(|v| first[v as usize]));
-    let welded = TriMesh::new(positions.to_vec(), triangles.collect()).ok()?;
+    let welded = options.weld.map(|tolerance| mesh.welded(tolerance));
     let height = positions.first()?.z;
     let is_flat = |point: &DVec3| (point.z - height).abs() <= mesh.rounding();
-    let loops = welded.boundary_loops();
+    let loops = welded.as_ref().unwrap_or(mesh).boundary_loops();
     if !positions.iter().all(is_flat) || !loops.iter().all(|one| one.closed) {
         return None;
     }
