@@ -262,12 +262,12 @@ test("pointing at a triangle tells its angles", async () => {
   await opened.context().close();
 });
 
-test("the buttons lead to the busiest vertex and the smallest angle", async () => {
+test("the buttons lead to a vertex of maximum degree and the minimum angle", async () => {
   const opened = await unfold(await open("hexagon.html"));
   const places = await placed(opened);
   for (const [number, method] of meshes.entries()) {
     const figure = opened.locator(".mesh").nth(places[number]);
-    await figure.locator("[data-jump=busiest]").click();
+    await figure.locator("[data-jump=max_degree]").click();
     await settled(opened);
     assert.match(await figure.locator(".readout").textContent(), new RegExp(`: degree ${method.max_degree}\\b`));
     await figure.locator("[data-jump=worst]").click();
@@ -369,7 +369,7 @@ test("everything can be reached and done from the keyboard", async () => {
   for (const id of ["copy", "metric", "dots", "stretch", "zoom-out", "zoom-in", "fit"]) {
     assert.ok(reached.includes(id), `${id} is not reached`);
   }
-  for (const kind of ["stage", "busiest", "worst"]) {
+  for (const kind of ["stage", "max_degree", "worst"]) {
     assert.equal(reached.filter((at) => at === kind).length, names.length, kind);
   }
 
@@ -499,7 +499,7 @@ test("more triangles are thinned out, and the page says so", async () => {
   assert.match(notes[0], /20.000 of 39.999 triangles/);
   assert.ok((await opened.evaluate(() => methods[0].triangles.length / 3)) <= 20_000);
   const second = await opened.locator(".mesh h3").nth(1).textContent();
-  await opened.locator("[data-jump=busiest]").nth(1).click();
+  await opened.locator("[data-jump=max_degree]").nth(1).click();
   await settled(opened);
   const jsonRun = mindeg("compare", path, "-o", "more-report.json");
   assert.equal(jsonRun.status, 0, jsonRun.stderr);

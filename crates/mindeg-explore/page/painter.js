@@ -147,7 +147,7 @@ function show(run, line) {
     fillsOutlines: true,
     leastDegree: line.at_least,
     worst: line.worst_triangle,
-    busiest: line.max_degree_vertex,
+    maxDegreeVertex: line.max_degree_vertex,
   };
   const facts = measures.find(({ name }) => name === run.color);
   const measure = facts && line.bars ? { ...facts, range: line.bars.range, logarithmic: line.bars.is_logarithmic } : undefined;
@@ -219,8 +219,8 @@ const requests = {
   jump({ name, target }) {
     const stage = stages.get(name);
     if (!stage?.painter || !stage.frame) return;
-    const { worst, busiest } = stage.scene;
-    const at = lookAt(stage.scene, stage.frame, target === "worst" ? { triangle: worst } : { vertex: busiest });
+    const { worst, maxDegreeVertex } = stage.scene;
+    const at = lookAt(stage.scene, stage.frame, target === "worst" ? { triangle: worst } : { vertex: maxDegreeVertex });
     postMessage({ kind: "jump", at });
   },
 };

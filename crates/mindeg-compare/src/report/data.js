@@ -11,7 +11,7 @@ const methods = data.methods.map((method) => ({
   bars: method.bars,
   degreeBars: method.degree_bars,
   worst: method.worst,
-  busiest: method.busiest,
+  maxDegreeVertex: method.max_degree_vertex,
   triangles: unpack(method.triangles, Uint32Array),
   numbers: method.numbers ? unpack(method.numbers, Uint32Array) : null,
   degrees: unpack(method.degrees, Uint32Array),

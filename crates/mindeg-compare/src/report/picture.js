@@ -73,10 +73,10 @@ class Picture {
     element("spoken").textContent = this.describe(view.x, view.y);
   }
 
-  /** Shows the busiest vertex, or the worst triangle as large as it goes. */
+  /** Shows a vertex of maximum degree, or the worst triangle as large as it goes. */
   jump(target) {
-    const { worst, busiest } = this.scene;
-    const { x, y, zoom } = lookAt(this.scene, this.frame, target === "worst" ? { triangle: worst } : { vertex: busiest });
+    const { worst, maxDegreeVertex } = this.scene;
+    const { x, y, zoom } = lookAt(this.scene, this.frame, target === "worst" ? { triangle: worst } : { vertex: maxDegreeVertex });
     view.zoom = zoom;
     moveTo(x, y);
     setCursor({ x, y, from: this, centered: true });

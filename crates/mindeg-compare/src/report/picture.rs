@@ -100,7 +100,7 @@ struct Drawing {
     /// The index of the worst triangle among the drawn.
     worst: usize,
     /// The index of a vertex of the largest degree among the shown.
-    busiest: usize,
+    max_degree_vertex: usize,
 }
 
 /// The data for the pictures of a comparison.
@@ -200,8 +200,8 @@ impl Shown {
         let drawn = || scene.meshes.iter().map(|&(_, all)| all).zip(&triangles);
         let vertices = if drawn().any(|(all, some)| some.len() < all.len()) {
             let drawn = drawn().flat_map(|(all, some)| some.iter().flat_map(|&n| all[n]));
-            let busiest = scene.degrees.iter().map(|degrees| busiest(degrees));
-            let mut vertices: Vec<u32> = drawn.chain(busiest).collect();
+            let max_degree_vertex = scene.degrees.iter().map(|degrees| max_degree_vertex(degrees));
+            let mut vertices: Vec<u32> = drawn.chain(max_degree_vertex).collect();
             vertices.sort_unstable();
             vertices.dedup();
             vertices
@@ -263,7 +263,7 @@ fn drawing(
             .map(|range| tables::vertices_in(mesh.figures, range))
             .collect(),
         worst: drawn.partition_point(|&number| number < worst),
-        busiest: shown.place_of(busiest(degrees)),
+        max_degree_vertex: shown.place_of(max_degree_vertex(degrees)),
     }
 }
 
@@ -291,7 +291,7 @@ fn drawn_triangles(scene: &Scene, mesh: &Named, triangles: &[[u32; 3]]) -> Vec<u
 }
 
 /// The first vertex of the largest degree.
-fn busiest(degrees: &[u32]) -> u32 {
+fn max_degree_vertex(degrees: &[u32]) -> u32 {
     let last_of_max = (0..degrees.len()).rev().max_by_key(|&vertex| degrees[vertex]);
     last_of_max.unwrap_or(0) as u32
 }
