@@ -198,6 +198,7 @@ def test_a_loop_in_space_is_closed_within_a_limit():
     degrees = np.bincount(triangles.ravel(), minlength=24) + 1
     assert triangles.shape == (22, 3)
     assert facts["limit"] == 6 and degrees.max() == facts["max_degree"] <= 6
+    assert facts["area_without_limit"] <= facts["area"]
     with pytest.raises(ValueError, match="at least 3"):
         mindeg.fill_loop(saddle[:2])
     with pytest.raises(ValueError, match="no such vertex"):
@@ -211,4 +212,4 @@ def test_loops_of_unequal_counts_are_joined():
 
     triangles, facts = mindeg.bridge_loops(ring(12, 1), ring(5, 0))
     assert triangles.shape == (17, 3)
-    assert facts["max_degree"] == facts["least_max_degree"] == 2 + 1 + 3
+    assert facts["max_degree"] == facts["least_max_degree"] == facts["at_least"] == 2 + 1 + 3

@@ -71,7 +71,7 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     match &second {
         Some(second) => {
             let whole = mesh.clone().with_mesh_added(&second.mesh);
-            check(&mut making, &whole.map_err(|error| Failure::Input(error.to_string()))?)?;
+            check(&mut making, &whole.map_err(Failure::input)?)?;
         }
         None => check(&mut making, &mesh)?,
     }
@@ -80,7 +80,7 @@ pub(crate) fn run(arguments: &BridgeArguments) -> Result<(), Failure> {
     let both = (mesh, &loops);
     let result = making
         .work(|progress| bridge(both, other, [from, to], arguments.max_degree, progress))
-        .map_err(|error| Failure::Input(error.to_string()))?;
+        .map_err(Failure::input)?;
     let (angle, strip) = (result.min_angle, &result.triangles);
     new_triangles_met(arguments.target_angle, &result.mesh, strip, angle)?;
     let made = making.write_checked(&result.mesh)?;

@@ -32,8 +32,8 @@ pub(crate) fn run(arguments: &CompareArguments) -> Result<(), Failure> {
             "{} is a folder and takes every report; give no other -o and no --json with it",
             folder.display()
         ))),
-        None if arguments.files.len() > 1 => Err(Failure::Input(
-            "several domains need a folder for their reports, such as -o reports/".to_owned(),
+        None if arguments.files.len() > 1 => Err(Failure::input(
+            "several domains need a folder for their reports, such as -o reports/",
         )),
         None => run_one(arguments, &options),
     }
@@ -54,8 +54,7 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
         formats.push(ReportFormat::Json);
     }
     if reports.iter().filter(|path| is_standard_output(path)).count() > 1 {
-        let message = "standard output takes one report, or the one of --json";
-        return Err(Failure::Input(message.to_owned()));
+        return Err(Failure::input("standard output takes one report, or the one of --json"));
     }
     let domain = match arguments.files.first() {
         Some(path) => from_file(path, &arguments.options)?,
@@ -94,8 +93,7 @@ fn run_one(arguments: &CompareArguments, options: &CompareOptions) -> Result<(),
 /// The format of the report at `path`; `given` is for standard output.
 fn format(path: &Path, given: Option<ReportFormat>) -> Result<ReportFormat, Failure> {
     if is_standard_output(path) {
-        return given
-            .ok_or_else(|| Failure::Input("-o -: give --format html, json or md".to_owned()));
+        return given.ok_or_else(|| Failure::input("-o -: give --format html, json or md"));
     }
     ReportFormat::of_path(path).ok_or_else(|| {
         Failure::Input(format!(

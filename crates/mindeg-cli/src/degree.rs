@@ -20,17 +20,16 @@ use std::path::Path;
 const MOST_VERTICES: u32 = 1_000_000;
 
 pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
-    let input = |error: &dyn std::fmt::Display| Failure::Input(error.to_string());
     let (mut report, domain) = match counted(&arguments.counts)? {
         Counted::Counts(counts) => {
-            let boundary = Boundary::new(&counts).map_err(|error| input(&error))?;
+            let boundary = Boundary::new(&counts).map_err(Failure::input)?;
             (DegreeReport::of_counts(&boundary), None)
         }
         Counted::Domain(domain) => {
             let bar = Bar::new(arguments.json);
             let found =
                 bar.work(|progress| DegreeReport::with_effort(&domain, arguments.effort, progress));
-            (found.map_err(|error| input(&error))?, Some(domain))
+            (found.map_err(Failure::input)?, Some(domain))
         }
     };
     if let Some(path) = &arguments.proof {
@@ -53,9 +52,8 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
 /// Writes the clauses that refute a smaller degree.
 fn write_proof(path: &Path, report: &DegreeReport) -> Result<(), Failure> {
     let Some(proof) = &report.proof else {
-        return Err(Failure::Input(
-            "--proof: no clauses prove this degree; the answer without --proof says what does"
-                .to_owned(),
+        return Err(Failure::input(
+            "--proof: no clauses prove this degree; the answer without --proof says what does",
         ));
     };
     clean_up_on_interrupt()?;

@@ -67,9 +67,10 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
     let CountsArguments { counts, options } = arguments;
     let domain = match counts {
         Some(Counts::Given(_)) if options.divides() => {
-            let message = "--intervals, --size and --spacing divide the sides of a domain; the counts \
-                           are given already";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure::input(
+                "--intervals, --size and --spacing divide the sides of a domain; the counts \
+                           are given already",
+            ));
         }
         Some(Counts::Given(counts)) => return Ok(Counted::Counts(counts.clone())),
         Some(Counts::Domain(path)) => from_file(path, options)?,
@@ -81,14 +82,16 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
 /// The intervals of each side of a convex domain without limits, sides on one line counted as one.
 pub(crate) fn counts_of(domain: &Domain) -> Result<Vec<u64>, Failure> {
     if domain.is_constrained() {
-        let message = "the domain gives outside_degree or max_degree, which interval counts alone do \
-                       not tell; mindeg degree, mesh and tradeoff keep to them";
-        return Err(Failure::Input(message.to_owned()));
+        return Err(Failure::input(
+            "the domain gives outside_degree or max_degree, which interval counts alone do \
+                       not tell; mindeg degree, mesh and tradeoff keep to them",
+        ));
     }
     let Some(convex) = domain.convex() else {
-        let message = "the domain is not convex, and only a convex one is described by its interval \
-                       counts; mindeg degree tells its least maximum degree";
-        return Err(Failure::Input(message.to_owned()));
+        return Err(Failure::input(
+            "the domain is not convex, and only a convex one is described by its interval \
+                       counts; mindeg degree tells its least maximum degree",
+        ));
     };
     Ok(convex.boundary().sides().map(u64::from).collect())
 }
@@ -121,13 +124,12 @@ pub(crate) fn in_file(
     match opened(path, outline, *size, wanted, bar)? {
         Subject::Domain(domain) if options.divides() => {
             let sides = overridden(domain.sides().to_vec(), options)?;
-            Ok(Subject::Domain(Box::new(domain.with_sides(sides).map_err(bad)?)))
+            Ok(Subject::Domain(Box::new(domain.with_sides(sides).map_err(Failure::input)?)))
         }
-        Subject::Polygons(_) if intervals.is_some() || spacing.is_some() => {
-            let message = "--intervals and --spacing divide the sides of a domain in JSON; give \
-                           --size here, or write the domain with mindeg domain and edit it";
-            Err(Failure::Input(message.to_owned()))
-        }
+        Subject::Polygons(_) if intervals.is_some() || spacing.is_some() => Err(Failure::input(
+            "--intervals and --spacing divide the sides of a domain in JSON; give \
+                           --size here, or write the domain with mindeg domain and edit it",
+        )),
         subject => Ok(subject),
     }
 }
@@ -173,20 +175,16 @@ pub(crate) fn from_options(options: &DomainOptions) -> Result<Domain, Failure> {
             (Outline::Polygon(corners), count)
         }
         (None, None) => {
-            let message = "no domain: name its file, or - for standard input, or give --rectangle or --corners";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure::input(
+                "no domain: name its file, or - for standard input, or give --rectangle or --corners",
+            ));
         }
     };
     if intervals.is_none() && size.is_none() {
-        let message = "how many intervals? give --intervals a,b,… or --size S".to_owned();
-        return Err(Failure::Input(message));
+        return Err(Failure::input("how many intervals? give --intervals a,b,… or --size S"));
     }
     let sides = overridden(vec![Side::count(1); side_count], options)?;
-    Domain::new(outline, sides).map_err(bad)
-}
-
-fn bad(error: mindeg::DomainError) -> Failure {
-    Failure::Input(error.to_string())
+    Domain::new(outline, sides).map_err(Failure::input)
 }
 
 /// Applies the command-line options to the sides.

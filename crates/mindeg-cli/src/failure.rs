@@ -2,6 +2,7 @@
 
 use crate::terminal::say_error;
 use mindeg_files::{FileError, plainly};
+use std::fmt::Display;
 use std::io;
 use std::process::ExitCode;
 
@@ -19,6 +20,11 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// Input that is refused, in these words.
+    pub(crate) fn input(words: impl Display) -> Self {
+        Self::Input(words.to_string())
+    }
+
     /// A failure from writing to standard output.
     pub(crate) fn from_standard_output(error: &io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe {

@@ -31,8 +31,9 @@ impl Making {
     ) -> Result<Self, Failure> {
         let targets = Targets::new(&SESSION, output, surface.format, surface.options())?;
         if targets.use_standard_output() && json {
-            let message = "standard output can take one mesh, or the summary of --json, not both";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure::input(
+                "standard output can take one mesh, or the summary of --json, not both",
+            ));
         }
         // A bar would be in the way of a mesh on the terminal.
         let to_terminal = targets.use_standard_output() && io::stdout().is_terminal();

@@ -47,7 +47,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let (meshed, angles) = making.work(|progress| {
         let meshed = meshed(domain, goal, progress)?;
         let angles = meshed.mesh.measure_angles(progress);
-        let angles = angles.map_err(|error| Failure::Input(error.to_string()))?;
+        let angles = angles.map_err(Failure::input)?;
         Ok::<_, Failure>((meshed, angles))
     })?;
     let mesh = &meshed.mesh;

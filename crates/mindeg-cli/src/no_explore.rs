@@ -4,7 +4,8 @@ use crate::args::ExploreArguments;
 use crate::failure::Failure;
 
 pub(crate) fn run(_: &ExploreArguments) -> Result<(), Failure> {
-    let message = "this mindeg was built without explore; build it with \
-                   cargo build --release -p mindeg-cli --features explore";
-    Err(Failure::Input(message.to_owned()))
+    Err(Failure::input(
+        "this mindeg was built without explore; build it with \
+                   cargo build --release -p mindeg-cli --features explore",
+    ))
 }

@@ -14,7 +14,7 @@ pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
         Counted::Counts(counts) => (counts, None),
         Counted::Domain(domain) => (counts_of(&domain)?, Some(domain)),
     };
-    let boundary = Boundary::new(&intervals).map_err(|error| Failure::Input(error.to_string()))?;
+    let boundary = Boundary::new(&intervals).map_err(Failure::input)?;
     let today = least_max_degree(&boundary);
     let all: Vec<Suggestion> = match arguments.max_degree {
         None => suggestions(&boundary).collect(),

@@ -83,7 +83,7 @@ fn mesh_of(domain: &Domain, arguments: &ViewArguments, bar: &Bar) -> Result<TriM
         mesh.fill_positions(first, out);
     });
     let listed = TriMesh::new(positions, mesh.triangles().collect());
-    let listed = listed.map_err(|error| Failure::Input(error.to_string()))?;
+    let listed = listed.map_err(Failure::input)?;
     Ok(match domain.name() {
         Some(name) => listed.named(name),
         None => listed,

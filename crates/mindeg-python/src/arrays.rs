@@ -4,9 +4,10 @@ use std::ops::RangeInclusive;
 
 use mindeg::glam::DVec3;
 use numpy::{Element, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
+
+use crate::work::value_error;
 
 /// The rows of a flat list as an array in its memory that nobody can write to: what is worked out from a
 /// mesh or domain goes on from its own points, not from the array.
@@ -44,9 +45,7 @@ pub(crate) fn positions(
 ) -> PyResult<Vec<DVec3>> {
     let shapes: Vec<String> = columns.clone().map(|count| format!("(n, {count})")).collect();
     let shapes = shapes.join(" or ");
-    let wrong = |found: &str| {
-        PyValueError::new_err(format!("{key} has {found}; give {shapes} real numbers"))
-    };
+    let wrong = |found: &str| value_error(format!("{key} has {found}; give {shapes} real numbers"));
     let array = numeric(given, "float64", "iuf", wrong)?;
     let rows: PyReadonlyArray2<'_, f64> =
         array.extract().map_err(|_| wrong("another number of axes than 2"))?;
@@ -63,8 +62,7 @@ pub(crate) fn positions(
     match points.iter().position(|point| !point.is_finite()) {
         None => Ok(points),
         Some(index) => {
-            let problem = format!("{key}[{index}] is not finite; give finite numbers");
-            Err(PyValueError::new_err(problem))
+            Err(value_error(format!("{key}[{index}] is not finite; give finite numbers")))
         }
     }
 }
@@ -79,10 +77,8 @@ pub(crate) fn rows_of_two(given: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<[
 
 /// The rows of an (m, 3) array of integers of any type.
 pub(crate) fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
-    let wrong = |found: &str| {
-        let problem = format!("triangles has {found}; give (m, 3) indices from 0");
-        PyValueError::new_err(problem)
-    };
+    let wrong =
+        |found: &str| value_error(format!("triangles has {found}; give (m, 3) indices from 0"));
     // What has no rows has no type either.
     if triangles.len().is_ok_and(|rows| rows == 0) {
         return Ok(Vec::new());

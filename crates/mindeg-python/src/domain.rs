@@ -6,7 +6,6 @@ use mindeg_answers::interior::InteriorAnswer;
 use mindeg_answers::mesh::found_by;
 use mindeg_mesh::filled;
 use numpy::PyArray2;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -111,8 +110,9 @@ impl Domain {
                 form.boundary()
             }
             _ => {
-                let problem = "suggestions are for convex domains without straight corners";
-                return Err(PyValueError::new_err(problem));
+                return Err(value_error(
+                    "suggestions are for convex domains without straight corners",
+                ));
             }
         };
         let suggestion = |one: mindeg_core::Suggestion| Suggestion {
@@ -149,12 +149,15 @@ fn read_goal(given: &Bound<'_, PyDict>) -> PyResult<Goal> {
         let key = key.to_string();
         let Some(kind) = GOALS.iter().find(|kind| kind.key == key) else {
             let keys: Vec<&str> = GOALS.iter().map(|kind| kind.key).collect();
-            let problem = format!("no goal is named \"{key}\"; give {}", keys.join(", "));
-            return Err(PyValueError::new_err(problem));
+            return Err(value_error(format!(
+                "no goal is named \"{key}\"; give {}",
+                keys.join(", ")
+            )));
         };
         if let Some((other, _)) = found {
-            let problem = format!("{other} and {key} exclude each other; give one of them");
-            return Err(PyValueError::new_err(problem));
+            return Err(value_error(format!(
+                "{other} and {key} exclude each other; give one of them"
+            )));
         }
         let goal = kind.read(&value.str()?.to_string_lossy());
         let goal = goal.map_err(|problem| value_error(format!("{key}: {problem}")))?;

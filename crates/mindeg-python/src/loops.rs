@@ -4,7 +4,6 @@ use mindeg::fill::{EXTRA_AREA, FIRST_LIMIT};
 use mindeg::glam::DVec3;
 use mindeg_exact::{BridgeProblem, LoopLimit, LoopProblem, bridge_rings, fill_loop as filled};
 use numpy::PyArray2;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -42,7 +41,7 @@ pub(crate) fn fill_loop<'py>(
     facts.set_item("limit", found.limit)?;
     facts.set_item("max_degree", found.max_degree)?;
     facts.set_item("area", found.area)?;
-    facts.set_item("least_area", found.without_limit.0)?;
+    facts.set_item("area_without_limit", found.without_limit.0)?;
     Ok((arrays::rows(py, found.triangles)?, facts))
 }
 
@@ -74,7 +73,7 @@ pub(crate) fn bridge_loops<'py>(
     let facts = PyDict::new(py);
     facts.set_item("max_degree", found.max_degree)?;
     facts.set_item("least_max_degree", found.least_max_degree)?;
-    facts.set_item("lower_bound", found.lower_bound)?;
+    facts.set_item("at_least", found.lower_bound)?;
     facts.set_item("min_angle", found.min_angle)?;
     Ok((arrays::rows(py, found.triangles)?, facts))
 }
@@ -82,8 +81,7 @@ pub(crate) fn bridge_loops<'py>(
 fn ring(points: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<DVec3>> {
     let points = arrays::positions(points, key, 2..=3)?;
     if points.len() < 3 {
-        let problem = format!("found {} points; a loop has at least 3", points.len());
-        return Err(PyValueError::new_err(problem));
+        return Err(value_error(format!("found {} points; a loop has at least 3", points.len())));
     }
     Ok(points)
 }
@@ -91,20 +89,18 @@ fn ring(points: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<DVec3>> {
 fn degrees(given: Option<Vec<u32>>, count: usize) -> PyResult<Vec<u32>> {
     let degrees = given.unwrap_or_else(|| vec![2; count]);
     if degrees.len() != count {
-        let problem = format!(
+        return Err(value_error(format!(
             "found {} external degrees for {count} vertices; give one for each",
             degrees.len()
-        );
-        return Err(PyValueError::new_err(problem));
+        )));
     }
     /// More than any vertex of a mesh has; limits up to the greatest degree are tried one by one.
     const MOST: u32 = 1_000_000;
     if let Some(vertex) = degrees.iter().position(|&degree| degree > MOST) {
-        let problem = format!(
+        return Err(value_error(format!(
             "the external degree of vertex {vertex} is {}; give at most {MOST}",
             degrees[vertex]
-        );
-        return Err(PyValueError::new_err(problem));
+        )));
     }
     Ok(degrees)
 }
@@ -115,7 +111,7 @@ fn check_pairs(pairs: &[[u32; 2]], counts: [usize; 2]) -> PyResult<()> {
     };
     match pairs.iter().find(|pair| !is_there(pair)) {
         None => Ok(()),
-        Some([a, b]) => Err(PyValueError::new_err(format!(
+        Some([a, b]) => Err(value_error(format!(
             "excluded has the pair ({a}, {b}), and there is no such vertex; count from 0"
         ))),
     }

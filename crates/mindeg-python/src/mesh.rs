@@ -12,7 +12,6 @@ use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
 use mindeg_mesh::{LineKind, filled};
 use numpy::{PyArray1, PyArray2};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
@@ -350,12 +349,12 @@ pub(crate) fn inspect<'py>(
     poles_above: u32,
 ) -> PyResult<Bound<'py, PyAny>> {
     if let Some(weld) = weld.filter(|weld| !(weld.is_finite() && *weld >= 0.0)) {
-        let problem = format!("weld is {weld}; give a length of 0 or more, or None");
-        return Err(PyValueError::new_err(problem));
+        return Err(value_error(format!("weld is {weld}; give a length of 0 or more, or None")));
     }
     if !(0.0..=180.0).contains(&corner_angle) {
-        let problem = format!("corner_angle is {corner_angle}; give degrees from 0 to 180");
-        return Err(PyValueError::new_err(problem));
+        return Err(value_error(format!(
+            "corner_angle is {corner_angle}; give degrees from 0 to 180"
+        )));
     }
     let mesh = tri_mesh(points, triangles)?;
     let options = InspectionOptions { weld, corner_angle, pole_degree: poles_above };
@@ -391,6 +390,6 @@ fn tri_mesh(points: &Bound<'_, PyAny>, triangles: Option<&Bound<'_, PyAny>>) -> 
             let points = arrays::positions(points, "points", 2..=3)?;
             TriMesh::new(points, arrays::index_rows(triangles)?).map_err(value_error)
         }
-        _ => Err(PyValueError::new_err("give a mesh, or points and triangles")),
+        _ => Err(value_error("give a mesh, or points and triangles")),
     }
 }

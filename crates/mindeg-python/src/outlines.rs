@@ -4,10 +4,10 @@ use std::path::PathBuf;
 
 use mindeg::Progress;
 use mindeg_files::{Content, Division, FillRule, Input, ReadOptions, Session, Wanted};
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::save::file_error;
+use crate::work::value_error;
 
 /// The domain in a file, or in the text of GeoJSON, as JSON, and what its reader left out.
 #[pyfunction]
@@ -23,7 +23,7 @@ pub(crate) fn domain_of_outline(
     repair: bool,
     fill_rule: Option<&str>,
 ) -> PyResult<(String, Vec<String>)> {
-    let wrong = |problem: String| Err(PyValueError::new_err(problem));
+    let wrong = |problem: String| Err(value_error(problem));
     if let Some(size) = size.filter(|size| !(size.is_finite() && *size > 0.0)) {
         return wrong(format!("size is {size}; give a length above 0"));
     }
@@ -32,7 +32,7 @@ pub(crate) fn domain_of_outline(
     }
     let fill_rule = fill_rule.map(str::parse::<FillRule>).transpose();
     let fill_rule =
-        fill_rule.map_err(|error: String| PyValueError::new_err(format!("fill_rule: {error}")))?;
+        fill_rule.map_err(|error: String| value_error(format!("fill_rule: {error}")))?;
     if fill_rule.is_some() && !repair {
         return wrong("fill_rule is for repair=True alone".to_owned());
     }

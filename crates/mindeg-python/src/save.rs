@@ -7,8 +7,9 @@ use mindeg::Mesh;
 use mindeg_files::{
     Encoding, FileError, Format, MshVersion, Session, SurfaceOptions, WriteOptions,
 };
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+
+use crate::work::value_error;
 
 /// What `Mesh.save` takes besides the path.
 pub(crate) struct Wanted<'a> {
@@ -27,8 +28,7 @@ impl Wanted<'_> {
             Some(format) => Ok(Some(format)),
             None => {
                 let names: Vec<&str> = Format::WRITTEN.into_iter().map(Format::name).collect();
-                let problem = format!("format is {name:?}; give one of {}", names.join(", "));
-                Err(PyValueError::new_err(problem))
+                Err(value_error(format!("format is {name:?}; give one of {}", names.join(", "))))
             }
         }
     }
@@ -38,8 +38,9 @@ impl Wanted<'_> {
             None | Some("4" | "4.1") => MshVersion::V4,
             Some("2" | "2.2") => MshVersion::V2,
             Some(other) => {
-                let problem = format!("msh_version is {other:?}; give \"4.1\" or \"2.2\"");
-                return Err(PyValueError::new_err(problem));
+                return Err(value_error(format!(
+                    "msh_version is {other:?}; give \"4.1\" or \"2.2\""
+                )));
             }
         };
         Ok(WriteOptions {
@@ -66,6 +67,6 @@ pub(crate) fn save(mesh: &dyn Mesh, path: &Path, wanted: &Wanted<'_>) -> PyResul
 pub(crate) fn file_error(error: FileError) -> PyErr {
     match error.kind() {
         Some(kind) => io::Error::new(kind, error).into(),
-        None => PyValueError::new_err(error.to_string()),
+        None => value_error(error.to_string()),
     }
 }

@@ -15,7 +15,7 @@ pub(super) fn check(demands: &Demands, comparison: &Comparison) -> Result<(), Fa
     let Some(min_angle) = figures.min_angle else { return Ok(()) };
     let points = comparison.points().iter().map(|point| point.extend(0.0)).collect();
     let mesh = TriMesh::new(points, triangles.to_vec());
-    let mesh = mesh.map_err(|error| Failure::Input(error.to_string()))?;
+    let mesh = mesh.map_err(Failure::input)?;
     met(&demands.unmet_by(&mesh, min_angle))
 }
 
@@ -31,5 +31,5 @@ pub(super) fn compared(
         options.time_limit.as_secs_f64()
     );
     let compared = Bar::new(quiet).waiting(stage, || compare(domain, options));
-    compared.map_err(|error| Failure::Input(error.to_string()))
+    compared.map_err(Failure::input)
 }

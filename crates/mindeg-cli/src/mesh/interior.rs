@@ -64,7 +64,7 @@ pub(super) fn run(
         Ok(meshed) => meshed,
         Err(error) => return Err(refused(domain, wanted, &error)),
     };
-    let lifting = Lifting::from_limit(domain, wanted, limit, 1).map_err(|error| input(&error))?;
+    let lifting = Lifting::from_limit(domain, wanted, limit, 1).map_err(Failure::input)?;
     let mut unmet = arguments.demands(wanted.target_angle).unmet_by(&mesh, report.min_angle);
     unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
@@ -93,11 +93,7 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
         let words = lifting.text();
         return Failure::Input(format!("a minimum angle of {target}° is impossible. {words}"));
     }
-    input(error)
-}
-
-fn input(error: &InteriorError) -> Failure {
-    Failure::Input(error.to_string())
+    Failure::input(error)
 }
 
 fn text(

@@ -25,8 +25,9 @@ pub(crate) fn divided(model: Model, arguments: &MeshArguments) -> Result<Model, 
 pub(crate) fn of_mesh(mesh: &TriMesh, arguments: &MeshArguments) -> Result<Model, Failure> {
     let path = arguments.domain.file.as_deref().unwrap_or(Path::new("-"));
     let Some(edges) = division(&arguments.domain.options)? else {
-        let message = "how many intervals? give --size S, or --intervals N for every edge";
-        return Err(Failure::Input(message.to_owned()));
+        return Err(Failure::input(
+            "how many intervals? give --size S, or --intervals N for every edge",
+        ));
     };
     let is_obj = Format::of_path(path) == Some(Format::Obj);
     let from_mesh = FromMesh {
@@ -57,8 +58,9 @@ fn division(options: &DomainOptions) -> Result<Option<Side>, Failure> {
         }
         (None, Some(size)) => Intervals::Size(*size),
         (None, None) if spacing.is_some() => {
-            let message = "--spacing of a model needs --size or --intervals beside it";
-            return Err(Failure::Input(message.to_owned()));
+            return Err(Failure::input(
+                "--spacing of a model needs --size or --intervals beside it",
+            ));
         }
         (None, None) => return Ok(None),
     };
