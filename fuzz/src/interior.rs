@@ -3,7 +3,7 @@
 use crate::hostile::{GridPoint, Hostile, assert_fills, star};
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, Prefer, SizeAt, generate};
+use mindeg_interior::{Options, Prefer, SizeAt, generate};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -35,13 +35,22 @@ pub(crate) fn run(input: Input) {
         ring.reverse();
         rings.push(ring);
     }
-    let Ok(outline) = PlanarBoundary::new(&rings) else { return };
+    let count = rings.iter().map(Vec::len).sum::<usize>();
+    let place = |[x, y]: [Hostile; 2]| DVec2::new(x.0, y.0);
+    let fixed: Vec<DVec2> = input.fixed.iter().take(4).map(|(at, ..)| place(*at)).collect();
+    let vertex = |index: u8| u32::from(index) % (count + fixed.len()).max(1) as u32;
+    let lines = input
+        .fixed
+        .iter()
+        .take(4)
+        .map(|(_, a, b)| vec![vertex(*a), vertex(*b)])
+        .collect::<Vec<_>>();
+    let Ok((outline, _)) = PlanarBoundary::map(&rings, &fixed, &lines) else { return };
     let n = outline.points().len() as u32;
     let mut options = Options::default();
     options.wanted.max_points = Some(3_000);
     options.wanted.growth = input.growth.map(|growth| growth.0);
     options.wanted.size_inside = input.size_inside.map(|size| size.0);
-    let place = |[x, y]: [Hostile; 2]| DVec2::new(x.0, y.0);
     let size = |&(at, size): &([Hostile; 2], Hostile)| SizeAt { at: place(at), size: size.0 };
     options.wanted.sizes = input.sizes.iter().take(3).map(size).collect();
     if let Some((low, high, boundary)) = input.degrees {
@@ -52,21 +61,13 @@ pub(crate) fn run(input: Input) {
     options.degree_limits = input.limits.iter().take(4).map(limit).collect();
     options.wanted.target_angle = input.target.map(|target| target.0);
     options.wanted.prefer = input.prefer_angle.then_some(Prefer::Angle);
-    let fixed = Fixed {
-        points: input.fixed.iter().take(4).map(|(at, ..)| place(*at)).collect(),
-        segments: input
-            .fixed
-            .iter()
-            .take(4)
-            .map(|(_, a, b)| [u32::from(*a) % (n + 5), u32::from(*b) % (n + 5)])
-            .collect(),
-    };
-    let found = match generate(&outline, &fixed, &options, Progress::NONE) {
+    options.divisible = vec![input.prefer_angle; lines.len()];
+    let found = match generate(&outline, &options, Progress::NONE) {
         Ok(found) => found,
         Err(error) => return assert!(!error.to_string().is_empty()),
     };
     assert_eq!(&found.points[..n as usize], outline.points());
-    assert_eq!(&found.points[n as usize..][..fixed.points.len()], &fixed.points[..]);
+    assert_eq!(&found.points[n as usize..][..fixed.len()], &fixed[..]);
     let boundary: Vec<_> = outline.edges().collect();
     assert_fills(&found.points, &found.triangles, &boundary);
     assert!(found.points.len() <= options.wanted.max_points());

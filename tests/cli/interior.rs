@@ -152,20 +152,11 @@ fn a_domain_file_says_what_is_wanted_inside() {
     // Options go before the file.
     let coarse = vertices(&run(r#"{"size_inside": 0.1}"#, &["--size-inside", "1"]));
     assert!(coarse < plain, "{coarse} {plain}");
-    let lines = r#"{"fixed": {"points": [[1, 1]], "segments": [[[0, 1.5], 0, [4, 1.5]]]}}"#;
-    let fixed = run(lines, &["--boundary-lines"]);
-    assert!(fixed.text().contains("\nv 1 1 0\n"), "{}", fixed.text());
-    assert!(fixed.text().contains("\no fixed_line_1\n"), "{}", fixed.text());
     for (interior, words) in [
         (r#"{"sizes": [[9, 1, 0.1]]}"#, "size 0 at (9, 1) is not inside the domain"),
-        (r#"{"fixed": {"points": [[4, 1]]}}"#, "fixed point 0 at (4, 1) is not inside the domain"),
         (
-            r#"{"fixed": {"segments": [[[0, 1.2], [2, 2]]]}}"#,
-            "fixed line 0 ends on the boundary at (0, 1.2), between its points",
-        ),
-        (
-            r#"{"fixed": {"segments": [[[1, 1], [3, 2]], [[1, 2], [3, 1]]]}}"#,
-            "fixed segment 0 touches or crosses fixed segment 1",
+            r#"{"fixed": {"points": [[1, 1]]}}"#,
+            "interior.fixed: \"fixed\" is now \"lines\" and \"points\" of the domain",
         ),
         (r#"{"growth": 0}"#, "interior.growth: growth is 0; it is a finite number above 0"),
     ] {

@@ -45,8 +45,13 @@ FULL = {
         "target_angle": 20,
         "prefer": "angle",
         "max_points": 1000,
-        "fixed": {"points": [[4, 7]], "segments": [[0, [5, 7]]]},
     },
+    "lines": [
+        {"corners": [[4, 7], [5, 7], [5, 7.5]], "intervals": 2, "name": "c", "kind": "land", "sides": [{}, {"size": 1}]},
+        {"points": [[1, 3], [2, 3], [2, 4]], "closed": True},
+    ],
+    "points": [{"at": [4.5, 7.5], "name": "d", "size": 1}],
+    "regions": [{"at": [9, 7], "name": "e", "material": "f"}],
 }
 
 

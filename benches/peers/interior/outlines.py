@@ -138,24 +138,20 @@ def lower_48(topology):
         left = [line for line in left if line not in now]
         known |= {tuple(p) for line in now for p in line}
         joined += now
-    points, index, segments = [], {}, []
-    boundary = {tuple(p) for ring in [found["ring"]] for p in ring}
-
-    def end(p):
-        if tuple(p) in boundary:
-            return p
-        if tuple(p) not in index:
-            index[tuple(p)] = len(points)
-            points.append(p)
-        return index[tuple(p)]
-
     outer = list(zip(found["ring"], found["ring"][1:] + found["ring"][:1]))
     sides = {frozenset(map(tuple, ends)) for ends in outer}
+    lines = []
     for line in joined:
-        for ends in zip(line, line[1:]):
-            if frozenset(map(tuple, ends)) not in sides:
-                segments.append([end(p) for p in ends])
-    found["interior"] = {"fixed": {"points": points, "segments": segments}}
+        run = [line[0]]
+        for start, end in zip(line, line[1:]):
+            if frozenset(map(tuple, (start, end))) in sides:
+                lines.append(run)
+                run = [end]
+            else:
+                run.append(end)
+        lines.append(run)
+    found["lines"] = [{"points": run} for run in lines if len(run) > 1]
+    found["interior"] = {}
     return found
 
 

@@ -7,9 +7,12 @@ use crate::constraints::Constraints;
 use crate::divided::{Divided, Placed, side_count};
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
+use crate::inside::Inside;
+use crate::joined::{self, is_open};
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
 use crate::side::Side;
+use crate::split::split_sides;
 use crate::turning::Turning;
 
 impl Domain {
@@ -125,13 +128,17 @@ impl Domain {
     ///
     /// The errors of [`Domain::new`].
     pub fn with_sides(&self, sides: Vec<Side>) -> Result<Self, DomainError> {
+        self.rebuilt(sides, self.inside.clone())
+    }
+
+    pub(crate) fn rebuilt(&self, sides: Vec<Side>, inside: Inside) -> Result<Self, DomainError> {
         let rings = self.rings();
         if sides.len() != rings.side_count() {
             return Err(side_count(0, rings.side_count(), sides.len()));
         }
         let mut sides = sides.into_iter();
         let mut of_ring = |ring| sides.by_ref().take(rings.ring_sides(ring).len()).collect();
-        let mut builder = Self::builder(self.outline.clone(), of_ring(0));
+        let mut builder = Self::builder(self.outline.clone(), of_ring(0)).inside(inside);
         for ring in 1..rings.ring_count() {
             let corners = self.placement.corners()[rings.ring_sides(ring)].to_vec();
             builder = builder.hole(Ring { corners, sides: of_ring(ring) });
@@ -148,6 +155,7 @@ pub struct DomainBuilder {
     outline: Outline,
     sides: Vec<Side>,
     holes: Vec<Ring>,
+    inside: Inside,
     constraints: Constraints,
     max_vertices: u32,
 }
@@ -155,7 +163,8 @@ pub struct DomainBuilder {
 impl DomainBuilder {
     pub(crate) fn new(outline: Outline, sides: Vec<Side>) -> Self {
         let (holes, constraints) = (Vec::new(), Constraints::default());
-        Self { outline, sides, holes, constraints, max_vertices: u32::MAX }
+        let inside = Inside::default();
+        Self { outline, sides, holes, inside, constraints, max_vertices: u32::MAX }
     }
 
     /// Adds a hole. It lies inside the outline, outside all other holes, and touches none of them;
@@ -164,6 +173,12 @@ impl DomainBuilder {
     pub fn hole(mut self, hole: Ring) -> Self {
         self.holes.push(hole);
         self
+    }
+
+    /// Sets lines, points and regions. A line that ends within a straight side gives that side a corner there.
+    #[must_use]
+    pub fn inside(self, inside: Inside) -> Self {
+        Self { inside, ..self }
     }
 
     /// Sets constraints on degrees. Their sides are the sides of the outline and then of each hole, in
@@ -185,14 +200,29 @@ impl DomainBuilder {
     ///
     /// # Errors
     ///
-    /// The errors of [`Domain::new`], then constraints that do not fit or that no mesh keeps.
+    /// The errors of [`Domain::new`]; lines and points that touch or cross each other or the rings elsewhere than at a
+    /// vertex, or leave the domain; regions that share a face or lie in none; then constraints that do not fit or that no
+    /// mesh keeps.
     pub fn build(self) -> Result<Domain, DomainError> {
-        let Self { outline, sides, holes, mut constraints, max_vertices: max } = self;
+        let Self { outline, sides, holes, mut inside, mut constraints, max_vertices: max } = self;
         let corners = outline.corners()?;
         let mut given = vec![Ring { corners, sides }];
         given.extend(holes);
 
-        let divided = Divided::new(&given)?;
+        let mut divided = Divided::new(&given)?;
+        inside.check()?;
+        let mut splits = Vec::new();
+        constraints.check_side_count(divided.rings.side_count())?;
+        // A side that is split gets other points, where another line may have ended.
+        while inside.lines.iter().any(is_open) {
+            let points = divided.points(&given)?;
+            let new = split_sides(&points, &mut given, &mut inside, &mut constraints)?;
+            if new.is_empty() {
+                break;
+            }
+            splits.extend(new);
+            divided = Divided::new(&given)?;
+        }
         let vertices = divided.rings.vertex_count();
         if vertices > max {
             return Err(Place::default().error(format!(
@@ -200,13 +230,14 @@ impl DomainBuilder {
                      intervals"
             )));
         }
-        constraints.check_side_count(divided.rings.side_count())?;
-        let Placed { placement, straight, turned } = divided.placed(&mut given)?;
+        let Placed { placement, straight, turned, line_starts } =
+            divided.placed(&mut given, &mut inside)?;
         for &ring in &turned {
             constraints.turn_sides(placement.rings().ring_sides(ring));
         }
         let turning = Turning { placement: &placement, straight: &straight };
-        let convex = turning.convex_form();
+        let has_lines = !inside.lines.is_empty() || !inside.points.is_empty();
+        let convex = if has_lines { None } else { turning.convex_form() };
         if convex.is_none() {
             placement.check_exactness()?;
         }
@@ -220,11 +251,21 @@ impl DomainBuilder {
             }
         })?;
         let outline = match outline {
-            Outline::Rectangle(_) if !turned.contains(&0) => outline,
+            Outline::Rectangle(_) if !turned.contains(&0) && given[0].corners.len() == 4 => outline,
             _ => Outline::Polygon(std::mem::take(&mut given[0].corners)),
+        };
+        let faces = match placement.boundary() {
+            Some(boundary) if !(inside.lines.is_empty() && inside.regions.is_empty()) => {
+                Some(joined::faces(boundary, &inside.regions)?.into())
+            }
+            _ => None,
         };
         Ok(Domain {
             name: None,
+            inside,
+            line_starts,
+            faces,
+            splits,
             outline,
             convex,
             sides: given.into_iter().flat_map(|ring| ring.sides).collect(),

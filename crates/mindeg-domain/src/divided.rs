@@ -11,7 +11,9 @@ use mindeg_mesh::planar::{InRing, PlanarBoundary, Turn, ring_name};
 
 use crate::curve::{Curve, Path};
 use crate::error::{DomainError, Place};
+use crate::inside::Inside;
 use crate::intersection;
+use crate::joined::Joined;
 use crate::limits::{MAX_STORED_VERTICES, STRAIGHT};
 use crate::name;
 use crate::outline::{self, Ring};
@@ -38,6 +40,8 @@ pub(crate) struct Placed {
     pub(crate) straight: Vec<bool>,
     /// The rings that were given the wrong way round.
     pub(crate) turned: Vec<usize>,
+    /// The first segment of each side of each line, then the number of segments.
+    pub(crate) line_starts: Vec<u32>,
 }
 
 impl Divided {
@@ -66,22 +70,33 @@ impl Divided {
         Ok(Self { laws: laws.collect::<Result<_, _>>()?, rings, paths })
     }
 
-    /// Reverses the rings that run the wrong way, and places all rings.
-    pub(crate) fn placed(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
+    /// Reverses the rings that run the wrong way, and places all rings and what is inside them.
+    pub(crate) fn placed(
+        self,
+        given: &mut [Ring],
+        inside: &mut Inside,
+    ) -> Result<Placed, DomainError> {
         let is_line = |side: Given<'_>| side.side.curve == Curve::Line;
         for (side, law) in given_sides(given).zip(&self.laws).filter(|&(side, _)| is_line(side)) {
             Placement::check_intervals(side.start, side.end, law, side.at)?;
         }
-        if given.len() > 1 || !given_sides(given).all(is_line) {
-            return self.stored(given);
+        if given.len() > 1 || !inside.is_empty() || !given_sides(given).all(is_line) {
+            return self.stored(given, inside);
         }
         let straight = vec![true; self.laws.len()];
         let formula = self.formula(given);
         let turning = Turning { placement: &formula, straight: &straight };
-        let Some(orientation) = turning.convex_orientation(0) else { return self.stored(given) };
+        let Some(orientation) = turning.convex_orientation(0) else {
+            return self.stored(given, inside);
+        };
         formula.check_corners(|side| turning.at(formula.rings().corner(side)) == Turn::Straight)?;
         if orientation == Orientation::CounterClockwise {
-            return Ok(Placed { placement: formula, straight, turned: Vec::new() });
+            return Ok(Placed {
+                placement: formula,
+                straight,
+                turned: Vec::new(),
+                line_starts: vec![0],
+            });
         }
         // Solved in the order given, so that errors name the sides as given.
         let of_sides = given_sides(given).zip(&self.paths).zip(self.rings.sides());
@@ -94,7 +109,8 @@ impl Divided {
         intervals.reverse();
         turn(&mut given[0]);
         let turned = Self { rings: Rings::new(&[intervals])?, laws, ..self };
-        Ok(Placed { placement: turned.formula(given), straight, turned: vec![0] })
+        let placement = turned.formula(given);
+        Ok(Placed { placement, straight, turned: vec![0], line_starts: vec![0] })
     }
 
     fn formula(&self, given: &[Ring]) -> Placement {
@@ -102,29 +118,34 @@ impl Divided {
         Placement::straight(self.rings.clone(), corners, self.laws.clone())
     }
 
+    /// The points of all sides, ring by ring.
+    pub(crate) fn points(&self, given: &[Ring]) -> Result<Vec<DVec2>, DomainError> {
+        let mut points = memory_for(self.rings.vertex_count())?;
+        for ((side, path), law) in given_sides(given).zip(&self.paths).zip(&self.laws) {
+            side.fill_points(path, law, &mut points);
+        }
+        Ok(points)
+    }
+
     /// Stores the points one by one, after checking all of them.
-    fn stored(self, given: &mut [Ring]) -> Result<Placed, DomainError> {
-        let Self { rings, paths, laws } = self;
-        let mut points = memory_for(rings.vertex_count())?;
+    fn stored(self, given: &mut [Ring], inside: &mut Inside) -> Result<Placed, DomainError> {
+        let points = self.points(given)?;
+        let Self { rings, paths, .. } = self;
         let mut straight = Vec::with_capacity(paths.len());
-        for ((side, path), law) in given_sides(given).zip(&paths).zip(&laws) {
-            let first = points.len();
-            points.push(side.start);
-            match side.side.intervals {
-                Intervals::Points => points.extend_from_slice(side.side.curve.points()),
-                _ => points.extend((1..law.intervals()).map(|i| path.point(law.parameter(i)))),
-            }
+        for (index, side) in given_sides(given).enumerate() {
+            let first = rings.corner(index) as usize;
+            let own = &points[first..first + rings.intervals(index) as usize];
             straight.push(match side.side.curve {
                 Curve::Line => true,
-                _ => is_straight(&points[first..], side.end)
-                    .map_err(|error| error.of_side(side.at))?,
+                _ => is_straight(own, side.end).map_err(|error| error.of_side(side.at))?,
             });
         }
         let mut lengths: Vec<f64> = paths.iter().map(Path::length).collect();
         let of_ring = |ring: Range<u32>| &points[ring.start as usize..ring.end as usize];
         let slices: Vec<&[DVec2]> = rings.rings().map(of_ring).collect();
-        let (boundary, turned) = PlanarBoundary::oriented(&slices)
-            .map_err(|faults| intersection::error(faults.first(), &points, &rings))?;
+        let joined = Joined::new(&points, inside)?;
+        let (boundary, turned) = PlanarBoundary::map(&slices, &joined.points, &joined.lines)
+            .map_err(|faults| intersection::error(faults.first(), &points, &rings, &joined))?;
         let of_sides = |ring| rings.ring_sides(ring).map(|side| u64::from(rings.intervals(side)));
         let mut intervals: Vec<Vec<u64>> =
             (0..rings.ring_count()).map(|ring| of_sides(ring).collect()).collect();
@@ -137,7 +158,8 @@ impl Divided {
         }
         let placement = Placement::stored(Rings::new(&intervals)?, boundary, lengths);
         let runs = Turning { placement: &placement, straight: &straight }.runs();
-        Ok(Placed { placement: placement.with_runs(runs), straight, turned })
+        let placement = placement.with_runs(runs);
+        Ok(Placed { placement, straight, turned, line_starts: joined.starts })
     }
 }
 
@@ -185,11 +207,11 @@ fn turn(ring: &mut Ring) {
 
 /// A side between its corners.
 #[derive(Clone, Copy)]
-struct Given<'a> {
-    at: InRing,
-    start: DVec2,
-    end: DVec2,
-    side: &'a Side,
+pub(crate) struct Given<'a> {
+    pub(crate) at: InRing,
+    pub(crate) start: DVec2,
+    pub(crate) end: DVec2,
+    pub(crate) side: &'a Side,
 }
 
 /// The sides of all rings.
@@ -197,8 +219,8 @@ fn given_sides(given: &[Ring]) -> impl Iterator<Item = Given<'_>> {
     given.iter().enumerate().flat_map(|(ring, given)| sides_of(ring, given))
 }
 
-/// The sides of a ring.
-fn sides_of(ring: usize, given: &Ring) -> impl Iterator<Item = Given<'_>> {
+/// The sides of a ring or line.
+pub(crate) fn sides_of(ring: usize, given: &Ring) -> impl Iterator<Item = Given<'_>> {
     let Ring { corners, sides } = given;
     sides.iter().enumerate().map(move |(index, side)| Given {
         at: InRing { ring, index },
@@ -209,6 +231,32 @@ fn sides_of(ring: usize, given: &Ring) -> impl Iterator<Item = Given<'_>> {
 }
 
 impl Given<'_> {
+    /// The points of a side of a line, without its end.
+    pub(crate) fn points(&self) -> Result<Vec<DVec2>, DomainError> {
+        let path = self.path()?;
+        let count = u32::try_from(self.intervals(&path)?).ok();
+        let count = count.filter(|count| (1..=MAX_STORED_VERTICES).contains(count));
+        let Some(intervals) = count else {
+            let message = format!("a line has 1 to {MAX_STORED_VERTICES} intervals on each side");
+            return Err(Place::key("intervals").error(message).of_side(self.at));
+        };
+        let law = self.law(&self.side.spacing, intervals, &path)?;
+        if self.side.curve == Curve::Line {
+            Placement::check_intervals(self.start, self.end, &law, self.at)?;
+        }
+        let mut points = Vec::new();
+        self.fill_points(&path, &law, &mut points);
+        Ok(points)
+    }
+
+    fn fill_points(&self, path: &Path, law: &SpacingLaw, points: &mut Vec<DVec2>) {
+        points.push(self.start);
+        match self.side.intervals {
+            Intervals::Points => points.extend_from_slice(self.side.curve.points()),
+            _ => points.extend((1..law.intervals()).map(|i| path.point(law.parameter(i)))),
+        }
+    }
+
     fn path(&self) -> Result<Path, DomainError> {
         Path::new(&self.side.curve, self.start, self.end).map_err(|error| error.of_side(self.at))
     }

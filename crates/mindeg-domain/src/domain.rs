@@ -12,10 +12,11 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use glam::DVec2;
-use mindeg_mesh::planar::{BoundaryFaults, InRing, PlanarBoundary, ring_name};
+use mindeg_mesh::planar::{BoundaryFaults, Faces, InRing, PlanarBoundary, ring_name};
 
 use crate::constraints::Constraints;
 use crate::error::{DomainError, Place};
+use crate::inside::Inside;
 use crate::interior::Interior;
 use crate::name;
 use crate::outline::Outline;
@@ -54,6 +55,12 @@ pub struct Domain {
     pub(crate) interior: Option<Interior>,
     /// The rings that were given the wrong way round.
     pub(crate) turned: Vec<usize>,
+    pub(crate) inside: Inside,
+    /// The first segment of each side of each line, then the number of segments.
+    pub(crate) line_starts: Vec<u32>,
+    pub(crate) faces: Option<Arc<Faces>>,
+    /// The sides that were split where lines end, a sentence each.
+    pub(crate) splits: Vec<String>,
 }
 
 impl Domain {
@@ -220,7 +227,7 @@ impl Domain {
                 ring_name(ring)
             )
         };
-        self.turned.iter().map(note).collect()
+        self.turned.iter().map(note).chain(self.splits.iter().cloned()).collect()
     }
 }
 

@@ -1,4 +1,4 @@
-//! The settings for the inside of a domain: sizes, degrees, angles, and fixed points and lines.
+//! The settings for the inside of a domain: sizes, degrees and angles.
 //!
 //! The fields of [`Interior`] are the one list of these options: JSON, the command line, Python and the
 //! page of `mindeg explore` take their names, texts and types from it.
@@ -44,16 +44,6 @@ pub struct Interior {
     pub target_angle: Option<f64>,
     /// Which aim wins where one costs the other [default: degree]
     pub prefer: Option<Prefer>,
-    /// Points and lines that the mesh must have
-    #[cfg_attr(
-        feature = "json",
-        serde(
-            default,
-            deserialize_with = "crate::json::or_default",
-            skip_serializing_if = "crate::json::is_default"
-        )
-    )]
-    pub fixed: FixedLines,
     /// The most points of the mesh; one that would have more is refused [default: 20 million]
     pub max_points: Option<usize>,
 }
@@ -81,33 +71,6 @@ pub enum Prefer {
     /// The minimum angle: the limit is then the one for any degree, and corners may get more triangles
     /// than the boundary degree allows
     Angle,
-}
-
-/// Points and lines inside a domain that the mesh must have
-#[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
-#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
-pub struct FixedLines {
-    /// Points inside the domain, `[x, y]`
-    #[cfg_attr(feature = "json", serde(default, deserialize_with = "crate::json::or_default"))]
-    #[cfg_attr(feature = "json", schemars(with = "Vec<[f64; 2]>"))]
-    pub points: Vec<DVec2>,
-    /// Lines of straight segments, each a list of ends: `[x, y]`, or the index of a fixed point
-    #[cfg_attr(
-        feature = "json",
-        serde(rename = "segments", default, deserialize_with = "crate::json::or_default")
-    )]
-    pub lines: Vec<Vec<LineEnd>>,
-}
-
-/// An end of a segment
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, schemars::JsonSchema), serde(untagged))]
-pub enum LineEnd {
-    /// The fixed point with this index
-    Point(usize),
-    /// The boundary vertex or fixed point at this place, or a new fixed point
-    At(#[cfg_attr(feature = "json", schemars(with = "[f64; 2]"))] DVec2),
 }
 
 impl Interior {
@@ -186,36 +149,6 @@ impl Interior {
             let message =
                 format!("target angle {angle} is out of range; give degrees above 0 and below 60");
             return error(Place::key("target_angle"), message);
-        }
-        self.fixed.check()
-    }
-}
-
-impl FixedLines {
-    /// Checks that lines have ends, and that their points exist.
-    ///
-    /// # Errors
-    ///
-    /// The first line that has fewer than two ends, or names a point that does not exist.
-    pub fn check(&self) -> Result<(), DomainError> {
-        for (index, line) in self.lines.iter().enumerate() {
-            let place = || Place::key("fixed").then("segments").then(index);
-            if line.len() < 2 {
-                let message = format!("fixed line {index} has {} of 2 ends or more", line.len());
-                return Err(place().error(message));
-            }
-            for (end, at) in line.iter().enumerate() {
-                if let LineEnd::Point(point) = *at
-                    && point >= self.points.len()
-                {
-                    let message = format!(
-                        "fixed line {index} names fixed point {point}; \"points\" has {} (counted \
-                         from 0)",
-                        self.points.len()
-                    );
-                    return Err(place().then(end).error(message));
-                }
-            }
         }
         Ok(())
     }

@@ -4,13 +4,22 @@
 
 use glam::DVec2;
 use mindeg_mesh::planar::BoundaryPlace::Ring;
-use mindeg_mesh::planar::{BoundaryFault, InRing};
+use mindeg_mesh::planar::{BoundaryFault, BoundaryPlace, InRing};
 
 use crate::error::{DomainError, Place};
+use crate::joined::Joined;
 use crate::rings::Rings;
 
 /// The error for a fault of the rings of points, by the sides that they are on.
-pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> DomainError {
+pub(crate) fn error(
+    fault: BoundaryFault,
+    points: &[DVec2],
+    rings: &Rings,
+    joined: &Joined,
+) -> DomainError {
+    if let Some(error) = of_line(fault, points, rings, joined) {
+        return error;
+    }
     let names = Names(rings);
     let vertex = |at: InRing| rings.ring(at.ring).start + at.index as u32;
     let name = |at| names.point_name(vertex(at));
@@ -86,6 +95,85 @@ pub(crate) fn error(fault: BoundaryFault, points: &[DVec2], rings: &Rings) -> Do
         fault => (Place::default(), format!("{fault}; move the point")),
     };
     place.touch(message)
+}
+
+/// The error for a fault of a line or a point; `None` if it is of rings alone.
+fn of_line(
+    fault: BoundaryFault,
+    points: &[DVec2],
+    rings: &Rings,
+    joined: &Joined,
+) -> Option<DomainError> {
+    let names = Names(rings);
+    let vertex = |at: BoundaryPlace, step: usize| match at {
+        Ring(at) if step == 0 => rings.ring(at.ring).start + at.index as u32,
+        Ring(at) => rings.next(rings.ring(at.ring).start + at.index as u32),
+        BoundaryPlace::Line { line, index } => joined.lines[line][index + step],
+        BoundaryPlace::Point(index) => (points.len() + index) as u32,
+    };
+    let position = |vertex: u32| match (vertex as usize).checked_sub(points.len()) {
+        None => points[vertex as usize],
+        Some(inner) => joined.points[inner],
+    };
+    let name = |at: BoundaryPlace| match at {
+        Ring(at) => names.edge_name(rings.ring(at.ring).start + at.index as u32),
+        BoundaryPlace::Line { line, .. } => format!("line {}", line + 1),
+        BoundaryPlace::Point(index) => format!("point {}", index + 1),
+    };
+    let point_name = |at: BoundaryPlace| match at {
+        Ring(_) => names.point_name(vertex(at, 0)),
+        _ => name(at),
+    };
+    let place = |at: &BoundaryPlace| match *at {
+        Ring(_) => None,
+        BoundaryPlace::Line { line, .. } => Some(Place::key("lines").then(line)),
+        BoundaryPlace::Point(index) => Some(Place::key("points").then(index)),
+    };
+    let at = |DVec2 { x, y }: DVec2| format!("({x:?}, {y:?})");
+    let (places, message) = match fault {
+        BoundaryFault::Crossing(edges) => {
+            let near = crossing(edges.map(|edge| [0, 1].map(|step| position(vertex(edge, step)))));
+            let [first, second] = edges.map(name);
+            let message = format!(
+                "{first} and {second} cross near {}; end the line there, or move it",
+                at(near)
+            );
+            (edges, message)
+        }
+        BoundaryFault::Overlap(edges) => {
+            let [first, second] = edges.map(name);
+            let near = at(position(vertex(edges[1], 0)));
+            let message =
+                format!("{first} and {second} lie on each other near {near}; drop one of them");
+            (edges, message)
+        }
+        BoundaryFault::Touch { vertex: touching, edge } => {
+            let message = format!(
+                "{} touches {} at {}; end a line there, or give the point to both",
+                point_name(touching),
+                name(edge),
+                at(position(vertex(touching, 0)))
+            );
+            ([edge, touching], message)
+        }
+        BoundaryFault::SamePoint(both) => {
+            let [first, second] = both.map(point_name);
+            let near = at(position(vertex(both[1], 0)));
+            let message = format!(
+                "{first} and {second} have the same point {near}; end a line there, or move one of them"
+            );
+            (both, message)
+        }
+        BoundaryFault::Outside(place) => {
+            let near = at(position(vertex(place, 0)));
+            let message =
+                format!("{} leaves the domain near {near}; keep it inside, off holes", name(place));
+            ([place; 2], message)
+        }
+        _ => return None,
+    };
+    let place = places.iter().rev().find_map(place)?;
+    Some(place.touch(message))
 }
 
 /// Names the vertices and edges of a boundary by their sides.

@@ -10,6 +10,7 @@ mod error;
 mod fault;
 mod forms;
 mod guess;
+mod line;
 mod model;
 mod reader;
 mod schema;

@@ -20,7 +20,7 @@
 //!
 //! # Limits
 //!
-//! The plane. Rings may not touch, themselves or each other.
+//! The plane. Rings may not touch, themselves or each other; lines inside them meet rings and each other at vertices only.
 
 mod build;
 mod constraints;
@@ -28,8 +28,10 @@ mod curve;
 mod divided;
 mod domain;
 mod error;
+mod inside;
 mod interior;
 mod intersection;
+mod joined;
 #[cfg(feature = "json")]
 mod json;
 mod limits;
@@ -43,6 +45,7 @@ mod side;
 mod side_points;
 mod spacing;
 mod spacing_law;
+mod split;
 mod turning;
 
 pub use build::DomainBuilder;
@@ -50,7 +53,8 @@ pub use constraints::{Constraints, ExternalDegree, SideConstraint, VertexConstra
 pub use curve::{Arc, Curve};
 pub use domain::Domain;
 pub use error::{DomainError, Place};
-pub use interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
+pub use inside::{InnerPoint, Inside, Region};
+pub use interior::{Interior, Prefer, SizeAt};
 #[cfg(feature = "json")]
 pub use json::{DomainDescription, DomainJsonError, ModelDescription};
 pub use limits::{

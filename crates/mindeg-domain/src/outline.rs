@@ -21,8 +21,8 @@ pub enum Outline {
     Polygon(Vec<DVec2>),
 }
 
-/// A ring: corners, and one [`Side`] from each to the next. A ring whose sides are curved may have
-/// one or two corners.
+/// A ring, or a line inside a domain: corners, and one [`Side`] from each to the next. A ring whose sides are
+/// curved may have one or two corners. An open line has one side fewer than corners.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Ring {
     /// The corners, in order; either way round.
@@ -70,6 +70,16 @@ pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), DomainError
             counted(count, "corner")
         )));
     }
+    check_positions(ring, corners, true)
+}
+
+/// Checks that corners are ordinary numbers, and each apart from the next.
+pub(crate) fn check_positions(
+    ring: usize,
+    corners: &[DVec2],
+    is_closed: bool,
+) -> Result<(), DomainError> {
+    let count = corners.len();
     for (index, &DVec2 { x, y }) in corners.iter().enumerate() {
         // Not a NaN either.
         if !(x.abs() <= GREATEST_COORDINATE && y.abs() <= GREATEST_COORDINATE) {
@@ -84,7 +94,8 @@ pub(crate) fn check_corners(ring: usize, given: &Ring) -> Result<(), DomainError
     if count == 1 {
         return Ok(());
     }
-    (0..count).try_for_each(|first| check_distance(ring, corners, first))
+    let pairs = count - usize::from(!is_closed);
+    (0..pairs).try_for_each(|first| check_distance(ring, corners, first))
 }
 
 /// Checks that a corner and the next are apart.

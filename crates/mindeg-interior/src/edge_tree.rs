@@ -236,21 +236,6 @@ impl Node {
     pub(crate) fn distance(&self, x: DVec2) -> f64 {
         (distance_to_segment(x, self.from, self.to) - self.spread).max(0.0)
     }
-
-    /// False if no edge of the run can touch the segment `a`-`b`.
-    pub(crate) fn may_touch(&self, a: DVec2, b: DVec2) -> bool {
-        let slack = self.spread + 1e-9 * (self.length + a.distance(b));
-        let (low, high) = (self.from.min(self.to), self.from.max(self.to));
-        let far = slack.min(f64::MAX);
-        if !(a.min(b).cmple(high + far).all() && (low - far).cmple(a.max(b)).all()) {
-            return false;
-        }
-        // Both ends on one side of the chord's line, farther than the run strays.
-        let chord = self.to - self.from;
-        let (p, q) = (chord.perp_dot(a - self.from), chord.perp_dot(b - self.from));
-        let margin = slack * chord.length();
-        !(p > margin && q > margin || p < -margin && q < -margin)
-    }
 }
 
 /// True if a run may go from direction `a` to direction `b` and still count as straight.

@@ -1,16 +1,13 @@
-//! Fixed points and segments inside a domain: checked, and divided as the size field wants.
+//! Lines and points inside a domain; segments that may be divided are, as the size field wants.
 
-use crate::edge_tree::{EdgeTree, Item};
-use crate::exact::meet;
 use crate::near::Near;
-use crate::options::{Fixed, InteriorError, is_usable};
-use crate::packing::{Piece, is_inside_of};
+use crate::packing::Piece;
 use crate::size::SizeField;
 use glam::DVec2;
 use mindeg_domain::SizeAt;
-use mindeg_mesh::planar::{PlanarBoundary, orientation};
+use mindeg_mesh::planar::PlanarBoundary;
 
-/// Fixed points with those that divide segments, and the edges that segments are divided into.
+/// The inner points of a boundary with those that divide segments, and the edges that segments are divided into.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Breaklines {
     /// After the outline's points.
@@ -33,141 +30,30 @@ impl Breaklines {
     }
 }
 
-/// Checks and divides. Also gives sizes where fixed points are nearer to each other or to the boundary
-/// than the size field wants.
+/// Divides the segments that may be divided. Also gives sizes where inner points are nearer to each other or to the
+/// boundary than the size field wants.
 pub(crate) fn breaklines(
     outline: &PlanarBoundary,
-    fixed: &Fixed,
+    divisible: &[bool],
     field: &SizeField,
-) -> Result<(Breaklines, Vec<SizeAt>), InteriorError> {
-    let mut lines = Breaklines { points: fixed.points.clone(), edges: Vec::new() };
-    if fixed.points.is_empty() && fixed.segments.is_empty() {
-        return Ok((lines, Vec::new()));
-    }
-    check_points(outline, fixed)?;
-    check_segments(outline, fixed, &lines)?;
+) -> (Breaklines, Vec<SizeAt>) {
+    let mut lines = Breaklines { points: outline.inner_points().to_vec(), edges: Vec::new() };
     let vertices = outline.points().len();
-    for [a, b] in &fixed.segments {
-        let (from, to) = (lines.at(outline, *a), lines.at(outline, *b));
-        let mut last = *a;
-        for share in divisions(from, to, field) {
-            lines.points.push(from.lerp(to, share));
-            let point = (vertices + lines.points.len() - 1) as u32;
-            lines.edges.push([last, point]);
-            last = point;
+    for (segment, &[a, b]) in outline.segments().iter().enumerate() {
+        let (from, to) = (outline.point(a), outline.point(b));
+        let mut last = a;
+        if divisible.get(segment).copied().unwrap_or_default() {
+            for share in divisions(from, to, field) {
+                lines.points.push(from.lerp(to, share));
+                let point = (vertices + lines.points.len() - 1) as u32;
+                lines.edges.push([last, point]);
+                last = point;
+            }
         }
-        lines.edges.push([last, *b]);
+        lines.edges.push([last, b]);
     }
     let crowded = crowded(outline, &lines, field);
-    Ok((lines, crowded))
-}
-
-fn check_points(outline: &PlanarBoundary, fixed: &Fixed) -> Result<(), InteriorError> {
-    let tree = EdgeTree::of_boundary(outline);
-    for (index, point) in fixed.points.iter().enumerate() {
-        let outside = || {
-            let what = format!("fixed point {index}");
-            Err(InteriorError::Outside { what, at: point.to_array() })
-        };
-        if !is_usable(*point) {
-            return outside();
-        }
-        match tree.nearest(*point, f64::INFINITY) {
-            Some((edge, distance)) if distance > 0.0 && is_inside_of(outline, edge, *point) => {}
-            _ => return outside(),
-        }
-    }
-    let mut order: Vec<usize> = (0..fixed.points.len()).collect();
-    let key = |i: &usize| fixed.points[*i].to_array();
-    order.sort_by(|i, j| {
-        let (a, b) = (key(i), key(j));
-        a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])).then(i.cmp(j))
-    });
-    let same = order.windows(2).find(|pair| fixed.points[pair[0]] == fixed.points[pair[1]]);
-    same.map_or(Ok(()), |pair| {
-        let what = format!("fixed point {}, a second one,", pair[1]);
-        Err(InteriorError::Outside { what, at: key(&pair[0]) })
-    })
-}
-
-fn check_segments(
-    outline: &PlanarBoundary,
-    fixed: &Fixed,
-    lines: &Breaklines,
-) -> Result<(), InteriorError> {
-    let vertices = outline.points().len() + fixed.points.len();
-    let mut items = Vec::new();
-    for (segment, ends) in fixed.segments.iter().enumerate() {
-        if ends[0] == ends[1] || ends.iter().any(|v| *v as usize >= vertices) {
-            return Err(InteriorError::Segment { segment, ends: *ends, vertices });
-        }
-        let [from, to] = ends.map(|v| lines.at(outline, v));
-        items.push(Item { id: segment as u32, from, to, size: from.distance(to), reach: 0.0 });
-    }
-    let boundary = EdgeTree::of_boundary(outline);
-    let tree = EdgeTree::of_items(items);
-    let points = EdgeTree::of_items(
-        (0..)
-            .zip(&fixed.points)
-            .map(|(id, at)| Item { id, from: *at, to: *at, size: 0.0, reach: 0.0 })
-            .collect(),
-    );
-    for (segment, ends) in fixed.segments.iter().enumerate() {
-        let [from, to] = ends.map(|v| lines.at(outline, v));
-        let mut touched = None;
-        let touches = |other: [u32; 2]| {
-            let [c, d] = other.map(|v| lines.at(outline, v));
-            // A common end is fine unless the two overlap.
-            let common = ends.iter().find(|v| other.contains(v));
-            match common {
-                None => meet(from, to, c, d),
-                Some(v) => {
-                    let at = lines.at(outline, *v);
-                    let far = |pair: [u32; 2]| pair.into_iter().find(|u| u != v).unwrap_or(*v);
-                    let [p, q] = [far(*ends), far(other)].map(|v| lines.at(outline, v));
-                    orientation(at, p, q) == 0.0 && (p - at).dot(q - at) > 0.0
-                }
-            }
-        };
-        boundary.visit(
-            |node| node.may_touch(from, to),
-            |edge| {
-                let other = [edge, outline.next(edge)];
-                if touches(other) {
-                    touched = Some(format!("boundary edge {}-{}", other[0], other[1]));
-                }
-            },
-        );
-        tree.visit(
-            |node| node.may_touch(from, to),
-            |other| {
-                if other as usize != segment && touches(fixed.segments[other as usize]) {
-                    touched = Some(format!("fixed segment {other}"));
-                }
-            },
-        );
-        points.visit(
-            |node| node.may_touch(from, to),
-            |point| {
-                let vertex = outline.vertex_count() + point;
-                let at = fixed.points[point as usize];
-                if !ends.contains(&vertex) && meet(from, to, at, at) {
-                    touched = Some(format!("fixed point {point}"));
-                }
-            },
-        );
-        let middle = from.midpoint(to);
-        let is_outside = boundary
-            .nearest(middle, f64::INFINITY)
-            .is_none_or(|(edge, _)| !is_inside_of(outline, edge, middle));
-        if touched.is_none() && is_outside {
-            touched = Some("the outside of the domain".into());
-        }
-        if let Some(what) = touched {
-            return Err(InteriorError::SegmentCrosses { segment, what });
-        }
-    }
-    Ok(())
+    (lines, crowded)
 }
 
 /// Where to divide a segment, as shares of it: pieces about as long as the size wants.

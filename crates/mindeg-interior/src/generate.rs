@@ -6,7 +6,7 @@ use crate::fixed::{Breaklines, breaklines};
 use crate::goal::{Weights, goals};
 use crate::limits::{fan_limit_at, limits};
 use crate::optimise::{Pairs, optimise};
-use crate::options::{Fixed, InteriorError, Options, check_coordinates};
+use crate::options::{InteriorError, Options, check_coordinates};
 use crate::packing::is_inside_of;
 use crate::places::mend_places;
 use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
@@ -24,12 +24,12 @@ use mindeg_mesh::planar::PlanarBoundary;
 /// A mesh and what it is like.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Generated {
-    /// The boundary points, bit for bit and in the outline's order; the fixed points; the others.
+    /// The boundary points, bit for bit and in the outline's order; its inner points; the others.
     pub points: Vec<DVec2>,
     /// Counter-clockwise triangles.
     pub triangles: Vec<[u32; 3]>,
-    /// The edges that fixed segments consist of.
-    pub fixed_edges: Vec<[u32; 2]>,
+    /// The edges that the segments of lines consist of, in their order.
+    pub line_edges: Vec<[u32; 2]>,
     /// The measures of the mesh that was reached.
     pub report: InteriorReport,
 }
@@ -52,19 +52,17 @@ const SEEDS: [Seed; 5] = [
 
 /// Fills an outline with interior points.
 ///
-/// The boundary stays as it is. Degrees and angles are aims: the search is heuristic, and the report says
+/// The boundary stays as it is, and so do lines inside, but for those that [`Options::divisible`] lets be divided. Degrees and angles are aims: the search is heuristic, and the report says
 /// what was reached and which limits are proven. Equal input gives equal bytes.
 ///
 /// O(n log n) for n points, plus the time for regions that need operations.
 ///
 /// # Errors
 ///
-/// If an option has no meaning, the target angle is above the proven limit, fixed
-/// points or segments are outside or cross, the mesh would be too large, points are too close to triangulate, or
+/// If an option has no meaning, the target angle is above the proven limit, the mesh would be too large, points are too close to triangulate, or
 /// `progress` breaks.
 pub fn generate(
     outline: &PlanarBoundary,
-    fixed: &Fixed,
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Generated, InteriorError> {
@@ -86,7 +84,7 @@ pub fn generate(
         way.wanted.growth = Some(options.wanted.growth() * seed.growth);
         way.wanted.prefer = Some(*prefer);
         let goals = goals(outline, &way);
-        let (breaklines, field) = size_field(outline, fixed, &way)?;
+        let (breaklines, field) = size_field(outline, &way)?;
         if about_points(outline, &field) > 2.0 * options.wanted.max_points() as f64 {
             return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
         }
@@ -121,7 +119,7 @@ pub fn generate(
             limits_at,
             |vertex, count| fan_limit_at(outline, vertex, Some(count)),
         );
-        let found = Generated { points, triangles, fixed_edges: breaklines.edges.clone(), report };
+        let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
         let is_better = best
             .as_ref()
             .is_none_or(|best| rank(&found.report, options) < rank(&best.report, options));
@@ -153,10 +151,9 @@ fn about_points(outline: &PlanarBoundary, field: &SizeField) -> f64 {
     sum * 2.0 / SQRT_3
 }
 
-/// The size field, with fixed points and segments taken in.
+/// The size field, with inner points and lines taken in.
 fn size_field(
     outline: &PlanarBoundary,
-    fixed: &Fixed,
     options: &Options,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
     let field = |crowded: &[SizeAt]| {
@@ -179,12 +176,12 @@ fn size_field(
             return Err(InteriorError::Outside { what, at: place.at.to_array() });
         }
     }
-    let (breaklines, crowded) = breaklines(outline, fixed, &plain)?;
+    let (breaklines, crowded) = breaklines(outline, &options.divisible, &plain);
     if crowded.is_empty() {
         return Ok((breaklines, plain));
     }
     let finer = field(&crowded);
-    let (breaklines, _) = crate::fixed::breaklines(outline, fixed, &finer)?;
+    let (breaklines, _) = crate::fixed::breaklines(outline, &options.divisible, &finer);
     Ok((breaklines, finer))
 }
 

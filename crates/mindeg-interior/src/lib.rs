@@ -7,7 +7,7 @@
 //!
 //! ```
 //! use glam::DVec2;
-//! use mindeg_interior::{Fixed, Options, generate};
+//! use mindeg_interior::{Options, generate};
 //! use mindeg_mesh::Progress;
 //! use mindeg_mesh::planar::PlanarBoundary;
 //!
@@ -17,7 +17,7 @@
 //! let ring: Vec<DVec2> = (0..4).flat_map(side).collect();
 //!
 //! let outline = PlanarBoundary::new(&[&ring])?;
-//! let mesh = generate(&outline, &Fixed::default(), &Options::default(), Progress::NONE)?;
+//! let mesh = generate(&outline, &Options::default(), Progress::NONE)?;
 //! assert_eq!(mesh.points[..32], ring[..]);
 //! assert!(mesh.report.min_angle > 35.0);
 //! assert!(mesh.report.violations.is_empty());
@@ -41,7 +41,7 @@
 //! # What is proven, and what is not
 //!
 //! The limits are proven ([`limits`]). Validity is checked with exact predicates on every mesh before it is returned:
-//! all triangles are counter-clockwise, and boundary and fixed edges are there. Degrees and angles are reached by
+//! all triangles are counter-clockwise, and the edges of the boundary and its lines are there. Degrees and angles are reached by
 //! a heuristic search without a guarantee; the [`InteriorReport`] says what was reached.
 //!
 //! Measured by the `corpus` example on 200 random convex polygons of 3 to 8 sides with 3 to 60 intervals each, 60
@@ -57,7 +57,6 @@ mod array_mesh;
 mod disc;
 mod edge_tree;
 mod energy;
-mod exact;
 mod finish;
 mod fixed;
 mod frozen;
@@ -66,7 +65,6 @@ mod goal;
 mod improve;
 mod invariants;
 pub mod limits;
-mod lines;
 mod near;
 mod operations;
 mod optimise;
@@ -90,5 +88,5 @@ mod verdict;
 pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use mindeg_domain::{Interior, Prefer, SizeAt};
-pub use options::{Fixed, InteriorError, Options, check_coordinates};
+pub use options::{InteriorError, Options, check_coordinates};
 pub use report::{InteriorReport, LocalShares, Violation};

@@ -18,7 +18,7 @@
 //! triangle with base angles a, the tent of the edge. Two edges without a common end never
 //! share a triangle (unless the domain is one triangle), so their tents must not overlap. That holds for any domain, too.
 //!
-//! Fixed interior points and segments have limits of their own, which are left out here: the limits stay true,
+//! Lines and points inside have limits of their own, which are left out here: the limits stay true,
 //! but are less tight.
 
 use crate::edge_tree::EdgeTree;

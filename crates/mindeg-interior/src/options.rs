@@ -24,7 +24,8 @@ pub(crate) fn is_usable(point: DVec2) -> bool {
 ///
 /// [`InteriorError::Coordinate`].
 pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError> {
-    match (0..).zip(boundary.points()).find(|(_, point)| !is_usable(**point)) {
+    let points = boundary.points().iter().chain(boundary.inner_points());
+    match (0..).zip(points).find(|(_, point)| !is_usable(**point)) {
         Some((vertex, at)) => Err(InteriorError::Coordinate { vertex, at: at.to_array() }),
         None => Ok(()),
     }
@@ -33,27 +34,19 @@ pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError>
 /// What the mesh is to be like.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
-    /// What is wanted. Its fixed points and lines become a [`Fixed`] first.
+    /// What is wanted.
     pub wanted: Interior,
     /// Boundary vertices with a degree limit of their own, in edges, which holds instead of
     /// [`Interior::boundary_degree`]; see [`degree_limit`](crate::limits::degree_limit) for reflex corners.
     pub degree_limits: BTreeMap<u32, u32>,
+    /// For each segment of the boundary's lines, whether it may be divided; those beyond the end may not.
+    pub divisible: Vec<bool>,
 }
 
 impl From<Interior> for Options {
     fn from(wanted: Interior) -> Self {
         Self { wanted, ..Self::default() }
     }
-}
-
-/// Points and segments inside the domain that the mesh must have.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct Fixed {
-    /// Points inside the domain.
-    pub points: Vec<DVec2>,
-    /// Segments between vertices: the outline's, then these points. The mesh
-    /// may divide a segment, but keeps its line.
-    pub segments: Vec<[u32; 2]>,
 }
 
 /// Why meshing failed.
@@ -101,41 +94,6 @@ pub enum InteriorError {
         what: String,
         /// The position.
         at: [f64; 2],
-    },
-    /// A line that ends on the boundary, but not at a boundary vertex.
-    #[error(
-        "fixed line {line} ends on the boundary at ({}, {}), between its points; the nearest is vertex {vertex} at ({}, {}): end the line there, or put a boundary point here",
-        at[0], at[1], nearest[0], nearest[1]
-    )]
-    EndOffVertex {
-        /// The line's index.
-        line: usize,
-        /// Where it ends.
-        at: [f64; 2],
-        /// The boundary vertex nearest to it.
-        vertex: u32,
-        /// Where that is.
-        nearest: [f64; 2],
-    },
-    /// A fixed segment that names a vertex that is not there, or one vertex twice.
-    #[error("fixed segment {segment} joins vertices {} and {}; give two different ones of the {vertices} boundary and fixed points", ends[0], ends[1])]
-    Segment {
-        /// The segment's index.
-        segment: usize,
-        /// Its ends.
-        ends: [u32; 2],
-        /// The number of vertices it may name.
-        vertices: usize,
-    },
-    /// A fixed segment that touches something it may not touch.
-    #[error(
-        "fixed segment {segment} touches or crosses {what}; segments may only meet at their ends, which are vertices of both"
-    )]
-    SegmentCrosses {
-        /// The segment's index.
-        segment: usize,
-        /// The feature that it touches.
-        what: String,
     },
     /// Coordinates that cannot hold a point and its neighbours apart.
     #[error(

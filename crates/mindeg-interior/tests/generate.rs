@@ -8,9 +8,7 @@ mod polygons;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
-use mindeg_interior::{
-    Fixed, Generated, Interior, InteriorError, Options, Prefer, SizeAt, generate,
-};
+use mindeg_interior::{Generated, Interior, InteriorError, Options, Prefer, SizeAt, generate};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use polygons::{Random, domains, random_polygon, ring};
@@ -21,13 +19,29 @@ fn points(list: &[[f64; 2]]) -> Vec<DVec2> {
     list.iter().copied().map(DVec2::from).collect()
 }
 
+/// Points inside, and lines between two vertices each: of the boundary, then these points.
+#[derive(Clone, Debug, Default)]
+struct Fixed {
+    points: Vec<DVec2>,
+    segments: Vec<[u32; 2]>,
+    is_divisible: bool,
+}
+
+impl Fixed {
+    fn boundary(&self, rings: &[Vec<DVec2>]) -> Result<PlanarBoundary, InteriorError> {
+        let lines: Vec<Vec<u32>> = self.segments.iter().map(|ends| ends.to_vec()).collect();
+        Ok(PlanarBoundary::map(rings, &self.points, &lines)?.0)
+    }
+}
+
 fn try_mesh(
     rings: &[Vec<DVec2>],
     fixed: &Fixed,
     options: &Options,
 ) -> Result<Generated, InteriorError> {
-    let outline = PlanarBoundary::new(rings)?;
-    generate(&outline, fixed, options, Progress::NONE)
+    let divisible = vec![fixed.is_divisible; fixed.segments.len()];
+    let options = Options { divisible, ..options.clone() };
+    generate(&fixed.boundary(rings)?, &options, Progress::NONE)
 }
 
 /// Meshes, and checks everything that must hold whatever was reached.
@@ -53,7 +67,10 @@ fn mesh(rings: &[Vec<DVec2>], fixed: &Fixed, options: &Options) -> Generated {
     if r.violations.is_empty() {
         assert!(r.min_angle <= r.limits.angle() + 1e-9, "a proven limit is exceeded");
     }
-    for [a, b] in &mesh.fixed_edges {
+    if !fixed.is_divisible {
+        assert_eq!(mesh.line_edges, fixed.segments);
+    }
+    for [a, b] in &mesh.line_edges {
         assert!(mesh.triangles.iter().any(|t| t.contains(a) && t.contains(b)), "edge {a}-{b}");
     }
     mesh
@@ -155,12 +172,13 @@ fn fixed_points_and_segments_stay() {
         points: points(&[[2.0, 2.0], [6.0, 5.5], [4.0, 6.1], [4.1, 1.3], [4.2, 1.3]]),
         // Two fixed points, and a boundary vertex.
         segments: vec![[40, 41], [41, 15], [42, 41]],
+        is_divisible: true,
     };
     let found = mesh(&[square], &fixed, &Options::default());
-    assert!(found.fixed_edges.len() > 6, "segments are divided");
+    assert!(found.line_edges.len() > 6, "segments are divided");
     // Each piece is on its segment.
     let at = |v: u32| found.points[v as usize];
-    for [a, b] in &found.fixed_edges {
+    for [a, b] in &found.line_edges {
         let middle = at(*a).midpoint(at(*b));
         let on = fixed.segments.iter().any(|[c, d]| {
             let (c, d) = (at(*c), at(*d));
@@ -273,23 +291,19 @@ fn bad_options_are_refused_with_what_to_do() {
         let error = try_mesh(&[square.clone()], &Fixed::default(), &wanted.into()).unwrap_err();
         assert!(error.to_string().contains(expected), "{error}");
     }
-    let point = |x: f64| points(&[[x, 3.0]]);
-    for (points, segments, expected) in [
-        (point(9.0), vec![], "fixed point 0 at (9, 3) is not inside"),
-        (point(8.0), vec![], "is not inside"),
-        (point(f64::NAN), vec![], "is not inside"),
-        (point(4.0), vec![[24, 24]], "fixed segment 0 joins vertices 24 and 24"),
-        (point(4.0), vec![[24, 25]], "of the 25 boundary and fixed points"),
-        (point(4.0), vec![[0, 1]], "boundary edge 0-1"),
-        (point(4.0), vec![[0, 3]], "boundary edge"),
-        (point(4.0), vec![[0, 14], [24, 16]], "fixed segment 1"),
-        (points(&[[4.0, 4.0], [4.0, 4.0]]), vec![], "fixed point 1, a second one"),
-        (points(&[[4.0, 4.0]]), vec![[0, 12]], "fixed point 0"),
-    ] {
-        let fixed = Fixed { points, segments };
-        let error = try_mesh(&[square.clone()], &fixed, &Options::default()).unwrap_err();
-        assert!(error.to_string().contains(expected), "{fixed:?}: {error}");
-    }
+}
+
+/// As states on a map: short edges across a square, none of which is divided, though the size asks for it.
+#[test]
+fn lines_that_stay_are_not_divided() {
+    let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[16; 4]);
+    let inner = points(&[[2.0, 1.7], [3.1, 3.0], [4.0, 4.1], [5.2, 5.0], [6.1, 6.3], [4.0, 6.0]]);
+    let segments =
+        vec![[0, 64], [64, 65], [65, 66], [66, 67], [67, 68], [68, 32], [66, 69], [69, 40]];
+    let fixed = Fixed { points: inner, segments, is_divisible: false };
+    let found = mesh(&[square], &fixed, &Options::default());
+    assert_eq!(found.report.violations, []);
+    assert!(found.report.min_angle > 10.0, "{:?}", found.report);
 }
 
 #[test]
@@ -309,9 +323,7 @@ fn progress_rises_to_the_end_and_can_cancel() {
             seen.lock().unwrap().push((step.stage.to_owned(), step.done, step.total));
             if step.done > most { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
         };
-        let (fixed, options) = (Fixed::default(), Options::default());
-        let progress = Progress::new(&callback);
-        generate(&outline, &fixed, &options, progress)
+        generate(&outline, &Options::default(), Progress::new(&callback))
     };
     assert!(matches!(run(10), Err(InteriorError::Cancelled(_))));
     seen.lock().unwrap().clear();
@@ -356,13 +368,14 @@ proptest::proptest! {
         let first = rings.concat().len() as u32;
         let segments = if points.len() > 1 { vec![[first, first + 1]] } else { vec![] };
         let options = Interior { growth: Some(growth), ..Interior::default() }.into();
-        let fixed = Fixed { points, segments };
+        let fixed = Fixed { points, segments, is_divisible: growth > 1.0 };
         match try_mesh(&rings, &fixed, &options) {
             Ok(_) => drop(mesh(&rings, &fixed, &options)),
-            Err(InteriorError::Outside { .. } | InteriorError::SegmentCrosses { .. }) => {
-                drop(mesh(&rings, &Fixed::default(), &options));
+            Err(InteriorError::Boundary(_)) => {
+                if PlanarBoundary::new(&rings).is_ok() {
+                    drop(mesh(&rings, &Fixed::default(), &options));
+                }
             }
-            Err(InteriorError::Boundary(_)) => {}
             Err(error) => panic!("{error}"),
         }
     }
@@ -385,8 +398,7 @@ fn coordinates_without_room_for_points_end_at_once() {
             0..20 => ControlFlow::Continue(()),
             _ => ControlFlow::Break(()),
         };
-        let found =
-            generate(&outline, &Fixed::default(), &Options::default(), Progress::new(&in_time));
+        let found = generate(&outline, &Options::default(), Progress::new(&in_time));
         let error = found.unwrap_err().to_string();
         assert!(error.starts_with("no point fits at ("), "{error}");
     }

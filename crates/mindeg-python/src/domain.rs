@@ -1,5 +1,7 @@
 //! A domain: what to mesh.
 
+use std::borrow::Cow;
+
 use mindeg::glam::DVec3;
 use mindeg::{Domain as Inner, GOALS, Goal, Positions, exact};
 use mindeg_answers::interior::InteriorAnswer;
@@ -75,8 +77,14 @@ impl Domain {
     #[pyo3(name = "_interior")]
     fn interior(&self, py: Python<'_>, options: &str) -> PyResult<Mesh> {
         let base = self.inner.interior().cloned().unwrap_or_default();
-        let wanted = interior::wanted(options, &base)?;
-        let found = done(py, |progress| mindeg::interior::mesh(&self.inner, &wanted, progress))?;
+        let (wanted, points) = interior::wanted(options, &base)?;
+        let mut domain = Cow::Borrowed(&self.inner);
+        if !points.is_empty() {
+            let mut inside = self.inner.inside().clone();
+            inside.points.extend(points);
+            domain = Cow::Owned(self.inner.with_inside(inside).map_err(value_error)?);
+        }
+        let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
         let report =
             dict(py, &InteriorAnswer::from(&found.report))?.cast_into::<PyDict>()?.unbind();
         let facts = Facts { report: Some(report), ..Facts::default() };

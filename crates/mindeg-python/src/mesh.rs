@@ -375,7 +375,7 @@ pub(crate) fn improve(
     options: &str,
 ) -> PyResult<Mesh> {
     let mesh = tri_mesh(points, triangles)?;
-    let wanted = interior::wanted(options, &mindeg::Interior::default())?;
+    let (wanted, _) = interior::wanted(options, &mindeg::Interior::default())?;
     let found = done(py, |progress| mindeg::interior::improve(&mesh, &wanted, progress))?;
     let report = dict(py, &InteriorAnswer::from(&found.after))?.cast_into::<PyDict>()?;
     report.set_item("before", dict(py, &InteriorAnswer::from(&found.before))?)?;

@@ -122,6 +122,7 @@ impl BoundaryMesh {
         boundary: &PlanarBoundary,
         triangles: Vec<[u32; 3]>,
     ) -> Result<Self, MeshError> {
+        MeshError::check_inside(domain)?;
         if let Some(index) = first_flat(boundary, &triangles) {
             let triangle = triangles[index as usize];
             return Err(MeshError::Refused(format!(

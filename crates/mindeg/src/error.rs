@@ -1,6 +1,7 @@
 //! Why there is no mesh.
 
 use mindeg_delaunay::DelaunayError;
+use mindeg_domain::Domain;
 use mindeg_exact::Unsolved;
 use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::BoundaryFaults;
@@ -48,6 +49,17 @@ pub enum MeshError {
 impl MeshError {
     pub(crate) fn refused(sentence: impl ToString) -> Self {
         Self::Refused(sentence.to_string())
+    }
+
+    /// A mesh of boundary points alone does not take a domain with lines or points inside.
+    pub(crate) fn check_inside(domain: &Domain) -> Result<(), Self> {
+        let inside = domain.inside();
+        if inside.lines.is_empty() && inside.points.is_empty() {
+            return Ok(());
+        }
+        Err(Self::refused(
+            "the domain has lines or points inside, which take interior points: mesh it with --interior",
+        ))
     }
 
     /// The formula does not take a domain.

@@ -36,14 +36,18 @@ use posed::{boundary, options};
 
 use crate::boundary_mesh::lines;
 use mindeg_domain::{Domain, Interior};
-use mindeg_interior::{Fixed, generate};
-use mindeg_mesh::{Line, Progress, TriMesh};
+use mindeg_interior::generate;
+use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{Group, Line, Material, Progress, TriMesh};
+use regions::spread;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A mesh with interior points, and what it is like.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InteriorMesh {
-    /// The mesh: the boundary vertices in their order, the fixed points, then the others. Its lines are
-    /// the sides of the domain, then the fixed lines.
+    /// The mesh: the boundary vertices in their order, the points and lines inside, then the others. Its lines are
+    /// the sides of the domain, then the lines inside; its groups are the regions, if there are any.
     pub mesh: TriMesh,
     /// The measures of the mesh that was reached.
     pub report: InteriorReport,
@@ -59,43 +63,36 @@ pub struct InteriorMesh {
 ///
 /// # Errors
 ///
-/// A wish without a meaning or that is proven impossible, fixed points or lines outside, more points than
-/// allowed, boundary points too close to triangulate, and a `progress` that cancels.
+/// A wish without a meaning or that is proven impossible, more points than allowed, boundary points too close to triangulate, and a `progress` that cancels.
 pub fn mesh(
     domain: &Domain,
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
     let boundary = boundary(domain)?;
-    let fixed = Fixed::of_lines(&boundary, &wanted.fixed)?;
-    let found = generate(&boundary, &fixed, &options(domain, wanted), progress)?;
+    let found = generate(&boundary, &options(domain, wanted), progress)?;
     let limit = AngleLimit::new(domain, &boundary, &found.report.limits);
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
-    let (rings, mut lines) = (domain.rings(), lines(domain));
-    let mut segments: Vec<_> = (0..rings.vertex_count()).map(|v| [v, rings.next(v)]).collect();
-    let mut pieces = found.fixed_edges.iter().copied();
-    let mut rest = fixed.segments.iter();
-    for (index, ends) in wanted.fixed.lines.iter().enumerate() {
-        let start = segments.len() as u32;
-        for [_, end] in rest.by_ref().take(ends.len().saturating_sub(1)) {
-            for piece in pieces.by_ref() {
-                segments.push(piece);
-                if piece[1] == *end {
-                    break;
-                }
-            }
-        }
-        if segments.len() as u32 > start {
-            let name = free_name(&lines, &format!("fixed line {}", index + 1));
-            lines.push(Line { name, segments: start..segments.len() as u32, is_straight: false });
-        }
-    }
+    let mut lines = lines(domain);
     let mut kinds: Vec<_> = domain.sides().iter().map(|side| side.kind).collect();
-    kinds.resize(lines.len(), None);
-    let mesh = TriMesh::new(points, found.triangles)
+    let mut segments: Vec<[u32; 2]> = boundary.edges().collect();
+    let pieces = pieces(&boundary, &found.line_edges);
+    for (line, kind) in domain.inner_lines() {
+        let start = segments.len() as u32;
+        let own = &pieces[line.segments.start as usize..line.segments.end as usize];
+        segments.extend(own.concat());
+        lines.push(Line { segments: start..segments.len() as u32, ..line });
+        kinds.push(kind);
+    }
+    let (triangles, groups) = groups(domain, &boundary, &pieces, found.triangles);
+    let mesh = TriMesh::new(points, triangles)
         .and_then(|mesh| mesh.with_lines(lines, segments))
         .map(|mesh| mesh.with_line_kinds(kinds))
         .map_err(|error| InteriorError::NotFilled(error.to_string()))?;
+    let mesh = match groups.is_empty() {
+        true => mesh,
+        false => mesh.with_groups(groups),
+    };
     let mesh = match domain.name() {
         Some(name) => mesh.named(name),
         None => mesh,
@@ -103,13 +100,64 @@ pub fn mesh(
     Ok(InteriorMesh { mesh, report: found.report, limit })
 }
 
-/// A name that no line has.
-fn free_name(lines: &[Line], wanted: &str) -> String {
-    let mut name = wanted.to_owned();
-    while lines.iter().any(|line| line.name == name) {
-        name.push('\'');
+/// The edges that each segment of the lines was divided into.
+fn pieces(boundary: &PlanarBoundary, edges: &[[u32; 2]]) -> Vec<Vec<[u32; 2]>> {
+    let mut edges = edges.iter().copied();
+    let mut own = |end: u32| {
+        let mut pieces = Vec::new();
+        for edge in edges.by_ref() {
+            pieces.push(edge);
+            if edge[1] == end {
+                break;
+            }
+        }
+        pieces
+    };
+    boundary.segments().iter().map(|&[_, end]| own(end)).collect()
+}
+
+/// The triangles by their regions, and a group for each; no groups if the domain has no regions.
+fn groups(
+    domain: &Domain,
+    boundary: &PlanarBoundary,
+    pieces: &[Vec<[u32; 2]>],
+    triangles: Vec<[u32; 3]>,
+) -> (Vec<[u32; 3]>, Vec<Group>) {
+    let Some(faces) = domain.faces() else { return (triangles, Vec::new()) };
+    if faces.count == 1 && domain.inside().regions.is_empty() {
+        return (triangles, Vec::new());
     }
-    name
+    let (on_rings, on_lines) = faces.beside.split_at(boundary.vertex_count() as usize);
+    let mut known = BTreeMap::new();
+    let mut know = |[a, b]: [u32; 2], [left, right]: [Option<u32>; 2]| {
+        known.extend(left.map(|face| ([a, b], face as usize)));
+        known.extend(right.map(|face| ([b, a], face as usize)));
+    };
+    boundary.edges().zip(on_rings).for_each(|(edge, beside)| know(edge, *beside));
+    for (edges, beside) in pieces.iter().zip(on_lines) {
+        edges.iter().for_each(|&edge| know(edge, *beside));
+    }
+    let mut of_face: Vec<Vec<[u32; 3]>> = vec![Vec::new(); faces.count];
+    for (triangle, face) in triangles.iter().zip(spread(&triangles, &known)) {
+        of_face[face].push(*triangle);
+    }
+    let mut materials: Vec<Arc<Material>> = Vec::new();
+    let mut material = |name: &str| {
+        let known = materials.iter().find(|material| material.name == name).cloned();
+        known.unwrap_or_else(|| {
+            materials.push(Arc::new(Material { name: name.to_owned(), color: None }));
+            materials[materials.len() - 1].clone()
+        })
+    };
+    let mut end = 0;
+    let group = |(face, triangles): (u32, &Vec<[u32; 3]>)| {
+        let start = end;
+        end += triangles.len() as u32;
+        Group::new(domain.region_name(face), start..end)
+            .of_material(domain.region_material(face).map(&mut material))
+    };
+    let groups = (0..).zip(&of_face).map(group).collect();
+    (of_face.concat(), groups)
 }
 
 #[cfg(test)]

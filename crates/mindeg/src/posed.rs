@@ -79,6 +79,7 @@ impl<'a> Posed<'a> {
         domain: &'a Domain,
         progress: Progress<'_>,
     ) -> Result<Self, MeshError> {
+        MeshError::check_inside(domain)?;
         let boundary = domain.boundary()?;
         let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], progress)?;
         let least_tangent = least_tangent(boundary.points(), &triangles);

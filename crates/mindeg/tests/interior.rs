@@ -6,7 +6,8 @@ use glam::DVec3;
 use mindeg::glam;
 use mindeg::interior::{improve, mesh};
 use mindeg::{
-    Domain, FixedLines, Group, Interior, LineEnd, Positions, Progress, Side, TriMesh, Triangles,
+    Domain, Group, InnerPoint, Inside, Interior, Positions, Progress, Ring, Side, TriMesh,
+    Triangles,
 };
 use proptest::prelude::*;
 
@@ -44,19 +45,20 @@ fn the_boundary_comes_first_bit_for_bit_with_its_sides() {
 }
 
 #[test]
-fn fixed_lines_are_lines_of_the_mesh() {
-    let at = |x: f64, y: f64| LineEnd::At([x, y].into());
-    let lines =
-        vec![vec![at(0.0, 1.5), at(2.0, 1.0), at(4.0, 1.5)], vec![at(2.0, 1.0), at(2.0, 2.2)]];
-    let wanted = Interior {
-        fixed: FixedLines { points: vec![[3.0, 2.5].into()], lines },
-        ..Interior::default()
+fn lines_inside_are_lines_of_the_mesh() {
+    let line = |corners: &[[f64; 2]]| {
+        Ring::new(corners.iter().copied(), vec![Side::size(9.0); corners.len() - 1])
     };
-    let domain = rectangle([16, 12, 16, 12]);
-    let found = mesh(&domain, &wanted, Progress::NONE).unwrap();
+    let inside = Inside {
+        lines: vec![line(&[[0.0, 1.5], [2.0, 1.0], [4.0, 1.5]]), line(&[[2.0, 1.0], [2.0, 2.2]])],
+        points: vec![InnerPoint { at: [3.0, 2.5].into(), ..InnerPoint::default() }],
+        regions: Vec::new(),
+    };
+    let domain = rectangle([16, 12, 16, 12]).with_inside(inside).unwrap();
+    let found = mesh(&domain, &Interior::default(), Progress::NONE).unwrap();
     let lines = found.mesh.lines();
-    assert_eq!(lines[4].name, "fixed line 1");
-    assert_eq!(lines[5].name, "fixed line 2");
+    assert_eq!(lines[4].name, "line 1");
+    assert_eq!(lines[5].name, "line 2");
     let point = |v: u32| found.mesh.positions()[v as usize].truncate();
     for (line, ends, length) in [
         (&lines[4], [[0.0, 1.5], [4.0, 1.5]], 2.0 * 2_f64.hypot(0.5)),
@@ -69,7 +71,10 @@ fn fixed_lines_are_lines_of_the_mesh() {
         let sum: f64 = pieces.iter().map(|[a, b]| point(*a).distance(point(*b))).sum();
         assert!((sum - length).abs() < 1e-12);
     }
-    assert!(found.mesh.positions().contains(&DVec3::new(3.0, 2.5, 0.0)));
+    assert_eq!(found.mesh.positions()[56], DVec3::new(3.0, 2.5, 0.0));
+    // The first line divides the domain.
+    let groups: Vec<&str> = found.mesh.groups().iter().map(|group| &*group.name).collect();
+    assert_eq!(groups, ["region 1", "region 2"]);
 }
 
 #[test]

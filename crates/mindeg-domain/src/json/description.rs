@@ -8,11 +8,13 @@ use mindeg_mesh::planar::InRing;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::line::LineKeys;
 use super::side::{SideKeys, lone_side};
 use crate::build::DomainBuilder;
 use crate::constraints::{Constraints, SideConstraint, VertexConstraint};
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
+use crate::inside::{InnerPoint, Inside, Region};
 use crate::interior::Interior;
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
@@ -51,6 +53,12 @@ pub struct DomainDescription {
     pub(super) size: Option<f64>,
     /// Rings inside the outline and apart from each other
     holes: Option<Vec<Hole>>,
+    /// Lines inside, which every mesh of the domain has as edges
+    lines: Option<Vec<LineKeys>>,
+    /// Points inside, which every mesh of the domain has as vertices
+    points: Option<Vec<InnerPoint>>,
+    /// Names and materials of the regions that lines divide the domain into
+    regions: Option<Vec<Region>>,
     /// Degree limits of single vertices
     vertices: Option<Vec<VertexKeys>>,
     /// The wanted mesh with interior points. Commands that mesh add points if this is there
@@ -113,9 +121,10 @@ impl DomainDescription {
     }
 
     pub(super) fn domain_up_to(self, max_vertices: u32) -> Result<Domain, DomainError> {
-        let Self { name, rectangle, polygon, ring, sides, size, holes, vertices, interior } = self;
+        let Self { name, rectangle, polygon, ring, sides, size, holes, .. } = self;
+        let Self { lines, points, regions, vertices, interior, .. } = self;
         let error = |key, message: &str| Err(Place::key(key).error(message));
-        if size.is_some() && ring.is_some() && holes.is_none() {
+        if size.is_some() && ring.is_some() && holes.is_none() && lines.is_none() {
             return error("size", OWN_POINTS);
         }
         let (outline, (Ring { corners, sides }, mut of_sides)) = match (rectangle, polygon, ring) {
@@ -150,6 +159,12 @@ impl DomainDescription {
             builder = builder.hole(ring);
             of_sides.extend(constraints);
         }
+        let lines = lines.unwrap_or_default().into_iter().enumerate();
+        let inside = Inside {
+            lines: lines.map(|(line, given)| given.line(line, size)).collect::<Result<_, _>>()?,
+            points: points.unwrap_or_default(),
+            regions: regions.unwrap_or_default(),
+        };
         let vertices = vertices.unwrap_or_default();
         let is_idle =
             |vertex: &VertexKeys| vertex.max_degree.is_none() && vertex.outside_degree.is_none();
@@ -166,7 +181,7 @@ impl DomainDescription {
         };
         let vertices = vertices.iter().map(vertex).collect();
         let constraints = Constraints { sides: of_sides, vertices };
-        let domain = builder.constraints(constraints).build()?;
+        let domain = builder.inside(inside).constraints(constraints).build()?;
         let domain = match name {
             Some(name) => domain.named(name)?,
             None => domain,
@@ -277,16 +292,25 @@ impl Domain {
             outside_degree: Some(constraint.external_degree).filter(|degree| *degree > 0),
             max_degree: constraint.degree_limit,
         };
+        let inside = self.inside();
         let vertices: Vec<_> = self.constraints().vertices.iter().map(vertex).collect();
         DomainDescription {
             name: self.name().map(str::to_owned),
             rectangle,
             polygon,
             sides: Some(sides),
-            holes: Some(holes.collect()).filter(|holes: &Vec<Hole>| !holes.is_empty()),
-            vertices: Some(vertices).filter(|vertices| !vertices.is_empty()),
+            holes: some(holes.collect()),
+            lines: some(inside.lines.iter().map(LineKeys::of).collect()),
+            points: some(inside.points.clone()),
+            regions: some(inside.regions.clone()),
+            vertices: some(vertices),
             interior: self.interior().cloned(),
             ..DomainDescription::default()
         }
     }
+}
+
+/// A list, if it is not empty.
+fn some<T>(list: Vec<T>) -> Option<Vec<T>> {
+    Some(list).filter(|list| !list.is_empty())
 }

@@ -72,6 +72,12 @@ impl Error for Fault {
     }
 
     fn unknown_field(key: &str, allowed: &'static [&'static str]) -> Self {
+        if key == "fixed" && allowed.contains(&"size_inside") {
+            return Self::new(
+                "\"fixed\" is now \"lines\" and \"points\" of the domain, beside \"interior\""
+                    .to_owned(),
+            );
+        }
         let key = shortened(&format!("{key:?}"));
         Self::new(format!("unknown key {key}; allowed: {}", quoted(allowed).join(", ")))
     }

@@ -6,7 +6,7 @@ use serde::de::value::SeqAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor};
 
 use crate::constraints::ExternalDegree;
-use crate::interior::{LineEnd, SizeAt};
+use crate::interior::SizeAt;
 
 impl From<[f64; 3]> for SizeAt {
     fn from([x, y, size]: [f64; 3]) -> Self {
@@ -53,16 +53,6 @@ impl<'de> Deserialize<'de> for ExternalDegree {
                        its first corner to its last",
             number: Self::Inside,
             list: Self::Each,
-        })
-    }
-}
-
-impl<'de> Deserialize<'de> for LineEnd {
-    fn deserialize<D: Deserializer<'de>>(given: D) -> Result<Self, D::Error> {
-        given.deserialize_any(NumberOr {
-            expected: "[x, y], or the index of a fixed point, from 0",
-            number: |index| Self::Point(index as usize),
-            list: Self::At,
         })
     }
 }

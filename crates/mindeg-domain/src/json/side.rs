@@ -163,18 +163,19 @@ impl SideKeys {
         Ok((side, SideConstraint { external_degree, degree_limit: self.max_degree }))
     }
 
+    /// The same keys, with a number of intervals if nothing else divides the side.
+    pub(super) fn or_intervals(self, intervals: Option<u64>) -> Self {
+        let is_divided = self.points.is_some() || self.dividing_keys().next().is_some();
+        if is_divided { self } else { Self { intervals, ..self } }
+    }
+
     /// The description of a side of a domain.
     pub(super) fn of(domain: &Domain, ring: usize, index: usize) -> Self {
-        let Side { curve, intervals, spacing, name, kind } = domain.sides()[index].clone();
+        let side = domain.sides()[index].clone();
         let constraint = domain.constraints().sides.get(index).cloned().unwrap_or_default();
         let outside = Some(constraint.external_degree);
-        let given = Self {
-            name,
-            kind,
-            outside_degree: outside.filter(|degree| *degree != ExternalDegree::default()),
-            max_degree: constraint.degree_limit,
-            ..Self::default()
-        };
+        let outside_degree = outside.filter(|degree| *degree != ExternalDegree::default());
+        let max_degree = constraint.degree_limit;
         // Points computed in the other direction differ in their last bits. So the sides of a
         // reversed ring list their points, unless all points are formulas anyway.
         let is_formula = domain.convex().is_some()
@@ -183,8 +184,17 @@ impl SideKeys {
         if domain.turned.contains(&ring) && !is_formula && count > 1 {
             let mut points = vec![DVec2::ZERO; count as usize - 1];
             domain.placement().fill_points(domain.rings().corner(index) + 1, &mut points);
-            return Self { points: Some(points), ..given };
+            let Side { name, kind, .. } = side;
+            let points = Some(points);
+            return Self { points, name, kind, outside_degree, max_degree, ..Self::default() };
         }
+        Self { outside_degree, max_degree, ..Self::of_side(side) }
+    }
+
+    /// The description of a side without constraints.
+    pub(super) fn of_side(side: Side) -> Self {
+        let Side { curve, intervals, spacing, name, kind } = side;
+        let given = Self { name, kind, ..Self::default() };
         let given = match curve {
             Curve::Line => given,
             Curve::Polyline(points) if intervals == Intervals::Points => {

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
-use crate::interior::{FixedLines, Interior, LineEnd, Prefer, SizeAt};
+use crate::interior::{Interior, Prefer, SizeAt};
 use crate::side::Side;
 use crate::spacing::Spacing;
 use mindeg_mesh::LineKind;
@@ -234,8 +234,7 @@ fn reads_every_key_of_the_interior() {
     let found = with_interior(
         r#"{"growth": 0.3, "size_inside": 2, "sizes": [[1, 1, 0.1], [3, 2, 0.2]],
             "interior_degree": [4, 8], "boundary_degree": 6, "target_angle": 25,
-            "prefer": "angle", "fixed": {"points": [[1, 2], [2, 2]],
-            "segments": [[0, 1], [[0, 1], 1, [4, 1]]]}}"#,
+            "prefer": "angle"}"#,
     );
     let at = DVec2::new;
     let expected = Interior {
@@ -246,13 +245,6 @@ fn reads_every_key_of_the_interior() {
         boundary_degree: Some(6),
         target_angle: Some(25.0),
         prefer: Some(Prefer::Angle),
-        fixed: FixedLines {
-            points: vec![at(1.0, 2.0), at(2.0, 2.0)],
-            lines: vec![
-                vec![LineEnd::Point(0), LineEnd::Point(1)],
-                vec![LineEnd::At(at(0.0, 1.0)), LineEnd::Point(1), LineEnd::At(at(4.0, 1.0))],
-            ],
-        },
         max_points: None,
     };
     assert_eq!(found.unwrap().interior(), Some(&expected));
@@ -265,7 +257,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
     for (interior, message) in [
         (
             "true",
-            "interior: found true, expected an object with \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"fixed\", \"max_points\"",
+            "interior: found true, expected an object with \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
         (
             r#"{"growth": 0}"#,
@@ -292,16 +284,12 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
             "interior.prefer: found the text \"speed\", expected \"degree\" or \"angle\"",
         ),
         (
-            r#"{"fixed": {"segments": [[0, 1]]}}"#,
-            "interior.fixed.segments[0][0]: fixed line 0 names fixed point 0; \"points\" has 0 (counted from 0)",
-        ),
-        (
-            r#"{"fixed": {"segments": [[[0, 1]]]}}"#,
-            "interior.fixed.segments[0]: fixed line 0 has 1 of 2 ends or more",
+            r#"{"fixed": {"points": [[1, 1]]}}"#,
+            "interior.fixed: \"fixed\" is now \"lines\" and \"points\" of the domain, beside \"interior\"",
         ),
         (
             r#"{"grow": 1}"#,
-            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"fixed\", \"max_points\"",
+            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
     ] {
         let error = with_interior(interior).unwrap_err();
@@ -317,8 +305,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
 fn what_is_wanted_inside_survives_writing() {
     let given = with_interior(
         r#"{"growth": 0.3, "size_inside": 0.7, "sizes": [[1, 1, 0.1]], "interior_degree": [5, 8],
-            "boundary_degree": 6, "target_angle": 20, "prefer": "angle",
-            "fixed": {"points": [[1, 1]], "segments": [[0, [0.5, 0.25]]]}}"#,
+            "boundary_degree": 6, "target_angle": 20, "prefer": "angle"}"#,
     )
     .unwrap();
     let again = Domain::from_json(&given.to_json()).unwrap();
@@ -431,4 +418,107 @@ fn coordinates_too_large_or_small_for_exact_work_are_refused_when_read() {
     // Convex domains are formulas, at any scale.
     let plate = r#"{"rectangle": {"width": 4e80, "height": 3e80}, "size": 1e80}"#;
     assert!(Domain::from_json(plate).is_ok());
+}
+
+/// A map with every kind of line.
+const MAP: &str = r#"{"rectangle": {"width": 4, "height": 2}, "size": 0.5,
+    "holes": [{"corners": [[3, 1]], "sides": [{"arc": {"center": [2.8, 1]}, "intervals": 8, "name": "bore"}]}],
+    "lines": [
+        {"corners": [[2, 0], [2, 2]], "name": "interface"},
+        {"corners": [[1, 1]], "sides": [{"arc": {"center": [0.7, 1]}, "intervals": 10, "name": "fibre"}]},
+        {"points": [[2.2, 0.5], [2.4, 0.6], [2.6, 0.5]], "name": "breakline"},
+        {"corners": [[2, 1.25], [1.5, 1.5], [0.25, 2]], "intervals": 2, "sides": [{}, {"name": "end", "size": 0.7}]},
+        {"points": [[3.2, 0.2], [3.4, 0.2], [3.3, 0.3]], "closed": true}],
+    "points": [{"at": [3.5, 0.5], "name": "gauge", "size": 0.05}, {"at": [1.5, 1.5]}],
+    "regions": [{"at": [0.2, 0.2], "name": "matrix"}, {"at": [0.7, 1], "name": "fibre"},
+        {"at": [3.5, 1.5], "name": "steel", "material": "S235"}]}"#;
+
+#[test]
+fn reads_a_map() {
+    let domain = Domain::from_json(MAP).unwrap();
+    let boundary = domain.boundary().unwrap();
+    // Of 24 vertices on the outline one more, where line 4 ends; the middle of the top was one.
+    assert_eq!((boundary.ring(0), boundary.ring(1)), (0..25, 25..33));
+    assert_eq!(
+        boundary.inner_points()[..2],
+        domain.inside().points.iter().map(|p| p.at).collect::<Vec<_>>()
+    );
+    let lines: Vec<(String, u32)> = domain
+        .inner_lines()
+        .into_iter()
+        .map(|(line, _)| (line.name, line.segments.end - line.segments.start))
+        .collect();
+    let expected = [
+        ("interface", 5),
+        ("fibre", 10),
+        ("breakline", 2),
+        ("line 4", 2),
+        ("end", 2),
+        ("line 5", 3),
+    ];
+    assert_eq!(lines, expected.map(|(name, count)| (name.to_owned(), count)));
+    let faces = domain.faces().unwrap();
+    assert_eq!(faces.count, 5);
+    let names: Vec<String> = (0..5).map(|face| domain.region_name(face)).collect();
+    assert_eq!(names, ["matrix", "fibre", "steel", "region 4", "region 5"]);
+    assert_eq!(domain.region_material(2), Some("S235"));
+    // The interface has a size, the fibre a number of intervals.
+    let divisible = domain.divisible_segments();
+    assert_eq!((divisible.len(), divisible[0], divisible[5]), (24, true, false));
+    // Line 4 ends at a corner within line 1 and at the point.
+    assert_eq!(boundary.line(3)[0][0], boundary.line(0)[2][1]);
+    assert!(boundary.line(3).iter().flatten().any(|&vertex| vertex == 34));
+    assert_eq!(domain.notes().len(), 4, "{:?}", domain.notes());
+    assert!(domain.convex().is_none());
+}
+
+#[test]
+fn a_map_is_written_as_it_was_read() {
+    let domain = Domain::from_json(MAP).unwrap();
+    let again = Domain::from_json(&domain.to_json()).unwrap();
+    assert_eq!(again.inside(), domain.inside());
+    assert_eq!(again.boundary().unwrap(), domain.boundary().unwrap());
+    assert_eq!(again.faces(), domain.faces());
+}
+
+#[test]
+fn lines_of_clockwise_domains_keep_their_places() {
+    let clockwise = r#"{"polygon": {"corners": [[0, 0], [0, 2], [4, 2], [4, 0]]}, "size": 1,
+        "lines": [{"corners": [[1, 0], [1, 2]], "intervals": 3}]}"#;
+    let domain = Domain::from_json(clockwise).unwrap();
+    let boundary = domain.boundary().unwrap();
+    let ends =
+        [boundary.line(0)[0][0], boundary.line(0)[2][1]].map(|v| boundary.point(v).to_array());
+    assert_eq!(ends, [[1.0, 0.0], [1.0, 2.0]]);
+}
+
+#[test]
+fn refuses_maps_with_the_place() {
+    let of = |rest: &str| {
+        let text = format!(r#"{{"rectangle": {{"width": 4, "height": 2}}, "size": 1, {rest}}}"#);
+        let error = Domain::from_json(&text).unwrap_err();
+        format!("{}: {}", error.path, error.message)
+    };
+    #[rustfmt::skip]
+    let table = [
+        (r#""lines": [{}]"#, "lines[0]: the key \"corners\" or \"points\" is missing; give \"corners\": [[x, y], …] and \"intervals\", \"size\" or \"sides\", or \"points\": [[x, y], …]"),
+        (r#""lines": [{"corners": [[1, 1]]}]"#, "lines[0]: line 1: side 1: the side has no length; move its points apart"),
+        (r#""lines": [{"corners": [[1, 1], [2, 1]], "sides": [{"size": 0}]}]"#, "lines[0].sides[0].size: line 1: side 1: the size is 0.0; it must be a finite number above 0"),
+        (r#""lines": [{"corners": [[1, 1], [5, 1]]}]"#, "lines[0]: point 1 of side 2 and line 1 have the same point (4.0, 1.0); end a line there, or move one of them"),
+        (r#""lines": [{"corners": [[1, 0.5], [3, 1.5]]}, {"corners": [[1, 1.5], [3, 0.5]], "intervals": 1}]"#, "lines[0]: line 1 touches line 2 at (2.0, 1.0); end a line there, or give the point to both"),
+        (r#""lines": [{"points": [[1, 1], [6, 1.5]]}]"#, "lines[0]: interval 2 of side 2 and line 1 cross near (4.0, 1.3); end the line there, or move it"),
+        (r#""lines": [{"points": [[5, 1], [6, 1.5]]}]"#, "lines[0]: line 1 leaves the domain near (5.0, 1.0); keep it inside, off holes"),
+        (r#""lines": [{"corners": [[1, 0], [3, 0]]}]"#, "lines[0]: interval 2 of side 1 and line 1 lie on each other near (1.0, 0.0); drop one of them"),
+        (r#""points": [{"at": [1, 1]}, {"at": [1, 1]}]"#, "points[1]: point 1 and point 2 have the same point (1.0, 1.0); end a line there, or move one of them"),
+        (r#""points": [{"at": [1, 5]}]"#, "points[0]: point 1 leaves the domain near (1.0, 5.0); keep it inside, off holes"),
+        (r#""points": [{"at": [1, 1], "size": -1}]"#, "points[0].size: the size is -1.0; it must be a finite number above 0"),
+        (r#""regions": [{"at": [1, 1]}, {"at": [2, 1]}]"#, "regions[1].at: region 2 at (2.0, 1.0) lies in the same face as region 1; drop one of them, or draw a line between them"),
+        (r#""regions": [{"at": [1, 9]}]"#, "regions[0].at: region 1 at (1.0, 9.0) lies outside the domain; move it inside, or drop it"),
+        (r#""lines": [{"corners": [[1, 0], [1, 2]]}], "regions": [{"at": [3, 1]}, {"at": [1, 1.5]}]"#, "regions[1].at: region 2 at (1.0, 1.5) is no point inside a region; move it off sides, lines and points"),
+        (r#""regions": [{"at": [1, 1], "name": " "}]"#, "regions[0].name: the name of region 1 is blank; give it a letter or leave it out"),
+        (r#""lines": [{"corners": [[1, 1], [2, 1]], "sides": [{"max_degree": 5}]}]"#, "lines[0].sides[0]: line 1: degrees are limited at the boundary only; drop \"max_degree\" and \"outside_degree\""),
+    ];
+    for (rest, expected) in table {
+        assert_eq!(of(rest), expected, "{rest}");
+    }
 }

@@ -6,7 +6,7 @@
 mod polygons;
 
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, Prefer, generate};
+use mindeg_interior::{Options, Prefer, generate};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 use polygons::{Random, domains, random_polygon, random_star};
@@ -36,7 +36,7 @@ fn main() {
         let begin = Instant::now();
         let result = PlanarBoundary::new(rings)
             .map_err(Into::into)
-            .and_then(|outline| generate(&outline, &Fixed::default(), &options, Progress::NONE));
+            .and_then(|outline| generate(&outline, &options, Progress::NONE));
         let mesh = match result {
             Ok(mesh) => mesh,
             Err(error) => {

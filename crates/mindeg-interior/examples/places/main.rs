@@ -4,7 +4,7 @@
 //! domain. `benches/peers/interior/outlines.py FOLDER` writes folders of domains to measure on.
 
 use mindeg_domain::Domain;
-use mindeg_interior::{Fixed, Generated, Interior, InteriorError, Options, generate};
+use mindeg_interior::{Generated, Interior, InteriorError, Options, generate};
 use mindeg_mesh::Progress;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -81,15 +81,15 @@ fn mesh(file: &Path) -> Result<Option<(Generated, usize)>, InteriorError> {
     let Ok(domain) = Domain::from_json(&text) else { return Ok(None) };
     let outline = domain.boundary()?;
     let wanted = domain.interior().cloned().unwrap_or_else(Interior::default);
-    let fixed = Fixed::of_lines(&outline, &wanted.fixed)?;
     let mut options = Options::from(wanted);
+    options.divisible = domain.divisible_segments();
     for vertex in 0..domain.rings().vertex_count() {
         if let Some(limit) = domain.degree_limit(vertex) {
             let limit = limit.saturating_sub(domain.external_degree(vertex)).max(2);
             options.degree_limits.insert(vertex, limit);
         }
     }
-    let mesh = generate(&outline, &fixed, &options, Progress::NONE)?;
+    let mesh = generate(&outline, &options, Progress::NONE)?;
     Ok(Some((mesh, outline.points().len())))
 }
 

@@ -3,7 +3,7 @@
 //! `cargo run --release --example scale [-- equal|graded [TRIANGLES]]`
 
 use glam::DVec2;
-use mindeg_interior::{Fixed, Options, generate};
+use mindeg_interior::{Options, generate};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use std::ops::ControlFlow;
@@ -48,8 +48,8 @@ fn main() {
                 }
                 ControlFlow::Continue(())
             };
-            let (fixed, options) = (Fixed::default(), Options::default());
-            let mesh = generate(&outline, &fixed, &options, Progress::new(&callback));
+            let options = Options::default();
+            let mesh = generate(&outline, &options, Progress::new(&callback));
             let seconds = start.elapsed().as_secs_f64();
             match mesh {
                 Err(error) => println!("{name} {aim}: {error}"),

@@ -1,7 +1,7 @@
 //! Faces with interior points: still watertight, since the points of edges stay bit for bit.
 
 use mindeg_domain::{Interior, Model};
-use mindeg_interior::{Fixed, Generated, Options, generate};
+use mindeg_interior::{Generated, Options, generate};
 use mindeg_mesh::{Progress, TriMesh};
 
 use super::assembled;
@@ -64,7 +64,7 @@ pub fn fill_model(
         let face_of_model = PlaneFace::new(model, &positions, face)?;
         let failed = |error| MeshError::of_face(face, error);
         let boundary = &face_of_model.boundary;
-        let found = generate(boundary, &Fixed::default(), &options, Progress::NONE);
+        let found = generate(boundary, &options, Progress::NONE);
         found.map_err(failed)
     };
     let mut filled = Vec::with_capacity(faces.len());

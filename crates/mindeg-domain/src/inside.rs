@@ -1,0 +1,183 @@
+//! The lines, points and regions inside the rings of a domain.
+//!
+//! With lines, a domain is a map: they divide it into faces, and every mesh of the domain has their edges.
+
+use std::ops::Range;
+
+use glam::DVec2;
+use mindeg_mesh::planar::Faces;
+use mindeg_mesh::{Line, LineKind};
+
+use crate::domain::Domain;
+use crate::error::{DomainError, Place};
+use crate::name;
+use crate::outline::Ring;
+use crate::side::Intervals;
+
+/// The lines, points and regions inside the rings of a domain; none by default.
+///
+/// # Example
+///
+/// ```
+/// use mindeg_domain::{Domain, Inside, Outline, Rectangle, Ring, Side};
+///
+/// // A rectangle of two regions.
+/// let interface = Ring::new([[2.0, 0.0], [2.0, 2.0]], vec![Side::count(3).named("interface")]);
+/// let domain = Domain::builder(Outline::Rectangle(Rectangle::new(4.0, 2.0)), vec![Side::count(4); 4])
+///     .inside(Inside { lines: vec![interface], ..Inside::default() })
+///     .build()?;
+/// let faces = domain.faces().expect("the line divides the domain");
+/// assert_eq!((faces.count, domain.region_name(1)), (2, "region 2".to_owned()));
+/// assert_eq!(domain.boundary().unwrap().segments(), [[2, 16], [16, 17], [17, 10]]);
+/// # Ok::<(), mindeg_domain::DomainError>(())
+/// ```
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Inside {
+    /// The lines, which may end on rings and on each other. A line has one side fewer than corners, or as many
+    /// if it is closed. A side with a size may be divided further where a mesh has interior points; all others
+    /// keep their intervals.
+    pub lines: Vec<Ring>,
+    /// Points that every mesh has.
+    pub points: Vec<InnerPoint>,
+    /// Names and materials of the faces between lines.
+    pub regions: Vec<Region>,
+}
+
+/// A point that every mesh has
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
+pub struct InnerPoint {
+    /// Where it is, `[x, y]`
+    #[cfg_attr(feature = "json", schemars(with = "[f64; 2]"))]
+    pub at: DVec2,
+    /// Its name
+    pub name: Option<String>,
+    /// The size of a mesh with interior points there, which grows as from the boundary
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
+    pub size: Option<f64>,
+}
+
+/// A region: the face around a point, with a name and a material
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
+pub struct Region {
+    /// Any point inside it, `[x, y]`
+    #[cfg_attr(feature = "json", schemars(with = "[f64; 2]"))]
+    pub at: DVec2,
+    /// Its name, which becomes a group of triangles in mesh files. Regions may share one
+    pub name: Option<String>,
+    /// The name of its material
+    pub material: Option<String>,
+}
+
+impl Inside {
+    /// Whether there is nothing.
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty() && self.points.is_empty() && self.regions.is_empty()
+    }
+
+    /// Checks all names, and the sizes of points.
+    pub(crate) fn check(&self) -> Result<(), DomainError> {
+        for (index, line) in self.lines.iter().enumerate() {
+            for (side, given) in line.sides.iter().enumerate() {
+                let place = || Place::key("lines").then(index).then("sides").then(side);
+                if let Some(name) = &given.name {
+                    name::check(name, place().then("name"), &format!("line {}", index + 1))?;
+                }
+            }
+        }
+        for (index, InnerPoint { name, size, .. }) in self.points.iter().enumerate() {
+            let place = || Place::key("points").then(index);
+            if let Some(name) = name {
+                name::check(name, place().then("name"), &format!("point {}", index + 1))?;
+            }
+            if let Some(size) = size.filter(|size| !(size.is_finite() && *size > 0.0)) {
+                return Err(place()
+                    .then("size")
+                    .error(format!("the size is {size:?}; it must be a finite number above 0")));
+            }
+        }
+        for (index, Region { name, material, .. }) in self.regions.iter().enumerate() {
+            for (key, text) in [("name", name), ("material", material)] {
+                if let Some(text) = text {
+                    let place = Place::key("regions").then(index).then(key);
+                    name::check(text, place, &format!("region {}", index + 1))?;
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Domain {
+    /// The lines, points and regions inside the rings.
+    pub fn inside(&self) -> &Inside {
+        &self.inside
+    }
+
+    /// The same domain with other lines, points and regions.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`DomainBuilder::build`](crate::DomainBuilder::build).
+    pub fn with_inside(&self, inside: Inside) -> Result<Self, DomainError> {
+        self.rebuilt(self.sides().to_vec(), inside)
+    }
+
+    /// The faces that lines divide the domain into, if it has lines or regions: those of
+    /// [`Inside::regions`] first, in their order.
+    pub fn faces(&self) -> Option<&Faces> {
+        self.faces.as_deref()
+    }
+
+    /// The name of the region that is a face: "region 3" if it has none.
+    pub fn region_name(&self, face: u32) -> String {
+        let given = self.inside.regions.get(face as usize).and_then(|region| region.name.clone());
+        given.unwrap_or_else(|| format!("region {}", face + 1))
+    }
+
+    /// The material of the region that is a face.
+    pub fn region_material(&self, face: u32) -> Option<&str> {
+        self.inside.regions.get(face as usize)?.material.as_deref()
+    }
+
+    /// The lines as lines of a mesh, over the [segments](mindeg_mesh::planar::PlanarBoundary::segments) of the
+    /// boundary, with their kinds: one for each run of sides of one name.
+    pub fn inner_lines(&self) -> Vec<(Line, Option<LineKind>)> {
+        let mut lines: Vec<(Line, Option<LineKind>)> = Vec::new();
+        for (index, line) in self.inside.lines.iter().enumerate() {
+            let first = lines.len();
+            for (side, segments) in line.sides.iter().zip(self.line_sides(index)) {
+                let name = side.name.clone().unwrap_or_else(|| format!("line {}", index + 1));
+                match lines[first..].last_mut() {
+                    Some((before, kind)) if before.name == name && *kind == side.kind => {
+                        before.segments.end = segments.end;
+                        before.is_straight = false;
+                    }
+                    _ => lines.push((Line { name, segments, is_straight: false }, side.kind)),
+                }
+            }
+        }
+        lines
+    }
+
+    /// For each segment of the lines, whether a mesh with interior points may divide it.
+    pub fn divisible_segments(&self) -> Vec<bool> {
+        let lines = self.inside.lines.iter().enumerate();
+        let sides = lines.flat_map(|(index, line)| line.sides.iter().zip(self.line_sides(index)));
+        sides
+            .flat_map(|(side, segments)| {
+                segments.map(|_| matches!(side.intervals, Intervals::Size(_)))
+            })
+            .collect()
+    }
+
+    /// The segments of each side of a line.
+    fn line_sides(&self, line: usize) -> impl Iterator<Item = Range<u32>> + '_ {
+        let before = self.inside.lines[..line].iter().map(|line| line.sides.len()).sum::<usize>();
+        let count = self.inside.lines[line].sides.len();
+        self.line_starts[before..=before + count].windows(2).map(|ends| ends[0]..ends[1])
+    }
+}

@@ -1,0 +1,168 @@
+//! Sides that get a corner where a line ends within them.
+
+use glam::DVec2;
+use mindeg_mesh::planar::InRing;
+
+use crate::constraints::{Constraints, ExternalDegree};
+use crate::curve::Curve;
+use crate::divided::{Given, sides_of};
+use crate::error::{DomainError, Place};
+use crate::inside::Inside;
+use crate::joined::{Chain, Lookup, is_open, place, reach};
+use crate::outline::Ring;
+use crate::side::{Intervals, Side};
+use crate::spacing::Spacing;
+
+/// Where a side is split.
+#[derive(Clone, Copy)]
+enum Cut {
+    /// At this share of a straight side.
+    Share(f64),
+    /// Before the side's own point with this index.
+    Point(usize),
+}
+
+/// Gives straight sides of rings and lines a corner where a line ends within them, or a point if they have points of
+/// their own. Says so in a sentence each.
+pub(crate) fn split_sides(
+    ring_points: &[DVec2],
+    rings: &mut [Ring],
+    inside: &mut Inside,
+    constraints: &mut Constraints,
+) -> Result<Vec<String>, DomainError> {
+    let reach = reach(ring_points);
+    let mut notes = Vec::new();
+    for (line, at) in loose_ends(ring_points, inside, reach)? {
+        let which = format!("line {}", line + 1);
+        let mut first = 0;
+        let mut split = None;
+        for (index, ring) in rings.iter_mut().enumerate() {
+            if let Some((index, cut)) = cut_of(index, ring, at, reach) {
+                if let (Cut::Share(_), [_, ..]) = (cut, &constraints.sides[..]) {
+                    split_constraint(constraints, first + index.index, &which)
+                        .map_err(|error| error.of_side(index))?;
+                }
+                apply(ring, index.index, cut, at, &which).map_err(|error| error.of_side(index))?;
+                split = Some(index.side());
+                break;
+            }
+            first += ring.sides.len();
+        }
+        for (index, other) in inside.lines.iter_mut().enumerate() {
+            if split.is_none()
+                && let Some((side, cut)) = cut_of(0, other, at, reach)
+            {
+                let name = format!("line {}", index + 1);
+                apply(other, side.index, cut, at, &which)
+                    .map_err(|error| error.within(place(index), &name))?;
+                split = Some(name);
+            }
+        }
+        let DVec2 { x, y } = at;
+        notes.extend(split.map(|side| {
+            format!(
+                "Line {} ends within {side}, which was split there, at ({x:?}, {y:?}); a number of intervals \
+                 was shared out by length.",
+                line + 1
+            )
+        }));
+    }
+    Ok(notes)
+}
+
+/// The ends of open lines that are near no vertex, each with its line.
+fn loose_ends(
+    ring_points: &[DVec2],
+    inside: &Inside,
+    reach: f64,
+) -> Result<Vec<(usize, DVec2)>, DomainError> {
+    let mut points = ring_points.to_vec();
+    points.extend(inside.points.iter().map(|point| point.at));
+    let mut ends = Vec::new();
+    for (line, given) in inside.lines.iter().enumerate() {
+        let chain = Chain::new(line, given)?.points;
+        match &chain[..] {
+            [first, between @ .., last] if is_open(given) => {
+                points.extend_from_slice(between);
+                ends.extend([(line, *first), (line, *last)]);
+            }
+            _ => points.extend(chain),
+        }
+    }
+    let lookup = Lookup::new(points.into_iter(), reach);
+    ends.retain(|(_, at)| lookup.near(*at, |_| true).is_none());
+    Ok(ends)
+}
+
+/// The side of a ring or line that a point lies within, and where.
+fn cut_of(ring: usize, given: &Ring, at: DVec2, reach: f64) -> Option<(InRing, Cut)> {
+    let share = |start: DVec2, end: DVec2| {
+        let (span, from) = (end - start, at - start);
+        let length = span.length();
+        let along = from.dot(span) / length;
+        let is_within = (span.perp_dot(from) / length).abs() <= reach
+            && along > reach
+            && length - along > reach;
+        is_within.then_some(along / length)
+    };
+    sides_of(ring, given).find_map(|Given { at: index, start, end, side }| match &side.curve {
+        Curve::Line => share(start, end).map(|share| (index, Cut::Share(share))),
+        Curve::Polyline(own) if side.intervals == Intervals::Points => {
+            let from = [start].into_iter().chain(own.iter().copied());
+            let to = own.iter().copied().chain([end]);
+            let piece = from.zip(to).position(|(from, to)| share(from, to).is_some());
+            piece.map(|piece| (index, Cut::Point(piece)))
+        }
+        _ => None,
+    })
+}
+
+fn apply(
+    ring: &mut Ring,
+    index: usize,
+    cut: Cut,
+    at: DVec2,
+    line: &str,
+) -> Result<(), DomainError> {
+    let side = &mut ring.sides[index];
+    let share = match (cut, &mut side.curve) {
+        (Cut::Point(piece), Curve::Polyline(points)) => {
+            points.insert(piece, at);
+            return Ok(());
+        }
+        (Cut::Share(share), _) => share,
+        (Cut::Point(_), _) => return Ok(()),
+    };
+    if side.spacing != Spacing::Uniform {
+        return Err(Place::key("spacing").error(format!(
+            "{line} ends within the side, and a spacing law is for a whole side; give the side a corner there"
+        )));
+    }
+    let parts = match side.intervals {
+        Intervals::Count(count) if count > 1 => {
+            let first = (count as f64 * share).round().clamp(1.0, (count - 1) as f64) as u64;
+            [Intervals::Count(first), Intervals::Count(count - first)]
+        }
+        same => [same; 2],
+    };
+    let parts = parts.map(|intervals| Side { intervals, ..side.clone() });
+    ring.sides.splice(index..=index, parts);
+    ring.corners.insert(index + 1, at);
+    Ok(())
+}
+
+/// Both parts of a side have its constraint.
+fn split_constraint(
+    constraints: &mut Constraints,
+    side: usize,
+    line: &str,
+) -> Result<(), DomainError> {
+    let Some(constraint) = constraints.sides.get(side).cloned() else { return Ok(()) };
+    if matches!(constraint.external_degree, ExternalDegree::Each(_)) {
+        return Err(Place::key("outside_degree").error(format!(
+            "{line} ends within the side, which lists a degree for each vertex; give the side a corner there"
+        )));
+    }
+    constraints.sides.insert(side + 1, constraint);
+    Ok(())
+}
