@@ -1,9 +1,8 @@
 //! From a polygon of a file to a domain.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use glam::DVec2;
 use mindeg_domain::{Domain, Ring, Side};
+use mindeg_formats::Names;
 
 use super::outline::Feature;
 use super::sides::{DividedSide, Division};
@@ -20,7 +19,7 @@ impl Feature {
     pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
         let divided = self.rings.iter().map(|ring| ring.divided(division));
         let divided: Vec<Vec<DividedSide>> = divided.collect::<Result<_, _>>()?;
-        let mut names = SideNames::default();
+        let mut names = Names::with_blanks();
         let rings = divided.into_iter().map(|sides| {
             let corners: Vec<DVec2> = sides.iter().map(|side| side.points[0]).collect();
             let sides = sides.into_iter().map(|side| domain_side(side, &mut names)).collect();
@@ -34,9 +33,10 @@ impl Feature {
     }
 }
 
-fn domain_side(divided: DividedSide, names: &mut SideNames) -> Side {
+fn domain_side(divided: DividedSide, names: &mut Names) -> Side {
     let DividedSide { name, mut points, is_line } = divided;
-    let name = name.and_then(|name| names.distinct(clean(&name)));
+    let name = name.map(|name| clean(&name)).filter(|name| !name.is_empty());
+    let name = name.map(|name| names.distinct(name));
     let side = if is_line || points.len() == 1 {
         Side::count(points.len() as u64)
     } else {
@@ -44,32 +44,6 @@ fn domain_side(divided: DividedSide, names: &mut SideNames) -> Side {
         Side::points(points)
     };
     Side { name, ..side }
-}
-
-/// Names of sides, which must differ: a second side named wall is wall 2.
-#[derive(Default)]
-struct SideNames {
-    taken: BTreeSet<String>,
-    numbers: BTreeMap<String, u64>,
-}
-
-impl SideNames {
-    fn distinct(&mut self, name: String) -> Option<String> {
-        if name.is_empty() {
-            return None;
-        }
-        if self.taken.insert(name.clone()) {
-            return Some(name);
-        }
-        let number = self.numbers.entry(name.clone()).or_insert(1);
-        loop {
-            *number += 1;
-            let numbered = format!("{name} {number}");
-            if self.taken.insert(numbered.clone()) {
-                return Some(numbered);
-            }
-        }
-    }
 }
 
 #[cfg(test)]
@@ -139,10 +113,12 @@ mod tests {
 
     #[test]
     fn names_of_sides_differ() {
-        let mut names = SideNames::default();
-        let wanted = ["wall", "wall 2", "wall", "wall", "", "in"];
-        let found: Vec<_> =
-            wanted.map(|name| names.distinct(name.to_owned())).into_iter().collect();
+        let mut names = Names::with_blanks();
+        let mut named = |name: &str| {
+            let side = DividedSide { name: Some(name.into()), points: vec![], is_line: true };
+            domain_side(side, &mut names).name
+        };
+        let found = ["wall", "wall 2", "wall", "wall", " ", "in"].map(&mut named);
         let expected =
             [Some("wall"), Some("wall 2"), Some("wall 3"), Some("wall 4"), None, Some("in")];
         assert_eq!(found, expected.map(|name| name.map(str::to_owned)));
