@@ -36,33 +36,28 @@ impl OutlineFormat {
     /// All of them.
     pub const ALL: [Self; 8] = [GeoJson, Wkt, Svg, Csv, Obj, Msh, Poly, Dxf];
 
-    /// The name of the format.
+    /// The name in a sentence.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            GeoJson => "GeoJSON",
-            Wkt => "WKT",
-            Svg => "SVG",
-            Csv => "a list of points",
-            Obj => "OBJ",
-            Msh => "Gmsh's MSH",
-            Poly => "Triangle's .poly",
-            Dxf => "DXF",
-        }
+        self.facts().0
     }
 
-    /// The extensions of its files, in lower case.
+    /// The extensions of the format's files, without dots; the first is the usual one.
     #[must_use]
     pub fn extensions(self) -> &'static [&'static str] {
+        self.facts().1
+    }
+
+    fn facts(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            GeoJson => &["geojson"],
-            Wkt => &["wkt"],
-            Svg => &["svg"],
-            Csv => &["csv", "tsv", "xy", "txt", "dat"],
-            Obj => &["obj"],
-            Msh => &["msh"],
-            Poly => &["poly"],
-            Dxf => &["dxf"],
+            GeoJson => ("GeoJSON", &["geojson"]),
+            Wkt => ("WKT", &["wkt"]),
+            Svg => ("SVG", &["svg"]),
+            Csv => ("a list of points", &["csv", "tsv", "xy", "txt", "dat"]),
+            Obj => ("OBJ", &["obj"]),
+            Msh => ("Gmsh's MSH", &["msh"]),
+            Poly => ("Triangle's .poly", &["poly"]),
+            Dxf => ("DXF", &["dxf"]),
         }
     }
 

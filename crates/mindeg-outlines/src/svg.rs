@@ -89,7 +89,7 @@ impl<'a, 'input> Reader<'a, 'input> {
         let mut open = vec![(root, upright)];
         while let Some((node, outer)) = open.pop() {
             let name = node.tag_name().name();
-            if !is_drawn(node) {
+            if drawn(node).is_none() {
                 // Definitions, which draw nothing where they stand, and what is not SVG.
                 continue;
             }
@@ -97,14 +97,8 @@ impl<'a, 'input> Reader<'a, 'input> {
                 self.leave_out("element for other programs or languages");
                 continue;
             }
-            if let "use" | "text" | "image" | "foreignObject" | "line" | "style" = name {
-                self.leave_out(match name {
-                    "use" => "<use>",
-                    "text" => "<text>",
-                    "line" => "<line>",
-                    "style" => "style sheet",
-                    _ => "image",
-                });
+            if let Some((_, Some(what))) = drawn(node) {
+                self.leave_out(what);
                 continue;
             }
             let mut style =
@@ -134,7 +128,7 @@ impl<'a, 'input> Reader<'a, 'input> {
                 None => {
                     let children = node.children().filter(Node::is_element);
                     let children: Vec<_> = if name == "switch" {
-                        children.filter(|&it| is_drawn(it) && applies(it)).take(1).collect()
+                        children.filter(|&it| drawn(it).is_some() && applies(it)).take(1).collect()
                     } else {
                         children.collect()
                     };
@@ -146,7 +140,7 @@ impl<'a, 'input> Reader<'a, 'input> {
     }
 
     /// The region of a `clipPath` for an element; `None` if no element has its id.
-    fn clip(&self, id: &str, style: &Style<'_>) -> Result<Option<Rc<Clip>>, String> {
+    fn clip(&self, id: &str, style: &Style) -> Result<Option<Rc<Clip>>, String> {
         let Some(&node) = self.by_id.get(id).filter(|it| it.tag_name().name() == "clipPath") else {
             return Ok(None);
         };
@@ -157,7 +151,7 @@ impl<'a, 'input> Reader<'a, 'input> {
         }
         let outer = Style::new(style.transform).inherited_by(node)?;
         let mut shapes = Vec::new();
-        for child in node.children().filter(Node::is_element).filter(|&it| is_drawn(it)) {
+        for child in node.children().filter(Node::is_element).filter(|&it| drawn(it).is_some()) {
             let mut style = outer.inherited_by(child)?;
             if style.own.is_hidden || style.is_invisible || !applies(child) {
                 continue;
@@ -195,7 +189,7 @@ impl<'a, 'input> Reader<'a, 'input> {
     fn shape(
         &mut self,
         node: Node<'_, '_>,
-        style: &Style<'_>,
+        style: &Style,
         subpaths: Vec<Subpath>,
     ) -> Result<(), OutlineError> {
         if style.is_invisible {
@@ -279,27 +273,29 @@ impl<'a, 'input> Reader<'a, 'input> {
     }
 }
 
-/// Whether an element draws something where it stands, or could if it were read.
-fn is_drawn(node: Node<'_, '_>) -> bool {
-    matches!(
-        node.tag_name().name(),
-        "svg"
-            | "g"
-            | "a"
-            | "switch"
-            | "path"
-            | "rect"
-            | "circle"
-            | "ellipse"
-            | "polygon"
-            | "polyline"
-            | "use"
-            | "text"
-            | "image"
-            | "foreignObject"
-            | "line"
-            | "style"
-    )
+/// The elements that draw something, and the name of those that are left out.
+const DRAWN: [(&str, Option<&str>); 16] = [
+    ("svg", None),
+    ("g", None),
+    ("a", None),
+    ("switch", None),
+    ("path", None),
+    ("rect", None),
+    ("circle", None),
+    ("ellipse", None),
+    ("polygon", None),
+    ("polyline", None),
+    ("use", Some("<use>")),
+    ("text", Some("<text>")),
+    ("line", Some("<line>")),
+    ("style", Some("style sheet")),
+    ("image", Some("image")),
+    ("foreignObject", Some("image")),
+];
+
+/// The row of an element that draws something or gives others their style.
+fn drawn(node: Node<'_, '_>) -> Option<(&'static str, Option<&'static str>)> {
+    DRAWN.into_iter().find(|(name, _)| *name == node.tag_name().name())
 }
 
 /// Whether viewers in English show an element.
@@ -310,7 +306,7 @@ fn applies(node: Node<'_, '_>) -> bool {
 }
 
 /// Goes from the coordinates around a drawing to those in it. Tells whether it shows anything.
-fn drawing(node: Node<'_, '_>, style: &mut Style<'_>, is_root: bool) -> Result<bool, String> {
+fn drawing(node: Node<'_, '_>, style: &mut Style, is_root: bool) -> Result<bool, String> {
     let view = node.attribute("viewBox").map(str::parse::<ViewBox>).transpose();
     let view = match view {
         // A drawing without extent shows nothing; the outermost one is read without its box.

@@ -13,7 +13,7 @@ use super::transform;
 
 /// The properties of an element that matter for its outline.
 #[derive(Clone, Debug)]
-pub(super) struct Style<'a> {
+pub(super) struct Style {
     /// From the element's coordinates to those of the outlines.
     pub(super) transform: DAffine2,
     /// The size of the nearest drawing around it, in its units, if it has one.
@@ -26,23 +26,23 @@ pub(super) struct Style<'a> {
     pub(super) is_invisible: bool,
     /// The clips that cut the element, from the outermost on.
     pub(super) clips: Vec<Rc<Clip>>,
-    pub(super) own: Own<'a>,
+    pub(super) own: Own,
 }
 
 /// The properties that an element does not inherit.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Own<'a> {
+pub(super) struct Own {
     /// Whether nothing of it is shown, nor of what is in it.
     pub(super) is_hidden: bool,
     pub(super) is_masked: bool,
     /// How its `clip-path` is written.
-    pub(super) clip_path: Option<&'a str>,
+    pub(super) clip_path: Option<String>,
     /// Whether a drawing inside shows what lies outside it.
     pub(super) overflows: bool,
     transform: DAffine2,
-    origin: Option<&'a str>,
+    origin: Option<String>,
     /// A property that moves it and is not read.
-    unread: Option<&'a str>,
+    unread: Option<String>,
 }
 
 /// Properties that may be attributes.
@@ -63,7 +63,7 @@ const ATTRIBUTES: [&str; 14] = [
     "transform-box",
 ];
 
-impl<'a> Style<'a> {
+impl Style {
     pub(super) fn new(transform: DAffine2) -> Self {
         Self {
             transform,
@@ -79,13 +79,8 @@ impl<'a> Style<'a> {
     }
 
     /// The style of an element inside one that has this style.
-    pub(super) fn inherited_by<'b>(&self, node: Node<'b, '_>) -> Result<Style<'b>, String> {
-        let mut style =
-            Style { own: Own::default(), clips: self.clips.clone(), ..Style::new(self.transform) };
-        style.drawing = self.drawing;
-        (style.fill_rule, style.clip_rule) = (self.fill_rule, self.clip_rule);
-        (style.is_filled, style.is_stroked) = (self.is_filled, self.is_stroked);
-        style.is_invisible = self.is_invisible;
+    pub(super) fn inherited_by(&self, node: Node<'_, '_>) -> Result<Self, String> {
+        let mut style = Style { own: Own::default(), ..self.clone() };
         if let Some(text) = node.attribute("transform") {
             style.own.transform = transform::of_attribute(text)?;
         }
@@ -100,11 +95,11 @@ impl<'a> Style<'a> {
                 style.set(name.trim(), value.trim().trim_end_matches("!important"))?;
             }
         }
-        if let Some(unread) = style.own.unread {
+        if let Some(unread) = &style.own.unread {
             return Err(format!("{unread} is not read; write it as transform=\"…\""));
         }
         let own = style.own.transform;
-        let origin = match style.own.origin {
+        let origin = match &style.own.origin {
             Some(text) if own != DAffine2::IDENTITY => transform::origin(text, style.drawing)?,
             _ => DVec2::ZERO,
         };
@@ -113,7 +108,7 @@ impl<'a> Style<'a> {
         Ok(style)
     }
 
-    fn set(&mut self, name: &'a str, value: &'a str) -> Result<(), String> {
+    fn set(&mut self, name: &str, value: &str) -> Result<(), String> {
         let value = value.trim();
         let is_painted = !matches!(value, "none" | "transparent");
         let is_nothing = value.trim_end_matches('%').parse() == Ok(0.0);
@@ -131,20 +126,22 @@ impl<'a> Style<'a> {
             ("opacity", _) => own.is_hidden |= is_nothing,
             ("visibility", _) => self.is_invisible = value != "visible",
             ("mask" | "mask-image", _) => own.is_masked = value != "none",
-            ("clip-path", _) => own.clip_path = Some(value).filter(|value| *value != "none"),
+            ("clip-path", _) => own.clip_path = (value != "none").then(|| value.to_owned()),
             ("overflow", _) => own.overflows = matches!(value, "visible" | "auto"),
             ("transform", _) => own.transform = transform::of_style(value)?,
-            ("transform-origin", _) => own.origin = Some(value),
+            ("transform-origin", _) => own.origin = Some(value.to_owned()),
             ("transform-box", "view-box") | ("translate" | "rotate" | "scale", "none") => {}
-            ("transform-box" | "translate" | "rotate" | "scale", _) => own.unread = Some(name),
+            ("transform-box" | "translate" | "rotate" | "scale", _) => {
+                own.unread = Some(name.to_owned())
+            }
             _ => {}
         }
         Ok(())
     }
 
     /// The id of the element that clips this one, if it names one.
-    pub(super) fn clip_path(&self) -> Option<Result<&'a str, String>> {
-        let text = self.own.clip_path?;
+    pub(super) fn clip_path(&self) -> Option<Result<&str, String>> {
+        let text = self.own.clip_path.as_deref()?;
         let id = FuncIRI::from_str(text).map(|iri| iri.0);
         Some(id.map_err(|_| format!("clip-path={} is not read", quoted(text))))
     }
