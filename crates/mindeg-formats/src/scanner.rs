@@ -99,29 +99,26 @@ impl<'a> Scanner<'a> {
 
     /// A number of 4 bytes, or the next word.
     pub(crate) fn int(&mut self, what: &str) -> Result<i64, ReadError> {
-        Ok(match self.encoding {
-            Numbers::Text => return self.parsed(what, "a whole number"),
-            Numbers::LittleEndian => i32::from_le_bytes(self.array(what)?).into(),
-            Numbers::BigEndian => i32::from_be_bytes(self.array(what)?).into(),
-        })
+        match self.encoding {
+            Numbers::Text => self.parsed(what, "a whole number"),
+            _ => self.array(what).map(i32::from_le_bytes).map(i64::from),
+        }
     }
 
     /// A number of 8 bytes, 0 or more, or the next word.
     pub(crate) fn size(&mut self, what: &str) -> Result<u64, ReadError> {
-        Ok(match self.encoding {
-            Numbers::Text => return self.parsed(what, "a whole number, 0 or more"),
-            Numbers::LittleEndian => u64::from_le_bytes(self.array(what)?),
-            Numbers::BigEndian => u64::from_be_bytes(self.array(what)?),
-        })
+        match self.encoding {
+            Numbers::Text => self.parsed(what, "a whole number, 0 or more"),
+            _ => self.array(what).map(u64::from_le_bytes),
+        }
     }
 
     /// A number of 8 bytes, or the next word. It need not be finite.
     pub(crate) fn double(&mut self, what: &str) -> Result<f64, ReadError> {
-        Ok(match self.encoding {
-            Numbers::Text => return self.parsed(what, "a number"),
-            Numbers::LittleEndian => f64::from_le_bytes(self.array(what)?),
-            Numbers::BigEndian => f64::from_be_bytes(self.array(what)?),
-        })
+        match self.encoding {
+            Numbers::Text => self.parsed(what, "a number"),
+            _ => self.array(what).map(f64::from_le_bytes),
+        }
     }
 
     /// Three finite numbers.
@@ -136,10 +133,15 @@ impl<'a> Scanner<'a> {
         Ok(DVec3::from_array(point))
     }
 
+    /// Bytes of a number, the least significant first.
     fn array<const N: usize>(&mut self, what: &str) -> Result<[u8; N], ReadError> {
         let bytes = self.rest().first_chunk();
-        let bytes = *bytes.ok_or_else(|| self.problem(format!("the file ends within {what}")))?;
+        let mut bytes: [u8; N] =
+            *bytes.ok_or_else(|| self.problem(format!("the file ends within {what}")))?;
         self.at += N;
+        if self.encoding == Numbers::BigEndian {
+            bytes.reverse();
+        }
         Ok(bytes)
     }
 

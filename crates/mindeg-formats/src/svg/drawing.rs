@@ -4,10 +4,11 @@ use super::frame::Frame;
 use super::solid;
 use super::style::{LARGEST_DOT, MAX_DOTS, hex};
 use super::view::View;
+use crate::corners::{degrees, positions, segments, triangles};
 use crate::degree_color;
 use crate::names::xml;
 use glam::{DVec2, DVec3};
-use mindeg_mesh::{Line, Mesh, filled};
+use mindeg_mesh::{Line, Mesh};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -30,20 +31,16 @@ pub(super) struct Drawing<'a> {
 impl<'a> Drawing<'a> {
     pub(super) fn new(mesh: &dyn Mesh, frame: &'a Frame, view: View) -> Self {
         let vertices = 0..mesh.vertex_count();
-        let fill = |first, out: &mut [DVec3]| mesh.fill_positions(first, out);
-        let points: Vec<DVec3> = filled(vertices.clone(), DVec3::ZERO, fill);
-        let fill = |first, out: &mut [[u32; 3]]| mesh.fill_triangles(first, out);
-        let triangles = filled(0..mesh.triangle_count(), [0; 3], fill);
+        let points: Vec<DVec3> = positions(mesh, vertices.clone()).collect();
+        let triangles = triangles(mesh, 0..mesh.triangle_count());
         let mut classes = Vec::new();
         if mesh.vertex_count() <= MAX_DOTS {
-            classes = filled(vertices, 0, |first, out| mesh.fill_degrees(first, out));
-            classes.iter_mut().for_each(|degree| *degree = degree_class(*degree));
+            classes = degrees(mesh, vertices).into_iter().map(degree_class).collect();
         }
         let boundary = boundary(&triangles);
         let solid = solid::Order::of(&points, &triangles, view, boundary.is_empty());
         let lines = mesh.lines().into_owned();
         let segment_count = lines.last().map_or(0, |line| line.segments.end);
-        let fill = |first, out: &mut [[u32; 2]]| mesh.fill_segments(first, out);
         Self {
             frame,
             points: points.into_iter().map(|point| frame.place(view.of_point(point))).collect(),
@@ -52,7 +49,7 @@ impl<'a> Drawing<'a> {
             triangles,
             classes,
             lines,
-            segments: filled(0..segment_count, [0; 2], fill),
+            segments: segments(mesh, 0..segment_count),
         }
     }
 
