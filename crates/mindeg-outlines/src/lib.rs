@@ -36,7 +36,6 @@ mod geojson;
 mod loops;
 mod mesh_lines;
 mod nesting;
-mod orientation;
 mod outline;
 mod overlay;
 mod poly;

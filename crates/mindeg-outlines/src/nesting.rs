@@ -8,8 +8,9 @@
 //! compared by their points every 15 degrees.
 
 use glam::DVec2;
+use mindeg_mesh::Bounds;
+use mindeg_mesh::planar::orientation;
 
-use super::orientation::orientation;
 use super::outline::{DrawnRing, Feature, FillRule, Outlines, Shape, doubled_area};
 use crate::error::OutlineError;
 
@@ -23,8 +24,7 @@ struct Loop {
     index: usize,
     points: Vec<DVec2>,
     doubled_area: f64,
-    min: DVec2,
-    max: DVec2,
+    bounds: Bounds,
     /// The position of the smallest loop around it.
     parent: Option<usize>,
     /// How many times the rings wind around the points just inside.
@@ -112,11 +112,9 @@ fn nested(rings: &[DrawnRing]) -> Result<Vec<Loop>, OutlineError> {
         .enumerate()
         .map(|(index, ring)| {
             let points = ring.flattened();
-            let start = points.first().copied().unwrap_or_default();
-            let (min, max) =
-                points.iter().fold((start, start), |(min, max), &p| (min.min(p), max.max(p)));
+            let bounds = box_around(&points);
             let doubled_area = doubled_area(&points);
-            Loop { index, points, doubled_area, min, max, parent: None, winding: 0, depth: 0 }
+            Loop { index, points, doubled_area, bounds, parent: None, winding: 0, depth: 0 }
         })
         .collect();
     let size = |one: &Loop| one.doubled_area.abs();
@@ -128,7 +126,7 @@ fn nested(rings: &[DrawnRing]) -> Result<Vec<Loop>, OutlineError> {
         let mut parent = None;
         // From the smallest up: the first that contains it is its parent.
         for (other_at, other) in larger.iter().enumerate().rev() {
-            let is_around = other.min.cmple(one.min).all() && other.max.cmpge(one.max).all();
+            let is_around = is_within(one.bounds, other.bounds);
             let cost = if is_around { 1 + other.points.len() as u64 } else { 1 };
             budget = budget
                 .checked_sub(cost)
@@ -152,6 +150,17 @@ pub(super) fn too_deep(rings: usize) -> String {
     format!(
         "{rings} closed curves lie too deep in each other to be sorted; split them into several files"
     )
+}
+
+/// The box around some points; at 0 without any.
+pub(super) fn box_around(points: &[DVec2]) -> Bounds {
+    let nowhere = Bounds { min: DVec2::ZERO, max: DVec2::ZERO };
+    Bounds::of(points.iter().copied()).unwrap_or(nowhere)
+}
+
+/// Whether a box lies in another.
+pub(super) fn is_within(inner: Bounds, outer: Bounds) -> bool {
+    outer.min.cmple(inner.min).all() && outer.max.cmpge(inner.max).all()
 }
 
 /// Whether a ring of points contains another one that does not cross it.

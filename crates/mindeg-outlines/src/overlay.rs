@@ -13,14 +13,14 @@ mod edge;
 mod faces;
 
 use glam::DVec2;
+use mindeg_mesh::planar::orientation;
 
 pub(super) use self::edge::Layer;
 use self::edge::{Edge, Step};
 
 use super::curve::PieceCurve;
 use super::loops::reversed;
-use super::nesting::contains;
-use super::orientation::orientation;
+use super::nesting::{box_around, contains, is_within};
 use super::outline::{DrawnRing, Piece, doubled_area};
 use super::vertices::Vertices;
 
@@ -112,19 +112,14 @@ pub(super) fn overlay(
     for (chord, ring, points) in &mut outers {
         let Chord { layer, index, .. } = chords[*chord as usize];
         polygons.push((vec![std::mem::take(ring)], (layer == 0).then_some(index)));
-        let start = points[0];
-        let spread = |(low, high): (DVec2, DVec2), &p: &DVec2| (low.min(p), high.max(p));
-        let (low, high) = points.iter().fold((start, start), spread);
-        boxes.push((low, high, doubled_area(points).abs()));
+        boxes.push((box_around(points), doubled_area(points).abs()));
     }
     for (_, ring, points) in holes {
-        let is_around = |&outer: &usize| {
-            let (low, high, _) = boxes[outer];
-            points.iter().all(|point| point.cmpge(low).all() && point.cmple(high).all())
-                && contains(&outers[outer].2, &points)
-        };
+        let own = box_around(&points);
+        let is_around =
+            |&outer: &usize| is_within(own, boxes[outer].0) && contains(&outers[outer].2, &points);
         let around = (0..outers.len()).filter(is_around);
-        if let Some(outer) = around.min_by(|&a, &b| boxes[a].2.total_cmp(&boxes[b].2)) {
+        if let Some(outer) = around.min_by(|&a, &b| boxes[a].1.total_cmp(&boxes[b].1)) {
             polygons[outer].0.push(ring);
         }
     }

@@ -3,6 +3,7 @@
 use glam::DVec2;
 
 use super::super::loops::{self, Link};
+use super::super::nesting::box_around;
 use super::super::outline::DrawnRing;
 use super::super::vertices::Vertices;
 use super::entities::Entity;
@@ -47,13 +48,12 @@ pub(super) fn rings(
 /// The points without those near an earlier one, and for each point as given its index among them;
 /// `None` if a point is not finite.
 fn merged(points: &[DVec2]) -> Option<(Vec<DVec2>, Vec<u32>)> {
-    let start = points.first().copied().unwrap_or_default();
-    let (min, max) = points.iter().fold((start, start), |(min, max), &p| (min.min(p), max.max(p)));
-    let tolerance = TOLERANCE * (max - min).max_element();
+    let bounds = box_around(points);
+    let tolerance = TOLERANCE * bounds.size().max_element();
     if !tolerance.is_finite() || points.iter().any(|point| !point.is_finite()) {
         return None;
     }
-    let mut vertices = Vertices::new(min, tolerance);
+    let mut vertices = Vertices::new(bounds.min, tolerance);
     let indices = points.iter().map(|&point| vertices.index_near(point)).collect();
     Some((vertices.points, indices))
 }

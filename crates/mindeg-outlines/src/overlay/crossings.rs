@@ -7,8 +7,8 @@
 use std::collections::BTreeMap;
 
 use glam::DVec2;
+use mindeg_mesh::planar::orientation;
 
-use super::super::orientation::orientation;
 use super::super::text::shown;
 use super::super::vertices::Vertices;
 use super::edge::Edge;

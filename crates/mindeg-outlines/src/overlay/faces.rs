@@ -3,9 +3,10 @@
 use std::cmp::Ordering;
 
 use glam::DVec2;
+use mindeg_mesh::Bounds;
+use mindeg_mesh::planar::orientation;
 
-use super::super::nesting::too_deep;
-use super::super::orientation::orientation;
+use super::super::nesting::{is_within, too_deep};
 use super::super::outline::FillRule;
 use super::edge::{Edge, Layer, Step};
 
@@ -133,7 +134,7 @@ impl<'a> Graph<'a> {
             let mut outside = vec![0; layers];
             for (_, other) in parts.iter().enumerate().filter(|&(at, _)| at != index) {
                 let point = self.points[vertex as usize];
-                let is_in_box = other.low.cmple(point).all() && other.high.cmpge(point).all();
+                let is_in_box = is_within(Bounds { min: point, max: point }, other.bounds);
                 let cost = if is_in_box { 1 + other.links.len() as u64 } else { 1 };
                 budget = budget.checked_sub(cost).ok_or_else(|| too_deep(parts.len()))?;
                 if is_in_box {
@@ -188,8 +189,11 @@ impl<'a> Graph<'a> {
             }
             is_seen[first] = true;
             let start = self.points[first];
-            let mut part =
-                Part { links: Vec::new(), leftmost: first as u32, low: start, high: start };
+            let mut part = Part {
+                links: Vec::new(),
+                leftmost: first as u32,
+                bounds: Bounds { min: start, max: start },
+            };
             let mut open = vec![first as u32];
             while let Some(vertex) = open.pop() {
                 let point = self.points[vertex as usize];
@@ -197,7 +201,8 @@ impl<'a> Graph<'a> {
                 if point.x < leftmost.x || point.x == leftmost.x && point.y < leftmost.y {
                     part.leftmost = vertex;
                 }
-                (part.low, part.high) = (part.low.min(point), part.high.max(point));
+                part.bounds.min = part.bounds.min.min(point);
+                part.bounds.max = part.bounds.max.max(point);
                 for &half in &self.around[vertex as usize] {
                     if half % 2 == 0 {
                         part.links.push(half / 2);
@@ -255,6 +260,5 @@ impl<'a> Graph<'a> {
 struct Part {
     links: Vec<usize>,
     leftmost: u32,
-    low: DVec2,
-    high: DVec2,
+    bounds: Bounds,
 }

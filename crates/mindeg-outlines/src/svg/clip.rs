@@ -1,6 +1,7 @@
 //! Clips: regions outside which nothing of an element is shown.
 
-use super::super::orientation::orientation;
+use mindeg_mesh::planar::orientation;
+
 use super::super::outline::DrawnRing;
 use super::super::outline::FillRule;
 use super::super::overlay::{Layer, overlay};
