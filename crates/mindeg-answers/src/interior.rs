@@ -2,7 +2,7 @@
 
 use crate::numbers::{four_digits, percent, steady_angle};
 use mindeg::Interior;
-use mindeg::interior::{InteriorReport, Violation};
+use mindeg::interior::{CornerTradeOff, InteriorReport, LocalShares, Violation};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -29,6 +29,10 @@ pub struct InteriorAnswer {
     pub angle_limit_at_any_degree: f64,
     /// The minimum angle over its limit.
     pub share_of_limit: f64,
+    /// The angles of all triangles beside the limits of their places.
+    pub local: LocalAnswer,
+    /// Boundary vertices whose degree limit costs angle.
+    pub corners: Vec<CornerAnswer>,
     /// The least and the greatest; null without interior vertices.
     pub interior_degree: Option<[u32; 2]>,
     /// The least and the greatest.
@@ -39,6 +43,75 @@ pub struct InteriorAnswer {
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio.
     pub grading_p99: f64,
+}
+
+/// The angles of all triangles beside the limits of their places, which are at most 35 degrees.
+#[derive(Clone, Debug, Serialize)]
+pub struct LocalAnswer {
+    /// The least share that a triangle has of its limit, at most 1.
+    worst: f64,
+    /// The vertex that decides that limit.
+    vertex: u32,
+    position: [f64; 2],
+    limit: f64,
+    /// `corner`: the edges at the vertex; `gap`: edges that face each other; `none`: 35 degrees.
+    decided_by: &'static str,
+    /// The 1st percentile of the shares.
+    percentile_1: f64,
+    /// The number of triangles with a share below 0.9.
+    below_90: usize,
+}
+
+/// A boundary vertex whose degree limit costs angle.
+#[derive(Clone, Debug, Serialize)]
+pub struct CornerAnswer {
+    vertex: u32,
+    position: [f64; 2],
+    degree: u32,
+    degree_limit: u32,
+    /// The greatest minimum angle at the vertex with each degree from the limit on.
+    angles: Vec<AngleOfDegree>,
+}
+
+#[derive(Clone, Debug, Serialize)]
+struct AngleOfDegree {
+    degree: u32,
+    min_angle: f64,
+}
+
+impl From<&LocalShares> for LocalAnswer {
+    fn from(local: &LocalShares) -> Self {
+        Self {
+            worst: local.worst,
+            vertex: local.vertex,
+            position: local.at.to_array(),
+            limit: local.limit,
+            decided_by: decided_by(local),
+            percentile_1: local.percentile,
+            below_90: local.below,
+        }
+    }
+}
+
+impl From<&CornerTradeOff> for CornerAnswer {
+    fn from(corner: &CornerTradeOff) -> Self {
+        let angle = |&(degree, min_angle): &(u32, f64)| AngleOfDegree { degree, min_angle };
+        Self {
+            vertex: corner.vertex,
+            position: corner.at.to_array(),
+            degree: corner.degree,
+            degree_limit: corner.degree_limit,
+            angles: corner.angles.iter().map(angle).collect(),
+        }
+    }
+}
+
+fn decided_by(local: &LocalShares) -> &'static str {
+    match local {
+        LocalShares { is_tent: true, .. } => "gap",
+        LocalShares { limit, .. } if *limit < 35.0 => "corner",
+        _ => "none",
+    }
 }
 
 /// A vertex whose degree is out of its range.
@@ -70,6 +143,8 @@ impl From<&InteriorReport> for InteriorAnswer {
             angle_limit: report.angle_limit,
             angle_limit_at_any_degree: report.limits.angle_at_any_degree(),
             share_of_limit: report.share_of_limit,
+            local: LocalAnswer::from(&report.local),
+            corners: report.corners.iter().map(CornerAnswer::from).collect(),
             interior_degree,
             boundary_degree,
             violations: report.violations.iter().map(violation).collect(),
@@ -114,6 +189,68 @@ pub fn grading(report: &InteriorReport) -> String {
     )
 }
 
+/// The triangles beside the limits of their places, in a sentence.
+#[must_use]
+pub fn local_limits(report: &InteriorReport) -> String {
+    let local = &report.local;
+    if local.worst > 0.9995 {
+        return "Each triangle reaches the limit of its place (at most 35°).".to_owned();
+    }
+    let [x, y] = local.at.to_array().map(four_digits);
+    let decides = match decided_by(local) {
+        "gap" => ", decided by a gap",
+        "corner" => ", decided by the edges there",
+        _ => "",
+    };
+    let below = match local.below {
+        0 => "none is".to_owned(),
+        1 => "1 is".to_owned(),
+        count => format!("{count} are"),
+    };
+    format!(
+        "Of the limit of its place (at most 35°) each triangle reaches {} or more, the least at vertex {} at ({x}, {y}) \
+         (limit {}{decides}); 99 of 100 reach {}; {below} below 90%.",
+        percent(local.worst),
+        local.vertex,
+        steady_angle(local.limit),
+        percent(local.percentile),
+    )
+}
+
+/// The corners whose degree limits cost angle with their tables, if there are any.
+#[must_use]
+pub fn corners(report: &InteriorReport) -> Option<String> {
+    let row = |(degree, angle): &(u32, f64)| format!("{} with {degree}", steady_angle(*angle));
+    let table = |corner: &CornerTradeOff| {
+        let [x, y] = corner.at.to_array().map(four_digits);
+        let rows: Vec<String> = corner.angles.iter().map(row).collect();
+        format!(
+            "  vertex {} at ({x}, {y}) has {} edges: {}",
+            corner.vertex,
+            corner.degree,
+            rows.join(", ")
+        )
+    };
+    let mut lines = match report.corners.len() {
+        0 => return None,
+        1 => {
+            vec!["A degree limit costs angle. The largest angle by the number of edges:".to_owned()]
+        }
+        count => vec![format!(
+            "{count} degree limits cost angle. The largest angles by the number of edges:"
+        )],
+    };
+    // The least angle within the limit first.
+    let mut order: Vec<&CornerTradeOff> = report.corners.iter().collect();
+    let least = |corner: &CornerTradeOff| corner.angles.first().map_or(0.0, |first| first.1);
+    order.sort_by(|a, b| least(a).total_cmp(&least(b)));
+    lines.extend(order.iter().take(NAMED).map(|corner| table(corner)));
+    if order.len() > NAMED {
+        lines.push("  …".to_owned());
+    }
+    Some(lines.join("\n"))
+}
+
 /// The violations with their places, if there are any.
 #[must_use]
 pub fn violations(report: &InteriorReport) -> Option<String> {
@@ -151,4 +288,57 @@ fn named<'a>(violations: impl Iterator<Item = &'a Violation>) -> Option<String> 
         places.push("…".to_owned());
     }
     Some(format!("{are} outside the range: {}", places.join(", ")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use mindeg::{Domain, Progress, interior};
+
+    fn report(json: &str) -> InteriorReport {
+        let domain = Domain::from_json(json).unwrap();
+        interior::mesh(&domain, &Interior::default(), Progress::NONE).unwrap().report
+    }
+
+    #[test]
+    fn a_corner_that_must_choose_has_its_table() {
+        // One interval of 10 beside one of 0.1: six edges at their corner would allow more than five.
+        let report = report(
+            r#"{"rectangle": {"width": 10, "height": 10},
+                "sides": [{"intervals": 1}, {"intervals": 3}, {"intervals": 3}, {"intervals": 100}]}"#,
+        );
+        let text = corners(&report).unwrap();
+        let [first, .., _] = &text.lines().collect::<Vec<_>>()[..] else { panic!("{text}") };
+        assert!(
+            first.ends_with("costs angle. The largest angle by the number of edges:"),
+            "{text}"
+        );
+        assert!(
+            text.contains("vertex 0 at (0, 0) has 5 edges: 9.702° with 5, 11.199° with 6"),
+            "{text}"
+        );
+        let json = serde_json::to_value(InteriorAnswer::from(&report)).unwrap();
+        assert_eq!(json["corners"][0]["angles"][0]["degree"], 5);
+        assert!(json["local"]["worst"].as_f64().unwrap() <= 1.0);
+        assert!(json["share_of_limit"].as_f64().unwrap() <= 1.0);
+    }
+
+    #[test]
+    fn limits_of_places_are_told_in_a_sentence() {
+        let square = r#"{"rectangle": {"width": 4, "height": 4}, "size": 1}"#;
+        let mut report = report(square);
+        assert_eq!(corners(&report), None);
+        assert_eq!(
+            local_limits(&report),
+            "Each triangle reaches the limit of its place (at most 35°)."
+        );
+        report.local.worst = 0.5;
+        report.local.limit = 20.0;
+        report.local.below = 2;
+        let text = local_limits(&report);
+        assert!(text.contains("reaches 50% or more") && text.contains("2 are below 90%"), "{text}");
+        assert!(text.contains("(limit 20.000°, decided by the edges there)"), "{text}");
+        report.local.is_tent = true;
+        assert!(local_limits(&report).contains("decided by a gap"));
+    }
 }

@@ -7,7 +7,7 @@ use crate::making::Making;
 use mindeg::interior::{self, ImprovedMesh};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::interior::{
-    InteriorAnswer, angles_and_degrees, grading, unmet_degrees, violations,
+    InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
 use mindeg_answers::numbers::steady_angle;
 use mindeg_mesh::TriMesh;
@@ -81,8 +81,10 @@ fn text(file: &str, mesh: &TriMesh, improved: &ImprovedMesh) -> String {
         ),
         line("before:", before),
         line("after:", after),
+        local_limits(after),
         grading(after),
     ];
+    lines.extend(corners(after));
     let mut note = |count: usize, text: &str| {
         if count > 0 {
             lines.push(format!("{count} {text}"));

@@ -4,7 +4,7 @@ use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
 use mindeg_answers::degree::triangle_count;
-use mindeg_answers::interior::angles_and_degrees;
+use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::steady_angle;
 use mindeg_compare::axis::{Axis, BARS};
@@ -115,11 +115,12 @@ impl Figure {
             Made::Interior(mesh, report) => {
                 let figure = Self::listed(domain, mesh);
                 let words = format!(
-                    "{} boundary and {} interior vertices, {} triangles, {}.",
+                    "{} boundary and {} interior vertices, {} triangles, {}. {}",
                     domain.rings().vertex_count(),
                     report.interior_points,
                     report.triangles,
                     angles_and_degrees(report),
+                    local_limits(report),
                 );
                 Self { words, ..figure }
             }

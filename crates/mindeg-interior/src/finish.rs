@@ -151,7 +151,7 @@ mod tests {
     }
 
     fn stage() -> Stage<'static> {
-        Stage::of_try(Progress::NONE, "finishing", 0, 1)
+        Stage::new(Progress::NONE, "finishing")
     }
 
     #[test]

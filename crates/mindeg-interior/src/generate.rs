@@ -79,17 +79,20 @@ pub fn generate(
     };
     let tries: Vec<(Prefer, &Seed)> =
         ways.iter().flat_map(|way| SEEDS.iter().map(|seed| (*way, seed))).collect();
+    let mut stage = Stage::new(progress, "adding interior points");
     for (index, (prefer, seed)) in tries.iter().enumerate() {
         let mut way = options.clone();
         way.wanted.growth = Some(options.wanted.growth() * seed.growth);
         way.wanted.prefer = Some(*prefer);
         let goals = goals(outline, &way);
         let (breaklines, field) = size_field(outline, &way)?;
-        if about_points(outline, &field) > 2.0 * options.wanted.max_points() as f64 {
+        let about = about_points(outline, &field);
+        if about > 2.0 * options.wanted.max_points() as f64 {
             return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
         }
         let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
-        let mut stage = Stage::of_try(progress, "adding interior points", index, tries.len());
+        let end = end_of_try(index, tries.len(), about);
+        stage.section(end_of_start(&stage, end, about));
         let mut mesh =
             start.mesh(seed.spacing, floor, options.wanted.max_points(), None, &mut stage)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
@@ -97,12 +100,12 @@ pub fn generate(
         limit_stars(&mut mesh, weights.goal_inside());
         let pairs = seed.pairs.then_some(Pairs::FOR_A_TRY);
         optimise(&mut mesh, &weights, pairs, &mut stage)?;
+        stage.section(end);
         // Where angles come first, no place is mended for its degrees.
         if *prefer == Prefer::Degree {
             mend_places(&mut mesh, &way, floor, &mut stage)?;
         }
         finish(&mut mesh, &way, floor, &mut stage)?;
-        stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
         let goal = |v: u32| goals.get(v as usize);
@@ -131,7 +134,24 @@ pub fn generate(
             break;
         }
     }
+    stage.section(1.0);
+    stage.reach(1.0)?;
     best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
+}
+
+/// Meshes with more points are begun once and have few places to mend.
+const MANY_POINTS: f64 = 2e4;
+
+/// The share of all work at which a try of several ends: few go beyond the first if the mesh is large.
+pub(crate) fn end_of_try(index: usize, tries: usize, points: f64) -> f64 {
+    let first = if points > MANY_POINTS { 0.95 } else { 1.0 / tries as f64 };
+    first + (1.0 - first) * index as f64 / (tries - 1).max(1) as f64
+}
+
+/// The share of all work at which smoothing ends and places begin to be mended, which takes longest in small meshes.
+pub(crate) fn end_of_start(stage: &Stage<'_>, end: f64, points: f64) -> f64 {
+    let share = if points > MANY_POINTS { 0.9 } else { 0.2 };
+    stage.share() + share * (end - stage.share())
 }
 
 /// About how many points the size field asks for, from its sizes at some places: so that far too many

@@ -2,7 +2,7 @@
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::finish::finish;
-use crate::generate::compact;
+use crate::generate::{compact, end_of_start, end_of_try};
 use crate::goal::{Weights, goals};
 use crate::limits::{Limits, fan_limit_at, limits};
 use crate::optimise::{Pairs, optimise};
@@ -65,18 +65,21 @@ pub fn improve(
     let before =
         start.measure(points, triangles, options, |v| start.mesh.vertices[v as usize].goal);
     let mut best: Option<Improved> = None;
+    let mut stage = Stage::new(progress, "improving");
+    let count = points.len() as f64;
     for (index, pairs) in [false, true].into_iter().enumerate() {
         let mut mesh = start.mesh.clone();
         let weights = if pairs { Weights::pairs } else { Weights::single };
-        let mut stage = Stage::of_try(progress, "improving", index, 2);
+        let end = end_of_try(index, 2, count);
+        stage.section(end_of_start(&stage, end, count));
         let floor = floor(options);
         let all = Pairs { most: usize::MAX, ..Pairs::FOR_A_TRY };
         optimise(&mut mesh, &weights(options, floor), pairs.then_some(all), &mut stage)?;
+        stage.section(end);
         if options.wanted.prefer() == Prefer::Degree {
             mend_places(&mut mesh, options, floor, &mut stage)?;
         }
         finish(&mut mesh, options, floor, &mut stage)?;
-        stage.reach(1.0)?;
         mesh.check().map_err(InteriorError::BadMesh)?;
         let (new_points, new_triangles, sources) = compact(&mesh);
         let goal = |v: u32| mesh.vertices[sources[v as usize] as usize].goal;
@@ -97,6 +100,8 @@ pub fn improve(
             break;
         }
     }
+    stage.section(1.0);
+    stage.reach(1.0)?;
     Ok(best.unwrap_or_else(|| Improved {
         points: points.to_vec(),
         sources: (0..points.len() as u32).map(Some).collect(),

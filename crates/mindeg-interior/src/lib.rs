@@ -89,4 +89,4 @@ pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use mindeg_domain::{Interior, Prefer, SizeAt};
 pub use options::{InteriorError, Options, check_coordinates};
-pub use report::{InteriorReport, LocalShares, Violation};
+pub use report::{CornerTradeOff, InteriorReport, LocalShares, Violation};

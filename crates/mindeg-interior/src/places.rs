@@ -117,8 +117,11 @@ pub(crate) fn mend_places(
         if places.is_empty() {
             break;
         }
-        for vertex in places {
-            stage.still()?;
+        let of = places.len() as f64;
+        for (index, vertex) in places.into_iter().enumerate() {
+            // Each pass takes about as long as all before it.
+            let passes = f64::from((1 << pass) - 1) + f64::from(1 << pass) * index as f64 / of;
+            stage.reach(passes / f64::from((1 << PASSES) - 1))?;
             if mesh.vertices[vertex as usize].triangles == 0 {
                 continue;
             }
@@ -300,7 +303,7 @@ mod tests {
         mesh.vertices[17].at.x += 0.9;
         let before = area(&mesh);
         let options = Options::default();
-        let mut stage = Stage::of_try(Progress::NONE, "mending", 0, 1);
+        let mut stage = Stage::new(Progress::NONE, "mending");
         mend_places(&mut mesh, &options, 36.0, &mut stage).unwrap();
         mesh.check().unwrap();
         assert!((area(&mesh) - before).abs() < 1e-9);

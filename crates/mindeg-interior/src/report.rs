@@ -34,12 +34,31 @@ pub struct LocalShares {
     pub worst: f64,
     /// The vertex with the limit of the triangle with the least share.
     pub vertex: u32,
+    /// Where that is.
+    pub at: DVec2,
     /// The limit there, in degrees.
     pub limit: f64,
+    /// True if edges that face each other decide it, not the fan at the vertex.
+    pub is_tent: bool,
     /// The 1st percentile of the shares.
     pub percentile: f64,
     /// The number of triangles below 0.9.
     pub below: usize,
+}
+
+/// A boundary vertex whose degree limit costs angle: either the degree or the angle is out of reach.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CornerTradeOff {
+    /// The vertex.
+    pub vertex: u32,
+    /// Where it is.
+    pub at: DVec2,
+    /// The degree that it has.
+    pub degree: u32,
+    /// Its degree limit.
+    pub degree_limit: u32,
+    /// Degrees from the limit on, with the greatest angle in degrees that triangles at the vertex can have.
+    pub angles: Vec<(u32, f64)>,
 }
 
 /// What was reached. Angles are in degrees.
@@ -58,6 +77,8 @@ pub struct InteriorReport {
     pub share_of_limit: f64,
     /// The angles beside the limits of their places.
     pub local: LocalShares,
+    /// The boundary vertices whose degree limits cost angle, in ascending order.
+    pub corners: Vec<CornerTradeOff>,
     /// The maximum angle.
     pub max_angle: f64,
     /// The least and greatest degree inside; `None` without interior vertices.
@@ -121,6 +142,7 @@ pub(crate) fn measure<'a>(
     let mut inside: Option<(u32, u32)> = None;
     let mut boundary = (u32::MAX, 0);
     let mut interior_points = 0;
+    let mut corner_list = Vec::new();
     let mut local = vec![ENOUGH; points.len()];
     for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
         let (degree, is_fine, is_boundary) = match goal(vertex) {
@@ -131,6 +153,11 @@ pub(crate) fn measure<'a>(
                     false => goal.limit,
                 };
                 local[vertex as usize] = ENOUGH.min(fan).min(goal.tents);
+                let angle = |triangles| fan_at(vertex, triangles).min(goal.tents);
+                corner_list.extend(trade_off(degree, goal.triangles, angle).map(|angles| {
+                    let (at, degree_limit) = (points[vertex as usize], goal.triangles + 1);
+                    CornerTradeOff { vertex, at, degree, degree_limit, angles }
+                }));
                 boundary = (boundary.0.min(degree), boundary.1.max(degree));
                 (degree, count <= goal.triangles, true)
             }
@@ -148,13 +175,17 @@ pub(crate) fn measure<'a>(
     }
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
+    let (mut local, limits_there) = (local_shares(triangles, &angles, &local), goal);
+    local.at = points.get(local.vertex as usize).copied().unwrap_or_default();
+    local.is_tent = limits_there(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
     InteriorReport {
         limits,
         min_angle: least.0,
         min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),
         angle_limit,
-        share_of_limit: least.0 / angle_limit,
-        local: local_shares(triangles, &angles, &local),
+        share_of_limit: (least.0 / angle_limit).min(1.0),
+        local,
+        corners: corner_list,
         max_angle: greatest,
         interior_degree: inside.map(|(low, high)| low..=high),
         boundary_degree: boundary.0..=boundary.1,
@@ -164,6 +195,27 @@ pub(crate) fn measure<'a>(
         triangles: triangles.len(),
         interior_points,
     }
+}
+
+/// A greater angle counts if it is so many times as large.
+const NOTABLE: f64 = 1.02;
+
+/// The degrees of a vertex from its limit on with the greatest angle of each, if the limit costs angle that counts.
+fn trade_off(degree: u32, triangles: u32, angle: impl Fn(u32) -> f64) -> Option<Vec<(u32, f64)>> {
+    let most = angle(u32::MAX);
+    let is_broken = degree > triangles + 1;
+    if !is_broken && most.min(ENOUGH) <= NOTABLE * angle(triangles) {
+        return None;
+    }
+    let mut angles = Vec::new();
+    for triangles in triangles..=u32::MAX {
+        let reached = angle(triangles);
+        angles.push((triangles + 1, reached));
+        if reached >= most {
+            break;
+        }
+    }
+    Some(angles)
 }
 
 /// The shares of triangles with these angles, if vertices have these limits.
@@ -188,7 +240,8 @@ fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> Local
         false => *shares.select_nth_unstable_by(percentile, f64::total_cmp).1,
     };
     let limit = limits.get(worst.1 as usize).copied().unwrap_or(ENOUGH);
-    LocalShares { worst: worst.0.min(1.0), vertex: worst.1, limit, percentile, below }
+    let (at, is_tent) = (DVec2::ZERO, false);
+    LocalShares { worst: worst.0.min(1.0), vertex: worst.1, at, limit, is_tent, percentile, below }
 }
 
 /// The degree of each vertex of the boundary that breaks its limit, by its index there; 0 of others.
@@ -261,10 +314,24 @@ mod tests {
         let triangles = [[3, 0, 2], [0, 1, 2]];
         let report =
             measure(&points, &triangles, &(1..=7), goals, of(10.0), limits_at, |_, count| {
-                f64::from(10 * count)
+                f64::from(10 * count.min(4))
             });
         assert_eq!((report.limits.angle(), report.angle_limit), (10.0, 30.0));
         assert_eq!(report.share_of_limit, report.min_angle / 30.0);
         assert!(report.share_of_limit < 1.0);
+        // With 2 triangles where 1 is allowed: the angle of each degree up to the best, and the one at hand.
+        let [corner] = &report.corners[..] else { panic!("{:?}", report.corners) };
+        assert_eq!((corner.vertex, corner.degree, corner.degree_limit), (0, 3, 2));
+        assert_eq!(corner.angles, [(2, 10.0), (3, 20.0), (4, 30.0), (5, 40.0)]);
+        assert_eq!((report.local.at, report.local.is_tent), (points[0], false));
+    }
+
+    #[test]
+    fn a_degree_limit_that_costs_no_angle_has_no_table() {
+        let angle = |triangles: u32| f64::from(triangles.min(3) * 8);
+        assert_eq!(trade_off(4, 3, angle), None);
+        assert_eq!(trade_off(3, 2, angle), Some(vec![(3, 16.0), (4, 24.0)]));
+        // Angles from 35 degrees on cost nothing.
+        assert_eq!(trade_off(3, 2, |triangles| 17.6 * f64::from(triangles.min(9))), None);
     }
 }

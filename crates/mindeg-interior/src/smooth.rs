@@ -405,7 +405,7 @@ mod tests {
     fn sweeps_end_where_the_distortion_is_least() {
         for power in [Power::Two, Power::Four] {
             let mut mesh = star(&UNEVEN, [1.0, 0.4]);
-            let mut stage = Stage::of_try(Progress::NONE, "smoothing", 0, 1);
+            let mut stage = Stage::new(Progress::NONE, "smoothing");
             Sweeper::new().run(&mut mesh, power, 50, &mut stage).unwrap();
             let mut ring = Ring::default();
             ring.load(&mesh, 5);

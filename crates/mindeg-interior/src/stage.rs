@@ -1,13 +1,16 @@
-//! One stage of the work as the progress callback sees it.
+//! The work as the progress callback sees it: one stage from its begin to its end.
 
-use mindeg_mesh::{Cancelled, Progress};
+use mindeg_mesh::{Cancelled, Progress, Step};
+use std::ops::ControlFlow;
 
 /// A stage that tells which share of it is done; shares never fall.
 #[derive(Debug, Clone)]
 pub(crate) struct Stage<'a> {
     progress: Progress<'a>,
-    name: String,
+    name: &'static str,
     done: u64,
+    /// The shares of the whole at which the section begins and ends that work is in.
+    section: [f64; 2],
     is_within: bool,
 }
 
@@ -15,35 +18,53 @@ pub(crate) struct Stage<'a> {
 const PARTS: u64 = 1000;
 
 impl<'a> Stage<'a> {
-    /// The stage of one of several tries; the first needs no number.
-    pub(crate) fn of_try(progress: Progress<'a>, name: &str, index: usize, tries: usize) -> Self {
-        let name = match index {
-            0 => name.to_owned(),
-            _ => format!("{name}, try {} of {tries}", index + 1),
-        };
-        Self { progress, name, done: 0, is_within: false }
+    /// A stage of one section.
+    pub(crate) fn new(progress: Progress<'a>, name: &'static str) -> Self {
+        Self { progress, name, done: 0, section: [0.0, 1.0], is_within: false }
     }
 
-    pub(crate) fn progress(&self) -> Progress<'a> {
-        self.progress
+    /// The next section begins here and ends at this share of the whole.
+    pub(crate) fn section(&mut self, end: f64) {
+        self.section = [self.share(), end];
+    }
+
+    /// The share of the whole that is done.
+    pub(crate) fn share(&self) -> f64 {
+        self.done as f64 / PARTS as f64
+    }
+
+    /// Does work that tells of stages of its own, up to this share of the section.
+    pub(crate) fn through<T>(&self, share: f64, work: impl FnOnce(Progress<'_>) -> T) -> T {
+        let end = self.parts(share).max(self.done);
+        let tell = |step: Step<'_>| {
+            let part = (end - self.done) * step.done.min(step.total) / step.total.max(1);
+            match self.progress.report(self.name, self.done + part, PARTS) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(Cancelled) => ControlFlow::Break(()),
+            }
+        };
+        work(Progress::new(&tell))
+    }
+
+    fn parts(&self, share: f64) -> u64 {
+        let [begin, end] = self.section;
+        let share = if self.is_within { 0.0 } else { begin + (end - begin) * share };
+        ((share * PARTS as f64) as u64).min(PARTS)
     }
 
     /// A stage within this one, whose own shares are not told.
     pub(crate) fn within(&self) -> Self {
-        Self { is_within: true, name: self.name.clone(), ..self.clone() }
+        Self { is_within: true, ..self.clone() }
     }
 
-    /// A share from 0 to 1 is done.
+    /// A share of the section from 0 to 1 is done.
     pub(crate) fn reach(&mut self, share: f64) -> Result<(), Cancelled> {
-        if self.is_within {
-            return self.still();
-        }
-        self.done = self.done.max((share * PARTS as f64) as u64).min(PARTS);
-        self.progress.report(&self.name, self.done, PARTS)
+        self.done = self.done.max(self.parts(share));
+        self.still()
     }
 
     /// Work goes on.
-    pub(crate) fn still(&mut self) -> Result<(), Cancelled> {
-        self.progress.report(&self.name, self.done, PARTS)
+    pub(crate) fn still(&self) -> Result<(), Cancelled> {
+        self.progress.report(self.name, self.done, PARTS)
     }
 }

@@ -73,8 +73,9 @@ impl Start<'_> {
         let points: Vec<DVec2> = vertices.iter().map(|v| v.at).collect();
         let inner = &points[self.outline.points().len()..];
         let edges = &self.breaklines.edges;
-        let mut triangles =
-            mindeg_delaunay::triangles(self.outline, inner, edges, stage.progress())?;
+        let mut triangles = stage.through(0.3, |progress| {
+            mindeg_delaunay::triangles(self.outline, inner, edges, progress)
+        })?;
         // Near each other in the plane, near each other in memory.
         triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
         let boundary = self.outline.points().len();

@@ -31,7 +31,7 @@ pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
-pub use mindeg_interior::{InteriorError, InteriorReport, Violation};
+pub use mindeg_interior::{CornerTradeOff, InteriorError, InteriorReport, LocalShares, Violation};
 use posed::{boundary, options};
 
 use crate::boundary_mesh::lines;

@@ -8,7 +8,7 @@ use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior};
 use mindeg_answers::interior::{
-    InteriorAnswer, angles_and_degrees, grading, unmet_degrees, violations,
+    InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use serde::Serialize;
@@ -112,8 +112,10 @@ fn text(
             angles_and_degrees(report),
         ),
         lifting.text(),
+        local_limits(report),
         grading(report),
     ];
+    lines.extend(corners(report));
     lines.extend(violations(report).map(|violations| format!("warning: {violations}")));
     if summary.reversed {
         lines.push("Corners ran clockwise and were reversed; each side kept its edge.".to_owned());
