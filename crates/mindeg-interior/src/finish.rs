@@ -13,7 +13,7 @@ use crate::verdict::enough;
 use mindeg_mesh::Cancelled;
 
 /// The angles that a mesh keeps.
-pub(crate) struct Kept {
+struct Kept {
     weights: Weights,
     enough: f64,
     /// The minimum angle of the mesh.
@@ -22,7 +22,7 @@ pub(crate) struct Kept {
 
 impl Kept {
     /// A triangle's minimum angle may fall to this, in degrees.
-    pub(crate) fn angle(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
+    fn angle(&self, mesh: &ArrayMesh, triangle: u32) -> f64 {
         self.weights.local_limit(mesh, triangle).min(self.enough).max(self.least)
     }
 }
@@ -129,7 +129,9 @@ fn round_all(mesh: &mut ArrayMesh, kept: &Kept, stage: &mut Stage<'_>) -> Result
             sweeper.wake(&triangle.vertices);
         }
     }
-    sweeper.sweep(mesh, SWEEPS, stage, |mesh, vertex, ring| round(mesh, vertex, kept, ring))
+    sweeper.sweep(mesh, SWEEPS, stage, |mesh, vertex, ring| {
+        round(mesh, vertex, |mesh, t| kept.angle(mesh, t), ring)
+    })
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! Moving free vertices: Newton's method on distortion, and a search along a compass for angles.
 
 use crate::array_mesh::{ArrayMesh, Kind};
-use crate::finish::Kept;
 use crate::goal::Weights;
 use crate::stage::Stage;
 use crate::triangle::{SQRT_3, cross, distortion, min_angle};
@@ -81,13 +80,18 @@ pub(crate) fn smooth(mesh: &mut ArrayMesh, vertex: u32, power: Power, ring: &mut
     step(mesh, vertex, power, ring, |_| true)
 }
 
-/// The same for the sum of distortions, if no angle falls that is kept.
-pub(crate) fn round(mesh: &mut ArrayMesh, vertex: u32, kept: &Kept, ring: &mut Ring) -> f64 {
+/// The same for the sum of distortions, if no triangle's minimum angle falls below `kept`, in degrees.
+pub(crate) fn round(
+    mesh: &mut ArrayMesh,
+    vertex: u32,
+    kept: impl Fn(&ArrayMesh, u32) -> f64,
+    ring: &mut Ring,
+) -> f64 {
     ring.load(mesh, vertex);
     let x = mesh.at(vertex);
     // A hair more, so that rounding lowers nothing.
     let least = |(t, [b, c]): (&u32, &[DVec2; 2])| {
-        kept.angle(mesh, *t).min(min_angle([x, *b, *c])) * (1.0 + 1e-12)
+        kept(mesh, *t).min(min_angle([x, *b, *c])) * (1.0 + 1e-12)
     };
     let mut wanted = std::mem::take(&mut ring.wanted);
     wanted.clear();
