@@ -114,7 +114,7 @@ mod tests {
     #[test]
     fn pieces_of_a_segment_are_as_long_as_the_size_wants() {
         let outline = samples::rectangle(40.0, 20.0, [40, 20, 40, 20]);
-        let field = SizeField::new(&outline, 1.2, Some(2.0), &[], &[]);
+        let field = SizeField::new(&outline, &[], 1.2, Some(2.0), &[], &[]);
         // In the middle of the plate, one size.
         let [from, to] = [[10.0, 10.0], [30.0, 10.0]].map(DVec2::from);
         let shares = divisions(from, to, &field);
@@ -124,7 +124,7 @@ mod tests {
         }
         // Towards a small size at one end, every piece has the same share of the sizes along it.
         let places = [SizeAt { at: to, size: 0.1 }];
-        let field = SizeField::new(&outline, 1.2, Some(2.0), &[], &places);
+        let field = SizeField::new(&outline, &[], 1.2, Some(2.0), &[], &places);
         let shares = divisions(from, to, &field);
         let ends: Vec<f64> = [0.0].into_iter().chain(shares).chain([1.0]).collect();
         let sizes = |from_share: f64, to_share: f64| -> f64 {

@@ -176,9 +176,14 @@ fn size_field(
     outline: &PlanarBoundary,
     options: &Options,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
+    let segments = outline.segments().iter().enumerate();
+    let is_divisible = |segment: usize| options.divisible.get(segment) == Some(&true);
+    let frozen: Vec<[u32; 2]> =
+        segments.filter(|(segment, _)| !is_divisible(*segment)).map(|(_, ends)| *ends).collect();
     let field = |crowded: &[SizeAt]| {
         SizeField::new(
             outline,
+            &frozen,
             options.wanted.growth(),
             options.wanted.size_inside,
             &options.wanted.sizes,

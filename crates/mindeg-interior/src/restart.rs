@@ -82,8 +82,14 @@ impl<'a> Restart<'a> {
         stage: &mut Stage<'_>,
     ) -> Option<ArrayMesh> {
         let wanted = &self.options.wanted;
-        let mut field =
-            SizeField::new(&self.outline, phase[2] * wanted.growth(), None, &wanted.sizes, &[]);
+        let mut field = SizeField::new(
+            &self.outline,
+            &[],
+            phase[2] * wanted.growth(),
+            None,
+            &wanted.sizes,
+            &[],
+        );
         field.scale_mean(phase[1]);
         let start = Start {
             outline: &self.outline,

@@ -8,17 +8,19 @@ use mindeg_mesh::planar::PlanarBoundary;
 /// The wanted edge length at every place of a domain.
 ///
 /// It is the least of three:
-/// - the mean of the boundary edges' lengths and a little, each edge weighted by the integral of dtheta / r over the
+/// - the mean of the lengths of boundary edges and of edges inside that stay, and a little, each edge weighted by the integral of dtheta / r over the
 ///   angle under which it is seen (Floater's mean value coordinates; the boundary
 ///   counts as transparent, so weights stay positive where a domain is not convex), or a
 ///   fixed size inside instead;
-/// - length + growth * distance of any boundary edge;
+/// - length + growth * distance of any of these edges;
 /// - size + growth * distance of any place with a size of its own, or where fixed points are crowded.
 ///
 /// One evaluation takes O(log n) for straight sides with equal or graded intervals.
 #[derive(Debug, Clone)]
 pub(crate) struct SizeField {
     boundary: EdgeTree,
+    /// The edges inside that stay as they are.
+    frozen: EdgeTree,
     places: EdgeTree,
     growth: f64,
     inside: Option<f64>,
@@ -42,6 +44,7 @@ const FAR: f64 = 0.3;
 impl SizeField {
     pub(crate) fn new(
         outline: &PlanarBoundary,
+        frozen: &[[u32; 2]],
         growth: f64,
         inside: Option<f64>,
         places: &[SizeAt],
@@ -52,9 +55,18 @@ impl SizeField {
             Item { id: 0, from: at, to: at, size: share * size, reach: reach * size }
         };
         let wanted = places.iter().map(|place| item(place, FINER, REACH));
+        let ends = frozen.iter().map(|ends| ends.map(|vertex| outline.point(vertex)));
+        let frozen = ends.zip(0..).map(|([from, to], id)| Item {
+            id,
+            from,
+            to,
+            size: from.distance(to),
+            reach: 0.0,
+        });
         let items = wanted.chain(crowded.iter().map(|place| item(place, 1.0, 0.0)));
         Self {
             boundary: EdgeTree::of_boundary(outline),
+            frozen: EdgeTree::of_items(frozen.collect()),
             places: EdgeTree::of_items(items.collect()),
             growth,
             inside,
@@ -79,7 +91,7 @@ impl SizeField {
             None => self.mean(x),
         };
         let mut least = wanted;
-        for tree in [&self.boundary, &self.places] {
+        for tree in [&self.boundary, &self.frozen, &self.places] {
             for root in tree.roots() {
                 self.least_grown(tree, *root, x, &mut least);
             }
@@ -105,18 +117,24 @@ impl SizeField {
         }
     }
 
-    /// The greatest of length - growth * distance over the boundary edges, at least 0.
+    /// The roots of all edges that stay.
+    fn edges(&self) -> impl Iterator<Item = (&EdgeTree, u32)> {
+        let trees = [&self.boundary, &self.frozen].into_iter();
+        trees.flat_map(|tree| tree.roots().iter().map(move |root| (tree, *root)))
+    }
+
+    /// The greatest of length - growth * distance over the edges that stay, at least 0.
     fn shrunk(&self, x: DVec2) -> f64 {
         let mut greatest = 0.0_f64;
-        for root in self.boundary.roots() {
-            let mut stack = vec![*root];
+        for (tree, root) in self.edges() {
+            let mut stack = vec![root];
             while let Some(at) = stack.pop() {
-                let node = &self.boundary.nodes()[at as usize];
+                let node = &tree.nodes()[at as usize];
                 let bound = node.greatest - self.growth * node.distance(x);
                 if bound <= greatest {
                     continue;
                 }
-                match self.boundary.children(at) {
+                match tree.children(at) {
                     Some(children) if !is_uniform(node) => stack.extend(children),
                     _ => greatest = bound,
                 }
@@ -128,17 +146,17 @@ impl SizeField {
     /// The weighted mean of the edges' lengths.
     fn mean(&self, x: DVec2) -> f64 {
         let (mut weights, mut sum) = (0.0, 0.0);
-        for root in self.boundary.roots() {
-            self.add_mean(*root, x, &mut weights, &mut sum);
+        for (tree, root) in self.edges() {
+            self.add_mean(tree, root, x, &mut weights, &mut sum);
         }
         // On the boundary itself a weight is infinite; the growth bound decides there.
         if sum.is_finite() && weights > 0.0 { self.coarser * sum / weights } else { f64::INFINITY }
     }
 
-    fn add_mean(&self, at: u32, x: DVec2, weights: &mut f64, sum: &mut f64) {
-        let node = &self.boundary.nodes()[at as usize];
+    fn add_mean(&self, tree: &EdgeTree, at: u32, x: DVec2, weights: &mut f64, sum: &mut f64) {
+        let node = &tree.nodes()[at as usize];
         let size = node.from.distance(node.to) + 2.0 * node.spread;
-        let weight = match self.boundary.children(at) {
+        let weight = match tree.children(at) {
             // Weights of one line add up exactly.
             None => sight(node.from - x, node.to - x),
             Some(_) if is_uniform(node) => sight(node.from - x, node.to - x),
@@ -150,7 +168,7 @@ impl SizeField {
                 }
             }
             Some(children) => {
-                return children.into_iter().for_each(|c| self.add_mean(c, x, weights, sum));
+                return children.into_iter().for_each(|c| self.add_mean(tree, c, x, weights, sum));
             }
         };
         *weights += weight;
@@ -198,6 +216,21 @@ mod tests {
         grown.min(COARSER * sum / weights)
     }
 
+    /// On a map of states, borders of long edges had meshes as fine as if they were not there.
+    #[test]
+    fn edges_that_stay_carry_their_lengths_as_the_boundary_does() {
+        let corners = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]].map(DVec2::from);
+        let side = |i: usize| {
+            (0..32).map(move |j| corners[i].lerp(corners[(i + 1) % 4], f64::from(j) / 32.0))
+        };
+        let ring: Vec<DVec2> = (0..4).flat_map(side).collect();
+        let inner = [[3.0, 4.0], [5.0, 4.0]].map(DVec2::from);
+        let (outline, _) = PlanarBoundary::map(&[ring], &inner, &[vec![128, 129]]).unwrap();
+        let at = DVec2::new(4.0, 4.2);
+        let field = |frozen| SizeField::new(&outline, frozen, 0.5, None, &[], &[]).at(at);
+        assert!(field(&[]) < 0.3 && field(outline.segments()) > 1.0);
+    }
+
     #[test]
     fn the_tree_agrees_with_the_sum_over_all_edges() {
         for outline in [
@@ -205,7 +238,7 @@ mod tests {
             samples::rectangle(100.0, 40.0, [1000, 3, 5, 2]),
             samples::rectangle(9.0, 9.0, [30, 70, 10, 45]),
         ] {
-            let field = SizeField::new(&outline, 0.5, None, &[], &[]);
+            let field = SizeField::new(&outline, &[], 0.5, None, &[], &[]);
             let high = outline.points().iter().fold(DVec2::ZERO, |a, b| a.max(*b));
             for i in 0..400 {
                 let x = high * DVec2::new(f64::from(i % 20) + 0.5, f64::from(i / 20) + 0.7) / 20.3;
@@ -220,7 +253,7 @@ mod tests {
         let outline = samples::rectangle(10.0, 10.0, [10; 4]);
         let middle = DVec2::new(5.0, 5.0);
         let at = |inside, places: &[SizeAt]| {
-            let field = SizeField::new(&outline, 0.5, inside, &[], places);
+            let field = SizeField::new(&outline, &[], 0.5, inside, &[], places);
             move |x: DVec2| field.at(x)
         };
         assert!((at(None, &[])(middle) - COARSER).abs() < 1e-9);
