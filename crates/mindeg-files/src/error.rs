@@ -28,7 +28,7 @@ impl FileError {
         Self::system(format!("cannot read {name}: {}", plainly(error)), error.kind())
     }
 
-    /// What the system said; none where the name or the content of the file is wrong.
+    /// The system's error; `None` if the name or the content of the file is wrong.
     #[must_use]
     pub fn kind(&self) -> Option<io::ErrorKind> {
         self.kind

@@ -32,14 +32,14 @@ const FOREIGN: &[(&[&str], &str, &str)] = &[
     (&["html", "htm"], "a page", "give the mesh or the domain that it was made from"),
 ];
 
-/// What a file with this extension is, and what to do with it; `file` stands in the commands.
+/// The kind of file that this extension names, and advice; `file` stands in the commands.
 pub(crate) fn advice(extension: &str, file: &str) -> Option<String> {
     let is_one = |(extensions, ..): &&(&[&str], _, _)| extensions.contains(&extension);
     let (_, what, way) = FOREIGN.iter().find(is_one)?;
     Some(format!("it is {what}, which mindeg does not read; {}", way.replace("FILE", file)))
 }
 
-/// What the first bytes of such a file tell: its usual extension.
+/// The usual extension of a file of other programs, by its first bytes.
 pub(crate) fn extension_of(bytes: &[u8]) -> Option<&'static str> {
     let text = bytes.trim_ascii_start();
     let starts: [(&[u8], &str); 8] = [

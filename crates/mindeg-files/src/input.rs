@@ -20,7 +20,7 @@ impl<'a> Input<'a> {
         if path == Path::new("-") { Self::StandardInput } else { Self::File(path) }
     }
 
-    /// What messages call it.
+    /// The name in messages.
     #[must_use]
     pub fn name(&self) -> String {
         match self {

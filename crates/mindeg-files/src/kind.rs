@@ -1,4 +1,4 @@
-//! What a file is: JSON, outlines or a mesh.
+//! The kind of a file: JSON, outlines or a mesh.
 //!
 //! The formats themselves tell what their files look like; this is the one place that decides between
 //! them, by the name, the content and what is wanted.
@@ -9,7 +9,7 @@ use mindeg_formats::Format;
 use mindeg_outlines::OutlineFormat;
 use std::path::Path;
 
-/// What somebody wants of a file. A file of lines is an outline to whom a domain is wanted; one of
+/// The content that a caller wants. A file of lines is an outline to whom a domain is wanted; one of
 /// faces is a model or a mesh to others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wanted {
@@ -21,7 +21,7 @@ pub enum Wanted {
     Mesh,
 }
 
-/// What a file is.
+/// The kind of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Json,
@@ -48,7 +48,7 @@ pub(crate) fn mesh_format(path: &Path) -> Option<Format> {
     if OutlineFormat::of_path(path).is_some() { None } else { Format::of_path(path) }
 }
 
-/// What is wrong with a mesh where none is wanted.
+/// The message for a mesh where a domain is wanted.
 pub(crate) fn no_mesh(file: &str) -> String {
     format!(
         "it is a mesh, and a domain is expected; of a mesh in the plane, `mindeg convert {file} -o \
@@ -56,7 +56,7 @@ pub(crate) fn no_mesh(file: &str) -> String {
     )
 }
 
-/// What a file is. The extension tells, if the content does not look like another format; without a
+/// The kind of a file. The extension tells, if the content does not look like another format; without a
 /// known extension the content does. Where neither tells, it counts as JSON, whose reader says best
 /// what is wrong.
 pub(crate) fn kind(

@@ -33,7 +33,7 @@ mod polygons;
 mod session;
 mod targets;
 
-// What callers say and ask of formats: nobody else than this crate reads and writes them.
+// The words of formats that callers need: this crate alone reads and writes files.
 pub use mindeg_formats::{
     Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
     extensions, obj, svg, with_boundary_lines,

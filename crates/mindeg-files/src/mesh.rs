@@ -22,7 +22,7 @@ impl Session {
     ///
     /// # Errors
     ///
-    /// A file that cannot be read, is no mesh, or names one that is not in its folder.
+    /// A file that cannot be read, is not a mesh, or names a file outside its folder.
     pub fn mesh(
         &self,
         input: &Input<'_>,
@@ -82,7 +82,7 @@ impl Session {
 fn failed(name: &str, path: &Path, error: ReadError) -> FileError {
     match error {
         ReadError::Io(error) => FileError::cannot_read(name, &error),
-        // A name that is refused is a mistake in the file that has it.
+        // A refused name is a mistake in the file that has it.
         ReadError::External { ref source, .. } if source.kind() != ErrorKind::InvalidInput => {
             FileError::system(format!("{name}: {error}"), source.kind())
         }
@@ -98,7 +98,7 @@ fn failed(name: &str, path: &Path, error: ReadError) -> FileError {
 struct Counting<'a> {
     file: File,
     done: u64,
-    /// What the file's length promises: a pipe has none.
+    /// The file's length; 0 for a pipe.
     total: u64,
     progress: Progress<'a>,
 }

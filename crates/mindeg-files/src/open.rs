@@ -1,4 +1,4 @@
-//! What a file holds.
+//! The content of a file.
 
 use crate::beside::Beside;
 use crate::error::{FileError, plain};
@@ -13,7 +13,7 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Debug)]
 pub enum Content {
     /// The JSON text of one domain, for [`Domain::from_json`](mindeg_domain::Domain::from_json).

@@ -4,7 +4,7 @@
 //! only when every one of them is complete. An error, a panic or Ctrl-C before that leaves
 //! neither a target touched nor a temporary file behind.
 //!
-//! What is not a regular file (a device, a pipe) cannot be replaced and is written to directly, and
+//! A device or a pipe cannot be replaced and is written to directly, and
 //! so is what was opened for this process by others. Links are refused: replacing a link, or one of a
 //! file's names, would leave a second file with the old content.
 //!
@@ -227,7 +227,7 @@ fn same_file(first: &Path, second: &Path) -> String {
 ///
 /// # Errors
 ///
-/// Those of `write`, with the name of the file.
+/// The errors of `write`, with the name of the file.
 pub fn write_to(
     path: &Path,
     out: Box<dyn Write + Send>,

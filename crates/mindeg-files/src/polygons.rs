@@ -9,14 +9,14 @@ use mindeg_outlines::{
 };
 use std::path::Path;
 
-/// What becomes of the outlines of a file.
+/// How the outlines of a file become polygons.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ReadOptions {
     /// The polygons that are taken, by a name or an index from 1; all without it.
     pub feature: Option<String>,
     /// Whether rings that touch or cross themselves are parted.
     pub repair: bool,
-    /// What a repair counts as inside; by default what the format says.
+    /// The rule by which a repair counts points as inside; by default the format's.
     pub fill_rule: Option<FillRule>,
     /// How rings become sides and points.
     pub division: Division,
@@ -31,7 +31,7 @@ pub struct PolygonFile {
     pub format: OutlineFormat,
     /// In the order of the file; indices count from 1 among all polygons of the file.
     pub polygons: Vec<Polygon>,
-    /// What the reader left out or changed, as sentences for the user.
+    /// Sentences for the user about parts that the reader left out or changed.
     pub notes: Vec<String>,
     division: Division,
     is_repaired: bool,
@@ -77,7 +77,7 @@ impl PolygonFile {
     ///
     /// # Errors
     ///
-    /// Why it is no domain, under its name.
+    /// The reason why it is not a domain, under its name.
     pub fn domain(&self, polygon: &Polygon) -> Result<Domain, FileError> {
         polygon.domain(&self.division).map_err(|error| {
             let hint = if error.is_touch && !self.is_repaired {
@@ -93,7 +93,7 @@ impl PolygonFile {
     ///
     /// # Errors
     ///
-    /// Why it is no domain, or that there are several.
+    /// The reason why it is not a domain, or that the file has several polygons.
     pub fn only(&self) -> Result<Domain, FileError> {
         match &self.polygons[..] {
             [polygon] => self.domain(polygon).map_err(|error| error.of(&self.file)),

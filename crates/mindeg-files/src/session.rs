@@ -1,4 +1,4 @@
-//! What one run has read, and what it is writing.
+//! The files that one run has read and is writing.
 
 use crate::error::FileError;
 use std::fs::{self, Metadata};
@@ -12,7 +12,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 pub struct Session {
     inputs: Mutex<Vec<Noted>>,
     temporary: Mutex<Vec<PathBuf>>,
-    /// What options begin with where a message names one: `--` on a command line.
+    /// The prefix of options in messages: `--` on a command line.
     dashes: &'static str,
 }
 
@@ -21,16 +21,16 @@ pub struct Session {
 struct Noted {
     /// As the user named it.
     name: String,
-    /// Such as "domain".
+    /// Its kind in messages: "domain".
     what: &'static str,
     identity: Identity,
 }
 
-/// What all names of a file have in common: the device, and the file's number on it.
+/// The same for all names of a file: the device, and the file's number on it.
 #[cfg(unix)]
 type Identity = (u64, u64);
 
-/// What all names of a file but hard links have in common: the path without links.
+/// The same for all names of a file but hard links: the path without links.
 #[cfg(not(unix))]
 type Identity = PathBuf;
 
@@ -54,7 +54,7 @@ impl Session {
         format!("{}{name}", self.dashes)
     }
 
-    /// What options begin with.
+    /// The prefix of options.
     pub(crate) fn dashes(&self) -> &'static str {
         self.dashes
     }
@@ -100,7 +100,7 @@ impl Session {
     pub fn refuse_input(&self, path: &Path) -> Result<(), FileError> {
         match fs::metadata(path) {
             Ok(metadata) => self.refuse(&path.display().to_string(), path, &metadata),
-            // What does not exist was not read; what else is wrong shows when it is opened.
+            // A missing file was not read; other errors show when it is opened.
             Err(_) => Ok(()),
         }
     }

@@ -19,13 +19,13 @@ pub struct Targets<'a> {
     outputs: Outputs<'a>,
 }
 
-/// One output.
+/// An output.
 struct Target {
     path: PathBuf,
     format: Format,
     /// The format's files, the one that is named first.
     files: Vec<PathBuf>,
-    /// What writes them, once the positions have been looked at.
+    /// The writer of the files, once the positions are checked.
     writer: Option<Writer>,
     /// The streams that the files go to, once they are open.
     out: Vec<Box<dyn Write + Send>>,
@@ -93,7 +93,7 @@ impl<'a> Targets<'a> {
     ///
     /// # Errors
     ///
-    /// What a format cannot hold.
+    /// A mesh that a format cannot hold.
     pub fn check(
         &mut self,
         positions: &dyn Positions,
@@ -128,7 +128,7 @@ impl<'a> Targets<'a> {
     ///
     /// # Errors
     ///
-    /// Those of [`Outputs::open`].
+    /// The errors of [`Outputs::open`].
     pub fn open(&mut self) -> Result<(), FileError> {
         for target in &mut self.targets {
             // Files get their names in this order: none names another that is not there.
@@ -151,7 +151,7 @@ impl<'a> Targets<'a> {
     ///
     /// # Errors
     ///
-    /// Those of the files. That a reader of standard output did not take all of it is an error of kind
+    /// The errors of the files. That a reader of standard output did not take all of it is an error of kind
     /// [`ErrorKind::BrokenPipe`]; the other outputs are whole.
     pub fn write<'m>(
         self,

@@ -1,6 +1,6 @@
-//! Where the corners of triangles are, and what is measured there.
+//! Positions of the corners of triangles, and measures at them.
 //!
-//! Limits: what is kept is small, and made for triangles whose corners lie in few runs of vertices,
+//! Limits: the cache is small, and made for triangles whose corners lie in few runs of vertices,
 //! as in a strip. Any other order works too, and takes longer.
 
 use std::ops::Range;
@@ -55,7 +55,7 @@ pub(crate) fn min_angles(mesh: &dyn Mesh, range: Range<u32>) -> impl Iterator<It
 
 /// The minimum angle of a triangle, in degrees.
 ///
-/// [`TriangleQuality`] has it too, among measures that take longer. It is asked where products of
+/// [`TriangleQuality`] has it too, among slower measures. It is used where products of
 /// coordinates leave the range of floats.
 fn min_angle([a, b, c]: [DVec3; 3]) -> f64 {
     let [x, y, z] = [c - b, a - c, b - a];

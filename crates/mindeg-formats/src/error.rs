@@ -24,7 +24,7 @@ pub enum ReadError {
         /// The error of the input.
         source: io::Error,
     },
-    /// The file breaks the rules of its format, or has what is not read.
+    /// The file breaks the rules of its format, or uses a feature that is not read.
     #[error("{place}{}{problem}", if .place.is_empty() { "" } else { ": " })]
     Fault {
         /// The line, counted from 1; the byte, counted from 0; or a path into the document. Empty

@@ -25,7 +25,7 @@ impl FaceList {
 
     /// How many faces there are.
     pub(crate) fn face_count(&self) -> u64 {
-        // What comes after the start of a polygon is the next one.
+        // Each start has one polygon.
         let polygons = self.polygons.as_ref().map(|polygons| polygons.triangle_starts.len());
         polygons.unwrap_or(self.triangles.len()) as u64
     }

@@ -11,7 +11,7 @@ use crate::{ReadError, WriteError, WriteOptions};
 
 /// All that is known of a format. A new one begins with [`Facts::NONE`].
 pub(crate) struct Facts {
-    /// The short name, as options have it: `obj`, `fort14`.
+    /// The short name, for options: `obj`, `fort14`.
     pub(crate) name: &'static str,
     /// The name in a sentence.
     pub(crate) description: &'static str,

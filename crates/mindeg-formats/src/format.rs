@@ -88,7 +88,7 @@ impl Format {
         count
     }
 
-    /// The short name of the format, as options have it: `obj`, `fort14`.
+    /// The short name of the format, for options: `obj`, `fort14`.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.facts().name

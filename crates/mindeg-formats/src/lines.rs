@@ -24,7 +24,7 @@ impl<R: BufRead> Lines<R> {
         Self { input, line: Vec::new(), number: 0, after_return: false, continues: false }
     }
 
-    /// A line that ends in a backslash goes on in the next, as an OBJ has it.
+    /// A line that ends in a backslash goes on in the next, as in OBJ.
     pub(crate) fn with_continued_lines(self) -> Self {
         Self { continues: true, ..self }
     }

@@ -69,7 +69,7 @@ pub(crate) trait Row {
     /// How long it is as bytes, with all that is optional.
     const BYTE_LEN: usize;
 
-    /// What a table as text keeps from one row to the next.
+    /// The state that a table of text keeps from one row to the next.
     type Columns;
 
     /// The columns before the first row.
@@ -263,7 +263,7 @@ impl Scalar {
         let bits = bits(item, is_big);
         match self {
             Self::Float(_) => None,
-            // One beyond the range of i64 is far beyond any count.
+            // A number beyond the range of i64 is far beyond any count.
             Self::Unsigned(_) => Some(i64::try_from(bits).unwrap_or(i64::MAX)),
             Self::Signed(len) => Some(signed(bits, len)),
         }

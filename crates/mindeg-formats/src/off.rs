@@ -45,7 +45,7 @@ fn sections(mesh: &dyn Mesh, plane: MeshPlane) -> Vec<Section<'_>> {
 ///
 /// # Errors
 ///
-/// Errors of the input; lines that are not as the format has them; corners that the file has no
+/// Errors of the input; lines that break the format; corners that the file has no
 /// vertex for; a file without faces.
 ///
 /// # Example

@@ -15,7 +15,7 @@ const HEAD: usize = 1 << 16;
 
 /// Reads a mesh in the format that the extension of its name says, or else its content.
 ///
-/// Only the name's last part counts. `beside` is asked for further files, by names relative to this
+/// Only the name's last part counts. `beside` gives further files, by names relative to this
 /// one: those that a `.gltf` names, the material libraries of an `.obj`, or the `.ele` beside a `.node`. They are to be trusted no more
 /// than the file is.
 ///

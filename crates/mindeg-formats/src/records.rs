@@ -29,7 +29,7 @@ impl<R: BufRead> Records<R> {
         Self { before, number: before, ..self }
     }
 
-    /// Goes to the next line that says something; false after the last.
+    /// Goes to the next line with words; false after the last.
     fn advance(&mut self) -> Result<bool, ReadError> {
         loop {
             let Some((number, line)) = self.lines.next()? else { return Ok(false) };
@@ -65,12 +65,12 @@ impl<R: BufRead> Records<R> {
         self.number
     }
 
-    /// The next line that says something.
+    /// The next line with words.
     pub(crate) fn next(&mut self) -> Result<Option<Words<'_>>, ReadError> {
         Ok(self.advance()?.then(|| self.words(..)))
     }
 
-    /// The next line that says something, which is to be `what`.
+    /// The next line with words, which must hold `what`.
     pub(crate) fn expect(&mut self, what: &str) -> Result<Words<'_>, ReadError> {
         // Where the file ends is the line after the last.
         let line = self.number + 1;

@@ -27,7 +27,7 @@ pub struct Polylines {
 #[derive(Default)]
 pub(crate) struct Elements {
     pub(crate) faces: FaceList,
-    /// What the faces belong to.
+    /// The runs of faces: a group, a surface.
     pub(crate) groups: Runs,
     pub(crate) segments: Segments,
     pub(crate) points: u64,
@@ -62,7 +62,7 @@ pub(crate) struct Segments {
 }
 
 impl Segments {
-    /// Adds a segment of the thing with a number. O(1); `name` is asked at the start of a run.
+    /// Adds a segment of the thing with a number. O(1); `name` is called at the start of a run.
     pub(crate) fn push(
         &mut self,
         of: i64,
@@ -102,7 +102,7 @@ impl Segments {
 pub(crate) struct Runs(Vec<(i64, String, u32)>);
 
 impl Runs {
-    /// The items up to `end` belong to the thing with a number. `name` is asked at the start of a run.
+    /// The items up to `end` belong to the thing with a number. `name` is called at the start of a run.
     pub(crate) fn push(
         &mut self,
         of: i64,

@@ -71,7 +71,7 @@ impl<'a> Section<'a> {
         })
     }
 
-    /// The length in bytes, if all items are as long as was said.
+    /// The length in bytes, if all items have the given length.
     pub(crate) fn byte_len(&self) -> u64 {
         self.items.len() as u64 * u64::from(self.item_len)
     }
@@ -100,7 +100,7 @@ struct Block<'s, 'a> {
 impl Block<'_, '_> {
     fn format(&self, buffer: &mut Vec<u8>) {
         buffer.clear();
-        // In parts, so that what is made of several items at a time, such as points, stays small.
+        // A few items at a time, so that lists made of them, such as points, stay small.
         for start in self.items.clone().step_by(PART) {
             let end = start.saturating_add(PART as u32).min(self.items.end);
             (self.section.format)(start..end, buffer);
@@ -148,7 +148,7 @@ pub(crate) fn write_counted(
                 let Ok(out) = turn.recv() else { return Ok(()) };
                 out.write_all(&buffer)?;
                 written.add(1).map_err(io::Error::other)?;
-                // After the last block nobody may be left to take it.
+                // After the last block the next thread may have ended.
                 let _ = hand_on.send(out);
             }
             Ok(())

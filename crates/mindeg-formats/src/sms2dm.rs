@@ -87,7 +87,7 @@ fn node_string(mesh: &dyn Mesh, chain: MarkedChain, id: u32) -> Section<'_> {
 ///
 /// # Errors
 ///
-/// Errors of the input; lines that are not as the format has them; elements and node strings that
+/// Errors of the input; lines that break the format; elements and node strings that
 /// name vertices that the file does not have; a file without elements.
 ///
 /// # Example

@@ -31,7 +31,7 @@ pub(crate) const FACTS: Facts = Facts {
     ..Facts::NONE
 };
 
-/// Whether the first line that is no comment is that of a `.node`: a number of vertices in two
+/// Whether the first line after comments is that of a `.node`: a number of vertices in two
 /// dimensions.
 fn counts_vertices(bytes: &[u8]) -> bool {
     let mut lines = bytes.split(|&byte| byte == b'\n').map(<[u8]>::trim_ascii);

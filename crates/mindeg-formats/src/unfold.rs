@@ -39,7 +39,7 @@ mod tests {
         let mut bytes = b"before ".to_vec();
         assert_eq!(unfold(&compress_to_vec_zlib(b"and after", 6), true, 9, &mut bytes), Ok(true));
         assert_eq!(bytes, b"before and after");
-        // Fewer than the length that is said.
+        // Fewer than the given length.
         assert_eq!(unfold(&compress_to_vec(b", here", 6), false, u64::MAX, &mut bytes), Ok(true));
         assert_eq!(bytes, b"before and after, here");
     }

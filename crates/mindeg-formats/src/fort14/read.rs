@@ -18,7 +18,7 @@ use std::io::BufRead;
 ///
 /// # Errors
 ///
-/// Errors of the input; lines that are not as the format has them; elements and boundary segments
+/// Errors of the input; lines that break the format; elements and boundary segments
 /// that name vertices that the file does not have; a file without elements.
 ///
 /// # Example

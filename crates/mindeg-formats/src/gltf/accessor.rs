@@ -76,7 +76,7 @@ impl<'a> Arrays<'a> {
     }
 
     /// The items of an accessor whose type was checked, each of this number of components.
-    /// Those that have no bytes are `zero`.
+    /// Items without bytes are `zero`.
     fn decoded<T: Clone>(
         &self,
         accessor: usize,

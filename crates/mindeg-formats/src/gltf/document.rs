@@ -130,7 +130,7 @@ struct Document {
 }
 
 impl Document {
-    /// An array that follows what is in the binary so far.
+    /// An array at the present end of the binary.
     fn view(&mut self, len: u64, target: Target) -> Index<View> {
         let byte_offset = Some(USize64(self.binary_len));
         self.binary_len += len;

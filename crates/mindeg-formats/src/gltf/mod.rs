@@ -6,7 +6,7 @@
 //! each; on request a child node for each line. Groups in a row that differ in their materials alone
 //! are primitives of one node. Materials have their names and colors, and are plain ones of the core
 //! specification: not metallic, rough, and seen from both sides; with degree colors they are white. Texture coordinates count from the
-//! upper left, as glTF has it. Vertex colors are 8 bits a channel.
+//! upper left, as in glTF. Vertex colors are 8 bits a channel.
 //!
 //! **Indices** take 16 bits up to 65,535 vertices and 32 bits from there.
 //!

@@ -25,7 +25,7 @@ pub(super) fn placed_nodes(document: &Document<'_>) -> Result<Vec<(usize, DMat4)
         let mut is_child = vec![false; nodes.len()];
         for child in nodes.iter().flat_map(|node| &node.children) {
             let child = usize::try_from(child.0).ok().and_then(|child| is_child.get_mut(child));
-            // One that does not exist is found below.
+            // A child that does not exist is found below.
             child.into_iter().for_each(|is_child| *is_child = true);
         }
         let roots = (0..nodes.len()).filter(|&node| !is_child[node]);

@@ -101,7 +101,7 @@ impl Stored {
         moved.then(|| self.plane.place(self.offset).as_vec3().to_array())
     }
 
-    /// The range of the positions of some vertices, or what is to be refused.
+    /// The range of the positions of some vertices, or the reason to refuse them.
     ///
     /// That is a coordinate beyond the range of 32-bit floats, or a vertex in the same
     /// place as one of the two before it round the boundary. Two steps back suffice for

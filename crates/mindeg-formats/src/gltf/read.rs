@@ -24,7 +24,7 @@ use std::sync::Arc;
 /// indices of any width or none, also from sparse accessors. Lines between vertices of triangles are
 /// kept under the name of their node; other lines, and points, are counted.
 ///
-/// `resolve` is asked for the files that the document names, with their escapes undone:
+/// `resolve` gives the files that the document names, with their escapes undone:
 /// relative to the document, and to be trusted no more than the document is. Data in the
 /// document itself is not asked for, and URIs with a scheme such as `http:` are refused.
 ///
@@ -115,7 +115,7 @@ impl Notes {
 /// Positions in a place: an accessor, and the bits of what moves it there.
 type PlacedPositions = (usize, [u64; 16]);
 
-/// How many vertices, triangles and lines a file may have for each of its bytes. One that says each of
+/// How many vertices, triangles and lines a file may have for each of its bytes. A file that says each of
 /// them has 10 bytes and more; but an accessor without bytes is as long as it says, and a mesh has as many
 /// copies as nodes.
 const MOST_PER_BYTE: u64 = 100;

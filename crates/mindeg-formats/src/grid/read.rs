@@ -48,7 +48,7 @@ impl Grid {
         Ok(())
     }
 
-    /// Adds cells of the points from `first` on; `at` makes an error of what is wrong with one.
+    /// Adds cells of the points from `first` on; `at` makes an error of a sentence about a cell.
     pub(crate) fn add_cells(
         &mut self,
         first: usize,
@@ -92,7 +92,7 @@ impl Grid {
         let few = |count: usize| {
             ReadError::place("", format!("a cell of type {cell_type} has {count} corners or more"))
         };
-        // Of curved cells the corners, which come first.
+        // The corners of curved cells come first.
         let straight = match cell_type {
             3 | 21 | 35 | 68 => 2,
             5 | 22 | 34 | 69 => 3,

@@ -26,7 +26,7 @@ use crate::scanner::Scanner;
 ///
 /// # Errors
 ///
-/// Errors of the input; other versions; parts that are not as the format has them, by line or byte;
+/// Errors of the input; other versions; parts that break the format, by line or byte;
 /// elements of nodes that the file does not have; a file without faces.
 ///
 /// # Example
@@ -178,7 +178,7 @@ impl Contents {
         Ok(())
     }
 
-    /// Of every entity the first physical tag.
+    /// The first physical tag of every entity.
     fn take_entities(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
         let mut counts = [0; 4];
         for count in &mut counts {

@@ -94,7 +94,7 @@ fn entity_list(mesh: &dyn Mesh, entities: &Entities, numbers: Numbers) -> Vec<u8
             // Adding zero turns -0 into 0.
             numbers.put((corner + DVec3::ZERO).to_array(), &mut list);
         }
-        // One physical tag; what bounds the entity is not told.
+        // One physical tag and no bounding entities.
         numbers.put([1_u64], &mut list);
         numbers.put([physical], &mut list);
         numbers.put([0_u64], &mut list);

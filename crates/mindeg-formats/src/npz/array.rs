@@ -4,7 +4,7 @@ use crate::ReadError;
 use crate::numbers::{HALF_EPSILON, Scalar, bits};
 use std::borrow::Cow;
 
-/// The head of an array with rows of three numbers, or of one if `columns` is none.
+/// The head of an array with rows of `columns` numbers; of one number without it.
 pub(super) fn head(kind: &str, rows: u32, columns: Option<u32>) -> Vec<u8> {
     let columns = columns.map_or(String::new(), |columns| columns.to_string());
     let mut text =

@@ -15,7 +15,7 @@ use zip::ZipArchive;
 ///
 /// # Errors
 ///
-/// Errors of the input; an archive or arrays that are not as the format has them, or
+/// Errors of the input; an archive or arrays that break the format, or
 /// have another shape; coordinates that are not finite, and indices of vertices that are not there.
 ///
 /// # Example

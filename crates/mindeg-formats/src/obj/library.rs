@@ -194,7 +194,7 @@ fn colors(text: &[u8]) -> Result<HashMap<String, [f32; 4]>, String> {
     Ok(colors)
 }
 
-/// One material of a library.
+/// A material of a library.
 #[derive(Default)]
 struct Definition {
     name: String,

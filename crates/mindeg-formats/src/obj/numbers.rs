@@ -1,6 +1,6 @@
 //! Numbers of vertices as text, fast where they come again.
 //!
-//! Limits: what is kept is small, and made for vertices in the order of strips.
+//! Limits: the cache is small, and made for vertices in the order of strips.
 
 use crate::decimals::Text;
 
@@ -11,7 +11,7 @@ const LONGEST_CORNER: usize = (1 + 3 * 10 + 2_usize).next_multiple_of(8);
 const KEPT: usize = 8;
 
 /// How the corners of faces are named: by the vertex, and again for its texture coordinates and
-/// its normal where there are any.
+/// its normal if the mesh has them.
 ///
 /// Some names are kept: along a strip a vertex is a corner of three triangles or more.
 pub(super) struct CornerNames {

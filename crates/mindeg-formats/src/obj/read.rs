@@ -59,7 +59,7 @@ pub fn read(input: impl BufRead) -> Result<TriMesh, ReadError> {
 
 /// [`read()`], with the colors of materials.
 ///
-/// `beside` is asked for the libraries (`mtllib`), by the names in the file. One that cannot be read
+/// `beside` gives the libraries (`mtllib`), by the names in the file. A library that cannot be read
 /// is not an error: a note says so, and its materials have only names.
 ///
 /// # Errors

@@ -88,7 +88,7 @@ impl Header {
         }
     }
 
-    /// How many rows the element has; 0 if there is none.
+    /// The number of rows of an element; 0 without the element.
     pub(super) fn count(&self, name: &str) -> u64 {
         self.elements.iter().find(|element| element.name == name).map_or(0, |found| found.count)
     }

@@ -22,7 +22,7 @@ use std::io::BufRead;
 ///
 /// # Errors
 ///
-/// Errors of the input; a header or rows that are not as the format has them, corners that the
+/// Errors of the input; a header or rows that break the format, corners that the
 /// file has no vertex for, positions that are not finite, and a file without faces.
 ///
 /// # Example

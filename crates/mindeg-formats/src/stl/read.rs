@@ -25,7 +25,7 @@ const FACET: usize = 50;
 ///
 /// # Errors
 ///
-/// Errors of the input; lines or bytes that are not as the format has them; coordinates that are not
+/// Errors of the input; lines or bytes that break the format; coordinates that are not
 /// finite; a binary file with fewer or more triangles than it says; a file without triangles.
 ///
 /// # Example

@@ -17,7 +17,7 @@ pub(super) struct Drawing<'a> {
     frame: &'a Frame,
     /// The points in the picture.
     points: Vec<DVec2>,
-    /// Of a mesh that hides a part of itself, what is seen of it.
+    /// The visible triangles, if some hide others.
     solid: Option<solid::Order>,
     triangles: Vec<[u32; 3]>,
     /// The colored degree of each vertex; empty if there are too many for dots.
@@ -172,7 +172,7 @@ impl<'a> Drawing<'a> {
         (0.06 * self.spacing()).clamp(0.3, 1.6)
     }
 
-    /// The mean length of the boundary edges, or of all where there are none, in pixels.
+    /// The mean length of the boundary edges in pixels; of all edges in a closed mesh.
     fn spacing(&self) -> f64 {
         let length = |[from, to]: [u32; 2]| self.point(from).distance(self.point(to));
         let mean = |edges: &mut dyn Iterator<Item = [u32; 2]>| {

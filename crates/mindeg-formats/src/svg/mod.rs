@@ -113,7 +113,7 @@ impl Inset {
         Self { frame: Frame::new(bounds, frame) }
     }
 
-    /// The size of what is fitted, in pixels.
+    /// The size of the fitted mesh, in pixels.
     #[must_use]
     pub fn size(&self) -> DVec2 {
         self.frame.size

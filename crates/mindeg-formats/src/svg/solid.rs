@@ -6,7 +6,7 @@ use glam::DVec3;
 /// The triangles that are drawn, the farthest first.
 pub(super) struct Order {
     pub(super) triangles: Vec<Seen>,
-    /// The last of these triangles at each vertex; [`NONE`] where none of them is.
+    /// The last of these triangles at each vertex; [`NONE`] at a vertex without any.
     pub(super) last_of_vertex: Vec<u32>,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Seen {
 }
 
 impl Order {
-    /// None where all triangles face the same way, so that none hides another but by folds.
+    /// `None` if all triangles face the same way: then only folds hide triangles.
     ///
     /// Of a closed mesh whose triangles face outwards, those that face the eye are drawn; of any
     /// other, all. O(n log n).

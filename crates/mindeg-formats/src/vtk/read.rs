@@ -13,7 +13,7 @@ use crate::scanner::Scanner;
 /// Reads a mesh from a legacy VTK file: an unstructured grid, or polygonal data.
 ///
 /// Triangles, quadrilaterals, polygons, pixels and strips become faces; lines and poly-lines become
-/// lines, one for each value of the cell data `side` where there is such. Of curved cells the
+/// lines, one for each value of the cell data `side` if the file has it. Of curved cells the
 /// corners are taken; points are counted, volumes are noted; other data is passed over.
 ///
 /// O(n) time but for polygons that are cut, and memory for the file and the mesh, whatever the file
@@ -21,7 +21,7 @@ use crate::scanner::Scanner;
 ///
 /// # Errors
 ///
-/// Errors of the input; other datasets; what is not as the format has it, by line or byte; a file
+/// Errors of the input; other datasets; a file that breaks the format, by line or byte; a file
 /// without faces.
 ///
 /// # Example
@@ -174,7 +174,7 @@ impl Contents {
         Ok(())
     }
 
-    /// One array of data; the side or group of each cell is kept.
+    /// An array of data; the side or group of each cell is kept.
     fn take_attribute(
         &mut self,
         word: &[u8],
@@ -219,7 +219,7 @@ impl Contents {
             // The array before may have ended in bytes.
             scanner.encoding = Numbers::Text;
             let name = loop {
-                // Of each array there may be more, up to an empty line.
+                // An array may have metadata, up to an empty line.
                 match scanner.word() {
                     Some(b"METADATA") => pass_over_metadata(scanner),
                     name => break name.unwrap_or_default(),

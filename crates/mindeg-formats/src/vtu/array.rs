@@ -10,7 +10,7 @@ use crate::numbers::{Scalar, Value, bits};
 use crate::unfold::unfold;
 use crate::words::{number, words};
 
-/// Padding is as writers have it.
+/// Writers differ in padding: all forms are read.
 const BASE64: GeneralPurpose = GeneralPurpose::new(
     &base64::alphabet::STANDARD,
     GeneralPurposeConfig::new()

@@ -13,7 +13,7 @@ use crate::grid::{CellData, Cells, Grid};
 /// Reads a mesh from a VTU.
 ///
 /// Triangles, quadrilaterals, polygons, pixels and strips become faces; line cells become lines:
-/// one for each value of the cell data `side` where there is such, under the name that the field data
+/// one for each value of the cell data `side` if the file has it, under the name that the field data
 /// `side_names` has for it. So become the groups, by `group` and `group_names`. Of curved cells the
 /// corners are taken; points are counted, volumes are noted; other data is passed over.
 ///
@@ -22,8 +22,8 @@ use crate::grid::{CellData, Cells, Grid};
 ///
 /// # Errors
 ///
-/// Errors of the input; other types of VTK files; data compressed by anything but zlib; what is not as
-/// the format has it, by the byte where its element begins; a file without faces.
+/// Errors of the input; other types of VTK files; data compressed by anything but zlib; elements
+/// that break the format, by the byte where they begin; a file without faces.
 ///
 /// # Example
 ///

@@ -61,7 +61,7 @@ struct File<'a> {
     /// XML that is not yet among the sections.
     xml: String,
     appended: Vec<Section<'a>>,
-    /// The length of what is appended.
+    /// The length of the appended data.
     offset: u64,
 }
 
