@@ -20,6 +20,7 @@ use crate::progress::Stage;
 use crate::visibility;
 use mindeg_mesh::{Cancelled, Progress};
 use rows::{Candidates, Rows};
+pub(crate) use search::Order;
 
 pub use decision::{Decision, Element, Literal, Refutation, SearchedAngle};
 
@@ -115,14 +116,15 @@ impl Cover {
         progress: Progress<'_>,
     ) -> Result<Decision, Cancelled> {
         let mut left = steps;
-        self.decide_within(most_chords, least_tangents, start, &mut left, progress)
+        self.decide_within(most_chords, least_tangents, Order::Chords, start, &mut left, progress)
     }
 
-    /// [`decide`](Self::decide) that takes its steps off those that are left.
+    /// [`decide`](Self::decide) in an order of variables, that takes its steps off those that are left.
     pub(crate) fn decide_within(
         &self,
         most_chords: &[u32],
         least_tangents: &[f64],
+        order: Order,
         start: &[Vec<[u32; 3]>],
         left: &mut u64,
         progress: Progress<'_>,
@@ -134,7 +136,13 @@ impl Cover {
         let rows = Rows::new(&self.faces, most_chords, least_tangents);
         // Making them takes about as long.
         *left = left.saturating_sub(self.candidate_count() as u64);
-        search::run(&rows, start, left, &Stage::new(progress, "searching all triangulations"))
+        search::run(
+            &rows,
+            order,
+            start,
+            left,
+            &Stage::new(progress, "searching all triangulations"),
+        )
     }
 
     /// The tangents of the candidates' minimum angles above one, ascending, each once.

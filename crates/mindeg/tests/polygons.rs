@@ -7,6 +7,7 @@ mod outlines;
 
 use mindeg::exact::{self, LowerBound, Reached};
 use mindeg::glam::DVec2;
+use mindeg::verify::{self, Proof};
 use mindeg::{BoundaryMesh, Domain, FoundBy, Goal, Outline as Shape, Progress, Ring, Side, mesh};
 use mindeg_exact::Unsolved;
 use mindeg_mesh::check;
@@ -528,4 +529,28 @@ fn limits_round_a_hole_that_no_mesh_keeps_are_told() {
         mesh(&domain, Goal::MaxDegree(3), Progress::NONE).err(),
         Some(Unsolved::Infeasible { max_degree: 3, least: 4 }.into())
     );
+}
+
+/// Each line of the file is a domain with the least degree that windows and bounds alone leave open.
+#[test]
+fn gaps_of_drawn_outlines_are_closed() {
+    let lines = include_str!("gaps.txt").lines();
+    let mut refuted = 0;
+    for line in lines {
+        let (least, json) = line.split_once(' ').unwrap();
+        let domain = Domain::from_json(json).unwrap();
+        let answer = exact::degree(&domain, Progress::NONE).unwrap();
+        assert_eq!(answer.least_max_degree(), least.parse().ok(), "{json}");
+        let proof = verify::checked_proof(&answer, &domain, Progress::NONE).unwrap();
+        assert!(proof.is_some(), "{json}");
+        refuted += u32::from(matches!(proof, Some(Proof::Refuted { .. })));
+    }
+    assert_eq!(refuted, 5);
+}
+
+#[test]
+fn the_largest_angle_round_a_hole_is_found() {
+    let json = r#"{"ring": [[4, 1], [6, 0], [2, 4], [0, 3]], "holes": [{"ring": [[1, 3], [2, 3], [3, 2]]}]}"#;
+    let exact = exact::mesh(&Domain::from_json(json).unwrap(), 5, Progress::NONE).unwrap();
+    assert!(exact.is_proven && (exact.min_angle - 7.125).abs() < 5e-4, "{}", exact.min_angle);
 }

@@ -1,7 +1,7 @@
 //! The largest minimum angle under degree limits: a search for every threshold that bisection tries.
 
-use super::Cover;
 use super::decision::{Decision, SearchedAngle};
+use super::{Cover, Order};
 use crate::measure::{self, least_tangent};
 use crate::problem::Problem;
 use mindeg_mesh::{Cancelled, Progress};
@@ -40,8 +40,15 @@ impl Cover {
                 let mut left = steps.div_ceil(2);
                 *steps -= left;
                 let (most, start) = (&limits.chords, [triangles.clone()]);
-                let found =
-                    self.decide_within(most, &[thresholds[next]], &start, &mut left, progress)?;
+                let tangents = [thresholds[next]];
+                let found = self.decide_within(
+                    most,
+                    &tangents,
+                    Order::Chords,
+                    &start,
+                    &mut left,
+                    progress,
+                )?;
                 *steps += left;
                 let is_reached = matches!(found, Decision::Mesh(_));
                 match found {

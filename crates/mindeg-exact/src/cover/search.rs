@@ -12,11 +12,10 @@ use mindeg_mesh::Cancelled;
 
 mod heap;
 mod learning;
+mod restarts;
 
 use heap::Heap;
-
-/// The conflicts of the shortest run between restarts.
-const RUN: u64 = 100;
+use restarts::Restarts;
 
 /// The clauses that may be learned before the first are forgotten, and how many more each time.
 const FIRST_CLAUSES: usize = 4000;
@@ -31,14 +30,24 @@ const REPORT: u64 = 64;
 /// Activities are scaled down when they exceed this.
 const MOST_ACTIVITY: f64 = 1e100;
 
+/// The variables that the search decides first. Chords first mostly takes fewer steps, but now and then far more.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// Chords, the more active before others.
+    Chords,
+    /// The more active ones, chord or triangle.
+    Active,
+}
+
 /// Looks for values that keep all rows, at first those of a mesh; takes its steps off those that are left.
 pub(super) fn run(
     rows: &Rows<'_>,
+    order: Order,
     start: &[Vec<[u32; 3]>],
     left: &mut u64,
     stage: &Stage<'_>,
 ) -> Result<Decision, Cancelled> {
-    let mut search = Search::new(rows);
+    let mut search = Search::new(rows, order);
     for variable in rows.variables_of(start) {
         search.phases[variable as usize] = true;
     }
@@ -68,6 +77,8 @@ struct Clause {
     /// Where the clauses and facts from which it was learned begin; they end where those of the next begin.
     origins: u32,
     activity: f64,
+    /// The levels that it joined when it was learned.
+    levels: u32,
     is_watched: bool,
 }
 
@@ -99,12 +110,15 @@ struct Search<'a> {
     step_of_activity: f64,
     step_of_clauses: f64,
     phases: Vec<bool>,
+    /// The values of the longest trail in this calm mode, and its length.
+    best: Vec<bool>,
+    best_len: usize,
     is_seen: Vec<bool>,
     steps: u64,
 }
 
 impl<'a> Search<'a> {
-    fn new(rows: &'a Rows<'a>) -> Self {
+    fn new(rows: &'a Rows<'a>, order: Order) -> Self {
         let (variables, count) = (rows.variable_count(), rows.row_count());
         let mut row_starts = vec![0_u32; variables + 1];
         for row in 0..count as u32 {
@@ -139,10 +153,12 @@ impl<'a> Search<'a> {
             origins: Vec::new(),
             watched: 0,
             watches: vec![Vec::new(); 2 * variables],
-            heap: Heap::new(variables as u32, rows.chords),
+            heap: Heap::new(variables as u32, if order == Order::Chords { rows.chords } else { 0 }),
             step_of_activity: 1.0,
             step_of_clauses: 1.0,
             phases: vec![false; variables],
+            best: vec![false; variables],
+            best_len: 0,
             is_seen: vec![false; variables],
             steps: 0,
         }
@@ -163,16 +179,16 @@ impl<'a> Search<'a> {
             }
             // Rows of one literal may contradict each other.
         }
-        let (mut conflicts, mut run, mut runs) = (0, RUN, 1);
+        let mut restarts = Restarts::new();
         let mut most_clauses = FIRST_CLAUSES;
         loop {
             if let Some(conflict) = self.propagate() {
                 if self.level_starts.is_empty() {
                     return Ok(self.refuted(conflict));
                 }
-                self.learn(conflict);
-                conflicts += 1;
-                if conflicts % REPORT == 0 {
+                self.keep_if_best();
+                restarts.count(self.learn(conflict));
+                if restarts.conflicts.is_multiple_of(REPORT) {
                     stage.report(self.steps as f64 / most_steps.max(1) as f64)?;
                 }
                 if self.steps > most_steps || self.words.len() + self.origins.len() > MOST_WORDS {
@@ -180,9 +196,12 @@ impl<'a> Search<'a> {
                 }
                 continue;
             }
-            if conflicts >= run {
-                runs += 1;
-                run = conflicts + RUN * luby(runs);
+            if restarts.begins_calm() {
+                self.back_to(0);
+                self.phases.copy_from_slice(&self.best);
+                self.best_len = 0;
+            }
+            if restarts.is_due() {
                 self.back_to(0);
             }
             if self.watched > most_clauses {
@@ -197,6 +216,16 @@ impl<'a> Search<'a> {
             self.level_starts.push(self.trail.len() as u32);
             let is_negated = u32::from(!self.phases[variable as usize]);
             self.set(2 * variable + is_negated, Reason::Decided);
+        }
+    }
+
+    /// Keeps the values of the trail if it is the longest.
+    fn keep_if_best(&mut self) {
+        if self.trail.len() > self.best_len {
+            self.best_len = self.trail.len();
+            for &code in &self.trail {
+                self.best[code as usize / 2] = code.is_multiple_of(2);
+            }
         }
     }
 
@@ -349,55 +378,5 @@ impl<'a> Search<'a> {
         }
         self.trail.truncate(start as usize);
         self.head = self.head.min(start as usize);
-    }
-
-    /// Takes the less active half of the clauses away that imply no value now.
-    fn forget(&mut self) {
-        let is_free = |(index, clause): &(u32, &Clause)| {
-            let first = self.words[clause.start as usize];
-            let implies = self.value(first) == 1
-                && self.reasons[first as usize / 2] == Reason::Clause(*index);
-            clause.is_watched && clause.len > 2 && !implies
-        };
-        let mut free: Vec<u32> =
-            (0..).zip(&self.clauses).filter(is_free).map(|(index, _)| index).collect();
-        free.sort_by(|&a, &b| {
-            let [a, b] = [a, b].map(|index| self.clauses[index as usize].activity);
-            a.total_cmp(&b)
-        });
-        free.truncate(free.len() / 2);
-        for &index in &free {
-            self.clauses[index as usize].is_watched = false;
-        }
-        self.watched -= free.len();
-        for list in &mut self.watches {
-            list.retain(|&index| self.clauses[index as usize].is_watched);
-        }
-    }
-}
-
-/// The i-th number of 1, 1, 2, 1, 1, 2, 4, …, from 1 on.
-fn luby(index: u64) -> u64 {
-    let (mut index, mut size) = (index, 1_u64);
-    while size < index {
-        size = 2 * size + 1;
-    }
-    while size != index {
-        size /= 2;
-        if index > size {
-            index -= size;
-        }
-    }
-    size.div_ceil(2)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn runs_grow_as_lubys_numbers() {
-        let first: Vec<u64> = (1..=15).map(luby).collect();
-        assert_eq!(first, [1, 1, 2, 1, 1, 2, 4, 1, 1, 2, 1, 1, 2, 4, 8]);
     }
 }

@@ -3,7 +3,7 @@
 use super::{DegreeRange, LowerBound, Reached, by_windows, counting_bound};
 use crate::annulus;
 use crate::apex::apex_bound;
-use crate::cover::{Cover, Decision};
+use crate::cover::{Cover, Decision, Order};
 use crate::linked::Linked;
 use crate::problem::Problem;
 use crate::progress::Stage;
@@ -64,7 +64,8 @@ impl DegreeRange {
             let limits = problem.degree_limits(problem.no_limit()).ok_or(Unsolved::VertexLimits)?;
             let cover = cover.as_ref().ok_or(Unsolved::Undecided)?;
             let start = [self.triangles.clone()];
-            match cover.decide_within(&limits.chords, &[0.0], &start, &mut steps, progress)? {
+            let most = &limits.chords;
+            match cover.decide_within(most, &[0.0], Order::Chords, &start, &mut steps, progress)? {
                 Decision::Mesh(faces) => self.reach(problem, faces.concat()),
                 Decision::Refuted(_) => return Err(Unsolved::VertexLimits),
                 Decision::Unknown => return Err(Unsolved::Undecided),
@@ -87,13 +88,18 @@ fn close(
 ) -> Result<(), Unsolved> {
     let mut is_upward = true;
     while !range.is_proven() && steps > 1 {
-        let degree = if is_upward { range.lower_bound } else { range.max_degree - 1 };
+        let (degree, order) = if is_upward {
+            (range.lower_bound, Order::Chords)
+        } else {
+            (range.max_degree - 1, Order::Active)
+        };
         let Some(limits) = problem.degree_limits(degree) else { return Ok(()) };
-        // Where the least degree stays open, the other half of the steps is for smaller ones than reached.
+        // Where the least degree stays open, other steps are for smaller ones than reached, in another order.
         let mut left = steps.div_ceil(2);
         steps -= left;
         let start = [range.triangles.clone()];
-        let found = cover.decide_within(&limits.chords, &[0.0], &start, &mut left, progress)?;
+        let most = &limits.chords;
+        let found = cover.decide_within(most, &[0.0], order, &start, &mut left, progress)?;
         steps += left;
         match found {
             Decision::Mesh(faces) => range.reach(problem, faces.concat()),

@@ -7,6 +7,9 @@ use crate::cover::decision::{Decision, Refutation};
 const DECAY: f64 = 0.95;
 const CLAUSE_DECAY: f64 = 0.999;
 
+/// Clauses that join no more levels than this are never forgotten.
+const KEPT_LEVELS: u32 = 2;
+
 /// A clause from which another was learned, or a variable that has its value at the root of the search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Origin {
@@ -50,8 +53,9 @@ impl Search<'_> {
         }
     }
 
-    /// Learns a clause from a conflict, goes back to where it has one free literal, and sets that.
-    pub(super) fn learn(&mut self, conflict: Reason) {
+    /// Learns a clause from a conflict, goes back to where it has one free literal, and sets that; the number of levels
+    /// that the clause joins.
+    pub(super) fn learn(&mut self, conflict: Reason) -> u32 {
         let level = self.level_starts.len() as u32;
         // The first literal is that of this level, at last.
         let mut clause: Vec<Code> = vec![0];
@@ -118,12 +122,18 @@ impl Search<'_> {
             self.watched += 1;
         }
         let (start, len) = (self.words.len() as u32, clause.len() as u32);
+        let level = |code: &Code| self.levels[*code as usize / 2];
+        let mut levels: Vec<u32> = clause.iter().map(level).collect();
+        levels.sort_unstable();
+        levels.dedup();
+        let levels = levels.len() as u32;
         self.words.extend(&clause);
         let activity = self.step_of_clauses;
-        self.clauses.push(Clause { start, len, origins, activity, is_watched });
+        self.clauses.push(Clause { start, len, origins, activity, levels, is_watched });
         self.set(clause[0], Reason::Clause(index));
         self.step_of_activity /= DECAY;
         self.step_of_clauses /= CLAUSE_DECAY;
+        levels
     }
 
     /// Leaves out the literals of a clause that its others imply.
@@ -162,6 +172,31 @@ impl Search<'_> {
             }
         }
         clause.truncate(kept);
+    }
+
+    /// Takes half of the clauses away that imply no value now: those that join most levels, and of equals the less
+    /// active ones.
+    pub(super) fn forget(&mut self) {
+        let is_free = |(index, clause): &(u32, &Clause)| {
+            let first = self.words[clause.start as usize];
+            let implies = self.value(first) == 1
+                && self.reasons[first as usize / 2] == Reason::Clause(*index);
+            clause.is_watched && clause.levels > KEPT_LEVELS && !implies
+        };
+        let mut free: Vec<u32> =
+            (0..).zip(&self.clauses).filter(is_free).map(|(index, _)| index).collect();
+        free.sort_by(|&a, &b| {
+            let [a, b] = [a, b].map(|index| &self.clauses[index as usize]);
+            b.levels.cmp(&a.levels).then(a.activity.total_cmp(&b.activity))
+        });
+        free.truncate(free.len() / 2);
+        for &index in &free {
+            self.clauses[index as usize].is_watched = false;
+        }
+        self.watched -= free.len();
+        for list in &mut self.watches {
+            list.retain(|&index| self.clauses[index as usize].is_watched);
+        }
     }
 
     /// The clauses that a conflict at the root needs, in order, and the empty one.
