@@ -2,17 +2,11 @@
 //!
 //! With lines, a domain is a map: they divide it into faces, and every mesh of the domain has their edges.
 
-use std::ops::Range;
-
 use glam::DVec2;
-use mindeg_mesh::planar::Faces;
-use mindeg_mesh::{Line, LineKind};
 
-use crate::domain::Domain;
 use crate::error::{DomainError, Place};
 use crate::name;
 use crate::outline::Ring;
-use crate::side::Intervals;
 
 /// The lines, points and regions inside the rings of a domain; none by default.
 ///
@@ -108,76 +102,5 @@ impl Inside {
             }
         }
         Ok(())
-    }
-}
-
-impl Domain {
-    /// The lines, points and regions inside the rings.
-    pub fn inside(&self) -> &Inside {
-        &self.inside
-    }
-
-    /// The same domain with other lines, points and regions.
-    ///
-    /// # Errors
-    ///
-    /// The errors of [`DomainBuilder::build`](crate::DomainBuilder::build).
-    pub fn with_inside(&self, inside: Inside) -> Result<Self, DomainError> {
-        self.rebuilt(self.sides().to_vec(), inside)
-    }
-
-    /// The faces that lines divide the domain into, if it has lines or regions: those of
-    /// [`Inside::regions`] first, in their order.
-    pub fn faces(&self) -> Option<&Faces> {
-        self.faces.as_deref()
-    }
-
-    /// The name of the region that is a face: "region 3" if it has none.
-    pub fn region_name(&self, face: u32) -> String {
-        let given = self.inside.regions.get(face as usize).and_then(|region| region.name.clone());
-        given.unwrap_or_else(|| format!("region {}", face + 1))
-    }
-
-    /// The material of the region that is a face.
-    pub fn region_material(&self, face: u32) -> Option<&str> {
-        self.inside.regions.get(face as usize)?.material.as_deref()
-    }
-
-    /// The lines as lines of a mesh, over the [segments](mindeg_mesh::planar::PlanarBoundary::segments) of the
-    /// boundary, with their kinds: one for each run of sides of one name.
-    pub fn inner_lines(&self) -> Vec<(Line, Option<LineKind>)> {
-        let mut lines: Vec<(Line, Option<LineKind>)> = Vec::new();
-        for (index, line) in self.inside.lines.iter().enumerate() {
-            let first = lines.len();
-            for (side, segments) in line.sides.iter().zip(self.line_sides(index)) {
-                let name = side.name.clone().unwrap_or_else(|| format!("line {}", index + 1));
-                match lines[first..].last_mut() {
-                    Some((before, kind)) if before.name == name && *kind == side.kind => {
-                        before.segments.end = segments.end;
-                        before.is_straight = false;
-                    }
-                    _ => lines.push((Line { name, segments, is_straight: false }, side.kind)),
-                }
-            }
-        }
-        lines
-    }
-
-    /// For each segment of the lines, whether a mesh with interior points may divide it.
-    pub fn divisible_segments(&self) -> Vec<bool> {
-        let lines = self.inside.lines.iter().enumerate();
-        let sides = lines.flat_map(|(index, line)| line.sides.iter().zip(self.line_sides(index)));
-        sides
-            .flat_map(|(side, segments)| {
-                segments.map(|_| matches!(side.intervals, Intervals::Size(_)))
-            })
-            .collect()
-    }
-
-    /// The segments of each side of a line.
-    fn line_sides(&self, line: usize) -> impl Iterator<Item = Range<u32>> + '_ {
-        let before = self.inside.lines[..line].iter().map(|line| line.sides.len()).sum::<usize>();
-        let count = self.inside.lines[line].sides.len();
-        self.line_starts[before..=before + count].windows(2).map(|ends| ends[0]..ends[1])
     }
 }

@@ -7,8 +7,8 @@ use glam::DVec2;
 use mindeg_mesh::Bounds;
 use mindeg_mesh::planar::{BoundaryFault, BoundaryPlace, Faces, PlanarBoundary};
 
-use crate::divided::sides_of;
 use crate::error::{DomainError, Place, counted};
+use crate::given::sides_of;
 use crate::inside::{Inside, Region};
 use crate::outline::{self, Ring};
 

@@ -28,6 +28,7 @@ mod curve;
 mod divided;
 mod domain;
 mod error;
+mod given;
 mod inside;
 mod interior;
 mod intersection;
@@ -35,6 +36,7 @@ mod joined;
 #[cfg(feature = "json")]
 mod json;
 mod limits;
+mod map;
 mod model;
 mod name;
 mod outline;

@@ -5,8 +5,8 @@ use mindeg_mesh::planar::InRing;
 
 use crate::constraints::{Constraints, ExternalDegree};
 use crate::curve::Curve;
-use crate::divided::{Given, sides_of};
 use crate::error::{DomainError, Place};
+use crate::given::{Given, sides_of};
 use crate::inside::Inside;
 use crate::joined::{Chain, Lookup, is_open, place, reach};
 use crate::outline::Ring;
