@@ -6,7 +6,7 @@ use glam::DVec3;
 use mindeg::glam;
 use mindeg::interior::{improve, mesh};
 use mindeg::{
-    Domain, Group, InnerPoint, Inside, Interior, Positions, Progress, Ring, Side, TriMesh,
+    Domain, Goal, Group, InnerPoint, Inside, Interior, Positions, Progress, Ring, Side, TriMesh,
     Triangles,
 };
 use proptest::prelude::*;
@@ -75,6 +75,35 @@ fn lines_inside_are_lines_of_the_mesh() {
     // The first line divides the domain.
     let groups: Vec<&str> = found.mesh.groups().iter().map(|group| &*group.name).collect();
     assert_eq!(groups, ["region 1", "region 2"]);
+}
+
+/// A matrix with a fibre, beside steel: areas by region, and the fibre's edges as they were given.
+#[test]
+fn a_map_is_one_mesh_with_a_group_for_each_region() {
+    let domain = Domain::from_json(
+        r#"{"rectangle": {"width": 4, "height": 2}, "size": 0.25, "lines": [
+            {"corners": [[2, 0], [2, 2]], "name": "interface"},
+            {"corners": [[0.5, 0.5], [1.5, 0.5], [1.5, 1.5], [0.5, 1.5]], "closed": true, "intervals": 3}],
+            "regions": [{"at": [0.1, 0.1], "name": "matrix"}, {"at": [1, 1], "name": "fibre"},
+                {"at": [3, 1], "name": "beam", "material": "steel"}]}"#,
+    );
+    let domain = domain.unwrap();
+    let found = mesh(&domain, &Interior::default(), Progress::NONE).unwrap().mesh;
+    let at = |v: u32| found.positions()[v as usize].truncate();
+    let area = |[a, b, c]: [u32; 3]| (at(b) - at(a)).perp_dot(at(c) - at(a)) / 2.0;
+    for (group, (name, expected)) in
+        found.groups().iter().zip([("matrix", 3.0), ("fibre", 1.0), ("beam", 4.0)])
+    {
+        let own = &found.triangles()[group.triangles.start as usize..group.triangles.end as usize];
+        let sum: f64 = own.iter().copied().map(area).sum();
+        assert!(group.name == name && (sum - expected).abs() < 1e-12, "{group:?} {sum}");
+    }
+    assert_eq!(found.groups()[2].label(), "beam");
+    assert_eq!(found.groups()[2].material.as_ref().map(|own| &*own.name), Some("steel"));
+    let line = found.lines()[5].clone();
+    assert_eq!((&*line.name, line.segments.len()), ("line 2", 12));
+    let refused = mindeg::mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap_err();
+    assert!(refused.to_string().contains("--interior"), "{refused}");
 }
 
 #[test]
