@@ -6,6 +6,7 @@ import os
 import random
 import resource
 import subprocess
+import sys
 import tempfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,12 +27,36 @@ class Mesh:
 
 @dataclass
 class Case:
-    """A boundary, counter-clockwise, with the proven limit of its minimum angle."""
+    """A boundary, its outline first and holes after it, with the proven limit of its minimum angle."""
 
     name: str
     domain: Path
-    ring: np.ndarray
+    rings: list
     limit: float
+
+    @property
+    def points(self):
+        return np.concatenate(self.rings)
+
+    @property
+    def edges(self):
+        """The boundary's edges, by indices of its points."""
+        starts = np.cumsum([0] + [len(ring) for ring in self.rings])
+        turn = lambda start, end: np.roll(np.arange(start, end), -1)
+        after = np.concatenate([turn(a, b) for a, b in zip(starts, starts[1:])])
+        return np.stack([np.arange(len(after)), after], axis=1)
+
+    @property
+    def degrees(self):
+        """The most edges at each vertex of the boundary: 5, at reflex corners 2 + round(angle / 60 degrees)."""
+        points, edges = self.points, self.edges
+        before = np.empty(len(points), dtype=int)
+        before[edges[:, 1]] = edges[:, 0]
+        u, v = points[edges[:, 1]] - points, points[before] - points
+        turn = np.arctan2(u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0], (u * v).sum(axis=1)) % math.tau
+        reflex = turn > math.pi * (1 + 1e-9)
+        wide = 2 + np.floor(turn / (math.pi / 3) + 0.5 + 1e-9).astype(int)
+        return np.where(reflex, np.maximum(5, wide), 5)
 
 
 def random_polygon(numbers):
@@ -51,7 +76,7 @@ def random_polygon(numbers):
 
 
 def cases(folder):
-    """The domains of assets/domains and twelve random polygons, always the same."""
+    """The convex domains of assets/domains and twelve random polygons, always the same."""
     domains = sorted((ROOT / "assets" / "domains").glob("*.json"))
     domains = [path for path in domains if is_convex(path)]
     numbers = random.Random(12)
@@ -62,6 +87,14 @@ def cases(folder):
     return [case(path, folder) for path in domains]
 
 
+def outlines(folder):
+    """Shapes made by chance and real outlines, which mindeg was not tuned to."""
+    script = Path(__file__).with_name("outlines.py")
+    run([sys.executable, script, folder])
+    files = [path for part in ["shapes", "real"] for path in sorted((folder / part).glob("*.json"))]
+    return [case(path, folder) for path in files]
+
+
 def is_convex(path):
     """Whether a file is one of a convex domain without holes, which all programs here take."""
     return run([MINDEG, "degree", path], check=False).returncode == 0
@@ -69,8 +102,18 @@ def is_convex(path):
 
 def case(domain, folder):
     mesh, summary, _ = mindeg(domain, folder)
-    ring = mesh.points[: summary["boundary_vertices"]]
-    return Case(domain.stem, domain, ring, summary["limit"]["min_angle"])
+    points = mesh.points[: summary["boundary_vertices"]]
+    # Rings one after another: an edge of the mesh's rim from each point to the next closes one.
+    sides = {tuple(edge) for edge in directed_edges(mesh).tolist()}
+    after = dict(edge for edge in sides if edge[::-1] not in sides)
+    rings, start = [], 0
+    while start < len(points):
+        end = start
+        while after[end] != start:
+            end += 1
+        rings.append(points[start : end + 1])
+        start = end + 1
+    return Case(domain.stem, domain, rings, summary["limit"]["angle_limit"])
 
 
 def run(command, check=True):
@@ -148,6 +191,7 @@ class Figures:
     min_angle: float
     share: float
     mean_min_angle: float
+    eta: float
     interior: int
     boundary: int
     violations: int
@@ -156,31 +200,41 @@ class Figures:
 
 def measure(mesh, case):
     """What a mesh of a boundary is like; fails on one that is no mesh of it."""
-    count = len(case.ring)
-    if not np.array_equal(mesh.points[:count], case.ring):
+    count = len(case.points)
+    if not np.array_equal(mesh.points[:count], case.points):
         raise ValueError("the boundary's points were changed")
     all_angles = angles(mesh)
     if all_angles.min() <= 0:
         raise ValueError("a triangle is inverted or flat")
     sides = {tuple(edge) for edge in directed_edges(mesh).tolist()}
-    rim = {(i, (i + 1) % count) for i in range(count)}
+    rim = {tuple(edge) for edge in case.edges.tolist()}
     if {edge for edge in sides if edge[::-1] not in sides} != rim:
         raise ValueError("the boundary's edges are others")
     degrees = np.bincount(edges(mesh).ravel(), minlength=len(mesh.points))
     inside, outside = degrees[count:], degrees[:count]
     inside = inside[inside > 0]
-    wrong = int((outside > 5).sum()) + int(((inside < 5) | (inside > 7)).sum())
+    wrong = int((outside > case.degrees).sum()) + int(((inside < 5) | (inside > 7)).sum())
     least = all_angles.min(axis=1)
     return Figures(
         triangles=len(mesh.triangles),
         min_angle=float(least.min()),
         share=float(least.min() / case.limit),
         mean_min_angle=float(least.mean()),
+        eta=eta(mesh),
         interior=int(inside.max(initial=0)),
         boundary=int(outside.max()),
         violations=wrong,
         grading=grading(mesh),
     )
+
+
+def eta(mesh):
+    """The mean of 4 sqrt(3) times the area over the sum of the squared edges: 1 for equilateral triangles."""
+    a, b, c = (mesh.points[mesh.triangles[:, i]] for i in range(3))
+    u, v = b - a, c - a
+    doubled = u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]
+    squares = (u**2).sum(axis=1) + (v**2).sum(axis=1) + ((c - b) ** 2).sum(axis=1)
+    return float((2 * math.sqrt(3) * doubled / squares).mean())
 
 
 def grading(mesh):
