@@ -88,6 +88,7 @@ impl<T: Number, const N: usize> Row for [T; N] {
         std::array::from_fn(|_| T::Column::default())
     }
 
+    #[inline]
     fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
         if numbers != Numbers::Text {
             return T::put_bytes(self, numbers == Numbers::BigEndian, buffer);
@@ -124,6 +125,7 @@ impl<R: Row> Row for Option<R> {
         R::columns()
     }
 
+    #[inline]
     fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
         if let Some(row) = self {
             row.put(numbers, columns, buffer);
@@ -143,7 +145,8 @@ macro_rules! rows {
                 ($($row::columns(),)*)
             }
 
-            fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
+            #[inline]
+    fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
                 $(self.$index.put(numbers, &mut columns.$index, buffer);)*
             }
         }
@@ -178,8 +181,12 @@ macro_rules! number {
             type Column = $column;
 
             fn put_bytes<const N: usize>(numbers: [Self; N], is_big: bool, buffer: &mut Vec<u8>) {
-                let bytes = if is_big { Self::to_be_bytes } else { Self::to_le_bytes };
-                buffer.extend_from_slice(numbers.map(bytes).as_flattened());
+                // Not a choice of functions, whose calls would not be inlined.
+                let bytes = match is_big {
+                    true => numbers.map(Self::to_be_bytes),
+                    false => numbers.map(Self::to_le_bytes),
+                };
+                buffer.extend_from_slice(bytes.as_flattened());
             }
 
             fn put_text(self, is_first: bool, column: &mut $column, buffer: &mut Vec<u8>) {
