@@ -66,8 +66,9 @@ pub(crate) fn anneal(
         let operation = list[random.below(list.len())];
         let mark = bench.mesh.mark();
         let allowance = if random.unit() < 0.5 { 0.0 } else { f64::INFINITY };
-        let keeps = match bench.perform(operation, allowance) {
-            Some(effect) if effect.gain() > heat * libm::log(random.unit().max(1e-300)) => {
+        let needed = heat * libm::log(random.unit().max(1e-300));
+        let keeps = match bench.perform(operation, allowance, needed) {
+            Some(effect) if effect.gain() > needed => {
                 gained += effect.gain();
                 true
             }

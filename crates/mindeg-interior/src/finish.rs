@@ -64,7 +64,7 @@ fn flip_to_even_degrees(
             bench.mesh.record();
             let mark = bench.mesh.mark();
             let flip = Operation::Flip { triangle, corner: corner as u8 };
-            let is_good = bench.perform(flip, 0.0).is_some_and(|effect| effect.is_good(floor))
+            let is_good = bench.perform(flip, 0.0, 0.0).is_some_and(|effect| effect.is_good(floor))
                 && least_share(bench.mesh, kept, quad, &mut star) >= before;
             if !is_good {
                 bench.mesh.undo(mark);

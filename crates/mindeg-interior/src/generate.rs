@@ -15,7 +15,7 @@ use crate::stage::Stage;
 use crate::star::limit_stars;
 use crate::start::Start;
 use crate::triangle::SQRT_3;
-use crate::verdict::{check_target, floor, is_enough, is_large, rank};
+use crate::verdict::{Gain, check_target, floor, gain, is_enough, is_large};
 use glam::DVec2;
 use mindeg_domain::{Prefer, SizeAt};
 use mindeg_mesh::Progress;
@@ -34,20 +34,22 @@ pub struct Generated {
     pub report: InteriorReport,
 }
 
-/// One way to begin: growth over the wanted growth, least distance of points in sizes, and whether to search
-/// for pairs of operations.
+/// One way to begin: growth over the wanted growth, least distance of points in sizes, whether to search
+/// for pairs of operations, and how much to try at places.
 struct Seed {
     growth: f64,
     spacing: f64,
     pairs: bool,
+    /// The share of the trials at places that it may make.
+    trials: f64,
 }
 
 const SEEDS: [Seed; 5] = [
-    Seed { growth: 1.0, spacing: 0.75, pairs: false },
-    Seed { growth: 1.0, spacing: 0.75, pairs: true },
-    Seed { growth: 1.0, spacing: 0.8, pairs: true },
-    Seed { growth: 1.2, spacing: 0.75, pairs: true },
-    Seed { growth: 0.8, spacing: 0.7, pairs: true },
+    Seed { growth: 1.0, spacing: 0.75, pairs: false, trials: 1.0 },
+    Seed { growth: 1.0, spacing: 0.75, pairs: true, trials: 0.3 },
+    Seed { growth: 1.0, spacing: 0.8, pairs: true, trials: 0.3 },
+    Seed { growth: 1.2, spacing: 0.75, pairs: true, trials: 0.3 },
+    Seed { growth: 0.8, spacing: 0.7, pairs: true, trials: 0.3 },
 ];
 
 /// Fills an outline with interior points.
@@ -72,6 +74,7 @@ pub fn generate(
     check_target(&limits, options)?;
     let floor = floor(options);
     let mut best: Option<Generated> = None;
+    let mut in_vain = 0;
     // Where angles are preferred, the way that keeps degrees may still reach more.
     let ways: &[Prefer] = match options.wanted.prefer() {
         Prefer::Degree => &[Prefer::Degree],
@@ -103,7 +106,7 @@ pub fn generate(
         stage.section(end);
         // Where angles come first, no place is mended for its degrees.
         if *prefer == Prefer::Degree {
-            mend_places(&mut mesh, &way, floor, &mut stage)?;
+            mend_places(&mut mesh, &way, floor, seed.trials, &mut stage)?;
         }
         finish(&mut mesh, &way, floor, &mut stage)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
@@ -123,13 +126,13 @@ pub fn generate(
             |vertex, count| fan_limit_at(outline, vertex, Some(count)),
         );
         let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
-        let is_better = best
-            .as_ref()
-            .is_none_or(|best| rank(&found.report, options) < rank(&best.report, options));
-        if is_better {
+        let gain = best.as_ref().map(|best| gain(&found.report, &best.report, options));
+        in_vain = if gain.is_none_or(|gain| gain > Gain::Little) { 0 } else { in_vain + 1 };
+        if gain.is_none_or(|gain| gain > Gain::None) {
             best = Some(found);
         }
-        let ends = |best: &Generated| is_enough(&best.report, options) || is_large(&best.report);
+        let ends =
+            |best: &Generated| is_enough(&best.report, options) || is_large(&best.report, in_vain);
         if best.as_ref().is_some_and(ends) {
             break;
         }

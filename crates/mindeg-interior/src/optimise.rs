@@ -6,6 +6,7 @@ use crate::operations::{Operation, operations};
 use crate::smooth::{Power, Sweeper, polish};
 use crate::stage::Stage;
 use crate::trial::Bench;
+use crate::triangle::{has_sine, min_angle};
 use mindeg_mesh::Cancelled;
 use std::collections::VecDeque;
 
@@ -64,6 +65,29 @@ pub(crate) fn smooth_and_mend(
     Ok(())
 }
 
+/// The vertices where something is wrong, ascending.
+fn needy(mesh: &ArrayMesh, weights: &Weights, need: Need) -> VecDeque<u32> {
+    let mut is_needy: Vec<bool> = (0..)
+        .zip(&mesh.vertices)
+        .map(|(v, vertex)| vertex.triangles > 0 && weights.excess(mesh, v) > 0)
+        .collect();
+    if need == Need::Any {
+        for (t, triangle) in (0..).zip(&mesh.triangles) {
+            if triangle.is_alive() && lacks(mesh, weights, t) {
+                triangle.vertices.iter().for_each(|v| is_needy[*v as usize] = true);
+            }
+        }
+    }
+    (0..mesh.vertices.len() as u32).filter(|v| is_needy[*v as usize]).collect()
+}
+
+/// True if a triangle's minimum angle is smaller than it should be.
+fn lacks(mesh: &ArrayMesh, weights: &Weights, triangle: u32) -> bool {
+    let corners = mesh.corners(triangle);
+    !has_sine(corners, weights.floor_sine)
+        && min_angle(corners) < weights.wanted_angle(mesh, triangle) - 1e-3
+}
+
 /// True if something is wrong at a vertex.
 fn is_needy(bench: &mut Bench<'_>, vertex: u32, need: Need, star: &mut Vec<u32>) -> bool {
     if bench.mesh.vertices[vertex as usize].triangles == 0 {
@@ -76,10 +100,7 @@ fn is_needy(bench: &mut Bench<'_>, vertex: u32, need: Need, star: &mut Vec<u32>)
         return false;
     }
     bench.mesh.star(vertex, star);
-    star.iter().any(|t| {
-        crate::triangle::min_angle(bench.mesh.corners(*t))
-            < bench.weights.wanted_angle(bench.mesh, *t) - 1e-3
-    })
+    star.iter().any(|t| lacks(bench.mesh, &bench.weights, *t))
 }
 
 /// Works through all needy vertices with the best single operation of each. Returns the number of operations done.
@@ -92,9 +113,7 @@ fn singles(
     let mut star = Vec::new();
     let mut list = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
-    let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
-        .filter(|v| is_needy(&mut bench, *v, need, &mut star))
-        .collect();
+    let mut queue = needy(bench.mesh, weights, need);
     let mut is_queued = vec![false; bench.mesh.vertices.len()];
     queue.iter().for_each(|v| is_queued[*v as usize] = true);
     let mut left = 20 * queue.len() + 100;
@@ -113,7 +132,7 @@ fn singles(
         }
         operations(bench.mesh, vertex, false, &mut list);
         let Some(best) = best_single(&mut bench, &list, need) else { continue };
-        bench.perform(best, f64::INFINITY);
+        bench.perform(best, f64::INFINITY, f64::NEG_INFINITY);
         done += 1;
         is_queued.resize(bench.mesh.vertices.len(), false);
         for v in &bench.cavity.vertices {
@@ -138,7 +157,8 @@ fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<
     bench.mesh.record();
     for operation in list {
         let mark = bench.mesh.mark();
-        if let Some(effect) = bench.perform(*operation, allowance)
+        let needed = best.map_or(0.0, |(gain, _)| gain);
+        if let Some(effect) = bench.perform(*operation, allowance, needed)
             && effect.is_good(floor)
             && best.is_none_or(|(gain, _)| effect.gain() > gain)
         {
@@ -177,9 +197,7 @@ pub(crate) fn pairs_of_operations(
 ) -> Result<usize, Cancelled> {
     let mut star = Vec::new();
     let mut bench = Bench::new(mesh, weights.clone());
-    let mut queue: VecDeque<u32> = (0..bench.mesh.vertices.len() as u32)
-        .filter(|v| is_needy(&mut bench, *v, Need::Any, &mut star))
-        .collect();
+    let mut queue = needy(bench.mesh, weights, Need::Any);
     let mut left = (3 * queue.len() + 20).min(pairs.vertices);
     let mut done = 0;
     while let Some(vertex) = queue.pop_front() {
@@ -192,9 +210,9 @@ pub(crate) fn pairs_of_operations(
             continue;
         }
         let Some([first, second]) = best_pair(&mut bench, vertex, pairs.firsts) else { continue };
-        bench.perform(first, f64::INFINITY);
+        bench.perform(first, f64::INFINITY, f64::NEG_INFINITY);
         queue.extend(&bench.cavity.vertices);
-        bench.perform(second, f64::INFINITY);
+        bench.perform(second, f64::INFINITY, f64::NEG_INFINITY);
         queue.extend(&bench.cavity.vertices);
         done += 1;
     }
@@ -211,7 +229,7 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operati
     for (index, operation) in firsts.iter().enumerate() {
         let mark = bench.mesh.mark();
         let allowance = 2.1 * bench.weights.degree;
-        if let Some(effect) = bench.perform(*operation, allowance) {
+        if let Some(effect) = bench.perform(*operation, allowance, f64::NEG_INFINITY) {
             ranked.push((-effect.gain(), index));
         }
         bench.mesh.undo(mark);
@@ -223,7 +241,7 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operati
     for (_, index) in ranked.into_iter().take(most) {
         let first = firsts[index];
         let mark = bench.mesh.mark();
-        if let Some(one) = bench.perform(first, f64::INFINITY) {
+        if let Some(one) = bench.perform(first, f64::INFINITY, f64::NEG_INFINITY) {
             let centers = bench.cavity.vertices.clone();
             for center in centers {
                 if !is_needy(bench, center, Need::Any, &mut star) {
@@ -232,7 +250,9 @@ fn best_pair(bench: &mut Bench<'_>, vertex: u32, most: usize) -> Option<[Operati
                 operations(bench.mesh, center, true, &mut seconds);
                 for second in &seconds {
                     let mark = bench.mesh.mark();
-                    if let Some(two) = bench.perform(*second, one.before.hard - one.after.hard) {
+                    let allowance = one.before.hard - one.after.hard;
+                    let needed = best.map_or(0.0, |(gain, _)| gain) - one.gain();
+                    if let Some(two) = bench.perform(*second, allowance, needed) {
                         let gain = one.gain() + two.gain();
                         let energy = one.before.energy.min(two.after.energy).abs();
                         let least = one.after.min_angle.min(two.before.min_angle);

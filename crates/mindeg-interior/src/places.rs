@@ -10,10 +10,11 @@ use crate::options::Options;
 use crate::restart::Restart;
 use crate::smooth::Sweeper;
 use crate::stage::Stage;
-use crate::triangle::min_angle;
+use crate::triangle::{has_sine, min_angle};
 use crate::verdict::enough;
 use mindeg_mesh::Cancelled;
 use std::collections::BTreeSet;
+use std::f64::consts::PI;
 
 /// A triangle with this share of its local limit is good.
 const GOOD: f64 = 0.98;
@@ -101,17 +102,22 @@ const STEPS: u32 = 100;
 const STEPS_AFTER_START: u32 = 40;
 
 /// Works on all places where something is left to be desired. The mesh never gets worse: a disc is replaced if
-/// violations get fewer, or if the least share of a local limit and the least angle do not fall and something gets better.
+/// violations get fewer, or if the least share of a local limit and the least angle do not fall and something gets better. `share`: of the trials for
+/// angles that a mesh of this size may take.
 pub(crate) fn mend_places(
     mesh: &mut ArrayMesh,
     options: &Options,
     floor: f64,
+    share: f64,
     stage: &mut Stage<'_>,
 ) -> Result<(), Cancelled> {
     let weights = Weights::local(options, floor);
-    let work = Work { options, enough: enough(options), weights };
+    let enough = enough(options);
+    let enough_sine = libm::sin(enough.min(60.0) * (PI / 180.0));
+    let work = Work { options, enough, enough_sine, weights };
     let triangles = mesh.triangles.len();
-    let mut left = [TRIALS, TRIALS_FOR_DEGREES].map(|[any, each]| any + each * triangles);
+    let [angles, degrees] = [TRIALS, TRIALS_FOR_DEGREES].map(|[any, each]| any + each * triangles);
+    let mut left = [(share * angles as f64) as usize, degrees];
     for pass in 0..PASSES {
         let places = work.places(mesh);
         if places.is_empty() {
@@ -146,8 +152,9 @@ pub(crate) fn mend_places(
 struct Work<'a> {
     options: &'a Options,
     weights: Weights,
-    /// The angle from which on nothing is left to be desired.
+    /// The angle from which on nothing is left to be desired, and its sine.
     enough: f64,
+    enough_sine: f64,
 }
 
 /// The best mesh of a disc so far.
@@ -184,7 +191,10 @@ impl Work<'_> {
                 found.push((std::cmp::Reverse(excess), 0.0, v));
             }
         }
-        for (t, triangle) in (0..).zip(&mesh.triangles).filter(|(_, t)| t.is_alive()) {
+        for (t, triangle) in (0..).zip(&mesh.triangles) {
+            if !triangle.is_alive() || has_sine(mesh.corners(t), self.enough_sine) {
+                continue;
+            }
             let share = self.share(mesh, t);
             if share < GOOD {
                 // The vertex with the least limit.
@@ -304,7 +314,7 @@ mod tests {
         let before = area(&mesh);
         let options = Options::default();
         let mut stage = Stage::new(Progress::NONE, "mending");
-        mend_places(&mut mesh, &options, 36.0, &mut stage).unwrap();
+        mend_places(&mut mesh, &options, 36.0, 1.0, &mut stage).unwrap();
         mesh.check().unwrap();
         assert!((area(&mesh) - before).abs() < 1e-9);
         assert_eq!(mesh.locked_edges().len(), 2);

@@ -91,11 +91,17 @@ impl<'a> Bench<'a> {
         cost
     }
 
-    /// Does an operation and smooths the cavity. `None` if it is not possible, or if it raises the cost of
-    /// hard degree violations by more than `allowance`; whatever was done is in the log.
-    pub(crate) fn perform(&mut self, operation: Operation, allowance: f64) -> Option<Effect> {
+    /// Does an operation and smooths the cavity. `None` if it is not possible, if it raises the cost of
+    /// hard degree violations by more than `allowance`, or if its gain is surely, or nearly so, below `needed`;
+    /// whatever was done is in the log.
+    pub(crate) fn perform(
+        &mut self,
+        operation: Operation,
+        allowance: f64,
+        needed: f64,
+    ) -> Option<Effect> {
         let mut cavity = std::mem::take(&mut self.cavity);
-        let effect = self.perform_in(&mut cavity, operation, allowance);
+        let effect = self.perform_in(&mut cavity, operation, allowance, needed);
         self.cavity = cavity;
         effect
     }
@@ -105,15 +111,21 @@ impl<'a> Bench<'a> {
         cavity: &mut Cavity,
         operation: Operation,
         allowance: f64,
+        needed: f64,
     ) -> Option<Effect> {
         // Most operations fail here, before anything is costly.
-        if !cavity.open(self.mesh, operation)
-            || !cavity.plan(self.mesh, operation)
-            || self.hard_change(cavity) > allowance
-        {
+        if !cavity.open(self.mesh, operation) || !cavity.plan(self.mesh, operation) {
+            return None;
+        }
+        let change = self.hard_change(cavity);
+        if change > allowance {
             return None;
         }
         let before = self.cost(&cavity.vertices, cavity.removed.iter().copied());
+        // Nothing but violations is left at best.
+        if before.energy - before.hard - change < needed {
+            return None;
+        }
         let first = self.mesh.triangles.len() as u32;
         cavity.carry_out(self.mesh);
         let added = first..self.mesh.triangles.len() as u32;
@@ -126,6 +138,12 @@ impl<'a> Bench<'a> {
             }
         }
         if self.weights.by_share {
+            // Angles settle where they are in doubt, not where much would be lost even so.
+            let smoothed = self.cost(&cavity.vertices, added.clone());
+            let left = smoothed.energy - smoothed.hard;
+            if before.energy - smoothed.hard - SETTLED * left < needed {
+                return None;
+            }
             for v in &cavity.vertices {
                 let vertex = &self.mesh.vertices[*v as usize];
                 if vertex.kind == Kind::Free && vertex.triangles > 0 {
@@ -156,6 +174,8 @@ impl<'a> Bench<'a> {
 
 /// Sweeps over a cavity after an operation.
 const SWEEPS: usize = 3;
+/// The share of the cost that is left, at least, when angles have settled.
+const SETTLED: f64 = 0.3;
 
 fn put(patch: &mut Vec<u32>, seen: &mut [u32], round: u32, triangle: u32) {
     if seen[triangle as usize] != round {

@@ -33,6 +33,15 @@ pub(crate) fn min_angle([a, b, c]: [DVec2; 3]) -> f64 {
     libm::atan2(doubled, dot) * (180.0 / PI)
 }
 
+/// True if the minimum angle's sine is at least this, by the edges' lengths alone: no trigonometry.
+pub(crate) fn has_sine(corners @ [a, b, c]: [DVec2; 3], sine: f64) -> bool {
+    let squares = [a.distance_squared(b), b.distance_squared(c), c.distance_squared(a)];
+    let least = squares[0].min(squares[1]).min(squares[2]);
+    let doubled = doubled_area(corners);
+    // The minimum angle's sine is the doubled area over the product of the two longer edges.
+    doubled > 0.0 && doubled * doubled * least >= sine * sine * squares[0] * squares[1] * squares[2]
+}
+
 /// The maximum angle in degrees: the angle opposite the longest edge.
 pub(crate) fn max_angle([a, b, c]: [DVec2; 3]) -> f64 {
     let (ab, bc, ca) = (a.distance_squared(b), b.distance_squared(c), c.distance_squared(a));

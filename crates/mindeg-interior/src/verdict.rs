@@ -11,9 +11,15 @@ const FLOOR: f64 = 36.0;
 const GOOD_SHARE: f64 = 0.98;
 /// Larger meshes with more than [`FEW`] triangles left to be desired are begun once: a further start takes as long as the
 /// first, and helps little where each place was worked on.
-const SMALL: usize = 600;
+const SMALL: usize = 300;
+/// The same where a degree is out of its range.
+const SMALL_BROKEN: usize = 600;
 /// So few triangles and violations are worth further starts of a large mesh, too.
 const FEW: usize = 20;
+/// After so many starts in a row that brought little, no other is made for them.
+const MOST_IN_VAIN: u32 = 2;
+/// A share greater by this is little.
+const LITTLE: f64 = 0.003;
 /// Larger meshes are begun once in any case.
 const MOST_TRIANGLES: usize = 400_000;
 
@@ -60,9 +66,35 @@ pub(crate) fn is_enough(report: &InteriorReport, options: &Options) -> bool {
     is_good || report.triangles > MOST_TRIANGLES
 }
 
-/// True if another start takes longer than it is worth.
-pub(crate) fn is_large(report: &InteriorReport) -> bool {
-    report.triangles > SMALL && report.local.below + report.violations.len() > FEW
+/// True if another start takes longer than it is worth, after so many in a row that brought little.
+pub(crate) fn is_large(report: &InteriorReport, in_vain: u32) -> bool {
+    let left = report.local.below + report.violations.len();
+    let most = if report.violations.is_empty() { SMALL } else { SMALL_BROKEN };
+    report.triangles > most && left > FEW || report.triangles > SMALL && in_vain >= MOST_IN_VAIN
+}
+
+/// By how much a mesh is better than another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Gain {
+    /// It is not better.
+    None,
+    /// By no violation less, and hardly by its share of the limit.
+    Little,
+    /// By a violation less, or clearly by its share.
+    Much,
+}
+
+/// Compares a mesh with the one before.
+pub(crate) fn gain(after: &InteriorReport, before: &InteriorReport, options: &Options) -> Gain {
+    let [new, old] = [after, before].map(|report| rank(report, options));
+    let grows = share(after, options) > share(before, options) + LITTLE;
+    if new >= old {
+        Gain::None
+    } else if after.violations.len() < before.violations.len() || grows {
+        Gain::Much
+    } else {
+        Gain::Little
+    }
 }
 
 /// A key that is less for a better mesh.
