@@ -146,7 +146,7 @@ macro_rules! rows {
             }
 
             #[inline]
-    fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
+            fn put(self, numbers: Numbers, columns: &mut Self::Columns, buffer: &mut Vec<u8>) {
                 $(self.$index.put(numbers, &mut columns.$index, buffer);)*
             }
         }

@@ -1,7 +1,6 @@
 //! Writing STL.
 
 use crate::corners::{Corners, triangles};
-use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::{GENERATOR, MeshPlane};
 use glam::{DVec3, Vec3};
@@ -14,17 +13,17 @@ pub(crate) fn sections(mesh: &dyn Mesh, plane: MeshPlane) -> Vec<Section<'_>> {
     let mut header = GENERATOR.as_bytes().to_vec();
     header.resize(80, b' ');
     header.extend_from_slice(&count.to_le_bytes());
-    let facets = move |range| {
+    let facets = Section::new(count, 50, move |range, buffer| {
         let mut corners = Corners::new(mesh);
-        // Rounding can make a zero negative; adding zero undoes it.
-        let store = move |point| plane.place(point).as_vec3() + Vec3::ZERO;
-        triangles(mesh, range).into_iter().map(move |triangle| {
+        for triangle in triangles(mesh, range) {
+            // Rounding can make a zero negative; adding zero undoes it.
+            let store = |point| plane.place(point).as_vec3() + Vec3::ZERO;
             let [a, b, c] = corners.positions(triangle).map(store);
-            let [normal, a, b, c] = [normal([a, b, c]), a, b, c].map(|it| it.to_array());
-            (normal, (a, b, c), [0_u16])
-        })
-    };
-    let facets = Numbers::LittleEndian.records(0..count, facets);
+            let facet = [normal([a, b, c]), a, b, c].map(|p| p.to_array().map(f32::to_le_bytes));
+            buffer.extend_from_slice(facet.as_flattened().as_flattened());
+            buffer.extend_from_slice(&[0, 0]);
+        }
+    });
     vec![Section::bytes(header), facets]
 }
 
