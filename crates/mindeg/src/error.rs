@@ -51,14 +51,14 @@ impl MeshError {
         Self::Refused(sentence.to_string())
     }
 
-    /// A mesh of boundary points alone does not take a domain with lines or points inside.
+    /// A mesh of boundary points alone does not take a domain with lines, points or regions.
     pub(crate) fn check_inside(domain: &Domain) -> Result<(), Self> {
         let inside = domain.inside();
-        if inside.lines.is_empty() && inside.points.is_empty() {
+        if inside.lines.is_empty() && inside.points.is_empty() && inside.regions.is_empty() {
             return Ok(());
         }
         Err(Self::refused(
-            "the domain has lines or points inside, which take interior points: mesh it with --interior",
+            "the domain has lines, points or regions inside, which take interior points: mesh it with --interior",
         ))
     }
 

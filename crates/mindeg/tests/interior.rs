@@ -102,8 +102,21 @@ fn a_map_is_one_mesh_with_a_group_for_each_region() {
     assert_eq!(found.groups()[2].material.as_ref().map(|own| &*own.name), Some("steel"));
     let line = found.lines()[5].clone();
     assert_eq!((&*line.name, line.segments.len()), ("line 2", 12));
-    let refused = mindeg::mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap_err();
-    assert!(refused.to_string().contains("--interior"), "{refused}");
+}
+
+#[test]
+fn what_lies_inside_is_never_left_out_of_a_mesh_of_boundary_points() {
+    for inside in [
+        r#""lines": [{"corners": [[2, 0], [2, 2]]}]"#,
+        r#""points": [{"at": [1, 1]}]"#,
+        r#""regions": [{"at": [1, 1], "name": "steel"}]"#,
+    ] {
+        let text = format!(r#"{{"rectangle": {{"width": 4, "height": 2}}, "size": 1, {inside}}}"#);
+        let refused =
+            mindeg::mesh(&Domain::from_json(&text).unwrap(), Goal::LeastDegree, Progress::NONE);
+        let refused = refused.unwrap_err().to_string();
+        assert!(refused.contains("--interior"), "{inside}: {refused}");
+    }
 }
 
 #[test]
