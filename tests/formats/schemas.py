@@ -51,7 +51,7 @@ FULL = {
         {"points": [[1, 3], [2, 3], [2, 4]], "closed": True},
     ],
     "points": [{"at": [4.5, 7.5], "name": "d", "size": 1}],
-    "regions": [{"at": [9, 7], "name": "e", "material": "f"}],
+    "regions": [{"at": [8, 7], "name": "e", "material": "f"}],
 }
 
 
