@@ -84,6 +84,15 @@ fn a_cone_is_closed_and_the_summary_says_how() {
     assert!(written.contains("fill"), "the group has its name");
 }
 
+/// Two vertices at one place are one on both sides of a seam: the apex has 4 edges, not 5.
+#[test]
+fn the_degree_of_a_filled_mesh_counts_a_seam_once() {
+    let cone = "v 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 1 0 0\nf 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 6\n";
+    let (folder, run) = fill("seam.obj", cone, &["--json"]);
+    assert_eq!(run.json()["max_degree"], 4);
+    assert_eq!(inspected(folder.path(), "out.obj")["max_degree"], 4);
+}
+
 #[test]
 fn an_angle_that_is_demanded_of_new_triangles_is_kept_or_nothing_is_written() {
     let (folder, run) = fill("cone.obj", &cone(30, 0.0, 2.0), &["--target-angle", "20"]);
