@@ -7,7 +7,7 @@ use crate::limit::LimitAnswer;
 use crate::proof::ProofFile;
 use mindeg::exact::{LowerBound, Reached, degree_with};
 use mindeg::verify::checked_proof;
-use mindeg::{Domain, Progress, Rings};
+use mindeg::{Domain, Progress};
 use mindeg_core::{Boundary, Certificate};
 use serde::Serialize;
 
@@ -145,7 +145,7 @@ impl DegreeReport {
         let is_checked = matches!(answer.bounded_by, LowerBound::Refuted(_))
             && checked_proof(&answer, domain, progress)?.is_some();
         let rings = domain.rings();
-        let triangles = triangle_count(rings);
+        let triangles = rings.triangle_count();
         Ok(Self {
             intervals: rings.sides().map(u64::from).collect(),
             holes: rings.ring_count() - 1,
@@ -244,10 +244,4 @@ impl DegreeReport {
         let rows: String = rows.map(|(name, value)| format!("{name:<21} {value}\n")).collect();
         format!("{rows}\n{}", self.words)
     }
-}
-
-/// The number of triangles of every mesh of some rings without further points.
-#[must_use]
-pub fn triangle_count(rings: &Rings) -> u32 {
-    rings.vertex_count() + 2 * (rings.ring_count() as u32 - 1) - 2
 }

@@ -3,7 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use mindeg::{Domain, Goal, Progress, mesh};
-use mindeg_answers::degree::{DegreeProof, DegreeReport, triangle_count};
+use mindeg_answers::degree::{DegreeProof, DegreeReport};
 use mindeg_answers::{mesh as words, numbers};
 
 fn report(domain: &str) -> DegreeReport {
@@ -92,7 +92,7 @@ fn the_reasons_have_the_numbers_of_the_domain() {
         )
     );
     let rings = Domain::from_json(frame).unwrap();
-    assert_eq!(triangle_count(rings.rings()), 60);
+    assert_eq!(rings.rings().triangle_count(), 60);
 }
 
 #[test]

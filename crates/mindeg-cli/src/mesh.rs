@@ -12,7 +12,6 @@ use crate::failure::Failure;
 use crate::making::Making;
 use mindeg::MeshError;
 use mindeg::{Domain, Goal, Meshed, Progress};
-use mindeg_answers::degree::triangle_count;
 use mindeg_answers::mesh::{self as words, MeshAnswer};
 use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::Wanted;
@@ -41,7 +40,7 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
         return interior::run(arguments, domain, &wanted, making);
     }
     // Refuse bad options before the search for the mesh, which can take minutes.
-    making.check(domain.placement(), triangle_count(domain.rings()))?;
+    making.check(domain.placement(), domain.rings().triangle_count())?;
     let goal = arguments.goal.goal();
     making.open()?;
     let (meshed, angles) = making.work(|progress| {

@@ -92,6 +92,11 @@ impl Rings {
         self.corners[self.side_count()]
     }
 
+    /// The number of triangles of every mesh without further points: n + 2 h - 2 with h holes.
+    pub fn triangle_count(&self) -> u32 {
+        self.vertex_count() + 2 * (self.ring_count() as u32 - 1) - 2
+    }
+
     /// The number of rings, at least 1: the outer one and the holes.
     pub fn ring_count(&self) -> usize {
         self.first_sides.len() - 1

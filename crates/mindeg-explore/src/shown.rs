@@ -3,7 +3,6 @@
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
-use mindeg_answers::degree::triangle_count;
 use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::steady_angle;
@@ -42,7 +41,7 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
     DomainShown {
         name: domain.name().map(str::to_owned),
         vertices: rings.vertex_count(),
-        triangles: triangle_count(rings),
+        triangles: rings.triangle_count(),
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
         size: size.to_array(),

@@ -1,6 +1,5 @@
 //! Why a degree cannot be less and how it is reached, in sentences.
 
-use super::triangle_count;
 use crate::numbers::count;
 use mindeg::Domain;
 use mindeg::exact::{DegreeAnswer, LowerBound, Reached};
@@ -141,7 +140,7 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> Str
 }
 
 fn edge_count(domain: &Domain) -> u32 {
-    let (triangles, vertices) = (triangle_count(domain.rings()), domain.rings().vertex_count());
+    let (triangles, vertices) = (domain.rings().triangle_count(), domain.rings().vertex_count());
     ((3 * u64::from(triangles) + u64::from(vertices)) / 2) as u32
 }
 
