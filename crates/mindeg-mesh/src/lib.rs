@@ -42,6 +42,7 @@ mod worst;
 
 pub use bounds::Bounds;
 pub use connectivity::boundary::BoundaryLoop;
+pub use connectivity::disjoint_sets::DisjointSets;
 pub use mesh::{Group, Line, LineKind, Material, Mesh, Positions, Triangles, filled};
 pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};

@@ -33,7 +33,7 @@ impl Feature {
     }
 }
 
-fn domain_side(divided: DividedSide, names: &mut Names) -> Side {
+pub(super) fn domain_side(divided: DividedSide, names: &mut Names) -> Side {
     let DividedSide { name, mut points, is_line } = divided;
     let name = name.map(|name| clean(&name)).filter(|name| !name.is_empty());
     let name = name.map(|name| names.distinct(name));

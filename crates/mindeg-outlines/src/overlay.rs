@@ -9,8 +9,8 @@
 //! something.
 
 pub(super) mod crossings;
-mod edge;
-mod faces;
+pub(super) mod edge;
+pub(super) mod faces;
 
 use glam::DVec2;
 use mindeg_mesh::planar::orientation;
@@ -151,7 +151,7 @@ fn chords<'a>(layers: &[Layer<'a>], vertices: &mut Vertices) -> (Vec<Chord<'a>>,
 }
 
 /// Whether a simple ring runs counter-clockwise, exactly.
-fn turns_left(points: &[DVec2]) -> bool {
+pub(super) fn turns_left(points: &[DVec2]) -> bool {
     let count = points.len();
     let lower = |a: &DVec2, b: &DVec2| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y));
     let lowest = (0..count).min_by(|&a, &b| lower(&points[a], &points[b])).unwrap_or_default();

@@ -3,6 +3,7 @@
 //! A side ends at a corner: where the ring turns by more than an angle, where the file begins a
 //! side, or where the name of the sides changes.
 
+use std::ops::Range;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
@@ -54,9 +55,7 @@ impl DrawnRing {
     /// A size that makes more than fifty million points.
     pub fn divided(&self, division: &Division) -> Result<Vec<DividedSide>, OutlineError> {
         let count = self.pieces.len();
-        let corner_angle = division.corner_angle.to_radians() + ROUNDING;
-        let mut corners: Vec<usize> =
-            (0..count).filter(|&piece| self.is_corner(piece, corner_angle)).collect();
+        let mut corners = self.corners(0..count, division);
         if corners.is_empty() && count > 0 {
             corners.push(0);
         }
@@ -66,10 +65,44 @@ impl DrawnRing {
             2 => 2,
             _ => 1,
         };
+        let end = corners.first().map_or(0, |first| first + count);
+        self.divided_at(&corners, end, least, division)
+    }
+
+    /// The sides of the open line that ends where the last piece starts.
+    ///
+    /// # Errors
+    ///
+    /// A size that makes more than fifty million points.
+    pub(super) fn divided_open(
+        &self,
+        division: &Division,
+    ) -> Result<Vec<DividedSide>, OutlineError> {
+        let end = self.pieces.len().saturating_sub(1);
+        let mut corners = self.corners(1..end, division);
+        corners.insert(0, 0);
+        self.divided_at(&corners, end, 1, division)
+    }
+
+    /// The pieces in a range that begin a side.
+    fn corners(&self, pieces: Range<usize>, division: &Division) -> Vec<usize> {
+        let corner_angle = division.corner_angle.to_radians() + ROUNDING;
+        pieces.filter(|&piece| self.is_corner(piece, corner_angle)).collect()
+    }
+
+    /// The sides between corners and the end, each of at least so many intervals.
+    fn divided_at(
+        &self,
+        corners: &[usize],
+        end: usize,
+        least: u32,
+        division: &Division,
+    ) -> Result<Vec<DividedSide>, OutlineError> {
+        let count = self.pieces.len();
         let mut total = 0.0;
         let mut sides = Vec::with_capacity(corners.len());
         for (index, &corner) in corners.iter().enumerate() {
-            let end = corners.get(index + 1).copied().unwrap_or(corners[0] + count);
+            let end = corners.get(index + 1).copied().unwrap_or(end);
             let segments: Vec<Segment> =
                 (corner..end).map(|piece| self.segment(piece % count)).collect();
             let is_line = segments.len() == 1 && segments[0].curve == PieceCurve::Line;

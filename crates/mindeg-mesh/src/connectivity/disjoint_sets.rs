@@ -1,7 +1,8 @@
 //! Disjoint sets of items, joined one pair at a time.
 
-/// The things 0 to n - 1, at first each in a set of its own.
-pub(crate) struct DisjointSets {
+/// The items 0 to n - 1, at first each in a set of its own.
+#[derive(Clone, Debug)]
+pub struct DisjointSets {
     /// Another item of the same set, never greater; the set's least item points to itself.
     parents: Vec<u32>,
     count: usize,
@@ -9,12 +10,12 @@ pub(crate) struct DisjointSets {
 
 impl DisjointSets {
     /// The things 0 to `things` - 1, with indices of 32 bits.
-    pub(crate) fn new(things: usize) -> Self {
+    pub fn new(things: usize) -> Self {
         Self { parents: (0..).take(things).collect(), count: things }
     }
 
     /// Joins the sets of two items. O(log n) amortized.
-    pub(crate) fn join(&mut self, a: u32, b: u32) {
+    pub fn join(&mut self, a: u32, b: u32) {
         let [a, b] = [self.least(a), self.least(b)];
         if a != b {
             self.parents[a.max(b) as usize] = a.min(b);
@@ -23,12 +24,12 @@ impl DisjointSets {
     }
 
     /// The number of sets.
-    pub(crate) fn count(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.count
     }
 
     /// The least item in the set of `thing`. O(log n) amortized.
-    pub(crate) fn least(&mut self, mut thing: u32) -> u32 {
+    pub fn least(&mut self, mut thing: u32) -> u32 {
         loop {
             let parent = self.parents[thing as usize];
             if parent == thing {

@@ -14,7 +14,7 @@ use super::super::vertices::Vertices;
 use super::edge::Edge;
 
 /// The most comparisons of two edges, which take some seconds.
-const MOST_COMPARISONS: u64 = 1_000_000_000;
+pub(in super::super) const MOST_COMPARISONS: u64 = 1_000_000_000;
 
 /// How many comparisons a point costs, which takes memory, too.
 const COST_OF_POINT: u64 = 100;
@@ -23,7 +23,7 @@ const COST_OF_POINT: u64 = 100;
 const ROUNDS: usize = 40;
 
 /// The edges with a vertex wherever two of them meet, and how many were added.
-pub(super) fn parted(
+pub(in super::super) fn parted(
     mut edges: Vec<Edge>,
     vertices: &mut Vertices,
 ) -> Result<(Vec<Edge>, usize), String> {
@@ -43,9 +43,13 @@ pub(super) fn parted(
 }
 
 /// The points to insert into each edge, in any order.
-type Meetings = BTreeMap<usize, Vec<DVec2>>;
+pub(in super::super) type Meetings = BTreeMap<usize, Vec<DVec2>>;
 
-fn meetings(edges: &[Edge], points: &[DVec2], budget: &mut u64) -> Result<Meetings, String> {
+pub(in super::super) fn meetings(
+    edges: &[Edge],
+    points: &[DVec2],
+    budget: &mut u64,
+) -> Result<Meetings, String> {
     let ends: Vec<[DVec2; 2]> =
         edges.iter().map(|edge| edge.ends.map(|end| points[end as usize])).collect();
     let low = |edge: usize| ends[edge][0].min(ends[edge][1]);

@@ -10,16 +10,16 @@ pub(in super::super) struct Layer<'a> {
 
 /// A straight edge: a chord, or a piece of one.
 #[derive(Clone, Copy)]
-pub(super) struct Edge {
-    pub(super) ends: [u32; 2],
-    pub(super) chord: u32,
+pub(in super::super) struct Edge {
+    pub(in super::super) ends: [u32; 2],
+    pub(in super::super) chord: u32,
 }
 
 /// An edge of a boundary, on the way round it.
 #[derive(Clone, Copy)]
-pub(super) struct Step {
-    pub(super) from: u32,
-    pub(super) chord: u32,
+pub(in super::super) struct Step {
+    pub(in super::super) from: u32,
+    pub(in super::super) chord: u32,
     /// Whether it runs as its chord does.
-    pub(super) forward: bool,
+    pub(in super::super) forward: bool,
 }

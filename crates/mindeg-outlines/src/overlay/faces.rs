@@ -15,11 +15,11 @@ const MOST_COMPARISONS: u64 = 4_000_000_000;
 
 /// All edges between two vertices as one. As a half-edge, `2 * index` runs from the first end to the
 /// second and `2 * index + 1` back.
-struct Link {
-    ends: [u32; 2],
+pub(in super::super) struct Link {
+    pub(in super::super) ends: [u32; 2],
     /// The first of its edges, and whether that one runs from the first end to the second.
-    edge: Edge,
-    forward: bool,
+    pub(in super::super) edge: Edge,
+    pub(in super::super) forward: bool,
 }
 
 /// The simple rings between inside and outside, with inside on their left, and how many links have
@@ -52,7 +52,7 @@ pub(super) fn boundary(
 
 /// The links of all edges, and for each link and layer by how much the winding number to its left
 /// exceeds that to its right.
-fn links(
+pub(in super::super) fn links(
     edges: &[Edge],
     layers: usize,
     layer_of: impl Fn(&Edge) -> usize,
@@ -76,17 +76,17 @@ fn links(
 }
 
 /// The half-edges round each vertex.
-struct Graph<'a> {
+pub(in super::super) struct Graph<'a> {
     links: &'a [Link],
     points: &'a [DVec2],
     /// The half-edges that leave each vertex, counter-clockwise, from downwards on.
-    around: Vec<Vec<usize>>,
+    pub(in super::super) around: Vec<Vec<usize>>,
     /// The index of each half-edge among those that leave its vertex.
     place: Vec<usize>,
 }
 
 impl<'a> Graph<'a> {
-    fn new(links: &'a [Link], points: &'a [DVec2]) -> Self {
+    pub(in super::super) fn new(links: &'a [Link], points: &'a [DVec2]) -> Self {
         let mut around = vec![Vec::new(); points.len()];
         for (index, link) in links.iter().enumerate() {
             around[link.ends[0] as usize].push(2 * index);
@@ -114,12 +114,16 @@ impl<'a> Graph<'a> {
         self.links[half / 2].ends[half % 2]
     }
 
-    fn end(&self, half: usize) -> u32 {
+    pub(in super::super) fn end(&self, half: usize) -> u32 {
         self.links[half / 2].ends[1 - half % 2]
     }
 
     /// For each half-edge and layer the winding number to its left.
-    fn windings(&self, changes: &[i64], layers: usize) -> Result<Vec<i64>, String> {
+    pub(in super::super) fn windings(
+        &self,
+        changes: &[i64],
+        layers: usize,
+    ) -> Result<Vec<i64>, String> {
         let change = |half: usize, layer: usize| {
             let change = changes[half / 2 * layers + layer];
             if half.is_multiple_of(2) { change } else { -change }
@@ -219,7 +223,7 @@ impl<'a> Graph<'a> {
     }
 
     /// The rings of half-edges of a kind, each parted where it comes back to a vertex.
-    fn rings(&self, is_bound: impl Fn(usize) -> bool) -> Vec<Vec<Step>> {
+    pub(in super::super) fn rings(&self, is_bound: impl Fn(usize) -> bool) -> Vec<Vec<Step>> {
         let mut used = vec![false; 2 * self.links.len()];
         let mut position = vec![None; self.points.len()];
         let mut rings = Vec::new();

@@ -1,0 +1,165 @@
+//! Regions that share borders, as maps.
+//!
+//! Points that are equal, bit for bit, are one vertex, and borders meet at vertices only. Regions that share an edge,
+//! directly or over others, are one domain. The borders with no region beyond are its rings; those between two
+//! regions are its lines, one for each run of edges between vertices where more than two meet, so that every border
+//! is there once. A vertex where regions touch without an edge joins nothing.
+
+mod borders;
+mod inner_point;
+mod parts;
+mod plane;
+
+use std::collections::BTreeMap;
+use std::sync::Arc as Shared;
+
+use glam::DVec2;
+use mindeg_domain::{Domain, Inside, Outline, Region, Ring, Side};
+use mindeg_formats::Names;
+
+use self::plane::{Plane, Run};
+use super::choice::Polygon;
+use super::curve::Segment;
+use super::domain::domain_side;
+use super::outline::DrawnRing;
+use super::sides::Division;
+use super::text::clean;
+use crate::error::OutlineError;
+
+/// A line or curve between two points, with the regions beside it. One with a region on neither side is a line
+/// inside a region.
+#[derive(Clone, Debug)]
+pub(super) struct Border {
+    pub(super) segment: Segment,
+    /// The name that the file gives.
+    pub(super) side: Option<Shared<str>>,
+    /// Whether the file begins a side at its start, whatever the angle.
+    pub(super) begins_side: bool,
+    /// The regions on the left and on the right.
+    pub(super) beside: [Option<u32>; 2],
+}
+
+/// The name of the part of a border beyond which there is no region.
+const OUTSIDE: &str = "outside";
+
+/// The maps of polygons that may share borders, each with its regions, which have the names of the polygons; and notes.
+///
+/// # Errors
+///
+/// Polygons that overlap or cross, and everything else that [`domains`] refuses.
+pub fn maps(
+    polygons: &[Polygon],
+    division: &Division,
+) -> Result<(Vec<Domain>, Vec<String>), OutlineError> {
+    let names: Vec<String> = polygons
+        .iter()
+        .map(|polygon| {
+            let name = polygon.feature.name.as_deref().map(clean).unwrap_or_default();
+            if name.is_empty() { polygon.name() } else { name }
+        })
+        .collect();
+    let (borders, repeated) = borders::of_polygons(polygons, &names)?;
+    let note =
+        (repeated > 0).then(|| format!("left out {repeated} points that repeat the one before"));
+    Ok((domains(&borders, &names, division)?, note.into_iter().collect()))
+}
+
+/// The domains of borders between regions with these names, in the order of the regions.
+///
+/// # Errors
+///
+/// Borders that cross or touch elsewhere than at ends, regions that overlap, lines outside all regions, and everything
+/// else that [`Domain`] refuses.
+pub(super) fn domains(
+    borders: &[Border],
+    names: &[String],
+    division: &Division,
+) -> Result<Vec<Domain>, OutlineError> {
+    let plane = Plane::new(borders, names)?;
+    let parts = parts::parts(&plane, names.len())?;
+    let mut sides = SideNames { names, known: BTreeMap::new() };
+    parts
+        .into_iter()
+        .map(|map| {
+            let mut used = Names::with_blanks();
+            let mut ring = |run: &Run| -> Result<Ring, OutlineError> {
+                let drawn = plane.drawn(run, |border| sides.of(border));
+                let sides = drawn.divided(division)?;
+                let corners = sides.iter().map(|side| side.points[0]).collect();
+                let sides = sides.into_iter().map(|side| domain_side(side, &mut used)).collect();
+                Ok(Ring { corners, sides })
+            };
+            let Ring { corners, sides: outer } = ring(&map.outer)?;
+            let mut builder = Domain::builder(Outline::Polygon(corners), outer);
+            for hole in &map.holes {
+                builder = builder.hole(ring(hole)?);
+            }
+            let lines = map.lines.iter().map(|run| {
+                let drawn = plane.drawn(run, |border| sides.of(border));
+                line(&drawn, run.is_closed(), division)
+            });
+            let lines = lines.collect::<Result<_, _>>()?;
+            let region = |&(region, at): &(u32, DVec2)| Region {
+                at,
+                name: names.get(region as usize).cloned(),
+                ..Region::default()
+            };
+            let regions = map.regions.iter().map(region).collect();
+            let domain = builder.inside(Inside { lines, regions, ..Inside::default() }).build();
+            domain.map_err(|error| {
+                let first = map.regions.first().and_then(|region| names.get(region.0 as usize));
+                let first = first.map(String::as_str).unwrap_or_default();
+                OutlineError { place: format!("the map of {first}"), ..OutlineError::from(error) }
+            })
+        })
+        .collect()
+}
+
+/// A line of a domain.
+fn line(drawn: &DrawnRing, is_closed: bool, division: &Division) -> Result<Ring, OutlineError> {
+    let divided =
+        if is_closed { drawn.divided(division)? } else { drawn.divided_open(division)? };
+    let mut corners: Vec<DVec2> = divided.iter().map(|side| side.points[0]).collect();
+    if !is_closed {
+        corners.extend(drawn.pieces.last().map(|piece| piece.start));
+    }
+    let side = |divided: super::sides::DividedSide| -> Side {
+        let name = divided.name.clone();
+        Side {
+            name: name.map(|name| name.to_string()),
+            ..domain_side(divided, &mut Names::with_blanks())
+        }
+    };
+    Ok(Ring { corners, sides: divided.into_iter().map(side).collect() })
+}
+
+/// Names of borders by their regions.
+struct SideNames<'a> {
+    names: &'a [String],
+    known: BTreeMap<[Option<u32>; 2], Shared<str>>,
+}
+
+impl SideNames<'_> {
+    /// The name that the file gives, or else the names of the regions: of a border, the one with the lower index first.
+    fn of(&mut self, border: &Border) -> Option<Shared<str>> {
+        let mut beside = border.beside;
+        beside.sort_by_key(|region| region.unwrap_or(u32::MAX));
+        let names = self.names;
+        let name = |region: Option<u32>| region.map_or(OUTSIDE, |region| &names[region as usize]);
+        match beside {
+            _ if border.side.is_some() => border.side.clone(),
+            [None, None] => None,
+            [first, second] => {
+                let known = self.known.entry(beside);
+                Some(
+                    known
+                        .or_insert_with(|| format!("{} | {}", name(first), name(second)).into())
+                        .clone(),
+                )
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

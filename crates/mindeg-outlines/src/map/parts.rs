@@ -1,0 +1,173 @@
+//! The domains of a planar subdivision: the rings, lines and regions of each.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DVec2;
+use mindeg_mesh::DisjointSets;
+
+use super::inner_point::inner_point;
+use super::plane::{Plane, Run};
+use crate::error::OutlineError;
+use crate::nesting::contains;
+use crate::outline::doubled_area;
+use crate::overlay::edge::Step;
+use crate::overlay::faces::Graph;
+use crate::overlay::turns_left;
+use crate::text::shown;
+
+/// The rings and lines of one domain, and its regions.
+pub(super) struct Part {
+    pub(super) outer: Run,
+    pub(super) holes: Vec<Run>,
+    pub(super) lines: Vec<Run>,
+    /// Each face's region, and a point in it.
+    pub(super) regions: Vec<(u32, DVec2)>,
+    points: Vec<DVec2>,
+}
+
+/// The parts, each with the set of regions that share edges.
+struct Parts {
+    parts: Vec<Part>,
+    of_set: BTreeMap<u32, Vec<usize>>,
+}
+
+impl Parts {
+    /// The part of a set of regions around some points: where regions touch themselves, a set has several.
+    fn around(&mut self, set: u32, points: &[DVec2]) -> Option<&mut Part> {
+        let of_set = self.of_set.get(&set)?;
+        let around = |&&part: &&usize| contains(&self.parts[part].points, points);
+        let area = |part: &usize| doubled_area(&self.parts[*part].points);
+        let part = match &of_set[..] {
+            [only] => *only,
+            several => *several.iter().filter(around).min_by(|a, b| area(a).total_cmp(&area(b)))?,
+        };
+        self.parts.get_mut(part)
+    }
+}
+
+/// The domains of a plane, in the order of their first regions.
+pub(super) fn parts(plane: &Plane<'_>, regions: usize) -> Result<Vec<Part>, OutlineError> {
+    let graph = Graph::new(&plane.links, &plane.points);
+    plane.check_sides(&graph)?;
+    let mut sets = DisjointSets::new(regions);
+    for link in 0..plane.links.len() {
+        if let (Some(one), Some(other)) = (plane.left(2 * link), plane.left(2 * link + 1)) {
+            sets.join(one, other);
+        }
+    }
+    let mut set_of = |region: Option<u32>| sets.least(region.unwrap_or_default());
+    let is_bound = |half: usize| plane.left(half).is_some() && plane.left(half ^ 1).is_none();
+    let mut found = Parts { parts: Vec::new(), of_set: BTreeMap::new() };
+    let mut holes = Vec::new();
+    for steps in graph.rings(is_bound) {
+        let points = plane.points_of(&steps);
+        let set = set_of(plane.left_of(&steps[0]));
+        let run = Run { end: steps[0].from, steps };
+        if turns_left(&points) {
+            found.of_set.entry(set).or_default().push(found.parts.len());
+            let (holes, lines, regions) = (Vec::new(), Vec::new(), Vec::new());
+            found.parts.push(Part { outer: run, holes, lines, regions, points });
+        } else {
+            holes.push((set, run, points));
+        }
+    }
+    for (set, run, points) in holes {
+        if let Some(part) = found.around(set, &points) {
+            part.holes.push(run);
+        }
+    }
+    for run in inner_runs(plane, &graph) {
+        let [a, b] = plane.ends(run.steps[0].chord);
+        let middle = a + (b - a) / 2.0;
+        let region = plane.left_of(&run.steps[0]);
+        let region = region.or_else(|| plane.regions_around(middle).first().copied());
+        if let Some(part) = found.around(set_of(region), &[middle]) {
+            part.lines.push(run);
+        }
+    }
+    for (region, at) in faces(plane, &graph, regions)? {
+        if let Some(part) = found.around(set_of(Some(region)), &[at]) {
+            part.regions.push((region, at));
+        }
+    }
+    let mut parts = found.parts;
+    parts.iter().try_for_each(|part| check_touches(plane, part))?;
+    parts.sort_by_key(|part| part.regions.first().map(|region| region.0));
+    Ok(parts)
+}
+
+/// The runs of edges between two regions, or inside one, between nodes.
+fn inner_runs(plane: &Plane<'_>, graph: &Graph<'_>) -> Vec<Run> {
+    let is_inner = |half: usize| plane.left(half).is_some() == plane.left(half ^ 1).is_some();
+    let mut used = vec![false; plane.links.len()];
+    let mut runs = Vec::new();
+    // From nodes first, so that what is left closes.
+    for wants_node in [true, false] {
+        for vertex in (0..plane.points.len()).filter(|&v| plane.is_node[v] == wants_node) {
+            for &first in &graph.around[vertex] {
+                if used[first / 2] || !is_inner(first) {
+                    continue;
+                }
+                let mut steps: Vec<Step> = Vec::new();
+                let mut next = Some(first);
+                let mut end = vertex as u32;
+                while let Some(half) = next {
+                    used[half / 2] = true;
+                    steps.push(plane.step(half));
+                    end = graph.end(half);
+                    let onward = graph.around[end as usize].iter().find(|&&it| !used[it / 2]);
+                    next = onward.copied().filter(|_| !plane.is_node[end as usize]);
+                }
+                runs.push(Run { steps, end });
+            }
+        }
+    }
+    runs
+}
+
+/// The faces inside regions, each with its region and a point in it, in the order of the regions.
+fn faces(
+    plane: &Plane<'_>,
+    graph: &Graph<'_>,
+    regions: usize,
+) -> Result<Vec<(u32, DVec2)>, OutlineError> {
+    let mut edges: Vec<Vec<[DVec2; 2]>> = vec![Vec::new(); regions];
+    let mut lines = Vec::new();
+    for chord in 0..plane.chords.len() as u32 {
+        let beside = plane.border(chord).beside;
+        beside.iter().flatten().for_each(|&region| edges[region as usize].push(plane.ends(chord)));
+        lines.extend((beside == [None; 2]).then(|| plane.ends(chord)));
+    }
+    edges.iter_mut().for_each(|edges| edges.extend_from_slice(&lines));
+    let mut faces = Vec::new();
+    for steps in graph.rings(|_| true) {
+        let ring = plane.points_of(&steps);
+        let region = steps.iter().find_map(|step| plane.left_of(step));
+        // A ring of two steps goes there and back.
+        let Some(region) = region.filter(|_| steps.len() > 2 && turns_left(&ring)) else {
+            continue;
+        };
+        let at = inner_point(&ring, &edges[region as usize]).ok_or_else(|| {
+            let place = format!("the region at {}", shown(ring[0]));
+            OutlineError::place(place, "it is too thin for 64-bit floats; simplify it, or drop it")
+        })?;
+        faces.push((region, at));
+    }
+    faces.sort_by_key(|face| face.0);
+    Ok(faces)
+}
+
+/// Refuses holes that touch the outline or each other.
+fn check_touches(plane: &Plane<'_>, part: &Part) -> Result<(), OutlineError> {
+    let mut seen: BTreeSet<u32> = BTreeSet::new();
+    for run in std::iter::once(&part.outer).chain(&part.holes) {
+        if let Some(step) = run.steps.iter().find(|step| seen.contains(&step.from)) {
+            let at = shown(plane.points[step.from as usize]);
+            let problem =
+                "a hole touches the outline or another hole there; move one of them off the point";
+            return Err(OutlineError { is_touch: true, ..OutlineError::place(at, problem) });
+        }
+        seen.extend(run.steps.iter().map(|step| step.from));
+    }
+    Ok(())
+}

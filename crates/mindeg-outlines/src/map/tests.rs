@@ -1,0 +1,216 @@
+use std::collections::{BTreeMap, BTreeSet};
+
+use proptest::prelude::*;
+
+use super::*;
+use crate::curve::PieceCurve;
+use crate::{OutlineFormat, labelled, read};
+
+/// The maps of polygons in WKT.
+fn of_wkt(wkt: &str, size: Option<f64>) -> Result<Vec<Domain>, String> {
+    let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+    let polygons = labelled(read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap().features);
+    let division = Division { size, ..Division::default() };
+    maps(&polygons, &division).map(|found| found.0).map_err(|error| error.to_string())
+}
+
+/// The points of each line.
+fn lines(domain: &Domain) -> Vec<Vec<[f64; 2]>> {
+    let boundary = domain.boundary().unwrap();
+    let at = |vertex: u32| boundary.point(vertex).to_array();
+    (0..boundary.line_count())
+        .map(|line| {
+            let edges = boundary.line(line);
+            [at(edges[0][0])].into_iter().chain(edges.iter().map(|edge| at(edge[1]))).collect()
+        })
+        .collect()
+}
+
+#[test]
+fn regions_that_share_edges_are_one_domain() {
+    // Two squares side by side, of opposite directions, with a bend in their border; and one that touches at a corner.
+    let wkt = "POLYGON((0 0, 2 0, 2.1 1, 2 2, 0 2)) POLYGON((4 2, 4 0, 2 0, 2.1 1, 2 2))
+               POLYGON((4 2, 5 2, 5 3, 4 3))";
+    let [map, alone] = &of_wkt(wkt, None).unwrap()[..] else { panic!("two domains") };
+    assert_eq!(lines(map), [[[2.0, 0.0], [2.1, 1.0], [2.0, 2.0]]]);
+    assert_eq!(map.rings().vertex_count(), 6);
+    let names: Vec<String> = (0..2).map(|face| map.region_name(face)).collect();
+    assert_eq!(names, ["polygon 1", "polygon 2"]);
+    assert_eq!(map.inner_lines()[0].0.name, "polygon 1 | polygon 2");
+    let first = |domain: &Domain| domain.sides()[0].name.clone().unwrap();
+    assert_eq!(first(map), "polygon 1 | outside");
+    assert_eq!(
+        (first(alone).as_str(), alone.region_name(0).as_str()),
+        ("polygon 3 | outside", "polygon 3")
+    );
+    // Divided anew, the border has the same points on both sides and keeps its ends.
+    let divided = of_wkt(wkt, Some(0.5)).unwrap();
+    assert_eq!(lines(&divided[0])[0].len(), 5);
+    assert_eq!(divided[0].divisible_segments(), [false; 4]);
+}
+
+#[test]
+fn a_region_that_fills_the_hole_of_another_has_a_closed_line() {
+    let wkt = "POLYGON((0 0, 9 0, 9 9, 0 9), (3 3, 6 3, 6 6, 3 6), (1 1, 2 1, 2 2)) POLYGON((3 3, 6 3, 6 6, 3 6))
+               POLYGON((1.6 1.2, 1.8 1.2, 1.8 1.4))";
+    let [map, island] = &of_wkt(wkt, None).unwrap()[..] else { panic!("two domains") };
+    assert_eq!(lines(map).iter().map(Vec::len).collect::<Vec<_>>(), [5]);
+    assert_eq!((map.faces().unwrap().count, map.rings().ring_count()), (2, 2));
+    assert_eq!(island.rings().vertex_count(), 3);
+}
+
+#[test]
+fn a_polygon_that_touches_itself_from_outside_is_two_domains() {
+    let wkt = "POLYGON((0 0, 2 1, 4 0, 4 2, 2 1, 0 2)) POLYGON((0 2, 2 1, 4 2, 2 3))";
+    let [map] = &of_wkt(wkt, None).unwrap()[..] else { panic!("one domain") };
+    assert_eq!(map.faces().unwrap().count, 3);
+    let alone = of_wkt("POLYGON((0 0, 2 1, 4 0, 4 2, 2 1, 0 2))", None).unwrap();
+    assert_eq!(alone.iter().map(|it| it.rings().vertex_count()).collect::<Vec<_>>(), [3, 3]);
+}
+
+#[test]
+fn faults_name_both_regions_and_the_place() {
+    for (wkt, message) in [
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((2 2, 6 2, 6 6, 2 6))",
+            "(4.0, 2.0): a border of polygon 1 meets one of polygon 2 there",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((1 1, 2 1, 2 2))",
+            "the edge from (1.0, 1.0) to (2.0, 1.0): polygon 2 and polygon 1 overlap there",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((0 0, 4 0, 4 4, 0 4))",
+            "the edge from (0.0, 0.0) to (4.0, 0.0): polygon 1 and polygon 2 overlap there",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4 1, 6 1, 6 3, 4 3))",
+            "(4.0, 1.0): a border of polygon 1 meets one of polygon 2 there",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4), (5 5, 6 5, 6 6))",
+            "the edge from (5.0, 5.0) to (6.0, 5.0): a hole of polygon 1 lies outside it",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 9 1, 4 0, 4 4))",
+            "the edge from (9.0, 1.0) to (4.0, 0.0): polygon 1 runs along it twice",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4), (0 0, 2 1, 1 2))",
+            "(0.0, 0.0): a hole touches the outline or another hole there",
+        ),
+    ] {
+        let error = of_wkt(wkt, None).unwrap_err();
+        assert!(error.starts_with(message), "{wkt}: {error}");
+    }
+}
+
+#[test]
+fn curved_borders_are_the_same_from_both_sides() {
+    // A disk in a square, whose border is given once with either region on its left.
+    let drawn = |text: &str| {
+        let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
+        read(text.as_bytes(), OutlineFormat::Svg, alone).unwrap().features
+    };
+    let mut features =
+        drawn("<svg><path d='M0 0h9v9h-9zM2 4a2 2 0 0 0 4 0a2 2 0 0 0 -4 0'/></svg>");
+    features.extend(drawn("<svg><path d='M6 4a2 2 0 0 1 -4 0a2 2 0 0 1 4 0'/></svg>"));
+    let (found, _) = maps(&labelled(features), &Division::default()).unwrap();
+    assert_eq!((found.len(), found[0].faces().unwrap().count), (1, 2));
+    assert_eq!(lines(&found[0])[0].len(), 25);
+}
+
+/// The cells of a grid as regions: the labels of the cells, and the borders between cells that differ.
+fn borders_of(cells: &[Vec<Option<u32>>]) -> Vec<Border> {
+    let size = cells.len() as i32;
+    let at = |x: i32, y: i32| {
+        let inside = (0..size).contains(&x) && (0..size).contains(&y);
+        if inside { cells[y as usize][x as usize] } else { None }
+    };
+    let mut borders = Vec::new();
+    let mut add = |start: [i32; 2], end: [i32; 2], left: Option<u32>, right: Option<u32>| {
+        if left != right {
+            let [start, end] = [start, end].map(|[x, y]| DVec2::new(x.into(), y.into()));
+            let segment = Segment { start, end, curve: PieceCurve::Line };
+            borders.push(Border { segment, side: None, begins_side: false, beside: [left, right] });
+        }
+    };
+    for y in 0..=size {
+        for x in 0..=size {
+            add([x, y], [x + 1, y], at(x, y), at(x, y - 1));
+            add([x, y], [x, y + 1], at(x - 1, y), at(x, y));
+        }
+    }
+    borders
+}
+
+/// The sets of cells that hang together over edges, where `joins` says so.
+fn sets(
+    cells: &[Vec<Option<u32>>],
+    joins: impl Fn(u32, u32) -> bool,
+) -> Vec<BTreeSet<(usize, usize)>> {
+    let size = cells.len();
+    let mut left: BTreeSet<(usize, usize)> = (0..size)
+        .flat_map(|x| (0..size).map(move |y| (x, y)))
+        .filter(|&(x, y)| cells[y][x].is_some())
+        .collect();
+    let mut sets = Vec::new();
+    while let Some(first) = left.pop_first() {
+        let (mut set, mut open) = (BTreeSet::from([first]), vec![first]);
+        while let Some((x, y)) = open.pop() {
+            let around = [(x + 1, y), (x.wrapping_sub(1), y), (x, y + 1), (x, y.wrapping_sub(1))];
+            for next in around {
+                let label = |(x, y): (usize, usize)| cells[y][x].unwrap();
+                if left.contains(&next) && joins(label((x, y)), label(next)) {
+                    left.remove(&next);
+                    set.insert(next);
+                    open.push(next);
+                }
+            }
+        }
+        sets.push(set);
+    }
+    sets
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    /// Domains, faces and areas are those of the cells, however regions lie in each other.
+    #[test]
+    fn cells_of_a_grid_become_their_maps(
+        cells in (2..6_usize).prop_flat_map(|size| {
+            let row = prop::collection::vec(prop::option::weighted(0.8, 0..3_u32), size);
+            prop::collection::vec(row, size)
+        }),
+    ) {
+        let names = ["a", "b", "c"].map(str::to_owned);
+        let found = domains(&borders_of(&cells), &names, &Division::default());
+        let components = sets(&cells, |_, _| true);
+        let faces = sets(&cells, |one, other| one == other);
+        let found = match found {
+            Err(error) => {
+                prop_assert!(error.to_string().contains("a hole touches"), "{} {:?}", error, cells);
+                return Ok(());
+            }
+            Ok(found) => found,
+        };
+        prop_assert_eq!(found.len(), components.len(), "{:?}", cells);
+        let mut of_label: BTreeMap<String, usize> = BTreeMap::new();
+        for domain in &found {
+            let count = domain.faces().map_or(1, |faces| faces.count);
+            let first = &domain.inside().regions[0].at;
+            let cell = (first.x.floor() as usize, first.y.floor() as usize);
+            let own = components.iter().find(|set| set.contains(&cell)).unwrap();
+            prop_assert_eq!(domain.placement().area(), own.len() as f64, "{:?}", cells);
+            prop_assert_eq!(count, faces.iter().filter(|face| face.is_subset(own)).count());
+            prop_assert_eq!(count, domain.inside().regions.len());
+            for region in &domain.inside().regions {
+                let [x, y] = region.at.floor().to_array().map(|it| it as usize);
+                prop_assert_eq!(Some(names[cells[y][x].unwrap() as usize].clone()), region.name.clone());
+                *of_label.entry(region.name.clone().unwrap()).or_default() += 1;
+            }
+        }
+        prop_assert_eq!(of_label.values().sum::<usize>(), faces.len());
+    }
+}
