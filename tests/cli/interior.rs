@@ -215,3 +215,39 @@ fn degree_and_suggest_tell_the_limit_of_a_domain() {
     let angle = |step: &Value| number(&step["min_angle"]);
     assert!(steps.windows(2).all(|pair| angle(&pair[0]) < angle(&pair[1])), "{steps:?}");
 }
+
+/// A square of four corners had two triangles, whatever size was asked for inside.
+#[test]
+fn sizes_that_the_boundary_contradicts_are_told_with_a_way_out() {
+    let folder = tempfile::tempdir().expect("a folder for the files");
+    let [square, mesh] = ["square.geojson", "mesh.obj"].map(|name| folder.path().join(name));
+    let json = r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]]]}"#;
+    fs::write(&square, json).expect("the file is written");
+    let run = |options: &[&'static str]| {
+        let files = ["mesh", text(&square), "--interior", "-o", text(&mesh)];
+        mindeg(files.into_iter().chain(options.iter().copied()))
+    };
+    let errors = run(&["--size-inside", "0.1"]).errors;
+    for words in [
+        "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: side 1 has an edge \
+         1.000 long at (0.5000, 0) where the size asked for is 0.1000, which takes 10 intervals on it, not 1; side 2",
+        "or all of them --size 0.1000.",
+    ] {
+        assert!(errors.contains(words), "{errors}");
+    }
+    let sides = run(&["--size-inside", "0.1", "--json"]).json()["coarse_sides"].clone();
+    assert_eq!(sides[3]["name"], "side 4");
+    assert_eq!((&sides[0]["wanted_intervals"], &sides[0]["intervals"]), (&10.into(), &1.into()));
+    let errors = run(&[]).errors;
+    assert!(
+        errors.contains("No point fits inside: the boundary is never divided. --size S"),
+        "{errors}"
+    );
+    // The advice leads to a mesh of that size.
+    let divided = run(&["--size-inside", "0.1", "--size", "0.1"]);
+    let words = "% of the edges inside are 0.7 to 1.4 times as long as wanted, all 0.";
+    assert!(divided.errors.contains(words) && !divided.errors.contains("warning"), "{divided:?}");
+    let answer = run(&["--size-inside", "0.1", "--size", "0.1", "--json"]).json();
+    assert_eq!(answer["coarse_sides"], serde_json::json!([]));
+    assert!(number(&answer["sizes"]["near"]) > 0.9, "{answer}");
+}

@@ -2,7 +2,9 @@
 
 use crate::numbers::{four_digits, percent, steady_angle};
 use mindeg::Interior;
-use mindeg::interior::{CornerTradeOff, InteriorReport, LocalShares, Violation};
+use mindeg::interior::{
+    CoarseSide, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, SizeReport, Violation,
+};
 use serde::Serialize;
 use std::ops::RangeInclusive;
 
@@ -43,9 +45,37 @@ pub struct InteriorAnswer {
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio.
     pub grading_p99: f64,
+    /// The edges inside beside the sizes wanted; null for a mesh that was improved.
+    pub sizes: Option<SizeAnswer>,
+    /// The sides and lines whose edges are longer than the sizes asked for there, the worst first.
+    pub coarse_sides: Vec<CoarseAnswer>,
 }
 
-/// The angles of all triangles beside the limits of their places, which are at most 35 degrees.
+/// The edges that were chosen beside the sizes wanted.
+#[derive(Clone, Debug, Serialize)]
+pub struct SizeAnswer {
+    /// The share of edges that are 0.7 to 1.4 times as long as wanted.
+    near: f64,
+    /// The least ratio of a length to its size.
+    least_ratio: f64,
+    /// The greatest ratio.
+    greatest_ratio: f64,
+}
+
+/// A side or line whose edges are longer than the sizes asked for there, and stay.
+#[derive(Clone, Debug, Serialize)]
+pub struct CoarseAnswer {
+    name: String,
+    /// The middle of its worst edge, with the length of that edge and the size asked for there.
+    position: [f64; 2],
+    length: f64,
+    size: f64,
+    intervals: u64,
+    /// The number of intervals that the sizes ask for.
+    wanted_intervals: u64,
+}
+
+/// The angles of all triangles beside the limits of their places, which are at most [`LocalShares::MOST`].
 #[derive(Clone, Debug, Serialize)]
 pub struct LocalAnswer {
     /// The least share that a triangle has of its limit, at most 1.
@@ -54,7 +84,7 @@ pub struct LocalAnswer {
     vertex: u32,
     position: [f64; 2],
     limit: f64,
-    /// `corner`: the edges at the vertex; `gap`: edges that face each other; `none`: 35 degrees.
+    /// `corner`: the edges at the vertex; `gap`: edges that face each other; `none`: [`LocalShares::MOST`].
     decided_by: &'static str,
     /// The 1st percentile of the shares.
     percentile_1: f64,
@@ -109,7 +139,7 @@ impl From<&CornerTradeOff> for CornerAnswer {
 fn decided_by(local: &LocalShares) -> &'static str {
     match local {
         LocalShares { is_tent: true, .. } => "gap",
-        LocalShares { limit, .. } if *limit < 35.0 => "corner",
+        LocalShares { limit, .. } if *limit < LocalShares::MOST => "corner",
         _ => "none",
     }
 }
@@ -150,6 +180,35 @@ impl From<&InteriorReport> for InteriorAnswer {
             violations: report.violations.iter().map(violation).collect(),
             area_ratio: report.area_ratio,
             grading_p99: report.grading_p99,
+            sizes: report.sizes.as_ref().map(SizeAnswer::from),
+            coarse_sides: Vec::new(),
+        }
+    }
+}
+
+impl From<&InteriorMesh> for InteriorAnswer {
+    fn from(found: &InteriorMesh) -> Self {
+        let coarse_sides = found.coarse_sides.iter().map(CoarseAnswer::from).collect();
+        Self { coarse_sides, ..Self::from(&found.report) }
+    }
+}
+
+impl From<&SizeReport> for SizeAnswer {
+    fn from(sizes: &SizeReport) -> Self {
+        let SizeReport { near, least, greatest, .. } = *sizes;
+        Self { near, least_ratio: least, greatest_ratio: greatest }
+    }
+}
+
+impl From<&CoarseSide> for CoarseAnswer {
+    fn from(side: &CoarseSide) -> Self {
+        Self {
+            name: side.name.clone(),
+            position: side.at.to_array(),
+            length: side.length,
+            size: side.size,
+            intervals: side.intervals,
+            wanted_intervals: side.wanted_intervals,
         }
     }
 }
@@ -194,7 +253,10 @@ pub fn grading(report: &InteriorReport) -> String {
 pub fn local_limits(report: &InteriorReport) -> String {
     let local = &report.local;
     if local.worst > 0.9995 {
-        return "Each triangle reaches the limit of its place (at most 35°).".to_owned();
+        return format!(
+            "Each triangle reaches the limit of its place (at most {}°).",
+            LocalShares::MOST
+        );
     }
     let [x, y] = local.at.to_array().map(four_digits);
     let decides = match decided_by(local) {
@@ -208,13 +270,62 @@ pub fn local_limits(report: &InteriorReport) -> String {
         count => format!("{count} are"),
     };
     format!(
-        "Of the limit of its place (at most 35°) each triangle reaches {} or more, the least at vertex {} at ({x}, {y}) \
+        "Of the limit of its place (at most {}°) each triangle reaches {} or more, the least at vertex {} at ({x}, {y}) \
          (limit {}{decides}); 99 of 100 reach {}; {below} below 90%.",
+        LocalShares::MOST,
         percent(local.worst),
         local.vertex,
         steady_angle(local.limit),
         percent(local.percentile),
     )
+}
+
+/// The edges beside the sizes wanted, in a sentence; none without interior points.
+#[must_use]
+pub fn sizes(report: &InteriorReport) -> Option<String> {
+    let sizes = report.sizes.as_ref().filter(|_| report.interior_points > 0)?;
+    let near = percent(sizes.near);
+    let [least, greatest] = [sizes.least, sizes.greatest].map(four_digits);
+    Some(format!(
+        "{near} of the edges inside are 0.7 to 1.4 times as long as wanted, all {least} to {greatest} times."
+    ))
+}
+
+/// The sides and lines that contradict the sizes asked for, and the way out, if there are any; or the reason why there
+/// are no interior points.
+#[must_use]
+pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
+    let place = |side: &CoarseSide| {
+        let [x, y] = side.at.to_array().map(four_digits);
+        let [length, size] = [side.length, side.size].map(four_digits);
+        let intervals = |count: u64| match count {
+            1 => "1 interval".to_owned(),
+            count => format!("{count} intervals"),
+        };
+        format!(
+            "{} has an edge {length} long at ({x}, {y}) where the size asked for is {size}, which takes {} on it, not {}",
+            side.name,
+            intervals(side.wanted_intervals),
+            side.intervals,
+        )
+    };
+    let mut places: Vec<String> = found.coarse_sides.iter().take(NAMED).map(place).collect();
+    if places.is_empty() {
+        return (found.report.interior_points == 0).then(|| {
+            "No point fits inside: the boundary is never divided. --size S divides its sides into intervals of length S."
+                .to_owned()
+        });
+    }
+    if found.coarse_sides.len() > NAMED {
+        places.push("…".to_owned());
+    }
+    let least = found.coarse_sides.iter().map(|side| side.size).fold(f64::INFINITY, f64::min);
+    Some(format!(
+        "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: {}. Give these \
+         sides more intervals, or all of them --size {}.",
+        places.join("; "),
+        four_digits(least)
+    ))
 }
 
 /// The corners whose degree limits cost angle with their tables, if there are any.

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use mindeg::MeshError;
-use mindeg::interior::{self, InteriorReport};
+use mindeg::interior::{self, InteriorMesh};
 use mindeg::{Domain, Goal, Interior, Mesh, Meshed, TriMesh};
 use mindeg_compare::Reference;
 use mindeg_mesh::Progress;
@@ -21,9 +21,9 @@ pub(crate) enum Made {
     /// A mesh of boundary points alone, for a goal.
     Boundary(Box<Meshed>, Goal),
     /// A Delaunay triangulation.
-    Delaunay(TriMesh),
+    Delaunay(Box<TriMesh>),
     /// With interior points.
-    Interior(TriMesh, Box<InteriorReport>),
+    Interior(Box<InteriorMesh>),
 }
 
 impl Made {
@@ -46,14 +46,15 @@ impl Made {
         match view {
             View::Wanted => boundary(request.goal),
             View::Least => boundary(Goal::LeastDegree),
-            View::Delaunay => delaunay(domain).map(Self::Delaunay),
+            View::Delaunay => delaunay(domain).map(|mesh| Self::Delaunay(Box::new(mesh))),
             View::Interior => {
                 let wanted = domain.interior().cloned().unwrap_or_default();
                 let most = wanted.max_points.map_or(MAX_POINTS, |most| most.min(MAX_POINTS));
                 let wanted = Interior { max_points: Some(most), ..wanted };
                 let found = interior::mesh(domain, &wanted, progress);
-                let found = found.map_err(|error| error.to_string())?;
-                Ok(Self::Interior(found.mesh, Box::new(found.report)))
+                found
+                    .map(|found| Self::Interior(Box::new(found)))
+                    .map_err(|error| error.to_string())
             }
         }
     }
@@ -62,7 +63,8 @@ impl Made {
     pub(crate) fn mesh(&self) -> &dyn Mesh {
         match self {
             Self::Boundary(meshed, _) => &meshed.mesh,
-            Self::Delaunay(mesh) | Self::Interior(mesh, _) => mesh,
+            Self::Delaunay(mesh) => &**mesh,
+            Self::Interior(found) => &found.mesh,
         }
     }
 }

@@ -3,7 +3,7 @@
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
-use mindeg_answers::interior::{angles_and_degrees, local_limits};
+use mindeg_answers::interior::{angles_and_degrees, coarse_sides, local_limits};
 use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::steady_angle;
 use mindeg_compare::axis::{Axis, BARS};
@@ -111,9 +111,9 @@ impl Figure {
                     figure.in_short() + " No mesh of these points has a larger minimum angle.";
                 Self { delaunay_min_angle: Some(min), words, ..figure }
             }
-            Made::Interior(mesh, report) => {
-                let figure = Self::listed(domain, mesh);
-                let words = format!(
+            Made::Interior(found) => {
+                let (figure, report) = (Self::listed(domain, &found.mesh), &found.report);
+                let mut words = format!(
                     "{} boundary and {} interior vertices, {} triangles, {}. {}",
                     domain.rings().vertex_count(),
                     report.interior_points,
@@ -121,6 +121,7 @@ impl Figure {
                     angles_and_degrees(report),
                     local_limits(report),
                 );
+                words.extend(coarse_sides(found).map(|sides| format!(" {sides}")));
                 Self { words, ..figure }
             }
         }

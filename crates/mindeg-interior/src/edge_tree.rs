@@ -178,6 +178,30 @@ impl EdgeTree {
         }
     }
 
+    /// The least of size + growth * distance over all edges, where that is below `least`.
+    pub(crate) fn least_grown(&self, growth: f64, x: DVec2, least: &mut f64) {
+        for root in &self.roots {
+            self.least_grown_below(*root, growth, x, least);
+        }
+    }
+
+    fn least_grown_below(&self, at: u32, growth: f64, x: DVec2, least: &mut f64) {
+        let node = &self.nodes[at as usize];
+        let bound = |node: &Node| node.least + growth * node.distance(x);
+        if bound(node) >= *least {
+            return;
+        }
+        match self.children(at) {
+            Some([a, b]) if !is_uniform(node) => {
+                let swap = bound(&self.nodes[b as usize]) < bound(&self.nodes[a as usize]);
+                let [near, far] = if swap { [b, a] } else { [a, b] };
+                self.least_grown_below(near, growth, x, least);
+                self.least_grown_below(far, growth, x, least);
+            }
+            _ => *least = bound(node),
+        }
+    }
+
     /// The two halves of a run; none for a single edge.
     pub(crate) fn children(&self, at: u32) -> Option<[u32; 2]> {
         let right = self.nodes[at as usize].right;
@@ -236,6 +260,11 @@ impl Node {
     pub(crate) fn distance(&self, x: DVec2) -> f64 {
         (distance_to_segment(x, self.from, self.to) - self.spread).max(0.0)
     }
+}
+
+/// True if all edges of the run are of one length and on one line.
+pub(crate) fn is_uniform(node: &Node) -> bool {
+    node.is_straight && node.greatest <= node.least * (1.0 + 1e-6)
 }
 
 /// True if a run may go from direction `a` to direction `b` and still count as straight.

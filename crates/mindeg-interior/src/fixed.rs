@@ -1,6 +1,7 @@
 //! Lines and points inside a domain; segments that may be divided are, as the size field wants.
 
 use crate::near::Near;
+use crate::options::Options;
 use crate::packing::Piece;
 use crate::size::SizeField;
 use glam::DVec2;
@@ -30,19 +31,18 @@ impl Breaklines {
     }
 }
 
-/// Divides the segments that may be divided. Also gives sizes where inner points are nearer to each other or to the
-/// boundary than the size field wants.
+/// Divides the segments that may be divided.
 pub(crate) fn breaklines(
     outline: &PlanarBoundary,
-    divisible: &[bool],
+    options: &Options,
     field: &SizeField,
-) -> (Breaklines, Vec<SizeAt>) {
+) -> Breaklines {
     let mut lines = Breaklines { points: outline.inner_points().to_vec(), edges: Vec::new() };
     let vertices = outline.points().len();
     for (segment, &[a, b]) in outline.segments().iter().enumerate() {
         let (from, to) = (outline.point(a), outline.point(b));
         let mut last = a;
-        if divisible.get(segment).copied().unwrap_or_default() {
+        if options.is_divisible(segment) {
             for share in divisions(from, to, field) {
                 lines.points.push(from.lerp(to, share));
                 let point = (vertices + lines.points.len() - 1) as u32;
@@ -52,8 +52,7 @@ pub(crate) fn breaklines(
         }
         lines.edges.push([last, b]);
     }
-    let crowded = crowded(outline, &lines, field);
-    (lines, crowded)
+    lines
 }
 
 /// Where to divide a segment, as shares of it: pieces about as long as the size wants.
@@ -88,8 +87,12 @@ fn divisions(from: DVec2, to: DVec2, field: &SizeField) -> Vec<f64> {
         .collect()
 }
 
-/// Sizes for fixed points that have a neighbour nearer than the size wants.
-fn crowded(outline: &PlanarBoundary, lines: &Breaklines, field: &SizeField) -> Vec<SizeAt> {
+/// Sizes where inner points are nearer to each other or to the boundary than the size field wants.
+pub(crate) fn crowded(
+    outline: &PlanarBoundary,
+    lines: &Breaklines,
+    field: &SizeField,
+) -> Vec<SizeAt> {
     // Fixed points lie inside.
     let mut near = Near::new(outline.bounds());
     outline.points().iter().for_each(|p| near.insert(*p));

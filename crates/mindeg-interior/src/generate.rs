@@ -2,8 +2,9 @@
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE};
 use crate::finish::finish;
-use crate::fixed::{Breaklines, breaklines};
+use crate::fixed::{Breaklines, breaklines, crowded};
 use crate::goal::{Weights, goals};
+use crate::lengths::SizeReport;
 use crate::limits::{fan_limit_at, limits};
 use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, Options, check_coordinates};
@@ -74,6 +75,7 @@ pub fn generate(
     check_target(&limits, options)?;
     let floor = floor(options);
     let mut best: Option<Generated> = None;
+    let mut wanted_sizes = None;
     let mut in_vain = 0;
     // Where angles are preferred, the way that keeps degrees may still reach more.
     let ways: &[Prefer] = match options.wanted.prefer() {
@@ -126,6 +128,8 @@ pub fn generate(
             |vertex, count| fan_limit_at(outline, vertex, Some(count)),
         );
         let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
+        // The first way has the wanted growth.
+        wanted_sizes.get_or_insert(field);
         let gain = best.as_ref().map(|best| gain(&found.report, &best.report, options));
         in_vain = if gain.is_none_or(|gain| gain > Gain::Little) { 0 } else { in_vain + 1 };
         if gain.is_none_or(|gain| gain > Gain::None) {
@@ -139,7 +143,11 @@ pub fn generate(
     }
     stage.section(1.0);
     stage.reach(1.0)?;
-    best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))
+    let mut best = best.ok_or_else(|| InteriorError::NotFilled("no seed".into()))?;
+    let sizes = wanted_sizes
+        .map(|field| SizeReport::new(outline, options, &field, &best.points, &best.triangles));
+    best.report.sizes = sizes;
+    Ok(best)
 }
 
 /// Meshes with more points are begun once and have few places to mend.
@@ -180,9 +188,8 @@ fn size_field(
     options: &Options,
 ) -> Result<(Breaklines, SizeField), InteriorError> {
     let segments = outline.segments().iter().enumerate();
-    let is_divisible = |segment: usize| options.divisible.get(segment) == Some(&true);
-    let frozen: Vec<[u32; 2]> =
-        segments.filter(|(segment, _)| !is_divisible(*segment)).map(|(_, ends)| *ends).collect();
+    let stays = segments.filter(|(segment, _)| !options.is_divisible(*segment));
+    let frozen: Vec<[u32; 2]> = stays.map(|(_, ends)| *ends).collect();
     let field = |crowded: &[SizeAt]| {
         SizeField::new(
             outline,
@@ -204,13 +211,13 @@ fn size_field(
             return Err(InteriorError::Outside { what, at: place.at.to_array() });
         }
     }
-    let (breaklines, crowded) = breaklines(outline, &options.divisible, &plain);
+    let lines = breaklines(outline, options, &plain);
+    let crowded = crowded(outline, &lines, &plain);
     if crowded.is_empty() {
-        return Ok((breaklines, plain));
+        return Ok((lines, plain));
     }
     let finer = field(&crowded);
-    let (breaklines, _) = crate::fixed::breaklines(outline, &options.divisible, &finer);
-    Ok((breaklines, finer))
+    Ok((breaklines(outline, options, &finer), finer))
 }
 
 /// The living vertices and triangles, in order, with the index that each point had in the array mesh.

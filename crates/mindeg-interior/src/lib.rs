@@ -54,6 +54,7 @@
 
 mod anneal;
 mod array_mesh;
+mod asked;
 mod disc;
 mod edge_tree;
 mod energy;
@@ -64,6 +65,7 @@ mod generate;
 mod goal;
 mod improve;
 mod invariants;
+mod lengths;
 pub mod limits;
 mod near;
 mod operations;
@@ -87,6 +89,7 @@ mod verdict;
 
 pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
+pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, SizeAt};
 pub use options::{InteriorError, Options, check_coordinates};
 pub use report::{CornerTradeOff, InteriorReport, LocalShares, Violation};

@@ -149,6 +149,11 @@ impl Options {
         }
     }
 
+    /// Whether a segment of the boundary's lines may be divided.
+    pub(crate) fn is_divisible(&self, segment: usize) -> bool {
+        self.divisible.get(segment) == Some(&true)
+    }
+
     /// Checks all values that need no outline to check.
     pub(crate) fn check(&self) -> Result<(), InteriorError> {
         self.wanted.check()?;

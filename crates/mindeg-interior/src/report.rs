@@ -1,6 +1,7 @@
 //! Quality measures of a mesh, from its points and triangles alone.
 
 use crate::goal::Goal;
+use crate::lengths::SizeReport;
 use crate::limits::Limits;
 use crate::triangle::{doubled_area, max_angle, min_angle};
 use glam::DVec2;
@@ -8,7 +9,7 @@ use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
 /// Up to this angle a greater share of the limit is worth a search, in degrees.
-pub(crate) const ENOUGH: f64 = 35.0;
+pub(crate) const ENOUGH: f64 = LocalShares::MOST;
 
 /// A vertex whose degree is out of its range.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,6 +45,11 @@ pub struct LocalShares {
     pub percentile: f64,
     /// The number of triangles below 0.9.
     pub below: usize,
+}
+
+impl LocalShares {
+    /// No limit counts for more than this, in degrees.
+    pub const MOST: f64 = 35.0;
 }
 
 /// A boundary vertex whose degree limit costs angle: either the degree or the angle is out of reach.
@@ -91,6 +97,8 @@ pub struct InteriorReport {
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio: how fast edge lengths change.
     pub grading_p99: f64,
+    /// The edges beside the sizes wanted; `None` where none were, as in a mesh that was improved.
+    pub sizes: Option<SizeReport>,
     /// The number of triangles.
     pub triangles: usize,
     /// The number of vertices that are not on the boundary.
@@ -192,6 +200,7 @@ pub(crate) fn measure<'a>(
         violations,
         area_ratio: ratios.last().copied().unwrap_or(1.0),
         grading_p99: percentile.sqrt(),
+        sizes: None,
         triangles: triangles.len(),
         interior_points,
     }

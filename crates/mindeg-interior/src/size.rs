@@ -1,6 +1,6 @@
 //! The size of the mesh at any place: edges' lengths, carried smoothly inside.
 
-use crate::edge_tree::{EdgeTree, Item, Node};
+use crate::edge_tree::{EdgeTree, Item, Node, is_uniform};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -92,29 +92,9 @@ impl SizeField {
         };
         let mut least = wanted;
         for tree in [&self.boundary, &self.frozen, &self.places] {
-            for root in tree.roots() {
-                self.least_grown(tree, *root, x, &mut least);
-            }
+            tree.least_grown(self.growth, x, &mut least);
         }
         least
-    }
-
-    /// The least of size + growth * distance, where that is below `least`.
-    fn least_grown(&self, tree: &EdgeTree, at: u32, x: DVec2, least: &mut f64) {
-        let node = &tree.nodes()[at as usize];
-        let bound = |node: &Node| node.least + self.growth * node.distance(x);
-        if bound(node) >= *least {
-            return;
-        }
-        match tree.children(at) {
-            Some([a, b]) if !is_uniform(node) => {
-                let swap = bound(&tree.nodes()[b as usize]) < bound(&tree.nodes()[a as usize]);
-                let [near, far] = if swap { [b, a] } else { [a, b] };
-                self.least_grown(tree, near, x, least);
-                self.least_grown(tree, far, x, least);
-            }
-            _ => *least = bound(node),
-        }
     }
 
     /// The roots of all edges that stay.
@@ -174,11 +154,6 @@ impl SizeField {
         *weights += weight;
         *sum += weight * (node.moment / node.length);
     }
-}
-
-/// True if all edges of the run are of one length and on one line.
-fn is_uniform(node: &Node) -> bool {
-    node.is_straight && node.greatest <= node.least * (1.0 + 1e-6)
 }
 
 /// The integral of dtheta / r over a segment, given from the eye to its ends:

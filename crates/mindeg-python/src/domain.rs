@@ -85,8 +85,7 @@ impl Domain {
             domain = Cow::Owned(self.inner.with_inside(inside).map_err(value_error)?);
         }
         let found = done(py, |progress| mindeg::interior::mesh(&domain, &wanted, progress))?;
-        let report =
-            dict(py, &InteriorAnswer::from(&found.report))?.cast_into::<PyDict>()?.unbind();
+        let report = dict(py, &InteriorAnswer::from(&found))?.cast_into::<PyDict>()?.unbind();
         let facts = Facts { report: Some(report), ..Facts::default() };
         Ok(Mesh::new(found.mesh, facts))
     }

@@ -20,6 +20,7 @@
 //! Limits are proven; degrees and angles are reached by a search without a guarantee, and the [`InteriorReport`]
 //! says what was reached. How it works: [`mindeg_interior`].
 
+mod coarse;
 mod improve;
 mod lift;
 mod limit;
@@ -27,11 +28,14 @@ mod plane;
 mod posed;
 mod regions;
 
+pub use coarse::CoarseSide;
 pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
-pub use mindeg_interior::{CornerTradeOff, InteriorError, InteriorReport, LocalShares, Violation};
+pub use mindeg_interior::{
+    CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport, Violation,
+};
 use posed::{boundary, options};
 
 use crate::boundary_mesh::lines;
@@ -53,6 +57,8 @@ pub struct InteriorMesh {
     pub report: InteriorReport,
     /// The minimum angle that no mesh of the boundary can exceed.
     pub limit: AngleLimit,
+    /// The sides and lines whose edges are longer than the sizes asked for there, the worst first.
+    pub coarse_sides: Vec<CoarseSide>,
 }
 
 /// Meshes a domain with interior points.
@@ -97,7 +103,10 @@ pub fn mesh(
         Some(name) => mesh.named(name),
         None => mesh,
     };
-    Ok(InteriorMesh { mesh, report: found.report, limit })
+    let sizes = found.report.sizes.as_ref();
+    let coarse_sides = sizes.map(|sizes| coarse::coarse_sides(domain, &sizes.coarse));
+    let coarse_sides = coarse_sides.unwrap_or_default();
+    Ok(InteriorMesh { mesh, report: found.report, limit, coarse_sides })
 }
 
 /// The edges that each segment of the lines was divided into.

@@ -8,7 +8,8 @@ use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior};
 use mindeg_answers::interior::{
-    InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
+    InteriorAnswer, angles_and_degrees, coarse_sides, corners, grading, local_limits, sizes,
+    unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use serde::Serialize;
@@ -60,28 +61,26 @@ pub(super) fn run(
 ) -> Result<(), Failure> {
     making.open()?;
     let meshed = making.work(|progress| interior::mesh(domain, wanted, progress));
-    let InteriorMesh { mesh, report, limit } = match meshed {
-        Ok(meshed) => meshed,
-        Err(error) => return Err(refused(domain, wanted, &error)),
-    };
-    let lifting = Lifting::from_limit(domain, wanted, limit, 1).map_err(Failure::input)?;
-    let mut unmet = arguments.demands(wanted.target_angle).unmet_by(&mesh, report.min_angle);
-    unmet.extend(unmet_degrees(&report, wanted, domain.is_constrained()));
+    let found = meshed.map_err(|error| refused(domain, wanted, &error))?;
+    let InteriorMesh { mesh, report, limit, .. } = &found;
+    let lifting = Lifting::from_limit(domain, wanted, limit.clone(), 1).map_err(Failure::input)?;
+    let mut unmet = arguments.demands(wanted.target_angle).unmet_by(mesh, report.min_angle);
+    unmet.extend(unmet_degrees(report, wanted, domain.is_constrained()));
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
 
-    let made = making.write(&mesh)?;
+    let made = making.write(mesh)?;
     let summary = Summary {
         name: domain.name(),
         intervals: domain.rings().sides().collect(),
         boundary_vertices: domain.rings().vertex_count(),
         vertices: mesh.positions().len(),
-        reached: InteriorAnswer::from(&report),
+        reached: InteriorAnswer::from(&found),
         least_max_degree: None,
         limit: lifting.answer(),
         found_by: "interior",
         reversed: domain.was_reversed(),
     };
-    made.say(|| text(domain, &report, &lifting, &summary), || &summary)?;
+    made.say(|| text(domain, &found, &lifting, &summary), || &summary)?;
     end
 }
 
@@ -96,12 +95,8 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
     Failure::input(error)
 }
 
-fn text(
-    domain: &Domain,
-    report: &interior::InteriorReport,
-    lifting: &Lifting,
-    summary: &Summary<'_>,
-) -> String {
+fn text(domain: &Domain, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<'_>) -> String {
+    let report = &found.report;
     let mut lines = vec![
         format!(
             "{}: {} boundary and {} interior vertices, {} triangles, {}",
@@ -115,6 +110,8 @@ fn text(
         local_limits(report),
         grading(report),
     ];
+    lines.extend(sizes(report));
+    lines.extend(coarse_sides(found));
     lines.extend(corners(report));
     lines.extend(violations(report).map(|violations| format!("warning: {violations}")));
     if summary.reversed {
