@@ -2,7 +2,7 @@
 
 import inspect
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar
 
 import numpy.typing as npt
@@ -29,11 +29,13 @@ class InteriorOptions(TypedDict, total=False):
 
     growth: float | None
     size_inside: float | None
+    min_size: float | None
+    max_size: float | None
     interior_degree: tuple[int, int] | None
     boundary_degree: int | None
     target_angle: float | None
     prefer: Literal["degree", "angle"] | None
-    sizes: "npt.ArrayLike | None"
+    sizes: "npt.ArrayLike | Sequence[Any] | None"
     fixed_points: "npt.ArrayLike | None"
     max_points: int | None
 

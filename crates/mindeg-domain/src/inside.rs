@@ -7,6 +7,7 @@ use glam::DVec2;
 use crate::error::{DomainError, Place};
 use crate::name;
 use crate::outline::Ring;
+use crate::sizes::is_size;
 
 /// The lines, points and regions inside the rings of a domain; none by default.
 ///
@@ -64,6 +65,12 @@ pub struct Region {
     pub name: Option<String>,
     /// The name of its material
     pub material: Option<String>,
+    /// The size of a mesh with interior points in it, in place of that far from the boundary
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
+    pub size: Option<f64>,
+    /// The greatest area of its triangles in a mesh with interior points
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
+    pub max_area: Option<f64>,
 }
 
 impl Inside {
@@ -87,13 +94,23 @@ impl Inside {
             if let Some(name) = name {
                 name::check(name, place().then("name"), &format!("point {}", index + 1))?;
             }
-            if let Some(size) = size.filter(|size| !(size.is_finite() && *size > 0.0)) {
+            if let Some(size) = size.filter(|size| !is_size(*size)) {
                 return Err(place()
                     .then("size")
                     .error(format!("the size is {size:?}; it must be a finite number above 0")));
             }
         }
-        for (index, Region { name, material, .. }) in self.regions.iter().enumerate() {
+        for (index, Region { name, material, size, max_area, .. }) in
+            self.regions.iter().enumerate()
+        {
+            for (key, value) in [("size", size), ("max_area", max_area)] {
+                if let Some(value) = value.filter(|value| !is_size(*value)) {
+                    return Err(Place::key("regions").then(index).then(key).error(format!(
+                        "the {} is {value:?}; it must be a finite number above 0",
+                        key.replace("max_", "greatest ")
+                    )));
+                }
+            }
             for (key, text) in [("name", name), ("material", material)] {
                 if let Some(text) = text {
                     let place = Place::key("regions").then(index).then(key);

@@ -5,9 +5,8 @@
 
 use std::ops::RangeInclusive;
 
-use glam::DVec2;
-
 use crate::error::{DomainError, Place};
+use crate::sizes::{Size, SizeAt, is_size};
 
 /// What is wanted of a mesh with interior points; what is left out has a default
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,8 +19,14 @@ pub struct Interior {
     /// The size far from the boundary [default: a mean of the boundary's intervals]
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub size_inside: Option<f64>,
-    /// Places `[x, y, h]`: the size is at most h there, and grows from there as from the boundary; up to the
-    /// default growth no edge at the vertex nearest to a place is longer
+    /// The least size that counts: sizes asked for below it are raised to it [default: none]
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
+    pub min_size: Option<f64>,
+    /// The greatest size anywhere [default: none]
+    #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
+    pub max_size: Option<f64>,
+    /// Sizes somewhere: the least of all holds, and grows from there as from the boundary. Up to the default growth no
+    /// edge at the vertex nearest to a place `[x, y, h]` is longer than h
     #[cfg_attr(
         feature = "json",
         serde(
@@ -30,7 +35,7 @@ pub struct Interior {
             skip_serializing_if = "Vec::is_empty"
         )
     )]
-    pub sizes: Vec<SizeAt>,
+    pub sizes: Vec<Size>,
     /// The degrees of interior vertices, a range around 6 [default: 5 to 7]
     #[cfg_attr(feature = "json", serde(default, with = "crate::json::range"))]
     #[cfg_attr(feature = "json", schemars(with = "Option<[u32; 2]>"))]
@@ -46,18 +51,6 @@ pub struct Interior {
     pub prefer: Option<Prefer>,
     /// The most points of the mesh; one that would have more is refused [default: 20 million]
     pub max_points: Option<usize>,
-}
-
-/// A wanted edge length at a place, `[x, y, h]`
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
-#[cfg_attr(feature = "json", serde(from = "[f64; 3]", into = "[f64; 3]"))]
-pub struct SizeAt {
-    /// The place.
-    #[cfg_attr(feature = "json", schemars(with = "[f64; 2]"))]
-    pub at: DVec2,
-    /// The greatest edge length there; it grows from here as from the boundary.
-    pub size: f64,
 }
 
 /// Which aim wins where one costs the other
@@ -77,6 +70,14 @@ impl Interior {
     /// The growth of the size per distance: 0.5 by default.
     pub fn growth(&self) -> f64 {
         self.growth.unwrap_or(0.5)
+    }
+
+    /// The sizes at points.
+    pub fn sizes_at(&self) -> impl Iterator<Item = SizeAt> + '_ {
+        self.sizes.iter().filter_map(|size| match size {
+            Size::At(at) => Some(*at),
+            _ => None,
+        })
     }
 
     /// The degrees wanted inside: 5 to 7 unless they are given.
@@ -115,7 +116,6 @@ impl Interior {
     /// ```
     pub fn check(&self) -> Result<(), DomainError> {
         let error = |place: Place, message: String| Err(place.error(message));
-        let is_size = |size: f64| size.is_finite() && size > 0.0;
         if let Some(growth) = self.growth.filter(|growth| !is_size(*growth)) {
             let usual = "it is a finite number above 0 (0.5 is usual, less grows slower)";
             return error(Place::key("growth"), format!("growth is {growth}; {usual}"));
@@ -124,12 +124,19 @@ impl Interior {
             let message = format!("the size inside is {size}; a size is a finite number above 0");
             return error(Place::key("size_inside"), message);
         }
-        for (index, SizeAt { size, .. }) in self.sizes.iter().enumerate() {
-            if !is_size(*size) {
-                let message = format!("size {index} is {size}; a size is a finite number above 0");
-                return error(Place::key("sizes").then(index), message);
+        for (key, size) in [("min_size", self.min_size), ("max_size", self.max_size)] {
+            if let Some(size) = size.filter(|size| !is_size(*size)) {
+                let message = format!("the size is {size}; a size is a finite number above 0");
+                return error(Place::key(key), message);
             }
         }
+        if let (Some(min), Some(max)) = (self.min_size, self.max_size)
+            && min > max
+        {
+            let message = format!("the least size, {min}, is above the greatest, {max}");
+            return error(Place::key("min_size"), message);
+        }
+        self.sizes.iter().enumerate().try_for_each(|(index, size)| size.check(index))?;
         if let Some(degrees) = &self.interior_degree
             && !((3..=6).contains(degrees.start()) && *degrees.end() >= 6)
         {

@@ -45,6 +45,7 @@ mod rectangle;
 mod rings;
 mod side;
 mod side_points;
+mod sizes;
 mod spacing;
 mod spacing_law;
 mod split;
@@ -56,7 +57,7 @@ pub use curve::{Arc, Curve};
 pub use domain::Domain;
 pub use error::{DomainError, Place};
 pub use inside::{InnerPoint, Inside, Region};
-pub use interior::{Interior, Prefer, SizeAt};
+pub use interior::{Interior, Prefer};
 #[cfg(feature = "json")]
 pub use json::{DomainDescription, DomainJsonError, ModelDescription};
 pub use limits::{
@@ -73,6 +74,7 @@ pub use placement::{Placement, Walk};
 pub use rectangle::Rectangle;
 pub use rings::Rings;
 pub use side::{Intervals, Side};
+pub use sizes::{Size, SizeAt, SizeBetween, SizeFrom};
 pub use spacing::Spacing;
 pub use spacing_law::SpacingLaw;
 pub use turning::ConvexForm;

@@ -112,12 +112,19 @@ pub(crate) fn crowded(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Interior;
+    use crate::asked::Asked;
     use crate::samples;
 
     #[test]
     fn pieces_of_a_segment_are_as_long_as_the_size_wants() {
         let outline = samples::rectangle(40.0, 20.0, [40, 20, 40, 20]);
-        let field = SizeField::new(&outline, &[], 1.2, Some(2.0), &[], &[]);
+        let at_most_2 = |places: &[SizeAt]| {
+            let wanted = Interior { size_inside: Some(2.0), ..Interior::default() };
+            let asked = Asked::new(&outline, &wanted.into());
+            SizeField::new(&outline, &[], 1.2, &[], places).asking(asked.into())
+        };
+        let field = at_most_2(&[]);
         // In the middle of the plate, one size.
         let [from, to] = [[10.0, 10.0], [30.0, 10.0]].map(DVec2::from);
         let shares = divisions(from, to, &field);
@@ -127,7 +134,7 @@ mod tests {
         }
         // Towards a small size at one end, every piece has the same share of the sizes along it.
         let places = [SizeAt { at: to, size: 0.1 }];
-        let field = SizeField::new(&outline, &[], 1.2, Some(2.0), &[], &places);
+        let field = at_most_2(&places);
         let shares = divisions(from, to, &field);
         let ends: Vec<f64> = [0.0].into_iter().chain(shares).chain([1.0]).collect();
         let sizes = |from_share: f64, to_share: f64| -> f64 {

@@ -1,6 +1,7 @@
 //! From an outline to a mesh: size field, packing, triangulation, optimiser, and other seeds where the first leaves something to be desired.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE};
+use crate::asked::Asked;
 use crate::finish::finish;
 use crate::fixed::{Breaklines, breaklines, crowded};
 use crate::goal::{Weights, goals};
@@ -18,9 +19,10 @@ use crate::start::Start;
 use crate::triangle::SQRT_3;
 use crate::verdict::{Gain, check_target, floor, gain, is_enough, is_large};
 use glam::DVec2;
-use mindeg_domain::{Prefer, SizeAt};
+use mindeg_domain::{Prefer, Size, SizeAt};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
+use std::sync::Arc;
 
 /// A mesh and what it is like.
 #[derive(Debug, Clone, PartialEq)]
@@ -190,18 +192,14 @@ fn size_field(
     let segments = outline.segments().iter().enumerate();
     let stays = segments.filter(|(segment, _)| !options.is_divisible(*segment));
     let frozen: Vec<[u32; 2]> = stays.map(|(_, ends)| *ends).collect();
+    let (growth, places) = (options.wanted.growth(), options.wanted.sizes_at().collect::<Vec<_>>());
+    let asked = Arc::new(Asked::new(outline, options));
     let field = |crowded: &[SizeAt]| {
-        SizeField::new(
-            outline,
-            &frozen,
-            options.wanted.growth(),
-            options.wanted.size_inside,
-            &options.wanted.sizes,
-            crowded,
-        )
+        SizeField::new(outline, &frozen, growth, &places, crowded).asking(Arc::clone(&asked))
     };
     let plain = field(&[]);
-    for (index, place) in options.wanted.sizes.iter().enumerate() {
+    for (index, size) in options.wanted.sizes.iter().enumerate() {
+        let Size::At(place) = size else { continue };
         let nearest = plain.boundary().nearest(place.at, f64::INFINITY);
         // On the boundary is fine.
         if nearest.is_some_and(|(edge, distance)| {

@@ -77,7 +77,7 @@ impl SizeReport {
                 || triangles.iter().any(|triangle| is_near(field.at(middle(*triangle))))
         };
         let inside = options.wanted.size_inside.filter(|inside| !is_reached(*inside));
-        let asked = Asked::new(options);
+        let asked = Asked::new(outline, options);
         let coarse = |edge: u32| {
             let [from, to] = outline.ends(edge).map(|vertex| outline.point(vertex));
             let (at, length) = (from.midpoint(to), from.distance(to));

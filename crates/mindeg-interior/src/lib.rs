@@ -87,9 +87,10 @@ mod trial;
 mod triangle;
 mod verdict;
 
+pub use asked::size_of_area;
 pub use generate::{Generated, generate};
 pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};
-pub use mindeg_domain::{Interior, Prefer, SizeAt};
+pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};
 pub use options::{InteriorError, Options, check_coordinates};
 pub use report::{CornerTradeOff, InteriorReport, LocalShares, Violation};

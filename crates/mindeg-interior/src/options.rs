@@ -3,10 +3,11 @@
 use crate::limits::degree_limit;
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
-use mindeg_domain::{DomainError, Interior};
+use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFrom};
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 use std::collections::BTreeMap;
+use std::ops::Range;
 use thiserror::Error;
 
 /// The greatest number of points of a mesh.
@@ -31,6 +32,9 @@ pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError>
     }
 }
 
+/// How many names a message lists.
+const MOST_NAMES: usize = 20;
+
 /// What the mesh is to be like.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
@@ -41,6 +45,12 @@ pub struct Options {
     pub degree_limits: BTreeMap<u32, u32>,
     /// For each segment of the boundary's lines, whether it may be divided; those beyond the end may not.
     pub divisible: Vec<bool>,
+    /// The names of edges of the boundary: of its rings, then of its lines. Several runs may share one.
+    pub names: Vec<(String, Range<u32>)>,
+    /// The faces on the left and right of each edge.
+    pub beside: Vec<[Option<u32>; 2]>,
+    /// The size of each face, infinite where none is wanted; those beyond the end have none.
+    pub region_sizes: Vec<f64>,
 }
 
 impl From<Interior> for Options {
@@ -67,6 +77,18 @@ pub enum InteriorError {
     /// A value without a meaning.
     #[error(transparent)]
     Wanted(#[from] DomainError),
+    /// A size near a side or line that does not exist.
+    #[error(
+        "interior.sizes[{index}].from: no side or line has the name \"{name}\"; there are {known}"
+    )]
+    NoName {
+        /// The index in the list of sizes.
+        index: usize,
+        /// The name.
+        name: String,
+        /// The names that exist.
+        known: String,
+    },
     /// A limit at a vertex that no mesh can keep.
     #[error("vertex {vertex} has a degree limit of {limit}; its two boundary edges alone are 2")]
     DegreeLimit {
@@ -154,11 +176,43 @@ impl Options {
         self.divisible.get(segment) == Some(&true)
     }
 
+    /// The edges of the boundary with one of these names, in ascending order.
+    pub(crate) fn edges_named(&self, names: &[String]) -> impl Iterator<Item = u32> {
+        let runs = self.names.iter().filter(|(name, _)| names.contains(name));
+        runs.flat_map(|(_, edges)| edges.clone())
+    }
+
+    /// Checks that sides and lines have the names that size `index` names.
+    fn check_names(&self, index: usize, wanted: &[String]) -> Result<(), InteriorError> {
+        let is_known = |name: &String| self.names.iter().any(|(known, _)| known == name);
+        let Some(unknown) = wanted.iter().find(|name| !is_known(name)) else { return Ok(()) };
+        let mut known: Vec<String> = Vec::new();
+        for (name, _) in &self.names {
+            let name = format!("\"{name}\"");
+            if !known.contains(&name) {
+                known.push(name);
+            }
+        }
+        if known.len() > MOST_NAMES {
+            known.truncate(MOST_NAMES);
+            known.push("…".to_owned());
+        }
+        Err(InteriorError::NoName { index, name: unknown.clone(), known: known.join(", ") })
+    }
+
     /// Checks all values that need no outline to check.
     pub(crate) fn check(&self) -> Result<(), InteriorError> {
         self.wanted.check()?;
-        for (index, place) in self.wanted.sizes.iter().enumerate() {
-            if !is_usable(place.at) {
+        for (index, size) in self.wanted.sizes.iter().enumerate() {
+            let places: &[SizeAt] = match size {
+                Size::At(place) => std::slice::from_ref(place),
+                Size::Between(between) => &between.points,
+                Size::From(SizeFrom { from, .. }) => {
+                    self.check_names(index, from)?;
+                    &[]
+                }
+            };
+            if let Some(place) = places.iter().find(|place| !is_usable(place.at)) {
                 let what = format!("size {index}");
                 return Err(InteriorError::Outside { what, at: place.at.to_array() });
             }

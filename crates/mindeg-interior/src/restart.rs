@@ -8,6 +8,7 @@ use crate::size::SizeField;
 use crate::stage::Stage;
 use crate::start::Start;
 use glam::DVec2;
+use mindeg_domain::SizeAt;
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -19,6 +20,7 @@ pub(crate) struct Restart<'a> {
     outline: PlanarBoundary,
     goals: Vec<Goal>,
     breaklines: Breaklines,
+    sizes: Vec<SizeAt>,
     /// The index in the disc of the outline's vertices, then of fixed ones.
     names: Vec<u32>,
 }
@@ -68,7 +70,8 @@ impl<'a> Restart<'a> {
         edges.dedup();
         let points = names[outline.points().len()..].iter().map(|v| disc.at(*v)).collect();
         let breaklines = Breaklines { points, edges };
-        Self { disc, options, weights, outline, goals, breaklines, names }
+        let sizes = options.wanted.sizes_at().collect();
+        Self { disc, options, weights, outline, goals, breaklines, sizes, names }
     }
 
     pub(crate) fn starts(self) -> Starts<'a> {
@@ -82,14 +85,8 @@ impl<'a> Restart<'a> {
         stage: &mut Stage<'_>,
     ) -> Option<ArrayMesh> {
         let wanted = &self.options.wanted;
-        let mut field = SizeField::new(
-            &self.outline,
-            &[],
-            phase[2] * wanted.growth(),
-            None,
-            &wanted.sizes,
-            &[],
-        );
+        let mut field =
+            SizeField::new(&self.outline, &[], phase[2] * wanted.growth(), &self.sizes, &[]);
         field.scale_mean(phase[1]);
         let start = Start {
             outline: &self.outline,

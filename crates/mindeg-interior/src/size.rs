@@ -1,17 +1,19 @@
 //! The size of the mesh at any place: edges' lengths, carried smoothly inside.
 
+use crate::asked::{Asked, Wanted};
 use crate::edge_tree::{EdgeTree, Item, Node, is_uniform};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::planar::PlanarBoundary;
+use std::sync::Arc;
 
 /// The wanted edge length at every place of a domain.
 ///
 /// It is the least of three:
 /// - the mean of the lengths of boundary edges and of edges inside that stay, and a little, each edge weighted by the integral of dtheta / r over the
 ///   angle under which it is seen (Floater's mean value coordinates; the boundary
-///   counts as transparent, so weights stay positive where a domain is not convex), or a
-///   fixed size inside instead;
+///   counts as transparent, so weights stay positive where a domain is not convex), or what was [asked](Asked) for
+///   instead or is less, as far as the edges that stay allow;
 /// - length + growth * distance of any of these edges;
 /// - size + growth * distance of any place with a size of its own, or where fixed points are crowded.
 ///
@@ -23,7 +25,7 @@ pub(crate) struct SizeField {
     frozen: EdgeTree,
     places: EdgeTree,
     growth: f64,
-    inside: Option<f64>,
+    asked: Arc<Asked>,
     /// The factor on the mean of the boundary's lengths.
     coarser: f64,
 }
@@ -46,7 +48,6 @@ impl SizeField {
         outline: &PlanarBoundary,
         frozen: &[[u32; 2]],
         growth: f64,
-        inside: Option<f64>,
         places: &[SizeAt],
         crowded: &[SizeAt],
     ) -> Self {
@@ -69,9 +70,14 @@ impl SizeField {
             frozen: EdgeTree::of_items(frozen.collect()),
             places: EdgeTree::of_items(items.collect()),
             growth,
-            inside,
+            asked: Arc::default(),
             coarser: COARSER,
         }
+    }
+
+    /// With other sizes that were asked for than those at places.
+    pub(crate) fn asking(self, asked: Arc<Asked>) -> Self {
+        Self { asked, ..self }
     }
 
     /// Multiplies the mean of the boundary's lengths.
@@ -85,12 +91,15 @@ impl SizeField {
 
     /// The wanted edge length at `x`.
     pub(crate) fn at(&self, x: DVec2) -> f64 {
-        let wanted = match self.inside {
+        let Wanted { base, most } = self.asked.wanted(x);
+        let mut least = match base {
             // Sizes shrink no faster than they grow.
-            Some(inside) => inside.max(self.shrunk(x)),
+            Some(base) => base.max(self.shrunk(x)),
             None => self.mean(x),
         };
-        let mut least = wanted;
+        if most < least {
+            least = least.min(most.max(self.shrunk(x)));
+        }
         for tree in [&self.boundary, &self.frozen, &self.places] {
             tree.least_grown(self.growth, x, &mut least);
         }
@@ -176,6 +185,7 @@ fn distant(node: &Node, x: DVec2) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Interior;
     use crate::samples;
 
     fn exact(outline: &PlanarBoundary, growth: f64, x: DVec2) -> f64 {
@@ -202,7 +212,7 @@ mod tests {
         let inner = [[3.0, 4.0], [5.0, 4.0]].map(DVec2::from);
         let (outline, _) = PlanarBoundary::map(&[ring], &inner, &[vec![128, 129]]).unwrap();
         let at = DVec2::new(4.0, 4.2);
-        let field = |frozen| SizeField::new(&outline, frozen, 0.5, None, &[], &[]).at(at);
+        let field = |frozen| SizeField::new(&outline, frozen, 0.5, &[], &[]).at(at);
         assert!(field(&[]) < 0.3 && field(outline.segments()) > 1.0);
     }
 
@@ -213,7 +223,7 @@ mod tests {
             samples::rectangle(100.0, 40.0, [1000, 3, 5, 2]),
             samples::rectangle(9.0, 9.0, [30, 70, 10, 45]),
         ] {
-            let field = SizeField::new(&outline, &[], 0.5, None, &[], &[]);
+            let field = SizeField::new(&outline, &[], 0.5, &[], &[]);
             let high = outline.points().iter().fold(DVec2::ZERO, |a, b| a.max(*b));
             for i in 0..400 {
                 let x = high * DVec2::new(f64::from(i % 20) + 0.5, f64::from(i / 20) + 0.7) / 20.3;
@@ -228,7 +238,9 @@ mod tests {
         let outline = samples::rectangle(10.0, 10.0, [10; 4]);
         let middle = DVec2::new(5.0, 5.0);
         let at = |inside, places: &[SizeAt]| {
-            let field = SizeField::new(&outline, &[], 0.5, inside, &[], places);
+            let wanted = Interior { size_inside: inside, ..Interior::default() };
+            let asked = Asked::new(&outline, &wanted.into());
+            let field = SizeField::new(&outline, &[], 0.5, &[], places).asking(asked.into());
             move |x: DVec2| field.at(x)
         };
         assert!((at(None, &[])(middle) - COARSER).abs() < 1e-9);

@@ -8,7 +8,9 @@ mod polygons;
 
 use checker::{assert_valid, degrees, min_angle};
 use glam::DVec2;
-use mindeg_interior::{Generated, Interior, InteriorError, Options, Prefer, SizeAt, generate};
+use mindeg_interior::{
+    Generated, Interior, InteriorError, Options, Prefer, Size, SizeAt, generate,
+};
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Progress, Step};
 use polygons::{Random, domains, random_polygon, ring};
@@ -202,7 +204,7 @@ fn sizes_are_kept() {
     let of_size = |size| Interior { size_inside: Some(size), ..Interior::default() }.into();
     let (coarse, fine) = (count(&of_size(2.0)), count(&of_size(0.4)));
     assert!(coarse < plain * 9 / 10 && fine > plain * 3, "{coarse} {plain} {fine}");
-    let place = SizeAt { at: DVec2::new(3.0, 5.0), size: 0.1 };
+    let place = Size::At(SizeAt { at: DVec2::new(3.0, 5.0), size: 0.1 });
     let local = count(&Interior { sizes: vec![place], ..Interior::default() }.into());
     assert!(local > plain * 5 / 4, "{local} {plain}");
 }
@@ -271,7 +273,7 @@ fn far_from_the_origin_and_at_other_scales_it_is_the_same() {
 fn bad_options_are_refused_with_what_to_do() {
     let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[8, 4, 8, 4]);
     let default = Interior::default;
-    let place = |x: f64, size: f64| vec![SizeAt { at: DVec2::new(x, 1.0), size }];
+    let place = |x: f64, size: f64| vec![Size::At(SizeAt { at: DVec2::new(x, 1.0), size })];
     for (wanted, expected) in [
         (Interior { growth: Some(0.0), ..default() }, "growth is 0;"),
         (Interior { growth: Some(f64::NAN), ..default() }, "growth is NaN;"),
@@ -418,7 +420,7 @@ fn no_edge_at_a_place_is_longer_than_its_size() {
             0 => DVec2::new(0.69, 0.63),
             _ => DVec2::new(0.4 + 1.2 * random.unit(), 0.4 + 4.2 * random.unit()),
         };
-        let sizes = vec![SizeAt { at, size }];
+        let sizes = vec![Size::At(SizeAt { at, size })];
         let options = Interior { sizes, ..Interior::default() }.into();
         let found = mesh(std::slice::from_ref(&outline), &Fixed::default(), &options);
         let distance = |v: &u32| found.points[*v as usize].distance(at);

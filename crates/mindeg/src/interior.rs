@@ -199,4 +199,59 @@ mod tests {
             assert_eq!(straight(&filled.mesh.lines()), expected, "{intervals}");
         }
     }
+
+    /// The mean length of the edges inside a disc that are on no side.
+    fn mean_length(mesh: &TriMesh, at: [f64; 2], radius: f64) -> f64 {
+        let at = glam::DVec3::new(at[0], at[1], 0.0);
+        let edges = mesh.triangles().iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        let ends = edges.map(|edge| edge.map(|v| mesh.positions()[v as usize]));
+        let near = ends.filter(|ends| ends.iter().all(|end| end.distance(at) < radius));
+        let lengths: Vec<f64> = near.map(|[a, b]| a.distance(b)).collect();
+        lengths.iter().sum::<f64>() / lengths.len() as f64
+    }
+
+    #[test]
+    fn sizes_of_regions_and_near_lines_are_kept() {
+        let json = |inside: &str| {
+            format!(
+                r#"{{"rectangle": {{"width": 8, "height": 4}}, "size": 0.5,
+                    "lines": [{{"corners": [[4, 0], [4, 4]], "size": 0.5, "name": "wall"}}], {inside}}}"#
+            )
+        };
+        let meshed = |inside: &str| {
+            let domain = Domain::from_json(&json(inside)).unwrap();
+            let wanted = domain.interior().cloned().unwrap_or_default();
+            super::mesh(&domain, &wanted, Progress::NONE)
+        };
+        let [left, right] = [[1.7, 2.0], [6.0, 2.0]];
+        let regions =
+            |keys: &str| format!(r#""regions": [{{"at": [1, 1]}}, {{"at": [6, 1], {keys}}}]"#);
+        let lengths = |mesh: &TriMesh| [left, right].map(|at| mean_length(mesh, at, 1.0));
+        let [coarse, fine] = lengths(&meshed(&regions(r#""size": 0.1"#)).unwrap().mesh);
+        assert!(coarse > 0.4 && (0.07..0.13).contains(&fine), "{coarse} {fine}");
+        // No triangle is larger than asked, but where the boundary stays.
+        let found = meshed(&regions(r#""max_area": 0.02"#)).unwrap();
+        let areas: Vec<f64> = found
+            .mesh
+            .triangles()
+            .iter()
+            .map(|triangle| triangle.map(|v| found.mesh.positions()[v as usize].truncate()))
+            .filter(|corners| corners.iter().all(|c| c.distance(right.into()) < 1.4))
+            .map(|[a, b, c]| (b - a).perp_dot(c - a) / 2.0)
+            .collect();
+        let greatest = areas.iter().copied().fold(0.0, f64::max);
+        assert!(areas.len() > 100 && greatest <= 0.02 && greatest > 0.012, "{greatest}");
+        // Near the line, and up to the distance.
+        let near = r#""interior": {"sizes": [{"from": ["wall"], "size": 0.1, "growth": 0.1, "until": 1}]}"#;
+        let mesh = meshed(near).unwrap().mesh;
+        let [at_wall, beyond] = [[4.0, 2.0], [4.9, 2.0]].map(|at| mean_length(&mesh, at, 0.35));
+        assert!(
+            (0.08..0.14).contains(&at_wall) && (0.15..0.25).contains(&beyond),
+            "{at_wall} {beyond}"
+        );
+        assert!(mean_length(&mesh, [7.0, 2.0], 0.9) > 0.4);
+        let wrong = meshed(&near.replace("wall", "Wall")).unwrap_err().to_string();
+        let names = r#"no side or line has the name "Wall"; there are "side 1", "side 2", "side 3", "side 4", "wall""#;
+        assert!(wrong.starts_with("interior.sizes[0].from: ") && wrong.ends_with(names), "{wrong}");
+    }
 }

@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use serde::de::value::SeqAccessDeserializer;
-use serde::de::{Deserialize, Deserializer, Error, SeqAccess, Unexpected, Visitor};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 use crate::constraints::ExternalDegree;
-use crate::interior::SizeAt;
+use crate::sizes::{Size, SizeAt, SizeBetween, SizeFrom};
 
 impl From<[f64; 3]> for SizeAt {
     fn from([x, y, size]: [f64; 3]) -> Self {
@@ -54,5 +54,61 @@ impl<'de> Deserialize<'de> for ExternalDegree {
             number: Self::Inside,
             list: Self::Each,
         })
+    }
+}
+
+/// The keys of a size that is no list.
+#[derive(serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SizeKeys {
+    from: Option<Vec<String>>,
+    size: Option<f64>,
+    growth: Option<f64>,
+    until: Option<f64>,
+    points: Option<Vec<SizeAt>>,
+    triangles: Option<Vec<[u32; 3]>>,
+}
+
+impl SizeKeys {
+    fn size(self) -> Result<Size, &'static str> {
+        let Self { from, size, growth, until, points, triangles } = self;
+        match (from, size, points) {
+            (Some(from), Some(size), None) if triangles.is_none() => {
+                Ok(Size::From(SizeFrom { from, size, growth, until }))
+            }
+            (None, None, Some(points)) if growth.is_none() && until.is_none() => {
+                let triangles = triangles.unwrap_or_default();
+                Ok(Size::Between(SizeBetween { points, triangles }))
+            }
+            _ => Err(
+                "a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \
+                      \"until\", or {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}",
+            ),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Size {
+    fn deserialize<D: Deserializer<'de>>(given: D) -> Result<Self, D::Error> {
+        given.deserialize_any(SizeForms)
+    }
+}
+
+/// A point with a size, or an object.
+struct SizeForms;
+
+impl<'de> Visitor<'de> for SizeForms {
+    type Value = Size;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a size [x, y, h], or an object with \"from\" or \"points\"")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Size, A::Error> {
+        SizeAt::deserialize(SeqAccessDeserializer::new(list)).map(Size::At)
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, object: A) -> Result<Size, A::Error> {
+        SizeKeys::deserialize(MapAccessDeserializer::new(object))?.size().map_err(A::Error::custom)
     }
 }

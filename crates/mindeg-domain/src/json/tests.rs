@@ -4,8 +4,9 @@ use glam::DVec2;
 
 use super::*;
 use crate::constraints::{ExternalDegree, VertexConstraint};
-use crate::interior::{Interior, Prefer, SizeAt};
+use crate::interior::{Interior, Prefer};
 use crate::side::Side;
+use crate::sizes::{Size, SizeAt, SizeBetween, SizeFrom};
 use crate::spacing::Spacing;
 use mindeg_mesh::LineKind;
 
@@ -232,15 +233,37 @@ fn with_interior(interior: &str) -> Result<Domain, String> {
 #[test]
 fn reads_every_key_of_the_interior() {
     let found = with_interior(
-        r#"{"growth": 0.3, "size_inside": 2, "sizes": [[1, 1, 0.1], [3, 2, 0.2]],
+        r#"{"growth": 0.3, "size_inside": 2, "min_size": 0.01, "max_size": 3, "sizes": [[1, 1, 0.1], [3, 2, 0.2],
+            {"from": ["wall", "side 1"], "size": 0.1, "growth": 0, "until": 2}, {"size": 1, "from": ["a"]},
+            {"points": [[0, 0, 1], [1, 0, 2], [0, 1, 3]], "triangles": [[0, 1, 2]]}],
             "interior_degree": [4, 8], "boundary_degree": 6, "target_angle": 25,
             "prefer": "angle"}"#,
     );
-    let at = DVec2::new;
+    let size_at = |x, y, size| SizeAt { at: DVec2::new(x, y), size };
     let expected = Interior {
         growth: Some(0.3),
         size_inside: Some(2.0),
-        sizes: vec![SizeAt { at: at(1.0, 1.0), size: 0.1 }, SizeAt { at: at(3.0, 2.0), size: 0.2 }],
+        min_size: Some(0.01),
+        max_size: Some(3.0),
+        sizes: vec![
+            Size::At(size_at(1.0, 1.0, 0.1)),
+            Size::At(size_at(3.0, 2.0, 0.2)),
+            Size::From(SizeFrom {
+                from: vec!["wall".to_owned(), "side 1".to_owned()],
+                size: 0.1,
+                growth: Some(0.0),
+                until: Some(2.0),
+            }),
+            Size::From(SizeFrom { from: vec!["a".to_owned()], size: 1.0, ..SizeFrom::default() }),
+            Size::Between(SizeBetween {
+                points: vec![
+                    size_at(0.0, 0.0, 1.0),
+                    size_at(1.0, 0.0, 2.0),
+                    size_at(0.0, 1.0, 3.0),
+                ],
+                triangles: vec![[0, 1, 2]],
+            }),
+        ],
         interior_degree: Some(4..=8),
         boundary_degree: Some(6),
         target_angle: Some(25.0),
@@ -257,7 +280,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
     for (interior, message) in [
         (
             "true",
-            "interior: found true, expected an object with \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
+            "interior: found true, expected an object with \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
         (
             r#"{"growth": 0}"#,
@@ -276,6 +299,30 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
             "interior.sizes[0]: size 0 is 0; a size is a finite number above 0",
         ),
         (
+            r#"{"sizes": [[1, 2, 1], 3]}"#,
+            "interior.sizes[1]: found the number 3, expected a size [x, y, h], or an object with \"from\" or \"points\"",
+        ),
+        (
+            r#"{"sizes": [{"from": ["wall"]}]}"#,
+            "interior.sizes[0]: a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", or {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}",
+        ),
+        (
+            r#"{"sizes": [{"from": [], "size": 1}]}"#,
+            "interior.sizes[0].from: give the names of sides and lines, such as [\"wall\"]",
+        ),
+        (
+            r#"{"sizes": [{"from": ["a"], "size": 1, "until": 0}]}"#,
+            "interior.sizes[0].until: the distance is 0; it is a finite number above 0",
+        ),
+        (
+            r#"{"sizes": [{"points": [[0, 0, 1]], "triangles": [[0, 0, 1]]}]}"#,
+            "interior.sizes[0].triangles[0]: found point 1; there are 1 points, from 0",
+        ),
+        (
+            r#"{"min_size": 2, "max_size": 1}"#,
+            "interior.min_size: the least size, 2, is above the greatest, 1",
+        ),
+        (
             r#"{"interior_degree": 6}"#,
             "interior.interior_degree: found the number 6, expected a list of 2",
         ),
@@ -289,7 +336,7 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         ),
         (
             r#"{"grow": 1}"#,
-            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
+            "interior.grow: unknown key \"grow\"; allowed: \"growth\", \"size_inside\", \"min_size\", \"max_size\", \"sizes\", \"interior_degree\", \"boundary_degree\", \"target_angle\", \"prefer\", \"max_points\"",
         ),
     ] {
         let error = with_interior(interior).unwrap_err();
@@ -304,7 +351,8 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
 #[test]
 fn what_is_wanted_inside_survives_writing() {
     let given = with_interior(
-        r#"{"growth": 0.3, "size_inside": 0.7, "sizes": [[1, 1, 0.1]], "interior_degree": [5, 8],
+        r#"{"growth": 0.3, "size_inside": 0.7, "min_size": 0.1, "sizes": [[1, 1, 0.1],
+            {"from": ["a"], "size": 1, "until": 2}, {"points": [[0, 0, 1]], "triangles": []}], "interior_degree": [5, 8],
             "boundary_degree": 6, "target_angle": 20, "prefer": "angle"}"#,
     )
     .unwrap();
