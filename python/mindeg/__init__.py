@@ -37,7 +37,7 @@ __all__ = [
 
 def _restored(points, triangles, name, lines, *rest):
     """A mesh that was pickled."""
-    return Mesh._of_parts(points, triangles, name, [(n, s.tolist()) for n, s in lines], *rest)
+    return Mesh._of_parts(points, triangles, name, lines, *rest)
 
 
 def _add_conversions():

@@ -12,19 +12,20 @@ def _in_space(mesh):
 
 
 def to_meshio(mesh):
-    """The mesh as a ``meshio.Mesh``: triangles, the lines of each side as a cell set of its name."""
+    """The mesh as a ``meshio.Mesh``: triangles, lines and named points, with a cell set for each name."""
     import meshio
 
     cells = [("triangle", mesh.triangles)]
-    sets = {}
-    for name, segments in mesh.lines:
+    items = [(name, 0, triangles) for name, triangles in mesh.groups.items()]
+    for name, segments in mesh.lines.items():
+        items.append((name, len(cells), np.arange(len(segments))))
         cells.append(("line", segments))
-        sets[name] = [
-            np.arange(len(segments)) if block == len(cells) - 1 else np.array([], dtype=int)
-            for block in range(len(cells))
-        ]
-    for name, blocks in sets.items():
-        blocks.extend(np.array([], dtype=int) for _ in range(len(cells) - len(blocks)))
+    for name, vertices in mesh.named_points.items():
+        items.append((name, len(cells), np.arange(len(vertices))))
+        cells.append(("vertex", vertices[:, None]))
+    sets = {name: [np.array([], dtype=int)] * len(cells) for name, _, _ in items}
+    for name, block, indices in items:
+        sets[name][block] = indices
     return meshio.Mesh(_in_space(mesh), cells, point_data={"degree": mesh.degrees}, cell_sets=sets)
 
 

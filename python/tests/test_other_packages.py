@@ -65,8 +65,8 @@ def test_meshio(mesh, tmp_path):
     assert np.array_equal(other.points, in_space(mesh))
     assert np.array_equal(other.cells_dict["triangle"], mesh.triangles)
     assert np.array_equal(other.point_data["degree"], mesh.degrees)
-    assert set(other.cell_sets) == {name for name, _ in mesh.lines}
-    for name, segments in mesh.lines:
+    assert set(other.cell_sets) == set(mesh.lines)
+    for name, segments in mesh.lines.items():
         found = [
             block.data[chosen]
             for block, chosen in zip(other.cells, other.cell_sets[name], strict=True)

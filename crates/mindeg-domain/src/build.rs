@@ -230,7 +230,7 @@ impl DomainBuilder {
                      intervals"
             )));
         }
-        let Placed { placement, straight, turned, line_starts } =
+        let Placed { placement, straight, turned, line_starts, point_vertices } =
             divided.placed(&mut given, &mut inside)?;
         for &ring in &turned {
             constraints.turn_sides(placement.rings().ring_sides(ring));
@@ -260,10 +260,11 @@ impl DomainBuilder {
             }
             _ => None,
         };
-        Ok(Domain {
+        let domain = Domain {
             name: None,
             inside,
             line_starts,
+            point_vertices,
             faces,
             splits,
             outline,
@@ -274,6 +275,8 @@ impl DomainBuilder {
             constraints,
             interior: None,
             turned,
-        })
+        };
+        domain.check_unnamed()?;
+        Ok(domain)
     }
 }

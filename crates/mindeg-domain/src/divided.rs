@@ -42,6 +42,7 @@ pub(crate) struct Placed {
     pub(crate) turned: Vec<usize>,
     /// The first segment of each side of each line, then the number of segments.
     pub(crate) line_starts: Vec<u32>,
+    pub(crate) point_vertices: Vec<u32>,
 }
 
 impl Divided {
@@ -54,7 +55,11 @@ impl Divided {
                 return Err(side_count(ring, corners.len(), sides.len()));
             }
         }
-        name::check_all(given_sides(given).map(|side| (side.at, side.side.name.as_deref())))?;
+        for side in given_sides(given) {
+            if let Some(name) = &side.side.name {
+                name::check(name, Place::side(side.at).then("name"), &side.at.side())?;
+            }
+        }
         let paths = given_sides(given).map(|side| side.path()).collect::<Result<Vec<_>, _>>()?;
         let mut of_sides = paths.iter();
         let mut intervals = Vec::with_capacity(given.len());
@@ -96,6 +101,7 @@ impl Divided {
                 straight,
                 turned: Vec::new(),
                 line_starts: vec![0],
+                point_vertices: Vec::new(),
             });
         }
         // Solved in the order given, so that errors name the sides as given.
@@ -110,7 +116,8 @@ impl Divided {
         turn(&mut given[0]);
         let turned = Self { rings: Rings::new(&[intervals])?, laws, ..self };
         let placement = turned.formula(given);
-        Ok(Placed { placement, straight, turned: vec![0], line_starts: vec![0] })
+        let (turned, point_vertices) = (vec![0], Vec::new());
+        Ok(Placed { placement, straight, turned, line_starts: vec![0], point_vertices })
     }
 
     fn formula(&self, given: &[Ring]) -> Placement {
@@ -159,7 +166,15 @@ impl Divided {
         let placement = Placement::stored(Rings::new(&intervals)?, boundary, lengths);
         let runs = Turning { placement: &placement, straight: &straight }.runs();
         let placement = placement.with_runs(runs);
-        Ok(Placed { placement, straight, turned, line_starts: joined.starts })
+        let in_mesh = |&vertex: &u32| match points.get(vertex as usize) {
+            Some(_) if turned.contains(&rings.ring_of(vertex)) => {
+                let ring = rings.ring(rings.ring_of(vertex));
+                if vertex == ring.start { vertex } else { ring.start + ring.end - vertex }
+            }
+            _ => vertex,
+        };
+        let point_vertices = joined.point_vertices.iter().map(in_mesh).collect();
+        Ok(Placed { placement, straight, turned, line_starts: joined.starts, point_vertices })
     }
 }
 

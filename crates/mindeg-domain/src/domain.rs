@@ -58,6 +58,8 @@ pub struct Domain {
     pub(crate) inside: Inside,
     /// The first segment of each side of each line, then the number of segments.
     pub(crate) line_starts: Vec<u32>,
+    /// The vertex of each point of [`Inside::points`].
+    pub(crate) point_vertices: Vec<u32>,
     pub(crate) faces: Option<Arc<Faces>>,
     /// The sides that were split where lines end, a sentence each.
     pub(crate) splits: Vec<String>,
@@ -323,10 +325,6 @@ mod tests {
             (
                 polygon(&CORNERS, with(2, Side::count(1).named(" "))),
                 "the name of side 3 is blank; give it a letter or leave it out",
-            ),
-            (
-                polygon(&CORNERS, vec![Side::count(1).named("wall"); 4]),
-                "sides 1 and 2 are both named \"wall\"; names become groups in mesh files and must differ",
             ),
             (
                 polygon(&CORNERS, with(3, Side::size(0.0))),

@@ -118,7 +118,7 @@ fn of_line(
     let name = |at: BoundaryPlace| match at {
         Ring(at) => names.edge_name(rings.ring(at.ring).start + at.index as u32),
         BoundaryPlace::Line { line, .. } => format!("line {}", line + 1),
-        BoundaryPlace::Point(index) => format!("point {}", index + 1),
+        BoundaryPlace::Point(index) => format!("point {}", joined.given[index] + 1),
     };
     let point_name = |at: BoundaryPlace| match at {
         Ring(_) => names.point_name(vertex(at, 0)),
@@ -127,7 +127,7 @@ fn of_line(
     let place = |at: &BoundaryPlace| match *at {
         Ring(_) => None,
         BoundaryPlace::Line { line, .. } => Some(Place::key("lines").then(line)),
-        BoundaryPlace::Point(index) => Some(Place::key("points").then(index)),
+        BoundaryPlace::Point(index) => Some(Place::key("points").then(joined.given[index])),
     };
     let at = |DVec2 { x, y }: DVec2| format!("({x:?}, {y:?})");
     let (places, message) = match fault {

@@ -18,8 +18,12 @@ const SAME: f64 = 1e-9;
 /// The inner points and lines of a boundary.
 #[derive(Default)]
 pub(crate) struct Joined {
-    /// The points of [`Inside::points`], then those of lines.
+    /// The points of [`Inside::points`] that are no boundary points, then those of lines.
     pub(crate) points: Vec<DVec2>,
+    /// The indices of the former.
+    pub(crate) given: Vec<usize>,
+    /// The vertex of each of [`Inside::points`].
+    pub(crate) point_vertices: Vec<u32>,
     /// The vertices of each line.
     pub(crate) lines: Vec<Vec<u32>>,
     /// The first segment of each side of each line, then the number of segments.
@@ -110,11 +114,24 @@ impl Joined {
         let all: Vec<DVec2> =
             ring_points.iter().copied().chain(own.iter().copied()).chain(of_chains).collect();
         let lookup = Lookup::new(all.iter().copied(), reach(ring_points));
-        let mut joined = Self { points: own, lines: Vec::new(), starts: vec![0] };
-        let given = ring_points.len() + joined.points.len();
+        let mut joined = Self { starts: vec![0], ..Self::default() };
+        let (first, given) = (ring_points.len(), ring_points.len() + own.len());
         // For each candidate, the vertex that it is; first those that are no corners of lines.
-        let mut vertex_of: Vec<Option<u32>> = (0..given as u32).map(Some).collect();
+        let mut vertex_of: Vec<Option<u32>> = (0..first as u32).map(Some).collect();
         vertex_of.resize(all.len(), None);
+        for (index, point) in inside.points.iter_mut().enumerate() {
+            let at_boundary = lookup.near(point.at, |other| (other as usize) < first);
+            if let Some(vertex) = at_boundary {
+                point.at = ring_points[vertex as usize];
+            } else {
+                joined.points.push(point.at);
+                joined.given.push(index);
+            }
+            let vertex = at_boundary.unwrap_or((first + joined.points.len() - 1) as u32);
+            vertex_of[first + index] = Some(vertex);
+            joined.point_vertices.push(vertex);
+        }
+        let is_own = |other: u32| (first..given).contains(&(other as usize));
         let mut is_corner = vec![false; all.len()];
         let firsts: Vec<usize> = chains
             .iter()
@@ -128,8 +145,18 @@ impl Joined {
         }
         for index in given..all.len() {
             if !is_corner[index] {
-                vertex_of[index] = Some((ring_points.len() + joined.points.len()) as u32);
-                joined.points.push(all[index]);
+                let own = lookup.near(all[index], is_own);
+                let own = own
+                    .and_then(|own| vertex_of[own as usize])
+                    .filter(|own| *own as usize >= first);
+                if let Some(vertex) = own {
+                    // Points of lines stay where they are.
+                    joined.points[vertex as usize - first] = all[index];
+                    vertex_of[index] = own;
+                } else {
+                    vertex_of[index] = Some((first + joined.points.len()) as u32);
+                    joined.points.push(all[index]);
+                }
             }
         }
         for index in given..all.len() {
@@ -142,6 +169,11 @@ impl Joined {
                         Some((ring_points.len() + joined.points.len() - 1) as u32)
                     }
                 };
+            }
+        }
+        for (point, vertex) in inside.points.iter_mut().zip(&joined.point_vertices) {
+            if let Some(inner) = (*vertex as usize).checked_sub(first) {
+                point.at = joined.points[inner];
             }
         }
         for ((first, chain), line) in firsts.iter().zip(&chains).zip(&mut inside.lines) {

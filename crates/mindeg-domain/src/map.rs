@@ -3,11 +3,13 @@
 use std::ops::Range;
 
 use mindeg_mesh::planar::Faces;
-use mindeg_mesh::{Line, LineKind};
+use mindeg_mesh::{Line, LineKind, NamedVertex};
 
 use crate::domain::Domain;
-use crate::error::DomainError;
+use crate::error::{DomainError, Place};
 use crate::inside::Inside;
+use crate::joined;
+use crate::name;
 use crate::side::Intervals;
 
 impl Domain {
@@ -49,7 +51,7 @@ impl Domain {
         for (index, line) in self.inside.lines.iter().enumerate() {
             let first = lines.len();
             for (side, segments) in line.sides.iter().zip(self.line_sides(index)) {
-                let name = side.name.clone().unwrap_or_else(|| format!("line {}", index + 1));
+                let name = side.name.clone().unwrap_or_else(|| line_name(index));
                 match lines[first..].last_mut() {
                     Some((before, kind)) if before.name == name && *kind == side.kind => {
                         before.segments.end = segments.end;
@@ -60,6 +62,14 @@ impl Domain {
             }
         }
         lines
+    }
+
+    /// The points inside that have names, as named vertices of a mesh.
+    pub fn named_vertices(&self) -> Vec<NamedVertex> {
+        let points = self.inside.points.iter().zip(&self.point_vertices);
+        points
+            .filter_map(|(point, &vertex)| Some(NamedVertex { name: point.name.clone()?, vertex }))
+            .collect()
     }
 
     /// For each segment of the lines, whether a mesh with interior points may divide it.
@@ -73,10 +83,34 @@ impl Domain {
             .collect()
     }
 
+    /// Checks that no side, line or region without a name gets that of another.
+    pub(crate) fn check_unnamed(&self) -> Result<(), DomainError> {
+        let sides = self.sides().iter().enumerate().filter(|(_, side)| side.name.is_none());
+        let sides =
+            sides.map(|(side, _)| (Place::side(self.rings().in_ring(side)), self.side_name(side)));
+        let lines = self.inside.lines.iter().enumerate();
+        let unnamed = lines.filter(|(_, line)| line.sides.iter().any(|side| side.name.is_none()));
+        let unnamed = unnamed.map(|(line, _)| (joined::place(line), line_name(line)));
+        let all = self.sides().iter().chain(self.inside.lines.iter().flat_map(|line| &line.sides));
+        name::check_unnamed(all.filter_map(|side| side.name.as_deref()), sides.chain(unnamed))?;
+        let regions = &self.inside.regions;
+        let count = self.faces.as_ref().map_or(0, |faces| faces.count);
+        let unnamed =
+            (0..count).filter(|face| regions.get(*face).is_none_or(|region| region.name.is_none()));
+        let unnamed =
+            unnamed.map(|face| (Place::key("regions").then(face), self.region_name(face as u32)));
+        name::check_unnamed(regions.iter().filter_map(|region| region.name.as_deref()), unnamed)
+    }
+
     /// The segments of each side of a line.
     fn line_sides(&self, line: usize) -> impl Iterator<Item = Range<u32>> + '_ {
         let before = self.inside.lines[..line].iter().map(|line| line.sides.len()).sum::<usize>();
         let count = self.inside.lines[line].sides.len();
         self.line_starts[before..=before + count].windows(2).map(|ends| ends[0]..ends[1])
     }
+}
+
+/// The name of a line that has none.
+fn line_name(line: usize) -> String {
+    format!("line {}", line + 1)
 }

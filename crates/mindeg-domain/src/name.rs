@@ -1,10 +1,10 @@
-//! The names of domains, sides, faces and edges, which become groups of mesh files.
+//! The names of domains, sides, faces and edges, which become groups of mesh files. Sides, holes and lines may share
+//! a name: they are one group then.
 //!
 //! Limits: names may have any letters, but no character that ends a line, controls a terminal or
 //! changes the direction of writing.
 
-use mindeg_mesh::planar::InRing;
-use std::collections::BTreeMap;
+use std::collections::HashSet;
 
 use crate::error::{DomainError, Place};
 
@@ -42,27 +42,23 @@ pub(crate) fn check(name: &str, place: Place, of: &str) -> Result<(), DomainErro
     }
 }
 
-/// Checks the names of all sides. O(k log k).
-pub(crate) fn check_all<'a>(
-    names: impl Iterator<Item = (InRing, Option<&'a str>)>,
+/// Checks that nothing without a name gets one that is given to something else, since both would be one group.
+///
+/// `unnamed` gives each by the place of its name and the name that it gets.
+pub(crate) fn check_unnamed<'a>(
+    given: impl Iterator<Item = &'a str>,
+    unnamed: impl Iterator<Item = (Place, String)>,
 ) -> Result<(), DomainError> {
-    let mut sides = BTreeMap::new();
-    for (side, name) in names {
-        let Some(name) = name else { continue };
-        let place = || Place::side(side).then("name");
-        check(name, place(), &side.side())?;
-        if let Some(first) = sides.insert(name, side) {
-            let both = if first.ring == side.ring {
-                format!("sides {} and {}", first.index + 1, side.named_last())
-            } else {
-                format!("{} and {}", first.side(), side.side())
-            };
-            return Err(place().error(format!(
-                "{both} are both named {name:?}; names become groups in mesh files and must differ"
-            )));
-        }
+    let given: HashSet<&str> = given.collect();
+    if given.is_empty() {
+        return Ok(());
     }
-    Ok(())
+    match unnamed.into_iter().find(|(_, name)| given.contains(&**name)) {
+        Some((place, name)) => Err(place.error(format!(
+            "without a name it is called {name:?}, and something else has that name; give it another one"
+        ))),
+        None => Ok(()),
+    }
 }
 
 #[cfg(test)]
@@ -92,22 +88,6 @@ mod tests {
                 check(name, Place::default(), "the domain").unwrap_err().to_string(),
                 message
             );
-        }
-        let message = |names: &[(usize, usize, Option<&'static str>)]| {
-            let names = names.iter().map(|&(ring, index, name)| (InRing { ring, index }, name));
-            check_all(names).unwrap_err().to_string()
-        };
-        let differ = "names become groups in mesh files and must differ";
-        #[rustfmt::skip]
-        let table = [
-            (message(&[(0, 0, Some("a")), (0, 1, None), (0, 2, Some("b")), (0, 3, Some("a"))]), format!("sides 1 and 4 are both named \"a\"; {differ}")),
-            (message(&[(0, 1, Some("a")), (2, 0, Some("a"))]), format!("side 2 and side 1 of hole 2 are both named \"a\"; {differ}")),
-            (message(&[(2, 1, Some("a")), (2, 3, Some("a"))]), format!("sides 2 and 4 of hole 2 are both named \"a\"; {differ}")),
-            (message(&[(0, 0, None), (0, 1, Some("\n"))]), "the name of side 2 is blank; give it a letter or leave it out".to_owned()),
-            (message(&[(1, 0, Some(" "))]), "the name of side 1 of hole 1 is blank; give it a letter or leave it out".to_owned()),
-        ];
-        for (found, expected) in table {
-            assert_eq!(found, expected);
         }
     }
 }

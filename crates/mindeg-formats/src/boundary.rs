@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 use mindeg_mesh::ear_clipping::cut_polygon;
-use mindeg_mesh::{Line, Mesh, TriMesh, filled};
+use mindeg_mesh::{ByName, Line, LineKind, Mesh, TriMesh, filled};
 use std::ops::Range;
 
 use crate::corners::segments;
@@ -48,11 +48,12 @@ pub fn with_boundary_lines(mesh: TriMesh) -> TriMesh {
 /// Segments looked at at a time.
 const BLOCK: u32 = 1 << 12;
 
-/// Segments of one line of which each begins where the one before ends.
+/// Segments of lines of one name and kind, of which each begins where the one before ends.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct MarkedChain {
-    /// The index of the line.
-    pub(crate) line: usize,
+    /// The index of the name of the lines.
+    pub(crate) name: u32,
+    pub(crate) kind: Option<LineKind>,
     pub(crate) segments: Range<u32>,
     pub(crate) start: u32,
     pub(crate) end: u32,
@@ -62,14 +63,16 @@ pub(crate) struct MarkedChain {
 pub(crate) struct MarkedChains<'a> {
     mesh: &'a dyn Mesh,
     pub(crate) chains: Vec<MarkedChain>,
-    /// The line of each vertex, from 1; 0 for none.
-    markers: Markers,
+    /// The names of the lines.
+    pub(crate) names: Vec<String>,
+    of_vertices: NamesOfVertices,
 }
 
-/// The line of each vertex.
-enum Markers {
-    /// Segment i begins at vertex i: where the segments of each line end.
-    InOrder(Vec<u32>),
+/// The index of the name of each vertex.
+enum NamesOfVertices {
+    /// Segment i begins at vertex i: the chains tell.
+    InOrder,
+    /// `u32::MAX` for none.
     Listed(Vec<u32>),
 }
 
@@ -78,21 +81,27 @@ impl<'a> MarkedChains<'a> {
     /// vertices, as round a domain, else O(n).
     pub(crate) fn of(mesh: &'a dyn Mesh) -> Self {
         let lines = mesh.lines();
+        let ByName { names, of } = ByName::new(lines.iter().map(|line| &line.name));
         let mut chains: Vec<MarkedChain> = Vec::new();
         let mut is_in_order = true;
-        for (line, range) in lines.iter().map(|line| line.segments.clone()).enumerate() {
+        for (index, (line, name)) in lines.iter().zip(of).enumerate() {
+            let (range, kind) = (line.segments.clone(), mesh.line_kind(index));
+            let goes_on = |chain: &MarkedChain, at: u32, a: u32| {
+                let is_closed = at == range.start && chain.start == chain.end;
+                (chain.name, chain.kind, chain.end) == (name, kind, a) && !is_closed
+            };
             for start in range.clone().step_by(BLOCK as usize) {
                 let block = start..start.saturating_add(BLOCK).min(range.end);
                 for (index, [a, b]) in block.clone().zip(segments(mesh, block)) {
                     is_in_order &= a == index;
                     match chains.last_mut() {
-                        Some(chain) if chain.line == line && chain.end == a => {
+                        Some(chain) if goes_on(chain, index, a) => {
                             chain.segments.end = index + 1;
                             chain.end = b;
                         }
                         _ => {
                             let segments = index..index + 1;
-                            chains.push(MarkedChain { line, segments, start: a, end: b });
+                            chains.push(MarkedChain { name, kind, segments, start: a, end: b });
                         }
                     }
                 }
@@ -101,21 +110,22 @@ impl<'a> MarkedChains<'a> {
         // Where a chain ends at a vertex that begins none, its marker is the chain's.
         let count = lines.last().map_or(0, |line| line.segments.end);
         is_in_order &= chains.iter().all(|chain| chain.end < count);
-        let markers = if is_in_order {
-            Markers::InOrder(lines.iter().map(|line| line.segments.end).collect())
-        } else {
-            Markers::Listed(listed_markers(mesh, &chains))
+        let of_vertices = match is_in_order {
+            true => NamesOfVertices::InOrder,
+            false => NamesOfVertices::Listed(listed(mesh, &chains)),
         };
-        Self { mesh, chains, markers }
+        Self { mesh, chains, names, of_vertices }
     }
 
-    /// The line that begins or goes on at a vertex, from 1; 0 for a vertex on none.
-    pub(crate) fn marker(&self, vertex: u32) -> u32 {
-        match &self.markers {
-            Markers::Listed(markers) => markers[vertex as usize],
-            Markers::InOrder(ends) => {
-                let line = ends.partition_point(|&end| end <= vertex);
-                if line < ends.len() { line as u32 + 1 } else { 0 }
+    /// The index of the name of the line that begins or goes on at a vertex.
+    pub(crate) fn name_of(&self, vertex: u32) -> Option<u32> {
+        match &self.of_vertices {
+            NamesOfVertices::Listed(names) => {
+                Some(names[vertex as usize]).filter(|name| *name != u32::MAX)
+            }
+            NamesOfVertices::InOrder => {
+                let chain = self.chains.partition_point(|chain| chain.segments.end <= vertex);
+                self.chains.get(chain).map(|chain| chain.name)
             }
         }
     }
@@ -174,19 +184,18 @@ impl<'a> MarkedChains<'a> {
     }
 }
 
-/// The line of each vertex, from 1: the one of the last segment that begins there, or else ends.
-fn listed_markers(mesh: &dyn Mesh, chains: &[MarkedChain]) -> Vec<u32> {
-    let mut markers = vec![0; mesh.vertex_count() as usize];
-    let ends = chains.iter().map(|chain| (chain.end, chain));
-    for (end, chain) in ends {
-        markers[end as usize] = chain.line as u32 + 1;
+/// The index of the name of each vertex: that of the last segment that begins there, or else ends.
+fn listed(mesh: &dyn Mesh, chains: &[MarkedChain]) -> Vec<u32> {
+    let mut names = vec![u32::MAX; mesh.vertex_count() as usize];
+    for chain in chains {
+        names[chain.end as usize] = chain.name;
     }
     for chain in chains {
         for [start, _] in segments(mesh, chain.segments.clone()) {
-            markers[start as usize] = chain.line as u32 + 1;
+            names[start as usize] = chain.name;
         }
     }
-    markers
+    names
 }
 
 /// The vertices of a chain from one index to another; the last one has the index of the number of

@@ -1,12 +1,12 @@
 //! Abaqus input files, which CalculiX and others read too.
 //!
 //! Nodes, `S3` elements in an element set for each group, and a node set for each line of the mesh,
-//! under its name; lines of one name add to one set. Numbers count from 1, and no line of a set has
+//! under its name; lines and named vertices of one name add to one set. Numbers count from 1, and no line of a set has
 //! more than 16. Names become labels: a letter first, then letters, digits, `-` and `_`, at most 80.
 //!
 //! Limits: written, not read. For a plane problem, replace `S3` by `CPS3` or `CPE3`.
 
-use mindeg_mesh::Mesh;
+use mindeg_mesh::{Mesh, NamedVertex};
 
 use crate::boundary::{MarkedChain, MarkedChains, chain_vertices};
 use crate::corners::{positions, triangles};
@@ -69,12 +69,18 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
             }
         }));
     }
-    let lines = mesh.lines();
     let mut sets = Names::folding_case();
-    for chain in MarkedChains::of(mesh).chains {
-        let set = sets.of(&lines[chain.line].name, label);
+    let MarkedChains { chains, names, .. } = MarkedChains::of(mesh);
+    for chain in chains {
+        let set = sets.of(&names[chain.name as usize], label);
         sections.push(Section::bytes(format!("*NSET, NSET={set}\n")));
         sections.push(node_set(mesh, chain));
+    }
+    let points = mesh.named_vertices();
+    for NamedVertex { name, vertex } in points.iter() {
+        let set = sets.of(name, label);
+        let node = u64::from(*vertex) + 1;
+        sections.push(Section::bytes(format!("*NSET, NSET={set}\n{node}\n")));
     }
     sections
 }

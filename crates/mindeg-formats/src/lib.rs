@@ -72,7 +72,7 @@ pub use self::gltf::glb;
 pub use boundary::with_boundary_lines;
 pub use error::{ReadError, WriteError};
 pub use format::{Format, extensions};
-pub use names::{Names, one_line};
+pub use names::one_line;
 pub use options::{Encoding, MeshPlane, MshVersion, SurfaceOptions, WriteOptions};
 pub use read::{read, read_as};
 pub use runs::Polylines;

@@ -1,9 +1,9 @@
 //! Gmsh's MSH, versions 4.1 and 2.2, in text and binary.
 //!
-//! Sides are physical groups of dimension 1 under their names, and groups of triangles physical
-//! groups of dimension 2, so that a solver finds both. Sides of one name are one physical group. All
+//! Sides are physical groups of dimension 1 under their names, groups of triangles physical
+//! groups of dimension 2, and named vertices of dimension 0, so that a solver finds all. Sides of one name are one physical group. All
 //! physical tags differ, also between dimensions, since some programs forget the dimension. Vertices
-//! and elements count from 1; the elements are the segments of all sides, then the triangles.
+//! and elements count from 1; the elements are the segments of all sides, then the triangles, then the named vertices.
 //!
 //! With data fields, `degree` is node data. In 4.1 `min_angle` is element data in degrees: that of the
 //! triangle, and 60, the best there is, for a segment, since meshio wants a value for every element;
@@ -41,7 +41,8 @@ pub(crate) const FACTS: Facts = Facts {
     },
     write: |job, files| {
         let segments = job.mesh.lines().last().map_or(0, |line| line.segments.end);
-        let elements = u64::from(job.mesh.triangle_count()) + u64::from(segments);
+        let points = job.mesh.named_vertices().len() as u64;
+        let elements = u64::from(job.mesh.triangle_count()) + u64::from(segments) + points;
         check_count(job.options, "elements", elements)?;
         job.write(files, [sections(job.mesh, job.options)])
     },

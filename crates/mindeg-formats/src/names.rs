@@ -64,35 +64,18 @@ pub(crate) fn check_file_name(name: &str) -> Result<(), WriteError> {
     )))
 }
 
-/// The names that a file or a domain has so far, all different: a second one gets a number.
-///
-/// # Example
-///
-/// ```
-/// use mindeg_formats::Names;
-///
-/// let mut names = Names::with_blanks();
-/// assert_eq!(["wall", "wall"].map(|name| names.distinct(name.to_owned())), ["wall", "wall 2"]);
-/// ```
+/// The names that a file has so far, all different: a second one gets a number.
 #[derive(Debug, Default)]
-pub struct Names {
+pub(crate) struct Names {
     /// Each name, and the number that was last added to it.
     taken: HashMap<String, u32>,
     /// The name in the file for each name in the mesh that [`of`](Self::of) was asked for.
     of: HashMap<String, String>,
     /// Whether the format takes upper and lower case for the same.
     folds_case: bool,
-    /// Whether a blank stands before a number, not an underscore.
-    has_blanks: bool,
 }
 
 impl Names {
-    /// For names that may hold blanks: `wall 2`, not `wall_2`.
-    #[must_use]
-    pub fn with_blanks() -> Self {
-        Self { has_blanks: true, ..Self::default() }
-    }
-
     /// For a format that takes upper and lower case for the same.
     pub(crate) fn folding_case() -> Self {
         Self { folds_case: true, ..Self::default() }
@@ -111,7 +94,7 @@ impl Names {
 
     /// The name, if the file does not have it yet; else the name with `_2`, `_3` or the first
     /// number that makes a new one. O(1), but where made names meet others.
-    pub fn distinct(&mut self, name: String) -> String {
+    pub(crate) fn distinct(&mut self, name: String) -> String {
         let folds_case = self.folds_case;
         let key = |name: &str| if folds_case { name.to_lowercase() } else { name.to_owned() };
         let wanted = key(&name);
@@ -122,8 +105,7 @@ impl Names {
         loop {
             let number = self.taken.entry(wanted.clone()).or_default();
             *number += 1;
-            let separator = if self.has_blanks { ' ' } else { '_' };
-            let made = format!("{name}{separator}{number}");
+            let made = format!("{name}_{number}");
             if let Entry::Vacant(free) = self.taken.entry(key(&made)) {
                 free.insert(1);
                 return made;

@@ -4,9 +4,13 @@
 //! 0 for each triangle (`uint32`); where asked for, `degrees` (`uint32`) and `min_angles` (degrees,
 //! `float64`) follow. Nothing is compressed or pickled: `numpy.load(file)` reads it as it is.
 //!
+//! Lines are `segments` (a row of two indices each), `segment_groups` (the index of the name of each, `int32`) and
+//! `segment_names`; groups `triangle_groups` and `triangle_names`; named vertices `named_points` and `point_names`. They
+//! are there if the mesh has any.
+//!
 //! Compressed arrays (`numpy.savez_compressed`) are read, too.
 //!
-//! Limits: names, groups and lines are not kept.
+//! Limits: names, groups and lines are not read.
 
 mod array;
 mod read;

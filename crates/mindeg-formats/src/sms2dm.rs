@@ -1,7 +1,7 @@
 //! 2DM, the mesh files of the Surface-water Modeling System and of programs around it.
 //!
 //! Vertices and triangles count from 1 without gaps; groups are materials; each line of the mesh is
-//! a node string.
+//! a node string; those of one name have one number.
 //!
 //! Limits: names of groups and lines are not kept, since the format has numbers for them.
 
@@ -13,12 +13,11 @@ use crate::names::quoted;
 use crate::numbered::Numbered;
 use crate::records::{Records, Words};
 use crate::sections::Section;
-use crate::tables::{corners_from_one, ends_of_groups, numbered_lines, runs_of};
+use crate::tables::{NamedRuns, corners_from_one, numbered_lines};
 use crate::{GENERATOR, ReadError, mesh_name};
 use mindeg_mesh::{Mesh, TriMesh};
 use std::io::BufRead;
 use std::ops::Range;
-use std::sync::Arc;
 
 /// Vertices of a node string to a line of the file.
 const STRING_WIDTH: u32 = 10;
@@ -37,9 +36,9 @@ pub(crate) const FACTS: Facts = Facts {
 /// The file from front to back.
 fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
     let name = quoted(mesh_name(mesh));
-    let ends = ends_of_groups(mesh);
+    let groups = NamedRuns::of_groups(mesh);
     let elements = move |range: Range<u32>| {
-        let materials = runs_of(Arc::clone(&ends), range.clone()).map(|group| [group + 1]);
+        let materials = groups.of(range.clone()).map(|group| [group + 1]);
         corners_from_one(mesh, range).zip(materials)
     };
     let points = |range| positions(mesh, range).map(|point| point.to_array());
@@ -50,12 +49,13 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         numbered_lines("ND", 0..mesh.vertex_count(), points),
     ];
     let chains = MarkedChains::of(mesh).chains;
-    sections.extend(chains.into_iter().zip(1..).map(|(chain, id)| node_string(mesh, chain, id)));
+    sections.extend(chains.into_iter().map(|chain| node_string(mesh, chain)));
     sections
 }
 
-/// The vertices of a chain, the last with a minus sign before it.
-fn node_string(mesh: &dyn Mesh, chain: MarkedChain, id: u32) -> Section<'_> {
+/// The vertices of a chain, the last with a minus sign before it, then the number of its name.
+fn node_string(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
+    let id = chain.name + 1;
     let last = chain.segments.len() as u32;
     Section::new(last.saturating_add(1), 11, move |range, buffer| {
         for (index, vertex) in range.clone().zip(chain_vertices(mesh, &chain, range)) {

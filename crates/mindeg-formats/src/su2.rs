@@ -7,7 +7,7 @@
 
 use std::ops::Range;
 
-use mindeg_mesh::Mesh;
+use mindeg_mesh::{ByName, Mesh};
 
 use crate::GENERATOR;
 use crate::corners::{positions, segments, triangles};
@@ -61,17 +61,14 @@ fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
 
 /// The names of the lines, each with the segments of all lines of the name.
 fn markers(mesh: &dyn Mesh) -> Vec<(String, Vec<Range<u32>>)> {
-    let mut markers: Vec<(String, Vec<Range<u32>>)> = Vec::new();
-    let mut indices = std::collections::HashMap::new();
-    let mut names = Names::default();
-    for line in mesh.lines().iter() {
-        // A percent sign starts a comment.
-        let name = names.of(&line.name, |name| word(name).replace('%', "_"));
-        let index = *indices.entry(name.clone()).or_insert(markers.len());
-        if index == markers.len() {
-            markers.push((name, Vec::new()));
-        }
-        markers[index].1.push(line.segments.clone());
+    let lines = mesh.lines();
+    let ByName { names, of } = ByName::new(lines.iter().map(|line| &line.name));
+    let mut taken = Names::default();
+    // A percent sign starts a comment.
+    let marker = |name: &String| taken.distinct(word(name).replace('%', "_"));
+    let mut markers: Vec<_> = names.iter().map(marker).map(|name| (name, Vec::new())).collect();
+    for (line, name) in lines.iter().zip(of) {
+        markers[name as usize].1.push(line.segments.clone());
     }
     markers
 }

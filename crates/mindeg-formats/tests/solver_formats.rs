@@ -6,9 +6,10 @@
 use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain, Side};
 use mindeg_formats::{
-    Encoding, Format, MshVersion, ReadError, WriteOptions, Writer, msh, read_as, vtk, vtu, write,
+    Encoding, Format, MshVersion, ReadError, SurfaceOptions, WriteOptions, Writer, msh, read_as,
+    vtk, vtu, write,
 };
-use mindeg_mesh::{Group, Line, Mesh, Progress, TriMesh, Triangles};
+use mindeg_mesh::{Group, Line, Mesh, NamedVertex, Progress, TriMesh, Triangles};
 use proptest::prelude::*;
 
 /// Every way to write a format that is read again.
@@ -72,13 +73,19 @@ fn what_is_written_is_read_again() {
             assert!(found.segments().is_empty(), "{what}");
             continue;
         }
-        assert_eq!(found.segments(), mesh.segments(), "{what}");
-        let expected = match format {
-            Format::Vtk => ["side 1", "side 2", "side 3"],
-            _ => ["wall", "end", "wall"],
-        };
-        assert!(names(&found).iter().map(|(name, _)| name).eq(expected), "{what}");
-        assert!(names(&found).iter().map(|(_, range)| range).eq([&(0..3), &(3..4), &(4..7)]));
+        if format == Format::Msh {
+            // A curve is a line, and its physical group the name.
+            assert_eq!(found.segments(), mesh.segments(), "{what}");
+            let expected = [("wall", 0..3), ("end", 3..4), ("wall", 4..7)];
+            assert_eq!(names(&found), expected.map(|(name, range)| (name.to_owned(), range)));
+        } else {
+            let segments = [[0, 2], [2, 4], [4, 6], [7, 5], [5, 3], [3, 1], [6, 7]];
+            assert_eq!(found.segments(), segments, "{what}");
+            let expected =
+                if format == Format::Vtk { ["side 1", "side 2"] } else { ["wall", "end"] };
+            let expected = expected.into_iter().zip([0..6, 6..7]);
+            assert!(names(&found).into_iter().eq(expected.map(|(name, it)| (name.to_owned(), it))));
+        }
         let groups: Vec<_> = found.groups().iter().map(|group| group.triangles.clone()).collect();
         assert_eq!(groups, [0..4, 4..6], "{what}");
         if format != Format::Vtk {
@@ -118,7 +125,7 @@ fn data_are_where_readers_look_for_them() {
     assert!(file.contains("$ElementData\n1\n\"min_angle\"\n1\n0.0\n3\n0\n1\n13\n1 60\n"), "{file}");
     let file = text(Format::Vtu);
     assert!(
-        file.contains("Name=\"side\" format=\"ascii\">\n-1\n-1\n-1\n-1\n-1\n-1\n0\n0\n0\n1\n2\n")
+        file.contains("Name=\"side\" format=\"ascii\">\n-1\n-1\n-1\n-1\n-1\n-1\n0\n0\n0\n1\n0\n")
     );
     assert!(file.contains("Name=\"degree\" format=\"ascii\">\n2\n3\n4\n"), "{file}");
     let file = text(Format::Vtk);
@@ -140,6 +147,94 @@ fn markers_of_one_name_are_one() {
     let markers = "NMARK= 2\nMARKER_TAG= wall\nMARKER_ELEMS= 6\n3 0 2\n3 2 4\n3 4 6\n3 7 5\n3 5 3\n\
                    3 3 1\nMARKER_TAG= end\nMARKER_ELEMS= 1\n3 6 7\n";
     assert!(file.ends_with(markers), "{file}");
+}
+
+#[test]
+fn sides_of_one_name_are_one_group_in_every_format() {
+    let strip = strip();
+    let flat = strip.positions().iter().map(|point| DVec3::new(point.x, point.y, 0.0)).collect();
+    let named = |vertex| NamedVertex { name: "gauge".to_owned(), vertex };
+    let mesh = TriMesh::new(flat, strip.triangles().to_vec())
+        .unwrap()
+        .with_lines(strip.lines().into_owned(), strip.segments().to_vec())
+        .and_then(|mesh| mesh.with_named_vertices(vec![named(2), named(5)]))
+        .unwrap();
+    let surface = SurfaceOptions { boundary_lines: true, ..SurfaceOptions::default() };
+    let encoding = Encoding::Ascii;
+    let options = WriteOptions { surface, encoding, ..WriteOptions::default() };
+    let text = |format: Format| {
+        let mut files = vec![Vec::new(); format.files("a".as_ref()).len()];
+        let mut open: Vec<_> = files.iter_mut().map(|file| ("a", file)).collect();
+        let writer = Writer::new(format, options, &mesh, mesh.triangle_count()).unwrap();
+        writer.write(&mesh, &mut open, Progress::NONE).unwrap();
+        String::from_utf8_lossy(&files.concat()).into_owned()
+    };
+    for (format, expected) in [
+        (Format::Msh, &["\n1 1 \"wall\"\n1 2 \"end\"\n", "0 4 \"gauge\"\n"][..]),
+        (Format::Su2, &["NMARK= 2\n"]),
+        (Format::Inp, &["NSET=wall\n1, 3, 5, 7\n", "NSET=wall\n8, 6, 4, 2\n", "NSET=gauge\n3\n"]),
+        (Format::Sms2dm, &["NS 1 3 5 -7 1\n", "NS 8 6 4 -2 1\n", "NS 7 -8 2\n"]),
+        (Format::Obj, &["o wall\nl 1 3\nl 3 5\nl 5 7\nl 8 6\n", "o end\nl 7 8\n"]),
+        (Format::Gltf, &["\"name\": \"wall\""]),
+        (Format::Vtu, &["-1\n-1\n0\n0\n0\n1\n0\n0\n0\n"]),
+        (Format::Vtk, &["-1\n-1\n0\n0\n0\n1\n0\n0\n0\n"]),
+        (
+            Format::Node,
+            &[
+                "# marker 1: wall\n# marker 2: end\n# marker 3: gauge\n",
+                " 3 0.3333333333333333 0 3",
+            ],
+        ),
+        (Format::Npz, &["segment_names.npy", "named_points.npy", "w\0\0\0a\0\0\0l\0\0\0l\0\0\0"]),
+    ] {
+        let text = text(format);
+        let text = text.replace("  ", " ");
+        for expected in expected {
+            // In glTF a node and its mesh.
+            let count = if format == Format::Gltf { 2 } else { 1 };
+            assert_eq!(text.matches(expected).count(), count, "{format:?} {expected:?}:\n{text}");
+        }
+        assert!(!text.contains("wall_2") && !text.contains("wall 2"), "{format:?}");
+    }
+}
+
+#[test]
+fn named_vertices_and_their_physical_points_are_read_again() {
+    let named = |name: &str, vertex| NamedVertex { name: name.to_owned(), vertex };
+    let points = vec![named("gauge", 3), named("support \u{e4}", 7), named("gauge", 0)];
+    let mesh = strip().with_named_vertices(points.clone()).unwrap();
+    for (format, options) in ways().into_iter().filter(|(format, _)| *format == Format::Msh) {
+        let found = read(format, &written(&mesh, format, options)).unwrap();
+        assert_eq!(found.named_vertices()[..], points, "{options:?}");
+        assert_eq!(names(&found), names(&mesh), "{options:?}");
+    }
+}
+
+#[test]
+fn markers_and_attributes_of_triangle_keep_their_numbers() {
+    let files = |mesh: &TriMesh| {
+        let mut files = vec![Vec::new(); 3];
+        let mut open: Vec<_> = files.iter_mut().map(|file| ("a", file)).collect();
+        let writer = Writer::new(Format::Node, WriteOptions::default(), mesh, 2).unwrap();
+        writer.write(mesh, &mut open, Progress::NONE).unwrap();
+        files.into_iter().map(|file| String::from_utf8(file).unwrap()).collect::<Vec<_>>()
+    };
+    let node = "4 2 0 1\n1 0 0 9\n2 1 0 9\n3 1 1 -4\n4 0 1 -4\n";
+    let ele = "2 3 1\n1 1 2 3 70\n2 1 3 4 -2\n";
+    let poly = "# marker 5: inlet\n0 2 0 1\n4 1\n1 1 2 9\n2 2 3 -4\n3 3 4 5\n4 4 1 9\n0\n";
+    let mesh =
+        mindeg_formats::triangle::read(node.as_bytes(), ele.as_bytes(), Some(poly.as_bytes()));
+    let mesh = mesh.unwrap();
+    let lines = files(&mesh);
+    assert!(lines[1].contains(" 1 1 2 3 70\n 2 1 3 4 -2\n"), "{}", lines[1]);
+    assert!(
+        lines[2].contains("# marker 1: inlet\n0 2 0 1\n4 1\n 1 2 3 -4\n 2 3 4 1\n"),
+        "{}",
+        lines[2]
+    );
+    for segment in [" 1 2 9\n", " 4 1 9\n"] {
+        assert!(lines[2].contains(segment), "{}", lines[2]);
+    }
 }
 
 #[test]

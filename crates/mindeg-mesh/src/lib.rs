@@ -23,6 +23,7 @@
 //! `libm`, so the same input gives the same bits on every machine.
 
 mod bounds;
+mod by_name;
 pub mod check;
 mod connectivity;
 pub mod crossing;
@@ -41,9 +42,10 @@ mod welding;
 mod worst;
 
 pub use bounds::Bounds;
+pub use by_name::ByName;
 pub use connectivity::boundary::BoundaryLoop;
 pub use connectivity::disjoint_sets::DisjointSets;
-pub use mesh::{Group, Line, LineKind, Material, Mesh, Positions, Triangles, filled};
+pub use mesh::{Group, Line, LineKind, Material, Mesh, NamedVertex, Positions, Triangles, filled};
 pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};

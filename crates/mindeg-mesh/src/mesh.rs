@@ -85,7 +85,7 @@ pub trait Triangles: Sync {
     }
 
     /// The named lines of the mesh, such as the sides of its domain, which contain every segment
-    /// once, in order.
+    /// once, in order. Lines of one name are one group.
     fn lines(&self) -> Cow<'_, [Line]> {
         Cow::Borrowed(&[])
     }
@@ -94,6 +94,11 @@ pub trait Triangles: Sync {
     fn line_kind(&self, line: usize) -> Option<LineKind> {
         let _ = line;
         None
+    }
+
+    /// The vertices with names, in any order; vertices that share a name are one group.
+    fn named_vertices(&self) -> Cow<'_, [NamedVertex]> {
+        Cow::Borrowed(&[])
     }
 
     /// Fills `out` with the segments from `first` on. The segments of a line follow one another.
@@ -163,6 +168,15 @@ pub struct Line {
     /// Whether each segment is known to start at the end of the previous one, all on the straight
     /// line between the ends of the line, except for rounding.
     pub is_straight: bool,
+}
+
+/// A vertex with a name, such as a gauge or a support.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NamedVertex {
+    /// The name; never empty.
+    pub name: String,
+    /// Its index.
+    pub vertex: u32,
 }
 
 /// The kind of a line on the boundary of a coastal model.

@@ -11,7 +11,7 @@ use thiserror::Error;
 use crate::connectivity::boundary::{BoundaryEdges, BoundaryLoop};
 use crate::connectivity::faces::Faces;
 use crate::connectivity::stars::Stars;
-use crate::mesh::{Group, Line, LineKind};
+use crate::mesh::{Group, Line, LineKind, NamedVertex};
 use crate::polygons::{NonTriangles, Polygons};
 
 /// A triangle mesh in space: any number of groups, with or without boundary, valid or not.
@@ -42,6 +42,7 @@ pub struct TriMesh {
     lines: Vec<Line>,
     /// Empty where no line has a kind.
     line_kinds: Vec<Option<LineKind>>,
+    named_vertices: Vec<NamedVertex>,
     /// Empty where all are 0.
     depths: Vec<f64>,
     polygons: Option<Polygons>,
@@ -105,6 +106,7 @@ impl TriMesh {
             segments: Vec::new(),
             lines: Vec::new(),
             line_kinds: Vec::new(),
+            named_vertices: Vec::new(),
             depths: Vec::new(),
             polygons: None,
             non_triangles: NonTriangles::default(),
@@ -171,6 +173,17 @@ impl TriMesh {
     pub fn with_line_kinds(self, line_kinds: Vec<Option<LineKind>>) -> Self {
         assert_eq!(line_kinds.len(), self.lines.len(), "a kind for each line");
         Self { line_kinds, ..self }
+    }
+
+    /// The same mesh with names of vertices.
+    ///
+    /// # Errors
+    ///
+    /// A vertex that the mesh does not have.
+    pub fn with_named_vertices(self, named: Vec<NamedVertex>) -> Result<Self, TriMeshError> {
+        let vertices: Vec<[u32; 1]> = named.iter().map(|named| [named.vertex]).collect();
+        check_vertices("name", &vertices, self.positions.len())?;
+        Ok(Self { named_vertices: named, ..self })
     }
 
     /// The same mesh with the depth of the water at each vertex.

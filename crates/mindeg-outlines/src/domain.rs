@@ -2,7 +2,6 @@
 
 use glam::DVec2;
 use mindeg_domain::{Domain, Ring, Side};
-use mindeg_formats::Names;
 
 use super::outline::Feature;
 use super::sides::{DividedSide, Division};
@@ -19,10 +18,9 @@ impl Feature {
     pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
         let divided = self.rings.iter().map(|ring| ring.divided(division));
         let divided: Vec<Vec<DividedSide>> = divided.collect::<Result<_, _>>()?;
-        let mut names = Names::with_blanks();
         let rings = divided.into_iter().map(|sides| {
             let corners: Vec<DVec2> = sides.iter().map(|side| side.points[0]).collect();
-            let sides = sides.into_iter().map(|side| domain_side(side, &mut names)).collect();
+            let sides = sides.into_iter().map(domain_side).collect();
             Ring { corners, sides }
         });
         let domain = Domain::of_rings(rings.collect())?;
@@ -33,10 +31,9 @@ impl Feature {
     }
 }
 
-pub(super) fn domain_side(divided: DividedSide, names: &mut Names) -> Side {
+pub(super) fn domain_side(divided: DividedSide) -> Side {
     let DividedSide { name, mut points, is_line } = divided;
     let name = name.map(|name| clean(&name)).filter(|name| !name.is_empty());
-    let name = name.map(|name| names.distinct(name));
     let side = if is_line || points.len() == 1 {
         Side::count(points.len() as u64)
     } else {
@@ -89,7 +86,7 @@ mod tests {
         let domain = domain(&text, OutlineFormat::Msh, None);
         let names: Vec<Option<&str>> = domain.sides().iter().map(|it| it.name.as_deref()).collect();
         // The curve 8 has a corner, so it is two sides.
-        assert_eq!(names, [Some("wall"), Some("wall 2"), Some("wall 3"), Some("in let")]);
+        assert_eq!(names, [Some("wall"), Some("wall"), Some("wall"), Some("in let")]);
         assert!(domain.rings().sides().eq([2, 1, 1, 1]));
         let points: Vec<[f64; 2]> = domain.placement().points().map(|it| it.to_array()).collect();
         assert_eq!(points, [[0.0, 0.0], [1.0, 0.0], [2.0, 0.1], [2.0, 2.0], [0.0, 2.0]]);
@@ -109,19 +106,6 @@ mod tests {
         for domain in [kept, divided] {
             assert!(same(&Domain::from_json(&domain.to_json()).unwrap(), &domain));
         }
-    }
-
-    #[test]
-    fn names_of_sides_differ() {
-        let mut names = Names::with_blanks();
-        let mut named = |name: &str| {
-            let side = DividedSide { name: Some(name.into()), points: vec![], is_line: true };
-            domain_side(side, &mut names).name
-        };
-        let found = ["wall", "wall 2", "wall", "wall", " ", "in"].map(&mut named);
-        let expected =
-            [Some("wall"), Some("wall 2"), Some("wall 3"), Some("wall 4"), None, Some("in")];
-        assert_eq!(found, expected.map(|name| name.map(str::to_owned)));
     }
 
     #[test]

@@ -14,8 +14,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
-use mindeg_domain::{Domain, Inside, Outline, Region, Ring, Side};
-use mindeg_formats::Names;
+use mindeg_domain::{Domain, Inside, Outline, Region, Ring};
 
 use self::plane::{Plane, Run};
 use super::choice::Polygon;
@@ -81,12 +80,11 @@ pub(super) fn domains(
     parts
         .into_iter()
         .map(|map| {
-            let mut used = Names::with_blanks();
             let mut ring = |run: &Run| -> Result<Ring, OutlineError> {
                 let drawn = plane.drawn(run, |border| sides.of(border));
                 let sides = drawn.divided(division)?;
                 let corners = sides.iter().map(|side| side.points[0]).collect();
-                let sides = sides.into_iter().map(|side| domain_side(side, &mut used)).collect();
+                let sides = sides.into_iter().map(domain_side).collect();
                 Ok(Ring { corners, sides })
             };
             let Ring { corners, sides: outer } = ring(&map.outer)?;
@@ -123,14 +121,7 @@ fn line(drawn: &DrawnRing, is_closed: bool, division: &Division) -> Result<Ring,
     if !is_closed {
         corners.extend(drawn.pieces.last().map(|piece| piece.start));
     }
-    let side = |divided: super::sides::DividedSide| -> Side {
-        let name = divided.name.clone();
-        Side {
-            name: name.map(|name| name.to_string()),
-            ..domain_side(divided, &mut Names::with_blanks())
-        }
-    };
-    Ok(Ring { corners, sides: divided.into_iter().map(side).collect() })
+    Ok(Ring { corners, sides: divided.into_iter().map(domain_side).collect() })
 }
 
 /// Names of borders by their regions.

@@ -10,7 +10,7 @@ use mindeg::{Group, Material, Mesh as AnyMesh, TriMesh};
 use mindeg_answers::inspected::InspectionReport;
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
-use mindeg_mesh::{LineKind, filled};
+use mindeg_mesh::{ByName, LineKind, NamedVertex, filled};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -66,6 +66,10 @@ impl Mesh {
     /// The mesh as a list, with all that names parts of it.
     pub(crate) fn list(&self) -> PyResult<TriMesh> {
         TriMesh::of(&*self.mesh).map_err(value_error)
+    }
+
+    fn segments(&self, line: &mindeg::Line) -> Vec<[u32; 2]> {
+        filled(line.segments.clone(), [0; 2], |first, out| self.mesh.fill_segments(first, out))
     }
 
     fn angles(&self) -> [f64; 2] {
@@ -127,19 +131,48 @@ impl Mesh {
         arrays::read_only(PyArray1::from_vec(py, degrees))
     }
 
-    /// The sides or other lines of the mesh, in order: a name and a read-only (s, 2) uint32 array of segments each.
-    ///
-    /// A list and no dict, because names of a file may repeat.
+    /// The sides and other lines of the mesh: a read-only (s, 2) uint32 array of segments for each name.
     #[getter]
-    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Vec<(String, Bound<'py, PyArray2<u32>>)>> {
-        let mesh = &self.mesh;
-        let line = |line: &mindeg::Line| {
-            let segments = filled(line.segments.clone(), [0; 2], |first, out| {
-                mesh.fill_segments(first, out);
-            });
-            Ok((line.name.clone(), arrays::rows(py, segments)?))
-        };
-        mesh.lines().iter().map(line).collect()
+    fn lines<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let lines = self.mesh.lines();
+        let by_name = ByName::new(lines.iter().map(|line| &line.name));
+        let dict = PyDict::new(py);
+        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+            let segments: Vec<_> =
+                of_name.into_iter().flat_map(|line| self.segments(&lines[line])).collect();
+            dict.set_item(name, arrays::rows(py, segments)?)?;
+        }
+        Ok(dict)
+    }
+
+    /// The groups of triangles, such as regions: a read-only (t,) uint32 array of triangles for each name.
+    #[getter]
+    fn groups<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let groups = self.mesh.groups();
+        let by_name = ByName::new(groups.iter().map(Group::label));
+        let dict = PyDict::new(py);
+        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+            if !name.is_empty() {
+                let triangles =
+                    of_name.into_iter().flat_map(|group| groups[group].triangles.clone());
+                let triangles = PyArray1::from_vec(py, triangles.collect());
+                dict.set_item(name, arrays::read_only(triangles))?;
+            }
+        }
+        Ok(dict)
+    }
+
+    /// The vertices with names: a read-only (v,) uint32 array of vertices for each name.
+    #[getter]
+    fn named_points<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let named = self.mesh.named_vertices();
+        let by_name = ByName::new(named.iter().map(|one| &one.name));
+        let dict = PyDict::new(py);
+        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+            let vertices = of_name.into_iter().map(|one| named[one].vertex).collect();
+            dict.set_item(name, arrays::read_only(PyArray1::from_vec(py, vertices)))?;
+        }
+        Ok(dict)
     }
 
     /// The name, if the domain or the file gives one.
@@ -232,6 +265,10 @@ impl Mesh {
             })
             .collect();
         let lines = mesh.lines();
+        let segments: Vec<_> =
+            lines.iter().map(|line| (line.name.clone(), self.segments(line))).collect();
+        let named: Vec<_> =
+            mesh.named_vertices().iter().map(|one| (one.name.clone(), one.vertex)).collect();
         let kinds: Vec<Option<&str>> =
             (0..lines.len()).map(|line| mesh.line_kind(line).map(kind_name)).collect();
         let straight: Vec<bool> = lines.iter().map(|line| line.is_straight).collect();
@@ -242,9 +279,9 @@ impl Mesh {
             self.points(py)?,
             self.triangles(py)?,
             mesh.name(),
-            self.lines(py)?,
+            segments,
             (straight, kinds),
-            (groups, depths),
+            (groups, depths, named),
             facts,
         );
         let restored = py.import("mindeg")?.getattr("_restored")?;
@@ -259,7 +296,7 @@ impl Mesh {
         name: Option<String>,
         lines: Vec<(String, Vec<[u32; 2]>)>,
         of_lines: (Vec<bool>, Vec<Option<String>>),
-        of_mesh: (PickledGroups, Option<Vec<f64>>),
+        of_mesh: (PickledGroups, Option<Vec<f64>>, Vec<(String, u32)>),
         facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
         let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
@@ -281,7 +318,9 @@ impl Mesh {
         mesh = mesh.with_lines(all, segments).map_err(value_error)?;
         let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(kind_of));
         mesh = mesh.with_line_kinds(kinds.collect());
-        let (groups, depths) = of_mesh;
+        let (groups, depths, named) = of_mesh;
+        let named = named.into_iter().map(|(name, vertex)| NamedVertex { name, vertex });
+        mesh = mesh.with_named_vertices(named.collect()).map_err(value_error)?;
         let mut at = 0;
         let mut all = Vec::new();
         for (name, [start, end], material) in groups {

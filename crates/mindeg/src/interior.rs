@@ -44,7 +44,7 @@ use mindeg_interior::generate;
 use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::{Group, Line, Material, Progress, TriMesh};
 use regions::spread;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 /// A mesh with interior points, and what it is like.
@@ -93,6 +93,7 @@ pub fn mesh(
     let (triangles, groups) = groups(domain, &boundary, &pieces, found.triangles);
     let mesh = TriMesh::new(points, triangles)
         .and_then(|mesh| mesh.with_lines(lines, segments))
+        .and_then(|mesh| mesh.with_named_vertices(domain.named_vertices()))
         .map(|mesh| mesh.with_line_kinds(kinds))
         .map_err(|error| InteriorError::NotFilled(error.to_string()))?;
     let mesh = match groups.is_empty() {
@@ -125,7 +126,7 @@ fn pieces(boundary: &PlanarBoundary, edges: &[[u32; 2]]) -> Vec<Vec<[u32; 2]>> {
     boundary.segments().iter().map(|&[_, end]| own(end)).collect()
 }
 
-/// The triangles by their regions, and a group for each; no groups if the domain has no regions.
+/// The triangles by their regions, and a group for each name and material; no groups if the domain has no regions.
 fn groups(
     domain: &Domain,
     boundary: &PlanarBoundary,
@@ -146,9 +147,20 @@ fn groups(
     for (edges, beside) in pieces.iter().zip(on_lines) {
         edges.iter().for_each(|&edge| know(edge, *beside));
     }
-    let mut of_face: Vec<Vec<[u32; 3]>> = vec![Vec::new(); faces.count];
+    // Faces of one name and material are one group.
+    let mut groups: Vec<(String, Option<&str>)> = Vec::new();
+    let mut indices = HashMap::new();
+    let group_of = |face| {
+        let key = (domain.region_name(face), domain.region_material(face));
+        *indices.entry(key.clone()).or_insert_with(|| {
+            groups.push(key);
+            groups.len() - 1
+        })
+    };
+    let group_of: Vec<usize> = (0..faces.count as u32).map(group_of).collect();
+    let mut of_group: Vec<Vec<[u32; 3]>> = vec![Vec::new(); groups.len()];
     for (triangle, face) in triangles.iter().zip(spread(&triangles, &known)) {
-        of_face[face].push(*triangle);
+        of_group[group_of[face]].push(*triangle);
     }
     let mut materials: Vec<Arc<Material>> = Vec::new();
     let mut material = |name: &str| {
@@ -159,14 +171,13 @@ fn groups(
         })
     };
     let mut end = 0;
-    let group = |(face, triangles): (u32, &Vec<[u32; 3]>)| {
+    let group = |((name, of), triangles): ((String, Option<&str>), &Vec<[u32; 3]>)| {
         let start = end;
         end += triangles.len() as u32;
-        Group::new(domain.region_name(face), start..end)
-            .of_material(domain.region_material(face).map(&mut material))
+        Group::new(name, start..end).of_material(of.map(&mut material))
     };
-    let groups = (0..).zip(&of_face).map(group).collect();
-    (of_face.concat(), groups)
+    let groups = groups.into_iter().zip(&of_group).map(group).collect();
+    (of_group.concat(), groups)
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub(super) struct SideKeys {
     size: Option<f64>,
     /// How the points are spread
     spacing: Option<Spacing>,
-    /// Its name, which becomes a group in mesh files. No two sides may have the same
+    /// Its name, which becomes a group in mesh files. Sides, holes and lines may share one
     name: Option<String>,
     /// Which boundary ocean models take it for
     kind: Option<LineKind>,

@@ -570,3 +570,46 @@ fn refuses_maps_with_the_place() {
         assert_eq!(of(rest), expected, "{rest}");
     }
 }
+
+#[test]
+fn sides_lines_and_holes_may_share_a_name() {
+    let domain = Domain::from_json(
+        r#"{"polygon": {"corners": [[0, 0], [0, 4], [4, 4], [4, 0]]},
+            "sides": [{"intervals": 2, "name": "wall"}, {"intervals": 1}, {"intervals": 1, "name": "wall"}, {"intervals": 1}],
+            "holes": [{"corners": [[1, 1], [2, 1], [1, 2]], "sides": [{"intervals": 1, "name": "wall"}, {"intervals": 1}, {"intervals": 1}]}],
+            "lines": [{"points": [[3, 1], [3, 2], [3, 3]], "name": "wall"}],
+            "points": [{"at": [0, 2], "name": "a"}, {"at": [3, 2], "name": "b"}, {"at": [2, 3], "name": "c"},
+                       {"at": [3, 3], "name": "d"}, {"at": [4, 4]}]}"#,
+    )
+    .unwrap();
+    let names: Vec<_> = (0..7).map(|side| domain.side_name(side)).collect();
+    assert_eq!(
+        names,
+        ["side 1", "wall", "side 3", "wall", "hole 1 side 1", "hole 1 side 2", "wall"]
+    );
+    // Points at boundary points and on lines are named, and the outline was turned.
+    let boundary = domain.boundary().unwrap();
+    let at = |vertex| boundary.point(vertex).to_array();
+    let named: Vec<_> =
+        domain.named_vertices().into_iter().map(|one| (one.name, at(one.vertex))).collect();
+    let expected = [("a", [0.0, 2.0]), ("b", [3.0, 2.0]), ("c", [2.0, 3.0]), ("d", [3.0, 3.0])];
+    assert_eq!(named, expected.map(|(name, at)| (name.to_owned(), at)));
+    assert_eq!(boundary.inner_points().len(), 4);
+    let again = Domain::from_json(&domain.to_json()).unwrap();
+    assert_eq!(
+        (again.named_vertices(), again.boundary().unwrap()),
+        (domain.named_vertices(), boundary)
+    );
+}
+
+#[test]
+fn no_name_is_given_to_what_has_none() {
+    let sides = r#""rectangle": {"width": 2, "height": 1}, "size": 1, "sides": [{"name": "side 2"}, {}, {}, {}]"#;
+    let error = Domain::from_json(&format!("{{{sides}}}")).unwrap_err();
+    let called = "without a name it is called \"side 2\", and something else has that name; give it another one";
+    assert!(error.to_string().ends_with(&format!("sides[1]: {called}")), "{error}");
+    let lines = r#""rectangle": {"width": 2, "height": 1}, "size": 1, "lines": [{"corners": [[1, 0], [1, 1]]}],
+        "regions": [{"at": [0.5, 0.5], "name": "region 2"}]"#;
+    let error = Domain::from_json(&format!("{{{lines}}}")).unwrap_err();
+    assert!(error.to_string().contains("without a name it is called \"region 2\""), "{error}");
+}

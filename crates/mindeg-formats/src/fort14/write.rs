@@ -22,7 +22,8 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
         numbered_lines(" ", 0..nodes, |range| points(mesh, range)),
         numbered_lines(" ", 0..elements, corners),
     ];
-    let [open, closed] = segments(mesh);
+    let boundary = MarkedChains::of(mesh);
+    let [open, closed] = segments(&boundary);
     for (kind, boundaries) in [("open", open), ("land", closed)] {
         let nodes: u64 = boundaries.iter().map(|segment| segment.node_count()).sum();
         sections.push(Section::bytes(format!(
@@ -31,7 +32,7 @@ pub(crate) fn sections(mesh: &dyn Mesh) -> Vec<Section<'_>> {
             boundaries.len()
         )));
         for (segment, number) in boundaries.into_iter().zip(1..) {
-            segment.push_sections(mesh, number, &mut sections);
+            segment.push_sections(mesh, &boundary.names, number, &mut sections);
         }
     }
     sections
@@ -52,14 +53,13 @@ struct Segment {
 }
 
 /// The open ones, then the others.
-fn segments(mesh: &dyn Mesh) -> [Vec<Segment>; 2] {
-    let boundary = MarkedChains::of(mesh);
+fn segments(boundary: &MarkedChains<'_>) -> [Vec<Segment>; 2] {
     let mut segments = Vec::new();
     let mut taken = 0;
     let mut push = |ring: &[MarkedChain], is_ring: bool| {
         let others =
             if is_ring && boundary.is_hole(ring) { LineKind::Island } else { LineKind::Land };
-        let kind = |chain: &MarkedChain| mesh.line_kind(chain.line).unwrap_or(others);
+        let kind = |chain: &MarkedChain| chain.kind.unwrap_or(others);
         if is_ring && ring.iter().all(|chain| kind(chain) == LineKind::Island) {
             segments.push(Segment { kind: LineKind::Island, chains: ring.to_vec() });
             return;
@@ -92,15 +92,20 @@ impl Segment {
         self.node_counts().map(u64::from).sum()
     }
 
-    fn push_sections<'a>(self, mesh: &'a dyn Mesh, number: u32, sections: &mut Vec<Section<'a>>) {
+    fn push_sections<'a>(
+        self,
+        mesh: &'a dyn Mesh,
+        names: &[String],
+        number: u32,
+        sections: &mut Vec<Section<'a>>,
+    ) {
         let (code, kind) = match self.kind {
             LineKind::Open => ("", "open"),
             LineKind::Land => ("0 ", "land"),
             LineKind::Island => ("1 ", "island"),
         };
-        let lines = mesh.lines();
         let names: Vec<_> =
-            self.chains.iter().map(|chain| one_line(&lines[chain.line].name)).collect();
+            self.chains.iter().map(|chain| one_line(&names[chain.name as usize])).collect();
         sections.push(Section::bytes(format!(
             " {} {code}= nodes of {kind} boundary {number} ({})\n",
             self.node_count(),

@@ -12,7 +12,7 @@ use gltf_json::mesh::{Mode, Primitive, Semantic};
 use gltf_json::validation::Checked::{self, Valid};
 use gltf_json::validation::USize64;
 use gltf_json::{Accessor, Asset, Buffer, Index, Material, Node, Root, Scene, Value};
-use mindeg_mesh::{Bounds, Group, Mesh};
+use mindeg_mesh::{Bounds, ByName, Group, Mesh};
 use std::collections::BTreeMap;
 
 /// Surface and line colors in linear light: a pale steel that shades well, and near black.
@@ -209,7 +209,7 @@ impl Document {
         self.accessor(view, (offset, count), (Type::Scalar, component))
     }
 
-    /// A node for each line. Its segments follow the triangles.
+    /// A node for each name of lines. Segments follow the triangles.
     fn lines(
         &mut self,
         mesh: &dyn Mesh,
@@ -220,12 +220,18 @@ impl Document {
         let material = self.material(None, LINE);
         let after_triangles = 3 * u64::from(self.layout.triangles);
         let mut nodes = Vec::new();
-        for line in mesh.lines().iter() {
-            let first = after_triangles + 2 * u64::from(line.segments.start);
-            let accessor = self.indices(indices, first, 2 * line.segments.len() as u64);
-            let primitive = primitive(Mode::Lines, attributes.clone(), accessor, material);
-            let name = self.names.distinct(line.name.clone());
-            let node = self.node(name, vec![primitive]);
+        let lines = mesh.lines();
+        let by_name = ByName::new(lines.iter().map(|line| &line.name));
+        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+            let mut primitives = Vec::new();
+            for line in of_name {
+                let segments = lines[line].segments.clone();
+                let first = after_triangles + 2 * u64::from(segments.start);
+                let accessor = self.indices(indices, first, 2 * segments.len() as u64);
+                primitives.push(primitive(Mode::Lines, attributes.clone(), accessor, material));
+            }
+            let name = self.names.distinct(name.clone());
+            let node = self.node(name, primitives);
             nodes.push(self.root.push(node));
         }
         nodes

@@ -1,7 +1,6 @@
 //! The arrays of a grid.
 
 use std::ops::Range;
-use std::sync::Arc;
 
 use mindeg_mesh::Mesh;
 
@@ -9,7 +8,7 @@ use crate::corners::{degrees, min_angles, positions, segments, triangles};
 use crate::names::one_line;
 use crate::numbers::{Number, Numbers};
 use crate::sections::Section;
-use crate::tables::{ends_of_groups, runs_of};
+use crate::tables::NamedRuns;
 
 /// VTK's numbers of the cells that are written.
 const LINE: u8 = 3;
@@ -117,7 +116,7 @@ impl<'a> Arrays<'a> {
         Field { name: "degree", is_float: false, sections }
     }
 
-    /// The minimum angle of each cell in degrees; the index of each segment's side, and of each
+    /// The minimum angle of each cell in degrees; the index of the name of each segment's side, and of each
     /// triangle's group, if there are several, -1 for the other cells.
     pub(crate) fn of_cells(&self) -> Vec<Field<'a>> {
         let mesh = self.mesh;
@@ -128,17 +127,16 @@ impl<'a> Arrays<'a> {
         let mut fields = vec![Field { name: "min_angle", is_float: true, sections }];
         let [no_side, no_group] = [self.triangles.end, self.segments.end]
             .map(|count| self.numbers.repeated(count, [-1_i32]));
-        let indices = |items: Range<u32>, ends: Arc<[u32]>| {
-            let index = move |range| runs_of(Arc::clone(&ends), range).map(|index| [index]);
-            self.numbers.records(items, index)
+        let indices = |items: Range<u32>, runs: NamedRuns| {
+            self.numbers.records(items, move |range| runs.of(range).map(|index| [index]))
         };
         if !self.segments.is_empty() {
-            let ends = mesh.lines().iter().map(|line| line.segments.end).collect();
-            let sections = vec![no_side, indices(self.segments.clone(), ends)];
+            let sections = vec![no_side, indices(self.segments.clone(), NamedRuns::of_lines(mesh))];
             fields.push(Field { name: "side", is_float: false, sections });
         }
-        if mesh.groups().len() > 1 {
-            let sections = vec![indices(self.triangles.clone(), ends_of_groups(mesh)), no_group];
+        let groups = NamedRuns::of_groups(mesh);
+        if groups.names.len() > 1 {
+            let sections = vec![indices(self.triangles.clone(), groups), no_group];
             fields.push(Field { name: "group", is_float: false, sections });
         }
         fields
@@ -146,8 +144,8 @@ impl<'a> Arrays<'a> {
 }
 
 /// Names, each ended by a zero, as numbers of 8 bits.
-pub(crate) fn text_of_names(names: &[&str], numbers: Numbers) -> (Vec<u8>, usize) {
-    let ended = |name: &&str| one_line(name).into_bytes().into_iter().chain([0]);
+pub(crate) fn text_of_names(names: &[String], numbers: Numbers) -> (Vec<u8>, usize) {
+    let ended = |name: &String| one_line(name).into_bytes().into_iter().chain([0]);
     let bytes: Vec<u8> = names.iter().flat_map(ended).collect();
     let mut text = Vec::new();
     for &byte in &bytes {

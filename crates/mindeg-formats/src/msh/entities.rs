@@ -4,14 +4,15 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use glam::DVec3;
-use mindeg_mesh::{Bounds, Mesh};
+use mindeg_mesh::{Bounds, Mesh, NamedVertex};
 
 use crate::corners::{Corners, segments};
 use crate::mesh_name;
 use crate::names::{Names, quoted};
 
-/// The entities of a mesh: a curve for each line, a surface for each group.
+/// The entities of a mesh: a point for each named vertex, a curve for each line, a surface for each group.
 pub(super) struct Entities {
+    pub(super) points: Vec<Entity>,
     pub(super) curves: Vec<Entity>,
     pub(super) surfaces: Vec<Entity>,
     /// Dimension, physical tag and name.
@@ -21,7 +22,7 @@ pub(super) struct Entities {
 /// One entity; its tag is its index in the list and one more.
 pub(super) struct Entity {
     pub(super) physical: i32,
-    /// The segments of a curve, the triangles of a surface.
+    /// The vertex of a point, the segments of a curve, the triangles of a surface.
     pub(super) elements: Range<u32>,
 }
 
@@ -49,7 +50,13 @@ impl Entities {
         if surfaces.is_empty() {
             surfaces.push(surface("", 0..mesh.triangle_count()));
         }
-        Self { curves, surfaces, physical_names }
+        let named = mesh.named_vertices();
+        let point = |named: &NamedVertex| Entity {
+            physical: physical.tag(0, &named.name),
+            elements: named.vertex..named.vertex + 1,
+        };
+        let points = named.iter().map(point).collect();
+        Self { points, curves, surfaces, physical_names }
     }
 
     /// How many segments the curves have.
@@ -58,7 +65,8 @@ impl Entities {
     }
 
     pub(super) fn element_count(&self, mesh: &dyn Mesh) -> u64 {
-        u64::from(self.segment_count()) + u64::from(mesh.triangle_count())
+        let points = self.points.len() as u64;
+        u64::from(self.segment_count()) + u64::from(mesh.triangle_count()) + points
     }
 }
 
@@ -66,13 +74,14 @@ impl Entities {
 struct Physical<'a> {
     tags: HashMap<(i32, String), i32>,
     names: &'a mut Vec<(i32, i32, String)>,
-    /// The names of curves, and of surfaces.
-    of: [Names; 2],
+    /// The names of points, of curves, and of surfaces.
+    of: [Names; 3],
 }
 
 impl Physical<'_> {
-    fn tag(&mut self, dimension: i32, name: &str) -> i32 {
-        let name = self.of[usize::from(dimension == 2)].of(name, quoted);
+    fn tag(&mut self, dimension: u8, name: &str) -> i32 {
+        let name = self.of[usize::from(dimension)].of(name, quoted);
+        let dimension = i32::from(dimension);
         let next = self.names.len() as i32 + 1;
         *self.tags.entry((dimension, name)).or_insert_with_key(|(dimension, name)| {
             self.names.push((*dimension, next, name.clone()));

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use std::io::Read;
 
-use mindeg_mesh::TriMesh;
+use mindeg_mesh::{NamedVertex, TriMesh};
 
 use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, shape};
@@ -18,7 +18,7 @@ use crate::scanner::Scanner;
 ///
 /// Triangles and quadrilaterals become faces, those of each surface a group under the name of its
 /// physical group; line elements become lines, those of each curve one, under the name of its
-/// physical group, else `physical 3` or `curve 3`. Nodes keep the order of the file, also those that
+/// physical group, else `physical 3` or `curve 3`; points with a name of a physical group become named vertices. Nodes keep the order of the file, also those that
 /// no element has. Of elements of higher order the corners are taken; points are counted, volumes
 /// are noted.
 ///
@@ -121,6 +121,7 @@ struct Contents {
     physical_of: HashMap<(i64, i64), i64>,
     nodes: Option<Nodes>,
     elements: Elements,
+    named_vertices: Vec<NamedVertex>,
 }
 
 /// Reads up to the end of `$MeshFormat`, and says how numbers are stored.
@@ -354,6 +355,12 @@ impl Contents {
                     .ok_or_else(|| scanner.problem(format!("node {tag} does not exist")))?;
             }
         }
+        if let (0, &[vertex], Some(tag)) = (shape.dimension, &corners[..shape.corners], physical)
+            && let Some(name) = self.physical_names.get(&(0, tag))
+            && !name.trim().is_empty()
+        {
+            self.named_vertices.push(NamedVertex { name: name.clone(), vertex });
+        }
         let name = |dimension: i64, kind: &str| match physical {
             Some(tag) => match self.physical_names.get(&(dimension, tag)) {
                 Some(name) if !name.trim().is_empty() => name.clone(),
@@ -379,7 +386,8 @@ impl Contents {
 
     fn into_mesh(self) -> Result<TriMesh, ReadError> {
         let positions = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
-        self.elements.into_mesh(positions, "surfaces", "volume elements")
+        let mesh = self.elements.into_mesh(positions, "surfaces", "volume elements")?;
+        Ok(mesh.with_named_vertices(self.named_vertices)?)
     }
 }
 

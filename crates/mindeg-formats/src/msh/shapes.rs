@@ -1,5 +1,8 @@
 //! The elements that Gmsh knows, by their numbers.
 
+/// The number of a point.
+pub(super) const POINT: i32 = 15;
+
 /// The number of a line of two nodes.
 pub(super) const LINE: i32 = 1;
 

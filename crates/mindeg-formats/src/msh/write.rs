@@ -70,6 +70,9 @@ fn add_fields<'a>(
         sections.push(values(segments, 1, numbers, none));
         let angle = move |range| min_angles(mesh, range);
         sections.push(values(mesh.triangle_count(), segments + 1, numbers, angle));
+        let points = entities.points.len() as u32;
+        let first = segments + mesh.triangle_count() + 1;
+        sections.push(values(points, first, numbers, none));
         sections.push(end_of("ElementData", numbers));
     }
 }

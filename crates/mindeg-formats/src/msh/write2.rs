@@ -6,7 +6,7 @@ use mindeg_mesh::Mesh;
 
 use super::entities::{Entities, Entity};
 use super::parts::end_of;
-use super::shapes::{LINE, TRIANGLE};
+use super::shapes::{LINE, POINT, TRIANGLE};
 use crate::corners::{positions, segments, triangles};
 use crate::numbers::Numbers;
 use crate::sections::Section;
@@ -38,6 +38,15 @@ pub(super) fn add_sections<'a>(
             Before { element: segment_count, kind: TRIANGLE, tags: [surface.physical, tag] };
         sections.push(elements_of(surface, before, numbers, move |range| triangles(mesh, range)));
     }
+    if let Ok(points @ 1..) = u32::try_from(entities.points.len()) {
+        sections.push(head_of_block(POINT, points, numbers));
+    }
+    let first = segment_count + mesh.triangle_count();
+    for (point, tag) in entities.points.iter().zip(1..) {
+        let element = (first + tag as u32 - 1).wrapping_sub(point.elements.start);
+        let before = Before { element, kind: POINT, tags: [point.physical, tag] };
+        sections.push(elements_of(point, before, numbers, |range| range.map(|it| [it]).collect()));
+    }
     sections.push(end_of("Elements", numbers));
 }
 
@@ -61,7 +70,7 @@ fn nodes(mesh: &dyn Mesh, numbers: Numbers) -> Section<'_> {
 /// The numbers before the nodes of an entity's elements.
 #[derive(Clone, Copy)]
 struct Before {
-    /// The number of elements of other kinds before them.
+    /// The number of elements of other kinds before them; less the vertex of a point.
     element: u32,
     kind: i32,
     tags: [i32; 2],
@@ -78,7 +87,12 @@ fn elements_of<'a, const N: usize>(
         // Binary elements have kind and number of tags in their head.
         let kind = (numbers == Numbers::Text).then_some([before.kind, 2]);
         elements.map(move |(index, element)| {
-            ([before.element + index + 1], kind, before.tags, element.map(|vertex| vertex + 1))
+            (
+                [before.element.wrapping_add(index) + 1],
+                kind,
+                before.tags,
+                element.map(|vertex| vertex + 1),
+            )
         })
     })
 }

@@ -6,8 +6,8 @@ use mindeg_mesh::{Bounds, Mesh};
 
 use super::entities::{Entities, Entity, bounds_of_line};
 use super::parts::end_of;
-use super::shapes::{LINE, TRIANGLE};
-use crate::corners::{positions, segments, triangles};
+use super::shapes::{LINE, POINT, TRIANGLE};
+use crate::corners::{Corners, positions, segments, triangles};
 use crate::numbers::Numbers;
 use crate::sections::Section;
 use crate::tables::from_one;
@@ -38,7 +38,7 @@ pub(super) fn add_sections<'a>(
     sections.push(end_of("Nodes", numbers));
 
     let elements = entities.element_count(mesh);
-    let blocks = entities.curves.len() + entities.surfaces.len();
+    let blocks = entities.curves.len() + entities.surfaces.len() + entities.points.len();
     let mut head = b"$Elements\n".to_vec();
     numbers.put([blocks as u64, elements, 1, elements], &mut head);
     numbers.end_line(&mut head);
@@ -50,6 +50,14 @@ pub(super) fn add_sections<'a>(
     for (surface, tag) in entities.surfaces.iter().zip(1..) {
         let kinds = [2, tag, TRIANGLE];
         push_block(kinds, surface, before, numbers, move |range| triangles(mesh, range), sections);
+    }
+    let first = u64::from(before) + u64::from(mesh.triangle_count());
+    for (point, tag) in entities.points.iter().zip(1..) {
+        let mut block = Vec::new();
+        put_head(&mut block, [0, tag, POINT], 1, numbers);
+        numbers.put([first + tag as u64, u64::from(point.elements.start) + 1], &mut block);
+        numbers.end_line(&mut block);
+        sections.push(Section::bytes(block));
     }
     sections.push(end_of("Elements", numbers));
 }
@@ -84,10 +92,16 @@ fn put_head(head: &mut Vec<u8>, kinds: [i32; 3], count: u64, numbers: Numbers) {
 /// All entities with their boxes and physical tags. Gmsh refuses elements without them.
 fn entity_list(mesh: &dyn Mesh, entities: &Entities, numbers: Numbers) -> Vec<u8> {
     let mut list = b"$Entities\n".to_vec();
-    let Entities { curves, surfaces, .. } = entities;
+    let Entities { points, curves, surfaces, .. } = entities;
     let lines = mesh.lines();
-    numbers.put([0, curves.len() as u64, surfaces.len() as u64, 0], &mut list);
+    numbers.put([points.len() as u64, curves.len() as u64, surfaces.len() as u64, 0], &mut list);
     numbers.end_line(&mut list);
+    let mut corners = Corners::new(mesh);
+    for (point, tag) in points.iter().zip(1_i32..) {
+        let at = corners.position(point.elements.start) + DVec3::ZERO;
+        numbers.put(([tag], at.to_array(), [1_u64], [point.physical]), &mut list);
+        numbers.end_line(&mut list);
+    }
     let mut put = |tag: i32, bounds: Bounds<DVec3>, physical: i32| {
         numbers.put([tag], &mut list);
         for corner in [bounds.min, bounds.max] {

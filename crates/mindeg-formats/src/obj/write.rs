@@ -10,7 +10,7 @@ use crate::options::in_box;
 use crate::sections::{Section, write_sections};
 use crate::{GENERATOR, SurfaceOptions, degree_color, mesh_name};
 use glam::Vec3;
-use mindeg_mesh::{Mesh, vertex_normals};
+use mindeg_mesh::{ByName, Mesh, vertex_normals};
 use std::io::{self, Write};
 use std::ops::Range;
 use std::sync::Arc;
@@ -100,9 +100,12 @@ pub(crate) fn sections<'a>(
         }
     }
     if options.boundary_lines {
-        for line in mesh.lines().iter() {
-            sections.push(Section::bytes(object(&line.name)));
-            sections.push(segments(mesh, line.segments.clone()));
+        let lines = mesh.lines();
+        let by_name = ByName::new(lines.iter().map(|line| &line.name));
+        for (name, of_name) in by_name.names.iter().zip(by_name.items()) {
+            sections.push(Section::bytes(object(name)));
+            let ranges = of_name.into_iter().map(|line| lines[line].segments.clone());
+            sections.extend(ranges.map(|range| segments(mesh, range)));
         }
     }
     Files { object: sections, library: vec![Section::bytes(materials.library())] }

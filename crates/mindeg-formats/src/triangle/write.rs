@@ -6,49 +6,96 @@ use crate::corners::{positions, segments};
 use crate::names::one_line;
 use crate::numbers::Numbers;
 use crate::sections::Section;
-use crate::tables::{corners_from_one, ends_of_groups, from_one, numbered_lines, runs_of};
-use mindeg_mesh::Mesh;
+use crate::tables::{NamedRuns, corners_from_one, from_one, numbered_lines};
+use mindeg_mesh::{ByName, Mesh};
+use std::collections::{BTreeMap, HashSet};
 use std::fmt::Write as _;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// The words before a number in the names of sides and groups that are called by it.
+pub(super) const MARKER: &str = "marker";
+pub(super) const REGION: &str = "region";
+
 /// Each file from front to back.
 pub(crate) fn sections(mesh: &dyn Mesh) -> [Vec<Section<'_>>; 3] {
     let boundary = Arc::new(MarkedChains::of(mesh));
-    [node(mesh, Arc::clone(&boundary)), ele(mesh), poly(mesh, &boundary)]
+    let points = mesh.named_vertices();
+    let names = boundary.names.iter().chain(points.iter().map(|point| &point.name));
+    let ByName { names, of } = ByName::new(names);
+    let markers: Arc<[i64]> = numbers(&names, MARKER, 1).into();
+    let of_points = points.iter().zip(&of[boundary.names.len()..]);
+    let points = of_points.map(|(point, name)| (point.vertex, markers[*name as usize])).collect();
+    let poly = poly(mesh, &boundary, &names, &markers);
+    [node(mesh, boundary, markers, points), ele(mesh), poly]
 }
 
-fn node<'a>(mesh: &'a dyn Mesh, boundary: Arc<MarkedChains<'a>>) -> Vec<Section<'a>> {
+/// The numbers of names: N of "marker N", else the least ones from `first` on that are left.
+fn numbers(names: &[String], word: &str, first: i64) -> Vec<i64> {
+    let own = |name: &String| {
+        let number = name.strip_prefix(word)?.strip_prefix(' ')?;
+        number.parse().ok().filter(|own: &i64| *own != 0 && own.to_string() == number)
+    };
+    let taken: HashSet<i64> = names.iter().filter_map(own).collect();
+    let mut free = (first..).filter(|number| !taken.contains(number));
+    names.iter().map(|name| own(name).or_else(|| free.next()).unwrap_or(first)).collect()
+}
+
+fn node<'a>(
+    mesh: &'a dyn Mesh,
+    boundary: Arc<MarkedChains<'a>>,
+    markers: Arc<[i64]>,
+    points: BTreeMap<u32, i64>,
+) -> Vec<Section<'a>> {
     let head = format!("# {GENERATOR}\n{} 2 0 1\n", mesh.vertex_count());
     let rows = move |range: Range<u32>| {
-        let markers = range.clone().map(|vertex| [boundary.marker(vertex)]).collect::<Vec<_>>();
+        let marker = |vertex| {
+            let of_line = || boundary.name_of(vertex).map(|name| markers[name as usize]);
+            [points.get(&vertex).copied().or_else(of_line).unwrap_or(0)]
+        };
+        let markers = range.clone().map(marker).collect::<Vec<_>>();
         positions(mesh, range).map(|point| [point.x, point.y]).zip(markers)
     };
     vec![Section::bytes(head), numbered_lines(" ", 0..mesh.vertex_count(), rows)]
 }
 
 fn ele(mesh: &dyn Mesh) -> Vec<Section<'_>> {
-    let ends = ends_of_groups(mesh);
-    let has_attributes = ends.len() > 1;
-    let (count, attributes) = (mesh.triangle_count(), u8::from(has_attributes));
+    let groups = NamedRuns::of_groups(mesh);
+    let attributes = numbers(&groups.names, REGION, 1);
+    let has_attributes = attributes.len() > 1 || attributes.first().is_some_and(|one| *one != 1);
+    let (count, columns) = (mesh.triangle_count(), u8::from(has_attributes));
     let rows = move |range: Range<u32>| {
-        let groups = runs_of(Arc::clone(&ends), range.clone());
-        corners_from_one(mesh, range)
-            .zip(groups.map(move |group| has_attributes.then_some([group + 1])))
+        let own = |group| attributes.get(group as usize).filter(|_| has_attributes);
+        let own: Vec<_> =
+            groups.of(range.clone()).map(|group| own(group).map(|it| [*it])).collect();
+        corners_from_one(mesh, range).zip(own)
     };
-    let head = format!("# {GENERATOR}\n{count} 3 {attributes}\n");
+    let head = format!("# {GENERATOR}\n{count} 3 {columns}\n");
     vec![Section::bytes(head), numbered_lines(" ", 0..count, rows)]
 }
 
-fn poly<'a>(mesh: &'a dyn Mesh, boundary: &MarkedChains<'_>) -> Vec<Section<'a>> {
+fn poly<'a>(
+    mesh: &'a dyn Mesh,
+    boundary: &MarkedChains<'_>,
+    names: &[String],
+    markers: &[i64],
+) -> Vec<Section<'a>> {
     let mut head = format!("# {GENERATOR}\n");
-    for (line, marker) in mesh.lines().iter().zip(1..) {
-        let _ = writeln!(head, "# marker {marker}: {}", one_line(&line.name));
+    for (name, marker) in names.iter().zip(markers) {
+        let plain = format!("{MARKER} {marker}");
+        if *name != plain {
+            let _ = writeln!(head, "# {plain}: {}", one_line(name));
+        }
     }
     let count: u64 = boundary.chains.iter().map(|chain| chain.segments.len() as u64).sum();
     let _ = writeln!(head, "0 2 0 1\n{count} 1");
     let mut sections = vec![Section::bytes(head)];
-    sections.extend(boundary.chains.iter().map(|chain| chain_lines(mesh, chain.clone())));
+    sections.extend(
+        boundary
+            .chains
+            .iter()
+            .map(|chain| chain_lines(mesh, chain.clone(), markers[chain.name as usize])),
+    );
     let rings = boundary.rings().into_iter().map(|ring| &boundary.chains[ring]);
     let holes: Vec<_> = rings.filter(|ring| boundary.is_hole(ring)).collect();
     let mut tail = format!("{}\n", holes.len()).into_bytes();
@@ -63,8 +110,7 @@ fn poly<'a>(mesh: &'a dyn Mesh, boundary: &MarkedChains<'_>) -> Vec<Section<'a>>
 }
 
 /// Number, ends and marker of each segment.
-fn chain_lines(mesh: &dyn Mesh, chain: MarkedChain) -> Section<'_> {
-    let marker = chain.line as u64 + 1;
+fn chain_lines(mesh: &dyn Mesh, chain: MarkedChain, marker: i64) -> Section<'_> {
     numbered_lines(" ", chain.segments, move |range| {
         segments(mesh, range).into_iter().map(move |ends| (from_one(ends), [marker]))
     })

@@ -5,6 +5,7 @@ use mindeg_mesh::Mesh;
 use crate::grid::{Arrays, Field, text_of_names};
 use crate::numbers::Numbers;
 use crate::sections::Section;
+use crate::tables::NamedRuns;
 use crate::{Encoding, GENERATOR, WriteOptions};
 
 /// The file from front to back.
@@ -20,10 +21,9 @@ pub(crate) fn sections<'a>(mesh: &'a dyn Mesh, options: &WriteOptions) -> Vec<Se
          version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n"
     ));
     if options.fields {
-        let sides = mesh.lines();
         let lists = [
-            ("side_names", sides.iter().map(|line| &*line.name).collect::<Vec<_>>()),
-            ("group_names", mesh.groups().iter().map(|group| group.label()).collect()),
+            ("side_names", NamedRuns::of_lines(mesh).names),
+            ("group_names", NamedRuns::of_groups(mesh).names),
         ];
         file.text("<FieldData>\n");
         for (name, names) in lists {

@@ -1,7 +1,7 @@
 //! A mesh with more triangles, or with another mesh beside it.
 
 use super::{Degrees, TriMesh, TriMeshError, check_vertices};
-use crate::mesh::{Group, Line};
+use crate::mesh::{Group, Line, NamedVertex};
 use crate::polygons::{NonTriangles, Polygons};
 
 impl TriMesh {
@@ -85,6 +85,12 @@ impl TriMesh {
             segments: first_segment + line.segments.start..first_segment + line.segments.end,
             ..line.clone()
         }));
+        self.named_vertices.extend(
+            other
+                .named_vertices
+                .iter()
+                .map(|named| NamedVertex { vertex: first + named.vertex, ..named.clone() }),
+        );
         self.name = self.name.or_else(|| other.name.clone());
         let [a, b] = [self.non_triangles, other.non_triangles];
         self.non_triangles = NonTriangles {

@@ -7,10 +7,10 @@ use glam::DVec3;
 use super::TriMesh;
 use super::TriMeshError;
 use crate::bounds::Bounds;
-use crate::mesh::{Group, Line, LineKind, Mesh, Positions, Triangles, filled};
+use crate::mesh::{Group, Line, LineKind, Mesh, NamedVertex, Positions, Triangles, filled};
 
 impl TriMesh {
-    /// The list of any mesh: its positions, triangles, groups, lines, kinds and depths.
+    /// The list of any mesh: its positions, triangles, groups, lines, named vertices, kinds and depths.
     ///
     /// # Errors
     ///
@@ -34,6 +34,7 @@ impl TriMesh {
         if depths.iter().any(|&depth| depth != 0.0) {
             list = list.with_depths(depths);
         }
+        list = list.with_named_vertices(mesh.named_vertices().into_owned())?;
         if !mesh.groups().is_empty() {
             list = list.with_groups(mesh.groups().to_vec());
         }
@@ -110,6 +111,10 @@ impl Triangles for TriMesh {
         self.line_kinds.get(line).copied().flatten()
     }
 
+    fn named_vertices(&self) -> Cow<'_, [NamedVertex]> {
+        Cow::Borrowed(&self.named_vertices)
+    }
+
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
         out.copy_from_slice(&self.segments[first as usize..][..out.len()]);
     }
@@ -126,6 +131,8 @@ mod tests {
         let line = Line { name: "shore".into(), segments: 0..1, is_straight: true };
         let groups = vec![Group::new("left", 0..1), Group::new("right", 1..2)];
         let full = plain.clone().named("plate").with_lines(vec![line], vec![[0, 1]]).unwrap();
+        let gauge = NamedVertex { name: "gauge".into(), vertex: 3 };
+        let full = full.with_named_vertices(vec![gauge]).unwrap();
         let full = full.with_line_kinds(vec![Some(LineKind::Land)]).with_groups(groups);
         for mesh in [plain, full.with_depths(vec![1.0, 0.0, 2.0, 0.0])] {
             assert_eq!(TriMesh::of(&mesh).unwrap(), mesh);

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use mindeg_domain::Interior;
 use mindeg_interior::{InteriorReport, Keep};
 use mindeg_mesh::weld;
-use mindeg_mesh::{Bounds, Group, Progress, TriMesh, Triangles};
+use mindeg_mesh::{Bounds, Group, NamedVertex, Progress, TriMesh, Triangles};
 
 use super::plane::Plane;
 use super::regions::{edges, interfaces, spread};
@@ -71,7 +71,9 @@ pub fn improve(
 
     let groups = mesh.groups();
     let group = |t: usize| groups.partition_point(|group| group.triangles.end as usize <= t);
-    let keep = keep(&triangles, &segments, group);
+    let mut keep = keep(&triangles, &segments, group);
+    let named = mesh.named_vertices();
+    keep.vertices.extend(named.iter().map(|named| rename(named.vertex)));
     let found =
         mindeg_interior::improve(&points, &triangles, &keep, &wanted.clone().into(), progress)?;
 
@@ -106,8 +108,14 @@ pub fn improve(
         groups.iter_mut().for_each(|group| group.triangles = 0..found.triangles.len() as u32);
         (found.triangles, groups)
     };
+    let renamed = |named: &NamedVertex| NamedVertex {
+        vertex: new_name[rename(named.vertex) as usize],
+        ..named.clone()
+    };
+    let named = named.iter().map(renamed).collect();
     let result = TriMesh::new(new_positions, new_triangles)?
         .with_groups(new_groups)
+        .with_named_vertices(named)?
         .with_lines(mesh.lines().into_owned(), segments.into_iter().map(renew).collect())?;
     let result = match mesh.name() {
         Some(name) => result.named(name),
