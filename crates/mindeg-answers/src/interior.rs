@@ -3,7 +3,8 @@
 use crate::numbers::{four_digits, percent, steady_angle};
 use mindeg::Interior;
 use mindeg::interior::{
-    CoarseSide, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares, SizeReport, Violation,
+    CertifiedVertex, CoarseSide, CornerTradeOff, InteriorMesh, InteriorReport, LocalShares,
+    SizeReport, Violation,
 };
 use serde::Serialize;
 use std::ops::RangeInclusive;
@@ -33,7 +34,7 @@ pub struct InteriorAnswer {
     pub share_of_limit: f64,
     /// The angles of all triangles beside the limits of their places.
     pub local: LocalAnswer,
-    /// Boundary vertices whose degree limit costs angle.
+    /// Vertices on the boundary and on lines whose degree limit costs angle.
     pub corners: Vec<CornerAnswer>,
     /// The least and the greatest; null without interior vertices.
     pub interior_degree: Option<[u32; 2]>,
@@ -41,6 +42,8 @@ pub struct InteriorAnswer {
     pub boundary_degree: [u32; 2],
     /// Vertices whose degree is out of its range.
     pub violations: Vec<DegreeViolation>,
+    /// Those of them that are in every mesh, with the edges that prove it.
+    pub certified: Vec<CertifiedAnswer>,
     /// The greatest ratio of the areas of two triangles with a common edge.
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio.
@@ -92,7 +95,7 @@ pub struct LocalAnswer {
     below_90: usize,
 }
 
-/// A boundary vertex whose degree limit costs angle.
+/// A vertex on the boundary or a line whose degree limit costs angle.
 #[derive(Clone, Debug, Serialize)]
 pub struct CornerAnswer {
     vertex: u32,
@@ -153,6 +156,30 @@ pub struct DegreeViolation {
     on_boundary: bool,
 }
 
+/// A vertex at which so many edges meet that stay, of the boundary and of lines, that no mesh keeps its degree limit.
+#[derive(Clone, Debug, Serialize)]
+pub struct CertifiedAnswer {
+    vertex: u32,
+    position: [f64; 2],
+    /// The other ends of the edges, counter-clockwise.
+    edges: Vec<u32>,
+    degree_limit: u32,
+    /// The least degree that it has in any mesh.
+    least_degree: u32,
+}
+
+impl From<&CertifiedVertex> for CertifiedAnswer {
+    fn from(certified: &CertifiedVertex) -> Self {
+        Self {
+            vertex: certified.vertex,
+            position: certified.at.to_array(),
+            edges: certified.edges.clone(),
+            degree_limit: certified.degree_limit,
+            least_degree: certified.least_degree,
+        }
+    }
+}
+
 impl From<&InteriorReport> for InteriorAnswer {
     fn from(report: &InteriorReport) -> Self {
         let ends = |range: &RangeInclusive<u32>| [*range.start(), *range.end()];
@@ -178,6 +205,7 @@ impl From<&InteriorReport> for InteriorAnswer {
             interior_degree,
             boundary_degree,
             violations: report.violations.iter().map(violation).collect(),
+            certified: report.certified.iter().map(CertifiedAnswer::from).collect(),
             area_ratio: report.area_ratio,
             grading_p99: report.grading_p99,
             sizes: report.sizes.as_ref().map(SizeAnswer::from),
@@ -362,10 +390,38 @@ pub fn corners(report: &InteriorReport) -> Option<String> {
     Some(lines.join("\n"))
 }
 
-/// The violations with their places, if there are any.
+/// The violations with their places, and which of them are in every mesh, if there are any.
 #[must_use]
 pub fn violations(report: &InteriorReport) -> Option<String> {
-    named(report.violations.iter())
+    let text = named(report.violations.iter())?;
+    Some(match certified(report) {
+        Some(certified) => format!("{text}. {certified}"),
+        None => text,
+    })
+}
+
+/// The vertices whose degree limit no mesh keeps, if there are any.
+fn certified(report: &InteriorReport) -> Option<String> {
+    let place = |certified: &CertifiedVertex| {
+        let CertifiedVertex { vertex, at, edges, degree_limit, least_degree } = certified;
+        let [x, y] = at.to_array().map(four_digits);
+        format!(
+            "vertex {vertex} at ({x}, {y}), where {} edges meet that stay, has {least_degree} or more (limit \
+             {degree_limit})",
+            edges.len()
+        )
+    };
+    let mut places: Vec<String> = report.certified.iter().map(place).collect();
+    let limits = match places.len() {
+        0 => return None,
+        1 => "the degree limit of 1 vertex".to_owned(),
+        count => format!("the degree limits of {count} vertices"),
+    };
+    if places.len() > NAMED {
+        places.truncate(NAMED);
+        places.push("…".to_owned());
+    }
+    Some(format!("No mesh keeps {limits}: {}", places.join(", ")))
 }
 
 /// The degrees that are demanded and not reached, in words: those wanted, and at the boundary those that the
@@ -425,6 +481,28 @@ mod tests {
         assert_eq!(json["corners"][0]["angles"][0]["degree"], 5);
         assert!(json["local"]["worst"].as_f64().unwrap() <= 1.0);
         assert!(json["share_of_limit"].as_f64().unwrap() <= 1.0);
+    }
+
+    #[test]
+    fn a_degree_that_no_mesh_keeps_is_told_with_its_proof() {
+        let line = |turn: u32| {
+            let (y, x) = f64::from(turn * 40).to_radians().sin_cos();
+            format!(r#"{{"points": [[0, 0], [{x}, {y}]]}}"#)
+        };
+        let lines: Vec<String> = (0..9).map(line).collect();
+        let lines = lines.join(", ");
+        let domain = r#"{"polygon": {"corners": [[-9, -9], [9, -9], [9, 9], [-9, 9]]}, "size": 3"#;
+        let report = report(&format!(r#"{domain}, "lines": [{lines}]}}"#));
+        let text = violations(&report).unwrap();
+        let center = report.certified[0].vertex;
+        let proof = format!(
+            ". No mesh keeps the degree limit of 1 vertex: vertex {center} at (0, 0), where 9 edges meet that \
+             stay, has 9 or more (limit 7)"
+        );
+        assert!(text.ends_with(&proof), "{text}");
+        let json = serde_json::to_value(InteriorAnswer::from(&report)).unwrap();
+        assert_eq!(json["certified"][0]["least_degree"], 9);
+        assert_eq!(json["certified"][0]["edges"].as_array().unwrap().len(), 9);
     }
 
     #[test]

@@ -22,7 +22,7 @@ impl Breaklines {
         self.edges.iter().map(|[a, b]| Piece { from: at(*a), to: at(*b) }).collect()
     }
 
-    fn at(&self, outline: &PlanarBoundary, vertex: u32) -> DVec2 {
+    pub(crate) fn at(&self, outline: &PlanarBoundary, vertex: u32) -> DVec2 {
         let boundary = outline.points();
         match boundary.get(vertex as usize) {
             Some(point) => *point,

@@ -1,8 +1,32 @@
 //! The edges of a mesh that stay: its boundary, and fixed edges inside.
 
-use crate::array_mesh::{ArrayMesh, NONE};
+use crate::array_mesh::{ArrayMesh, Kind, NONE};
+use crate::fixed::Breaklines;
+use glam::DVec2;
+use mindeg_mesh::planar::PlanarBoundary;
 
 impl ArrayMesh {
+    /// The rings of boundary edges as an outline, the fixed vertices and edges inside, and the index in this mesh of the
+    /// outline's vertices, then of fixed ones.
+    pub(crate) fn frozen(&self) -> (PlanarBoundary, Breaklines, Vec<u32>) {
+        let rings = self.rings();
+        let positions: Vec<Vec<DVec2>> =
+            rings.iter().map(|ring| ring.iter().map(|v| self.at(*v)).collect()).collect();
+        let outline = PlanarBoundary::of_mesh(&positions);
+        let mut names = rings.concat();
+        let vertices = (0..).zip(&self.vertices);
+        let fixed = vertices.filter(|(_, v)| v.kind == Kind::Fixed && v.triangles > 0);
+        names.extend(fixed.map(|(v, _)| v));
+        let mut index = vec![NONE; self.vertices.len()];
+        (0..).zip(&names).for_each(|(i, v)| index[*v as usize] = i);
+        let locked = self.locked_edges().into_iter().map(|edge| edge.map(|v| index[v as usize]));
+        let mut edges: Vec<[u32; 2]> = locked.map(|[a, b]| [a.min(b), a.max(b)]).collect();
+        edges.sort_unstable();
+        edges.dedup();
+        let points = names[outline.points().len()..].iter().map(|v| self.at(*v)).collect();
+        (outline, Breaklines { points, edges }, names)
+    }
+
     /// The fixed edges inside, once or twice each.
     pub(crate) fn locked_edges(&self) -> Vec<[u32; 2]> {
         let alive = self.triangles.iter().filter(|triangle| triangle.is_alive());
@@ -13,7 +37,7 @@ impl ArrayMesh {
     }
 
     /// The rings of boundary edges, the mesh on their left.
-    pub(crate) fn rings(&self) -> Vec<Vec<u32>> {
+    fn rings(&self) -> Vec<Vec<u32>> {
         let mut next = vec![NONE; self.vertices.len()];
         for triangle in self.triangles.iter().filter(|triangle| triangle.is_alive()) {
             for i in (0..3).filter(|i| triangle.neighbours[*i] == NONE) {

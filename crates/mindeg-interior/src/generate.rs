@@ -6,15 +6,15 @@ use crate::finish::finish;
 use crate::fixed::{Breaklines, breaklines, crowded};
 use crate::goal::{Weights, goals};
 use crate::lengths::SizeReport;
-use crate::limits::{fan_limit_at, limits};
+use crate::limits::limits;
 use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, Options, check_coordinates};
 use crate::packing::is_inside_of;
 use crate::places::mend_places;
-use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
+use crate::report::{InteriorReport, Violation, Wanted, degrees_at_boundary, measure};
 use crate::size::SizeField;
 use crate::stage::Stage;
-use crate::star::limit_stars;
+use crate::star::Stars;
 use crate::start::Start;
 use crate::triangle::SQRT_3;
 use crate::verdict::{Gain, check_target, floor, gain, is_enough, is_large};
@@ -91,20 +91,21 @@ pub fn generate(
         let mut way = options.clone();
         way.wanted.growth = Some(options.wanted.growth() * seed.growth);
         way.wanted.prefer = Some(*prefer);
-        let goals = goals(outline, &way);
         let (breaklines, field) = size_field(outline, &way)?;
+        let stars = Stars::new(outline, &breaklines);
+        let goals = goals(outline, &breaklines, &stars, &way);
         let about = about_points(outline, &field);
         if about > 2.0 * options.wanted.max_points() as f64 {
             return Err(InteriorError::TooManyPoints { max: options.wanted.max_points() });
         }
-        let start = Start { outline, goals: &goals, breaklines: &breaklines, field: &field };
+        let start =
+            Start { outline, stars: &stars, goals: &goals, breaklines: &breaklines, field: &field };
         let end = end_of_try(index, tries.len(), about);
         stage.section(end_of_start(&stage, end, about));
         let mut mesh =
             start.mesh(seed.spacing, floor, options.wanted.max_points(), None, &mut stage)?;
         let weights = if seed.pairs { Weights::pairs } else { Weights::single };
         let weights = weights(&way, floor);
-        limit_stars(&mut mesh, weights.goal_inside());
         let pairs = seed.pairs.then_some(Pairs::FOR_A_TRY);
         optimise(&mut mesh, &weights, pairs, &mut stage)?;
         stage.section(end);
@@ -115,20 +116,17 @@ pub fn generate(
         finish(&mut mesh, &way, floor, &mut stage)?;
         mesh.check().map_err(InteriorError::NotFilled)?;
         let (points, triangles, _) = compact(&mesh);
-        let goal = |v: u32| goals.get(v as usize);
+        let wanted = Wanted {
+            interior: options.wanted.interior_degree(),
+            goals: &goals,
+            stars: &stars,
+            limits,
+        };
         let limits_at = |broken: &[Violation]| {
             let has = degrees_at_boundary(broken, |v| v);
             self::limits(outline, |v| options.degree_limit(outline, v).max(has(v)))
         };
-        let report = measure(
-            &points,
-            &triangles,
-            &options.wanted.interior_degree(),
-            goal,
-            limits,
-            limits_at,
-            |vertex, count| fan_limit_at(outline, vertex, Some(count)),
-        );
+        let report = measure(&points, &triangles, &wanted, |v| v, limits_at);
         let found = Generated { points, triangles, line_edges: breaklines.edges.clone(), report };
         // The first way has the wanted growth.
         wanted_sizes.get_or_insert(field);

@@ -1,7 +1,9 @@
 //! What is wanted of each vertex and of the mesh as a whole.
 
-use crate::limits::{fan_limit_at, tent_limits};
+use crate::fixed::Breaklines;
+use crate::limits::tent_limits;
 use crate::options::Options;
+use crate::star::Stars;
 use mindeg_domain::Prefer;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::f64::consts::PI;
@@ -10,15 +12,19 @@ use std::ops::RangeInclusive;
 /// The wanted degrees and angles of a vertex that stays.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Goal {
+    /// True on the boundary, where there is one edge more than triangles.
+    pub(crate) is_boundary: bool,
     /// The least number of triangles.
     pub(crate) least: u32,
-    /// The greatest number of triangles.
+    /// The greatest number of triangles that a search allows.
     pub(crate) triangles: u32,
+    /// The greatest number of triangles that is wanted; fewer only where no mesh keeps it.
+    pub(crate) wanted: u32,
     /// The best number of triangles: the angle over 60 degrees.
     pub(crate) ideal: f64,
     /// The greatest number of triangles that a good fan may have; any if angles are preferred.
     pub(crate) fan: Option<u32>,
-    /// The fan limit with so many, in degrees.
+    /// The star limit with so many, in degrees.
     pub(crate) limit: f64,
     /// The limit of its edges' tents, in degrees, or [`MOST`].
     pub(crate) tents: f64,
@@ -44,19 +50,30 @@ impl Goal {
     }
 }
 
-/// The goals of an outline's vertices.
-pub(crate) fn goals(outline: &PlanarBoundary, options: &Options) -> Vec<Goal> {
-    let tents = tent_limits(outline, MOST);
+/// The goals of an outline's vertices, then of the points of lines.
+pub(crate) fn goals(
+    outline: &PlanarBoundary,
+    lines: &Breaklines,
+    stars: &Stars,
+    options: &Options,
+) -> Vec<Goal> {
+    let tents = tent_limits(outline, lines, MOST);
+    let (low, high) = options.wanted.interior_degree().into_inner();
     let goal = |vertex| {
-        let angle = outline.angle(vertex);
-        let triangles = options.degree_limit(outline, vertex) - 1;
+        let is_boundary = vertex < outline.vertex_count();
+        let (least, wanted, ideal) = match is_boundary {
+            true => {
+                let ideal = outline.angle(vertex) / (PI / 3.0);
+                (1, options.degree_limit(outline, vertex) - 1, ideal)
+            }
+            false => (low, high, 6.0),
+        };
+        let triangles = wanted.max(stars.least(vertex));
         let fan = (options.wanted.prefer() == Prefer::Degree).then_some(triangles);
-        let limit = fan_limit_at(outline, vertex, fan);
-        let tents = tents[vertex as usize];
-        Goal { least: 1, triangles, ideal: angle / (PI / 3.0), fan, limit, tents, sine: 0.0 }
-            .aimed()
+        let (limit, tents) = (stars.limit(vertex, fan), tents[vertex as usize]);
+        Goal { is_boundary, least, triangles, wanted, ideal, fan, limit, tents, sine: 0.0 }.aimed()
     };
-    (0..outline.vertex_count()).map(goal).collect()
+    (0..tents.len() as u32).map(goal).collect()
 }
 
 /// How much each aim counts.
@@ -113,6 +130,16 @@ impl Weights {
     /// The goal of a vertex inside.
     pub(crate) fn goal_inside(&self) -> Goal {
         let (least, triangles) = (*self.interior.start(), *self.interior.end());
-        Goal { least, triangles, ideal: 6.0, fan: None, limit: 60.0, tents: MOST, sine: 1.0 }
+        Goal {
+            is_boundary: false,
+            least,
+            triangles,
+            wanted: triangles,
+            ideal: 6.0,
+            fan: None,
+            limit: 60.0,
+            tents: MOST,
+            sine: 1.0,
+        }
     }
 }

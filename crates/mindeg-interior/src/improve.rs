@@ -4,13 +4,13 @@ use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
 use crate::finish::finish;
 use crate::generate::{compact, end_of_start, end_of_try};
 use crate::goal::{Weights, goals};
-use crate::limits::{Limits, fan_limit_at, limits};
+use crate::limits::{Limits, limits};
 use crate::optimise::{Pairs, optimise};
 use crate::options::{InteriorError, MAX_POINTS, Options, is_usable};
 use crate::places::mend_places;
-use crate::report::{InteriorReport, Violation, degrees_at_boundary, measure};
+use crate::report::{InteriorReport, Violation, Wanted, degrees_at_boundary, measure};
 use crate::stage::Stage;
-use crate::star::limit_stars;
+use crate::star::Stars;
 use crate::triangle::{SQRT_3, doubled_area};
 use crate::verdict::{check_target, floor, is_enough, rank};
 use glam::DVec2;
@@ -115,6 +115,7 @@ pub fn improve(
 struct Input {
     mesh: ArrayMesh,
     boundary: PlanarBoundary,
+    stars: Stars,
     limits: Limits,
 }
 
@@ -148,23 +149,23 @@ impl Input {
         kept.for_each(|v| vertices[*v as usize].kind = Kind::Fixed);
         let mut mesh = ArrayMesh::new(vertices, triangles, Vec::new(), &keep.edges)
             .map_err(InteriorError::BadMesh)?;
-        let rings = mesh.rings();
-        let positions: Vec<Vec<DVec2>> =
-            rings.iter().map(|ring| ring.iter().map(|v| mesh.at(*v)).collect()).collect();
-        let outline = PlanarBoundary::of_mesh(&positions);
-        let names = rings.concat();
+        let (outline, lines, names) = mesh.frozen();
+        let on_rings = outline.vertex_count();
         for (goal, v) in (0..).zip(&names) {
-            mesh.vertices[*v as usize].kind = Kind::Boundary;
-            mesh.vertices[*v as usize].goal = goal;
+            let vertex = &mut mesh.vertices[*v as usize];
+            vertex.goal = goal;
+            if goal < on_rings {
+                vertex.kind = Kind::Boundary;
+            }
         }
-        mesh.goals = goals(&outline, options);
-        limit_stars(&mut mesh, Weights::single(options, floor(options)).goal_inside());
+        let stars = Stars::new(&outline, &lines);
+        mesh.goals = goals(&outline, &lines, &stars, options);
         let mut limits = limits(&outline, |v| options.degree_limit(&outline, v));
         let name = |v: &mut u32| *v = names[*v as usize];
         name(&mut limits.any_degree.vertex);
         name(&mut limits.with_degree_limit.vertex);
         limits.tent.iter_mut().for_each(|tent| tent.edges.iter_mut().for_each(name));
-        Ok(Self { mesh, boundary: outline, limits })
+        Ok(Self { mesh, boundary: outline, stars, limits })
     }
 
     fn measure(
@@ -178,18 +179,13 @@ impl Input {
             let has = degrees_at_boundary(broken, &goal);
             limits(&self.boundary, |v| options.degree_limit(&self.boundary, v).max(has(v)))
         };
-        // Vertices on kept edges have goals, too, after those of the boundary.
-        let at_boundary = |v: u32| goal(v) < self.boundary.vertex_count();
-        let goal_of = |v: u32| self.mesh.goals.get(goal(v) as usize).filter(|_| at_boundary(v));
-        measure(
-            points,
-            triangles,
-            &options.wanted.interior_degree(),
-            goal_of,
-            self.limits,
-            limits_at,
-            |vertex, count| fan_limit_at(&self.boundary, goal(vertex), Some(count)),
-        )
+        let wanted = Wanted {
+            interior: options.wanted.interior_degree(),
+            goals: &self.mesh.goals,
+            stars: &self.stars,
+            limits: self.limits,
+        };
+        measure(points, triangles, &wanted, &goal, limits_at)
     }
 }
 

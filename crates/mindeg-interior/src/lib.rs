@@ -29,7 +29,7 @@
 //! 1. A size field carries the lengths of the boundary edges inside: their mean, weighted by how each
 //!    edge is seen, and nowhere more than length + growth * distance.
 //! 2. A packing grows from the boundary inwards. Each point makes an equilateral triangle with
-//!    what is there, and corners between edges of unequal length get the fan of their limit.
+//!    what is there, and sectors between edges of unequal length, of the boundary or of lines, get the fan of their limit.
 //! 3. A constrained Delaunay triangulation connects the points.
 //! 4. The optimiser smooths, and where a degree or an angle is wrong it tries flips, collapses and
 //!    vertex splits. Each is undone unless the energy falls and no small angle gets smaller.
@@ -93,4 +93,4 @@ pub use improve::{Improved, Keep, improve};
 pub use lengths::{CoarseEdge, SizeReport};
 pub use mindeg_domain::{Interior, Prefer, Size, SizeAt};
 pub use options::{InteriorError, Options, check_coordinates};
-pub use report::{CornerTradeOff, InteriorReport, LocalShares, Violation};
+pub use report::{CertifiedVertex, CornerTradeOff, InteriorReport, LocalShares, Violation};

@@ -21,7 +21,8 @@
 //! Lines and points inside have limits of their own, which are left out here: the limits stay true,
 //! but are less tight.
 
-use crate::edge_tree::EdgeTree;
+use crate::edge_tree::{EdgeTree, Item};
+use crate::fixed::Breaklines;
 use crate::triangle::cross;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -172,67 +173,89 @@ pub fn limits(outline: &PlanarBoundary, degree_limit: impl Fn(u32) -> u32) -> Li
 pub fn tent_limit(outline: &PlanarBoundary, below: f64) -> Option<TentLimit> {
     let least = std::cell::Cell::new(below.min(60.0));
     let mut found = None;
-    tents_near(outline, &mut || least.get(), &mut |edge, other| {
-        least.set(touching_angle(outline, [edge, other], least.get()));
-        found = Some([edge, other]);
+    let lines = Breaklines::default();
+    let tents = Tents::new(outline, &lines);
+    tents.near(&mut || least.get(), &mut |pair| {
+        least.set(tents.touching_angle(pair, least.get()));
+        found = Some(pair.map(|edge| edge as u32));
     });
     found.map(|edges| TentLimit { angle: least.get(), edges })
 }
 
-/// The tent limit of each boundary vertex in degrees: that of its two edges, `most` where it is more. So one strait excuses
-/// nothing elsewhere.
-pub(crate) fn tent_limits(outline: &PlanarBoundary, most: f64) -> Vec<f64> {
-    let mut edges = vec![most; outline.points().len()];
-    tents_near(outline, &mut || most, &mut |edge, other| {
-        let angle = touching_angle(outline, [edge, other], most);
-        for edge in [edge, other] {
-            edges[edge as usize] = edges[edge as usize].min(angle);
+/// The tent limit of each vertex of an outline and of lines in degrees: that of its edges, `most` where it is more. So
+/// one strait excuses nothing elsewhere.
+pub(crate) fn tent_limits(outline: &PlanarBoundary, lines: &Breaklines, most: f64) -> Vec<f64> {
+    let mut vertices = vec![most; outline.points().len() + lines.points.len()];
+    let tents = Tents::new(outline, lines);
+    tents.near(&mut || most, &mut |pair| {
+        let angle = tents.touching_angle(pair, most);
+        for vertex in pair.into_iter().flat_map(|edge| tents.edges[edge]) {
+            vertices[vertex as usize] = vertices[vertex as usize].min(angle);
         }
     });
-    let of = |vertex: u32| edges[vertex as usize].min(edges[outline.previous(vertex) as usize]);
-    (0..outline.vertex_count()).map(of).collect()
+    vertices
 }
 
-/// Calls `found` with each pair of edges whose tents of the angle `angle()`, in degrees, overlap.
-fn tents_near(
-    outline: &PlanarBoundary,
-    angle: &mut dyn FnMut() -> f64,
-    found: &mut dyn FnMut(u32, u32),
-) {
-    if outline.points().len() == 3 {
-        return;
+/// The frozen edges that have a tent each, on their left: those of an outline, then those of lines both ways.
+struct Tents<'a> {
+    outline: &'a PlanarBoundary,
+    lines: &'a Breaklines,
+    edges: Vec<[u32; 2]>,
+    trees: [EdgeTree; 2],
+}
+
+impl<'a> Tents<'a> {
+    fn new(outline: &'a PlanarBoundary, lines: &'a Breaklines) -> Self {
+        let inner = lines.edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]);
+        let edges: Vec<[u32; 2]> = outline.edges().chain(inner).collect();
+        let on_rings = outline.points().len();
+        let mut tents = Self { outline, lines, edges, trees: Default::default() };
+        let item = |edge: usize| {
+            let [from, to] = tents.ends(edge);
+            Item { id: edge as u32, from, to, size: from.distance(to), reach: 0.0 }
+        };
+        let items = (on_rings..tents.edges.len()).map(item).collect();
+        tents.trees = [EdgeTree::of_boundary(outline), EdgeTree::of_items(items)];
+        tents
     }
-    let tree = EdgeTree::of_boundary(outline);
-    let mut near = Vec::new();
-    for [a, b] in outline.edges() {
-        let tangent = libm::tan(angle() * (PI / 180.0));
-        let ends = [outline.point(a), outline.point(b)];
-        let (middle, half) = (ends[0].midpoint(ends[1]), ends[0].distance(ends[1]) / 2.0);
-        let reach = half * (1.0 + tangent * tangent).sqrt();
-        near.clear();
-        tree.visit(
-            |node| node.distance(middle) <= reach + node.greatest / 2.0 * tangent,
-            |edge| near.push(edge),
-        );
-        for other in &near {
-            let next = outline.next(*other);
-            if *other <= a || *other == b || next == a {
-                continue;
-            }
+
+    fn ends(&self, edge: usize) -> [DVec2; 2] {
+        self.edges[edge].map(|vertex| self.lines.at(self.outline, vertex))
+    }
+
+    /// Calls `found` with each pair of edges whose tents of the angle `angle()`, in degrees, overlap.
+    fn near(&self, angle: &mut dyn FnMut() -> f64, found: &mut dyn FnMut([usize; 2])) {
+        let mut near = Vec::new();
+        for edge in 0..self.edges.len() {
             let tangent = libm::tan(angle() * (PI / 180.0));
-            let others = [outline.point(*other), outline.point(next)];
-            if overlap(tent(ends, tangent), tent(others, tangent)) {
-                found(a, *other);
+            let ends = self.ends(edge);
+            let (middle, half) = (ends[0].midpoint(ends[1]), ends[0].distance(ends[1]) / 2.0);
+            let reach = half * (1.0 + tangent * tangent).sqrt();
+            near.clear();
+            for tree in &self.trees {
+                tree.visit(
+                    |node| node.distance(middle) <= reach + node.greatest / 2.0 * tangent,
+                    |other| near.push(other as usize),
+                );
+            }
+            for &other in &near {
+                let is_joined = self.edges[other].iter().any(|v| self.edges[edge].contains(v));
+                if other <= edge || is_joined {
+                    continue;
+                }
+                let tangent = libm::tan(angle() * (PI / 180.0));
+                if overlap(tent(ends, tangent), tent(self.ends(other), tangent)) {
+                    found([edge, other]);
+                }
             }
         }
     }
-}
 
-/// The angle in degrees up to which the tents of two edges do not overlap, at most `most`.
-fn touching_angle(outline: &PlanarBoundary, edges: [u32; 2], most: f64) -> f64 {
-    let ends = |edge: u32| [outline.point(edge), outline.point(outline.next(edge))];
-    let tangent = libm::tan(most * (PI / 180.0));
-    libm::atan(touching(ends(edges[0]), ends(edges[1]), tangent)) * (180.0 / PI)
+    /// The angle in degrees up to which the tents of two edges do not overlap, at most `most`.
+    fn touching_angle(&self, pair: [usize; 2], most: f64) -> f64 {
+        let tangent = libm::tan(most * (PI / 180.0));
+        libm::atan(touching(self.ends(pair[0]), self.ends(pair[1]), tangent)) * (180.0 / PI)
+    }
 }
 
 /// The isosceles triangle on an edge, to its left, with base angles of this tangent.
@@ -358,14 +381,15 @@ mod tests {
             samples::rectangle(40.0, 0.2, [100, 1, 100, 1]),
             samples::rectangle(9.0, 0.7, [9, 1, 14, 1]),
         ] {
-            let limits = tent_limits(&outline, 60.0);
+            let limits = tent_limits(&outline, &Breaklines::default(), 60.0);
             let least = limits.iter().copied().fold(60.0, f64::min);
             assert_eq!(least, tent_limit(&outline, 60.0).unwrap().angle);
         }
         // Far from the strait there is no limit.
         let hole = samples::ring(&[[1.0, 0.1], [1.0, 2.0], [2.0, 2.0], [2.0, 0.1]], &[1; 4]);
         let outer = samples::ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], &[4; 4]);
-        let limits = tent_limits(&PlanarBoundary::new(&[outer, hole]).unwrap(), 35.0);
+        let outline = PlanarBoundary::new(&[outer, hole]).unwrap();
+        let limits = tent_limits(&outline, &Breaklines::default(), 35.0);
         let strait = libm::atan(0.1).to_degrees();
         for vertex in [1, 2, 16, 19] {
             assert!((limits[vertex] - strait).abs() < 1e-6, "{vertex}: {limits:?}");

@@ -14,6 +14,8 @@ use std::collections::VecDeque;
 const ROUNDS: usize = 4;
 /// Angles this much above the floor are polished, too, in degrees.
 const MARGIN: f64 = 4.0;
+/// Where an operation mends a degree, angles may fall to this share of the floor: they are mended later.
+const BROKEN_FLOOR: f64 = 0.4;
 
 /// Which vertices need work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -147,7 +149,10 @@ fn singles(
 
 /// The operation that lowers the energy most, within the guard.
 fn best_single(bench: &mut Bench<'_>, list: &[Operation], need: Need) -> Option<Operation> {
-    let floor = bench.weights.floor;
+    let floor = match need {
+        Need::Any => bench.weights.floor,
+        Need::Degree => BROKEN_FLOOR * bench.weights.floor,
+    };
     let mut best: Option<(f64, Operation)> = None;
     let allowance = match need {
         Need::Any if bench.weights.may_violate => f64::INFINITY,

@@ -6,11 +6,11 @@
 
 use crate::edge_tree::EdgeTree;
 use crate::goal::Goal;
-use crate::limits::fan_limit;
 use crate::near::Near;
 use crate::options::InteriorError;
 use crate::size::SizeField;
 use crate::stage::Stage;
+use crate::star::{Sector, Stars};
 use crate::triangle::SQRT_3;
 use glam::DVec2;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
@@ -27,6 +27,7 @@ pub(crate) struct Piece {
 /// The data that the packing works on.
 pub(crate) struct Ground<'a> {
     pub(crate) outline: &'a PlanarBoundary,
+    pub(crate) stars: &'a Stars,
     pub(crate) goals: &'a [Goal],
     pub(crate) field: &'a SizeField,
     /// Existing interior points, and pieces of segments between them.
@@ -37,7 +38,7 @@ pub(crate) struct Ground<'a> {
     pub(crate) spacing: f64,
     /// The minimum angle that fans aim at, in degrees.
     pub(crate) fan_angle: f64,
-    /// A vertex that gets a fan of so many triangles, whatever its angle.
+    /// A vertex that gets fans of so many triangles in all, whatever its angles.
     pub(crate) spokes: Option<(u32, u32)>,
     /// The rounding of the largest coordinate.
     pub(crate) rounding: f64,
@@ -57,6 +58,10 @@ struct Candidate {
 
 /// More triangles than this are of no use in any fan, nearly.
 const MOST_SPOKES: u32 = 64;
+
+/// Between lines, the ends of spokes keep this share of their length from those of other fans: two fans share the
+/// triangle on the edge between them.
+const APART: f64 = 0.6;
 
 /// Nearer to an edge than this share of size or edge length, no point is put.
 const CLEARANCE: f64 = 0.45;
@@ -99,47 +104,85 @@ impl Ground<'_> {
         Ok((near.points()[given..].to_vec(), sizes.split_off(given)))
     }
 
-    /// The ends of the spokes at corners between edges of unequal length.
+    /// The ends of the spokes between frozen edges of unequal length.
     fn fans(
         &self,
         near: &mut Near,
         sizes: &mut Vec<f64>,
         queue: &mut VecDeque<Candidate>,
     ) -> Result<(), InteriorError> {
-        for vertex in 0..self.outline.vertex_count() {
-            let angle = self.outline.angle(vertex);
-            let (first, last) =
-                (self.outline.length(vertex), self.outline.length(self.outline.previous(vertex)));
-            let ratio = last / first;
-            let is_corner = (angle / PI - 1.0).abs() > 1.0 / 18.0;
-            let given = self.spokes.filter(|spokes| spokes.0 == vertex).map(|spokes| spokes.1);
-            if given.is_none() && (!is_corner || ratio.max(1.0 / ratio) <= 1.3) {
-                continue;
-            }
-            let goal = &self.goals[vertex as usize];
-            let reachable = goal.limit.min(self.fan_angle);
-            let most = goal.fan.unwrap_or(MOST_SPOKES);
-            let is_enough = |k: &u32| fan_limit(angle, first, last, Some(*k)) >= reachable - 1e-9;
-            let count = given.unwrap_or_else(|| (1..=most).find(is_enough).unwrap_or(most));
-            let at = self.outline.point(vertex);
-            let along = (self.outline.point(self.outline.next(vertex)) - at) / first;
-            for spoke in 1..count {
-                let share = f64::from(spoke) / f64::from(count);
-                let (sine, cosine) = (libm::sin(angle * share), libm::cos(angle * share));
-                let length = first * libm::exp(libm::log(ratio) * share);
-                let direction = along.rotate(DVec2::new(cosine, sine));
-                let place = at + direction * length;
-                let is_free = near.nearest(place, 0.3 * length).is_none();
-                if is_free && self.is_inside(place, f64::INFINITY) {
-                    let size = self.field.at(place);
-                    self.check_room(place, size)?;
-                    near.insert(place);
-                    sizes.push(size);
-                    surround(place, size, direction, queue);
-                }
+        for vertex in 0..self.goals.len() as u32 {
+            let sectors = self.stars.at(vertex);
+            let given = self.spokes.filter(|spokes| spokes.0 == vertex);
+            let counts = given.map(|spokes| allotted(sectors, spokes.1));
+            for (index, sector) in sectors.iter().enumerate() {
+                let count = match &counts {
+                    Some(counts) => counts[index],
+                    None => self.spokes_of(sector, sectors.len() == 1),
+                };
+                self.fan(sector, count, near, sizes, queue)?;
             }
         }
         Ok(())
+    }
+
+    /// The number of triangles that a sector's fan has; 1 where no fan is needed. `is_alone`: no lines meet at its
+    /// vertex.
+    fn spokes_of(&self, sector: &Sector, is_alone: bool) -> u32 {
+        let ratio = sector.lengths[1] / sector.lengths[0];
+        let is_corner = (sector.angle / PI - 1.0).abs() > 1.0 / 18.0;
+        if is_alone && !is_corner || ratio.max(1.0 / ratio) <= 1.3 {
+            return 1;
+        }
+        let goal = &self.goals[sector.vertex as usize];
+        let reachable = goal.limit.min(self.fan_angle);
+        let most = goal.fan.unwrap_or(MOST_SPOKES);
+        let is_enough = |k: &u32| sector.limit(Some(*k)) >= reachable - 1e-9;
+        (1..=most).find(is_enough).unwrap_or(most)
+    }
+
+    fn fan(
+        &self,
+        sector: &Sector,
+        count: u32,
+        near: &mut Near,
+        sizes: &mut Vec<f64>,
+        queue: &mut VecDeque<Candidate>,
+    ) -> Result<(), InteriorError> {
+        let own = sizes.len();
+        let is_beside_lines = self.stars.at(sector.vertex).len() > 1;
+        let apart = if is_beside_lines { APART } else { 0.3 };
+        let at = self.point(sector.vertex);
+        let [first, last] = sector.lengths;
+        let along = (self.point(sector.ends[0]) - at) / first;
+        for spoke in 1..count {
+            let share = f64::from(spoke) / f64::from(count);
+            let (sine, cosine) = (libm::sin(sector.angle * share), libm::cos(sector.angle * share));
+            let length = first * libm::exp(libm::log(last / first) * share);
+            let direction = along.rotate(DVec2::new(cosine, sine));
+            let place = at + direction * length;
+            let is_free = match near.nearest(place, apart * length) {
+                Some((other, _)) => is_beside_lines && other as usize >= own,
+                None => true,
+            };
+            if is_free && self.is_inside(place, f64::INFINITY) {
+                let size = self.field.at(place);
+                self.check_room(place, size)?;
+                near.insert(place);
+                sizes.push(size);
+                surround(place, size, direction, queue);
+            }
+        }
+        Ok(())
+    }
+
+    /// The place of a vertex on the outline, or of a fixed point.
+    fn point(&self, vertex: u32) -> DVec2 {
+        let on_rings = self.outline.points();
+        on_rings
+            .get(vertex as usize)
+            .copied()
+            .unwrap_or_else(|| self.fixed[vertex as usize - on_rings.len()])
     }
 
     /// The apexes over the boundary edges, then over both sides of fixed pieces; short edges first.
@@ -216,6 +259,17 @@ impl Ground<'_> {
             Some((edge, _)) => is_inside_of(self.outline, edge, x),
         }
     }
+}
+
+/// How sectors share so many triangles, so that the least fan limit is greatest.
+fn allotted(sectors: &[Sector], triangles: u32) -> Vec<u32> {
+    let mut counts = vec![1; sectors.len()];
+    for _ in sectors.len() as u32..triangles {
+        let limit = |i: &usize| sectors[*i].limit(Some(counts[*i]));
+        let least = (0..counts.len()).min_by(|a, b| limit(a).total_cmp(&limit(b)));
+        least.into_iter().for_each(|i| counts[i] += 1);
+    }
+    counts
 }
 
 /// True if `x` lies in the domain, given the boundary edge nearest to it.

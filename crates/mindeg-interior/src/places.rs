@@ -74,11 +74,18 @@ impl Worth {
 
     /// True if it may replace the other: fewer violations, or as many and no smaller least share and least angle.
     fn is_allowed(&self, before: &Self) -> bool {
+        self.excess < before.excess || self.excess == before.excess && self.keeps_angles(before)
+    }
+
+    /// True if there is no violation left and angles are good, or where there were violations as good as before.
+    fn is_done(&self, before: &Self) -> bool {
+        self.is_good() || self.excess == 0 && before.excess > 0 && self.keeps_angles(before)
+    }
+
+    /// True if neither the least share nor the least angle is smaller.
+    fn keeps_angles(&self, before: &Self) -> bool {
         let least = |worth: &Self| worth.shares.first().copied().unwrap_or(1.0);
-        self.excess < before.excess
-            || self.excess == before.excess
-                && least(self) >= least(before).min(GOOD) - 1e-9
-                && self.angle >= before.angle - 1e-9
+        least(self) >= least(before).min(GOOD) - 1e-9 && self.angle >= before.angle - 1e-9
     }
 
     fn is_good(&self) -> bool {
@@ -90,12 +97,14 @@ impl Worth {
 const PASSES: u32 = 5;
 /// The rings of a disc in each pass.
 const RINGS: [usize; 6] = [2, 3, 4, 6, 9, 9];
-/// So many times as much is tried where a degree is out of its range.
-const BROKEN: u64 = 4;
 /// Trials of operations for angles: at any mesh, and for each triangle.
 const TRIALS: [usize; 2] = [1500, 3];
+/// From so many on, more triangles bring half a trial each: as measured, more hardly raise shares.
+const MANY_TRIALS: usize = 25_000;
 /// Trials of operations for degrees, likewise.
 const TRIALS_FOR_DEGREES: [usize; 2] = [12_000, 1];
+/// From this effort on, new starts get pairs of operations, too.
+const MANY: u64 = 4;
 /// Random operations in a row.
 const STEPS: u32 = 100;
 /// The same after a new start.
@@ -116,7 +125,8 @@ pub(crate) fn mend_places(
     let enough_sine = libm::sin(enough.min(60.0) * (PI / 180.0));
     let work = Work { options, enough, enough_sine, weights };
     let triangles = mesh.triangles.len();
-    let [angles, degrees] = [TRIALS, TRIALS_FOR_DEGREES].map(|[any, each]| any + each * triangles);
+    let angles = TRIALS[0] + (TRIALS[1] * triangles).min(MANY_TRIALS + triangles / 2);
+    let degrees = TRIALS_FOR_DEGREES[0] + TRIALS_FOR_DEGREES[1] * triangles;
     let mut left = [(share * angles as f64) as usize, degrees];
     for pass in 0..PASSES {
         let places = work.places(mesh);
@@ -139,7 +149,7 @@ pub(crate) fn mend_places(
             if before.is_good() || *left == 0 {
                 continue;
             }
-            let effort = (1 << pass) * if is_broken { BROKEN } else { 1 };
+            let effort = 1 << pass;
             if let Some(better) = work.mended(&disc, before, effort, left, stage)? {
                 disc.put_back(mesh, &better);
             }
@@ -170,9 +180,15 @@ impl Best {
         if !worth.is_allowed(&self.before) || !worth.is_better(least) || mesh.check().is_err() {
             return false;
         }
-        let is_good = worth.is_good();
+        let is_done = worth.is_done(&self.before);
         self.found = Some((worth, mesh));
-        is_good
+        is_done
+    }
+
+    /// The best mesh so far, if it has fewer violations.
+    fn mesh(&self) -> Option<&ArrayMesh> {
+        let better = self.found.as_ref().filter(|found| found.0.excess < self.before.excess);
+        better.map(|found| &found.1)
     }
 }
 
@@ -244,7 +260,7 @@ impl Work<'_> {
                 break;
             }
             if turn < effort {
-                let mut mesh = disc.mesh.clone();
+                let mut mesh = best.mesh().unwrap_or(&disc.mesh).clone();
                 let trials = anneal(&mut mesh, weights, near, STEPS, &mut random);
                 *left = left.saturating_sub(trials);
                 settle_all(&mut mesh, weights);
@@ -257,7 +273,7 @@ impl Work<'_> {
                 smooth_and_mend(&mut mesh, &single, None, &mut Sweeper::new(), &mut stage)?;
                 // The cost of packing, triangulating and smoothing, in trials.
                 *left = left.saturating_sub(mesh.triangles.len() / 2);
-                if effort >= BROKEN {
+                if effort >= MANY {
                     self.pairs(&mut mesh, effort / 2, left, &mut stage)?;
                 }
                 let all = mesh.vertices.len();

@@ -3,6 +3,7 @@
 use crate::goal::Goal;
 use crate::lengths::SizeReport;
 use crate::limits::Limits;
+use crate::star::Stars;
 use crate::triangle::{doubled_area, max_angle, min_angle};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -52,7 +53,7 @@ impl LocalShares {
     pub const MOST: f64 = 35.0;
 }
 
-/// A boundary vertex whose degree limit costs angle: either the degree or the angle is out of reach.
+/// A vertex on the boundary or a line whose degree limit costs angle: either the degree or the angle is out of reach.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerTradeOff {
     /// The vertex.
@@ -65,6 +66,24 @@ pub struct CornerTradeOff {
     pub degree_limit: u32,
     /// Degrees from the limit on, with the greatest angle in degrees that triangles at the vertex can have.
     pub angles: Vec<(u32, f64)>,
+}
+
+/// A vertex at which so many edges meet that stay, of the boundary and of lines, that no mesh keeps its degree limit.
+///
+/// The edges divide the mesh round the vertex into sectors. Each takes a triangle, two if its angle is 180° or more,
+/// three if it is a full turn; on the boundary there is one edge more than triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CertifiedVertex {
+    /// The vertex.
+    pub vertex: u32,
+    /// Where it is.
+    pub at: DVec2,
+    /// The other ends of the edges, counter-clockwise.
+    pub edges: Vec<u32>,
+    /// Its degree limit.
+    pub degree_limit: u32,
+    /// The least degree that it has in any mesh.
+    pub least_degree: u32,
 }
 
 /// What was reached. Angles are in degrees.
@@ -83,7 +102,7 @@ pub struct InteriorReport {
     pub share_of_limit: f64,
     /// The angles beside the limits of their places.
     pub local: LocalShares,
-    /// The boundary vertices whose degree limits cost angle, in ascending order.
+    /// The vertices on the boundary and on lines whose degree limits cost angle, in ascending order.
     pub corners: Vec<CornerTradeOff>,
     /// The maximum angle.
     pub max_angle: f64,
@@ -93,6 +112,8 @@ pub struct InteriorReport {
     pub boundary_degree: RangeInclusive<u32>,
     /// Vertices whose degree is out of its range, in ascending order.
     pub violations: Vec<Violation>,
+    /// Vertices whose degree no mesh brings into its range, in ascending order: all of them are violations.
+    pub certified: Vec<CertifiedVertex>,
     /// The greatest ratio of the areas of two triangles with a common edge.
     pub area_ratio: f64,
     /// The 99th percentile of the square root of that ratio: how fast edge lengths change.
@@ -105,18 +126,25 @@ pub struct InteriorReport {
     pub interior_points: usize,
 }
 
-/// Measures a mesh. `goal` gives the goal of a boundary vertex, none of an interior one; `limits_at` the
-/// limits if vertices have the degrees of these violations; `fan_at` the fan limit of a boundary vertex with so many
-/// triangles.
-pub(crate) fn measure<'a>(
+/// The wishes that a mesh is compared with, and the limits of its boundary.
+pub(crate) struct Wanted<'a> {
+    pub(crate) interior: RangeInclusive<u32>,
+    /// The goals of vertices that stay.
+    pub(crate) goals: &'a [Goal],
+    pub(crate) stars: &'a Stars,
+    pub(crate) limits: Limits,
+}
+
+/// Measures a mesh. `index` gives the index of a vertex among those that stay; `limits_at` the limits if vertices have
+/// the degrees of these violations.
+pub(crate) fn measure(
     points: &[DVec2],
     triangles: &[[u32; 3]],
-    interior: &RangeInclusive<u32>,
-    goal: impl Fn(u32) -> Option<&'a Goal>,
-    limits: Limits,
+    Wanted { interior, goals, stars, limits }: &Wanted<'_>,
+    index: impl Fn(u32) -> u32,
     limits_at: impl Fn(&[Violation]) -> Limits,
-    fan_at: impl Fn(u32, u32) -> f64,
 ) -> InteriorReport {
+    let goal = |v: u32| goals.get(index(v) as usize);
     let corners = |t: &[u32; 3]| t.map(|v| points[v as usize]);
     let mut counts = vec![0_u32; points.len()];
     let (mut least, mut greatest) = ((f64::INFINITY, 0), 0.0_f64);
@@ -146,48 +174,57 @@ pub(crate) fn measure<'a>(
     ratios.sort_unstable_by(f64::total_cmp);
     let percentile = ratios.get(ratios.len().saturating_sub(1) * 99 / 100).copied().unwrap_or(1.0);
 
-    let mut violations = Vec::new();
+    let (mut violations, mut certified) = (Vec::new(), Vec::new());
     let mut inside: Option<(u32, u32)> = None;
     let mut boundary = (u32::MAX, 0);
     let mut interior_points = 0;
     let mut corner_list = Vec::new();
     let mut local = vec![ENOUGH; points.len()];
     for (vertex, count) in (0..).zip(counts).filter(|(_, count)| *count > 0) {
-        let (degree, is_fine, is_boundary) = match goal(vertex) {
-            Some(goal) => {
-                let degree = count + 1;
-                let fan = match count > goal.triangles {
-                    true => fan_at(vertex, count),
-                    false => goal.limit,
-                };
-                local[vertex as usize] = ENOUGH.min(fan).min(goal.tents);
-                let angle = |triangles| fan_at(vertex, triangles).min(goal.tents);
-                corner_list.extend(trade_off(degree, goal.triangles, angle).map(|angles| {
-                    let (at, degree_limit) = (points[vertex as usize], goal.triangles + 1);
-                    CornerTradeOff { vertex, at, degree, degree_limit, angles }
-                }));
-                boundary = (boundary.0.min(degree), boundary.1.max(degree));
-                (degree, count <= goal.triangles, true)
+        let (at, own) = (points[vertex as usize], index(vertex));
+        let (mut is_boundary, mut wanted) = (false, interior.clone());
+        if let Some(goal) = goal(vertex) {
+            is_boundary = goal.is_boundary;
+            wanted = goal.least..=goal.wanted;
+            let reached = match count > goal.wanted {
+                true => stars.limit(own, Some(count)),
+                false => goal.limit,
+            };
+            local[vertex as usize] = ENOUGH.min(reached).min(goal.tents);
+            let more = u32::from(is_boundary);
+            let angle = |triangles| stars.limit(own, triangles).min(goal.tents);
+            corner_list.extend(trade_off(count, goal.triangles, angle).map(|angles| {
+                let angles = angles.into_iter().map(|(k, angle)| (k + more, angle)).collect();
+                let (degree, degree_limit) = (count + more, goal.wanted + more);
+                CornerTradeOff { vertex, at, degree, degree_limit, angles }
+            }));
+            let least = stars.least(own);
+            if least > goal.wanted {
+                let named = |end: &u32| (0..points.len() as u32).find(|v| index(*v) == *end);
+                let (degree_limit, least_degree) = (goal.wanted + more, least + more);
+                let edges = stars.ends(own).iter().filter_map(named).collect();
+                certified.push(CertifiedVertex { vertex, at, edges, degree_limit, least_degree });
             }
-            None => {
-                interior_points += 1;
-                let (low, high) = inside.unwrap_or((count, count));
-                inside = Some((low.min(count), high.max(count)));
-                (count, interior.contains(&count), false)
-            }
-        };
-        if !is_fine {
-            let at = points[vertex as usize];
+        }
+        let degree = count + u32::from(is_boundary);
+        if is_boundary {
+            boundary = (boundary.0.min(degree), boundary.1.max(degree));
+        } else {
+            interior_points += 1;
+            let (low, high) = inside.unwrap_or((count, count));
+            inside = Some((low.min(count), high.max(count)));
+        }
+        if !wanted.contains(&count) {
             violations.push(Violation { vertex, at, degree, is_boundary });
         }
     }
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
-    let (mut local, limits_there) = (local_shares(triangles, &angles, &local), goal);
+    let mut local = local_shares(triangles, &angles, &local);
     local.at = points.get(local.vertex as usize).copied().unwrap_or_default();
-    local.is_tent = limits_there(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
+    local.is_tent = goal(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
     InteriorReport {
-        limits,
+        limits: *limits,
         min_angle: least.0,
         min_angle_vertex: triangles.get(least.1).map_or(0, |t| sharpest(t, corners(t))),
         angle_limit,
@@ -198,6 +235,7 @@ pub(crate) fn measure<'a>(
         interior_degree: inside.map(|(low, high)| low..=high),
         boundary_degree: boundary.0..=boundary.1,
         violations,
+        certified,
         area_ratio: ratios.last().copied().unwrap_or(1.0),
         grading_p99: percentile.sqrt(),
         sizes: None,
@@ -209,17 +247,22 @@ pub(crate) fn measure<'a>(
 /// A greater angle counts if it is so many times as large.
 const NOTABLE: f64 = 1.02;
 
-/// The degrees of a vertex from its limit on with the greatest angle of each, if the limit costs angle that counts.
-fn trade_off(degree: u32, triangles: u32, angle: impl Fn(u32) -> f64) -> Option<Vec<(u32, f64)>> {
-    let most = angle(u32::MAX);
-    let is_broken = degree > triangles + 1;
-    if !is_broken && most.min(ENOUGH) <= NOTABLE * angle(triangles) {
+/// The numbers of triangles of a vertex from its limit on with the greatest angle of each, if the limit costs angle that
+/// counts. `angle`: the greatest with at most so many triangles.
+fn trade_off(
+    count: u32,
+    limit: u32,
+    angle: impl Fn(Option<u32>) -> f64,
+) -> Option<Vec<(u32, f64)>> {
+    let most = angle(None);
+    let is_broken = count > limit;
+    if !is_broken && most.min(ENOUGH) <= NOTABLE * angle(Some(limit)) {
         return None;
     }
     let mut angles = Vec::new();
-    for triangles in triangles..=u32::MAX {
-        let reached = angle(triangles);
-        angles.push((triangles + 1, reached));
+    for triangles in limit..=u32::MAX {
+        let reached = angle(Some(triangles));
+        angles.push((triangles, reached));
         if reached >= most {
             break;
         }
@@ -273,7 +316,9 @@ fn sharpest(triangle: &[u32; 3], corners: [DVec2; 3]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::limits::FanLimit;
+    use crate::fixed::Breaklines;
+    use crate::limits::{FanLimit, fan_limit_at};
+    use mindeg_mesh::planar::PlanarBoundary;
 
     #[test]
     fn figures_are_those_of_the_triangles() {
@@ -284,8 +329,9 @@ mod tests {
         for turn in 0..3 {
             let mut triangles = [[3, 0, 2], [0, 1, 2]];
             triangles.iter_mut().for_each(|triangle| triangle.rotate_left(turn));
-            let report =
-                measure(&points, &triangles, &(5..=7), |_| None, limits, |_| limits, |_, _| 45.0);
+            let stars = Stars::default();
+            let wanted = Wanted { interior: 5..=7, goals: &[], stars: &stars, limits };
+            let report = measure(&points, &triangles, &wanted, |v| v, |_| limits);
             let [small, large] = [libm::atan2(2.0, 4.0), libm::atan2(4.0, 4.0)];
             let least = (large - small).to_degrees();
             assert!((report.min_angle - least).abs() < 1e-9, "{report:?}");
@@ -306,41 +352,48 @@ mod tests {
             let fan = FanLimit { angle, vertex: 0 };
             Limits { any_degree: fan, with_degree_limit: fan, tent: None }
         };
+        // A corner of 60 degrees between edges of 1 and 10.
+        let ring = [[0.0, 0.0], [10.0, 0.0], [0.5, 0.75_f64.sqrt()]].map(DVec2::from);
+        let outline = PlanarBoundary::new(&[ring]).unwrap();
+        let stars = Stars::new(&outline, &Breaklines::default());
         let goal = Goal {
+            is_boundary: true,
             least: 1,
             triangles: 1,
+            wanted: 1,
             ideal: 1.0,
             fan: None,
             limit: 10.0,
             tents: 40.0,
             sine: 0.0,
         };
-        let goals = |vertex: u32| (vertex == 0).then_some(&goal);
         let limits_at = |broken: &[Violation]| {
             assert_eq!([0, 1].map(degrees_at_boundary(broken, |vertex| vertex)), [3, 0]);
             of(30.0)
         };
         let triangles = [[3, 0, 2], [0, 1, 2]];
-        let report =
-            measure(&points, &triangles, &(1..=7), goals, of(10.0), limits_at, |_, count| {
-                f64::from(10 * count.min(4))
-            });
+        let wanted = Wanted { interior: 1..=7, goals: &[goal], stars: &stars, limits: of(10.0) };
+        let report = measure(&points, &triangles, &wanted, |v| v, limits_at);
         assert_eq!((report.limits.angle(), report.angle_limit), (10.0, 30.0));
         assert_eq!(report.share_of_limit, report.min_angle / 30.0);
         assert!(report.share_of_limit < 1.0);
         // With 2 triangles where 1 is allowed: the angle of each degree up to the best, and the one at hand.
         let [corner] = &report.corners[..] else { panic!("{:?}", report.corners) };
         assert_eq!((corner.vertex, corner.degree, corner.degree_limit), (0, 3, 2));
-        assert_eq!(corner.angles, [(2, 10.0), (3, 20.0), (4, 30.0), (5, 40.0)]);
+        let angle = |triangles| fan_limit_at(&outline, 0, Some(triangles));
+        assert_eq!(corner.angles[..2], [(2, angle(1)), (3, angle(2))]);
+        let best = fan_limit_at(&outline, 0, None);
+        assert_eq!(corner.angles.last().map(|(_, angle)| *angle), Some(best));
         assert_eq!((report.local.at, report.local.is_tent), (points[0], false));
     }
 
     #[test]
     fn a_degree_limit_that_costs_no_angle_has_no_table() {
-        let angle = |triangles: u32| f64::from(triangles.min(3) * 8);
-        assert_eq!(trade_off(4, 3, angle), None);
-        assert_eq!(trade_off(3, 2, angle), Some(vec![(3, 16.0), (4, 24.0)]));
+        let angle = |triangles: Option<u32>| f64::from(triangles.unwrap_or(9).min(3) * 8);
+        assert_eq!(trade_off(3, 3, angle), None);
+        assert_eq!(trade_off(2, 2, angle), Some(vec![(2, 16.0), (3, 24.0)]));
         // Angles from 35 degrees on cost nothing.
-        assert_eq!(trade_off(3, 2, |triangles| 17.6 * f64::from(triangles.min(9))), None);
+        let wide = |triangles: Option<u32>| 17.6 * f64::from(triangles.unwrap_or(9).min(9));
+        assert_eq!(trade_off(2, 2, wide), None);
     }
 }

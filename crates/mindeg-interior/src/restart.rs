@@ -1,13 +1,13 @@
 //! New starts of a disc: its inside packed anew, with each fan at the vertex in the middle and several spacings.
 
-use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::array_mesh::{ArrayMesh, NONE, Vertex};
 use crate::fixed::Breaklines;
 use crate::goal::{Goal, Weights};
 use crate::options::Options;
 use crate::size::SizeField;
 use crate::stage::Stage;
+use crate::star::Stars;
 use crate::start::Start;
-use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -18,6 +18,7 @@ pub(crate) struct Restart<'a> {
     options: &'a Options,
     weights: &'a Weights,
     outline: PlanarBoundary,
+    stars: Stars,
     goals: Vec<Goal>,
     breaklines: Breaklines,
     sizes: Vec<SizeAt>,
@@ -45,33 +46,13 @@ const MOST_POINTS: usize = 1200;
 
 impl<'a> Restart<'a> {
     pub(crate) fn new(disc: &'a ArrayMesh, options: &'a Options, weights: &'a Weights) -> Self {
-        let rings = disc.rings();
-        let positions: Vec<Vec<DVec2>> =
-            rings.iter().map(|ring| ring.iter().map(|v| disc.at(*v)).collect()).collect();
-        let outline = PlanarBoundary::of_mesh(&positions);
-        let mut names = rings.concat();
+        let (outline, breaklines, names) = disc.frozen();
         let goal = |v: &u32| disc.goals.get(disc.vertices[*v as usize].goal as usize).copied();
         let goals =
             names.iter().map(|v| goal(v).unwrap_or_else(|| weights.goal_inside())).collect();
-        for (v, vertex) in (0..).zip(&disc.vertices) {
-            if vertex.kind == Kind::Fixed && vertex.triangles > 0 {
-                names.push(v);
-            }
-        }
-        let mut index = vec![NONE; disc.vertices.len()];
-        (0..).zip(&names).for_each(|(i, v)| index[*v as usize] = i);
-        let mut edges: Vec<[u32; 2]> = disc
-            .locked_edges()
-            .into_iter()
-            .map(|edge| edge.map(|v| index[v as usize]))
-            .map(|[a, b]| [a.min(b), a.max(b)])
-            .collect();
-        edges.sort_unstable();
-        edges.dedup();
-        let points = names[outline.points().len()..].iter().map(|v| disc.at(*v)).collect();
-        let breaklines = Breaklines { points, edges };
+        let stars = Stars::new(&outline, &breaklines);
         let sizes = options.wanted.sizes_at().collect();
-        Self { disc, options, weights, outline, goals, breaklines, sizes, names }
+        Self { disc, options, weights, outline, stars, goals, breaklines, sizes, names }
     }
 
     pub(crate) fn starts(self) -> Starts<'a> {
@@ -90,6 +71,7 @@ impl<'a> Restart<'a> {
         field.scale_mean(phase[1]);
         let start = Start {
             outline: &self.outline,
+            stars: &self.stars,
             goals: &self.goals,
             breaklines: &self.breaklines,
             field: &field,

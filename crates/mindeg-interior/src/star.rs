@@ -2,94 +2,262 @@
 //!
 //! Each of the sectors between them is a fan ([`limits`](crate::limits)): with k_i triangles in sector i, the
 //! **star limit** is the greatest over all k_1 + … + k_m within the degree of the least fan limit of the sectors.
+//! Every sector needs a triangle, and two from 180 degrees on: where that makes more than the degree limit, no mesh
+//! keeps it.
 
-use crate::array_mesh::{ArrayMesh, NONE};
-use crate::goal::Goal;
+use crate::fixed::Breaklines;
 use crate::limits::fan_limit;
-use glam::DVec2;
+use mindeg_mesh::planar::{PlanarBoundary, orientation};
+use std::f64::consts::TAU;
 
-/// The star limit in degrees of a vertex, from the ends of frozen edges counter-clockwise: with at most so
-/// many triangles. 0 where there are more sectors. `is_closed`: the last end and the first bound a sector, too.
-fn star_limit(at: DVec2, ends: &[DVec2], is_closed: bool, max_triangles: u32) -> f64 {
-    let most = max_triangles as usize;
-    // best[k]: the greatest least fan limit of the sectors so far with k triangles in all.
+/// The room between two frozen edges that meet at a vertex, counter-clockwise from the first to the second.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sector {
+    pub(crate) vertex: u32,
+    /// The other ends of the edges.
+    pub(crate) ends: [u32; 2],
+    /// The angle in radians; a full turn at the end of a line.
+    pub(crate) angle: f64,
+    /// The lengths of the edges.
+    pub(crate) lengths: [f64; 2],
+    /// The least number of triangles that fill it.
+    pub(crate) least: u32,
+}
+
+impl Sector {
+    /// The fan limit in degrees with at most so many triangles.
+    pub(crate) fn limit(&self, max_triangles: Option<u32>) -> f64 {
+        fan_limit(self.angle, self.lengths[0], self.lengths[1], max_triangles)
+    }
+}
+
+/// The sectors at all vertices where frozen edges meet.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Stars {
+    /// By vertex, and counter-clockwise at each.
+    sectors: Vec<Sector>,
+    /// The first sector of each vertex, then the number of sectors.
+    starts: Vec<u32>,
+}
+
+impl Stars {
+    /// The stars of an outline's vertices, then of the points of lines.
+    pub(crate) fn new(outline: &PlanarBoundary, lines: &Breaklines) -> Self {
+        let on_rings = outline.vertex_count();
+        let count = on_rings as usize + lines.points.len();
+        let mut ends: Vec<[u32; 2]> =
+            lines.edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]).collect();
+        ends.sort_unstable();
+        ends.dedup();
+        let mut stars = Self { sectors: Vec::with_capacity(count), starts: vec![0] };
+        let mut inner = ends.chunk_by(|a, b| a[0] == b[0]).peekable();
+        for vertex in 0..count as u32 {
+            let own = inner.next_if(|own| own[0][0] == vertex).unwrap_or_default();
+            let own = own.iter().map(|ends| ends[1]);
+            if vertex < on_rings {
+                stars.push_open(outline, lines, vertex, own.collect());
+            } else {
+                stars.push_closed(outline, lines, vertex, own.collect());
+            }
+            stars.starts.push(stars.sectors.len() as u32);
+        }
+        stars
+    }
+
+    /// The sectors of a vertex on a ring.
+    fn push_open(
+        &mut self,
+        outline: &PlanarBoundary,
+        lines: &Breaklines,
+        vertex: u32,
+        inner: Vec<u32>,
+    ) {
+        let [next, previous] = [outline.next(vertex), outline.previous(vertex)];
+        let whole = Sector {
+            vertex,
+            ends: [next, previous],
+            angle: outline.angle(vertex),
+            lengths: [outline.length(vertex), outline.length(previous)],
+            least: least(outline, lines, vertex, [next, previous]),
+        };
+        if inner.is_empty() {
+            self.sectors.push(whole);
+            return;
+        }
+        let mut ends = ordered(outline, lines, vertex, next, inner);
+        ends.insert(0, next);
+        ends.push(previous);
+        self.sectors
+            .extend(ends.windows(2).map(|ends| sector(outline, lines, vertex, [ends[0], ends[1]])));
+    }
+
+    /// The sectors of a vertex inside.
+    fn push_closed(
+        &mut self,
+        outline: &PlanarBoundary,
+        lines: &Breaklines,
+        vertex: u32,
+        inner: Vec<u32>,
+    ) {
+        let Some(first) = inner.first().copied() else { return };
+        let mut ends = ordered(outline, lines, vertex, first, inner[1..].to_vec());
+        ends.insert(0, first);
+        ends.push(first);
+        self.sectors
+            .extend(ends.windows(2).map(|ends| sector(outline, lines, vertex, [ends[0], ends[1]])));
+    }
+
+    /// The sectors at a vertex; none where nothing is frozen.
+    pub(crate) fn at(&self, vertex: u32) -> &[Sector] {
+        match self.starts.get(vertex as usize..vertex as usize + 2) {
+            Some([start, end]) => &self.sectors[*start as usize..*end as usize],
+            _ => &[],
+        }
+    }
+
+    /// The other ends of the frozen edges at a vertex, counter-clockwise.
+    pub(crate) fn ends(&self, vertex: u32) -> Vec<u32> {
+        let sectors = self.at(vertex);
+        let mut ends: Vec<u32> = sectors.iter().map(|sector| sector.ends[0]).collect();
+        let last = sectors.last().map(|sector| sector.ends[1]);
+        ends.extend(last.filter(|last| *last != ends[0]));
+        ends
+    }
+
+    /// The star limit in degrees of a vertex with at most so many triangles; 0 where its sectors need more.
+    pub(crate) fn limit(&self, vertex: u32, max_triangles: Option<u32>) -> f64 {
+        match (self.at(vertex), max_triangles) {
+            ([], _) => 60.0,
+            ([sector], _) => sector.limit(max_triangles),
+            (sectors, None) => sectors.iter().map(|sector| sector.limit(None)).fold(60.0, f64::min),
+            (sectors, Some(most)) => shared(sectors, most).into_iter().fold(0.0, f64::max),
+        }
+    }
+
+    /// The least number of triangles that any mesh has at a vertex.
+    pub(crate) fn least(&self, vertex: u32) -> u32 {
+        self.at(vertex).iter().map(|sector| sector.least).sum()
+    }
+}
+
+/// For each number of triangles up to `most`, the greatest least fan limit of sectors that share so many.
+fn shared(sectors: &[Sector], most: u32) -> Vec<f64> {
+    let most = most as usize;
     let mut best = vec![0.0; most + 1];
     best[0] = f64::INFINITY;
-    let sectors = if is_closed { ends.len() } else { ends.len() - 1 };
-    for sector in 0..sectors {
-        let (from, to) = (ends[sector] - at, ends[(sector + 1) % ends.len()] - at);
-        let mut angle = libm::atan2(from.perp_dot(to), from.dot(to));
-        if angle <= 0.0 {
-            angle += std::f64::consts::TAU;
-        }
+    for sector in sectors {
         let mut next = vec![0.0_f64; most + 1];
         for own in 1..=most {
-            let limit = fan_limit(angle, from.length(), to.length(), Some(own as u32));
+            let limit = sector.limit(Some(own as u32));
             for before in 0..=most - own {
                 next[before + own] = next[before + own].max(best[before].min(limit));
             }
         }
         best = next;
     }
-    best.into_iter().fold(0.0, f64::max)
+    best
 }
 
-/// Gives the vertices with frozen edges inside the mesh their star limits. `inside`: the goal of an inner vertex.
-pub(crate) fn limit_stars(mesh: &mut ArrayMesh, inside: Goal) {
-    let mut vertices: Vec<u32> = mesh.locked_edges().into_flattened();
-    vertices.sort_unstable();
-    vertices.dedup();
-    let mut star = Vec::new();
-    for v in vertices {
-        let is_closed = mesh.star(v, &mut star);
-        let mut ends = Vec::new();
-        for (index, t) in star.iter().enumerate() {
-            let triangle = &mesh.triangles[*t as usize];
-            let [_, next, last] = [0, 1, 2].map(|i| (triangle.corner(v) + i) % 3);
-            if triangle.locked >> last & 1 == 1 || !is_closed && index == 0 {
-                ends.push(mesh.at(triangle.vertices[next]));
-            }
-            if !is_closed && index + 1 == star.len() {
-                ends.push(mesh.at(triangle.vertices[last]));
-            }
-        }
-        let vertex = &mut mesh.vertices[v as usize];
-        if vertex.goal == NONE {
-            vertex.goal = mesh.goals.len() as u32;
-            mesh.goals.push(inside);
-        }
-        let (at, goal) = (vertex.at, &mut mesh.goals[vertex.goal as usize]);
-        let limit = goal.limit.min(star_limit(at, &ends, is_closed, goal.triangles));
-        *goal = Goal { limit, ..*goal }.aimed();
+/// Other ends of edges at a vertex, counter-clockwise from the direction to `first` on; exact.
+fn ordered(
+    outline: &PlanarBoundary,
+    lines: &Breaklines,
+    vertex: u32,
+    first: u32,
+    mut ends: Vec<u32>,
+) -> Vec<u32> {
+    let at = |v: u32| lines.at(outline, v);
+    let turns = |from: u32, to: u32| orientation(at(vertex), at(from), at(to)) > 0.0;
+    ends.sort_by(|a, b| {
+        turns(first, *b).cmp(&turns(first, *a)).then_with(|| turns(*b, *a).cmp(&turns(*a, *b)))
+    });
+    ends
+}
+
+fn sector(outline: &PlanarBoundary, lines: &Breaklines, vertex: u32, ends: [u32; 2]) -> Sector {
+    let at = |v: u32| lines.at(outline, v);
+    let [from, to] = ends.map(|end| at(end) - at(vertex));
+    let angle = libm::atan2(from.perp_dot(to), from.dot(to));
+    let least = least(outline, lines, vertex, ends);
+    let angle = if least > 1 && angle <= 0.0 { angle + TAU } else { angle };
+    Sector { vertex, ends, angle, lengths: [from.length(), to.length()], least }
+}
+
+/// The least number of triangles in a sector: each has an angle below 180 degrees.
+fn least(outline: &PlanarBoundary, lines: &Breaklines, vertex: u32, [from, to]: [u32; 2]) -> u32 {
+    let at = |v: u32| lines.at(outline, v);
+    if from == to {
+        3
+    } else if orientation(at(vertex), at(from), at(to)) > 0.0 {
+        1
+    } else {
+        2
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::samples;
+    use glam::DVec2;
+
+    /// The stars of a triangle round a vertex at the origin with lines from there, each of length 1.
+    fn stars(directions: &[f64]) -> Stars {
+        let ring = [[-9.0, -9.0], [9.0, -9.0], [0.0, 9.0]].map(DVec2::from);
+        let ends = directions.iter().map(|degrees| DVec2::from_angle(degrees.to_radians()));
+        let points: Vec<DVec2> = [DVec2::ZERO].into_iter().chain(ends).collect();
+        let edges = (4..4 + directions.len() as u32).map(|end| [end, 3]).collect();
+        Stars::new(&PlanarBoundary::new(&[ring]).unwrap(), &Breaklines { points, edges })
+    }
 
     #[test]
     fn sectors_share_the_triangles_of_a_star() {
-        let turn = |degrees: f64| DVec2::from_angle(degrees.to_radians());
         // Six sectors of 60 degrees; three of 120 with six triangles; of 7 triangles one is of no use.
-        let six: Vec<DVec2> = (0..6).map(|i| turn(60.0 * f64::from(i))).collect();
-        let three: Vec<DVec2> = six.iter().step_by(2).copied().collect();
-        for (ends, most, limit) in [
-            (&six, 6, 60.0),
+        let (six, three) = ([0.0, 60.0, 120.0, 180.0, 240.0, 300.0], [240.0, 0.0, 120.0]);
+        for (directions, most, limit) in [
+            (&six[..], 6, 60.0),
             (&six, 7, 60.0),
             (&six, 5, 0.0),
             (&three, 6, 60.0),
             (&three, 7, 60.0),
             (&three, 5, 30.0),
+            // A sector of 20 degrees decides.
+            (&[0.0, 20.0, 180.0], 7, 20.0),
+            // The end of a line.
+            (&[30.0], 7, 60.0),
+            (&[30.0], 4, 45.0),
         ] {
-            assert!((star_limit(DVec2::ZERO, ends, true, most) - limit).abs() < 1e-9, "{most}");
+            let found = stars(directions).limit(3, Some(most));
+            assert!((found - limit).abs() < 1e-9, "{directions:?} {most}: {found}");
         }
-        // A sector of 20 degrees decides.
-        let ends = [turn(0.0), turn(20.0), turn(180.0)];
-        assert!((star_limit(DVec2::ZERO, &ends, true, 7) - 20.0).abs() < 1e-9);
-        // At a straight boundary with an edge inside: one triangle of 60 degrees, and two.
-        let ends = [turn(0.0), turn(60.0), turn(180.0)];
-        assert!((star_limit(DVec2::ZERO, &ends, false, 3) - 60.0).abs() < 1e-9);
-        assert!((star_limit(DVec2::ZERO, &ends, false, 2) - 30.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn sectors_at_a_straight_boundary_share_its_triangles() {
+        // One triangle of 60 degrees, and two.
+        let outline = samples::rectangle(4.0, 3.0, [4, 3, 4, 3]);
+        let end = outline.point(2) + DVec2::from_angle(std::f64::consts::FRAC_PI_3);
+        let lines = Breaklines { points: vec![end], edges: vec![[2, 14]] };
+        let stars = Stars::new(&outline, &lines);
+        assert_eq!(
+            stars.at(2).iter().map(|sector| sector.ends).collect::<Vec<_>>(),
+            [[3, 14], [14, 1]]
+        );
+        assert!((stars.limit(2, Some(3)) - 60.0).abs() < 1e-9);
+        assert!((stars.limit(2, Some(2)) - 30.0).abs() < 1e-9);
+        assert_eq!([0, 2, 14].map(|vertex| stars.least(vertex)), [1, 2, 3]);
+    }
+
+    #[test]
+    fn every_sector_needs_a_triangle() {
+        for (directions, least) in [
+            (&[0.0, 60.0, 120.0, 180.0, 240.0, 300.0][..], 6),
+            (&[0.0, 10.0, 20.0], 4),
+            (&[0.0, 170.0], 3),
+            (&[77.0], 3),
+            (&[], 0),
+        ] {
+            assert_eq!(stars(directions).least(3), least, "{directions:?}");
+        }
     }
 }

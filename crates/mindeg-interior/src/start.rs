@@ -9,12 +9,14 @@ use crate::order::along_hilbert_curve;
 use crate::packing::Ground;
 use crate::size::SizeField;
 use crate::stage::Stage;
+use crate::star::Stars;
 use glam::DVec2;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 
 /// The data that all seeds begin with.
 pub(crate) struct Start<'a> {
     pub(crate) outline: &'a PlanarBoundary,
+    pub(crate) stars: &'a Stars,
     pub(crate) goals: &'a [Goal],
     pub(crate) breaklines: &'a Breaklines,
     pub(crate) field: &'a SizeField,
@@ -41,6 +43,7 @@ impl Start<'_> {
         let bounds = self.outline.bounds();
         let ground = Ground {
             outline: self.outline,
+            stars: self.stars,
             goals: self.goals,
             field: self.field,
             fixed: &self.breaklines.points,
@@ -62,8 +65,8 @@ impl Start<'_> {
             let size = (self.outline.length(v) + before) / 2.0;
             vertices.push(vertex(*at, size, Kind::Boundary, v));
         }
-        for at in &self.breaklines.points {
-            vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, NONE));
+        for (v, at) in (vertices.len() as u32..).zip(&self.breaklines.points) {
+            vertices.push(vertex(*at, self.field.at(*at), Kind::Fixed, v));
         }
         let extent = bounds.size().max_element();
         for index in along_hilbert_curve(&packed) {

@@ -308,6 +308,56 @@ fn lines_that_stay_are_not_divided() {
     assert!(found.report.min_angle > 10.0, "{:?}", found.report);
 }
 
+/// The search had too little time for each of the vertices between edges of unequal length: 34 violations.
+#[test]
+fn lines_of_uneven_edges_keep_their_degrees() {
+    let lengths = [9.0, 1.0, 7.0, 12.0, 2.0, 9.0, 0.7, 6.0];
+    let width = 6.0 + 3.0 * lengths.iter().sum::<f64>();
+    let corners = points(&[[0.0, 0.0], [width, 0.0], [width, 132.0], [0.0, 132.0]]);
+    let rings = [ring(&corners, &[24, 22, 24, 22])];
+    let mut fixed = Fixed::default();
+    for line in 0..10 {
+        let mut x = 3.0;
+        for vertex in 0..=24 {
+            let y = 12.0 * (line as f64 + 1.0) + 0.3 * f64::from(vertex % 2);
+            fixed.points.push(DVec2::new(x, y));
+            x += lengths[(vertex as usize + 3 * line) % 8];
+            if vertex > 0 {
+                let end = 92 + fixed.points.len() as u32 - 1;
+                fixed.segments.push([end - 1, end]);
+            }
+        }
+    }
+    let found = mesh(&rings, &fixed, &Options::default());
+    assert_eq!(found.report.violations, []);
+    assert_eq!(found.report.certified, []);
+}
+
+#[test]
+fn only_the_vertex_where_too_many_lines_meet_breaks_its_degree() {
+    let corners = points(&[[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]]);
+    let rings = [ring(&corners, &[60; 4])];
+    let center = DVec2::new(30.0, 31.0);
+    let ends = (0..9).map(|i| center + 2.0 * DVec2::from_angle(f64::from(i) * 0.698));
+    let fixed = Fixed {
+        points: [center].into_iter().chain(ends).collect(),
+        segments: (241..250).map(|end| [240, end]).collect(),
+        is_divisible: false,
+    };
+    let report = mesh(&rings, &fixed, &Options::default()).report;
+    let broken: Vec<u32> = report.violations.iter().map(|violation| violation.vertex).collect();
+    assert_eq!(broken, [240]);
+    let [proof] = &report.certified[..] else { panic!("{:?}", report.certified) };
+    assert_eq!(
+        (proof.vertex, proof.at, proof.degree_limit, proof.least_degree),
+        (240, center, 7, 9)
+    );
+    let mut edges = proof.edges.clone();
+    let first = edges.iter().position(|end| *end == 241).unwrap();
+    edges.rotate_left(first);
+    assert_eq!(edges, (241..250).collect::<Vec<u32>>());
+}
+
 #[test]
 fn a_reachable_target_is_aimed_at() {
     let square = ring(&points(&[[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]]), &[12; 4]);

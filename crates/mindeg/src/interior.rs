@@ -34,7 +34,8 @@ pub use lift::{Lift, lift};
 pub use limit::{AngleLimit, Cause, angle_limit};
 pub use mindeg_interior::limits::{FanLimit, Limits, TentLimit, degree_limit};
 pub use mindeg_interior::{
-    CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport, Violation,
+    CertifiedVertex, CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport,
+    Violation,
 };
 use posed::{boundary, options};
 
