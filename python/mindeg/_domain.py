@@ -12,6 +12,7 @@ import numpy.typing as npt
 from . import _mindeg
 from ._options import GoalOptions, InteriorOptions, as_json, names_its_options
 from ._plain import number, plain, whole_number
+from ._sizes import given_sizes
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
@@ -72,9 +73,12 @@ class Domain(_mindeg._Domain):
     @names_its_options(InteriorOptions)
     def interior(self, **options: "Unpack[InteriorOptions]") -> _mindeg.Mesh:
         """A mesh with interior points: the boundary stays, degrees are 5 to 7 inside, and the minimum angle gets near
-        its proven limit. ``sizes`` are rows x, y, size; ``fixed_points`` rows x, y; ``mesh.report`` has what was
-        reached. ``docs/interior.md`` explains the options.
+        its proven limit. ``sizes`` are rows x, y, size, the path of a grid or a background mesh, a function that takes an
+        (n, 2) array and gives n sizes, a dict as in JSON, or a list of these; ``fixed_points`` are rows x, y; ``mesh.report``
+        has what was reached. ``docs/interior.md`` explains the options.
         """
+        if options.get("sizes") is not None:
+            options["sizes"] = given_sizes(options["sizes"], self.points)
         return self._interior(as_json(options))
 
     def compare(self) -> dict[str, Any]:

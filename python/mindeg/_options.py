@@ -2,6 +2,7 @@
 
 import inspect
 import json
+import os
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Literal, TypedDict, TypeVar
 
@@ -35,7 +36,7 @@ class InteriorOptions(TypedDict, total=False):
     boundary_degree: int | None
     target_angle: float | None
     prefer: Literal["degree", "angle"] | None
-    sizes: "npt.ArrayLike | Sequence[Any] | None"
+    sizes: "npt.ArrayLike | Callable[[Any], npt.ArrayLike] | Sequence[Any] | Mapping[str, Any] | str | os.PathLike[str] | None"
     fixed_points: "npt.ArrayLike | None"
     max_points: int | None
 

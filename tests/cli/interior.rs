@@ -251,3 +251,35 @@ fn sizes_that_the_boundary_contradicts_are_told_with_a_way_out() {
     assert_eq!(answer["coarse_sides"], serde_json::json!([]));
     assert!(number(&answer["sizes"]["near"]) > 0.9, "{answer}");
 }
+
+#[test]
+fn sizes_come_from_grids_and_background_meshes() {
+    let folder = tempfile::tempdir().expect("a folder for the files");
+    let [grid, mesh, other] =
+        ["sizes.asc", "mesh.obj", "other.txt"].map(|name| folder.path().join(name));
+    // 0.5 on the left, 0.1 on the right.
+    let head = "ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 4\n";
+    fs::write(&grid, format!("{head}0.5 0.1 0.1\n0.5 0.1 0.1\n")).expect("the file is written");
+    fs::write(&other, "hello").expect("the file is written");
+    let run = |sizes: &[&str]| {
+        let rectangle =
+            ["mesh", "--rectangle", "8x4", "--size", "0.5", "-o", text(&mesh), "--json"];
+        mindeg(rectangle.into_iter().chain(sizes.iter().copied()))
+    };
+    let plain = run(&["--interior"]).json();
+    let fine = run(&["--interior", "--sizes", text(&grid)]).json();
+    let triangles = |answer: &Value| answer["triangles"].as_u64().expect("a count");
+    assert!(triangles(&fine) > 2 * triangles(&plain), "{fine} {plain}");
+    // Intervals of 0.5 stay where 0.1 is asked for.
+    let coarse = fine["coarse_sides"].as_array().expect("a list");
+    let right = coarse.iter().find(|side| side["name"] == "side 2").expect("the right side");
+    assert_eq!((coarse.len(), &right["wanted_intervals"]), (3, &40.into()));
+    run(&["--sizes", text(&grid)])
+        .refuses(&["--sizes is for meshes with interior points; add --interior"]);
+    run(&["--interior", "--sizes", text(&other)])
+        .refuses(&["other.txt: sizes are read from an ESRI grid (.asc)"]);
+    let same =
+        ["mesh", "--rectangle", "8x4", "--size", "0.5", "--interior", "--sizes", text(&grid), "-o"];
+    mindeg(same.into_iter().chain([text(&grid), "--format", "obj"]))
+        .refuses(&["is the file of sizes itself"]);
+}

@@ -127,6 +127,29 @@ impl SizeBetween {
         Some(between)
     }
 
+    /// The sizes at the vertices of a mesh; values that are no sizes are left out with their triangles.
+    pub fn of_mesh(points: Vec<SizeAt>, triangles: &[[u32; 3]]) -> Self {
+        let mut between = Self::default();
+        let indices: Vec<Option<u32>> = points
+            .into_iter()
+            .map(|point| {
+                let is_valid = is_size(point.size) && point.at.is_finite();
+                is_valid.then(|| {
+                    between.points.push(point);
+                    between.points.len() as u32 - 1
+                })
+            })
+            .collect();
+        between.triangles = triangles
+            .iter()
+            .filter_map(|triangle| match triangle.map(|point| indices[point as usize]) {
+                [Some(a), Some(b), Some(c)] => Some([a, b, c]),
+                _ => None,
+            })
+            .collect();
+        between
+    }
+
     fn check(&self) -> Result<(), DomainError> {
         for (index, SizeAt { at, size }) in self.points.iter().enumerate() {
             if !(is_size(*size) && at.is_finite()) {

@@ -31,6 +31,7 @@ mod open;
 mod outputs;
 mod polygons;
 mod session;
+mod sizes;
 mod targets;
 
 // The words of formats that callers need: this crate alone reads and writes files.

@@ -20,6 +20,7 @@ mod zip;
 use crate::facts::Facts;
 
 pub use read::read;
+pub(crate) use read::read_raster;
 use write::write;
 
 pub(crate) const FACTS: Facts = Facts {

@@ -19,6 +19,7 @@ mod xml;
 use crate::facts::Facts;
 
 pub use self::read::read;
+pub(crate) use self::read::read_values;
 use self::write::sections;
 
 pub(crate) const FACTS: Facts = Facts {

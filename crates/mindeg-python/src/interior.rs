@@ -1,10 +1,23 @@
 //! What is wanted of interior points, from Python's keyword arguments.
 
+use std::path::PathBuf;
+
 use mindeg::{InnerPoint, Interior};
+use mindeg_files::{Input, Session};
 use pyo3::prelude::*;
 use serde_json::{Map, Value};
 
+use crate::dict::dict;
+use crate::save::file_error;
 use crate::work::value_error;
+
+/// The sizes in a file, as a dict of points and triangles.
+#[pyfunction]
+#[pyo3(name = "_sizes_of_file")]
+pub(crate) fn sizes_of_file(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyAny>> {
+    let sizes = py.detach(|| Session::new("").sizes(&Input::File(&path)));
+    dict(py, &sizes.map_err(file_error)?)
+}
 
 /// The keyword arguments, in place of what the domain itself wants, and the points that the mesh must have.
 pub(crate) fn wanted(given: &str, base: &Interior) -> PyResult<(Interior, Vec<InnerPoint>)> {

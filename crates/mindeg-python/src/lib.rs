@@ -27,6 +27,8 @@ mod _mindeg {
     #[pymodule_export]
     use super::domain::{Domain, goals};
     #[pymodule_export]
+    use super::interior::sizes_of_file;
+    #[pymodule_export]
     use super::loops::{bridge_loops, fill_loop};
     #[pymodule_export]
     use super::mesh::{Mesh, improve, inspect, read};

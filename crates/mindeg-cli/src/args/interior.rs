@@ -9,6 +9,7 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use mindeg::Interior;
 use mindeg_answers::interior_keys::{InteriorKey, KeyValue, interior_keys};
 use serde_json::{Map, Value, json};
+use std::path::PathBuf;
 use std::sync::LazyLock;
 
 /// Whether there are interior points, and where.
@@ -24,6 +25,11 @@ pub(crate) struct InteriorArguments {
     /// Mesh the boundary points alone, also if the domain's file has "interior"
     #[arg(long, conflicts_with = "interior")]
     pub(crate) no_interior: bool,
+
+    /// Sizes between points, besides those of the domain's file: an ESRI grid (.asc), an NPZ with values, origin and
+    /// spacing, an MSH with node data, or a VTU with point data. May be given several times; the least size holds
+    #[arg(long, value_name = "FILE")]
+    pub(crate) sizes: Vec<PathBuf>,
 
     #[command(flatten)]
     pub(crate) wanted: Wanted<true>,

@@ -4,14 +4,16 @@ use crate::args::MeshArguments;
 use crate::demands::met_or_written_anyway;
 use crate::domain::name;
 use crate::failure::Failure;
+use crate::interrupt::SESSION;
 use crate::making::Making;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
-use mindeg::{Domain, Interior};
+use mindeg::{Domain, Interior, Size};
 use mindeg_answers::interior::{
     InteriorAnswer, angles_and_degrees, coarse_sides, corners, grading, local_limits, sizes,
     unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
+use mindeg_files::Input;
 use serde::Serialize;
 
 /// The output of `--json`.
@@ -40,7 +42,8 @@ pub(super) fn wanted(
     let options = &arguments.interior;
     let is_wanted = options.interior || domain.interior().is_some() && !options.no_interior;
     if !is_wanted {
-        return match options.wanted.first_given() {
+        let sizes = (!options.sizes.is_empty()).then(|| "--sizes".to_owned());
+        return match options.wanted.first_given().or(sizes) {
             Some(option) => Err(Failure::Input(format!(
                 "{option} is for meshes with interior points; add --interior"
             ))),
@@ -49,7 +52,11 @@ pub(super) fn wanted(
     }
     let from = if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
     arguments.refuse_goals_with_interior(from)?;
-    Ok(Some(options.wanted.over(domain.interior())))
+    let mut wanted = options.wanted.over(domain.interior());
+    for path in &options.sizes {
+        wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
+    }
+    Ok(Some(wanted))
 }
 
 /// Meshes a domain with interior points.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use glam::DVec2;
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
@@ -67,22 +68,38 @@ struct SizeKeys {
     until: Option<f64>,
     points: Option<Vec<SizeAt>>,
     triangles: Option<Vec<[u32; 3]>>,
+    origin: Option<DVec2>,
+    spacing: Option<DVec2>,
+    rows: Option<Vec<Vec<Option<f64>>>>,
 }
 
 impl SizeKeys {
     fn size(self) -> Result<Size, &'static str> {
-        let Self { from, size, growth, until, points, triangles } = self;
-        match (from, size, points) {
-            (Some(from), Some(size), None) if triangles.is_none() => {
+        let Self { from, size, growth, until, points, triangles, origin, spacing, rows } = self;
+        let is_near = from.is_some() || size.is_some() || growth.is_some() || until.is_some();
+        let is_mesh = points.is_some() || triangles.is_some();
+        let is_grid = origin.is_some() || spacing.is_some() || rows.is_some();
+        match (from, size, points, (origin, spacing, rows)) {
+            (Some(from), Some(size), None, _) if !is_mesh && !is_grid => {
                 Ok(Size::From(SizeFrom { from, size, growth, until }))
             }
-            (None, None, Some(points)) if growth.is_none() && until.is_none() => {
+            (None, None, Some(points), _) if !is_near && !is_grid => {
                 let triangles = triangles.unwrap_or_default();
                 Ok(Size::Between(SizeBetween { points, triangles }))
             }
+            (.., (Some(origin), Some(spacing), Some(rows))) if !is_near && !is_mesh => {
+                let columns = rows.first().map_or(0, Vec::len);
+                let is_even = rows.iter().all(|row| row.len() == columns);
+                let values = rows.iter().flatten().map(|value| value.unwrap_or(f64::NAN));
+                let grid = SizeBetween::grid(origin, spacing, columns, &values.collect::<Vec<_>>());
+                grid.filter(|_| is_even).map(Size::Between).ok_or(
+                    "the rows of a grid have the same number of values, at least one; null leaves one out",
+                )
+            }
             _ => Err(
-                "a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \
-                      \"until\", or {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}",
+                "a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", \
+                 {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}, or {\"origin\": [x, y], \"spacing\": \
+                 [dx, dy], \"rows\": [[h, …], …]}",
             ),
         }
     }
@@ -101,7 +118,7 @@ impl<'de> Visitor<'de> for SizeForms {
     type Value = Size;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a size [x, y, h], or an object with \"from\" or \"points\"")
+        f.write_str("a size [x, y, h], or an object with \"from\", \"points\" or \"rows\"")
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Size, A::Error> {

@@ -300,11 +300,11 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         ),
         (
             r#"{"sizes": [[1, 2, 1], 3]}"#,
-            "interior.sizes[1]: found the number 3, expected a size [x, y, h], or an object with \"from\" or \"points\"",
+            "interior.sizes[1]: found the number 3, expected a size [x, y, h], or an object with \"from\", \"points\" or \"rows\"",
         ),
         (
             r#"{"sizes": [{"from": ["wall"]}]}"#,
-            "interior.sizes[0]: a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", or {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}",
+            "interior.sizes[0]: a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}, or {\"origin\": [x, y], \"spacing\": [dx, dy], \"rows\": [[h, …], …]}",
         ),
         (
             r#"{"sizes": [{"from": [], "size": 1}]}"#,
@@ -317,6 +317,10 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         (
             r#"{"sizes": [{"points": [[0, 0, 1]], "triangles": [[0, 0, 1]]}]}"#,
             "interior.sizes[0].triangles[0]: found point 1; there are 1 points, from 0",
+        ),
+        (
+            r#"{"sizes": [{"origin": [0, 0], "spacing": [1, 1], "rows": [[1, 2], [3]]}]}"#,
+            "interior.sizes[0]: the rows of a grid have the same number of values, at least one; null leaves one out",
         ),
         (
             r#"{"min_size": 2, "max_size": 1}"#,
@@ -346,6 +350,18 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         let column: usize = place.trim_start_matches("line 1, column ").parse().unwrap();
         assert!((65..65 + interior.len()).contains(&column), "{place}");
     }
+}
+
+#[test]
+fn a_grid_of_sizes_becomes_triangles() {
+    let grid =
+        r#"{"sizes": [{"origin": [1, 2], "spacing": [2, 1], "rows": [[1, 2, 3], [4, 5, null]]}]}"#;
+    let domain = with_interior(grid).unwrap();
+    let [Size::Between(between)] = &domain.interior().unwrap().sizes[..] else {
+        panic!("{domain:?}")
+    };
+    assert_eq!((between.points.len(), between.triangles.len()), (5, 2));
+    assert_eq!(between.points[4], SizeAt { at: DVec2::new(3.0, 3.0), size: 5.0 });
 }
 
 #[test]

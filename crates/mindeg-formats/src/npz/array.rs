@@ -30,7 +30,7 @@ pub(super) struct Array<'a> {
 }
 
 impl<'a> Array<'a> {
-    /// An array of two dimensions that starts at an offset of the file.
+    /// An array of two dimensions, or of one as a row, that starts at an offset of the file.
     pub(super) fn new(offset: usize, bytes: Cow<'a, [u8]>) -> Result<Self, ReadError> {
         let problem = |problem: &str| ReadError::byte(offset, problem.to_owned());
         let broken = || problem("this is not the head of an array of numpy");
@@ -65,8 +65,13 @@ impl<'a> Array<'a> {
         let lengths = shape.split(',').map(str::trim).filter(|length| !length.is_empty());
         let lengths: Vec<usize> =
             lengths.map(str::parse).collect::<Result<_, _>>().map_err(|_| broken())?;
-        let &[rows, columns] = &lengths[..] else {
-            return Err(problem(&format!("the array has {} dimensions, not 2", lengths.len())));
+        let (rows, columns) = match lengths[..] {
+            [rows, columns] => (rows, columns),
+            [columns] => (1, columns),
+            _ => {
+                let count = lengths.len();
+                return Err(problem(&format!("the array has {count} dimensions, not 2")));
+            }
         };
         let len = rows.checked_mul(columns).and_then(|count| count.checked_mul(scalar.len()));
         if len != Some(numbers.len()) {
@@ -193,7 +198,7 @@ mod tests {
                 "(1, 2)",
                 "the array has the type \"c8\"; integers and floats of 16, 32 and 64 bits are read",
             ),
-            ("'<f8'", "(2,)", "the array has 1 dimensions, not 2"),
+            ("'<f8'", "(1, 1, 2)", "the array has 3 dimensions, not 2"),
             ("'<f8'", "(9, 9)", "the array has 16 bytes, which is not what its shape (9, 9) takes"),
             (
                 "'<f8'",

@@ -3,7 +3,8 @@
 use super::array::Array;
 use super::zip::{archive, entry};
 use crate::ReadError;
-use glam::DVec3;
+use crate::field::Raster;
+use glam::{DVec2, DVec3};
 use mindeg_mesh::TriMesh;
 use std::io::{Cursor, Read};
 use zip::ZipArchive;
@@ -54,6 +55,31 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     let largest = positions.iter().map(|p| p.abs().max_element()).fold(0.0, f64::max);
     let mesh = TriMesh::new(positions, corners)?;
     Ok(mesh.with_rounding(largest * points.rounding()))
+}
+
+/// Reads a grid from an NPZ: `values`, a row for each y, with `origin` and `spacing`, each x and y.
+pub(crate) fn read_raster(file: &[u8]) -> Result<Raster, ReadError> {
+    let mut archive = archive(file)?;
+    let mut found = |name: &str| match entry(file, &mut archive, &format!("{name}.npy"))? {
+        Some((offset, bytes)) => Array::new(offset, bytes),
+        None => Err(ReadError::place(
+            name,
+            "the archive has no such array; a grid has values, origin and spacing",
+        )),
+    };
+    let [values, origin, spacing] = [found("values")?, found("origin")?, found("spacing")?];
+    let pair = |array: &Array<'_>, name: &str| match array.shape() {
+        [1, 2] => Ok(DVec2::new(array.float(0, 0), array.float(0, 1))),
+        _ => Err(ReadError::place(name, "it should be two numbers, of x and y")),
+    };
+    let (origin, spacing) = (pair(&origin, "origin")?, pair(&spacing, "spacing")?);
+    if !(origin.is_finite() && spacing.is_finite() && spacing.min_element() > 0.0) {
+        return Err(ReadError::place("spacing", "it and the origin are finite, and it is above 0"));
+    }
+    let [rows, columns] = values.shape();
+    let at = (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)));
+    let values = at.map(|(row, column)| values.float(row, column)).collect();
+    Ok(Raster { origin, spacing, columns, values })
 }
 
 fn array<'a>(

@@ -45,8 +45,20 @@ use crate::grid::{CellData, Cells, Grid};
 pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
-    let (mut storage, mut offset) = head(&file)?;
-    storage.appended = appended(&file)?;
+    contents(&file, None)
+}
+
+/// Reads a mesh and the first point data of one number at each vertex.
+pub(crate) fn read_values(file: &[u8]) -> Result<(TriMesh, Vec<f64>), ReadError> {
+    let mut values = Vec::new();
+    let mesh = contents(file, Some(&mut values))?;
+    Ok((mesh, values))
+}
+
+/// Reads a mesh, and values at its vertices where they are wanted.
+fn contents(file: &[u8], mut at_points: Option<&mut Vec<f64>>) -> Result<TriMesh, ReadError> {
+    let (mut storage, mut offset) = head(file)?;
+    storage.appended = appended(file)?;
     // Raw bytes follow, not XML.
     let end = storage.appended.map_or(file.len(), |(start, _)| start);
     let mut grid = Grid::default();
@@ -60,6 +72,9 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
             (b"Piece", false) => piece = Some(Piece::new(&tag)?),
             (b"Piece", true) => {
                 if let Some(piece) = piece.take() {
+                    if let Some(at_points) = &mut at_points {
+                        at_points.extend(piece.values_at_points(&storage)?);
+                    }
                     piece.add_to(&mut grid, &storage, &mut data)?;
                 }
             }
@@ -175,6 +190,19 @@ impl<'a> Piece<'a> {
     fn take_array(&mut self, inside: &'a [u8], tag: Tag<'a>) {
         let name = if inside == b"Points" { Some(POINTS) } else { tag.attribute("Name") };
         self.arrays.entry((inside, name.unwrap_or_default())).or_insert(tag);
+    }
+
+    /// The first point data of one number at each point.
+    fn values_at_points(&self, storage: &Storage<'_>) -> Result<Vec<f64>, ReadError> {
+        let data = self.arrays.iter().filter(|((inside, _), _)| *inside == b"PointData");
+        for (_, tag) in data {
+            let found: Vec<f64> = values(storage, tag)?;
+            if found.len() as u64 == self.points {
+                return Ok(found);
+            }
+        }
+        let problem = "the piece has no point data of one number at each point";
+        Err(ReadError::byte(self.start, problem))
     }
 
     fn add_to(
