@@ -2,6 +2,7 @@
 
 use crate::run::{mindeg, mindeg_reading};
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -374,5 +375,108 @@ fn the_boundary_of_a_mesh_becomes_a_domain() {
         run(&["mesh", &at(poly), "-q", "-o", &at(obj)]);
         assert_eq!(sorted(obj), sorted("c.obj"), "{poly}");
         assert!(run(&["domain", &at(poly), "-o", "-"]).text().contains("left bore"), "{poly}");
+    }
+}
+
+/// Two states with a border of two edges, and an island of the first, in TopoJSON.
+const STATES: &str = r#"{"type": "Topology", "transform": {"scale": [0.1, 0.1], "translate": [0.7, 0]},
+    "arcs": [[[20, 0], [1, 10], [-1, 10]], [[20, 20], [-20, 0], [0, -20], [20, 0]],
+             [[20, 0], [20, 0], [0, 20], [-20, 0]], [[60, 0], [10, 0], [0, 10], [-10, -10]]],
+    "objects": {
+        "states": {"type": "GeometryCollection", "geometries": [
+            {"type": "MultiPolygon", "arcs": [[[0, 1]], [[3]]], "properties": {"title": "West"}},
+            {"type": "Polygon", "arcs": [[2, -1]], "properties": {"title": "East"}}]},
+        "nation": {"type": "Polygon", "arcs": [[1, 2]]}}}"#;
+
+/// The vertices and the triangles of each `o` of an OBJ.
+fn groups(obj: &str) -> BTreeMap<String, Vec<[usize; 3]>> {
+    let mut groups: BTreeMap<String, Vec<[usize; 3]>> = BTreeMap::new();
+    let mut name = "";
+    for line in obj.lines() {
+        if let Some(own) = line.strip_prefix("o ") {
+            name = own;
+        } else if let Some(face) = line.strip_prefix("f ") {
+            let corner = |word: &str| {
+                word.split('/').next().expect("a word").parse::<usize>().expect("a number") - 1
+            };
+            let corners: Vec<usize> = face.split(' ').map(corner).collect();
+            groups.entry(name.to_owned()).or_default().push([corners[0], corners[1], corners[2]]);
+        }
+    }
+    groups
+}
+
+#[test]
+fn polygons_that_share_borders_become_one_mesh() {
+    let folder = folder(&[("states.json", STATES)]);
+    let at = |name: &str| folder.path().join(name).to_str().expect("a name").to_owned();
+    let (file, out) = (at("states.json"), at("out.obj"));
+    let mesh = ["mesh", &file, "--layer", "states", "--name-by", "title", "--interior"];
+    let run = mindeg([&mesh[..], &["--json", "-o", &out]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert_eq!([&run.json()["regions"], &run.json()["parts"]], [2, 2]);
+    let obj = text(Path::new(&out));
+    let (points, groups) = (points(&obj), groups(&obj));
+    assert_eq!(groups.keys().collect::<Vec<_>>(), ["East", "West"]);
+    // Each point of the file is there, once.
+    let number = |index: f64, scale: f64, move_by: f64| index * scale + move_by;
+    let border = [[20.0, 0.0], [21.0, 10.0], [20.0, 20.0]];
+    let others = [[0.0, 20.0], [0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [60.0, 0.0], [70.0, 10.0]];
+    let index_of = |[x, y]: [f64; 2]| {
+        let point = [number(x, 0.1, 0.7), number(y, 0.1, 0.0)];
+        let found: Vec<usize> = (0..points.len()).filter(|&at| points[at] == point).collect();
+        let &[only] = &found[..] else { panic!("{point:?} is there {} times", found.len()) };
+        only
+    };
+    others.into_iter().for_each(|point| _ = index_of(point));
+    // Each edge of the border is one of a triangle on either side.
+    let border = border.map(index_of);
+    let has = |name: &str, a: usize, b: usize| {
+        let edges = groups[name].iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
+        edges.filter(|edge| *edge == [a, b]).count()
+    };
+    for pair in border.windows(2) {
+        assert_eq!([has("West", pair[0], pair[1]), has("East", pair[1], pair[0])], [1, 1]);
+    }
+    // The areas are those of the polygons.
+    let area = |name: &str| -> f64 {
+        let doubled = |&[a, b, c]: &[usize; 3]| {
+            let [[ax, ay], [bx, by], [cx, cy]] = [a, b, c].map(|at| points[at]);
+            (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        };
+        groups[name].iter().map(doubled).sum::<f64>() / 2.0
+    };
+    for (name, expected) in [("West", 4.1 + 0.5), ("East", 3.9)] {
+        assert!((area(name) - expected).abs() < 1e-12, "{name}: {}", area(name));
+    }
+
+    // One file each is possible, too; a part of its own has a domain.
+    let run = mindeg([&mesh[..], &["--separate", "-q", "-o", &at("each/")]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    assert_eq!(names_in(&folder.path().join("each")), ["East.obj", "West-1.obj", "West-2.obj"]);
+    mindeg([&mesh[..], &["--separate", "-o", &out]].concat()).refuses(&["has 3 polygons, and"]);
+    let run = mindeg(["degree", &file, "--layer", "nation"]);
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+}
+
+#[test]
+fn layers_properties_and_overlaps_are_named() {
+    let overlap = "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((2 2, 6 2, 6 6, 2 6))";
+    let folder = folder(&[("a.json", STATES), ("b.wkt", overlap)]);
+    let at = |name: &str| folder.path().join(name).to_str().expect("a name").to_owned();
+    let (file, wkt, out) = (at("a.json"), at("b.wkt"), at("out.obj"));
+    for (options, message) in [
+        (&[&*file][..], "the file has several layers; choose one of \"nation\", \"states\""),
+        (&[&file, "--layer", "x"], "no layer is \"x\"; the file has \"nation\", \"states\""),
+        (
+            &[&file, "--layer", "states", "--name-by", "name"],
+            "no feature has the property \"name\"; they have \"title\"",
+        ),
+        (&[&wkt], "(4.0, 2.0): a border of polygon 1 meets one of polygon 2 there"),
+        (&[&wkt, "--name-by", "name"], "WKT has no properties; polygons are named by"),
+        (&[&wkt, "--layer", "name"], "WKT has no layers; a layer is an object of TopoJSON"),
+    ] {
+        mindeg([&["mesh", "--interior", "-o", &out][..], options].concat()).refuses(&[message]);
+        assert!(!Path::new(&out).exists());
     }
 }

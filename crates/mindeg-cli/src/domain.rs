@@ -9,7 +9,7 @@ use crate::interrupt::SESSION;
 use crate::terminal::say;
 use mindeg::{Domain, Intervals, Model, Outline, Rectangle, Side, TriMesh};
 use mindeg_answers::names::shown;
-use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Wanted};
+use mindeg_files::{Content, Division, Input, PolygonFile, ReadOptions, Selection, Wanted};
 use std::borrow::Cow;
 use std::path::Path;
 
@@ -146,7 +146,9 @@ fn opened(
     let name = input.name();
     let division = Division { corner_angle: options.corner_angle, size };
     let OutlineOptions { repair, fill_rule, .. } = *options;
-    let read = ReadOptions { feature: options.feature.clone(), repair, fill_rule, division };
+    let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
+    let feature = options.feature.clone();
+    let read = ReadOptions { feature, selection, repair, fill_rule, division };
     let bad = |error: &dyn ToString| Failure::Input(format!("{name}: {}", error.to_string()));
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {

@@ -22,6 +22,9 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
         Subject::Domain(domain) => mesh_of(&domain, arguments, output),
         Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
+            if features::are_one_map(arguments) {
+                return interior::run_maps(arguments, &polygons);
+            }
             features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
         }
         Subject::Polygons(polygons) => {

@@ -39,7 +39,7 @@ pub use mindeg_formats::{
     Encoding, Format, MeshPlane, MshVersion, SurfaceOptions, WriteError, WriteOptions, Writer,
     extensions, obj, svg, with_boundary_lines,
 };
-pub use mindeg_outlines::{Division, FillRule, OutlineFormat, Polygon};
+pub use mindeg_outlines::{Division, FillRule, OutlineFormat, Polygon, Selection};
 
 pub use error::{FileError, plainly};
 pub use input::Input;

@@ -126,7 +126,7 @@ impl Session {
             }
             alone => Err(io::Error::other(alone.alone())),
         };
-        let outlines = outlines::read(bytes, format, beside);
+        let outlines = outlines::read_selected(bytes, format, &options.selection, beside);
         PolygonFile::new(self, input, format, outlines, options)
             .map_err(|error| error.of(&input.name()))
     }

@@ -6,6 +6,7 @@ use crate::session::Session;
 use mindeg_domain::Domain;
 use mindeg_outlines::{
     self as outlines, Division, FillRule, Listed, OutlineError, OutlineFormat, Outlines, Polygon,
+    Selection,
 };
 use std::path::Path;
 
@@ -14,6 +15,8 @@ use std::path::Path;
 pub struct ReadOptions {
     /// The polygons that are taken, by a name or an index from 1; all without it.
     pub feature: Option<String>,
+    /// The layer that is taken, and the property that names polygons.
+    pub selection: Selection,
     /// Whether rings that touch or cross themselves are parted.
     pub repair: bool,
     /// The rule by which a repair counts points as inside; by default the format's.
@@ -33,6 +36,7 @@ pub struct PolygonFile {
     pub polygons: Vec<Polygon>,
     /// Sentences for the user about parts that the reader left out or changed.
     pub notes: Vec<String>,
+    name: Option<String>,
     division: Division,
     is_repaired: bool,
     dashes: &'static str,
@@ -67,10 +71,20 @@ impl PolygonFile {
             format,
             polygons,
             notes,
+            name: options
+                .selection
+                .layer
+                .clone()
+                .or_else(|| input.path().and_then(plain_stem).map(str::to_owned)),
             division: options.division,
             is_repaired: options.repair,
             dashes: session.dashes(),
         })
+    }
+
+    /// The name of all of them together: the layer, or the file's name without its extension.
+    pub fn name(&self) -> Option<&str> {
+        self.name.as_deref()
     }
 
     /// The domain of one of them.
@@ -80,30 +94,54 @@ impl PolygonFile {
     /// The reason why it is not a domain, under its name.
     pub fn domain(&self, polygon: &Polygon) -> Result<Domain, FileError> {
         polygon.domain(&self.division).map_err(|error| {
-            let hint = if error.is_touch && !self.is_repaired {
-                format!("; {}repair parts rings that touch themselves", self.dashes)
-            } else {
-                String::new()
-            };
+            let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
         })
     }
 
-    /// The only one.
+    /// The maps of several polygons: those that share edges are regions of one domain. A single polygon is its domain.
+    /// The notes are sentences for the user.
     ///
     /// # Errors
     ///
-    /// The reason why it is not a domain, or that the file has several polygons.
+    /// The reason why there is no map: polygons that overlap or cross, with both names and the place.
+    pub fn maps(&self) -> Result<(Vec<Domain>, Vec<String>), FileError> {
+        if let [polygon] = &self.polygons[..] {
+            let domain = self.domain(polygon).map_err(|error| error.of(&self.file))?;
+            return Ok((vec![domain], Vec::new()));
+        }
+        let maps = outlines::maps(&self.polygons, &self.division);
+        maps.map_err(|error| {
+            FileError::wrong(format!("{error}{}", self.hint(error.is_touch))).of(&self.file)
+        })
+    }
+
+    fn hint(&self, is_touch: bool) -> String {
+        if is_touch && !self.is_repaired {
+            format!("; {}repair parts rings that touch themselves", self.dashes)
+        } else {
+            String::new()
+        }
+    }
+
+    /// The only domain: that of a single polygon, or the map of several that share edges.
+    ///
+    /// # Errors
+    ///
+    /// The reason why it is not a domain, or that the polygons of the file do not hang together.
     pub fn only(&self) -> Result<Domain, FileError> {
         match &self.polygons[..] {
             [polygon] => self.domain(polygon).map_err(|error| error.of(&self.file)),
-            polygons => Err(FileError::wrong(format!(
-                "{} has {} polygons; choose one with {}feature, by its name or index: {}",
-                self.file,
-                polygons.len(),
-                self.dashes,
-                Listed(polygons)
-            ))),
+            polygons => match self.maps().map(|found| found.0).as_deref() {
+                Ok([map]) => Ok(map.clone()),
+                _ => Err(FileError::wrong(format!(
+                    "{} has {} polygons; choose one with {}feature, by its name or index: {}",
+                    self.file,
+                    polygons.len(),
+                    self.dashes,
+                    Listed(polygons)
+                ))),
+            },
         }
     }
 }

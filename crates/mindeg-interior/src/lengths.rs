@@ -15,6 +15,8 @@ const NEAR: RangeInclusive<f64> = 0.7..=1.4;
 /// asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizeReport {
+    /// The number of edges that are compared: those that do not stay.
+    pub edges: usize,
     /// The share of edges that are 0.7 to 1.4 times as long as wanted; 1 without edges.
     pub near: f64,
     /// The least ratio of an edge's length to its size.
@@ -63,6 +65,7 @@ impl SizeReport {
             count += 1;
             (least, greatest) = (least.min(ratio), greatest.max(ratio));
         }
+        let edges = count;
         if count == 0 {
             (near, count, least, greatest) = (1, 1, 1.0, 1.0);
         }
@@ -85,7 +88,24 @@ impl SizeReport {
             (length > NEAR.end() * size).then_some(CoarseEdge { edge, at, length, size })
         };
         let coarse = frozen_edges(outline, options).filter_map(coarse).collect();
-        Self { near: near as f64 / count as f64, least, greatest, coarse }
+        Self { edges, near: near as f64 / count as f64, least, greatest, coarse }
+    }
+
+    /// This and another of a mesh beside it, without the edges that are too long.
+    pub(crate) fn with(self, other: Self) -> Self {
+        let edges = self.edges + other.edges;
+        let near = |sizes: &Self| sizes.near * sizes.edges as f64;
+        match (self.edges, other.edges) {
+            (_, 0) => self,
+            (0, _) => other,
+            _ => Self {
+                edges,
+                near: (near(&self) + near(&other)) / edges as f64,
+                least: self.least.min(other.least),
+                greatest: self.greatest.max(other.greatest),
+                coarse: Vec::new(),
+            },
+        }
     }
 }
 

@@ -124,6 +124,98 @@ pub struct InteriorReport {
     pub triangles: usize,
     /// The number of vertices that are not on the boundary.
     pub interior_points: usize,
+    /// The shares of local limits and the ratios of areas that percentiles are made of.
+    samples: [Vec<f64>; 2],
+}
+
+impl InteriorReport {
+    /// The report of meshes beside each other, which becomes one mesh: of each the index that its first vertex has
+    /// there. `None` without meshes. O(n) for n triangles.
+    #[must_use]
+    pub fn of_all(reports: impl IntoIterator<Item = (u32, Self)>) -> Option<Self> {
+        let mut all = reports.into_iter().map(|(first, report)| report.moved(first));
+        let mut sum = all.next()?;
+        for report in all {
+            sum = sum.with(report);
+        }
+        let [shares, ratios] = &mut sum.samples;
+        (sum.local.percentile, sum.grading_p99) = (first_percentile(shares), grading(ratios));
+        sum.share_of_limit = (sum.min_angle / sum.angle_limit).min(1.0);
+        Some(sum)
+    }
+
+    /// The same with vertices counted from another index on.
+    fn moved(mut self, first: u32) -> Self {
+        let Limits { any_degree, with_degree_limit, tent } = &mut self.limits;
+        let tents = tent.iter_mut().flat_map(|tent| &mut tent.edges);
+        let own = [&mut self.min_angle_vertex, &mut self.local.vertex];
+        let limits = [&mut any_degree.vertex, &mut with_degree_limit.vertex];
+        let violations = self.violations.iter_mut().map(|violation| &mut violation.vertex);
+        let corners = self.corners.iter_mut().map(|corner| &mut corner.vertex);
+        let certified = self.certified.iter_mut();
+        let certified = certified.flat_map(|it| [&mut it.vertex].into_iter().chain(&mut it.edges));
+        let vertices = own.into_iter().chain(limits).chain(tents).chain(violations);
+        vertices.chain(corners).chain(certified).for_each(|vertex| *vertex += first);
+        self
+    }
+
+    /// This and another, but for the percentiles.
+    fn with(mut self, other: Self) -> Self {
+        if other.min_angle < self.min_angle {
+            (self.min_angle, self.min_angle_vertex) = (other.min_angle, other.min_angle_vertex);
+        }
+        if other.angle_limit < self.angle_limit {
+            (self.angle_limit, self.limits) = (other.angle_limit, other.limits);
+        }
+        let below = self.local.below + other.local.below;
+        if other.local.worst < self.local.worst {
+            self.local = other.local;
+        }
+        self.local.below = below;
+        self.max_angle = self.max_angle.max(other.max_angle);
+        self.interior_degree = match (self.interior_degree, other.interior_degree) {
+            (Some(one), Some(other)) => Some(around(&one, &other)),
+            (one, other) => one.or(other),
+        };
+        self.boundary_degree = around(&self.boundary_degree, &other.boundary_degree);
+        self.corners.extend(other.corners);
+        self.violations.extend(other.violations);
+        self.certified.extend(other.certified);
+        self.area_ratio = self.area_ratio.max(other.area_ratio);
+        self.sizes = match (self.sizes, other.sizes) {
+            (Some(one), Some(other)) => Some(one.with(other)),
+            (one, other) => one.or(other),
+        };
+        self.triangles += other.triangles;
+        self.interior_points += other.interior_points;
+        for (own, others) in self.samples.iter_mut().zip(other.samples) {
+            own.extend(others);
+        }
+        self
+    }
+}
+
+/// The range around two.
+fn around(one: &RangeInclusive<u32>, other: &RangeInclusive<u32>) -> RangeInclusive<u32> {
+    *one.start().min(other.start())..=*one.end().max(other.end())
+}
+
+/// The 99th percentile of the square root of ratios of areas.
+fn grading(ratios: &mut [f64]) -> f64 {
+    let index = ratios.len().saturating_sub(1) * 99 / 100;
+    match ratios.is_empty() {
+        true => 1.0,
+        false => ratios.select_nth_unstable_by(index, f64::total_cmp).1.sqrt(),
+    }
+}
+
+/// The 1st percentile of shares.
+fn first_percentile(shares: &mut [f64]) -> f64 {
+    let index = shares.len().saturating_sub(1) / 100;
+    match shares.is_empty() {
+        true => 1.0,
+        false => *shares.select_nth_unstable_by(index, f64::total_cmp).1,
+    }
 }
 
 /// The wishes that a mesh is compared with, and the limits of its boundary.
@@ -171,8 +263,8 @@ pub(crate) fn measure(
         .map(|pair| area(pair[0].2) / area(pair[1].2))
         .map(|ratio| ratio.max(1.0 / ratio))
         .collect();
-    ratios.sort_unstable_by(f64::total_cmp);
-    let percentile = ratios.get(ratios.len().saturating_sub(1) * 99 / 100).copied().unwrap_or(1.0);
+    let area_ratio = ratios.iter().copied().fold(1.0, f64::max);
+    let grading_p99 = grading(&mut ratios);
 
     let (mut violations, mut certified) = (Vec::new(), Vec::new());
     let mut inside: Option<(u32, u32)> = None;
@@ -220,7 +312,7 @@ pub(crate) fn measure(
     }
     let breaks_limit = violations.iter().any(|violation| violation.is_boundary);
     let angle_limit = if breaks_limit { limits_at(&violations).angle() } else { limits.angle() };
-    let mut local = local_shares(triangles, &angles, &local);
+    let (mut local, shares) = local_shares(triangles, &angles, &local);
     local.at = points.get(local.vertex as usize).copied().unwrap_or_default();
     local.is_tent = goal(local.vertex).is_some_and(|goal| goal.tents <= local.limit);
     InteriorReport {
@@ -236,11 +328,12 @@ pub(crate) fn measure(
         boundary_degree: boundary.0..=boundary.1,
         violations,
         certified,
-        area_ratio: ratios.last().copied().unwrap_or(1.0),
-        grading_p99: percentile.sqrt(),
+        area_ratio,
+        grading_p99,
         sizes: None,
         triangles: triangles.len(),
         interior_points,
+        samples: [shares, ratios],
     }
 }
 
@@ -270,8 +363,8 @@ fn trade_off(
     Some(angles)
 }
 
-/// The shares of triangles with these angles, if vertices have these limits.
-fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> LocalShares {
+/// The shares of triangles with these angles, if vertices have these limits: the measures, and all of them.
+fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> (LocalShares, Vec<f64>) {
     let limit = |v: &u32| limits[*v as usize];
     let mut worst = (f64::INFINITY, 0);
     let mut shares = Vec::with_capacity(angles.len());
@@ -285,15 +378,14 @@ fn local_shares(triangles: &[[u32; 3]], angles: &[f64], limits: &[f64]) -> Local
             worst = (share, *of);
         }
     }
-    let percentile = shares.len().saturating_sub(1) / 100;
     let below = shares.iter().filter(|share| **share < 0.9).count();
-    let percentile = match shares.is_empty() {
-        true => 1.0,
-        false => *shares.select_nth_unstable_by(percentile, f64::total_cmp).1,
-    };
+    let percentile = first_percentile(&mut shares);
     let limit = limits.get(worst.1 as usize).copied().unwrap_or(ENOUGH);
     let (at, is_tent) = (DVec2::ZERO, false);
-    LocalShares { worst: worst.0.min(1.0), vertex: worst.1, at, limit, is_tent, percentile, below }
+    let worst_share = worst.0.min(1.0);
+    let local =
+        LocalShares { worst: worst_share, vertex: worst.1, at, limit, is_tent, percentile, below };
+    (local, shares)
 }
 
 /// The degree of each vertex of the boundary that breaks its limit, by its index there; 0 of others.

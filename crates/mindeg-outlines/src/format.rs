@@ -50,7 +50,7 @@ impl OutlineFormat {
 
     fn facts(self) -> (&'static str, &'static [&'static str]) {
         match self {
-            GeoJson => ("GeoJSON", &["geojson"]),
+            GeoJson => ("GeoJSON", &["geojson", "topojson"]),
             Wkt => ("WKT", &["wkt"]),
             Svg => ("SVG", &["svg"]),
             Csv => ("a list of points", &["csv", "tsv", "xy", "txt", "dat"]),
@@ -150,8 +150,41 @@ pub fn read(
     format: OutlineFormat,
     beside: impl Fn(&str) -> io::Result<Vec<u8>>,
 ) -> Result<Outlines, OutlineError> {
+    read_selected(bytes, format, &Selection::default(), beside)
+}
+
+/// What is taken of a file, and how it is named.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Selection {
+    /// The layer that is taken: an object of TopoJSON, or a layer of a DXF. Without it the only object, or all layers.
+    pub layer: Option<String>,
+    /// The property that names polygons: of GeoJSON and TopoJSON, instead of `name` and `id`.
+    pub name_by: Option<String>,
+}
+
+/// [`read`] of a part of a file.
+///
+/// # Errors
+///
+/// The errors of [`read`]; a layer or a property that the file does not have, or that its format has not.
+pub fn read_selected(
+    bytes: &[u8],
+    format: OutlineFormat,
+    selection: &Selection,
+    beside: impl Fn(&str) -> io::Result<Vec<u8>>,
+) -> Result<Outlines, OutlineError> {
+    let refused = |what: &str, of: &str| {
+        let problem = format!("{} has no {what}; {of}", format.name());
+        Err(OutlineError::place("", problem))
+    };
+    if selection.name_by.is_some() && format != GeoJson {
+        return refused("properties", "polygons are named by those of GeoJSON and TopoJSON");
+    }
+    if selection.layer.is_some() && format != GeoJson {
+        return refused("layers", "a layer is an object of TopoJSON");
+    }
     match format {
-        GeoJson => geojson::read(bytes),
+        GeoJson => geojson::read(bytes, selection),
         Wkt => wkt::read(bytes),
         Svg => svg::read(bytes),
         Csv => csv::read(bytes),

@@ -1,29 +1,32 @@
-//! GeoJSON (RFC 7946): `Polygon`, `MultiPolygon`, and what holds them.
+//! GeoJSON (RFC 7946) and TopoJSON: `Polygon`, `MultiPolygon`, and what holds them.
 //!
-//! Other geometries are left out and counted. Names are `properties.name`, else `id`. Longitude
+//! Other geometries are left out and counted. Names are `properties.name`, else `id`, or a property that is chosen. Longitude
 //! and latitude are taken as planar coordinates; heights are left out.
 //!
 //! The crate `geojson` tells what is wrong, but not in which feature or ring.
 
+mod topology;
+
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
 use serde::Deserialize;
 use serde_json::error::Category;
 use serde_json::{Map, Value};
 
+use super::format::Selection;
 use super::outline::{DrawnRing, Feature, Outlines};
-use super::text::{at_line, counted_all, quoted, text_of};
+use super::text::{at_line, counted, counted_all, quoted, text_of};
 use crate::error::OutlineError;
 
-/// Reads a GeoJSON text.
+/// Reads a GeoJSON or TopoJSON text.
 ///
 /// # Errors
 ///
-/// Text that is not JSON (with its line), and objects that are not valid GeoJSON (with their
-/// path).
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
+/// Text that is not JSON (with its line), and objects that are not valid GeoJSON or TopoJSON (with their
+/// path); a layer or a property that the file does not have.
+pub(super) fn read(bytes: &[u8], selection: &Selection) -> Result<Outlines, OutlineError> {
     let document: Value = serde_json::from_str(text_of(bytes)?).map_err(|error| {
         let problem = match error.classify() {
             Category::Eof => "the JSON text ends too early; the file is not whole",
@@ -35,8 +38,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         };
         at_line(error.line() as u64, format!("column {}: {problem}", error.column()))
     })?;
-    let mut reader = Reader::default();
-    reader.object(&document, &Path::Start, None)?;
+    let mut reader = Reader { name_by: selection.name_by.as_deref(), ..Reader::default() };
+    if document.get("type").and_then(Value::as_str) == Some("Topology") {
+        topology::read(&document, selection.layer.as_deref(), &mut reader)?;
+    } else if selection.layer.is_some() {
+        let problem =
+            "GeoJSON has no layers; a layer is an object of TopoJSON, or a layer of a DXF";
+        return Err(Path::Start.error(problem));
+    } else {
+        reader.object(&document, &Path::Start, None)?;
+    }
     reader.end()
 }
 
@@ -66,9 +77,17 @@ const TYPES: [&str; 10] = [
     "Topology",
 ];
 
+/// The most properties that a message lists.
+const MOST_PROPERTIES: usize = 12;
+
 #[derive(Default)]
-struct Reader {
+struct Reader<'a> {
     outlines: Outlines,
+    /// The property that names features, instead of the usual ones.
+    name_by: Option<&'a str>,
+    /// The properties of features that lack that one, and how many lack it.
+    other_properties: BTreeSet<String>,
+    unnamed: usize,
     skipped: BTreeMap<String, usize>,
     heights: bool,
     /// The largest absolute values of the first and the second coordinate.
@@ -97,7 +116,7 @@ impl Path<'_> {
     }
 }
 
-impl Reader {
+impl Reader<'_> {
     /// Reads an object by its type; features inside carry the name of the one around them.
     fn object(
         &mut self,
@@ -115,7 +134,7 @@ impl Reader {
             "FeatureCollection" => self.each(object, "features", path, None),
             "GeometryCollection" => self.each(object, "geometries", path, name),
             "Feature" => {
-                let own = own_name(object);
+                let own = self.own_name(object);
                 match object.get("geometry") {
                     None | Some(Value::Null) => {
                         self.skip("feature without geometry");
@@ -145,10 +164,6 @@ impl Reader {
                 self.skip(kind);
                 Ok(())
             }
-            "Topology" => Err(path.error(
-                "this is TopoJSON; convert it to GeoJSON first, such as with topojson-client's \
-                 topo2geo",
-            )),
             other => Err(path.error(format!(
                 "the type {} is none of GeoJSON; expected \"FeatureCollection\", \"Feature\", \
                  \"Polygon\" or \"MultiPolygon\"",
@@ -181,7 +196,7 @@ impl Reader {
         name: Option<&str>,
     ) -> Result<(), OutlineError> {
         if rings.is_empty() {
-            self.skip("polygon without rings");
+            self.skip("empty polygon");
             return Ok(());
         }
         let rings = rings.iter().enumerate().map(|(index, ring)| {
@@ -196,8 +211,12 @@ impl Reader {
             Ok(DrawnRing::of_points(points))
         });
         let rings = rings.collect::<Result<_, _>>()?;
-        self.outlines.features.push(Feature { name: name.map(str::to_owned), rings });
+        self.add(name, rings);
         Ok(())
+    }
+
+    fn add(&mut self, name: Option<&str>, rings: Vec<DrawnRing>) {
+        self.outlines.features.push(Feature { name: name.map(str::to_owned), rings });
     }
 
     fn position(&mut self, value: &Value, path: &Path<'_>) -> Result<DVec2, OutlineError> {
@@ -212,8 +231,30 @@ impl Reader {
             })
         };
         let point = DVec2::new(number(x)?, number(y)?);
-        self.largest = [self.largest[0].max(point.x.abs()), self.largest[1].max(point.y.abs())];
+        self.measure(point);
         Ok(point)
+    }
+
+    fn measure(&mut self, point: DVec2) {
+        self.largest = [self.largest[0].max(point.x.abs()), self.largest[1].max(point.y.abs())];
+    }
+
+    /// The property that was chosen, or `properties.name` in any case, else `id`.
+    fn own_name(&mut self, feature: &Map<String, Value>) -> Option<String> {
+        let properties = feature.get("properties").and_then(Value::as_object);
+        let by_key = |wanted: &str| properties.and_then(|properties| properties.get(wanted));
+        let id = || as_name(feature.get("id")?);
+        let Some(wanted) = self.name_by else {
+            let named = ["name", "NAME", "Name"].into_iter().find_map(|key| as_name(by_key(key)?));
+            return named.or_else(id);
+        };
+        let name = by_key(wanted).and_then(as_name);
+        let name = name.or_else(|| if wanted == "id" { id() } else { None });
+        if name.is_none() {
+            self.unnamed += 1;
+            self.other_properties.extend(properties.into_iter().flat_map(Map::keys).cloned());
+        }
+        name
     }
 
     fn end(mut self) -> Result<Outlines, OutlineError> {
@@ -238,16 +279,22 @@ impl Reader {
         if self.outlines.features.is_empty() {
             return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));
         }
+        if let Some(wanted) = self.name_by.filter(|_| self.unnamed > 0) {
+            let is_any = self.outlines.features.iter().any(|feature| feature.name.is_some());
+            let mut others =
+                self.other_properties.iter().map(|key| quoted(key)).collect::<Vec<_>>();
+            others.truncate(MOST_PROPERTIES);
+            let others = if others.is_empty() { "none".to_owned() } else { others.join(", ") };
+            let wanted = quoted(wanted);
+            if !is_any {
+                let problem = format!("no feature has the property {wanted}; they have {others}");
+                return Err(Path::Start.error(problem));
+            }
+            let unnamed = counted(self.unnamed, "feature");
+            notes.push(format!("{unnamed} without the property {wanted}"));
+        }
         Ok(self.outlines)
     }
-}
-
-/// `properties.name`, in any case, else `id`.
-fn own_name(feature: &Map<String, Value>) -> Option<String> {
-    let properties = feature.get("properties").and_then(Value::as_object);
-    let by_key = |wanted: &str| properties.and_then(|properties| properties.get(wanted));
-    let named = ["name", "NAME", "Name"].into_iter().find_map(|key| as_name(by_key(key)?));
-    named.or_else(|| as_name(feature.get("id")?))
 }
 
 fn as_name(value: &Value) -> Option<String> {
@@ -293,7 +340,8 @@ mod tests {
     const RING: &str = "[[0, 0], [4, 0], [0.1, 3], [0, 0]]";
 
     fn read(text: &str) -> Result<Outlines, String> {
-        super::read(text.replace('@', RING).as_bytes()).map_err(|error| error.to_string())
+        super::read(text.replace('@', RING).as_bytes(), &Selection::default())
+            .map_err(|error| error.to_string())
     }
 
     #[test]
@@ -338,7 +386,7 @@ mod tests {
         let outlines = outlines.unwrap();
         assert_eq!(
             outlines.notes,
-            ["left out 2 Points, 1 polygon without rings", "left out the heights of positions"]
+            ["left out 2 Points, 1 empty polygon", "left out the heights of positions"]
         );
         assert_eq!(outlines.features[0].rings.len(), 2);
     }
@@ -371,10 +419,7 @@ mod tests {
                 r#"{"type": "FeatureCollection", "features": [{"type": "Feature", "geometry": {"type": "Ring"}}]}"#,
                 "features[0].geometry: the type \"Ring\" is none of GeoJSON; expected \"FeatureCollection\", \"Feature\", \"Polygon\" or \"MultiPolygon\"",
             ),
-            (
-                r#"{"type": "Topology", "arcs": []}"#,
-                "this is TopoJSON; convert it to GeoJSON first, such as with topojson-client's topo2geo",
-            ),
+            (r#"{"type": "Topology", "arcs": []}"#, "\"objects\" is missing"),
             (
                 r#"{"type": "LineString", "coordinates": []}"#,
                 "no Polygon or MultiPolygon, only 1 LineString",

@@ -50,7 +50,7 @@ mod wkt;
 pub use choice::{Listed, Polygon, chosen, labelled};
 pub use curve::{EllipseArc, PieceCurve, Segment};
 pub use error::OutlineError;
-pub use format::{OutlineFormat, read};
+pub use format::{OutlineFormat, Selection, read, read_selected};
 pub use map::maps;
 pub use outline::{DrawnRing, Feature, FillRule, Outlines, Piece};
 pub use sides::{DividedSide, Division};

@@ -57,10 +57,8 @@ pub fn maps(
             if name.is_empty() { polygon.name() } else { name }
         })
         .collect();
-    let (borders, repeated) = borders::of_polygons(polygons, &names)?;
-    let note =
-        (repeated > 0).then(|| format!("left out {repeated} points that repeat the one before"));
-    Ok((domains(&borders, &names, division)?, note.into_iter().collect()))
+    let (borders, notes) = borders::of_polygons(polygons, &names)?;
+    Ok((domains(&borders, &names, division)?, notes))
 }
 
 /// The domains of borders between regions with these names, in the order of the regions.

@@ -28,6 +28,16 @@ pub enum FillRule {
     NonZero,
 }
 
+impl FillRule {
+    /// Whether a point with this winding number is inside.
+    pub(super) fn counts(self, winding: i64) -> bool {
+        match self {
+            Self::EvenOdd => winding % 2 != 0,
+            Self::NonZero => winding != 0,
+        }
+    }
+}
+
 impl FromStr for FillRule {
     type Err = String;
 

@@ -37,7 +37,7 @@ pub(crate) fn domain_of_outline(
         return wrong("fill_rule is for repair=True alone".to_owned());
     }
     let division = Division { corner_angle, size };
-    let options = ReadOptions { feature, repair, fill_rule, division };
+    let options = ReadOptions { feature, repair, fill_rule, division, ..ReadOptions::default() };
     py.detach(|| {
         let text = text.unwrap_or_default();
         let input = match &path {

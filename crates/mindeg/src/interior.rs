@@ -20,6 +20,7 @@
 //! Limits are proven; degrees and angles are reached by a search without a guarantee, and the [`InteriorReport`]
 //! says what was reached. How it works: [`mindeg_interior`].
 
+mod beside;
 mod coarse;
 mod improve;
 mod lift;
@@ -28,6 +29,7 @@ mod plane;
 mod posed;
 mod regions;
 
+pub use beside::mesh_all;
 pub use coarse::CoarseSide;
 pub use improve::{ImprovedMesh, improve};
 pub use lift::{Lift, lift};

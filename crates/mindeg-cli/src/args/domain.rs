@@ -63,6 +63,14 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "NAME|INDEX", requires = "domain")]
     pub(crate) feature: Option<String>,
 
+    /// The layer of a file with several: an object of TopoJSON
+    #[arg(long, value_name = "LAYER", requires = "domain")]
+    pub(crate) layer: Option<String>,
+
+    /// The property that names the polygons of GeoJSON and TopoJSON, instead of name or id
+    #[arg(long, value_name = "PROPERTY", requires = "domain")]
+    pub(crate) name_by: Option<String>,
+
     /// Turn rings that cross or touch into polygons that do not, and drop what bounds no area
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
@@ -82,10 +90,14 @@ pub(crate) struct OutlineOptions {
 impl OutlineOptions {
     /// Refuses what says nothing about a domain in JSON.
     pub(crate) fn refuse_for_json(&self, file: &str) -> Result<(), Failure> {
-        let option = match (&self.feature, self.repair) {
-            (Some(_), _) => "--feature",
-            (None, true) => "--repair",
-            (None, false) => return Ok(()),
+        let given = [
+            ("--feature", self.feature.is_some()),
+            ("--layer", self.layer.is_some()),
+            ("--name-by", self.name_by.is_some()),
+            ("--repair", self.repair),
+        ];
+        let Some((option, _)) = given.into_iter().find(|(_, is_given)| *is_given) else {
+            return Ok(());
         };
         Err(Failure::Input(format!(
             "{option} is for outlines such as GeoJSON or SVG; {file} is a domain in JSON"

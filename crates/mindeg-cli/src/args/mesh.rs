@@ -41,6 +41,11 @@ pub(crate) struct MeshArguments {
     #[command(flatten)]
     pub(crate) surface: SurfaceArguments,
 
+    /// Mesh each polygon of a file by itself, into files of its own: give a folder, such as -o meshes/. With
+    /// --interior, polygons are otherwise the regions of one mesh
+    #[arg(long, requires = "domain")]
+    pub(crate) separate: bool,
+
     /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,
     /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files
     #[arg(long)]

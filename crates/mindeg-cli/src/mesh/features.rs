@@ -7,6 +7,14 @@ use mindeg::Domain;
 use mindeg_files::{Format, PolygonFile};
 use std::path::PathBuf;
 
+/// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
+pub(super) fn are_one_map(arguments: &MeshArguments) -> bool {
+    let is_one = |path: &PathBuf| !is_pattern(path);
+    arguments.interior.interior
+        && !arguments.separate
+        && arguments.surface.output.iter().all(is_one)
+}
+
 /// Meshes every polygon. One that has no mesh, or fails a gate, does not keep the others from it.
 pub(super) fn run(
     arguments: &MeshArguments,
@@ -18,8 +26,8 @@ pub(super) fn run(
         let count = polygons.polygons.len();
         return Err(Failure::Input(format!(
             "{} has {count} polygons, and {} is one file; give a folder, such as -o meshes/, or a \
-             name with {{name}} or {{index}}, such as -o 'meshes/{{name}}.glb', or choose one \
-             polygon with --feature",
+             name with {{name}} or {{index}}, such as -o 'meshes/{{name}}.glb', choose one polygon with \
+             --feature, or add --interior for one mesh with the polygons as regions",
             polygons.file,
             plain.display()
         )));

@@ -6,6 +6,7 @@ use crate::domain::name;
 use crate::failure::Failure;
 use crate::interrupt::SESSION;
 use crate::making::Making;
+use crate::terminal::say;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Size};
 use mindeg_answers::interior::{
@@ -13,8 +14,10 @@ use mindeg_answers::interior::{
     unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
-use mindeg_files::Input;
+use mindeg_answers::names::shown;
+use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// The output of `--json`.
 #[derive(Serialize)]
@@ -32,6 +35,16 @@ struct Summary<'a> {
     found_by: &'static str,
     /// Whether corners ran clockwise.
     reversed: bool,
+    /// How many regions a map has, and in how many parts that share no edge.
+    #[serde(flatten)]
+    map: Option<MapSummary>,
+}
+
+/// The regions of polygons that are one map.
+#[derive(Serialize)]
+struct MapSummary {
+    regions: usize,
+    parts: usize,
 }
 
 /// The options for interior points, if these are wanted; refuses options that do not go together.
@@ -52,11 +65,16 @@ pub(super) fn wanted(
     }
     let from = if options.interior { "--interior" } else { "\"interior\" in the domain's file" };
     arguments.refuse_goals_with_interior(from)?;
-    let mut wanted = options.wanted.over(domain.interior());
-    for path in &options.sizes {
+    with_sizes(arguments, domain.interior()).map(Some)
+}
+
+/// What the options ask for inside, in place of what a file gives.
+fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Interior, Failure> {
+    let mut wanted = arguments.interior.wanted.over(file);
+    for path in &arguments.interior.sizes {
         wanted.sizes.push(Size::Between(SESSION.sizes(&Input::of(path))?));
     }
-    Ok(Some(wanted))
+    Ok(wanted)
 }
 
 /// Meshes a domain with interior points.
@@ -86,8 +104,55 @@ pub(super) fn run(
         limit: lifting.answer(),
         found_by: "interior",
         reversed: domain.was_reversed(),
+        map: None,
     };
-    made.say(|| text(domain, &found, &lifting, &summary), || &summary)?;
+    made.say(|| text(&name(domain), &found, &lifting, &summary), || &summary)?;
+    end
+}
+
+/// Meshes the polygons of a file as the regions of one mesh.
+pub(super) fn run_maps(arguments: &MeshArguments, polygons: &PolygonFile) -> Result<(), Failure> {
+    arguments.refuse_goals_with_interior("--interior")?;
+    let surface = &arguments.surface;
+    let mut making = Making::new(surface, &surface.output, arguments.quiet, arguments.json)?;
+    let (domains, notes) = polygons.maps()?;
+    notes.iter().for_each(|note| say(&format!("{}: {note}", polygons.file)));
+    let wanted = with_sizes(arguments, None)?;
+    making.open()?;
+    let meshed = making.work(|progress| interior::mesh_all(&domains, &wanted, progress));
+    let mut found = meshed.map_err(|(index, error)| refused(&domains[index], &wanted, &error))?;
+    let name = polygons.name();
+    if let Some(name) = name {
+        found.mesh = found.mesh.named(name);
+    }
+    let InteriorMesh { mesh, report, limit, .. } = &found;
+    let mut unmet = arguments.demands(wanted.target_angle).unmet_by(mesh, report.min_angle);
+    let is_constrained = domains.iter().any(Domain::is_constrained);
+    unmet.extend(unmet_degrees(report, &wanted, is_constrained));
+    let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
+
+    let made = making.write(mesh)?;
+    let lifting = Lifting { limit: limit.clone(), steps: Vec::new() };
+    let names = domains.iter().flat_map(|domain| &domain.inside().regions);
+    let regions = names.filter_map(|region| region.name.as_ref()).collect::<BTreeSet<_>>().len();
+    let summary = Summary {
+        name,
+        intervals: domains.iter().flat_map(|domain| domain.rings().sides()).collect(),
+        boundary_vertices: domains.iter().map(|domain| domain.rings().vertex_count()).sum(),
+        vertices: mesh.positions().len(),
+        reached: InteriorAnswer::from(&found),
+        least_max_degree: None,
+        limit: lifting.answer(),
+        found_by: "interior",
+        reversed: false,
+        map: Some(MapSummary { regions, parts: domains.len() }),
+    };
+    let title = || {
+        let parts = if domains.len() == 1 { "part" } else { "parts" };
+        let name = shown(name.unwrap_or("map"));
+        format!("{name}: {regions} regions in {} {parts}", domains.len())
+    };
+    made.say(|| text(&title(), &found, &lifting, &summary), || &summary)?;
     end
 }
 
@@ -102,12 +167,12 @@ fn refused(domain: &Domain, wanted: &Interior, error: &InteriorError) -> Failure
     Failure::input(error)
 }
 
-fn text(domain: &Domain, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<'_>) -> String {
+fn text(title: &str, found: &InteriorMesh, lifting: &Lifting, summary: &Summary<'_>) -> String {
     let report = &found.report;
     let mut lines = vec![
         format!(
             "{}: {} boundary and {} interior vertices, {} triangles, {}",
-            name(domain),
+            title,
             summary.boundary_vertices,
             report.interior_points,
             report.triangles,

@@ -1,5 +1,7 @@
 //! A mesh with more triangles, or with another mesh beside it.
 
+use std::collections::HashMap;
+
 use super::{Degrees, TriMesh, TriMeshError, check_vertices};
 use crate::mesh::{Group, Line, NamedVertex};
 use crate::polygons::{NonTriangles, Polygons};
@@ -44,6 +46,36 @@ impl TriMesh {
         }
         self.degrees = Degrees::default();
         Ok(self)
+    }
+
+    /// The same mesh with one group for each name and material, in the order of their first triangles. The triangles of
+    /// a group keep their order; a mesh whose groups change has no polygons any more. O(n).
+    #[must_use]
+    pub fn with_groups_merged(mut self) -> Self {
+        let mut known = HashMap::new();
+        let mut merged: Vec<(&Group, Vec<[u32; 3]>)> = Vec::new();
+        for group in &self.groups {
+            let material = group.material.as_ref().map(|material| &*material.name);
+            let at = *known.entry((&*group.name, material)).or_insert(merged.len());
+            if at == merged.len() {
+                merged.push((group, Vec::new()));
+            }
+            let own = group.triangles.start as usize..group.triangles.end as usize;
+            merged[at].1.extend_from_slice(&self.triangles[own]);
+        }
+        if merged.len() == self.groups.len() {
+            return self;
+        }
+        let mut end = 0;
+        let (mut groups, mut triangles) = (Vec::new(), Vec::with_capacity(self.triangles.len()));
+        for (group, own) in merged {
+            let start = end;
+            end += own.len() as u32;
+            groups.push(Group { triangles: start..end, ..group.clone() });
+            triangles.extend(own);
+        }
+        (self.groups, self.triangles, self.polygons) = (groups, triangles, None);
+        self
     }
 
     /// This mesh and another as one: first the vertices, triangles, groups and lines of this mesh,

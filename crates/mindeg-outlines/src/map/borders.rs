@@ -2,29 +2,41 @@
 
 use std::collections::BTreeMap;
 
+use glam::DVec2;
+
 use super::Border;
 use crate::choice::Polygon;
 use crate::curve::{PieceCurve, Segment, norm};
 use crate::error::OutlineError;
-use crate::outline::key;
-use crate::text::shown;
+use crate::outline::{DrawnRing, key};
+use crate::text::{counted, shown};
 
 /// Curves between the same points are one if their middles are nearer than this share of their length.
 const SAME: f64 = 1e-6;
 
+/// How many rings a note names.
+const NAMED: usize = 5;
+
 /// A point as a key.
 type Key = (u64, u64);
 
-/// The borders of polygons, with the polygons beside them, and how many points repeat the one before.
+/// The borders of polygons, with the polygons beside them, and notes on what bounds nothing.
 pub(super) fn of_polygons(
     polygons: &[Polygon],
     names: &[String],
-) -> Result<(Vec<Border>, usize), OutlineError> {
+) -> Result<(Vec<Border>, Vec<String>), OutlineError> {
     let mut borders: Vec<Border> = Vec::new();
     let mut between: BTreeMap<[Key; 2], Vec<usize>> = BTreeMap::new();
-    let mut repeated = 0;
+    let (mut repeated, mut empty) = (0, Vec::new());
     for (region, polygon) in (0..).zip(polygons) {
         for (index, ring) in polygon.feature.rings.iter().enumerate() {
+            if let Some(at) = empty_at(ring) {
+                empty.push(format!("{} at {}", names[region as usize], shown(at)));
+                if index == 0 {
+                    break;
+                }
+                continue;
+            }
             // The outer ring has the region on its left if it runs counter-clockwise, a hole if it runs clockwise.
             let own = usize::from((ring.doubled_area() > 0.0) != (index == 0));
             for (segment, piece) in ring.segments().zip(&ring.pieces) {
@@ -69,7 +81,31 @@ pub(super) fn of_polygons(
             }
         }
     }
-    Ok((borders, repeated))
+    let mut notes = Vec::new();
+    if repeated > 0 {
+        let points = counted(repeated, "point");
+        notes.push(format!("left out {points} that repeat the one before"));
+    }
+    if !empty.is_empty() {
+        let rings = counted(empty.len(), "ring");
+        empty.truncate(NAMED);
+        notes.push(format!("left out {rings} that bound no area: {}", empty.join(", ")));
+    }
+    Ok((borders, notes))
+}
+
+/// The first point of a straight ring that runs back along each of its edges, and so bounds no area.
+fn empty_at(ring: &DrawnRing) -> Option<DVec2> {
+    if ring.is_curved() {
+        return None;
+    }
+    let mut runs: BTreeMap<[Key; 2], i64> = BTreeMap::new();
+    for Segment { start, end, .. } in ring.segments() {
+        let (one, other) = (key(start), key(end));
+        *runs.entry([one.min(other), one.max(other)]).or_default() += one.cmp(&other) as i64;
+    }
+    let first = ring.pieces.first()?.start;
+    runs.into_values().all(|runs| runs == 0).then_some(first)
 }
 
 /// The fault of regions that overlap.

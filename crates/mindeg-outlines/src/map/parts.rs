@@ -59,7 +59,7 @@ pub(super) fn parts(plane: &Plane<'_>, regions: usize) -> Result<Vec<Part>, Outl
     let is_bound = |half: usize| plane.left(half).is_some() && plane.left(half ^ 1).is_none();
     let mut found = Parts { parts: Vec::new(), of_set: BTreeMap::new() };
     let mut holes = Vec::new();
-    for steps in graph.rings(is_bound) {
+    for ((), steps) in graph.rings(|half| is_bound(half).then_some(())) {
         let points = plane.points_of(&steps);
         let set = set_of(plane.left_of(&steps[0]));
         let run = Run { end: steps[0].from, steps };
@@ -140,7 +140,7 @@ fn faces(
     }
     edges.iter_mut().for_each(|edges| edges.extend_from_slice(&lines));
     let mut faces = Vec::new();
-    for steps in graph.rings(|_| true) {
+    for ((), steps) in graph.rings(|_| Some(())) {
         let ring = plane.points_of(&steps);
         let region = steps.iter().find_map(|step| plane.left_of(step));
         // A ring of two steps goes there and back.

@@ -70,7 +70,7 @@ impl<'a> Plane<'a> {
         let is_node: Vec<bool> = degree.into_iter().map(|degree| degree != 2).collect();
         let mut begins_side = is_node.clone();
         begins.into_iter().for_each(|vertex| begins_side[vertex as usize] = true);
-        let (links, _) = links(&edges, 1, |_| 0);
+        let (links, _) = links(&edges, |_| 0);
         let plane = Self { borders, names, points, chords, links, begins_side, is_node };
         plane.check_meetings(&edges)?;
         Ok(plane)
@@ -148,11 +148,16 @@ impl<'a> Plane<'a> {
     /// Refuses regions that overlap, and lines outside all regions.
     pub(super) fn check_sides(&self, graph: &Graph<'_>) -> Result<(), OutlineError> {
         let has = |half: usize| i64::from(self.left(half).is_some());
-        let changes: Vec<i64> =
-            (0..self.links.len()).map(|link| has(2 * link) - has(2 * link + 1)).collect();
-        let windings = graph.windings(&changes, 1);
+        // All regions are one layer: where it winds twice, two overlap.
+        let change = |link: usize| match has(2 * link) - has(2 * link + 1) {
+            0 => Vec::new(),
+            change => vec![(0, change)],
+        };
+        let changes: Vec<_> = (0..self.links.len()).map(change).collect();
+        let windings = graph.windings(&changes);
         let windings = windings.map_err(|problem| OutlineError::place("", problem))?;
-        for (half, &winding) in windings.iter().enumerate() {
+        for (half, &winding) in windings.left.iter().enumerate() {
+            let winding = windings.all[winding as usize].first().map_or(0, |layer| layer.1);
             let own = [half, half ^ 1].map(|half| self.left(half));
             let [from, to] = self.ends(self.links[half / 2].edge.chord);
             let is_line = own == [None; 2];

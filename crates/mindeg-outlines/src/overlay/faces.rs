@@ -1,13 +1,13 @@
 //! The sides of edges that meet at their ends alone: what is inside, and the rings round it.
 
 use std::cmp::Ordering;
+use std::collections::BTreeMap;
 
 use glam::DVec2;
 use mindeg_mesh::Bounds;
 use mindeg_mesh::planar::orientation;
 
 use super::super::nesting::{is_within, too_deep};
-use super::super::outline::FillRule;
 use super::edge::{Edge, Layer, Step};
 
 /// The most comparisons of a vertex with an edge, which take some seconds.
@@ -22,6 +22,26 @@ pub(in super::super) struct Link {
     pub(in super::super) forward: bool,
 }
 
+/// A number for each layer, such as a winding number or by how much one changes: by layer, without zeros.
+pub(in super::super) type ByLayer = Vec<(u32, i64)>;
+
+/// Adds a multiple of numbers to others.
+fn add(sum: &mut ByLayer, more: &[(u32, i64)], times: i64) {
+    for &(layer, number) in more {
+        match sum.binary_search_by_key(&layer, |entry| entry.0) {
+            Ok(at) => sum[at].1 += times * number,
+            Err(at) => sum.insert(at, (layer, times * number)),
+        }
+    }
+    sum.retain(|entry| entry.1 != 0);
+}
+
+/// The winding numbers on the left of half-edges: for each half-edge the index of all that are there.
+pub(in super::super) struct Windings {
+    pub(in super::super) left: Vec<u32>,
+    pub(in super::super) all: Vec<ByLayer>,
+}
+
 /// The simple rings between inside and outside, with inside on their left, and how many links have
 /// one of them on both sides.
 pub(super) fn boundary(
@@ -31,46 +51,45 @@ pub(super) fn boundary(
     layer_of: impl Fn(&Edge) -> usize,
     is_inside: impl Fn(&[bool]) -> bool,
 ) -> Result<(Vec<Vec<Step>>, usize), String> {
-    let count = layers.len();
-    let (links, changes) = links(edges, count, layer_of);
+    let (links, changes) = links(edges, |edge| layer_of(edge) as u32);
     let graph = Graph::new(&links, points);
-    let windings = graph.windings(&changes, count)?;
-    let is_left_inside = |half: usize| {
-        let counted: Vec<bool> = (layers.iter().zip(&windings[half * count..]))
-            .map(|(layer, winding)| match layer.rule {
-                FillRule::EvenOdd => winding % 2 != 0,
-                FillRule::NonZero => *winding != 0,
-            })
-            .collect();
+    let windings = graph.windings(&changes)?;
+    let counted = |windings: &ByLayer| {
+        let mut counted = vec![false; layers.len()];
+        for &(layer, winding) in windings {
+            counted[layer as usize] = layers[layer as usize].rule.counts(winding);
+        }
         is_inside(&counted)
     };
-    let inside: Vec<bool> = (0..2 * links.len()).map(is_left_inside).collect();
+    let of_windings: Vec<bool> = windings.all.iter().map(counted).collect();
+    let inside: Vec<bool> =
+        windings.left.iter().map(|windings| of_windings[*windings as usize]).collect();
     let is_bound = |half: usize| inside[half] && !inside[half ^ 1];
     let bounds = (0..2 * links.len()).filter(|&half| is_bound(half)).count();
-    Ok((graph.rings(is_bound), links.len() - bounds))
+    let rings = graph.rings(|half| is_bound(half).then_some(()));
+    Ok((rings.into_iter().map(|(_, ring)| ring).collect(), links.len() - bounds))
 }
 
-/// The links of all edges, and for each link and layer by how much the winding number to its left
-/// exceeds that to its right.
+/// The links of all edges, and for each link by how much the winding numbers to its left exceed those to its right.
 pub(in super::super) fn links(
     edges: &[Edge],
-    layers: usize,
-    layer_of: impl Fn(&Edge) -> usize,
-) -> (Vec<Link>, Vec<i64>) {
+    layer_of: impl Fn(&Edge) -> u32,
+) -> (Vec<Link>, Vec<ByLayer>) {
     let lower_first =
         |edge: &Edge| [edge.ends[0].min(edge.ends[1]), edge.ends[0].max(edge.ends[1])];
     let mut order: Vec<&Edge> = edges.iter().collect();
     order.sort_by_key(|edge| (lower_first(edge), edge.chord));
     let mut links: Vec<Link> = Vec::new();
-    let mut changes = Vec::new();
+    let mut changes: Vec<ByLayer> = Vec::new();
     for &edge in order {
         let ends = lower_first(&edge);
         let forward = edge.ends == ends;
         if links.last().is_none_or(|last| last.ends != ends) {
             links.push(Link { ends, edge, forward });
-            changes.resize(links.len() * layers, 0);
+            changes.push(ByLayer::new());
         }
-        changes[(links.len() - 1) * layers + layer_of(&edge)] += if forward { 1 } else { -1 };
+        let change = if forward { 1 } else { -1 };
+        changes.iter_mut().rev().take(1).for_each(|it| add(it, &[(layer_of(&edge), 1)], change));
     }
     (links, changes)
 }
@@ -118,38 +137,37 @@ impl<'a> Graph<'a> {
         self.links[half / 2].ends[1 - half % 2]
     }
 
-    /// For each half-edge and layer the winding number to its left.
-    pub(in super::super) fn windings(
-        &self,
-        changes: &[i64],
-        layers: usize,
-    ) -> Result<Vec<i64>, String> {
-        let change = |half: usize, layer: usize| {
-            let change = changes[half / 2 * layers + layer];
-            if half.is_multiple_of(2) { change } else { -change }
-        };
+    /// The winding numbers, of which these are the changes over links.
+    pub(in super::super) fn windings(&self, changes: &[ByLayer]) -> Result<Windings, String> {
+        let sign = |half: usize| if half.is_multiple_of(2) { 1 } else { -1 };
         let parts = self.parts();
-        let mut windings = vec![0; 2 * self.links.len() * layers];
+        let mut known: BTreeMap<ByLayer, u32> = BTreeMap::new();
+        let mut all: Vec<ByLayer> = Vec::new();
+        let mut index = |windings: ByLayer, all: &mut Vec<ByLayer>| {
+            *known.entry(windings).or_insert_with_key(|windings| {
+                all.push(windings.clone());
+                all.len() as u32 - 1
+            })
+        };
+        let mut left = vec![0; 2 * self.links.len()];
         let mut is_known = vec![false; self.points.len()];
         let mut budget = MOST_COMPARISONS;
-        for (index, part) in parts.iter().enumerate() {
+        for (at, part) in parts.iter().enumerate() {
             // The other groups decide the winding numbers left of the leftmost vertex.
             let vertex = part.leftmost;
-            let mut outside = vec![0; layers];
-            for (_, other) in parts.iter().enumerate().filter(|&(at, _)| at != index) {
+            let mut outside = ByLayer::new();
+            for (_, other) in parts.iter().enumerate().filter(|&(other, _)| other != at) {
                 let point = self.points[vertex as usize];
                 let is_in_box = is_within(Bounds { min: point, max: point }, other.bounds);
                 let cost = if is_in_box { 1 + other.links.len() as u64 } else { 1 };
                 budget = budget.checked_sub(cost).ok_or_else(|| too_deep(parts.len()))?;
                 if is_in_box {
                     let crossed = other.links.iter().filter_map(|&link| self.crossed(link, point));
-                    for half in crossed {
-                        (outside.iter_mut().enumerate())
-                            .for_each(|(layer, sum)| *sum += change(half, layer));
-                    }
+                    crossed.for_each(|half| add(&mut outside, &changes[half / 2], sign(half)));
                 }
             }
             is_known[vertex as usize] = true;
+            let outside = index(outside, &mut all);
             let mut open = vec![(vertex, self.around[vertex as usize].len(), outside)];
             while let Some((vertex, from, mut winding)) = open.pop() {
                 // Go all the way round, from the sector before the half-edge at `from` on.
@@ -157,19 +175,20 @@ impl<'a> Graph<'a> {
                 for at in (0..halves.len()).map(|i| (from + i) % halves.len()) {
                     let half = halves[at];
                     let twin = half ^ 1;
-                    windings[twin * layers..][..layers].copy_from_slice(&winding);
-                    (winding.iter_mut().enumerate())
-                        .for_each(|(layer, sum)| *sum += change(half, layer));
-                    windings[half * layers..][..layers].copy_from_slice(&winding);
+                    left[twin] = winding;
+                    let mut next = all[winding as usize].clone();
+                    add(&mut next, &changes[half / 2], sign(half));
+                    winding = index(next, &mut all);
+                    left[half] = winding;
                     let end = self.end(half);
                     if !std::mem::replace(&mut is_known[end as usize], true) {
                         // The opposite half-edge has on its right the sector on the left of this one.
-                        open.push((end, self.place[twin], winding.clone()));
+                        open.push((end, self.place[twin], winding));
                     }
                 }
             }
         }
-        Ok(windings)
+        Ok(Windings { left, all })
     }
 
     /// The half-edge of a link that has a point on its left, if a ray to the right from there crosses it.
@@ -222,19 +241,28 @@ impl<'a> Graph<'a> {
         parts
     }
 
-    /// The rings of half-edges of a kind, each parted where it comes back to a vertex.
-    pub(in super::super) fn rings(&self, is_bound: impl Fn(usize) -> bool) -> Vec<Vec<Step>> {
+    /// The rings of half-edges of the same kind, each parted where it comes back to a vertex; `None` is no kind.
+    pub(in super::super) fn rings<K: PartialEq>(
+        &self,
+        kind: impl Fn(usize) -> Option<K>,
+    ) -> Vec<(K, Vec<Step>)> {
         let mut used = vec![false; 2 * self.links.len()];
         let mut position = vec![None; self.points.len()];
         let mut rings = Vec::new();
-        for first in (0..used.len()).filter(|&half| is_bound(half)) {
+        for first in 0..used.len() {
+            if used[first] {
+                continue;
+            }
+            let Some(own) = kind(first) else { continue };
+            let is_own = |half: usize| kind(half).as_ref() == Some(&own);
+            let mut found = Vec::new();
             let mut run: Vec<Step> = Vec::new();
             let mut half = first;
             while !std::mem::replace(&mut used[half], true) {
                 let link = &self.links[half / 2];
                 let from = self.start(half);
                 if let Some(at) = position[from as usize] {
-                    rings.push(Self::cut(&mut run, at, &mut position));
+                    found.push(Self::cut(&mut run, at, &mut position));
                 }
                 position[from as usize] = Some(run.len());
                 let forward = link.forward == (half % 2 == 0);
@@ -243,13 +271,14 @@ impl<'a> Graph<'a> {
                 let halves = &self.around[self.end(half) as usize];
                 let (back, count) = (self.place[half ^ 1], halves.len());
                 let mut clockwise = (1..=count).map(|i| halves[(back + count - i) % count]);
-                half = clockwise.find(|&half| is_bound(half)).unwrap_or(half);
+                half = clockwise.find(|&half| is_own(half)).unwrap_or(half);
             }
             if !run.is_empty() {
-                rings.push(Self::cut(&mut run, 0, &mut position));
+                found.push(Self::cut(&mut run, 0, &mut position));
             }
+            rings.extend(found.into_iter().map(|ring| (kind(first), ring)));
         }
-        rings
+        rings.into_iter().filter_map(|(kind, ring)| Some((kind?, ring))).collect()
     }
 
     /// The end of a run, from a position on.

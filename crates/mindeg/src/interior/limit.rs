@@ -102,6 +102,19 @@ impl AngleLimit {
     }
 }
 
+impl AngleLimit {
+    /// The same, with vertices counted from another index on.
+    pub(super) fn of_vertices_from(mut self, first: u32) -> Self {
+        for cause in [&mut self.cause, &mut self.cause_at_any_degree] {
+            match cause {
+                Cause::Corner { vertex, .. } | Cause::Vertex { vertex, .. } => *vertex += first,
+                Cause::Facing { vertices, .. } => vertices.iter_mut().for_each(|it| *it += first),
+            }
+        }
+        self
+    }
+}
+
 impl Cause {
     fn of_tent(domain: &Domain, tent: &TentLimit) -> Self {
         let sides = tent.edges.map(|vertex| domain.rings().side_of(vertex));
