@@ -10,7 +10,9 @@ fn json_lists_every_lower_degree_with_its_change() {
         answer["suggestions"][1],
         json!({
             "least_max_degree": 5,
+            "reached": 5,
             "cost": 7,
+            "cost_at_least": 7,
             "changes": [{"side": 2, "by": 7}],
             "intervals": [30, 9, 4, 2],
         })
@@ -118,4 +120,33 @@ fn a_huge_side_prints_some_suggestions() {
     assert_eq!((all.len(), five.len()), (55, 5));
     assert_eq!((&five[0], &five[4]), (&all[0], &all[54]));
     assert_eq!(rows("5")["suggestion_count"], 55);
+}
+
+/// A square of 12 intervals with a square hole of 4.
+const FRAME: &str = r#"{"polygon": {"corners": [[0, 0], [4, 0], [4, 4], [0, 4]]},
+    "sides": [{"intervals": 3}, {"intervals": 3}, {"intervals": 3}, {"intervals": 3}],
+    "holes": [{"corners": [[1, 1], [1, 3], [3, 3], [3, 1]], "sides": [{"intervals": 1}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}]}]}"#;
+
+#[test]
+fn with_holes_changes_are_searched_and_say_what_is_proven() {
+    let reading = |arguments: &[&str], domain: &str| {
+        mindeg_reading(["suggest", "-"].iter().chain(arguments), domain.as_bytes())
+    };
+    let text = reading(&[], FRAME).text().to_owned();
+    let first = "The least maximum degree is 5.\nFor 4: add 2 to hole 1 side 1 and add 2 to hole 1 side 2 and ";
+    assert!(text.starts_with(first), "{text}");
+    assert!(text.contains(", giving 3,3,3,3; 3,3,3,3.\n"), "{text}");
+    let answer = reading(&["--json", "--max-degree", "4"], FRAME).json();
+    let row = &answer["suggestions"][0];
+    assert_eq!((&row["cost"], &row["cost_at_least"]), (&json!(8), &json!(8)));
+    assert_eq!(row["changes"][0], json!({"side": 5, "by": 2}));
+    reading(&["--max-degree", "3"], FRAME).refuses(&["no counts on this domain", "below 4"]);
+    assert!(reading(&["--max-degree", "5"], FRAME).text().contains("No change is needed.\n"));
+    // A polygon that is not convex.
+    let ell = r#"{"polygon": {"corners": [[0, 0], [6, 0], [6, 1], [1, 1], [1, 6], [0, 6]]}, "sides": [
+        {"intervals": 9}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}, {"intervals": 1}]}"#;
+    let row = &reading(&["--json"], ell).json()["suggestions"][0];
+    assert_eq!((&row["cost"], &row["cost_at_least"]), (&json!(1), &json!(1)));
+    let points = r#"{"ring": [[0, 0], [4, 0], [1, 1], [0, 4]]}"#;
+    reading(&[], points).refuses(&["each side of the domain has points of its own"]);
 }

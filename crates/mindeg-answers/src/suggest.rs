@@ -1,20 +1,27 @@
 //! Changes of interval counts that bring the least maximum degree down.
 
 use crate::limit::{LiftAnswer, LimitAnswer};
-use mindeg_core::{Boundary, Change, Suggestion};
+use mindeg::changes::{CountChange, CountChanges, count_changes};
+use mindeg::{Domain, MeshError, Progress};
+use mindeg_core::{Boundary, Change, Suggestion, least_max_degree, suggest, suggestions};
 use serde::Serialize;
 
-/// The suggestions for a boundary; sides count from 1.
+/// The suggestions for a boundary or a domain; sides count from 1, through all rings.
 #[derive(Clone, Debug, Serialize)]
 pub struct SuggestAnswer {
     /// The intervals of each side.
     pub intervals: Vec<u64>,
-    /// The least maximum degree with these.
-    pub least_max_degree: u32,
+    /// The least maximum degree with these; null where it is not known.
+    pub least_max_degree: Option<u32>,
+    /// Some mesh has this one.
+    pub reached: u32,
     /// The number of suggestions, of which some may be left out.
     pub suggestion_count: usize,
     /// The suggestions.
     pub suggestions: Vec<SuggestedChange>,
+    /// The first smaller degree that no change was found for, though one may lead there.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub open: Option<OpenDegree>,
     /// The limit of the minimum angle with interior points; only for a domain.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub limit: Option<LimitAnswer>,
@@ -26,12 +33,19 @@ pub struct SuggestAnswer {
 /// A change of counts, and the degree after it.
 #[derive(Clone, Debug, Serialize)]
 pub struct SuggestedChange {
-    least_max_degree: u32,
+    /// Null where it is not known.
+    least_max_degree: Option<u32>,
+    reached: u32,
     /// Intervals added or taken away in all.
     cost: u64,
+    /// No change of less cost leads to a degree as small.
+    cost_at_least: u64,
     changes: Vec<ChangedSide>,
     /// The counts after the changes.
     intervals: Vec<u64>,
+    /// The change in a sentence.
+    #[serde(skip)]
+    words: String,
 }
 
 #[derive(Clone, Debug, Serialize)]
@@ -40,30 +54,183 @@ struct ChangedSide {
     by: i64,
 }
 
-impl SuggestedChange {
-    /// A suggestion for a boundary.
-    #[must_use]
-    pub fn new(suggestion: &Suggestion, boundary: &Boundary) -> Self {
-        let changed = |&Change { side, by }: &Change| ChangedSide { side: side + 1, by };
+/// A degree that no change was found for.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct OpenDegree {
+    max_degree: u32,
+    /// No change of less cost leads there.
+    cost_at_least: u64,
+}
+
+impl SuggestAnswer {
+    /// The smallest changes of a convex boundary, by the formula, for every smaller degree or for `wanted`.
+    ///
+    /// # Errors
+    ///
+    /// No counts have the wanted degree.
+    pub fn of_counts(boundary: &Boundary, wanted: Option<u32>) -> Result<Self, MeshError> {
+        let all: Vec<Suggestion> = match wanted {
+            None => suggestions(boundary).collect(),
+            Some(wanted) => vec![suggest(boundary, wanted).ok_or_else(|| {
+                MeshError::Refused(format!(
+                    "no counts on {} sides have a least maximum degree of {wanted} or less",
+                    boundary.side_count()
+                ))
+            })?],
+        };
+        let today = least_max_degree(boundary);
+        let suggestions = all.iter().map(|one| SuggestedChange::of_counts(one, boundary)).collect();
+        let intervals = boundary.sides().map(u64::from).collect();
+        Ok(Self::new(intervals, Some(today), today, suggestions))
+    }
+
+    /// The smallest changes for any domain: by the formula where it is convex, its sides on one line counted as one;
+    /// else those that are found, see [`count_changes`].
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`count_changes`], and a wanted degree that no change was found for.
+    pub fn of(
+        domain: &Domain,
+        wanted: Option<u32>,
+        progress: Progress<'_>,
+    ) -> Result<Self, MeshError> {
+        if let Some(form) = domain.convex().filter(|_| !domain.is_constrained()) {
+            return Self::of_counts(form.boundary(), wanted);
+        }
+        let CountChanges { today, found, floor, open } = count_changes(domain, wanted, progress)?;
+        let mut suggestions: Vec<_> =
+            found.iter().map(|change| SuggestedChange::of(change, domain)).collect();
+        if let Some(wanted) = wanted {
+            if wanted < floor {
+                return Err(MeshError::Refused(format!(
+                    "no counts on this domain have a least maximum degree below {floor}"
+                )));
+            }
+            if let Some((degree, at_least)) = open {
+                return Err(MeshError::Refused(format!(
+                    "no change of counts was found for degree {degree}; none of fewer than {} leads there",
+                    intervals_in_words(at_least)
+                )));
+            }
+            if suggestions.is_empty() {
+                let none = Suggestion { changes: Vec::new(), max_degree: today.reached };
+                let (at_least, domain) = (0, domain.clone());
+                let is_least = today.least_max_degree().is_some();
+                let none = CountChange { suggestion: none, is_least, at_least, domain };
+                suggestions.push(SuggestedChange::of(&none, &none.domain));
+            }
+        }
+        let intervals = domain.rings().sides().map(u64::from).collect();
+        let mut answer = Self::new(intervals, today.least_max_degree(), today.reached, suggestions);
+        answer.open =
+            open.map(|(max_degree, cost_at_least)| OpenDegree { max_degree, cost_at_least });
+        Ok(answer)
+    }
+
+    fn new(
+        intervals: Vec<u64>,
+        least_max_degree: Option<u32>,
+        reached: u32,
+        suggestions: Vec<SuggestedChange>,
+    ) -> Self {
         Self {
-            least_max_degree: suggestion.max_degree,
-            cost: suggestion.cost(),
-            intervals: suggestion.intervals(boundary),
+            intervals,
+            least_max_degree,
+            reached,
+            suggestion_count: suggestions.len(),
+            suggestions,
+            open: None,
+            limit: None,
+            angle_suggestions: Vec::new(),
+        }
+    }
+
+    /// The degree and the suggestions, in lines.
+    #[must_use]
+    pub fn text(&self) -> String {
+        let mut text = match self.least_max_degree {
+            Some(least) => format!("The least maximum degree is {least}.\n"),
+            None => format!("The least maximum degree is at most {}.\n", self.reached),
+        };
+        if self.suggestion_count == 0 && self.open.is_none() {
+            text.push_str("No change of counts brings it down.\n");
+        }
+        text.extend(self.suggestions.iter().map(|one| one.words.as_str()));
+        if let Some(OpenDegree { max_degree, cost_at_least }) = self.open {
+            text.push_str(&format!(
+                "For {max_degree}: no change was found; none of fewer than {} leads there.\n",
+                intervals_in_words(cost_at_least)
+            ));
+        }
+        text
+    }
+}
+
+impl SuggestedChange {
+    /// A suggestion for a convex boundary.
+    fn of_counts(suggestion: &Suggestion, boundary: &Boundary) -> Self {
+        let intervals = suggestion.intervals(boundary);
+        let words = in_words(suggestion, |side| format!("side {}", side + 1));
+        let rings = [intervals.as_slice()];
+        Self::new(suggestion, true, suggestion.cost(), &rings, &words)
+    }
+
+    /// A change that was found for a domain.
+    fn of(change: &CountChange, domain: &Domain) -> Self {
+        let CountChange { suggestion, is_least, at_least, domain: after } = change;
+        let counts: Vec<u64> = after.rings().sides().map(u64::from).collect();
+        let ring = |ring| &counts[after.rings().ring_sides(ring)];
+        let rings: Vec<&[u64]> = (0..after.rings().ring_count()).map(ring).collect();
+        let words = in_words(suggestion, |side| domain.side_name(side));
+        Self::new(suggestion, *is_least, *at_least, &rings, &words)
+    }
+
+    fn new(
+        suggestion: &Suggestion,
+        is_least: bool,
+        cost_at_least: u64,
+        rings: &[&[u64]],
+        words: &str,
+    ) -> Self {
+        let changed = |&Change { side, by }: &Change| ChangedSide { side: side + 1, by };
+        let (reached, cost) = (suggestion.max_degree, suggestion.cost());
+        let counts = |ring: &&[u64]| ring.iter().map(u64::to_string).collect::<Vec<_>>().join(",");
+        let counts = rings.iter().map(counts).collect::<Vec<_>>().join("; ");
+        let or_less = if is_least { "" } else { " or less" };
+        let words = match cost_at_least {
+            _ if cost == 0 => "No change is needed.\n".to_owned(),
+            least if least >= cost => {
+                format!("For {reached}{or_less}: {words}, giving {counts}.\n")
+            }
+            least => format!(
+                "For {reached}{or_less}: {words}, giving {counts}. Whether a smaller change is enough is not known; \
+                 none of fewer than {} is.\n",
+                intervals_in_words(least)
+            ),
+        };
+        Self {
+            least_max_degree: is_least.then_some(reached),
+            reached,
+            cost,
+            cost_at_least,
+            intervals: rings.concat(),
             changes: suggestion.changes.iter().map(changed).collect(),
+            words,
         }
     }
 }
 
+fn intervals_in_words(count: u64) -> String {
+    if count == 1 { "1 interval".to_owned() } else { format!("{count} intervals") }
+}
+
 /// A suggestion in words, such as "add 7 to side 2 and take 1 from side 4".
 #[must_use]
-pub fn in_words(suggestion: &Suggestion) -> String {
+pub fn in_words(suggestion: &Suggestion, name: impl Fn(usize) -> String) -> String {
     let change = |&Change { side, by }: &Change| {
-        let (count, side) = (by.unsigned_abs(), side + 1);
-        if by > 0 {
-            format!("add {count} to side {side}")
-        } else {
-            format!("take {count} from side {side}")
-        }
+        let (count, side) = (by.unsigned_abs(), name(side));
+        if by > 0 { format!("add {count} to {side}") } else { format!("take {count} from {side}") }
     };
     suggestion.changes.iter().map(change).collect::<Vec<_>>().join(" and ")
 }

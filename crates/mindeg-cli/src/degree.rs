@@ -84,7 +84,7 @@ fn fewer(report: &DegreeReport) -> Option<String> {
         return None;
     }
     let suggestion = suggest(&Boundary::new(&report.intervals).ok()?, report.reached - 1)?;
-    let words = in_words(&suggestion);
+    let words = in_words(&suggestion, |side| format!("side {}", side + 1));
     Some(format!("hint: {words} and it is {}; mindeg suggest tells more.\n", suggestion.max_degree))
 }
 

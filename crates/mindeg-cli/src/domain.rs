@@ -79,23 +79,6 @@ pub(crate) fn counted(arguments: &CountsArguments) -> Result<Counted, Failure> {
     Ok(Counted::Domain(Box::new(domain)))
 }
 
-/// The intervals of each side of a convex domain without limits, sides on one line counted as one.
-pub(crate) fn counts_of(domain: &Domain) -> Result<Vec<u64>, Failure> {
-    if domain.is_constrained() {
-        return Err(Failure::input(
-            "the domain gives outside_degree or max_degree, which interval counts alone do \
-                       not tell; mindeg degree, mesh and tradeoff keep to them",
-        ));
-    }
-    let Some(convex) = domain.convex() else {
-        return Err(Failure::input(
-            "the domain is not convex, and only a convex one is described by its interval \
-                       counts; mindeg degree tells its least maximum degree",
-        ));
-    };
-    Ok(convex.boundary().sides().map(u64::from).collect())
-}
-
 /// The domain in a file; options override the file's settings of its sides.
 pub(crate) fn from_file(path: &Path, options: &DomainOptions) -> Result<Domain, Failure> {
     in_file(path, options, Wanted::Domain, &Bar::new(true))?.only()

@@ -1,61 +1,38 @@
 //! `mindeg suggest`: which interval counts to change, and by how little.
 
 use crate::args::SuggestArguments;
+use crate::bar::Bar;
 use crate::degree::lifting;
-use crate::domain::{Counted, counted, counts_of};
+use crate::domain::{Counted, counted};
 use crate::failure::Failure;
 use crate::standard_output::{print, print_json};
 use mindeg_answers::limit::{LiftAnswer, Lifting};
-use mindeg_answers::suggest::{SuggestAnswer, SuggestedChange, in_words};
-use mindeg_core::{Boundary, Suggestion, least_max_degree, suggest, suggestions};
+use mindeg_answers::suggest::SuggestAnswer;
+use mindeg_core::Boundary;
 
 pub(crate) fn run(arguments: &SuggestArguments) -> Result<(), Failure> {
-    let (intervals, domain) = match counted(&arguments.counts)? {
-        Counted::Counts(counts) => (counts, None),
-        Counted::Domain(domain) => (counts_of(&domain)?, Some(domain)),
+    let wanted = arguments.max_degree;
+    let (mut answer, lifting) = match counted(&arguments.counts)? {
+        Counted::Counts(counts) => {
+            let boundary = Boundary::new(&counts).map_err(Failure::input)?;
+            (SuggestAnswer::of_counts(&boundary, wanted).map_err(Failure::input)?, None)
+        }
+        Counted::Domain(domain) => {
+            let bar = Bar::new(arguments.json);
+            let found = bar.work(|progress| SuggestAnswer::of(&domain, wanted, progress));
+            (found.map_err(Failure::input)?, lifting(&domain, None, usize::MAX))
+        }
     };
-    let boundary = Boundary::new(&intervals).map_err(Failure::input)?;
-    let today = least_max_degree(&boundary);
-    let all: Vec<Suggestion> = match arguments.max_degree {
-        None => suggestions(&boundary).collect(),
-        Some(limit) => vec![suggest(&boundary, limit).ok_or_else(|| {
-            Failure::Input(format!(
-                "no counts on {} sides have a least maximum degree of {limit} or less",
-                boundary.side_count()
-            ))
-        })?],
-    };
-    let lifting = domain.and_then(|domain| lifting(&domain, None, usize::MAX));
-    let shown = spread(all.len(), arguments.limit, None);
-    let rows: Vec<&Suggestion> = shown.into_iter().map(|row| &all[row]).collect();
+    let shown = spread(answer.suggestions.len(), arguments.limit, None);
+    answer.suggestions = shown.into_iter().map(|row| answer.suggestions[row].clone()).collect();
     if arguments.json {
-        return print_json(&SuggestAnswer {
-            least_max_degree: today,
-            suggestion_count: all.len(),
-            suggestions: rows.iter().map(|row| SuggestedChange::new(row, &boundary)).collect(),
-            intervals,
-            limit: lifting.as_ref().map(Lifting::answer),
-            angle_suggestions: lifting
-                .iter()
-                .flat_map(|it| &it.steps)
-                .map(LiftAnswer::from)
-                .collect(),
-        });
+        answer.limit = lifting.as_ref().map(Lifting::answer);
+        let steps = lifting.iter().flat_map(|lifting| &lifting.steps);
+        answer.angle_suggestions = steps.map(LiftAnswer::from).collect();
+        return print_json(&answer);
     }
-    let mut text = format!("The least maximum degree is {today}.\n");
-    if rows.is_empty() {
-        text.push_str("No change of counts brings it down.\n");
-    }
-    for row in &rows {
-        text.push_str(&if row.changes.is_empty() {
-            "No change is needed.\n".to_owned()
-        } else {
-            let counts: Vec<String> = row.intervals(&boundary).iter().map(u64::to_string).collect();
-            let counts = counts.join(",");
-            format!("For {}: {}, giving {counts}.\n", row.max_degree, in_words(row))
-        });
-    }
-    text.push_str(&left_out(rows.len(), all.len()));
+    let mut text = answer.text();
+    text.push_str(&left_out(answer.suggestions.len(), answer.suggestion_count));
     text.extend(lifting.as_ref().map(Lifting::steps_in_words));
     print(&text)
 }

@@ -55,6 +55,13 @@ impl DegreeRange {
         self.max_degree == self.lower_bound
     }
 
+    /// Whether the work may end: the degree is proven, or the problem's wanted degree is reached or excluded.
+    fn is_decided(&self, problem: &Problem) -> bool {
+        let wanted = problem.wanted_degree();
+        self.is_proven()
+            || wanted.is_some_and(|wanted| self.max_degree <= wanted || wanted < self.lower_bound)
+    }
+
     /// Takes the triangles of a search.
     fn reach(&mut self, problem: &Problem, triangles: Vec<[u32; 3]>) {
         self.max_degree = problem.max_degree_of(&triangles);
@@ -230,7 +237,7 @@ fn polygon(
     let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
     let reached_by = Reached::Windows;
     let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };
-    if range.is_proven() {
+    if range.is_decided(problem) {
         return Ok(range);
     }
     let chords = match problem.visible_chords(progress) {
@@ -239,7 +246,7 @@ fn polygon(
     };
     let next: Vec<u32> = (1..vertices as u32).chain([0]).collect();
     range.raise(apex_bound(&next, chords.ends()));
-    if range.is_proven() {
+    if range.is_decided(problem) {
         return Ok(range);
     }
     match problem.require_triples(chords, progress) {
@@ -247,9 +254,10 @@ fn polygon(
         within => within?,
     }
     let start = least_tangent(problem.points(), &mesh.triangles);
-    while !range.is_proven() {
+    while !range.is_decided(problem) {
         // The lower half first: a smaller limit takes less time, and windows are seldom far off.
-        let max_degree = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
+        let middle = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
+        let max_degree = problem.wanted_degree().unwrap_or(middle);
         let mut found = None;
         for share in SEARCHED_SHARES {
             found = any_triangulation(problem, chords, max_degree, share * start, progress)?;
@@ -271,21 +279,26 @@ fn polygon(
     Ok(range)
 }
 
-/// The least degree that windows reach, with the largest of the shares that reaches it.
+/// The least degree that windows reach, with the largest of the shares that reaches it; that of the given mesh
+/// where the bound excludes the wanted degree.
 fn by_windows(
     problem: &Problem,
     mesh: &Linked,
     lower_bound: u32,
     progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
+    let enough = problem.wanted_degree().unwrap_or(lower_bound);
+    if enough < lower_bound {
+        return Ok((problem.max_degree_of(&mesh.triangles), mesh.triangles.clone()));
+    }
     let start = least_tangent(problem.points(), &mesh.triangles);
     let mut best: Option<(u32, Vec<[u32; 3]>)> = None;
     for share in SHARES {
-        let windowed = windows(problem, lower_bound, share * start, progress)?;
+        let windowed = windows(problem, enough, share * start, progress)?;
         if best.as_ref().is_none_or(|(degree, _)| windowed.max_degree < *degree) {
             best = Some((windowed.max_degree, windowed.triangles));
         }
-        if best.as_ref().is_some_and(|(degree, _)| *degree == lower_bound) {
+        if best.as_ref().is_some_and(|(degree, _)| *degree <= enough) {
             break;
         }
     }

@@ -56,6 +56,7 @@ pub struct Problem {
     /// All chords that a triangulation may use, once they are known.
     visible: OnceLock<Chords>,
     max_steps: u64,
+    wanted_degree: Option<u32>,
 }
 
 /// The domain that the points bound.
@@ -182,6 +183,7 @@ impl Problem {
             max_triples: MAX_TRIPLES,
             visible: OnceLock::new(),
             max_steps: COVER_STEPS,
+            wanted_degree: None,
         }
     }
 
@@ -201,6 +203,17 @@ impl Problem {
     /// The limit of [`set_max_steps`](Self::set_max_steps).
     pub fn max_steps(&self) -> u64 {
         self.max_steps
+    }
+
+    /// Lets [`degree_range`](crate::degree_range) of a problem without limits end as soon as it knows whether some
+    /// triangulation has at most this maximum degree.
+    pub fn set_wanted_degree(&mut self, degree: u32) {
+        self.wanted_degree = Some(degree);
+    }
+
+    /// The degree of [`set_wanted_degree`](Self::set_wanted_degree).
+    pub(crate) fn wanted_degree(&self) -> Option<u32> {
+        self.wanted_degree
     }
 
     /// The points, by vertex.

@@ -223,7 +223,9 @@ impl Answering<'_> {
             let suggestions = changes::suggestions(
                 self.domain,
                 limit.as_ref().and_then(|limit| limit.steps.first()),
+                self.progress,
             );
+            self.unless_cancelled()?;
             (self.out)(&AnswerLine::Suggestions { suggestions });
         }
         Ok(())

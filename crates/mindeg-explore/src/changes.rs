@@ -2,11 +2,11 @@
 //! angle.
 
 use mindeg::interior::{Cause, Lift};
-use mindeg::{Domain, Intervals};
+use mindeg::{Domain, Intervals, Progress, changes::count_changes};
 use mindeg_answers::limit::{Lifting, lift_counts};
 use mindeg_answers::numbers::steady_angle;
 use mindeg_answers::suggest::in_words;
-use mindeg_core::{Boundary, Change};
+use mindeg_core::{Boundary, Change, Suggestion};
 use serde_json::value::RawValue;
 
 use crate::api::{ChangeShown, LimitShown};
@@ -14,6 +14,9 @@ use crate::api::{ChangeShown, LimitShown};
 /// On larger domains no change for the angle is looked for: each that is tried looks at all vertices, and
 /// cannot be cancelled.
 const LIFTED: u32 = 4000;
+
+/// On larger domains that no formula answers no change for the degree is looked for.
+const SEARCHED: u32 = 250;
 
 /// The most changes for the degree.
 const MOST: usize = 6;
@@ -37,21 +40,35 @@ pub(crate) fn limit_shown(found: &Lifting) -> LimitShown {
 }
 
 /// Changes for the degree, the smallest first, then the one for the angle.
-pub(crate) fn suggestions(domain: &Domain, lifted: Option<&Lift>) -> Vec<ChangeShown> {
+pub(crate) fn suggestions(
+    domain: &Domain,
+    lifted: Option<&Lift>,
+    progress: Progress<'_>,
+) -> Vec<ChangeShown> {
+    let shown = |suggestion: &Suggestion, changed: &Domain, name: &dyn Fn(usize) -> String| {
+        let (words, max_degree) = (capital(&in_words(suggestion, name)), suggestion.max_degree);
+        Some(ChangeShown {
+            words: format!("{words}: degree {max_degree}"),
+            max_degree: Some(max_degree),
+            min_angle: None,
+            domain: json(changed)?,
+        })
+    };
     let mut found = Vec::new();
     if let Some(boundary) = own_boundary(domain) {
         // Fewer than 4 edges at every vertex: only boundaries of 3 or 4 intervals.
         let changes = mindeg_core::suggestions(boundary);
         let changes = changes.take_while(|change| change.max_degree >= 4).take(MOST);
+        let name = |side: usize| format!("side {}", side + 1);
         found.extend(changes.filter_map(|suggestion| {
-            let change = in_words(&suggestion);
-            Some(ChangeShown {
-                words: format!("{}: degree {}", capital(&change), suggestion.max_degree),
-                max_degree: Some(suggestion.max_degree),
-                min_angle: None,
-                domain: json(&changed(domain, &suggestion.changes)?)?,
-            })
+            shown(&suggestion, &changed(domain, &suggestion.changes)?, &name)
         }));
+    } else if domain.rings().vertex_count() <= SEARCHED
+        && let Ok(changes) = count_changes(domain, None, progress)
+    {
+        let name = |side: usize| domain.side_name(side);
+        let changes = changes.found.iter().take(MOST);
+        found.extend(changes.filter_map(|change| shown(&change.suggestion, &change.domain, &name)));
     }
     found.extend(lifted.and_then(|lift| {
         Some(ChangeShown {

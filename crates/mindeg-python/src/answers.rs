@@ -52,12 +52,14 @@ impl TradeOffPoint {
 /// The smallest change of interval counts that lowers the least maximum degree.
 #[pyclass(module = "mindeg", frozen, get_all)]
 pub(crate) struct Suggestion {
-    /// The least maximum degree after the change.
+    /// The maximum degree that some mesh has after the change.
     pub(crate) max_degree: u32,
     /// The sides to change, from 0, and by how many intervals.
     pub(crate) changes: Vec<(usize, i64)>,
     /// The number of intervals of each side after the change.
     pub(crate) intervals: Vec<u64>,
+    /// No change of fewer intervals than this leads to a degree as small.
+    pub(crate) at_least: u64,
 }
 
 #[pymethods]

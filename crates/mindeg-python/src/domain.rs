@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use mindeg::changes::count_changes;
 use mindeg::glam::DVec3;
 use mindeg::{Domain as Inner, GOALS, Goal, Positions, exact};
 use mindeg_answers::interior::InteriorAnswer;
@@ -110,24 +111,31 @@ impl Domain {
         trade_off.meshes().iter().map(point).collect()
     }
 
-    /// The smallest changes of interval counts, one for each lower least maximum degree.
-    fn suggest(&self) -> PyResult<Vec<Suggestion>> {
-        let boundary = match self.inner.convex() {
-            Some(form) if form.boundary().side_count() == self.inner.sides().len() => {
-                form.boundary()
-            }
-            _ => {
-                return Err(value_error(
-                    "suggestions are for convex domains without straight corners",
-                ));
-            }
-        };
-        let suggestion = |one: mindeg_core::Suggestion| Suggestion {
+    /// The smallest changes of interval counts that are found, one for each lower least maximum degree.
+    fn suggest(&self, py: Python<'_>) -> PyResult<Vec<Suggestion>> {
+        let suggestion = |one: mindeg_core::Suggestion, intervals, at_least| Suggestion {
             max_degree: one.max_degree,
-            intervals: one.intervals(boundary),
+            intervals,
             changes: one.changes.iter().map(|change| (change.side, change.by)).collect(),
+            at_least,
         };
-        Ok(mindeg_core::suggestions(boundary).map(suggestion).collect())
+        if let Some(form) = self.inner.convex()
+            && form.boundary().side_count() == self.inner.sides().len()
+            && !self.inner.is_constrained()
+        {
+            let boundary = form.boundary();
+            let by_formula = |one: mindeg_core::Suggestion| {
+                let (intervals, cost) = (one.intervals(boundary), one.cost());
+                suggestion(one, intervals, cost)
+            };
+            return Ok(mindeg_core::suggestions(boundary).map(by_formula).collect());
+        }
+        let changes = done(py, |progress| count_changes(&self.inner, None, progress))?;
+        let found = changes.found.into_iter().map(|change| {
+            let intervals = change.domain.rings().sides().map(u64::from).collect();
+            suggestion(change.suggestion, intervals, change.at_least)
+        });
+        Ok(found.collect())
     }
 
     /// The comparison with other methods as JSON text.

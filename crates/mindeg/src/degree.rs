@@ -80,6 +80,16 @@ pub fn degree_with(
     effort: f64,
     progress: Progress<'_>,
 ) -> Result<DegreeAnswer, MeshError> {
+    degree_decided(domain, None, effort, progress)
+}
+
+/// [`degree_with`], which may end as soon as it knows whether some mesh has at most the wanted degree.
+pub(crate) fn degree_decided(
+    domain: &Domain,
+    wanted: Option<u32>,
+    effort: f64,
+    progress: Progress<'_>,
+) -> Result<DegreeAnswer, MeshError> {
     if let Some(form) = domain.convex()
         && !domain.is_constrained()
     {
@@ -89,6 +99,9 @@ pub fn degree_with(
     }
     let mut posed = Posed::new(domain, progress)?;
     posed.problem.set_max_steps((COVER_STEPS as f64 * effort.max(0.0)) as u64);
+    if let Some(wanted) = wanted {
+        posed.problem.set_wanted_degree(wanted);
+    }
     let range = degree_range(&posed.problem, progress);
     Ok(range.map_err(|error| posed.unsolved(error, progress))?.into())
 }

@@ -38,6 +38,7 @@
 
 mod boundary_mesh;
 pub mod bridge;
+pub mod changes;
 mod conflict;
 mod degree;
 mod error;

@@ -48,13 +48,14 @@ const SUGGEST: &str = "\
 Examples:
   mindeg suggest 30,2,4,2
   mindeg suggest 30,2,4,2 --max-degree 5 --json
-  mindeg suggest assets/domains/dominated-side.json --limit 5";
+  mindeg suggest assets/domains/dominated-side.json --limit 5
+  mindeg suggest assets/domains/gusset.json";
 
 /// Suggest the least change of interval counts that brings the least maximum degree down
 ///
 /// Least means the fewest intervals added or taken away in all. Of changes of the same size, one
-/// that adds is preferred. For a domain, also changes that lift the limit of the minimum angle with
-/// interior points.
+/// that adds is preferred. A domain with holes or without a convex outline is searched: the answer says what is
+/// proven. For a domain, also changes that lift the limit of the minimum angle with interior points.
 #[derive(Debug, Args)]
 #[command(after_help = SUGGEST, after_long_help = with_exit_codes(SUGGEST))]
 pub(crate) struct SuggestArguments {
@@ -70,9 +71,10 @@ pub(crate) struct SuggestArguments {
     #[arg(long, value_name = "N", value_parser = whole_number, default_value = "20", allow_hyphen_values = true)]
     pub(crate) limit: u32,
 
-    /// Print JSON: intervals, least_max_degree, suggestion_count, and suggestions, a list of
-    /// least_max_degree, cost, changes (side counted from 1, by) and intervals; for a domain
-    /// limit and angle_suggestions
+    /// Print JSON: intervals, least_max_degree (null if not known), reached, suggestion_count, and suggestions, a
+    /// list of least_max_degree, reached, cost, cost_at_least (no change of less cost is enough), changes (side
+    /// counted from 1 through all rings, by) and intervals; open, a smaller degree that no change was found for, with
+    /// cost_at_least; for a domain limit and angle_suggestions
     #[arg(long)]
     pub(crate) json: bool,
 }

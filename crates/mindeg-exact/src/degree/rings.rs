@@ -22,7 +22,7 @@ impl DegreeRange {
         let (max_degree, triangles) = by_windows(problem, mesh, lower_bound, progress)?;
         let (reached_by, bounded_by) = (Reached::Windows, LowerBound::Counting);
         let mut range = DegreeRange { max_degree, lower_bound, reached_by, bounded_by, triangles };
-        if range.is_proven() {
+        if range.is_decided(problem) {
             return Ok(range);
         }
         let stage = Stage::new(progress, "finding chords");
@@ -43,7 +43,7 @@ impl DegreeRange {
                 (range.lower_bound, range.bounded_by) = (5, LowerBound::NoStrip);
             }
         }
-        if !range.is_proven()
+        if !range.is_decided(problem)
             && let Some(cover) = Cover::of(problem, progress)?
         {
             close(problem, &cover, &mut range, problem.max_steps(), progress)?;
@@ -87,11 +87,12 @@ fn close(
     progress: Progress<'_>,
 ) -> Result<(), Unsolved> {
     let mut is_upward = true;
-    while !range.is_proven() && steps > 1 {
+    while !range.is_decided(problem) && steps > 1 {
+        let wanted = problem.wanted_degree();
         let (degree, order) = if is_upward {
-            (range.lower_bound, Order::Chords)
+            (wanted.unwrap_or(range.lower_bound), Order::Chords)
         } else {
-            (range.max_degree - 1, Order::Active)
+            (wanted.unwrap_or(range.max_degree - 1), Order::Active)
         };
         let Some(limits) = problem.degree_limits(degree) else { return Ok(()) };
         // Where the least degree stays open, other steps are for smaller ones than reached, in another order.

@@ -1,0 +1,101 @@
+//! Changes of counts of domains with holes and of polygons that are not convex, compared with all smaller changes.
+
+use mindeg::changes::{CountChange, CountChanges, count_changes};
+use mindeg::exact::degree;
+use mindeg::{Domain, Intervals, Progress, Ring, Side};
+
+fn counts(intervals: &[u64]) -> Vec<Side> {
+    intervals.iter().map(|&count| Side::count(count)).collect()
+}
+
+fn rectangle([left, bottom, right, top]: [f64; 4], intervals: [u64; 4]) -> Ring {
+    Ring::new([(left, bottom), (right, bottom), (right, top), (left, top)], counts(&intervals))
+}
+
+fn found(domain: &Domain, wanted: Option<u32>) -> CountChanges {
+    count_changes(domain, wanted, Progress::NONE).expect("changes are looked for")
+}
+
+/// Calls `visit` with the domain after every change of this many intervals.
+fn for_each_change(domain: &Domain, size: u64, visit: &mut dyn FnMut(&Domain)) {
+    fn go(domain: &Domain, from: usize, left: u64, visit: &mut dyn FnMut(&Domain)) {
+        if left == 0 {
+            visit(domain);
+        }
+        for side in from..domain.sides().len() {
+            for by in (1..=left as i64).flat_map(|by| [by, -by]) {
+                let mut sides = domain.sides().to_vec();
+                let count = i64::from(domain.rings().intervals(side)) + by;
+                sides[side].intervals = Intervals::Count(count.max(0) as u64);
+                if let Ok(changed) = domain.with_sides(sides) {
+                    go(&changed, side + 1, left - by.unsigned_abs(), visit);
+                }
+            }
+        }
+    }
+    go(domain, 0, size, visit);
+}
+
+#[test]
+fn no_smaller_change_than_proven_leads_to_the_degree() {
+    let hole = [1.0, 1.0, 3.0, 3.0];
+    let annulus = |outer, inner| {
+        let rings = vec![rectangle([0.0, 0.0, 4.0, 4.0], outer), rectangle(hole, inner)];
+        Domain::of_rings(rings).unwrap()
+    };
+    let ell = [(0.0, 0.0), (6.0, 0.0), (6.0, 1.0), (1.0, 1.0), (1.0, 6.0), (0.0, 6.0)];
+    let plate = [[1.0, 1.0, 2.0, 2.0], [4.0, 1.0, 5.0, 2.0]].map(|at| rectangle(at, [1; 4]));
+    let plate = [vec![rectangle([0.0, 0.0, 6.0, 3.0], [16, 1, 16, 1])], plate.to_vec()].concat();
+    for domain in [
+        annulus([2, 2, 2, 2], [2, 1, 1, 2]),
+        annulus([3, 1, 3, 1], [1, 1, 2, 2]),
+        Domain::polygon(ell, counts(&[9, 1, 1, 1, 1, 1])).unwrap(),
+        Domain::of_rings(plate).unwrap(),
+    ] {
+        let changes = found(&domain, None);
+        assert_eq!(changes.today, degree(&domain, Progress::NONE).unwrap());
+        assert_eq!(changes.found.is_empty(), changes.today.reached == changes.floor);
+        let mut reached = changes.today.reached;
+        for change in &changes.found {
+            let after = degree(&change.domain, Progress::NONE).unwrap();
+            assert_eq!(after.reached, change.suggestion.max_degree);
+            assert!(after.reached < reached);
+            reached = after.reached;
+            for size in 1..change.at_least.min(3) {
+                for_each_change(&domain, size, &mut |smaller| {
+                    let at_least = degree(smaller, Progress::NONE).unwrap().at_least;
+                    assert!(at_least > reached, "{change:?}: {:?}", smaller.sides());
+                });
+            }
+        }
+        let is_proven = |change: &CountChange| change.at_least == change.suggestion.cost();
+        assert!(changes.found.first().is_none_or(is_proven), "{:?}", changes.found);
+    }
+}
+
+#[test]
+fn counting_tells_what_no_change_reaches() {
+    // Six triangles in a rectangle: degree 5 takes 30 vertices, and here are 22.
+    let triangle = |x: f64, y: f64| {
+        Ring::new([(x, y), (x + 0.8, y + 0.1), (x + 0.1, y + 0.8)], counts(&[1; 3]))
+    };
+    let holes = [1.0, 3.0, 5.0].into_iter().flat_map(|x| [1.0, 3.0].map(|y| triangle(x, y)));
+    let outer = rectangle([0.0, 0.0, 7.0, 5.0], [1; 4]);
+    let domain = Domain::of_rings(std::iter::once(outer).chain(holes).collect()).unwrap();
+    let changes = found(&domain, None);
+    assert_eq!((changes.today.reached, changes.floor), (6, 5));
+    let [change] = changes.found.as_slice() else { panic!("{:?}", changes.found) };
+    assert!(change.at_least >= 8 && change.suggestion.cost() >= change.at_least, "{change:?}");
+    assert_eq!(change.suggestion.max_degree, 5);
+    assert!(found(&domain, Some(6)).found.is_empty());
+    assert_eq!(found(&change.domain, None).open, None);
+}
+
+#[test]
+fn points_and_limits_stay_where_they_are() {
+    let points = |half: f64| [(-half, -half), (half, -half), (half, half), (-half, half)];
+    let rings = vec![Ring::of_points(points(2.0)), Ring::of_points(points(1.0))];
+    let error = |domain: &Domain| count_changes(domain, None, Progress::NONE).unwrap_err();
+    let message = error(&Domain::of_rings(rings).unwrap()).to_string();
+    assert!(message.starts_with("each side of the domain has points of its own"), "{message}");
+}
