@@ -19,8 +19,10 @@
 //! bulge so much that their flat triangle is Delaunay's; it stays in the result.
 
 mod refine;
+mod twins;
 
 pub use refine::{Refined, refined};
+use twins::first;
 
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
@@ -77,7 +79,7 @@ impl DelaunayError {
 ///
 /// `inner` are interior points; their vertices follow those of the boundary. `segments` join any two
 /// vertices inside the domain; a segment that passes through a vertex is split there. The area
-/// outside the domain gets no triangle.
+/// outside the domain gets no triangle. Of [twins](PlanarBoundary::twins), each gets the triangles of its sector.
 ///
 /// O(n log n) for sides of similar length; more if one vertex gets a large share of all edges.
 ///
@@ -136,12 +138,13 @@ pub fn triangles(
         }
         sites.add_constraint(a, b);
     }
-    Ok(inside(&sites, &next_of(boundary)))
-}
-
-/// The next vertex on the ring, for every vertex of a boundary.
-fn next_of(boundary: &PlanarBoundary) -> Vec<u32> {
-    boundary.edges().map(|[_, to]| to).collect()
+    let next: Vec<u32> = boundary.edges().map(|[_, to]| first(boundary, to)).collect();
+    let of_twins = twins::edges(boundary);
+    let is_on_ring =
+        |from: u32, to: u32| next.get(from as usize) == Some(&to) || of_twins.contains(&[from, to]);
+    let mut triangles = inside(&sites, is_on_ring);
+    twins::share_out(boundary, &mut triangles);
+    Ok(triangles)
 }
 
 fn insert(
@@ -158,7 +161,8 @@ fn insert(
     let counter = progress.counter("Delaunay triangulation", vertices.into());
     let mut sites = Sites::new();
     let mut handles: Vec<Option<FixedVertexHandle>> = vec![None; vertices as usize];
-    for (vertex, neighbor) in order(boundary, vertices) {
+    for near in order(boundary, vertices) {
+        let (vertex, neighbor) = (first(boundary, near.0), first(boundary, near.1));
         if handles[vertex as usize].is_some() {
             continue;
         }
@@ -179,7 +183,8 @@ fn insert(
         handles[vertex as usize] = Some(handle);
         counter.add(1)?;
     }
-    let handles: Vec<_> = handles.into_iter().flatten().collect();
+    let handles: Vec<_> =
+        (0..vertices).filter_map(|vertex| handles[first(boundary, vertex) as usize]).collect();
     assert_eq!(handles.len(), vertices as usize, "the order has every vertex");
     Ok((sites, handles))
 }
@@ -233,14 +238,13 @@ fn bisection(count: u32) -> impl Iterator<Item = (u32, u32)> {
 
 /// The triangles that cannot be reached, without crossing the boundary, from outside the hull or
 /// from the right of a boundary edge.
-fn inside(sites: &Sites, next: &[u32]) -> Vec<[u32; 3]> {
-    let is_next = |a: u32, b: u32| next.get(a as usize) == Some(&b);
+fn inside(sites: &Sites, is_on_ring: impl Fn(u32, u32) -> bool) -> Vec<[u32; 3]> {
     // Half-edges of triangles that are outside if the half-edge is not on the boundary.
     let mut border: Vec<_> = sites.convex_hull().map(|edge| edge.rev()).collect();
     let mut is_outside = vec![false; sites.num_all_faces()];
     for edge in sites.directed_edges() {
         let [from, to] = [edge.from().data().vertex, edge.to().data().vertex];
-        if is_next(to, from)
+        if is_on_ring(to, from)
             && let Some(face) = edge.face().as_inner()
             && !std::mem::replace(&mut is_outside[face.fix().index()], true)
         {
@@ -249,7 +253,7 @@ fn inside(sites: &Sites, next: &[u32]) -> Vec<[u32; 3]> {
     }
     while let Some(edge) = border.pop() {
         let [from, to] = [edge.from().data().vertex, edge.to().data().vertex];
-        if is_next(from, to) || is_next(to, from) {
+        if is_on_ring(from, to) || is_on_ring(to, from) {
             continue;
         }
         let Some(face) = edge.face().as_inner() else { continue };

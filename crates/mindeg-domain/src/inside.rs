@@ -53,7 +53,7 @@ pub struct InnerPoint {
     pub size: Option<f64>,
 }
 
-/// A region: the face around a point, with a name and a material
+/// A region: the face around a point, with a name and a material, or a hole
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]
@@ -71,6 +71,16 @@ pub struct Region {
     /// The greatest area of its triangles in a mesh with interior points
     #[cfg_attr(feature = "json", schemars(extend("exclusiveMinimum" = 0)))]
     pub max_area: Option<f64>,
+    /// Whether it is a hole, which has no triangles
+    #[cfg_attr(
+        feature = "json",
+        serde(
+            default,
+            deserialize_with = "crate::json::or_default",
+            skip_serializing_if = "crate::json::is_default"
+        )
+    )]
+    pub hole: bool,
 }
 
 impl Inside {
@@ -100,9 +110,21 @@ impl Inside {
                     .error(format!("the size is {size:?}; it must be a finite number above 0")));
             }
         }
-        for (index, Region { name, material, size, max_area, .. }) in
+        for (index, Region { name, material, size, max_area, hole, .. }) in
             self.regions.iter().enumerate()
         {
+            let whole = || format!("region {}", index + 1);
+            let keys = [
+                ("name", name.is_some()),
+                ("material", material.is_some()),
+                ("size", size.is_some()),
+                ("max_area", max_area.is_some()),
+            ];
+            if *hole && let Some((key, _)) = keys.iter().find(|(_, is_given)| *is_given) {
+                let message =
+                    format!("{} is a hole, which has no triangles; drop its {key}", whole());
+                return Err(Place::key("regions").then(index).then(*key).error(message));
+            }
             for (key, value) in [("size", size), ("max_area", max_area)] {
                 if let Some(value) = value.filter(|value| !is_size(*value)) {
                     return Err(Place::key("regions").then(index).then(key).error(format!(
@@ -114,7 +136,7 @@ impl Inside {
             for (key, text) in [("name", name), ("material", material)] {
                 if let Some(text) = text {
                     let place = Place::key("regions").then(index).then(key);
-                    name::check(text, place, &format!("region {}", index + 1))?;
+                    name::check(text, place, &whole())?;
                 }
             }
         }

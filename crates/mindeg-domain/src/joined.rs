@@ -238,5 +238,32 @@ pub(crate) fn faces(boundary: &PlanarBoundary, regions: &[Region]) -> Result<Fac
             return Err(error(region, &message));
         }
     }
+    let hole = |face: Option<u32>| {
+        face.filter(|&face| regions.get(face as usize).is_some_and(|region| region.hole))
+    };
+    let has_region = |face: &Option<u32>| face.is_some() && hole(*face).is_none();
+    for (edge, beside) in (0..).zip(&faces.beside) {
+        let Some(region) = beside.iter().find_map(|face| hole(*face)) else { continue };
+        if !beside.iter().any(has_region) {
+            let place = boundary.place_of_edge(edge);
+            let hint = match place {
+                BoundaryPlace::Ring(at) if at.ring == 0 => "draw the outline around the hole",
+                BoundaryPlace::Ring(_) => "drop the inner one of the two holes",
+                _ => "drop this edge, or make one of its sides a region",
+            };
+            let message = format!(
+                "is a hole, and {} has no region on either side; {hint}",
+                place.named("edge")
+            );
+            return Err(error(region as usize, &message));
+        }
+    }
+    for (point, face) in faces.points.iter().enumerate() {
+        if let Some(region) = hole(*face) {
+            let message =
+                format!("is a hole around point {}; move the point, or drop it", point + 1);
+            return Err(error(region as usize, &message));
+        }
+    }
     Ok(faces)
 }

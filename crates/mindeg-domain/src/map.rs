@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use mindeg_mesh::planar::Faces;
+use mindeg_mesh::planar::{Border, Faces};
 use mindeg_mesh::{Line, LineKind, NamedVertex};
 
 use crate::domain::Domain;
@@ -42,6 +42,18 @@ impl Domain {
     /// The material of the region that is a face.
     pub fn region_material(&self, face: u32) -> Option<&str> {
         self.inside.regions.get(face as usize)?.material.as_deref()
+    }
+
+    /// Whether the region that is a face is a hole, which has no triangles.
+    pub fn is_hole(&self, face: u32) -> bool {
+        self.inside.regions.get(face as usize).is_some_and(|region| region.hole)
+    }
+
+    /// The boundary around the regions that are not holes, if one is. O(n log n).
+    pub fn border(&self) -> Option<Border> {
+        let has_holes = self.inside.regions.iter().any(|region| region.hole);
+        let (faces, boundary) = (self.faces()?, self.placement.boundary()?);
+        has_holes.then(|| boundary.border(faces, |face| self.is_hole(face)))
     }
 
     /// The lines as lines of a mesh, over the [segments](mindeg_mesh::planar::PlanarBoundary::segments) of the

@@ -33,8 +33,10 @@ pub(crate) fn limit_shown(found: &Lifting) -> LimitShown {
         Cause::Corner { vertex, corner, side_before, .. } => {
             (vec![*vertex], vec![*side_before, *corner])
         }
-        Cause::Vertex { vertex, side, .. } => (vec![*vertex], vec![*side]),
-        Cause::Facing { vertices, sides, .. } => (vertices.to_vec(), sides.to_vec()),
+        Cause::Vertex { vertex, side, .. } => (vec![*vertex], side.iter().copied().collect()),
+        Cause::Facing { vertices, sides, .. } => {
+            (vertices.to_vec(), sides.iter().copied().flatten().collect())
+        }
     };
     LimitShown { limit: found.answer(), words: found.text(), vertices, sides }
 }

@@ -183,7 +183,10 @@ impl Regions {
         let mut at_vertex = vec![Vec::new(); points];
         let mut sides = Vec::new();
         for (edge, (ends, beside)) in (0..).zip(ends.iter().zip(&options.beside)) {
-            ends.iter().for_each(|vertex| at_vertex[*vertex as usize].push(edge));
+            for &end in ends {
+                let all = [end].into_iter().chain(outline.twins(end));
+                all.for_each(|vertex| at_vertex[vertex as usize].push(edge));
+            }
             sides.push((ends.map(|vertex| outline.point(vertex)), beside.map(size)));
         }
         let item = |(id, ([from, to], _)): (u32, &([DVec2; 2], _))| {
@@ -213,8 +216,7 @@ impl Regions {
         let mut first = (TAU, f64::INFINITY);
         for &edge in &self.at_vertex[vertex as usize] {
             let ([a, b], [left, right]) = self.sides[edge as usize];
-            let (other, size) =
-                if self.ends[edge as usize][0] == vertex { (b, left) } else { (a, right) };
+            let (other, size) = if a == at { (b, left) } else { (a, right) };
             let (from, to) = (other - at, x - at);
             let turn = libm::atan2(from.perp_dot(to), from.dot(to)).rem_euclid(TAU);
             if turn < first.0 {

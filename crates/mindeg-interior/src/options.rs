@@ -90,12 +90,14 @@ pub enum InteriorError {
         known: String,
     },
     /// A limit at a vertex that no mesh can keep.
-    #[error("vertex {vertex} has a degree limit of {limit}; its two boundary edges alone are 2")]
+    #[error("vertex {vertex} has a degree limit of {limit}; its boundary edges alone are {edges}")]
     DegreeLimit {
         /// The vertex.
         vertex: u32,
         /// Its limit.
         limit: u32,
+        /// Its boundary edges.
+        edges: u32,
     },
     /// A target that is proven impossible.
     #[error(
@@ -218,7 +220,7 @@ impl Options {
             }
         }
         if let Some((vertex, limit)) = self.degree_limits.iter().find(|(_, limit)| **limit < 2) {
-            return Err(InteriorError::DegreeLimit { vertex: *vertex, limit: *limit });
+            return Err(InteriorError::DegreeLimit { vertex: *vertex, limit: *limit, edges: 2 });
         }
         Ok(())
     }

@@ -285,12 +285,15 @@ pub(crate) fn is_inside_of(outline: &PlanarBoundary, edge: u32, x: DVec2) -> boo
     } else {
         return left(a);
     };
-    let before = outline.previous(corner);
-    if outline.angle(corner) <= PI {
-        left(before) && left(corner)
-    } else {
-        left(before) || left(corner)
-    }
+    // Where rings touch, the vertex has several sectors.
+    [corner].into_iter().chain(outline.twins(corner)).any(|corner| {
+        let before = outline.previous(corner);
+        if outline.angle(corner) <= PI {
+            left(before) && left(corner)
+        } else {
+            left(before) || left(corner)
+        }
+    })
 }
 
 /// True if a point is too near to an edge, or sees it under more than 120 degrees.
@@ -320,8 +323,17 @@ mod tests {
         let star: Vec<DVec2> = (0..14)
             .map(|i| DVec2::from_angle(f64::from(i) * PI / 7.0) * [4.0, 0.7][i as usize % 2])
             .collect();
-        let outlines = [samples::plate_with_hole(), PlanarBoundary::new(&[star]).unwrap()];
-        for (outline, low, step) in [(&outlines[0], -1.0, 0.05), (&outlines[1], -5.0, 0.04)] {
+        // Holes that touch a straight side and each other.
+        let square = samples::ring(&[[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]], &[2; 4]);
+        let inner = [[2.8, 2.0], [3.0, 2.0], [2.2, 4.0], [2.5, 4.0]].map(DVec2::from);
+        let lines = [vec![1, 8, 9, 1], vec![9, 10, 11, 9]];
+        let (map, _) = PlanarBoundary::map(&[square], &inner, &lines).unwrap();
+        let faces = map.faces(&[[2.9, 1.9], [2.6, 3.5]].map(DVec2::from)).unwrap();
+        let border = map.border(&faces, |face| face < 2);
+        let outlines =
+            [samples::plate_with_hole(), PlanarBoundary::new(&[star]).unwrap(), border.boundary];
+        let steps = [(-1.0, 0.05), (-5.0, 0.04), (-1.0, 0.03)];
+        for (outline, (low, step)) in outlines.iter().zip(steps) {
             let ends = |[a, b]: [u32; 2]| [a, b].map(|v| outline.point(v));
             // How often a horizontal line to the right crosses the boundary.
             let is_inside = |x: DVec2| {

@@ -218,6 +218,33 @@ fn first_percentile(shares: &mut [f64]) -> f64 {
     }
 }
 
+impl InteriorReport {
+    /// The same report with other names of the vertices, and of the edges of the boundary and its lines.
+    #[must_use]
+    pub fn renamed(mut self, name: impl Fn(u32) -> u32, edge: impl Fn(u32) -> u32) -> Self {
+        let Self { limits, min_angle_vertex, local, corners, violations, certified, .. } =
+            &mut self;
+        let Limits { any_degree, with_degree_limit, tent } = limits;
+        let fans = [&mut any_degree.vertex, &mut with_degree_limit.vertex, min_angle_vertex];
+        let tents = tent.iter_mut().flat_map(|tent| &mut tent.edges);
+        let places = corners.iter_mut().map(|corner| &mut corner.vertex);
+        let places = places.chain(violations.iter_mut().map(|violation| &mut violation.vertex));
+        let proven =
+            certified.iter_mut().flat_map(|own| own.edges.iter_mut().chain([&mut own.vertex]));
+        let places = places.chain(proven).chain([&mut local.vertex]);
+        for vertex in fans.into_iter().chain(tents).chain(places) {
+            *vertex = name(*vertex);
+        }
+        for coarse in self.sizes.iter_mut().flat_map(|sizes| &mut sizes.coarse) {
+            coarse.edge = edge(coarse.edge);
+        }
+        self.corners.sort_by_key(|corner| corner.vertex);
+        self.violations.sort_by_key(|violation| violation.vertex);
+        self.certified.sort_by_key(|certified| certified.vertex);
+        self
+    }
+}
+
 /// The wishes that a mesh is compared with, and the limits of its boundary.
 pub(crate) struct Wanted<'a> {
     pub(crate) interior: RangeInclusive<u32>,

@@ -12,6 +12,7 @@ use crate::stage::Stage;
 use crate::star::Stars;
 use glam::DVec2;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
+use std::ops::Range;
 
 /// The data that all seeds begin with.
 pub(crate) struct Start<'a> {
@@ -82,7 +83,10 @@ impl Start<'_> {
         // Near each other in the plane, near each other in memory.
         triangles.sort_unstable_by_key(|t| (t[0].max(t[1]).max(t[2]), *t));
         let boundary = self.outline.points().len();
-        let expected = 2 * points.len() - boundary + 2 * self.outline.ring_count() - 4;
+        // By Euler's formula, for each connected part.
+        let parts = self.outline.rings().filter(|ring| self.is_outer(ring.clone())).count();
+        let expected =
+            (2 * points.len() + 2 * self.outline.ring_count()).saturating_sub(boundary + 4 * parts);
         if triangles.len() != expected {
             return Err(InteriorError::NotFilled(format!(
                 "found {} triangles inside, expected {expected}",
@@ -100,6 +104,13 @@ impl Start<'_> {
         }
         ArrayMesh::new(vertices, &triangles, self.goals.to_vec(), &self.breaklines.edges)
             .map_err(InteriorError::NotFilled)
+    }
+
+    /// Whether a ring runs counter-clockwise.
+    fn is_outer(&self, ring: Range<u32>) -> bool {
+        let at = |v: u32| self.outline.point(v) - self.outline.point(ring.start);
+        let doubled = |v: u32| at(v).perp_dot(at(self.outline.next(v)));
+        ring.clone().map(doubled).sum::<f64>() > 0.0
     }
 }
 

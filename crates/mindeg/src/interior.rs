@@ -39,7 +39,7 @@ pub use mindeg_interior::{
     CertifiedVertex, CornerTradeOff, InteriorError, InteriorReport, LocalShares, SizeReport,
     Violation,
 };
-use posed::{boundary, options};
+use posed::Posed;
 
 use crate::boundary_mesh::lines;
 use mindeg_domain::{Domain, Interior};
@@ -78,14 +78,17 @@ pub fn mesh(
     wanted: &Interior,
     progress: Progress<'_>,
 ) -> Result<InteriorMesh, InteriorError> {
-    let boundary = boundary(domain)?;
-    let found = generate(&boundary, &options(domain, wanted), progress)?;
-    let limit = AngleLimit::new(domain, &boundary, &found.report.limits);
+    let posed = Posed::new(domain)?;
+    let found = generate(posed.boundary(), &posed.options(domain, wanted)?, progress)
+        .map_err(|error| posed.error(error))?;
+    let limit = AngleLimit::new(domain, &posed, &found.report.limits);
+    let found = posed.in_domain(found);
+    let boundary = &posed.whole;
     let points = found.points.iter().map(|point| point.extend(0.0)).collect();
     let mut lines = lines(domain);
     let mut kinds: Vec<_> = domain.sides().iter().map(|side| side.kind).collect();
     let mut segments: Vec<[u32; 2]> = boundary.edges().collect();
-    let pieces = pieces(&boundary, &found.line_edges);
+    let pieces = pieces(boundary, &found.line_edges);
     for (line, kind) in domain.inner_lines() {
         let start = segments.len() as u32;
         let own = &pieces[line.segments.start as usize..line.segments.end as usize];
@@ -93,7 +96,7 @@ pub fn mesh(
         lines.push(Line { segments: start..segments.len() as u32, ..line });
         kinds.push(kind);
     }
-    let (triangles, groups) = groups(domain, &boundary, &pieces, found.triangles);
+    let (triangles, groups) = groups(domain, boundary, &pieces, found.triangles);
     let mesh = TriMesh::new(points, triangles)
         .and_then(|mesh| mesh.with_lines(lines, segments))
         .and_then(|mesh| mesh.with_named_vertices(domain.named_vertices()))
@@ -137,7 +140,9 @@ fn groups(
     triangles: Vec<[u32; 3]>,
 ) -> (Vec<[u32; 3]>, Vec<Group>) {
     let Some(faces) = domain.faces() else { return (triangles, Vec::new()) };
-    if faces.count == 1 && domain.inside().regions.is_empty() {
+    let is_region = |face: &u32| !domain.is_hole(*face);
+    let given = domain.inside().regions.iter().any(|region| !region.hole);
+    if !given && (0..faces.count as u32).filter(is_region).count() == 1 {
         return (triangles, Vec::new());
     }
     let (on_rings, on_lines) = faces.beside.split_at(boundary.vertex_count() as usize);
@@ -179,7 +184,9 @@ fn groups(
         end += triangles.len() as u32;
         Group::new(name, start..end).of_material(of.map(&mut material))
     };
-    let groups = groups.into_iter().zip(&of_group).map(group).collect();
+    // Holes have no triangles.
+    let used = groups.into_iter().zip(&of_group).filter(|(_, triangles)| !triangles.is_empty());
+    let groups = used.map(group).collect();
     (of_group.concat(), groups)
 }
 

@@ -50,6 +50,8 @@ pub struct PlanarBoundary {
     corners: Vec<u32>,
     /// For each vertex, the straight run of the edge that begins there.
     runs: Vec<u32>,
+    /// Vertices of rings with another one at the same point, ascending; only where rings touch.
+    pub(super) twins: Vec<[u32; 2]>,
 }
 
 impl PlanarBoundary {
@@ -62,8 +64,15 @@ impl PlanarBoundary {
             points.extend_from_slice(ring.as_ref());
             starts.push(points.len() as u32);
         }
-        let (corners, runs) = (Vec::new(), (0..points.len() as u32).collect());
-        Self { points, starts, segments: Vec::new(), line_starts: vec![0], corners, runs }
+        Self::unproven(points, starts)
+    }
+
+    /// Rings of points, each edge a run of its own.
+    pub(super) fn unproven(points: Vec<DVec2>, starts: Vec<u32>) -> Self {
+        let on_rings = starts.last().copied().unwrap_or_default();
+        let (corners, runs) = (Vec::new(), (0..on_rings).collect());
+        let (segments, line_starts, twins) = (Vec::new(), vec![0], Vec::new());
+        Self { points, starts, segments, line_starts, corners, runs, twins }
     }
 
     /// Sets the sides, which begin at `corners`, in ascending order, and for each vertex the
@@ -181,6 +190,14 @@ impl PlanarBoundary {
     pub fn previous(&self, vertex: u32) -> u32 {
         let Range { start, end } = self.ring(self.in_ring(vertex).ring);
         if vertex == start { end - 1 } else { vertex - 1 }
+    }
+
+    /// The other vertices at the point of a vertex: where rings touch themselves or each other, which only a
+    /// [border](Self::border) may. O(log n) for n of these.
+    pub fn twins(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
+        let from = self.twins.partition_point(|&[of, _]| of < vertex);
+        let own = self.twins[from..].iter().take_while(move |&&[of, _]| of == vertex);
+        own.map(|&[_, twin]| twin)
     }
 
     /// The edges of the rings, each from the vertex that names it. O(1) each.

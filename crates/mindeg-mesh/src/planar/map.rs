@@ -19,6 +19,8 @@ pub struct Faces {
     pub beside: Vec<[Option<u32>; 2]>,
     /// The face around each point that was asked for; none outside the domain.
     pub around: Vec<Option<u32>>,
+    /// The face around each inner point that no line has.
+    pub points: Vec<Option<u32>>,
 }
 
 impl PlanarBoundary {
@@ -142,11 +144,17 @@ impl PlanarBoundary {
         let beside = (0..self.edge_count())
             .map(|edge| [true, false].map(|is_left| face(side_of(edge, is_left))))
             .collect();
-        Ok(Faces { beside, around, count: count as usize })
+        let mut points = vec![None; self.inner_points().len()];
+        for (vertex, _) in swept.around_points {
+            if let Some(point) = points.get_mut((vertex - self.vertex_count()) as usize) {
+                *point = face(around_point(&marked, vertex));
+            }
+        }
+        Ok(Faces { beside, around, points, count: count as usize })
     }
 
     /// A vertex, as messages name it: by the first line that has it, if it is on no ring.
-    pub(super) fn place_of_vertex(&self, vertex: u32) -> BoundaryPlace {
+    pub fn place_of_vertex(&self, vertex: u32) -> BoundaryPlace {
         if vertex < self.vertex_count() {
             return BoundaryPlace::Ring(self.in_ring(vertex));
         }
@@ -161,7 +169,7 @@ impl PlanarBoundary {
     }
 
     /// An edge, as messages name it.
-    pub(super) fn place_of_edge(&self, edge: u32) -> BoundaryPlace {
+    pub fn place_of_edge(&self, edge: u32) -> BoundaryPlace {
         match edge.checked_sub(self.vertex_count()) {
             None => BoundaryPlace::Ring(self.in_ring(edge)),
             Some(segment) => {

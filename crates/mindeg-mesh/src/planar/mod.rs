@@ -5,6 +5,7 @@
 //! rings are simple, apart and nested, and that lines meet at vertices only; only [`turn`] decides whether a
 //! boundary is straight at a point.
 
+mod border;
 mod boundary;
 mod faults;
 mod in_ring;
@@ -15,6 +16,7 @@ mod turning;
 
 use glam::DVec2;
 
+pub use border::Border;
 pub use boundary::PlanarBoundary;
 pub use faults::{BoundaryFault, BoundaryFaults, MOST_FAULTS};
 pub use in_ring::{BoundaryPlace, InRing, ring_name};

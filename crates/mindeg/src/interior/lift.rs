@@ -111,22 +111,19 @@ fn candidates(domain: &Domain, cause: &Cause) -> Vec<Vec<(usize, u64)>> {
             let coarser = coarser.into_iter().map(|count| vec![(short, count)]);
             finer.chain(both).chain(coarser).collect()
         }
-        Cause::Vertex { side, .. } => {
+        Cause::Vertex { side: None, .. } => Vec::new(),
+        Cause::Vertex { side: Some(side), .. } => {
             let finer = spread(count(*side), count(*side).saturating_mul(8));
             finer.into_iter().map(|count| vec![(*side, count)]).collect()
         }
-        Cause::Facing { sides: [first, second], .. } => {
+        Cause::Facing { sides, .. } => {
+            let mut sides: Vec<usize> = sides.iter().copied().flatten().collect();
+            sides.dedup();
             let factor = |step: u32| 1.0 + f64::from(step) / 4.0;
             let times =
                 |side: usize, factor: f64| (side, (count(side) as f64 * factor).ceil() as u64);
-            let both = |step| {
-                let mut counts = vec![times(*first, factor(step))];
-                if second != first {
-                    counts.push(times(*second, factor(step)));
-                }
-                counts
-            };
-            (1..=MOST_TRIES).map(both).collect()
+            let all = |step| sides.iter().map(|side| times(*side, factor(step))).collect();
+            (1..=MOST_TRIES).map(all).filter(|counts: &Vec<_>| !counts.is_empty()).collect()
         }
     }
 }

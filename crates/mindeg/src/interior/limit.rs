@@ -5,9 +5,8 @@ use std::fmt;
 use mindeg_domain::{Domain, InRing, Interior};
 use mindeg_interior::InteriorError;
 use mindeg_interior::limits::{Limits, TentLimit, limits};
-use mindeg_mesh::planar::PlanarBoundary;
 
-use super::posed::{boundary, options};
+use super::posed::Posed;
 
 /// The greatest minimum angle that any mesh of a domain's boundary can have, however many interior
 /// points it has, and what decides. Angles are in degrees.
@@ -41,10 +40,10 @@ pub enum Cause {
         /// The lengths of the interval before and of the one after.
         lengths: [f64; 2],
     },
-    /// A vertex within a side, between intervals of different lengths.
+    /// A vertex within a side or line, between intervals of different lengths.
     Vertex {
-        /// The side.
-        side: usize,
+        /// The side; none of a line beside a hole.
+        side: Option<usize>,
         /// Its name.
         name: String,
         /// The vertex.
@@ -54,8 +53,8 @@ pub enum Cause {
     },
     /// Two intervals that face each other nearer than they are long.
     Facing {
-        /// Their sides.
-        sides: [usize; 2],
+        /// Their sides; none of a line beside a hole.
+        sides: [Option<usize>; 2],
         /// The names of these.
         names: [String; 2],
         /// The first vertex of each.
@@ -81,17 +80,17 @@ pub enum Cause {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn angle_limit(domain: &Domain, wanted: &Interior) -> Result<AngleLimit, InteriorError> {
-    let boundary = boundary(domain)?;
-    let options = options(domain, wanted);
-    let found = limits(&boundary, |vertex| options.degree_limit(&boundary, vertex));
-    Ok(AngleLimit::new(domain, &boundary, &found))
+    let posed = Posed::new(domain)?;
+    let (boundary, options) = (posed.boundary(), posed.options(domain, wanted)?);
+    let found = limits(boundary, |vertex| options.degree_limit(boundary, vertex));
+    Ok(AngleLimit::new(domain, &posed, &found))
 }
 
 impl AngleLimit {
-    pub(super) fn new(domain: &Domain, boundary: &PlanarBoundary, limits: &Limits) -> Self {
+    pub(super) fn new(domain: &Domain, posed: &Posed<'_>, limits: &Limits) -> Self {
         let cause = |angle: f64, vertex: u32| match limits.tent {
-            Some(tent) if tent.angle <= angle => Cause::of_tent(domain, &tent),
-            _ => Cause::of_fan(domain, boundary, vertex),
+            Some(tent) if tent.angle <= angle => Cause::of_tent(domain, posed, &tent),
+            _ => Cause::of_fan(domain, posed, vertex),
         };
         Self {
             min_angle: limits.angle(),
@@ -116,25 +115,43 @@ impl AngleLimit {
 }
 
 impl Cause {
-    fn of_tent(domain: &Domain, tent: &TentLimit) -> Self {
-        let sides = tent.edges.map(|vertex| domain.rings().side_of(vertex));
-        let names = sides.map(|side| domain.side_name(side));
-        Self::Facing { sides, names, vertices: tent.edges }
+    fn of_tent(domain: &Domain, posed: &Posed<'_>, tent: &TentLimit) -> Self {
+        let [first, second] = tent.edges.map(|edge| named(domain, posed.edge(edge)));
+        let (sides, names) = ([first.0, second.0], [first.1, second.1]);
+        Self::Facing { sides, names, vertices: tent.edges.map(|vertex| posed.vertex(vertex)) }
     }
 
-    fn of_fan(domain: &Domain, boundary: &PlanarBoundary, vertex: u32) -> Self {
-        let rings = domain.rings();
+    fn of_fan(domain: &Domain, posed: &Posed<'_>, vertex: u32) -> Self {
+        let (rings, boundary) = (domain.rings(), posed.boundary());
         let lengths = [boundary.previous(vertex), vertex].map(|edge| boundary.length(edge));
-        let side = rings.side_of(vertex);
-        if rings.is_corner(vertex) {
+        let angle = boundary.angle(vertex).to_degrees();
+        let (side, name) = named(domain, posed.edge(vertex));
+        let vertex = posed.vertex(vertex);
+        if let Some(side) = side
+            && rings.is_corner(vertex)
+        {
             let InRing { ring, index } = rings.in_ring(side);
             let hole = if ring > 0 { format!(" of hole {ring}") } else { String::new() };
             let name = format!("corner {}{hole}", index + 1);
             let side_before = rings.previous_side(side);
-            let angle = boundary.angle(vertex).to_degrees();
             Self::Corner { corner: side, name, side_before, vertex, angle, lengths }
         } else {
-            Self::Vertex { side, name: domain.side_name(side), vertex, lengths }
+            Self::Vertex { side, name, vertex, lengths }
+        }
+    }
+}
+
+/// The side of an edge of a domain's boundary, none of a line; and its name.
+fn named(domain: &Domain, edge: u32) -> (Option<usize>, String) {
+    match edge.checked_sub(domain.rings().vertex_count()) {
+        None => {
+            let side = domain.rings().side_of(edge);
+            (Some(side), domain.side_name(side))
+        }
+        Some(segment) => {
+            let lines = domain.inner_lines();
+            let own = lines.into_iter().find(|(line, _)| line.segments.contains(&segment));
+            (None, own.map_or_else(String::new, |(line, _)| line.name))
         }
     }
 }
