@@ -22,6 +22,7 @@ pub mod names;
 pub mod numbers;
 pub mod preset;
 pub mod proof;
+pub mod sizes;
 pub mod suggest;
 pub mod trade_off;
 pub mod verify;

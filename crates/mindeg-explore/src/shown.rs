@@ -3,9 +3,10 @@
 use mindeg::glam::DVec2;
 use mindeg::quality::{DegreeHistogram, Distribution, METRICS, Metric, TriangleQuality};
 use mindeg::{BoundaryMesh, Domain, TriMesh};
-use mindeg_answers::interior::{angles_and_degrees, coarse_sides, local_limits};
+use mindeg_answers::interior::{angles_and_degrees, local_limits};
 use mindeg_answers::mesh as words;
 use mindeg_answers::numbers::steady_angle;
+use mindeg_answers::sizes::coarse_sides;
 use mindeg_compare::axis::{Axis, BARS};
 
 use crate::api::{Bars, DomainShown, Request, Shown, SideShown, View};

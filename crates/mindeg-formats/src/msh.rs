@@ -25,7 +25,7 @@ mod write4;
 use crate::facts::{Facts, SIGNED};
 use crate::{MshVersion, WriteError, WriteOptions};
 
-pub(crate) use self::read::read_values;
+pub(crate) use self::read::values::read_values;
 pub use self::read::{read, read_lines};
 use self::write::sections;
 

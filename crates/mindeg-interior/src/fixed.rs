@@ -1,35 +1,12 @@
 //! Lines and points inside a domain; segments that may be divided are, as the size field wants.
 
+use crate::breaklines::Breaklines;
 use crate::near::Near;
 use crate::options::Options;
-use crate::packing::Piece;
 use crate::size::SizeField;
 use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::planar::PlanarBoundary;
-
-/// The inner points of a boundary with those that divide segments, and the edges that segments are divided into.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Breaklines {
-    /// After the outline's points.
-    pub(crate) points: Vec<DVec2>,
-    pub(crate) edges: Vec<[u32; 2]>,
-}
-
-impl Breaklines {
-    pub(crate) fn pieces(&self, outline: &PlanarBoundary) -> Vec<Piece> {
-        let at = |v: u32| self.at(outline, v);
-        self.edges.iter().map(|[a, b]| Piece { from: at(*a), to: at(*b) }).collect()
-    }
-
-    pub(crate) fn at(&self, outline: &PlanarBoundary, vertex: u32) -> DVec2 {
-        let boundary = outline.points();
-        match boundary.get(vertex as usize) {
-            Some(point) => *point,
-            None => self.points[vertex as usize - boundary.len()],
-        }
-    }
-}
 
 /// Divides the segments that may be divided.
 pub(crate) fn breaklines(

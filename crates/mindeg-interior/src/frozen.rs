@@ -1,7 +1,7 @@
 //! The edges of a mesh that stay: its boundary, and fixed edges inside.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE};
-use crate::fixed::Breaklines;
+use crate::breaklines::Breaklines;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 

@@ -2,8 +2,9 @@
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE};
 use crate::asked::Asked;
+use crate::breaklines::Breaklines;
 use crate::finish::finish;
-use crate::fixed::{Breaklines, breaklines, crowded};
+use crate::fixed::{breaklines, crowded};
 use crate::goal::{Weights, goals};
 use crate::lengths::SizeReport;
 use crate::limits::limits;

@@ -1,6 +1,6 @@
 //! What is wanted of each vertex and of the mesh as a whole.
 
-use crate::fixed::Breaklines;
+use crate::breaklines::Breaklines;
 use crate::limits::tent_limits;
 use crate::options::Options;
 use crate::star::Stars;

@@ -55,6 +55,7 @@
 mod anneal;
 mod array_mesh;
 mod asked;
+mod breaklines;
 mod disc;
 mod edge_tree;
 mod energy;

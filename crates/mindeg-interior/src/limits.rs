@@ -21,8 +21,8 @@
 //! Lines and points inside have limits of their own, which are left out here: the limits stay true,
 //! but are less tight.
 
+use crate::breaklines::Breaklines;
 use crate::edge_tree::{EdgeTree, Item};
-use crate::fixed::Breaklines;
 use crate::triangle::cross;
 use glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;

@@ -4,6 +4,7 @@
 //! points are tried from the boundary inwards, each where it makes an equilateral
 //! triangle with what is there, and kept if no point is too near for the size field.
 
+use crate::breaklines::Piece;
 use crate::edge_tree::EdgeTree;
 use crate::goal::Goal;
 use crate::near::Near;
@@ -16,13 +17,6 @@ use glam::DVec2;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use std::collections::VecDeque;
 use std::f64::consts::PI;
-
-/// A segment that the packing starts from and keeps clear of.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Piece {
-    pub(crate) from: DVec2,
-    pub(crate) to: DVec2,
-}
 
 /// The data that the packing works on.
 pub(crate) struct Ground<'a> {

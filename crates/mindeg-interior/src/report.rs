@@ -435,7 +435,7 @@ fn sharpest(triangle: &[u32; 3], corners: [DVec2; 3]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixed::Breaklines;
+    use crate::breaklines::Breaklines;
     use crate::limits::{FanLimit, fan_limit_at};
     use mindeg_mesh::planar::PlanarBoundary;
 

@@ -1,7 +1,7 @@
 //! New starts of a disc: its inside packed anew, with each fan at the vertex in the middle and several spacings.
 
 use crate::array_mesh::{ArrayMesh, NONE, Vertex};
-use crate::fixed::Breaklines;
+use crate::breaklines::Breaklines;
 use crate::goal::{Goal, Weights};
 use crate::options::Options;
 use crate::size::SizeField;

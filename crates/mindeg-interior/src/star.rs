@@ -5,7 +5,7 @@
 //! Every sector needs a triangle, and two from 180 degrees on: where that makes more than the degree limit, no mesh
 //! keeps it.
 
-use crate::fixed::Breaklines;
+use crate::breaklines::Breaklines;
 use crate::limits::fan_limit;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
 use std::f64::consts::TAU;

@@ -1,8 +1,8 @@
 //! The first mesh: points packed, triangulated and linked.
 
 use crate::array_mesh::{ArrayMesh, Kind, NONE, Vertex};
+use crate::breaklines::Breaklines;
 use crate::edge_tree::{EdgeTree, Item};
-use crate::fixed::Breaklines;
 use crate::goal::Goal;
 use crate::options::InteriorError;
 use crate::order::along_hilbert_curve;

@@ -10,11 +10,11 @@ use crate::terminal::say;
 use mindeg::interior::{self, InteriorError, InteriorMesh};
 use mindeg::{Domain, Interior, Size};
 use mindeg_answers::interior::{
-    InteriorAnswer, angles_and_degrees, coarse_sides, corners, grading, local_limits, sizes,
-    unmet_degrees, violations,
+    InteriorAnswer, angles_and_degrees, corners, grading, local_limits, unmet_degrees, violations,
 };
 use mindeg_answers::limit::{Lifting, LimitAnswer};
 use mindeg_answers::names::shown;
+use mindeg_answers::sizes::{coarse_sides, sizes};
 use mindeg_files::{Input, PolygonFile};
 use serde::Serialize;
 use std::collections::BTreeSet;

@@ -1,12 +1,14 @@
 //! Reading MSH.
 
+pub(super) mod values;
+
 use std::collections::HashMap;
 use std::io::Read;
 
 use mindeg_mesh::{NamedVertex, TriMesh};
 
 use super::parts::{end_part, next_part, skip};
-use super::shapes::{Shape, shape};
+use super::shapes::{Shape, known_shape};
 use crate::ReadError;
 use crate::lists::push;
 use crate::numbered::Nodes;
@@ -65,22 +67,6 @@ pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     Ok(Polylines { positions, segments, lines, others })
 }
 
-/// Reads a mesh and the first data with one number at each node: by vertex, NaN where there is none.
-pub(crate) fn read_values(file: &[u8]) -> Result<(TriMesh, Vec<f64>), ReadError> {
-    let mut contents = contents(file, Contents { takes_values: true, ..Contents::default() })?;
-    let Some(by_tag) = contents.values.take() else {
-        return Err(ReadError::place("", "the mesh has no $NodeData of one number at each node"));
-    };
-    let nodes = contents.nodes.as_ref();
-    let mut values = vec![f64::NAN; nodes.map_or(0, |nodes| nodes.positions.len())];
-    for (tag, value) in by_tag {
-        if let Some(index) = nodes.and_then(|nodes| nodes.index(tag)) {
-            values[index as usize] = value;
-        }
-    }
-    Ok((contents.into_mesh()?, values))
-}
-
 fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> {
     let mut scanner = Scanner::new(file);
     let encoding = format(&mut scanner, &mut contents)?;
@@ -108,7 +94,7 @@ fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> 
                 }
                 Version::V2 => contents.take_elements_2(&mut scanner, encoding)?,
             },
-            b"NodeData" if contents.takes_values && contents.values.is_none() => {
+            b"NodeData" if contents.values.as_ref().is_some_and(Vec::is_empty) => {
                 contents.take_values(&mut scanner, encoding)?;
             }
             _ => {
@@ -134,9 +120,7 @@ struct Contents {
     version: Version,
     /// Whether curves without a physical group have no name.
     lines_alone: bool,
-    /// Whether data of nodes is read.
-    takes_values: bool,
-    /// The first data with one number at each node, with the tags of the nodes.
+    /// Where it is wanted, the first data with one number at each node, with the tags of the nodes.
     values: Option<Vec<(u64, f64)>>,
     /// By dimension and tag.
     physical_names: HashMap<(i64, i64), String>,
@@ -227,45 +211,6 @@ impl Contents {
                     }
                 }
             }
-        }
-        Ok(())
-    }
-
-    /// A head of texts, numbers and whole numbers as text; then tags and values.
-    fn take_values(
-        &mut self,
-        scanner: &mut Scanner<'_>,
-        encoding: Numbers,
-    ) -> Result<(), ReadError> {
-        let texts = scanner.size("the number of texts")?;
-        scanner.line();
-        for _ in 0..texts {
-            scanner.line();
-        }
-        for _ in 0..scanner.size("the number of reals")? {
-            scanner.double("a real")?;
-        }
-        let mut counts = [0, 1, 0];
-        for index in 0..scanner.size("the number of whole numbers")? {
-            let count = scanner.size("a whole number")?;
-            if let Some(known) = counts.get_mut(index as usize) {
-                *known = count;
-            }
-        }
-        scanner.line();
-        scanner.encoding = encoding;
-        let [_, components, count] = counts;
-        let mut values = Vec::new();
-        for _ in 0..count {
-            let tag = scanner.int("the tag of a node")?;
-            let mut value = f64::NAN;
-            for _ in 0..components {
-                value = scanner.double("a value")?;
-            }
-            push(&mut values, (u64::try_from(tag).unwrap_or(u64::MAX), value))?;
-        }
-        if components == 1 {
-            self.values = Some(values);
         }
         Ok(())
     }
@@ -451,9 +396,4 @@ impl Contents {
         let mesh = self.elements.into_mesh(positions, "surfaces", "volume elements")?;
         Ok(mesh.with_named_vertices(self.named_vertices)?)
     }
-}
-
-fn known_shape(scanner: &Scanner<'_>, element_type: i64) -> Result<Shape, ReadError> {
-    shape(element_type)
-        .ok_or_else(|| scanner.problem(format!("elements of type {element_type} are not known")))
 }

@@ -1,5 +1,8 @@
 //! The elements that Gmsh knows, by their numbers.
 
+use crate::ReadError;
+use crate::scanner::Scanner;
+
 /// The number of a point.
 pub(super) const POINT: i32 = 15;
 
@@ -18,9 +21,15 @@ pub(super) struct Shape {
     pub(super) corners: usize,
 }
 
+/// The shape with a number that was just read.
+pub(super) fn known_shape(scanner: &Scanner<'_>, element_type: i64) -> Result<Shape, ReadError> {
+    shape(element_type)
+        .ok_or_else(|| scanner.problem(format!("elements of type {element_type} are not known")))
+}
+
 /// The shape with a number; none that Gmsh's manual does not have.
 #[rustfmt::skip]
-pub(super) fn shape(element_type: i64) -> Option<Shape> {
+fn shape(element_type: i64) -> Option<Shape> {
     let (dimension, corners, nodes) = match element_type {
         15 => (0, 1, 1),
         1 => (1, 2, 2),

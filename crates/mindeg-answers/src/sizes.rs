@@ -1,0 +1,100 @@
+//! The sizes of a mesh with interior points, and where the boundary contradicts those asked for.
+
+use crate::numbers::{four_digits, percent};
+use mindeg::interior::{CoarseSide, InteriorMesh, InteriorReport, SizeReport};
+use serde::Serialize;
+
+/// How many sides a text names.
+const NAMED: usize = 5;
+
+/// The edges that were chosen beside the sizes wanted.
+#[derive(Clone, Debug, Serialize)]
+pub struct SizeAnswer {
+    /// The share of edges that are 0.7 to 1.4 times as long as wanted.
+    near: f64,
+    /// The least ratio of a length to its size.
+    least_ratio: f64,
+    /// The greatest ratio.
+    greatest_ratio: f64,
+}
+
+/// A side or line whose edges are longer than the sizes asked for there, and stay.
+#[derive(Clone, Debug, Serialize)]
+pub struct CoarseAnswer {
+    name: String,
+    /// The middle of its worst edge, with the length of that edge and the size asked for there.
+    position: [f64; 2],
+    length: f64,
+    size: f64,
+    intervals: u64,
+    /// The number of intervals that the sizes ask for.
+    wanted_intervals: u64,
+}
+
+impl From<&SizeReport> for SizeAnswer {
+    fn from(sizes: &SizeReport) -> Self {
+        let SizeReport { near, least, greatest, .. } = *sizes;
+        Self { near, least_ratio: least, greatest_ratio: greatest }
+    }
+}
+
+impl From<&CoarseSide> for CoarseAnswer {
+    fn from(side: &CoarseSide) -> Self {
+        Self {
+            name: side.name.clone(),
+            position: side.at.to_array(),
+            length: side.length,
+            size: side.size,
+            intervals: side.intervals,
+            wanted_intervals: side.wanted_intervals,
+        }
+    }
+}
+
+/// The edges beside the sizes wanted, in a sentence; none without interior points.
+#[must_use]
+pub fn sizes(report: &InteriorReport) -> Option<String> {
+    let sizes = report.sizes.as_ref().filter(|_| report.interior_points > 0)?;
+    let near = percent(sizes.near);
+    let [least, greatest] = [sizes.least, sizes.greatest].map(four_digits);
+    Some(format!(
+        "{near} of the edges inside are 0.7 to 1.4 times as long as wanted, all {least} to {greatest} times."
+    ))
+}
+
+/// The sides and lines that contradict the sizes asked for, and the way out, if there are any; or the reason why there
+/// are no interior points.
+#[must_use]
+pub fn coarse_sides(found: &InteriorMesh) -> Option<String> {
+    let place = |side: &CoarseSide| {
+        let [x, y] = side.at.to_array().map(four_digits);
+        let [length, size] = [side.length, side.size].map(four_digits);
+        let intervals = |count: u64| match count {
+            1 => "1 interval".to_owned(),
+            count => format!("{count} intervals"),
+        };
+        format!(
+            "{} has an edge {length} long at ({x}, {y}) where the size asked for is {size}, which takes {} on it, not {}",
+            side.name,
+            intervals(side.wanted_intervals),
+            side.intervals,
+        )
+    };
+    let mut places: Vec<String> = found.coarse_sides.iter().take(NAMED).map(place).collect();
+    if places.is_empty() {
+        return (found.report.interior_points == 0).then(|| {
+            "No point fits inside: the boundary is never divided. --size S divides its sides into intervals of length S."
+                .to_owned()
+        });
+    }
+    if found.coarse_sides.len() > NAMED {
+        places.push("…".to_owned());
+    }
+    let least = found.coarse_sides.iter().map(|side| side.size).fold(f64::INFINITY, f64::min);
+    Some(format!(
+        "warning: the boundary and lines are never divided, and too coarse for the sizes asked for: {}. Give these \
+         sides more intervals, or all of them --size {}.",
+        places.join("; "),
+        four_digits(least)
+    ))
+}
