@@ -41,6 +41,9 @@ pub(crate) fn figures() -> Result<Vec<Figure>, Box<dyn Error>> {
         ("apexes.svg", Box::new(apexes()?)),
         ("holes.svg", Box::new(holes()?)),
         ("smallest-change.svg", Box::new(smallest_change()?)),
+        ("strip-of-degree-4.svg", Box::new(strip_of_degree_4()?)),
+        ("rows.svg", Box::new(rows()?)),
+        ("refuted.svg", Box::new(refuted()?)),
         ("bridge.svg", Box::new(bridge()?)),
         ("fan-limit.svg", Box::new(fan_limit()?)),
         ("tent-limit.svg", Box::new(tent_limit()?)),
@@ -135,6 +138,65 @@ fn holes() -> Result<BoundaryMesh, Box<dyn Error>> {
     assert_eq!((meshed.mesh.triangle_count(), meshed.least_max_degree), (56 + 8 - 2, 5));
     assert!(meshed.is_least_proven, "degree {}", meshed.mesh.max_degree());
     Ok(meshed.mesh)
+}
+
+/// A regular polygon with corners on a circle.
+fn regular(corners: u32, radius: f64) -> Ring {
+    let at = |corner: u32| {
+        let angle = std::f64::consts::TAU * f64::from(corner) / f64::from(corners);
+        radius * DVec2::new(libm::cos(angle), libm::sin(angle))
+    };
+    Ring::new((0..corners).map(at), vec![Side::count(1); corners as usize])
+}
+
+/// The strip between two rings of nine vertices.
+fn strip_of_degree_4() -> Result<BoundaryMesh, Box<dyn Error>> {
+    let domain = Domain::of_rings(vec![regular(9, 2.0), regular(9, 1.0)])?;
+    let meshed =
+        mindeg::mesh(&domain.named("two rings of nine")?, Goal::LeastDegree, Progress::NONE)?;
+    assert_eq!((meshed.mesh.max_degree(), meshed.mesh.triangle_count()), (4, 18));
+    Ok(meshed.mesh)
+}
+
+/// Two triangulations of a triangle with a triangular hole, whose triangles on its lower side differ: that side's row has
+/// both of these.
+fn rows() -> Result<TriMesh, Box<dyn Error>> {
+    let points = [[0.0, 0.0], [6.0, 0.0], [3.0, 5.0], [2.2, 1.2], [3.0, 2.6], [3.8, 1.2]];
+    let points = points.map(DVec2::from);
+    let boundary = PlanarBoundary::new(&[&points[..3], &points[3..]])?;
+    let rest = [[1, 2, 5], [5, 2, 4], [4, 2, 3], [3, 2, 0]];
+    let (mut positions, mut triangles) = (Vec::new(), Vec::new());
+    for (index, lower) in (0_u32..).zip([[[0, 1, 3], [3, 1, 5]], [[0, 1, 5], [0, 5, 3]]]) {
+        let own: Vec<[u32; 3]> = lower.into_iter().chain(rest).collect();
+        // A triangulation, or this fails.
+        Problem::triangulated(&boundary, &own)?;
+        let aside = 7.0 * f64::from(index) * DVec2::X;
+        positions.extend(points.iter().map(|&point| (point + aside).extend(0.0)));
+        triangles.extend(own.into_iter().map(|corners| corners.map(|vertex| 6 * index + vertex)));
+    }
+    Ok(TriMesh::new(positions, triangles)?.named("one row of a side, two solutions"))
+}
+
+/// Three squares in a rectangle: clauses refute degree 5.
+fn refuted() -> Result<TriMesh, Box<dyn Error>> {
+    let rectangle = |[x, y]: [f64; 2], width: f64, height: f64| {
+        [[x, y], [x + width, y], [x + width, y + height], [x, y + height]].map(DVec2::from)
+    };
+    let mut rings = vec![rectangle([0.0, 0.0], 12.0, 4.0)];
+    for x in [1.0, 5.0, 9.0] {
+        let mut hole = rectangle([x, 1.0], 2.0, 2.0);
+        hole.reverse();
+        rings.push(hole);
+    }
+    let boundary = PlanarBoundary::new(&rings)?;
+    let delaunay = mindeg_delaunay::triangles(&boundary, &[], &[], Progress::NONE)?;
+    let answer = degree_range(&Problem::triangulated(&boundary, &delaunay)?, Progress::NONE)?;
+    let LowerBound::Refuted(refutation) = &answer.bounded_by else {
+        return Err(format!("{:?} is the bound", answer.bounded_by).into());
+    };
+    assert_eq!((answer.lower_bound, answer.max_degree), (6, 6), "{refutation:?}");
+    let points = boundary.points().iter().map(|point| point.extend(0.0)).collect();
+    Ok(TriMesh::new(points, answer.triangles)?.named("three squares, degree 6"))
 }
 
 /// Four triangles at a right angle between edges of lengths 1 and 16: equal angles, each spoke twice
