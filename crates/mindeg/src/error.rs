@@ -2,7 +2,7 @@
 
 use mindeg_delaunay::DelaunayError;
 use mindeg_domain::Domain;
-use mindeg_exact::Unsolved;
+use mindeg_exact::{DegreeRange, LowerBound, Unsolved};
 use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::BoundaryFaults;
 use mindeg_mesh::{Cancelled, TriMeshError};
@@ -83,6 +83,36 @@ impl MeshError {
             "no mesh of maximum degree {limit} was found; {reached} is reached, and no mesh has less than \
              {at_least}"
         ))
+    }
+
+    /// A degree limit below that of any mesh of a domain with holes, with the proof.
+    pub(crate) fn excluded(limit: u32, range: &DegreeRange) -> Self {
+        let (reached, at_least) = (range.max_degree, range.lower_bound);
+        let why = match &range.bounded_by {
+            LowerBound::Refuted(refutation) => match refutation.clauses.len() {
+                1 => format!("one clause refutes degree {}", at_least - 1),
+                clauses => format!(
+                    "{clauses} clauses refute degree {}, which mindeg degree --proof writes to a file",
+                    at_least - 1
+                ),
+            },
+            LowerBound::NoStrip => {
+                "degree 4 takes a strip between two rings of as many vertices, and none lies inside"
+                    .to_owned()
+            }
+            LowerBound::Apexes(bound) => format!(
+                "{} boundary edges have only {} vertices as apexes",
+                bound.edges.len(),
+                bound.apexes.len()
+            ),
+            _ => "its edges have too many ends for its vertices".to_owned(),
+        };
+        let least = if reached == at_least {
+            format!("the least is {reached}")
+        } else {
+            format!("the least is {at_least} or more, and {reached} is reached")
+        };
+        Self::Refused(format!("no mesh here has maximum degree {limit}: {why}; {least}"))
     }
 
     /// An error of a face of a model.

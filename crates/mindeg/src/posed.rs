@@ -174,7 +174,14 @@ impl<'a> Posed<'a> {
         match error {
             Unsolved::VertexLimits => {}
             // Windows did not keep the limits, and the search with holes took all its steps.
-            Unsolved::NotAPolygon | Unsolved::Undecided => return MeshError::LimitsNotReached,
+            Unsolved::NotAPolygon | Unsolved::Undecided if self.domain.is_constrained() => {
+                return MeshError::LimitsNotReached;
+            }
+            Unsolved::NotAPolygon => {
+                return MeshError::refused(
+                    "the domain has holes and more triangles that meshes may have than the search takes",
+                );
+            }
             _ => return error.into(),
         }
         match self.vertices_in_conflict(progress) {

@@ -3,7 +3,7 @@
 //!
 //! Limits: those of [`Cover`], and a share of the problem's steps for each degree.
 
-use mindeg_exact::{Cover, DegreeRange, Unsolved, degree_range};
+use mindeg_exact::{Cover, DegreeRange, degree_range};
 use mindeg_mesh::Progress;
 
 use crate::error::MeshError;
@@ -59,7 +59,7 @@ impl<'p, 'd> Searched<'p, 'd> {
         let (reached, at_least) = (self.range.max_degree, self.range.lower_bound);
         if limit < reached {
             return Err(if limit < at_least {
-                Unsolved::Infeasible { max_degree: limit, least: at_least }.into()
+                MeshError::excluded(limit, &self.range)
             } else {
                 MeshError::not_reached(limit, reached, at_least)
             });

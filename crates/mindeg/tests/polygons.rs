@@ -554,3 +554,32 @@ fn the_largest_angle_round_a_hole_is_found() {
     let exact = exact::mesh(&Domain::from_json(json).unwrap(), 5, Progress::NONE).unwrap();
     assert!(exact.is_proven && (exact.min_angle - 7.125).abs() < 5e-4, "{}", exact.min_angle);
 }
+
+#[test]
+fn limits_that_no_mesh_with_holes_keeps_are_refused_with_the_proof() {
+    let square = |x: f64, y: f64, size: [f64; 2]| {
+        let [right, top] = [x + size[0], y + size[1]];
+        Ring::new([(x, y), (right, y), (right, top), (x, top)], vec![Side::count(1); 4])
+    };
+    let holes = [1.0, 5.0, 9.0].map(|x| square(x, 1.0, [2.0; 2]));
+    let row = Domain::of_rings([vec![square(0.0, 0.0, [12.0, 4.0])], holes.to_vec()].concat());
+    let uneven = Domain::of_rings(vec![square(0.0, 0.0, [4.0; 2]), {
+        Ring::new([(1.0, 1.0), (3.0, 1.0), (2.0, 3.0)], vec![Side::count(1); 3])
+    }]);
+    for (domain, limit, words) in [
+        (row.unwrap(), 5, ["clauses refute degree 5, which mindeg degree", "; the least is 6"]),
+        (
+            uneven.unwrap(),
+            4,
+            ["4 boundary edges have only 3 vertices as apexes", "; the least is 5"],
+        ),
+    ] {
+        for limit in limit - 1..=limit {
+            let refused = mesh(&domain, Goal::MaxDegree(limit), Progress::NONE).unwrap_err();
+            let message = refused.to_string();
+            assert!(message.starts_with(&format!("no mesh here has maximum degree {limit}: ")));
+            assert!(words.iter().all(|words| message.contains(words)), "{message}");
+        }
+        assert!(mesh(&domain, Goal::MaxDegree(limit + 1), Progress::NONE).is_ok());
+    }
+}
