@@ -183,3 +183,78 @@ fn put(patch: &mut Vec<u32>, seen: &mut [u32], round: u32, triangle: u32) {
         patch.push(triangle);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::array_mesh::tests::grid;
+    use crate::operations::operations;
+    use crate::options::Options;
+    use glam::DVec2;
+
+    /// Calls `check` with every operation on a mesh, what it does if it is not rejected, and the gain that is left at best:
+    /// all cost but that of violations gone.
+    fn with_each(weights: &Weights, mut check: impl FnMut(&mut Bench<'_>, Operation, Effect, f64)) {
+        let mut mesh = grid(6);
+        // Free vertices are off their middles, each another way.
+        let shift = |v: usize| DVec2::from_angle(v as f64) * 0.3;
+        let free = mesh.vertices.iter_mut().enumerate().filter(|(_, v)| v.kind == Kind::Free);
+        free.for_each(|(v, vertex)| vertex.at += shift(v));
+        mesh.record();
+        let mut list = Vec::new();
+        let mut bench = Bench::new(&mut mesh, weights.clone());
+        for vertex in 0..bench.mesh.vertices.len() as u32 {
+            operations(bench.mesh, vertex, true, &mut list);
+            for operation in list.clone() {
+                let mark = bench.mesh.mark();
+                let effect = bench.perform(operation, f64::INFINITY, f64::NEG_INFINITY);
+                bench.mesh.undo(mark);
+                if let Some(effect) = effect {
+                    let most = effect.before.energy - effect.after.hard;
+                    check(&mut bench, operation, effect, most);
+                    bench.mesh.undo(mark);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn only_operations_that_cannot_gain_enough_end_before_a_vertex_moves() {
+        let options = Options::default();
+        let (mut kept, mut rejected) = (0, 0);
+        for weights in [Weights::single(&options, 36.0), Weights::pairs(&options, 36.0)] {
+            with_each(&weights, |bench, operation, effect, most| {
+                assert!(most >= effect.gain());
+                let mark = bench.mesh.mark();
+                let triangles = bench.mesh.triangles.len();
+                assert!(bench.perform(operation, f64::INFINITY, effect.gain()).is_some());
+                bench.mesh.undo(mark);
+                kept += 1;
+                // A new vertex may be planned; no triangle is.
+                let above = most + 1e-9 * (1.0 + most.abs());
+                assert!(bench.perform(operation, f64::INFINITY, above).is_none());
+                rejected += usize::from(bench.mesh.triangles.len() == triangles);
+            });
+        }
+        assert!(kept > 200 && rejected == kept, "{kept} {rejected}");
+    }
+
+    #[test]
+    fn where_shares_count_operations_that_lack_much_end_before_angles_settle() {
+        let weights = Weights::local(&Options::default(), 36.0);
+        let (mut good, mut lost, mut rejected) = (0, 0, 0);
+        with_each(&weights, |bench, operation, effect, most| {
+            // An operation that gains anything is done.
+            if effect.gain() > 0.0 {
+                good += 1;
+                lost += usize::from(bench.perform(operation, f64::INFINITY, 0.0).is_none());
+            } else if most - effect.gain() > 1.0 {
+                // One that would have to lose no angle at all is not.
+                let all = most - 1e-9 * (1.0 + most.abs());
+                assert!(bench.perform(operation, f64::INFINITY, all).is_none());
+                rejected += 1;
+            }
+        });
+        assert!(good > 20 && lost == 0 && rejected > 100, "{good} {lost} {rejected}");
+    }
+}

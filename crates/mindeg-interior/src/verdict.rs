@@ -106,3 +106,74 @@ pub(crate) fn rank(report: &InteriorReport, options: &Options) -> [f64; 3] {
         Prefer::Angle => [libm::floor(lack * 100.0), wrong, lack],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::Violation;
+    use crate::{generate, samples};
+    use glam::DVec2;
+    use mindeg_mesh::Progress;
+
+    /// A mesh with these figures; its limit is 45 degrees.
+    fn report(triangles: usize, below: usize, violations: usize, min_angle: f64) -> InteriorReport {
+        let outline = samples::rectangle(4.0, 3.0, [8, 6, 8, 6]);
+        let found = generate(&outline, &Options::default(), Progress::NONE).unwrap();
+        let violation = Violation { vertex: 0, at: DVec2::ZERO, degree: 8, is_boundary: false };
+        let mut report = found.report;
+        (report.triangles, report.min_angle, report.local.below) = (triangles, min_angle, below);
+        report.violations = vec![violation; violations];
+        report
+    }
+
+    #[test]
+    fn a_large_mesh_is_begun_anew_only_while_little_is_left_and_starts_pay() {
+        for (triangles, below, violations, in_vain, ends) in [
+            // Small ones always.
+            (300, 300, 0, 9, false),
+            // Larger ones with few triangles left to be desired, until two starts in a row bring little.
+            (301, 21, 0, 0, true),
+            (301, 20, 0, 1, false),
+            (301, 0, 0, 2, true),
+            // With violations up to twice the size.
+            (600, 20, 1, 0, false),
+            (600, 0, 1, 2, true),
+            (601, 20, 1, 0, true),
+            (601, 19, 1, 0, false),
+        ] {
+            let found = is_large(&report(triangles, below, violations, 20.0), in_vain);
+            assert_eq!(found, ends, "{triangles} {below} {violations} {in_vain}");
+        }
+    }
+
+    #[test]
+    fn a_gain_is_much_with_a_violation_less_or_a_share_that_counts() {
+        let before = report(500, 10, 1, 20.0);
+        for (triangles, violations, min_angle, expected) in [
+            (500, 0, 19.0, Gain::Much),
+            (500, 1, 20.2, Gain::Much),
+            (500, 1, 20.05, Gain::Little),
+            (499, 1, 20.0, Gain::Little),
+            (500, 1, 20.0, Gain::None),
+            (500, 2, 30.0, Gain::None),
+            (500, 1, 19.9, Gain::None),
+        ] {
+            let found =
+                gain(&report(triangles, 10, violations, min_angle), &before, &Options::default());
+            assert_eq!(found, expected, "{triangles} {violations} {min_angle}");
+        }
+    }
+
+    #[test]
+    fn a_mesh_is_enough_near_its_limit_without_violations() {
+        let is_enough = |violations, angle, options: &Options| {
+            super::is_enough(&report(100, 0, violations, angle), options)
+        };
+        let [plain, target] = [None, Some(30.0)].map(|target_angle| {
+            Options::from(crate::Interior { target_angle, ..crate::Interior::default() })
+        });
+        assert!(is_enough(0, 34.4, &plain) && !is_enough(0, 34.2, &plain));
+        assert!(!is_enough(1, 40.0, &plain));
+        assert!(is_enough(0, 30.0, &target) && !is_enough(0, 29.9, &target));
+    }
+}
