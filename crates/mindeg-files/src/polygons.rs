@@ -5,8 +5,8 @@ use crate::input::Input;
 use crate::session::Session;
 use mindeg_domain::Domain;
 use mindeg_outlines::{
-    self as outlines, Division, FillRule, Listed, OutlineError, OutlineFormat, Outlines, Polygon,
-    Selection,
+    self as outlines, Division, DrawnInside, FillRule, Listed, OutlineError, OutlineFormat,
+    Outlines, Polygon, Selection,
 };
 use std::path::Path;
 
@@ -36,6 +36,7 @@ pub struct PolygonFile {
     pub polygons: Vec<Polygon>,
     /// Sentences for the user about parts that the reader left out or changed.
     pub notes: Vec<String>,
+    inside: DrawnInside,
     name: Option<String>,
     division: Division,
     is_repaired: bool,
@@ -55,7 +56,7 @@ impl PolygonFile {
         if options.repair {
             outlines = outlines.repaired(options.fill_rule).map_err(wrong)?;
         }
-        let Outlines { features, notes, .. } = outlines;
+        let Outlines { features, mut inside, mut notes, .. } = outlines;
         let mut polygons = outlines::labelled(features);
         // A file of one shape without a name is called after that shape.
         if let ([polygon], Some(stem)) = (&mut polygons[..], input.path().and_then(plain_stem))
@@ -64,6 +65,12 @@ impl PolygonFile {
             stem.clone_into(&mut polygon.label);
         }
         if let Some(wanted) = &options.feature {
+            if !std::mem::take(&mut inside).is_empty() {
+                notes.push(format!(
+                    "left out lines and points inside, for {}feature",
+                    session.dashes()
+                ));
+            }
             polygons = outlines::chosen(polygons, wanted).map_err(wrong)?;
         }
         Ok(Self {
@@ -71,6 +78,7 @@ impl PolygonFile {
             format,
             polygons,
             notes,
+            inside,
             name: options
                 .selection
                 .layer
@@ -93,10 +101,26 @@ impl PolygonFile {
     ///
     /// The reason why it is not a domain, under its name.
     pub fn domain(&self, polygon: &Polygon) -> Result<Domain, FileError> {
-        polygon.domain(&self.division).map_err(|error| {
+        let is_plain = self.inside.is_empty() && polygon.feature.max_area.is_none();
+        let domain = match &self.polygons[..] {
+            [_] if !is_plain => self.map_of(polygon),
+            _ => polygon.domain(&self.division),
+        };
+        domain.map_err(|error| {
             let hint = self.hint(error.is_touch);
             FileError::wrong(format!("{error}{hint}")).of(&polygon.name())
         })
+    }
+
+    /// The domain of the only polygon, with the lines and points inside it.
+    fn map_of(&self, polygon: &Polygon) -> Result<Domain, OutlineError> {
+        let (maps, _) =
+            outlines::maps(std::slice::from_ref(polygon), &self.inside, &self.division)?;
+        match maps.into_iter().next() {
+            Some(map) if !polygon.label.is_empty() => Ok(map.named(&*polygon.label)?),
+            Some(map) => Ok(map),
+            None => polygon.domain(&self.division),
+        }
     }
 
     /// The maps of several polygons: those that share edges are regions of one domain. A single polygon is its domain.
@@ -110,7 +134,7 @@ impl PolygonFile {
             let domain = self.domain(polygon).map_err(|error| error.of(&self.file))?;
             return Ok((vec![domain], Vec::new()));
         }
-        let maps = outlines::maps(&self.polygons, &self.division);
+        let maps = outlines::maps(&self.polygons, &self.inside, &self.division);
         maps.map_err(|error| {
             FileError::wrong(format!("{error}{}", self.hint(error.is_touch))).of(&self.file)
         })

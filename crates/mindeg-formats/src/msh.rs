@@ -18,6 +18,7 @@ mod entities;
 mod parts;
 mod read;
 mod shapes;
+mod surfaces;
 mod write;
 mod write2;
 mod write4;

@@ -4,7 +4,7 @@ use std::collections::{HashMap, HashSet, TryReserveError};
 use std::ops::Range;
 
 use glam::DVec3;
-use mindeg_mesh::{Group, Line, NonTriangles, TriMesh};
+use mindeg_mesh::{Group, Line, NamedVertex, NonTriangles, TriMesh};
 
 use crate::ReadError;
 use crate::face_list::FaceList;
@@ -19,8 +19,21 @@ pub struct Polylines {
     pub segments: Vec<[u32; 2]>,
     /// The runs of segments; those without a name have an empty one.
     pub lines: Vec<Line>,
+    /// The surfaces that the file says the lines bound.
+    pub surfaces: Vec<Surface>,
+    /// The points that the file lists by themselves; those without a name have an empty one.
+    pub points: Vec<NamedVertex>,
     /// How many faces and volumes the file has besides.
     pub others: u64,
+}
+
+/// A surface of a file by the edges around it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Surface {
+    /// The name of its physical group; empty if it has none.
+    pub name: String,
+    /// The edges between it and what lies beside it, in any order and direction.
+    pub edges: Vec<[u32; 2]>,
 }
 
 /// The elements of a file so far, in its order.
@@ -71,6 +84,18 @@ impl Segments {
     ) -> Result<(), TryReserveError> {
         push(&mut self.segments, segment)?;
         self.runs.push(of, self.segments.len(), name)
+    }
+
+    /// The segments of each thing.
+    pub(crate) fn by_thing(&self) -> HashMap<i64, Vec<[u32; 2]>> {
+        let mut found: HashMap<i64, Vec<[u32; 2]>> = HashMap::new();
+        let mut start = 0;
+        for (of, _, end) in &self.runs.0 {
+            let own = &self.segments[start..*end as usize];
+            found.entry(*of).or_default().extend_from_slice(own);
+            start = *end as usize;
+        }
+        found
     }
 
     /// A line for each thing, in the order in which they first come, and all segments.

@@ -35,7 +35,7 @@ impl Polygon {
     /// The errors of [`Feature::domain`].
     pub fn domain(&self, division: &Division) -> Result<Domain, OutlineError> {
         let name = (!self.label.is_empty()).then(|| self.label.clone());
-        Feature { name, rings: self.feature.rings.clone() }.domain(division)
+        Feature { name, ..self.feature.clone() }.domain(division)
     }
 }
 

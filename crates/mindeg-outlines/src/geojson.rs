@@ -216,7 +216,11 @@ impl Reader<'_> {
     }
 
     fn add(&mut self, name: Option<&str>, rings: Vec<DrawnRing>) {
-        self.outlines.features.push(Feature { name: name.map(str::to_owned), rings });
+        self.outlines.features.push(Feature {
+            name: name.map(str::to_owned),
+            rings,
+            ..Feature::default()
+        });
     }
 
     fn position(&mut self, value: &Value, path: &Path<'_>) -> Result<DVec2, OutlineError> {

@@ -52,5 +52,5 @@ pub use curve::{EllipseArc, PieceCurve, Segment};
 pub use error::OutlineError;
 pub use format::{OutlineFormat, Selection, read, read_selected};
 pub use map::maps;
-pub use outline::{DrawnRing, Feature, FillRule, Outlines, Piece};
+pub use outline::{DrawnInside, DrawnRing, Feature, FillRule, Outlines, Piece};
 pub use sides::{DividedSide, Division};

@@ -14,40 +14,29 @@ use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
-use mindeg_domain::{Domain, Inside, Outline, Region, Ring};
+use mindeg_domain::{Domain, InnerPoint, Inside, Outline, Region, Ring};
 
+use self::parts::Part;
 use self::plane::{Plane, Run};
 use super::choice::Polygon;
-use super::curve::Segment;
 use super::domain::domain_side;
-use super::outline::DrawnRing;
+use super::outline::{Border, DrawnInside, DrawnRing};
 use super::sides::Division;
-use super::text::clean;
+use super::text::{clean, shown};
 use crate::error::OutlineError;
-
-/// A line or curve between two points, with the regions beside it. One with a region on neither side is a line
-/// inside a region.
-#[derive(Clone, Debug)]
-pub(super) struct Border {
-    pub(super) segment: Segment,
-    /// The name that the file gives.
-    pub(super) side: Option<Shared<str>>,
-    /// Whether the file begins a side at its start, whatever the angle.
-    pub(super) begins_side: bool,
-    /// The regions on the left and on the right.
-    pub(super) beside: [Option<u32>; 2],
-}
 
 /// The name of the part of a border beyond which there is no region.
 const OUTSIDE: &str = "outside";
 
 /// The maps of polygons that may share borders, each with its regions, which have the names of the polygons; and notes.
+/// Lines and points inside them are lines and points of the maps.
 ///
 /// # Errors
 ///
-/// Polygons that overlap or cross, and everything else that [`domains`] refuses.
+/// Polygons that overlap or cross, lines and points outside all of them, and everything else that [`domains`] refuses.
 pub fn maps(
     polygons: &[Polygon],
+    inside: &DrawnInside,
     division: &Division,
 ) -> Result<(Vec<Domain>, Vec<String>), OutlineError> {
     let names: Vec<String> = polygons
@@ -57,8 +46,10 @@ pub fn maps(
             if name.is_empty() { polygon.name() } else { name }
         })
         .collect();
-    let (borders, notes) = borders::of_polygons(polygons, &names)?;
-    Ok((domains(&borders, &names, division)?, notes))
+    let (mut borders, notes) = borders::of_polygons(polygons, &names)?;
+    borders.extend_from_slice(&inside.lines);
+    let max_areas: Vec<_> = polygons.iter().map(|polygon| polygon.feature.max_area).collect();
+    Ok((domains(&borders, (&names, &max_areas), &inside.points, division)?, notes))
 }
 
 /// The domains of borders between regions with these names, in the order of the regions.
@@ -69,11 +60,13 @@ pub fn maps(
 /// else that [`Domain`] refuses.
 pub(super) fn domains(
     borders: &[Border],
-    names: &[String],
+    (names, max_areas): (&[String], &[Option<f64>]),
+    points: &[InnerPoint],
     division: &Division,
 ) -> Result<Vec<Domain>, OutlineError> {
     let plane = Plane::new(borders, names)?;
     let parts = parts::parts(&plane, names.len())?;
+    let mut own_points = points_of(&parts, points)?.into_iter();
     let mut sides = SideNames { names, known: BTreeMap::new() };
     parts
         .into_iter()
@@ -98,10 +91,12 @@ pub(super) fn domains(
             let region = |&(region, at): &(u32, DVec2)| Region {
                 at,
                 name: names.get(region as usize).cloned(),
+                max_area: max_areas.get(region as usize).copied().flatten(),
                 ..Region::default()
             };
             let regions = map.regions.iter().map(region).collect();
-            let domain = builder.inside(Inside { lines, regions, ..Inside::default() }).build();
+            let points = own_points.next().unwrap_or_default();
+            let domain = builder.inside(Inside { lines, points, regions }).build();
             domain.map_err(|error| {
                 let first = map.regions.first().and_then(|region| names.get(region.0 as usize));
                 let first = first.map(String::as_str).unwrap_or_default();
@@ -109,6 +104,20 @@ pub(super) fn domains(
             })
         })
         .collect()
+}
+
+/// The points inside or on each part.
+fn points_of(parts: &[Part], points: &[InnerPoint]) -> Result<Vec<Vec<InnerPoint>>, OutlineError> {
+    let mut of_parts = vec![Vec::new(); parts.len()];
+    for point in points {
+        let part = parts.iter().position(|part| part.holds(point.at)).ok_or_else(|| {
+            let problem =
+                "this point lies outside all regions; drop it, or draw a region around it";
+            OutlineError::place(shown(point.at), problem)
+        })?;
+        of_parts[part].push(point.clone());
+    }
+    Ok(of_parts)
 }
 
 /// A line of a domain.

@@ -1,18 +1,22 @@
 //! The lines of files that hold meshes: OBJ and Gmsh's MSH, by the readers of meshes.
 //!
 //! The closed loops of the lines are rings, with their points bit for bit; loops inside others are holes.
-//! In an MSH a curve of the geometry is a side, and the name of its physical group the side's name. In an
+//! In an MSH a curve of the geometry is a side, and the name of its physical group the side's name; where it says which
+//! surfaces there are, each is a polygon, other curves are lines inside, and a loop that no surface fills is a hole. In an
 //! OBJ, objects and groups (`o`, `g`) name the sides of a ring that consists of several of them, or the
 //! polygon if it lies in one; an OBJ with faces is a mesh, but an MSH may have both.
 
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc as Shared;
 
+use mindeg_domain::InnerPoint;
 use mindeg_formats::{Polylines, msh, obj};
+use mindeg_mesh::NamedVertex;
 
-use super::curve::PieceCurve;
+use super::curve::{PieceCurve, Segment};
 use super::loops::{self, Link};
-use super::outline::Outlines;
-use super::text::counted;
+use super::outline::{Border, FillRule, Outlines};
+use super::text::{clean, counted};
 use crate::error::OutlineError;
 
 /// Reads the line elements of an MSH, in text or binary.
@@ -32,7 +36,10 @@ pub(super) fn read_msh(bytes: &[u8]) -> Result<Outlines, OutlineError> {
         return Err(OutlineError::place("$Elements", problem));
     }
     let has_others = file.others > 0;
-    let mut outlines = outlines(file, true)?;
+    let mut outlines = match file.surfaces.is_empty() {
+        true => outlines(file, true)?,
+        false => surfaces(&file)?,
+    };
     outlines.notes.extend(has_others.then(|| format!("left out {others}")));
     Ok(outlines)
 }
@@ -75,6 +82,74 @@ pub(super) fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, Outli
     let (rings, note) = loops::rings(&points, &links)?;
     notes.extend(note);
     Outlines::of_rings(rings, notes)
+}
+
+/// The polygons that are surfaces of a file; its other lines and points lie inside them.
+fn surfaces(file: &Polylines) -> Result<Outlines, OutlineError> {
+    let mut lines = HashMap::new();
+    for (index, line) in file.lines.iter().enumerate() {
+        let name = (!line.name.trim().is_empty()).then(|| Shared::<str>::from(&*line.name));
+        let own = line.segments.start as usize..line.segments.end as usize;
+        lines.extend(
+            file.segments[own].iter().map(|&edge| (key(edge), (index as u64, name.clone()))),
+        );
+    }
+    let around = file.surfaces.iter().flat_map(|surface| &surface.edges);
+    let ends = file.segments.iter().chain(around).flatten();
+    let points = file.points.iter().map(|point| &point.vertex);
+    let heights = ends.chain(points).map(|&end| file.positions[end as usize].z);
+    let mut outlines =
+        Outlines { notes: height(heights)?.into_iter().collect(), ..Outlines::default() };
+    let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
+    let mut is_bound = HashSet::new();
+    for (surface, index) in file.surfaces.iter().zip(1..) {
+        let link = |&ends: &[u32; 2]| {
+            let (part_of, side) = lines.get(&key(ends)).cloned().unwrap_or((u64::MAX, None));
+            Link { ends, curve: PieceCurve::Line, side, part_of }
+        };
+        let links: Vec<Link> = surface.edges.iter().map(link).collect();
+        let of_surface = |error: OutlineError| {
+            let name = if surface.name.is_empty() { "without a name" } else { &*surface.name };
+            let place = format!("surface {index} ({name}): {}", error.place);
+            OutlineError { place, ..error }
+        };
+        let (rings, note) = loops::rings(&points, &links).map_err(of_surface)?;
+        outlines.notes.extend(note);
+        let name = Some(&*surface.name).filter(|name| !name.is_empty());
+        outlines.add(rings, FillRule::EvenOdd, name)?;
+        is_bound.extend(surface.edges.iter().map(|&edge| key(edge)));
+    }
+    let mut on_lines = HashSet::new();
+    for line in &file.lines {
+        let side = lines.get(&key(file.segments[line.segments.start as usize]));
+        for segment in line.segments.clone() {
+            let ends = file.segments[segment as usize];
+            on_lines.extend(ends);
+            if !is_bound.contains(&key(ends)) {
+                let [start, end] = ends.map(|end| points[end as usize]);
+                outlines.inside.lines.push(Border {
+                    segment: Segment { start, end, curve: PieceCurve::Line },
+                    side: side.and_then(|(_, name)| name.clone()),
+                    begins_side: segment == line.segments.start,
+                    beside: [None; 2],
+                });
+            }
+        }
+    }
+    on_lines.extend(is_bound.into_iter().flatten());
+    for NamedVertex { name, vertex } in &file.points {
+        let name = Some(clean(name)).filter(|name| !name.is_empty());
+        if name.is_some() || !on_lines.contains(vertex) {
+            let at = points[*vertex as usize];
+            outlines.inside.points.push(InnerPoint { at, name, size: None });
+        }
+    }
+    Ok(outlines)
+}
+
+/// An edge whichever way it runs.
+fn key([a, b]: [u32; 2]) -> [u32; 2] {
+    [a.min(b), a.max(b)]
 }
 
 /// A note if all z are one number other than 0.

@@ -99,7 +99,7 @@ pub(super) fn polygons(
         indices.sort_unstable();
         indices.insert(0, outer);
         let rings = indices.into_iter().filter_map(|index| rings[index].take()).collect();
-        Feature { name: name.map(str::to_owned), rings }
+        Feature { name: name.map(str::to_owned), rings, ..Feature::default() }
     };
     let features = outers.into_iter().map(feature).collect();
     Ok((features, rings.into_iter().flatten().collect()))

@@ -4,6 +4,7 @@ use std::str::FromStr;
 use std::sync::Arc as Shared;
 
 use glam::DVec2;
+use mindeg_domain::InnerPoint;
 
 use super::curve::{PieceCurve, Segment};
 use super::text::quoted;
@@ -13,10 +14,41 @@ use super::text::quoted;
 pub struct Outlines {
     /// The polygons, in the order of the file.
     pub features: Vec<Feature>,
+    /// Lines and points inside the polygons.
+    pub inside: DrawnInside,
     /// The reader's omissions and changes, as sentences for the user.
     pub notes: Vec<String>,
     /// The shapes that the file draws, in the order of the polygons.
     pub(super) shapes: Vec<Shape>,
+}
+
+/// A line or curve between two points, with the regions beside it. One with a region on neither side is a line
+/// inside a region.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Border {
+    pub(super) segment: Segment,
+    /// The name that the file gives.
+    pub(super) side: Option<Shared<str>>,
+    /// Whether the file begins a side at its start, whatever the angle.
+    pub(super) begins_side: bool,
+    /// The regions on the left and on the right.
+    pub(super) beside: [Option<u32>; 2],
+}
+
+/// Lines and points that lie in polygons.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawnInside {
+    pub(super) lines: Vec<Border>,
+    /// Points that every mesh has.
+    pub points: Vec<InnerPoint>,
+}
+
+impl DrawnInside {
+    /// Whether there is nothing.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.lines.is_empty() && self.points.is_empty()
+    }
 }
 
 /// Which points are inside.
@@ -67,6 +99,8 @@ pub struct Feature {
     pub name: Option<String>,
     /// The outer ring first, then the holes. They may run either way round.
     pub rings: Vec<DrawnRing>,
+    /// The greatest area of its triangles in a mesh with interior points.
+    pub max_area: Option<f64>,
 }
 
 /// A closed curve: piece after piece, the last one back to the start of the first.

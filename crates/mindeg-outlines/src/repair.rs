@@ -48,8 +48,8 @@ impl Outlines {
     /// # Ok::<(), mindeg_outlines::OutlineError>(())
     /// ```
     pub fn repaired(self, rule: Option<FillRule>) -> Result<Self, OutlineError> {
-        let Self { features, notes, shapes } = self;
-        let mut repaired = Self { notes, ..Self::default() };
+        let Self { features, inside, notes, shapes } = self;
+        let mut repaired = Self { inside, notes, ..Self::default() };
         let mut features = features.into_iter();
         let mut start = 0;
         for shape in shapes {
@@ -76,7 +76,7 @@ impl Outlines {
             repaired.notes.extend(note(&whose, of_shape.len(), &done, moved));
             repaired.features.extend(done.polygons.into_iter().map(|(polygon, follows)| {
                 let name = follows.and_then(|ring| rings[ring].1).map(str::to_owned);
-                Feature { name, rings: polygon }
+                Feature { name, rings: polygon, ..Feature::default() }
             }));
             repaired.end_shape();
         }
@@ -210,7 +210,7 @@ mod tests {
         let ring = |points: &&[[f64; 2]]| DrawnRing {
             pieces: points.iter().map(|&point| Piece::line(point.into())).collect(),
         };
-        let feature = Feature { name: None, rings: rings.iter().map(ring).collect() };
+        let feature = Feature { rings: rings.iter().map(ring).collect(), ..Feature::default() };
         let mut outlines = Outlines { features: vec![feature], ..Outlines::default() };
         outlines.end_shape();
         let outlines = outlines.repaired(None).unwrap();
@@ -391,7 +391,7 @@ mod tests {
         pieces.extend([[4.0, 0.0], [4.0, 3.0]].map(|point| Piece::line(point.into())));
         pieces.extend([arc(0.0), arc(turn)]);
         pieces[3].start = DVec2::ZERO;
-        let feature = Feature { name: None, rings: vec![DrawnRing { pieces }] };
+        let feature = Feature { rings: vec![DrawnRing { pieces }], ..Feature::default() };
         let mut outlines = Outlines { features: vec![feature], ..Outlines::default() };
         outlines.end_shape();
         let outlines = outlines.repaired(None).unwrap();

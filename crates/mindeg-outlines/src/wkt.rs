@@ -186,7 +186,7 @@ impl<'a> Reader<'a> {
             rings.push(DrawnRing::of_points(points));
             Ok(())
         })?;
-        self.outlines.features.push(Feature { name: None, rings });
+        self.outlines.features.push(Feature { rings, ..Feature::default() });
         Ok(())
     }
 

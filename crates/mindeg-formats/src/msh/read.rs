@@ -9,6 +9,7 @@ use mindeg_mesh::{NamedVertex, TriMesh};
 
 use super::parts::{end_part, next_part, skip};
 use super::shapes::{Shape, known_shape};
+use super::surfaces::{Surfaces, check_surface_names, physical_name};
 use crate::ReadError;
 use crate::lists::push;
 use crate::numbered::Nodes;
@@ -52,19 +53,24 @@ pub fn read(mut input: impl Read) -> Result<TriMesh, ReadError> {
 }
 
 /// Reads the line elements of an MSH, as [`read()`] does, but that faces are none of the mesh: a line for each
-/// curve, without a name where its physical group has none and it is in no group.
+/// curve, without a name where its physical group has none and it is in no group; and the surfaces, by their faces, or by the
+/// curves that MSH 4.1 says bound them.
 ///
 /// # Errors
 ///
-/// As [`read()`], but a file may have no faces.
+/// As [`read()`], but a file may have no faces; surfaces whose curves the file does not have.
 pub fn read_lines(mut input: impl Read) -> Result<Polylines, ReadError> {
     let mut file = Vec::new();
     input.read_to_end(&mut file)?;
     let contents = contents(&file, Contents { lines_alone: true, ..Contents::default() })?;
     let others = contents.elements.faces.face_count() + contents.elements.volumes;
+    if contents.version == Version::V2 && contents.elements.faces.face_count() == 0 {
+        check_surface_names(&contents.physical_names)?;
+    }
+    let surfaces = contents.surfaces.outlines(&contents.elements.segments.by_thing())?;
     let positions = contents.nodes.map(|nodes| nodes.positions).unwrap_or_default();
     let (lines, segments) = contents.elements.segments.into_lines();
-    Ok(Polylines { positions, segments, lines, others })
+    Ok(Polylines { positions, segments, lines, surfaces, points: contents.points, others })
 }
 
 fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> {
@@ -78,7 +84,11 @@ fn contents(file: &[u8], mut contents: Contents) -> Result<Contents, ReadError> 
             b"PhysicalNames" => contents.take_physical_names(&mut scanner)?,
             b"Entities" if contents.version == Version::V4 => {
                 scanner.encoding = encoding;
-                contents.take_entities(&mut scanner)?;
+                contents.surfaces.take_entities(
+                    &mut scanner,
+                    &contents.physical_names,
+                    &mut contents.physical_of,
+                )?;
             }
             b"Nodes" => match contents.version {
                 Version::V4 => {
@@ -128,7 +138,9 @@ struct Contents {
     physical_of: HashMap<(i64, i64), i64>,
     nodes: Option<Nodes>,
     elements: Elements,
-    named_vertices: Vec<NamedVertex>,
+    /// The points that are elements; those without a name have an empty one.
+    points: Vec<NamedVertex>,
+    surfaces: Surfaces,
 }
 
 /// Reads up to the end of `$MeshFormat`, and says how numbers are stored.
@@ -182,35 +194,6 @@ impl Contents {
             let name = line.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
             let name = String::from_utf8_lossy(name.unwrap_or(line)).into_owned();
             self.physical_names.insert((dimension, tag), name);
-        }
-        Ok(())
-    }
-
-    /// The first physical tag of every entity.
-    fn take_entities(&mut self, scanner: &mut Scanner<'_>) -> Result<(), ReadError> {
-        let mut counts = [0; 4];
-        for count in &mut counts {
-            *count = scanner.size("the number of entities")?;
-        }
-        for (dimension, count) in (0..).zip(counts) {
-            for _ in 0..count {
-                let tag = scanner.int("the tag of an entity")?;
-                for _ in 0..if dimension == 0 { 3 } else { 6 } {
-                    scanner.double("the box of an entity")?;
-                }
-                for index in 0..scanner.size("the number of physical tags")? {
-                    // Negative where the group runs the other way.
-                    let physical = scanner.int("a physical tag")?.saturating_abs();
-                    if index == 0 {
-                        self.physical_of.insert((dimension, tag), physical);
-                    }
-                }
-                if dimension > 0 {
-                    for _ in 0..scanner.size("the number of bounding entities")? {
-                        scanner.int("the tag of a bounding entity")?;
-                    }
-                }
-            }
         }
         Ok(())
     }
@@ -362,24 +345,23 @@ impl Contents {
                     .ok_or_else(|| scanner.problem(format!("node {tag} does not exist")))?;
             }
         }
-        if let (0, &[vertex], Some(tag)) = (shape.dimension, &corners[..shape.corners], physical)
-            && let Some(name) = self.physical_names.get(&(0, tag))
-            && !name.trim().is_empty()
-        {
-            self.named_vertices.push(NamedVertex { name: name.clone(), vertex });
-        }
-        let name = |dimension: i64, kind: &str| match physical {
-            Some(tag) => match self.physical_names.get(&(dimension, tag)) {
-                Some(name) if !name.trim().is_empty() => name.clone(),
-                _ => format!("physical {tag}"),
-            },
+        let named =
+            physical.map(|tag| physical_name(&self.physical_names, shape.dimension.into(), tag));
+        let name = |dimension: i64, kind: &str| match &named {
+            Some(name) => name.clone(),
             None if dimension == 1 && !self.lines_alone => format!("{kind} {entity}"),
             None => String::new(),
         };
         match (shape.dimension, &corners[..shape.corners]) {
-            (0, _) => self.elements.points += 1,
+            (0, &[vertex]) => {
+                self.elements.points += 1;
+                push(&mut self.points, NamedVertex { name: name(0, "point"), vertex })?;
+            }
             (1, &[a, b]) => self.elements.segments.push(entity, [a, b], || name(1, "curve"))?,
             (2, corners) => {
+                if self.lines_alone {
+                    self.surfaces.add_face(entity, || name(2, "surface"), corners)?;
+                }
                 self.elements.faces.push(corners)?;
                 // Surfaces without a name are one.
                 let surface = if physical.is_some() { entity } else { i64::MIN };
@@ -394,6 +376,7 @@ impl Contents {
     fn into_mesh(self) -> Result<TriMesh, ReadError> {
         let positions = self.nodes.map(|nodes| nodes.positions).unwrap_or_default();
         let mesh = self.elements.into_mesh(positions, "surfaces", "volume elements")?;
-        Ok(mesh.with_named_vertices(self.named_vertices)?)
+        let named = self.points.into_iter().filter(|point| !point.name.is_empty());
+        Ok(mesh.with_named_vertices(named.collect())?)
     }
 }

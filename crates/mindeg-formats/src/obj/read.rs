@@ -104,7 +104,8 @@ pub fn read_lines(input: impl BufRead) -> Result<Polylines, ReadError> {
     let contents = contents(input)?;
     contents.check()?;
     let Contents { positions, segments, lines, .. } = contents;
-    Ok(Polylines { positions, segments, lines, others: contents.faces.face_count() })
+    let others = contents.faces.face_count();
+    Ok(Polylines { positions, segments, lines, others, ..Polylines::default() })
 }
 
 fn contents(input: impl BufRead) -> Result<Contents, ReadError> {

@@ -143,7 +143,10 @@ pub fn read_lines(
         let name = if is_unnamed { String::new() } else { poly.name(marker) };
         push(&mut lines, Line { name, segments: end - 1..end, is_straight: false })?;
     }
-    Ok((Polylines { positions: nodes.positions, segments, lines, others: 0 }, poly.holes))
+    Ok((
+        Polylines { positions: nodes.positions, segments, lines, ..Polylines::default() },
+        poly.holes,
+    ))
 }
 
 /// The vertices, in two dimensions.

@@ -25,6 +25,13 @@ pub(super) struct Part {
     points: Vec<DVec2>,
 }
 
+impl Part {
+    /// Whether a point lies inside the outer ring or at a point of it, and in no hole.
+    pub(super) fn holds(&self, at: DVec2) -> bool {
+        self.points.contains(&at) || contains(&self.points, &[at])
+    }
+}
+
 /// The parts, each with the set of regions that share edges.
 struct Parts {
     parts: Vec<Part>,

@@ -3,7 +3,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use proptest::prelude::*;
 
 use super::*;
-use crate::curve::PieceCurve;
+use crate::curve::{PieceCurve, Segment};
 use crate::{OutlineFormat, labelled, read};
 
 /// The maps of polygons in WKT.
@@ -11,7 +11,9 @@ fn of_wkt(wkt: &str, size: Option<f64>) -> Result<Vec<Domain>, String> {
     let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
     let polygons = labelled(read(wkt.as_bytes(), OutlineFormat::Wkt, alone).unwrap().features);
     let division = Division { size, ..Division::default() };
-    maps(&polygons, &division).map(|found| found.0).map_err(|error| error.to_string())
+    maps(&polygons, &DrawnInside::default(), &division)
+        .map(|found| found.0)
+        .map_err(|error| error.to_string())
 }
 
 /// The points of each line.
@@ -115,7 +117,8 @@ fn curved_borders_are_the_same_from_both_sides() {
     let mut features =
         drawn("<svg><path d='M0 0h9v9h-9zM2 4a2 2 0 0 0 4 0a2 2 0 0 0 -4 0'/></svg>");
     features.extend(drawn("<svg><path d='M6 4a2 2 0 0 1 -4 0a2 2 0 0 1 4 0'/></svg>"));
-    let (found, _) = maps(&labelled(features), &Division::default()).unwrap();
+    let (found, _) =
+        maps(&labelled(features), &DrawnInside::default(), &Division::default()).unwrap();
     assert_eq!((found.len(), found[0].faces().unwrap().count), (1, 2));
     assert_eq!(lines(&found[0])[0].len(), 25);
 }
@@ -185,7 +188,7 @@ proptest! {
         }),
     ) {
         let names = ["a", "b", "c"].map(str::to_owned);
-        let found = domains(&borders_of(&cells), &names, &Division::default());
+        let found = domains(&borders_of(&cells), (&names, &[]), &[], &Division::default());
         let components = sets(&cells, |_, _| true);
         let faces = sets(&cells, |one, other| one == other);
         let found = match found {

@@ -158,3 +158,106 @@ fn errors_of_an_obj_say_where_and_what() {
         assert!(error.starts_with(message) || error.contains(message), "{error}");
     }
 }
+
+/// Two squares side by side, the right one with a triangular hole, the left one with a crack and a gauge inside.
+fn two_surfaces() -> String {
+    let points = "0 0,2 0,4 0,4 2,2 2,0 2,2.5 0.5,3.5 0.5,3 1.5,0.5 1,1 1,1.5 1.2,1 0.5";
+    let points: Vec<&str> = points.split(',').collect();
+    let curves = "1 1 2,2 2 3,3 3 4,4 4 5,5 5 6,6 6 1,7 2 5,8 7 8,9 8 9,10 9 7,11 10 11,11 11 12";
+    let curves: Vec<Vec<&str>> = curves.split(',').map(|it| it.split(' ').collect()).collect();
+    let group = |curve: &str| match curve {
+        "7" => 3,
+        "8" | "9" | "10" => 4,
+        "11" => 5,
+        _ => 2,
+    };
+    let mut text = "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n8\n0 8 \"gauge\"\n0 9 \"corner\"\n1 2 \"wall\"\n\
+                    1 3 \"interface\"\n1 4 \"bore\"\n1 5 \"crack\"\n2 6 \"clay\"\n2 7 \"sand\"\n$EndPhysicalNames\n\
+                    $Entities\n2 11 2 0\n1 1 0.5 0 1 8\n2 4 0 0 1 9\n"
+        .to_owned();
+    for curve in 1..=11 {
+        text += &format!("{curve} 0 0 0 0 0 0 1 {} 0\n", group(&curve.to_string()));
+    }
+    // Gmsh lists an embedded curve under a tag that no curve has.
+    text +=
+        "1 0 0 0 0 0 0 1 6 5 1 7 5 6 22\n2 0 0 0 0 0 0 1 7 7 2 3 4 -7 -8 -9 -10\n$EndEntities\n";
+    text += &format!("$Nodes\n1 {0} 1 {0}\n2 1 0 {0}\n", points.len());
+    (1..=points.len()).for_each(|tag| text += &format!("{tag}\n"));
+    points.iter().for_each(|point| text += &format!("{point} 0\n"));
+    text += "$EndNodes\n$Elements\n14 14 1 14\n0 1 15 1\n1 13\n0 2 15 1\n2 3\n";
+    for (tag, curve) in (3..).zip(&curves) {
+        text += &format!("1 {} 1 1\n{tag} {} {}\n", curve[0], curve[1], curve[2]);
+    }
+    text + "$EndElements\n"
+}
+
+fn map(text: &str) -> Result<mindeg_domain::Domain, String> {
+    let outlines = read(text)?;
+    let polygons = crate::labelled(outlines.features);
+    let (maps, _) = crate::maps(&polygons, &outlines.inside, &crate::Division::default())
+        .map_err(|error| error.to_string())?;
+    let [map] = &maps[..] else { panic!("one map") };
+    Ok(map.clone())
+}
+
+#[test]
+fn surfaces_are_regions_and_other_curves_lines_inside() {
+    let domain = map(&two_surfaces()).unwrap();
+    assert_eq!(domain.rings().ring_count(), 2);
+    assert_eq!([0, 1].map(|face| domain.region_name(face)), ["clay", "sand"]);
+    let sides: Vec<_> = (0..domain.sides().len()).map(|side| domain.side_name(side)).collect();
+    assert_eq!(sides, ["wall", "wall", "wall", "wall", "wall", "wall", "bore", "bore", "bore"]);
+    let lines = domain.inner_lines();
+    let lines: Vec<_> =
+        lines.iter().map(|(line, _)| (&*line.name, line.segments.clone())).collect();
+    assert_eq!(lines, [("interface", 0..1), ("crack", 1..3)]);
+    let boundary = domain.boundary().unwrap();
+    let named = domain.named_vertices();
+    let named: Vec<_> =
+        named.iter().map(|one| (&*one.name, boundary.point(one.vertex).to_array())).collect();
+    assert_eq!(named, [("gauge", [1.0, 0.5]), ("corner", [4.0, 0.0])]);
+    assert!(!domain.divisible_segments().contains(&true));
+}
+
+#[test]
+fn surfaces_by_their_faces_are_the_same_regions() {
+    let text = two_surfaces();
+    // Without entities, faces tell the surfaces; one of the two has them here.
+    let (start, rest) = text.split_once("$Elements").unwrap();
+    let faces = "2 1 3 2\n20 1 2 5 6\n21 1 6 5 6\n2 2 2 7\n";
+    let faces = faces.replace("2 1 3 2\n20 1 2 5 6\n21 1 6 5 6\n", "2 1 3 1\n20 1 2 5 6\n");
+    let faces = faces + "22 2 3 8\n23 2 8 7\n24 3 4 8\n25 8 4 9\n26 4 5 9\n27 9 5 7\n28 5 2 7\n";
+    let rest = rest.replacen("14 14 1 14", "16 22 1 28", 1);
+    let rest = rest.replace("$EndElements", &format!("{faces}$EndElements"));
+    let with_faces = map(&format!("{start}$Elements{rest}")).unwrap();
+    let plain = map(&text).unwrap();
+    assert_eq!(with_faces.boundary().unwrap(), plain.boundary().unwrap());
+    assert_eq!(with_faces.inside(), plain.inside());
+}
+
+#[test]
+fn surfaces_without_curves_and_points_outside_are_told() {
+    let text = two_surfaces();
+    let without = text.replace("1 7 1 1\n9 2 5\n", "1 1 1 1\n9 1 2\n");
+    let error = map(&without).unwrap_err();
+    assert!(
+        error.starts_with("surface 1 (clay): curve 7 bounds it and has no line elements; put all"),
+        "{error}"
+    );
+    let outside = text.replace("1 0.5 0\n$EndNodes", "9 9 0\n$EndNodes");
+    let error = map(&outside).unwrap_err();
+    assert!(error.starts_with("(9.0, 9.0): this point lies outside all regions"), "{error}");
+    let line = text.replace("0.5 1 0\n1 1 0\n1.5 1.2 0\n", "9 1 0\n9 2 0\n9 3 0\n");
+    let error = map(&line).unwrap_err();
+    assert!(error.contains("this line lies outside all regions"), "{error}");
+    let across = text.replace("1.5 1.2 0\n", "2.2 1.2 0\n");
+    let error = map(&across).unwrap_err();
+    assert!(error.contains("one of them has no point there"), "{error}");
+    let named = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n2 1 \"clay\"\n2 2 \"sand\"\n$EndPhysicalNames\n\
+                 $Nodes\n3\n1 0 0 0\n2 4 0 0\n3 0 3 0\n$EndNodes\n$Elements\n3\n1 1 2 0 1 1 2\n2 1 2 0 1 2 3\n3 1 2 0 1 3 1\n$EndElements\n";
+    let error = read(named).unwrap_err();
+    assert!(
+        error.contains("the file names 2 surfaces (clay, sand), and MSH 2.2 without"),
+        "{error}"
+    );
+}
