@@ -398,6 +398,38 @@ mod tests {
     }
 
     #[test]
+    fn tent_limits_are_those_of_all_pairs_of_edges() {
+        let hole = samples::ring(&[[1.0, 0.1], [1.0, 2.0], [2.0, 1.9], [2.0, 0.2]], &[1, 3, 2, 1]);
+        let outer = samples::ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], &[9, 1, 5, 2]);
+        for (outline, most) in [
+            (samples::rectangle(9.0, 0.7, [9, 1, 14, 1]), 60.0),
+            (samples::rectangle(40.0, 0.2, [100, 1, 30, 1]), 35.0),
+            (PlanarBoundary::new(&[outer, hole]).unwrap(), 50.0),
+        ] {
+            let lines = Breaklines::default();
+            let tents = Tents::new(&outline, &lines);
+            let mut expected = vec![most; outline.points().len()];
+            for second in 0..tents.edges.len() {
+                for first in 0..second {
+                    let [a, b] = [first, second].map(|edge| tents.edges[edge]);
+                    if a.iter().any(|vertex| b.contains(vertex)) {
+                        continue;
+                    }
+                    let angle = tents.touching_angle([first, second], most);
+                    for vertex in [a, b].concat() {
+                        expected[vertex as usize] = angle.min(expected[vertex as usize]);
+                    }
+                }
+            }
+            let found = tent_limits(&outline, &lines, most);
+            for (vertex, (found, expected)) in found.iter().zip(&expected).enumerate() {
+                assert!((found - expected).abs() < 1e-9, "{vertex}: {found} {expected}");
+            }
+            assert!(expected.iter().any(|&limit| limit < most));
+        }
+    }
+
+    #[test]
     fn tents_of_a_hole_press_on_the_outer_ring() {
         // A gap of 0.1 between edges of length 1.
         let outer = samples::ring(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]], &[4; 4]);
