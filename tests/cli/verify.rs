@@ -270,7 +270,7 @@ fn every_key_of_the_report_is_documented() {
     }
 }
 
-const KINDS: [&str; 11] = [
+const KINDS: [&str; 15] = [
     "larger_faces",
     "not_planar",
     "no_vertex",
@@ -282,6 +282,10 @@ const KINDS: [&str; 11] = [
     "outside",
     "open_boundary",
     "open_edge",
+    "missing_edge",
+    "filled_hole",
+    "empty_region",
+    "group",
 ];
 
 const PROOFS: [&str; 10] = [

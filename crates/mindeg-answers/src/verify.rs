@@ -45,11 +45,17 @@ struct Found {
     tolerance: f64,
     farthest: f64,
     boundary_vertices: usize,
+    /// The points of the domain inside, on lines too.
+    given_points: usize,
     interior_points: usize,
     unreferenced_vertices: usize,
     triangles: usize,
     max_degree: u32,
     max_degree_vertex: u32,
+    /// The vertices inside whose degree is out of the wanted range, if there are interior points.
+    out_of_range: Vec<u32>,
+    /// Those of them where the lines alone are too many.
+    certified: Vec<u32>,
     /// "yes", "no" or "unknown".
     optimal: &'static str,
     proof: Option<Checked>,
@@ -129,10 +135,24 @@ impl VerifyAnswer {
                 four_digits(found.tolerance)
             ),
         );
+        if found.given_points > 0 {
+            row("points inside", format!("{}, of the domain", whole(found.given_points)));
+        }
         row("interior points", whole(found.interior_points));
         row("triangles", whole(found.triangles));
         let at = found.max_degree_vertex;
         row("maximum degree", format!("{}, at vertex {at}", found.max_degree));
+        if let Some(first) = found.out_of_range.first() {
+            let certified = match found.certified.len() {
+                0 => String::new(),
+                count => format!("; at {} of them no mesh keeps it, checked", whole(count)),
+            };
+            let count = whole(found.out_of_range.len());
+            row(
+                "degrees inside",
+                format!("{count} out of range, the first at vertex {first}{certified}"),
+            );
+        }
         row(
             "optimal",
             match (&found.proof, &found.reason, found.smaller_degree) {
@@ -207,6 +227,10 @@ impl Found {
             max_angle = max_angle.max(quality.max_angle);
         }
         let limit = angle_limit(verified, domain, progress);
+        let boundary_vertices = domain.rings().vertex_count() as usize;
+        let vertices = |points: &[u32]| {
+            points.iter().map(|point| verified.vertex_of[*point as usize]).collect::<Vec<_>>()
+        };
         Self {
             plane: match verified.plane {
                 MatchedPlane::Xy => "xy",
@@ -216,12 +240,15 @@ impl Found {
             reversed: verified.is_reversed,
             tolerance: verified.tolerance,
             farthest: verified.farthest,
-            boundary_vertices: verified.points.len() - verified.interior_points,
+            boundary_vertices,
+            given_points: verified.points.len() - verified.interior_points - boundary_vertices,
             interior_points: verified.interior_points,
             unreferenced_vertices: verified.unused_vertices,
             triangles: verified.triangles.len(),
             max_degree: verified.max_degree,
             max_degree_vertex: verified.vertex_of[highest],
+            out_of_range: vertices(&verified.out_of_range),
+            certified: vertices(&verified.certified),
             optimal,
             proof,
             reason,

@@ -95,6 +95,21 @@ pub fn triangulation(
     inner: &[DVec2],
     triangles: &[[u32; 3]],
 ) -> Result<Checked, CheckError> {
+    triangulation_around(boundary, inner, &[], triangles)
+}
+
+/// [`triangulation`] with edges inside that have no triangle on their left, as at a hole between lines. That these bound
+/// holes is not checked.
+///
+/// # Errors
+///
+/// The first fault, in the order of [`CheckError`].
+pub fn triangulation_around(
+    boundary: &PlanarBoundary,
+    inner: &[DVec2],
+    open: &[[u32; 2]],
+    triangles: &[[u32; 3]],
+) -> Result<Checked, CheckError> {
     let on_rings = boundary.points().len();
     let vertices = on_rings + inner.len();
     let point = |vertex: u32| match (vertex as usize).checked_sub(on_rings) {
@@ -119,7 +134,7 @@ pub fn triangulation(
     if let Some(missing) = missing {
         return Err(missing);
     }
-    let edges = paired(boundary, triangles)?;
+    let edges = paired(boundary, open, triangles)?;
     let turned = first_of_blocks(count, |range| {
         range.map(|triangle| triangle as usize).find(|&triangle| {
             let [a, b, c] = triangles[triangle].map(point);
@@ -142,8 +157,12 @@ pub fn triangulation(
 
 /// All edges, smaller end first, if each has exactly one half-edge in either direction. Half-edges
 /// come from the triangles, and from the outer sides of the rings.
-fn paired(boundary: &PlanarBoundary, triangles: &[[u32; 3]]) -> Result<Vec<u64>, CheckError> {
-    let outer = boundary.edges().map(|[from, to]| [to, from]);
+fn paired(
+    boundary: &PlanarBoundary,
+    open: &[[u32; 2]],
+    triangles: &[[u32; 3]],
+) -> Result<Vec<u64>, CheckError> {
+    let outer = boundary.edges().map(|[from, to]| [to, from]).chain(open.iter().copied());
     let inner = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
     // Half-edges to the larger end, then half-edges to the smaller end.
     let mut halves =

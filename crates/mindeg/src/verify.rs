@@ -26,6 +26,7 @@
 
 mod defect;
 mod fault;
+mod map;
 mod matching;
 mod near;
 mod optimality;

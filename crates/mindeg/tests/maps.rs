@@ -1,12 +1,12 @@
-//! Maps: regions that are holes.
+//! Maps: regions that are holes, and the check of meshes.
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use std::collections::BTreeSet;
 
 use glam::{DVec2, DVec3};
-use mindeg::interior::{InteriorMesh, angle_limit, mesh};
-use mindeg::{Domain, Interior, Progress, Size, SizeAt, Triangles};
+use mindeg::interior::{self, InteriorMesh, angle_limit, mesh};
+use mindeg::{Domain, Group, Interior, Progress, Size, SizeAt, TriMesh, Triangles, verify};
 
 fn meshed(text: &str) -> (Domain, InteriorMesh) {
     let domain = Domain::from_json(text).unwrap();
@@ -182,4 +182,121 @@ fn sizes_hold_beside_holes() {
     let near = r#"{"interior": {"sizes": [{"from": ["lake"], "size": 0.2}]}, "#;
     let coarse = meshed(&TOUCHING.replacen('{', near, 1)).1.coarse_sides;
     assert_eq!(coarse[0].name, "lake", "{coarse:?}");
+}
+
+/// The kind of defect that a mesh has on a domain.
+fn defect(domain: &Domain, mesh: &TriMesh) -> String {
+    let found = verify::triangulation(mesh, domain, None);
+    found.map_or_else(|defect| defect.kind.to_owned(), |_| "none".to_owned())
+}
+
+/// The mesh with other triangles and groups.
+fn changed(mesh: &TriMesh, change: impl Fn(usize, [u32; 3]) -> Vec<[u32; 3]>) -> TriMesh {
+    let mut triangles = Vec::new();
+    let mut groups = Vec::new();
+    for group in mesh.groups() {
+        let start = triangles.len() as u32;
+        for t in group.triangles.clone() {
+            triangles.extend(change(t as usize, mesh.triangles()[t as usize]));
+        }
+        groups.push(Group { triangles: start..triangles.len() as u32, ..group.clone() });
+    }
+    TriMesh::new(mesh.positions().to_vec(), triangles).unwrap().with_groups(groups)
+}
+
+#[test]
+fn meshes_of_maps_are_verified_with_holes_lines_and_groups() {
+    let (domain, found) = meshed(TOUCHING);
+    let mesh = found.mesh;
+    let verified = verify::triangulation(&mesh, &domain, None).unwrap();
+    let inside = domain.border().unwrap().boundary.inner_points().len();
+    assert_eq!(verified.interior_points, found.report.interior_points - inside);
+    assert_eq!((&verified.out_of_range[..], &verified.certified[..]), (&[][..], &[][..]));
+    let (triangles, groups) = (mesh.triangles(), mesh.groups());
+    // The first two triangles on both sides of an edge: of the pier, and of none.
+    let across = |edge: [u32; 2]| {
+        let has = |ends: [u32; 2]| {
+            triangles.iter().position(|&[a, b, c]| [[a, b], [b, c], [c, a]].contains(&ends))
+        };
+        Some([has(edge)?, has([edge[1], edge[0]])?])
+    };
+    let flipped = |edge: [u32; 2]| {
+        let pair = across(edge).unwrap();
+        let far = pair.map(|t| *triangles[t].iter().find(|v| !edge.contains(v)).unwrap());
+        changed(&mesh, |t, own| match pair.iter().position(|at| *at == t) {
+            Some(0) => vec![[far[0], edge[0], far[1]]],
+            Some(_) => vec![[far[0], far[1], edge[1]]],
+            None => vec![own],
+        })
+    };
+    let boundary = domain.boundary().unwrap();
+    let pier = boundary.line(5)[1];
+    assert_eq!(defect(&domain, &flipped(pier)), "missing_edge");
+    // A triangle less beside the lake, and one more in it.
+    let lake = boundary.line(0);
+    let beside = |edge: [u32; 2]| {
+        let is_own = |&[a, b, c]: &[u32; 3]| [[a, b], [b, c], [c, a]].contains(&edge);
+        triangles.iter().position(is_own)
+    };
+    let [edge, next] = [lake[2], lake[3]];
+    let (edge, own) = match beside(edge) {
+        Some(t) => (edge, t),
+        None => ([edge[1], edge[0]], beside([edge[1], edge[0]]).unwrap()),
+    };
+    let less = changed(&mesh, |t, own_triangle| if t == own { vec![] } else { vec![own_triangle] });
+    assert_eq!(defect(&domain, &less), "missing_edge");
+    let third = next[1];
+    let more = changed(&mesh, |t, given| match t == own {
+        true => vec![given, [edge[1], edge[0], third]],
+        false => vec![given],
+    });
+    assert_ne!(defect(&domain, &more), "none");
+    // Groups: one triangle in another, two regions swapped.
+    let end = groups[0].triangles.end;
+    let mut other = groups.to_vec();
+    (other[0].triangles.end, other[1].triangles.start) = (end - 1, end - 1);
+    assert_eq!(defect(&domain, &mesh.clone().with_groups(other)), "group");
+    let mut swapped = groups.to_vec();
+    (swapped[0].name, swapped[1].name) = (groups[1].name.clone(), groups[0].name.clone());
+    assert_eq!(defect(&domain, &mesh.clone().with_groups(swapped)), "group");
+    // Files without groups have one.
+    let one = Group::new("mesh", 0..triangles.len() as u32);
+    assert_eq!(defect(&domain, &mesh.clone().with_groups(vec![one])), "none");
+    // A region without triangles.
+    let spit = groups[1].triangles.clone();
+    let empty = changed(&mesh, |t, own| match spit.contains(&(t as u32)) {
+        true => vec![],
+        false => vec![own],
+    });
+    assert_ne!(defect(&domain, &empty), "none");
+    // The same domain without the hole has an empty place too many; its own mesh covers the hole.
+    let filled = Domain::from_json(&TOUCHING.replace(r#"{"at": [2, 2], "hole": true}, "#, ""));
+    let filled = filled.unwrap();
+    assert_eq!(defect(&filled, &mesh), "empty_region");
+    let covering = interior::mesh(&filled, &Interior::default(), Progress::NONE).unwrap().mesh;
+    assert_eq!(defect(&filled, &covering), "none");
+    assert_eq!(defect(&domain, &covering), "filled_hole");
+}
+
+/// Nine lines meet at a point: no mesh has less than nine edges there. A tenth vertex out of range is no excuse.
+#[test]
+fn degrees_that_lines_alone_exceed_are_certified() {
+    let spoke = |i: u32| {
+        let end = DVec2::from_angle(f64::from(i) * std::f64::consts::TAU / 9.0) * 3.0;
+        format!(r#"{{"corners": [[4, 4], [{}, {}]], "intervals": 4}}"#, end.x + 4.0, end.y + 4.0)
+    };
+    let spokes: Vec<String> = (0..9).map(spoke).collect();
+    let text = format!(
+        r#"{{"rectangle": {{"width": 8, "height": 8}}, "size": 1, "lines": [{}]}}"#,
+        spokes.join(", ")
+    );
+    let (domain, found) = meshed(&text);
+    let verified = verify::triangulation(&found.mesh, &domain, None).unwrap();
+    assert_eq!(verified.points[verified.certified[0] as usize], DVec2::splat(4.0));
+    let own: Vec<u32> = found.report.certified.iter().map(|own| own.vertex).collect();
+    let certified = verified.certified.iter().map(|point| verified.vertex_of[*point as usize]);
+    assert_eq!(certified.collect::<Vec<_>>(), own);
+    let broken: Vec<u32> = found.report.violations.iter().map(|own| own.vertex).collect();
+    let range = verified.out_of_range.iter().map(|point| verified.vertex_of[*point as usize]);
+    assert_eq!(range.collect::<Vec<_>>(), broken);
 }

@@ -56,8 +56,8 @@ pub(crate) struct VerifyArguments {
     pub(crate) proof: Option<PathBuf>,
 
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
-    /// interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, optimal, proof,
-    /// reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
+    /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, out_of_range,
+    /// certified, optimal, proof, reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
     /// failed, passed
     #[arg(long)]
     pub(crate) json: bool,

@@ -1,8 +1,11 @@
 //! Finds the vertices of a mesh that are the boundary points of a domain.
 
+use std::borrow::Cow;
+
 use glam::{DVec2, DVec3};
 use mindeg_domain::Domain;
 use mindeg_mesh::TriMesh;
+use mindeg_mesh::planar::PlanarBoundary;
 use mindeg_mesh::weld;
 
 use super::defect::{self, MeshDefect, short};
@@ -41,13 +44,13 @@ impl MatchedPlane {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct VerifiedMesh {
-    /// The domain's boundary points as the domain has them, then the others as the mesh has them.
+    /// The domain's boundary points and those inside as the domain has them, then the others as the mesh has them.
     pub points: Vec<DVec2>,
     /// The vertex of the mesh at each of these: the first, if several are there.
     pub vertex_of: Vec<u32>,
     /// The triangles of the mesh, in its order, by these points and counter-clockwise.
     pub triangles: Vec<[u32; 3]>,
-    /// How many points are not on the boundary.
+    /// How many points the domain does not have.
     pub interior_points: usize,
     /// How many vertices of the mesh no triangle uses.
     pub unused_vertices: usize,
@@ -57,6 +60,10 @@ pub struct VerifiedMesh {
     pub max_degree: u32,
     /// The boundary points with more edges than the domain allows there.
     pub above_limit: Vec<u32>,
+    /// With interior points: the points inside, on lines too, whose degree is out of the wanted range.
+    pub out_of_range: Vec<u32>,
+    /// Those of them that no mesh brings into its range: the lines there alone are too many.
+    pub certified: Vec<u32>,
     /// How the mesh lies in space.
     pub plane: MatchedPlane,
     /// Whether all triangles of the mesh are clockwise.
@@ -101,12 +108,20 @@ pub(super) fn tolerance_of(
     Ok((DEFAULT_TOLERANCE * extent).max(rounding).min(shortest / 4.0))
 }
 
+/// The boundary of a domain with lines or points inside, which is stored.
+fn stored(domain: &Domain) -> Option<Cow<'_, PlanarBoundary>> {
+    if domain.inside().is_empty() { None } else { domain.boundary().ok() }
+}
+
 fn shortest_interval(domain: &Domain) -> f64 {
     let points = points_of(domain);
     let length = |vertex: u32| {
         points[vertex as usize].distance(points[domain.rings().next(vertex) as usize])
     };
-    (0..domain.rings().vertex_count()).map(length).fold(f64::INFINITY, f64::min)
+    let of_rings = (0..domain.rings().vertex_count()).map(length).fold(f64::INFINITY, f64::min);
+    let Some(boundary) = stored(domain) else { return of_rings };
+    let segments = boundary.segments().iter().map(|ends| ends.map(|end| boundary.point(end)));
+    segments.map(|[from, to]| from.distance(to)).fold(of_rings, f64::min)
 }
 
 /// The mesh by the domain's points, if it lies in this plane and has a vertex at each.
@@ -119,6 +134,7 @@ pub(super) fn matched(
     const NONE: u32 = u32::MAX;
     let positions = mesh.positions();
     let mut points = points_of(domain);
+    points.extend(stored(domain).iter().flat_map(|boundary| boundary.inner_points()));
     let boundary_count = points.len();
     let extent = domain.placement().bounds().size().max_element();
 
@@ -195,6 +211,8 @@ pub(super) fn matched(
         degrees: Vec::new(),
         max_degree: 0,
         above_limit: Vec::new(),
+        out_of_range: Vec::new(),
+        certified: Vec::new(),
         is_reversed: false,
     })
 }
@@ -227,14 +245,28 @@ fn no_vertex(
     MeshDefect::new(
         "no_vertex",
         format!(
-            "no vertex is at boundary point {missing} on {}, {}: the nearest, vertex {vertex}, is {} \
+            "no vertex is at {}, {}: the nearest, vertex {vertex}, is {} \
              away, and {} is the tolerance{hint}",
-            domain.side_name(domain.rings().side_of(missing as u32)),
+            place(domain, missing as u32),
             defect::at(at),
             short(distance),
             short(tolerance)
         ),
     )
+}
+
+/// A point of the domain in words.
+fn place(domain: &Domain, point: u32) -> String {
+    match point.checked_sub(domain.rings().vertex_count()) {
+        None => {
+            let side = domain.side_name(domain.rings().side_of(point));
+            format!("boundary point {point} on {side}")
+        }
+        Some(inner) => match domain.inside().points.get(inner as usize) {
+            Some(_) => format!("point {} inside", inner + 1),
+            None => format!("point {point}, on a line"),
+        },
+    }
 }
 
 /// A change of the whole mesh, guessed from the least corners of the domain and the mesh and the ratio of their sizes.

@@ -1,11 +1,14 @@
 //! The check of a mesh against a domain.
 
-use mindeg_domain::Domain;
+use std::collections::BTreeSet;
+
+use mindeg_domain::{Domain, Interior};
 use mindeg_mesh::TriMesh;
 use mindeg_mesh::check;
 
 use super::defect::MeshDefect;
 use super::fault;
+use super::map::MapLines;
 use super::matching::{MatchedPlane, VerifiedMesh, matched, tolerance_of};
 
 /// Checks that a mesh is a triangulation of a domain: that it has a vertex at every boundary point, and
@@ -39,7 +42,8 @@ pub fn triangulation(
     let tolerance = tolerance_of(mesh, domain, tolerance)?;
     let mut first_defect = None;
     for plane in MatchedPlane::ALL {
-        match matched(mesh, domain, plane, tolerance).and_then(|found| checked(found, domain)) {
+        match matched(mesh, domain, plane, tolerance).and_then(|found| checked(found, domain, mesh))
+        {
             Ok(verified) => return Ok(verified),
             Err(defect) => {
                 // The plane in which the mesh comes nearest to the domain has the defect that matters.
@@ -54,20 +58,27 @@ pub fn triangulation(
 }
 
 /// Checks a mesh that is matched to the domain's points, and adds its degrees.
-fn checked(mut mesh: VerifiedMesh, domain: &Domain) -> Result<VerifiedMesh, MeshDefect> {
+fn checked(
+    mut mesh: VerifiedMesh,
+    domain: &Domain,
+    given: &TriMesh,
+) -> Result<VerifiedMesh, MeshDefect> {
     mesh.is_reversed = fault::all_clockwise(&mesh.points, &mesh.triangles);
     if mesh.is_reversed {
         mesh.triangles.iter_mut().for_each(|corners| corners.swap(1, 2));
     }
-    let VerifiedMesh { points, vertex_of, triangles, .. } = &mesh;
     let boundary = domain.boundary().map_err(|faults| {
         let message = format!("the domain's boundary is not simple once it is rounded: {faults}");
         MeshDefect::new("boundary", message)
     })?;
+    let lines = MapLines::new(domain, &boundary, &mesh)?;
+    let has_holes = domain.inside().regions.iter().any(|region| region.hole);
+    let open = if has_holes { &lines.open[..] } else { &[] };
+    let VerifiedMesh { points, vertex_of, triangles, .. } = &mesh;
     let inner = &points[boundary.points().len()..];
     let is_flat = fault::flat_triangle(&boundary, triangles).is_some()
         || fault::passing_triangle(domain, points, triangles).is_some();
-    mesh.degrees = match check::triangulation(&boundary, inner, triangles) {
+    mesh.degrees = match check::triangulation_around(&boundary, inner, open, triangles) {
         Ok(checked) if !is_flat => checked.degrees,
         failed => {
             let boundary = &*boundary;
@@ -75,6 +86,27 @@ fn checked(mut mesh: VerifiedMesh, domain: &Domain) -> Result<VerifiedMesh, Mesh
             return Err(search.first_defect(failed.err()));
         }
     };
+    if has_holes {
+        lines.check_holes(domain, &mesh)?;
+    }
+    if !domain.inside().regions.is_empty() {
+        lines.check_groups(domain, given, &mesh)?;
+    }
+    if mesh.interior_points > 0 {
+        let wanted = domain.interior().map_or_else(Default::default, Interior::clone);
+        let range = wanted.interior_degree();
+        let inside = boundary.points().len() as u32..mesh.points.len() as u32;
+        let at_holes: BTreeSet<u32> = open.as_flattened().iter().copied().collect();
+        for vertex in inside.filter(|vertex| !at_holes.contains(vertex)) {
+            let degree = mesh.degrees[vertex as usize];
+            if degree > 0 && !range.contains(&degree) {
+                mesh.out_of_range.push(vertex);
+                if lines.exceeds(&mesh, vertex, *range.end()) {
+                    mesh.certified.push(vertex);
+                }
+            }
+        }
+    }
     if domain.is_constrained() {
         for vertex in 0..domain.rings().vertex_count() {
             let degree = &mut mesh.degrees[vertex as usize];
