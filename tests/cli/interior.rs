@@ -270,6 +270,19 @@ fn sizes_come_from_grids_and_background_meshes() {
     let fine = run(&["--interior", "--sizes", text(&grid)]).json();
     let triangles = |answer: &Value| answer["triangles"].as_u64().expect("a count");
     assert!(triangles(&fine) > 2 * triangles(&plain), "{fine} {plain}");
+    // A domain's file names it.
+    let domain = folder.path().join("domain.json");
+    let json = |name: &str| {
+        let interior = format!(r#"{{"sizes": [{{"file": "{name}"}}]}}"#);
+        let rectangle = r#""rectangle": {"width": 8, "height": 4}, "size": 0.5"#;
+        fs::write(&domain, format!(r#"{{{rectangle}, "interior": {interior}}}"#))
+            .expect("the file is written");
+        mindeg(["mesh", text(&domain), "-o", text(&mesh), "--json"])
+    };
+    assert_eq!(triangles(&json("sizes.asc").json()), triangles(&fine));
+    json("../sizes.asc").refuses(&[
+        "interior.sizes[0]: ../sizes.asc: it is not in the folder of the file that names it",
+    ]);
     // Intervals of 0.5 stay where 0.1 is asked for.
     let coarse = fine["coarse_sides"].as_array().expect("a list");
     let right = coarse.iter().find(|side| side["name"] == "side 2").expect("the right side");

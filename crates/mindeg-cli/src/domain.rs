@@ -136,7 +136,8 @@ fn opened(
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {
             options.refuse_for_json(&name)?;
-            Subject::Domain(Box::new(Domain::from_json(&text).map_err(|error| bad(&error))?))
+            let domain = Domain::from_json(&text).map_err(|error| bad(&error))?;
+            Subject::Domain(Box::new(SESSION.with_sizes(domain, &input)?))
         }
         Content::Model(text) => {
             Subject::Model(Box::new(Model::from_json(&text).map_err(|error| bad(&error))?))

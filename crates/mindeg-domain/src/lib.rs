@@ -74,7 +74,7 @@ pub use placement::{Placement, Walk};
 pub use rectangle::Rectangle;
 pub use rings::Rings;
 pub use side::{Intervals, Side};
-pub use sizes::{Size, SizeAt, SizeBetween, SizeFrom};
+pub use sizes::{Size, SizeAt, SizeBetween, SizeFile, SizeFrom};
 pub use spacing::Spacing;
 pub use spacing_law::SpacingLaw;
 pub use turning::ConvexForm;

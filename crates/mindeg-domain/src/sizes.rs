@@ -15,6 +15,8 @@ pub enum Size {
     From(SizeFrom),
     /// Between points.
     Between(SizeBetween),
+    /// In a file beside the domain's.
+    File(SizeFile),
 }
 
 /// A wanted edge length at a place, `[x, y, h]`
@@ -58,6 +60,16 @@ pub struct SizeBetween {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// Sizes in a file: an ESRI grid (.asc), an NPZ with `values`, `origin` and `spacing`, an MSH with node data, or a VTU with
+/// point data
+#[derive(Debug, Clone, Default, PartialEq)]
+#[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
+#[cfg_attr(feature = "json", serde(deny_unknown_fields))]
+pub struct SizeFile {
+    /// Its name; it is in the folder of the domain's file
+    pub file: String,
+}
+
 /// Whether a number is a size.
 pub(crate) fn is_size(size: f64) -> bool {
     size.is_finite() && size > 0.0
@@ -73,7 +85,7 @@ impl Size {
             Self::At(SizeAt { size, .. }) if !is_size(*size) => {
                 Err(place().error(wrong(&format!("size {index}"), *size)))
             }
-            Self::At(_) => Ok(()),
+            Self::At(_) | Self::File(_) => Ok(()),
             Self::From(SizeFrom { from, size, growth, until }) => {
                 if from.is_empty() {
                     let message = "give the names of sides and lines, such as [\"wall\"]";

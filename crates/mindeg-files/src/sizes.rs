@@ -1,10 +1,12 @@
 //! Sizes of a mesh, from a grid or a background mesh.
 
-use crate::error::FileError;
+use crate::beside::Beside;
+use crate::error::{FileError, plain};
 use crate::input::Input;
 use crate::session::Session;
-use mindeg_domain::{SizeAt, SizeBetween};
+use mindeg_domain::{Domain, Size, SizeAt, SizeBetween, SizeFile};
 use mindeg_formats::Field;
+use std::io;
 
 impl Session {
     /// Reads sizes: an ESRI grid (`.asc`), an NPZ with `values`, `origin` and `spacing`, or a mesh with one number at each
@@ -15,24 +17,55 @@ impl Session {
     ///
     /// A file that cannot be read, is none of these, or has no size.
     pub fn sizes(&self, input: &Input<'_>) -> Result<SizeBetween, FileError> {
-        let name = input.name();
-        let wrong = |problem: String| FileError::wrong(format!("{name}: {problem}"));
         if let Input::File(path) = input {
-            self.note(path, "file of sizes");
+            self.note(path, SIZES);
         }
-        let bytes = self.bytes(input, "file of sizes")?;
-        let sizes = match Field::read(&bytes).map_err(|error| wrong(error.to_string()))? {
-            Field::Grid(grid) => {
-                SizeBetween::grid(grid.origin, grid.spacing, grid.columns, &grid.values)
-            }
-            Field::Mesh(mesh, values) => {
-                let at = mesh.positions().iter().zip(values);
-                let point = at.map(|(at, size)| SizeAt { at: at.truncate(), size });
-                Some(SizeBetween::of_mesh(point.collect(), mesh.triangles()))
-            }
-        };
-        let sizes = sizes.filter(|sizes| !sizes.points.is_empty());
-        sizes
-            .ok_or_else(|| wrong("no value is a size; sizes are finite numbers above 0".to_owned()))
+        sizes_of(&input.name(), &self.bytes(input, SIZES)?)
     }
+
+    /// The domain of a file with the sizes in files beside it.
+    ///
+    /// # Errors
+    ///
+    /// The errors of [`sizes`](Self::sizes), and a file outside the folder of the domain's file.
+    pub fn with_sizes(&self, domain: Domain, input: &Input<'_>) -> Result<Domain, FileError> {
+        let Some(mut wanted) = domain.interior().cloned() else { return Ok(domain) };
+        let mut beside = match input {
+            Input::File(path) => Some(Beside::new(self, path, SIZES)),
+            _ => None,
+        };
+        for (index, size) in wanted.sizes.iter_mut().enumerate() {
+            let Size::File(SizeFile { file }) = size else { continue };
+            let read = match &mut beside {
+                Some(beside) => beside.read(file).map_err(plain),
+                None => Err(io::Error::other(input.alone())),
+            };
+            let bytes = read.map_err(|error| {
+                let name = input.name();
+                FileError::wrong(format!("{name}: interior.sizes[{index}]: {file}: {error}"))
+            })?;
+            *size = Size::Between(sizes_of(file, &bytes)?);
+        }
+        Ok(domain.with_interior(wanted))
+    }
+}
+
+/// The kind of the file in messages.
+const SIZES: &str = "file of sizes";
+
+/// The sizes in a file's bytes.
+fn sizes_of(name: &str, bytes: &[u8]) -> Result<SizeBetween, FileError> {
+    let wrong = |problem: String| FileError::wrong(format!("{name}: {problem}"));
+    let sizes = match Field::read(bytes).map_err(|error| wrong(error.to_string()))? {
+        Field::Grid(grid) => {
+            SizeBetween::grid(grid.origin, grid.spacing, grid.columns, &grid.values)
+        }
+        Field::Mesh(mesh, values) => {
+            let at = mesh.positions().iter().zip(values);
+            let points = at.map(|(at, size)| SizeAt { at: at.truncate(), size });
+            Some(SizeBetween::of_mesh(points.collect(), mesh.triangles()))
+        }
+    };
+    let sizes = sizes.filter(|sizes| !sizes.points.is_empty());
+    sizes.ok_or_else(|| wrong("no value is a size; sizes are finite numbers above 0".to_owned()))
 }

@@ -81,7 +81,7 @@ impl Asked {
                     let items = edges.map(|id| edge(id, Some(from.size))).collect();
                     near.push((EdgeTree::of_items(items), from.clone()));
                 }
-                Size::At(_) => {}
+                Size::At(_) | Size::File(_) => {}
             }
         }
         let regions = Regions::new(outline, options);

@@ -3,7 +3,7 @@
 use crate::limits::degree_limit;
 use glam::DVec2;
 use mindeg_delaunay::DelaunayError;
-use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFrom};
+use mindeg_domain::{DomainError, Interior, Size, SizeAt, SizeFile, SizeFrom};
 use mindeg_mesh::Cancelled;
 use mindeg_mesh::planar::{BoundaryFaults, PlanarBoundary};
 use std::collections::BTreeMap;
@@ -88,6 +88,17 @@ pub enum InteriorError {
         name: String,
         /// The names that exist.
         known: String,
+    },
+    /// Sizes in a file that was not read.
+    #[error(
+        "interior.sizes[{index}]: {file:?} is read where the domain comes from a file in its folder; give the sizes \
+         themselves"
+    )]
+    UnreadSizes {
+        /// The index in the list of sizes.
+        index: usize,
+        /// The file.
+        file: String,
     },
     /// A limit at a vertex that no mesh can keep.
     #[error("vertex {vertex} has a degree limit of {limit}; its boundary edges alone are {edges}")]
@@ -212,6 +223,9 @@ impl Options {
                 Size::From(SizeFrom { from, .. }) => {
                     self.check_names(index, from)?;
                     &[]
+                }
+                Size::File(SizeFile { file }) => {
+                    return Err(InteriorError::UnreadSizes { index, file: file.clone() });
                 }
             };
             if let Some(place) = places.iter().find(|place| !is_usable(place.at)) {

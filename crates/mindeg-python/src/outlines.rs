@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use mindeg::Progress;
+use mindeg::{Domain, Progress, Size};
 use mindeg_files::{Content, Division, FillRule, Input, ReadOptions, Session, Wanted};
 use pyo3::prelude::*;
 
@@ -44,7 +44,8 @@ pub(crate) fn domain_of_outline(
             Some(path) => Input::File(path),
             None => Input::Bytes("the outline", text.as_bytes()),
         };
-        let opened = Session::new("").open(&input, Wanted::Domain, &options, Progress::NONE);
+        let session = Session::new("");
+        let opened = session.open(&input, Wanted::Domain, &options, Progress::NONE);
         match opened.map_err(file_error)? {
             Content::Polygons(polygons) => {
                 let domain = polygons.only().map_err(file_error)?;
@@ -57,8 +58,21 @@ pub(crate) fn domain_of_outline(
                      domain in JSON"
                 ))
             }
-            Content::Domain(text) | Content::Model(text) => Ok((text, Vec::new())),
+            Content::Domain(text) => match Domain::from_json(&text) {
+                Ok(domain) if names_files(&domain) => {
+                    let domain = session.with_sizes(domain, &input).map_err(file_error)?;
+                    Ok((domain.to_json(), Vec::new()))
+                }
+                _ => Ok((text, Vec::new())),
+            },
+            Content::Model(text) => Ok((text, Vec::new())),
             Content::Mesh(_) => wrong(format!("{}: it is a mesh; a domain is expected", input.name())),
         }
     })
+}
+
+/// Whether the domain's sizes are in files.
+fn names_files(domain: &Domain) -> bool {
+    let sizes = domain.interior().map_or(&[][..], |wanted| &wanted.sizes);
+    sizes.iter().any(|size| matches!(size, Size::File(_)))
 }

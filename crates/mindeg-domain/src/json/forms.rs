@@ -7,7 +7,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Unexpected, Visitor};
 
 use crate::constraints::ExternalDegree;
-use crate::sizes::{Size, SizeAt, SizeBetween, SizeFrom};
+use crate::sizes::{Size, SizeAt, SizeBetween, SizeFile, SizeFrom};
 
 impl From<[f64; 3]> for SizeAt {
     fn from([x, y, size]: [f64; 3]) -> Self {
@@ -71,14 +71,19 @@ struct SizeKeys {
     origin: Option<DVec2>,
     spacing: Option<DVec2>,
     rows: Option<Vec<Vec<Option<f64>>>>,
+    file: Option<String>,
 }
 
 impl SizeKeys {
     fn size(self) -> Result<Size, &'static str> {
-        let Self { from, size, growth, until, points, triangles, origin, spacing, rows } = self;
+        let Self { from, size, growth, until, points, triangles, origin, spacing, rows, file } =
+            self;
         let is_near = from.is_some() || size.is_some() || growth.is_some() || until.is_some();
         let is_mesh = points.is_some() || triangles.is_some();
         let is_grid = origin.is_some() || spacing.is_some() || rows.is_some();
+        if let Some(file) = file.filter(|_| !is_near && !is_mesh && !is_grid) {
+            return Ok(Size::File(SizeFile { file }));
+        }
         match (from, size, points, (origin, spacing, rows)) {
             (Some(from), Some(size), None, _) if !is_mesh && !is_grid => {
                 Ok(Size::From(SizeFrom { from, size, growth, until }))
@@ -98,8 +103,8 @@ impl SizeKeys {
             }
             _ => Err(
                 "a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", \
-                 {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}, or {\"origin\": [x, y], \"spacing\": \
-                 [dx, dy], \"rows\": [[h, …], …]}",
+                 {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}, {\"origin\": [x, y], \"spacing\": \
+                 [dx, dy], \"rows\": [[h, …], …]}, or {\"file\": \"sizes.asc\"}",
             ),
         }
     }
@@ -118,7 +123,9 @@ impl<'de> Visitor<'de> for SizeForms {
     type Value = Size;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a size [x, y, h], or an object with \"from\", \"points\" or \"rows\"")
+        f.write_str(
+            "a size [x, y, h], or an object with \"from\", \"points\", \"rows\" or \"file\"",
+        )
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Size, A::Error> {

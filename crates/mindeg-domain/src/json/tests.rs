@@ -300,11 +300,11 @@ fn refuses_what_the_interior_cannot_be_with_the_place() {
         ),
         (
             r#"{"sizes": [[1, 2, 1], 3]}"#,
-            "interior.sizes[1]: found the number 3, expected a size [x, y, h], or an object with \"from\", \"points\" or \"rows\"",
+            "interior.sizes[1]: found the number 3, expected a size [x, y, h], or an object with \"from\", \"points\", \"rows\" or \"file\"",
         ),
         (
             r#"{"sizes": [{"from": ["wall"]}]}"#,
-            "interior.sizes[0]: a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}, or {\"origin\": [x, y], \"spacing\": [dx, dy], \"rows\": [[h, …], …]}",
+            "interior.sizes[0]: a size is [x, y, h], {\"from\": [\"wall\"], \"size\": h}, which may have \"growth\" and \"until\", {\"points\": [[x, y, h], …], \"triangles\": [[a, b, c], …]}, {\"origin\": [x, y], \"spacing\": [dx, dy], \"rows\": [[h, …], …]}, or {\"file\": \"sizes.asc\"}",
         ),
         (
             r#"{"sizes": [{"from": [], "size": 1}]}"#,
@@ -368,7 +368,7 @@ fn a_grid_of_sizes_becomes_triangles() {
 fn what_is_wanted_inside_survives_writing() {
     let given = with_interior(
         r#"{"growth": 0.3, "size_inside": 0.7, "min_size": 0.1, "sizes": [[1, 1, 0.1],
-            {"from": ["a"], "size": 1, "until": 2}, {"points": [[0, 0, 1]], "triangles": []}], "interior_degree": [5, 8],
+            {"from": ["a"], "size": 1, "until": 2}, {"points": [[0, 0, 1]], "triangles": []}, {"file": "a.asc"}], "interior_degree": [5, 8],
             "boundary_degree": 6, "target_angle": 20, "prefer": "angle"}"#,
     )
     .unwrap();
