@@ -5,6 +5,8 @@ use crate::edge_tree::{EdgeTree, Item, Node, is_uniform};
 use glam::DVec2;
 use mindeg_domain::SizeAt;
 use mindeg_mesh::planar::PlanarBoundary;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// The wanted edge length at every place of a domain.
@@ -17,7 +19,8 @@ use std::sync::Arc;
 /// - length + growth * distance of any of these edges;
 /// - size + growth * distance of any place with a size of its own, or where fixed points are crowded.
 ///
-/// One evaluation takes O(log n) for straight sides with equal or graded intervals.
+/// One evaluation takes O(log n) for straight sides with equal or graded intervals. Where many edges turn, the mean is
+/// that of the corners of a grid's cell, whose values are kept.
 #[derive(Debug, Clone)]
 pub(crate) struct SizeField {
     boundary: EdgeTree,
@@ -28,6 +31,17 @@ pub(crate) struct SizeField {
     asked: Arc<Asked>,
     /// The factor on the mean of the boundary's lengths.
     coarser: f64,
+    /// The means at places seen before; none if they are cheap.
+    known: Option<Known>,
+}
+
+/// What is known of a field from the places seen so far.
+#[derive(Debug, Clone, Default)]
+struct Known {
+    /// The means at corners of cells by level, column and row.
+    means: RefCell<HashMap<[i64; 3], f64>>,
+    /// The place seen last and the size there that growth allows.
+    last: Cell<(DVec2, f64)>,
 }
 
 /// Inside, edges are this much longer than the mean: the packing puts some points nearer to each other than
@@ -42,6 +56,9 @@ const REACH: f64 = 1.5;
 
 /// A run of edges counts as one when it is this much shorter than its distance.
 const FAR: f64 = 0.3;
+
+/// With more runs than this that turn, means are kept.
+const MANY_TURNS: usize = 500;
 
 impl SizeField {
     pub(crate) fn new(
@@ -65,13 +82,18 @@ impl SizeField {
             reach: 0.0,
         });
         let items = wanted.chain(crowded.iter().map(|place| item(place, 1.0, 0.0)));
+        let boundary = EdgeTree::of_boundary(outline);
+        let frozen = EdgeTree::of_items(frozen.collect());
+        let nodes = boundary.nodes().iter().chain(frozen.nodes());
+        let turns = nodes.filter(|node| !node.is_straight).count();
         Self {
-            boundary: EdgeTree::of_boundary(outline),
-            frozen: EdgeTree::of_items(frozen.collect()),
+            boundary,
+            frozen,
             places: EdgeTree::of_items(items.collect()),
             growth,
             asked: Arc::default(),
             coarser: COARSER,
+            known: (turns > MANY_TURNS).then(Known::default),
         }
     }
 
@@ -92,18 +114,52 @@ impl SizeField {
     /// The wanted edge length at `x`.
     pub(crate) fn at(&self, x: DVec2) -> f64 {
         let Wanted { base, most } = self.asked.wanted(x);
-        let mut least = match base {
+        let grown = |mut least: f64| {
+            for tree in [&self.boundary, &self.frozen, &self.places] {
+                tree.least_grown(self.growth, x, &mut least);
+            }
+            least
+        };
+        let mut least = match (base, &self.known) {
             // Sizes shrink no faster than they grow.
-            Some(base) => base.max(self.shrunk(x)),
-            None => self.mean(x),
+            (Some(base), _) => base.max(self.shrunk(x)),
+            (None, None) => self.mean(x),
+            (None, Some(known)) => {
+                // No farther from the size near by than growth allows: few edges are looked at.
+                let (last, size) = known.last.get();
+                let most = size + self.growth * last.distance(x) * (1.0 + 1e-9);
+                let most = grown(if size > 0.0 { most } else { f64::INFINITY });
+                known.last.set((x, most));
+                self.mean_in_cell(x, most, &mut known.means.borrow_mut()).min(most)
+            }
         };
         if most < least {
             least = least.min(most.max(self.shrunk(x)));
         }
-        for tree in [&self.boundary, &self.frozen, &self.places] {
-            tree.least_grown(self.growth, x, &mut least);
+        if base.is_none() && self.known.is_some() { least } else { grown(least) }
+    }
+
+    /// The mean at `x`, linear in the column and the row of a cell of half of `size` to all of it.
+    fn mean_in_cell(&self, x: DVec2, size: f64, known: &mut HashMap<[i64; 3], f64>) -> f64 {
+        // The power of two.
+        let cell = f64::from_bits(size.to_bits() & (0x7ff << 52));
+        let place = x / cell;
+        let low = place.floor();
+        if !(cell.is_normal() && low.abs().max_element() < 1e15) {
+            return self.mean(x);
         }
-        least
+        let (mut weights, mut sum) = (0.0, 0.0);
+        for corner in [DVec2::ZERO, DVec2::X, DVec2::Y, DVec2::ONE] {
+            let at = low + corner;
+            let key = [cell.to_bits() as i64, at.x as i64, at.y as i64];
+            let mean = *known.entry(key).or_insert_with(|| self.mean(at * cell));
+            if mean.is_finite() {
+                let weight = (DVec2::ONE - (place - at).abs()).element_product();
+                weights += weight;
+                sum += weight * mean;
+            }
+        }
+        if weights > 0.0 { sum / weights } else { self.mean(x) }
     }
 
     /// The roots of all edges that stay.
@@ -230,6 +286,26 @@ mod tests {
                 let (found, expected) = (field.at(x), exact(&outline, 0.5, x));
                 assert!((found / expected - 1.0).abs() < 0.03, "{x}: {found} {expected}");
             }
+        }
+    }
+
+    #[test]
+    fn kept_means_agree_with_the_sum_over_all_edges() {
+        let coast: Vec<DVec2> = (0..800)
+            .map(|i| {
+                let turn = f64::from(i) / 800.0 * std::f64::consts::TAU;
+                let [wide, narrow] = [7.0, 61.0].map(|waves| libm::sin(waves * turn));
+                DVec2::from_angle(turn + 0.05 * wide) * (10.0 + wide + 0.05 * narrow)
+            })
+            .collect();
+        let outline = PlanarBoundary::new(&[coast]).unwrap();
+        let field = SizeField::new(&outline, &[], 0.5, &[], &[]);
+        assert!(field.known.is_some());
+        for i in 0..400 {
+            let turn = DVec2::from_angle(f64::from(i));
+            let x = turn * (8.9 * f64::from(i) / 400.0);
+            let (found, expected) = (field.at(x), exact(&outline, 0.5, x));
+            assert!((found / expected - 1.0).abs() < 0.06, "{x}: {found} {expected}");
         }
     }
 
