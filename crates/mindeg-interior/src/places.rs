@@ -103,6 +103,9 @@ const TRIALS: [usize; 2] = [1500, 3];
 const MANY_TRIALS: usize = 25_000;
 /// Trials of operations for degrees, likewise.
 const TRIALS_FOR_DEGREES: [usize; 2] = [12_000, 1];
+/// At most so many times as much is tried where a degree is out of its range, if so many trials are left for each.
+const MOST_FOR_BROKEN: u64 = 4;
+const TRIALS_FOR_BROKEN: usize = 1200;
 /// From this effort on, new starts get pairs of operations, too.
 const MANY: u64 = 4;
 /// Random operations in a row.
@@ -133,6 +136,8 @@ pub(crate) fn mend_places(
         if places.is_empty() {
             break;
         }
+        let broken = places.iter().filter(|v| work.weights.excess(mesh, **v) > 0).count();
+        let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1)) >> pass) as u64;
         let of = places.len() as f64;
         for (index, vertex) in places.into_iter().enumerate() {
             // Each pass takes about as long as all before it.
@@ -149,7 +154,8 @@ pub(crate) fn mend_places(
             if before.is_good() || *left == 0 {
                 continue;
             }
-            let effort = 1 << pass;
+            let most = if is_broken { MOST_FOR_BROKEN } else { 1 };
+            let effort = (1 << pass) * (affordable).clamp(1, most);
             if let Some(better) = work.mended(&disc, before, effort, left, stage)? {
                 disc.put_back(mesh, &better);
             }
