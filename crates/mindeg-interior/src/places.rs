@@ -137,7 +137,7 @@ pub(crate) fn mend_places(
             break;
         }
         let broken = places.iter().filter(|v| work.weights.excess(mesh, **v) > 0).count();
-        let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1)) >> pass) as u64;
+        let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1))) as u64 >> pass;
         let of = places.len() as f64;
         for (index, vertex) in places.into_iter().enumerate() {
             // Each pass takes about as long as all before it.
