@@ -11,6 +11,7 @@ mod interior;
 mod loops;
 mod mesh;
 mod outlines;
+mod pickled;
 mod save;
 mod work;
 

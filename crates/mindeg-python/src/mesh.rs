@@ -6,11 +6,11 @@ use std::sync::{Arc, OnceLock};
 use mindeg::glam::DVec3;
 use mindeg::inspection::{Inspection, InspectionOptions};
 use mindeg::quality::TriangleQuality;
-use mindeg::{Group, Material, Mesh as AnyMesh, TriMesh};
+use mindeg::{Group, Mesh as AnyMesh, TriMesh};
 use mindeg_answers::inspected::InspectionReport;
 use mindeg_answers::interior::InteriorAnswer;
 use mindeg_files::{Input, Session, svg};
-use mindeg_mesh::{ByName, LineKind, NamedVertex, filled};
+use mindeg_mesh::{ByName, filled};
 use numpy::{PyArray1, PyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -18,6 +18,7 @@ use pyo3::types::PyDict;
 use crate::arrays;
 use crate::dict::dict;
 use crate::interior;
+use crate::pickled::{self, PickledGroups, PickledParts};
 use crate::save::{self, Wanted};
 use crate::work::{done, value_error};
 
@@ -270,7 +271,7 @@ impl Mesh {
         let named: Vec<_> =
             mesh.named_vertices().iter().map(|one| (one.name.clone(), one.vertex)).collect();
         let kinds: Vec<Option<&str>> =
-            (0..lines.len()).map(|line| mesh.line_kind(line).map(kind_name)).collect();
+            (0..lines.len()).map(|line| mesh.line_kind(line).map(pickled::kind_name)).collect();
         let straight: Vec<bool> = lines.iter().map(|line| line.is_straight).collect();
         let depths = filled(0..mesh.vertex_count(), 0.0, |first, out| mesh.fill_depths(first, out));
         let depths = depths.iter().any(|&depth| depth != 0.0).then_some(depths);
@@ -296,72 +297,14 @@ impl Mesh {
         name: Option<String>,
         lines: Vec<(String, Vec<[u32; 2]>)>,
         of_lines: (Vec<bool>, Vec<Option<String>>),
-        of_mesh: (PickledGroups, Option<Vec<f64>>, Vec<(String, u32)>),
+        of_mesh: PickledParts,
         facts: (Option<u32>, Option<String>, Option<Py<PyDict>>),
     ) -> PyResult<Self> {
-        let wrong = |what: &str| value_error(format!("{what} of a pickled mesh do not fit it"));
-        let mut mesh = tri_mesh(points, Some(triangles))?;
-        let [vertices, triangles] = [mesh.positions().len(), mesh.triangles().len()];
-        if let Some(name) = name {
-            mesh = mesh.named(name);
-        }
-        let (straight, kinds) = of_lines;
-        if [straight.len(), kinds.len()] != [lines.len(); 2] {
-            return Err(wrong("lines"));
-        }
-        let (mut all, mut segments) = (Vec::new(), Vec::new());
-        for ((name, line), is_straight) in lines.into_iter().zip(straight) {
-            let start = segments.len() as u32;
-            segments.extend(line);
-            all.push(mindeg::Line { name, segments: start..segments.len() as u32, is_straight });
-        }
-        mesh = mesh.with_lines(all, segments).map_err(value_error)?;
-        let kinds = kinds.iter().map(|kind| kind.as_deref().and_then(kind_of));
-        mesh = mesh.with_line_kinds(kinds.collect());
-        let (groups, depths, named) = of_mesh;
-        let named = named.into_iter().map(|(name, vertex)| NamedVertex { name, vertex });
-        mesh = mesh.with_named_vertices(named.collect()).map_err(value_error)?;
-        let mut at = 0;
-        let mut all = Vec::new();
-        for (name, [start, end], material) in groups {
-            if start != at || end <= start || end as usize > triangles {
-                return Err(wrong("groups"));
-            }
-            at = end;
-            let material = material.map(|(name, color)| Arc::new(Material { name, color }));
-            all.push(Group::new(name, start..end).of_material(material));
-        }
-        if at as usize == triangles {
-            mesh = mesh.with_groups(all);
-        } else if at > 0 {
-            return Err(wrong("groups"));
-        }
-        if let Some(depths) = depths {
-            if depths.len() != vertices || !depths.iter().all(|depth| depth.is_finite()) {
-                return Err(wrong("depths"));
-            }
-            mesh = mesh.with_depths(depths);
-        }
+        let mesh =
+            pickled::mesh(tri_mesh(points, Some(triangles))?, name, lines, of_lines, of_mesh)?;
         let (least_max_degree, found_by, report) = facts;
         Ok(Self::new(mesh, Facts { least_max_degree, found_by, report }))
     }
-}
-
-/// Names, ranges of triangles and materials.
-type PickledGroups = Vec<(String, [u32; 2], Option<PickledMaterial>)>;
-
-/// A name, and a base color if it is known.
-type PickledMaterial = (String, Option<[f32; 4]>);
-
-const KINDS: [(LineKind, &str); 3] =
-    [(LineKind::Open, "open"), (LineKind::Land, "land"), (LineKind::Island, "island")];
-
-fn kind_name(kind: LineKind) -> &'static str {
-    KINDS.iter().find(|(one, _)| *one == kind).map_or("", |(_, name)| name)
-}
-
-fn kind_of(name: &str) -> Option<LineKind> {
-    KINDS.iter().find(|(_, one)| *one == name).map(|(kind, _)| *kind)
 }
 
 /// Read a mesh from a file of any format that mindeg reads.
