@@ -14,6 +14,7 @@ mod decision;
 mod rows;
 mod search;
 
+use crate::fill::LoopProblem;
 use crate::measure::min_angle_tangent;
 use crate::problem::{Domain, Problem};
 use crate::progress::Stage;
@@ -92,6 +93,20 @@ impl Cover {
             found.push(face);
         }
         Ok(Some(Self { faces: found, chord_count }))
+    }
+
+    /// The candidates of several loops in space, each with the vertex of the whole at every vertex of its own; none if
+    /// they may be more than [`MAX_CANDIDATES`].
+    #[must_use]
+    pub fn of_loops(loops: &[(&LoopProblem, &[u32])]) -> Option<Self> {
+        let triples = loops.iter().map(|(_, vertices)| vertices.len().saturating_pow(3) / 6);
+        if triples.fold(0, usize::saturating_add) > MAX_CANDIDATES {
+            return None;
+        }
+        let face =
+            |&(problem, vertices): &(&LoopProblem, &[u32])| Candidates::of_loop(problem, vertices);
+        let faces: Vec<Candidates> = loops.iter().map(face).collect();
+        Some(Self { chord_count: faces.iter().map(|face| face.chord_count).sum(), faces })
     }
 
     /// The number of candidate triangles.

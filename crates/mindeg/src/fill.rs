@@ -3,17 +3,21 @@
 //! Each loop gets the triangulation of least area under a limit on the *total* degree of its
 //! vertices: the edges that the mesh has there count. An edge that the mesh has already is not
 //! made again, so no edge gets three faces. What one loop adds counts for the next where they share
-//! vertices; loops that share none are filled at the same time, with the same result.
+//! vertices; loops that share none are filled at the same time, with the same result. Where a given limit fails so, the
+//! loops are decided together: `joint.rs`.
 //!
 //! The given mesh stays: vertices, triangles, groups, lines and names keep their indices. The new
 //! triangles form the group `fill`, at the end.
 //!
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
+mod joint;
+
+use self::joint::Shares;
 use crate::error::MeshError;
 use crate::loops::{Loops, MeshLoop};
 use glam::DVec3;
-use mindeg_exact::{LoopLimit, LoopProblem, LoopTriangulation, Unsolved, fill_loop};
+use mindeg_exact::{LoopLimit, LoopProblem, Unsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::parallel::map_all;
 use mindeg_mesh::quality::TriangleQuality;
@@ -139,8 +143,19 @@ pub fn fill(
     options: &FillOptions,
     progress: Progress<'_>,
 ) -> Result<Filled, MeshError> {
-    let all = loops.list();
-    let mut loops = loops.clone();
+    fill_with(mesh, loops, options, &mut Shares::new(), progress)
+}
+
+/// [`fill`] with the shares of chords at vertices of several loops that are known to keep the limit together.
+fn fill_with(
+    mesh: TriMesh,
+    before: &Loops,
+    options: &FillOptions,
+    shares: &mut Shares,
+    progress: Progress<'_>,
+) -> Result<Filled, MeshError> {
+    let all = before.list();
+    let mut loops = before.clone();
     let mut chosen = options.only.clone().unwrap_or_else(|| (0..all.len()).collect());
     chosen.sort_unstable();
     chosen.dedup();
@@ -170,7 +185,11 @@ pub fn fill(
     let inner = if tasks.len() > 1 { Progress::new(&is_cancelled) } else { progress };
     for level in levels(&tasks, all) {
         let solved = map_all(level.clone(), |index| {
-            let solved = solve(&mesh, &all[index], &loops, limit, inner);
+            let solved = match shares.get(&index) {
+                Some(share) => joint::solve(&mesh, &all[index], &loops, share, inner),
+                None => posed(&mesh, &all[index], &loops, None)
+                    .and_then(|problem| fill_loop(&problem, limit, inner)),
+            };
             counter.add(usize::from(tasks.len() > 1))?;
             solved
         });
@@ -189,6 +208,15 @@ pub fn fill(
                     left.push(LeftLoop { index, vertices, reason });
                 }
                 Err(Unsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
+                // What the loops before it have taken may be more than need be.
+                Err(Unsolved::Infeasible { max_degree, .. })
+                    if !shares.contains_key(&index)
+                        && joint::share(
+                            &mesh, before, &tasks, index, max_degree, shares, inner,
+                        )? =>
+                {
+                    return fill_with(mesh, before, options, shares, progress);
+                }
                 Err(source) => {
                     let (number, first) = (index + 1, vertices[0]);
                     let sentence = format!("loop {number} from vertex {first}: {source}");
@@ -243,17 +271,17 @@ fn levels(tasks: &[usize], all: &[MeshLoop]) -> Vec<Vec<usize>> {
     levels
 }
 
-/// The triangulation of a loop, by indices of its vertices backward: so it faces as the mesh does.
-fn solve(
+/// A loop as the solver takes it, by its vertices backward: so the filling faces as the mesh does. `degrees` count
+/// instead of those of the mesh.
+fn posed(
     mesh: &TriMesh,
     found: &MeshLoop,
     loops: &Loops,
-    limit: LoopLimit,
-    progress: Progress<'_>,
-) -> Result<LoopTriangulation, Unsolved> {
+    degrees: Option<&[u32]>,
+) -> Result<LoopProblem, Unsolved> {
     let backward = || found.vertices.iter().rev().copied();
     let points: Vec<_> = backward().map(|vertex| mesh.positions()[vertex as usize]).collect();
-    let degrees: Vec<u32> = backward().map(|vertex| loops.degrees[vertex as usize]).collect();
+    let own: Vec<u32> = backward().map(|vertex| loops.degrees[vertex as usize]).collect();
     let mut places: Vec<(u32, u32)> = backward().zip(0..).collect();
     places.sort_unstable();
     let place = |vertex: u32| {
@@ -262,8 +290,7 @@ fn solve(
     let there = backward().zip(0..).flat_map(|(vertex, own)| {
         loops.neighbors(vertex).filter_map(place).map(move |other| [own, other])
     });
-    let problem = LoopProblem::new(&points, &degrees, there)?;
-    fill_loop(&problem, limit, progress)
+    LoopProblem::new(&points, degrees.unwrap_or(&own), there)
 }
 
 /// The minimum angle of some triangles, in degrees.

@@ -133,6 +133,67 @@ fn loops_that_touch_are_filled_so_that_their_vertex_is_sound() {
     assert_eq!(closed.crossings, [[0; 2]; 0]);
 }
 
+/// Two squares that meet at a vertex take one of two diagonals each; here all four choices are tried.
+#[test]
+fn loops_that_share_a_vertex_are_decided_together() {
+    let mut state = 1_u64;
+    let mut below = |most: u64| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (state >> 33) % most
+    };
+    let (mut kept, mut refused) = (0, 0);
+    for _ in 0..2000 {
+        let plate = plate(4, 4, &[[1, 1], [2, 2]]);
+        let (mut points, mut triangles) = (plate.positions().to_vec(), plate.triangles().to_vec());
+        points.iter_mut().for_each(|point| point.z = below(100) as f64 / 100.0);
+        for _ in 0..below(30) {
+            // A vertex in a triangle gives its corners an edge more each.
+            let [a, b, c] = triangles.swap_remove(below(triangles.len() as u64) as usize);
+            let new = points.len() as u32;
+            points.push([a, b, c].iter().map(|&v| points[v as usize]).sum::<DVec3>() / 3.0);
+            triangles.extend([[a, b, new], [b, c, new], [c, a, new]]);
+        }
+        let open = TriMesh::new(points, triangles).unwrap();
+        let loops = Loops::of(&open);
+        let squares = (0..loops.list().len()).filter(|&at| loops.list()[at].vertices.len() == 4);
+        let squares: Vec<usize> = squares.collect();
+        // Mostly one edge more at the vertex that both have.
+        let shared = loops.list()[squares[0]].vertices.iter();
+        let shared = shared.copied().find(|v| loops.list()[squares[1]].vertices.contains(v));
+        let limit = open.degrees()[shared.unwrap() as usize] + below(4).min(1) as u32;
+        let keeps = |choice: [usize; 2]| {
+            let mut degrees = open.degrees().to_vec();
+            for (&square, diagonal) in squares.iter().zip(choice) {
+                let corners = &loops.list()[square].vertices;
+                for end in [corners[diagonal], corners[diagonal + 2]] {
+                    degrees[end as usize] += 1;
+                }
+            }
+            degrees.iter().zip(open.degrees()).all(|(new, old)| new <= old.max(&limit))
+        };
+        let is_possible = [[0, 0], [0, 1], [1, 0], [1, 1]].into_iter().any(keeps);
+        let only = Some(squares.clone());
+        let options = FillOptions { max_degree: Some(limit), only, ..FillOptions::default() };
+        match fill(open.clone(), &loops, &options, Progress::NONE) {
+            Ok(closed) => {
+                kept += 1;
+                assert!(is_possible);
+                let degrees = closed.mesh.degrees().iter().zip(open.degrees());
+                assert!(degrees.into_iter().all(|(new, old)| new <= old.max(&limit)));
+                let told = closed.filled.iter().map(|found| found.max_degree).max();
+                let corners = squares.iter().flat_map(|&at| &loops.list()[at].vertices);
+                let most = corners.map(|&corner| closed.mesh.degrees()[corner as usize]).max();
+                assert_eq!(told, most);
+            }
+            Err(error) => {
+                refused += 1;
+                assert!(!is_possible, "{error}");
+            }
+        }
+    }
+    assert!(kept > 10 && refused > 10, "{kept} {refused}");
+}
+
 #[test]
 fn what_is_no_sound_loop_stays_open() {
     let points = || vec![DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z, -DVec3::ONE];

@@ -6,6 +6,7 @@
 
 use super::decision::{Element, Literal};
 use crate::chords::Lists;
+use crate::fill::LoopProblem;
 use crate::measure::min_angle_tangent;
 use crate::problem::Problem;
 use crate::progress::Stage;
@@ -114,6 +115,38 @@ impl Candidates {
             chords,
             triangles,
         }))
+    }
+}
+
+impl Candidates {
+    /// The candidates of a loop in space, where every two vertices may be joined that are not excluded.
+    pub(super) fn of_loop(problem: &LoopProblem, vertices: &[u32]) -> Self {
+        let n = vertices.len() as u32;
+        let is_chord = |i: u32, j: u32| {
+            j - i > 1 && (i, j) != (0, n - 1) && !problem.is_excluded(i as usize, j as usize)
+        };
+        let ends = |i: u32| (i + 1..n).map(move |j| [i, j]);
+        let chords: Vec<[u32; 2]> =
+            (0..n).flat_map(ends).filter(|&[i, j]| is_chord(i, j)).collect();
+        let edge = |i: u32, j: u32| match chords.binary_search(&[i, j]) {
+            Ok(chord) => Some(chord as u32),
+            Err(_) if j - i == 1 => Some(chords.len() as u32 + i),
+            Err(_) => ((i, j) == (0, n - 1)).then_some(chords.len() as u32 + j),
+        };
+        let mut triangles = Vec::new();
+        for [i, k] in (0..n).flat_map(ends) {
+            let Some(first) = edge(i, k) else { continue };
+            triangles.extend((k + 1..n).filter_map(|j| {
+                Some(Candidate { corners: [i, k, j], edges: [first, edge(k, j)?, edge(i, j)?] })
+            }));
+        }
+        Self {
+            vertices: vertices.to_vec(),
+            points: vec![DVec2::ZERO; vertices.len()],
+            chord_count: u64::from(n) - 3,
+            chords,
+            triangles,
+        }
     }
 }
 

@@ -54,7 +54,7 @@ impl LoopProblem {
         Ok(Self { points: points.to_vec(), external: external.to_vec(), excluded: pairs })
     }
 
-    pub(super) fn is_excluded(&self, i: usize, j: usize) -> bool {
+    pub(crate) fn is_excluded(&self, i: usize, j: usize) -> bool {
         self.excluded[i * self.points.len() + j]
     }
 
