@@ -128,10 +128,10 @@ fn opened(
     let input = Input::of(path);
     let name = input.name();
     let division = Division { corner_angle: options.corner_angle, size };
-    let OutlineOptions { repair, fill_rule, .. } = *options;
+    let OutlineOptions { repair, together, snap, fill_rule, .. } = *options;
     let selection = Selection { layer: options.layer.clone(), name_by: options.name_by.clone() };
     let feature = options.feature.clone();
-    let read = ReadOptions { feature, selection, repair, fill_rule, division };
+    let read = ReadOptions { feature, selection, repair, together, snap, fill_rule, division };
     let bad = |error: &dyn ToString| Failure::Input(format!("{name}: {}", error.to_string()));
     Ok(match bar.work(|progress| SESSION.open(&input, wanted, &read, progress))? {
         Content::Domain(text) => {

@@ -52,10 +52,13 @@ fn main() -> ExitCode {
     let color = terminal::color_choice(&words);
     terminal::set_color(color);
     let matches = Arguments::command().color(color).try_get_matches_from(&words);
-    let arguments = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
+    let mut arguments = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => return without_a_run(&error, &words),
     };
+    if let Command::Mesh(mesh) = &mut arguments.command {
+        mesh.domain.options.outline.together = mesh::are_one_map(mesh);
+    }
     match run(&arguments.command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),

@@ -17,12 +17,14 @@ use mindeg_exact::{MAX_VERTICES, Unsolved};
 use mindeg_files::Wanted;
 use std::path::PathBuf;
 
+pub(crate) use features::are_one_map;
+
 pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
     let output = &arguments.surface.output;
     match subject(&arguments.domain, Wanted::Model, &Bar::new(arguments.quiet))? {
         Subject::Domain(domain) => mesh_of(&domain, arguments, output),
         Subject::Polygons(polygons) if polygons.polygons.len() > 1 => {
-            if features::are_one_map(arguments) {
+            if are_one_map(arguments) {
                 return interior::run_maps(arguments, &polygons);
             }
             features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))

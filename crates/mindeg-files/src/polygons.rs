@@ -19,6 +19,10 @@ pub struct ReadOptions {
     pub selection: Selection,
     /// Whether rings that touch or cross themselves are parted.
     pub repair: bool,
+    /// Whether polygons are repaired together, as regions of one map whose borders stay shared.
+    pub together: bool,
+    /// How near points become one in such a repair; by default as near as rounding parts them.
+    pub snap: Option<f64>,
     /// The rule by which a repair counts points as inside; by default the format's.
     pub fill_rule: Option<FillRule>,
     /// How rings become sides and points.
@@ -53,7 +57,10 @@ impl PolygonFile {
     ) -> Result<Self, FileError> {
         let wrong = |error: OutlineError| FileError::wrong(error.to_string());
         let mut outlines = outlines.map_err(wrong)?;
-        if options.repair {
+        if options.repair && options.together && outlines.features.len() > 1 {
+            outlines =
+                outlines.repaired_together(options.fill_rule, options.snap).map_err(wrong)?;
+        } else if options.repair {
             outlines = outlines.repaired(options.fill_rule).map_err(wrong)?;
         }
         let Outlines { features, mut inside, mut notes, .. } = outlines;
@@ -115,7 +122,7 @@ impl PolygonFile {
     /// The domain of the only polygon, with the lines and points inside it.
     fn map_of(&self, polygon: &Polygon) -> Result<Domain, OutlineError> {
         let (maps, _) =
-            outlines::maps(std::slice::from_ref(polygon), &self.inside, &self.division)?;
+            outlines::maps(std::slice::from_ref(polygon), &self.inside, &self.division, true)?;
         match maps.into_iter().next() {
             Some(map) if !polygon.label.is_empty() => Ok(map.named(&*polygon.label)?),
             Some(map) => Ok(map),
@@ -134,9 +141,14 @@ impl PolygonFile {
             let domain = self.domain(polygon).map_err(|error| error.of(&self.file))?;
             return Ok((vec![domain], Vec::new()));
         }
-        let maps = outlines::maps(&self.polygons, &self.inside, &self.division);
+        let maps = outlines::maps(&self.polygons, &self.inside, &self.division, self.is_repaired);
         maps.map_err(|error| {
-            FileError::wrong(format!("{error}{}", self.hint(error.is_touch))).of(&self.file)
+            let hint = if error.is_touch && !self.is_repaired {
+                format!("; {}repair mends such places, and says what it changes", self.dashes)
+            } else {
+                String::new()
+            };
+            FileError::wrong(format!("{error}{hint}")).of(&self.file)
         })
     }
 

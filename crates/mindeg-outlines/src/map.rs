@@ -9,6 +9,7 @@ mod borders;
 mod inner_point;
 mod parts;
 mod plane;
+mod repair;
 
 use std::collections::BTreeMap;
 use std::sync::Arc as Shared;
@@ -16,7 +17,7 @@ use std::sync::Arc as Shared;
 use glam::DVec2;
 use mindeg_domain::{Domain, InnerPoint, Inside, Outline, Region, Ring};
 
-use self::parts::Part;
+use self::parts::{Gap, Part};
 use self::plane::{Plane, Run};
 use super::choice::Polygon;
 use super::domain::domain_side;
@@ -30,6 +31,7 @@ const OUTSIDE: &str = "outside";
 
 /// The maps of polygons that may share borders, each with its regions, which have the names of the polygons; and notes.
 /// Lines and points inside them are lines and points of the maps.
+/// Gaps between polygons that are far longer than wide are refused, or kept as holes and noted.
 ///
 /// # Errors
 ///
@@ -38,6 +40,7 @@ pub fn maps(
     polygons: &[Polygon],
     inside: &DrawnInside,
     division: &Division,
+    keeps_gaps: bool,
 ) -> Result<(Vec<Domain>, Vec<String>), OutlineError> {
     let names: Vec<String> = polygons
         .iter()
@@ -46,29 +49,37 @@ pub fn maps(
             if name.is_empty() { polygon.name() } else { name }
         })
         .collect();
-    let (mut borders, notes) = borders::of_polygons(polygons, &names)?;
+    let (mut borders, mut notes) = borders::of_polygons(polygons, &names)?;
     borders.extend_from_slice(&inside.lines);
     let max_areas: Vec<_> = polygons.iter().map(|polygon| polygon.feature.max_area).collect();
-    Ok((domains(&borders, (&names, &max_areas), &inside.points, division)?, notes))
+    let (domains, gap) = domains(&borders, (&names, &max_areas), &inside.points, division)?;
+    match gap {
+        Some(gap) if !keeps_gaps => Err(gap.error(&names)),
+        gap => {
+            notes.extend(gap.map(|gap| gap.error(&names).to_string()));
+            Ok((domains, notes))
+        }
+    }
 }
 
-/// The domains of borders between regions with these names, in the order of the regions.
+/// The domains of borders between regions with these names, in the order of the regions, and the longest gap between
+/// regions, if there is one.
 ///
 /// # Errors
 ///
 /// Borders that cross or touch elsewhere than at ends, regions that overlap, lines outside all regions, and everything
 /// else that [`Domain`] refuses.
-pub(super) fn domains(
+fn domains(
     borders: &[Border],
     (names, max_areas): (&[String], &[Option<f64>]),
     points: &[InnerPoint],
     division: &Division,
-) -> Result<Vec<Domain>, OutlineError> {
+) -> Result<(Vec<Domain>, Option<Gap>), OutlineError> {
     let plane = Plane::new(borders, names)?;
-    let parts = parts::parts(&plane, names.len())?;
+    let (parts, gap) = parts::parts(&plane, names.len())?;
     let mut own_points = points_of(&parts, points)?.into_iter();
     let mut sides = SideNames { names, known: BTreeMap::new() };
-    parts
+    let domains = parts
         .into_iter()
         .map(|map| {
             let mut ring = |run: &Run| -> Result<Ring, OutlineError> {
@@ -94,7 +105,9 @@ pub(super) fn domains(
                 max_area: max_areas.get(region as usize).copied().flatten(),
                 ..Region::default()
             };
-            let regions = map.regions.iter().map(region).collect();
+            let hole = |&at: &DVec2| Region { at, hole: true, ..Region::default() };
+            let holes = map.hole_faces.iter().map(hole);
+            let regions = map.regions.iter().map(region).chain(holes).collect();
             let points = own_points.next().unwrap_or_default();
             let domain = builder.inside(Inside { lines, points, regions }).build();
             domain.map_err(|error| {
@@ -103,7 +116,8 @@ pub(super) fn domains(
                 OutlineError { place: format!("the map of {first}"), ..OutlineError::from(error) }
             })
         })
-        .collect()
+        .collect::<Result<_, _>>()?;
+    Ok((domains, gap))
 }
 
 /// The points inside or on each part.

@@ -39,15 +39,15 @@ pub(super) struct Overlay {
 }
 
 /// A straight piece of a ring, or one of the chords of a curved piece.
-struct Chord<'a> {
-    layer: usize,
+pub(super) struct Chord<'a> {
+    pub(super) layer: usize,
     /// The index of the ring in its layer.
     index: usize,
     ring: &'a DrawnRing,
     piece: usize,
     /// Which of how many chords of the piece it is.
-    part: (usize, usize),
-    ends: [u32; 2],
+    pub(super) part: (usize, usize),
+    pub(super) ends: [u32; 2],
 }
 
 /// The greatest and the least size of a coordinate with which no decision overflows or vanishes.
@@ -55,6 +55,22 @@ const SIZES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// How near to a vertex a crossing is that vertex, as a share of the greatest coordinate: rounding.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
+/// How near to a vertex a crossing of these layers is that vertex.
+///
+/// # Errors
+///
+/// Coordinates beyond the limits of decisions.
+pub(super) fn rounding(layers: &[Layer<'_>]) -> Result<f64, String> {
+    let points = || layers.iter().flat_map(|it| &it.rings).flat_map(|ring| ring.flattened());
+    let is_usable = |x: f64| x == 0.0 || SIZES.contains(&x.abs());
+    if !points().all(|point| is_usable(point.x) && is_usable(point.y)) {
+        return Err(
+            "coordinates must be 0 or from 1e-100 to 1e100 in size; scale the outline".into()
+        );
+    }
+    Ok(ROUNDING * points().map(|point| point.abs().max_element()).fold(0.0, f64::max))
+}
 
 /// The polygons of the points that `is_inside` holds for, given for each layer whether its rule counts
 /// the point.
@@ -67,15 +83,7 @@ pub(super) fn overlay(
     layers: &[Layer<'_>],
     is_inside: impl Fn(&[bool]) -> bool,
 ) -> Result<Overlay, String> {
-    let points = || layers.iter().flat_map(|it| &it.rings).flat_map(|ring| ring.flattened());
-    let is_usable = |x: f64| x == 0.0 || SIZES.contains(&x.abs());
-    if !points().all(|point| is_usable(point.x) && is_usable(point.y)) {
-        return Err(
-            "coordinates must be 0 or from 1e-100 to 1e100 in size; scale the outline".into()
-        );
-    }
-    let greatest = points().map(|point| point.abs().max_element()).fold(0.0, f64::max);
-    let mut vertices = Vertices::new(DVec2::ZERO, ROUNDING * greatest);
+    let mut vertices = Vertices::new(DVec2::ZERO, rounding(layers)?);
     let (chords, repeated) = chords(layers, &mut vertices);
     let edges = (0..).zip(&chords).map(|(chord, it)| Edge { ends: it.ends, chord }).collect();
     let (edges, added) = crossings::parted(edges, &mut vertices)?;
@@ -127,7 +135,7 @@ pub(super) fn overlay(
 }
 
 /// The chords of all rings, and how many straight pieces have no length.
-fn chords<'a>(layers: &[Layer<'a>], vertices: &mut Vertices) -> (Vec<Chord<'a>>, usize) {
+pub(super) fn chords<'a>(layers: &[Layer<'a>], vertices: &mut Vertices) -> (Vec<Chord<'a>>, usize) {
     let mut chords = Vec::new();
     let mut repeated = 0;
     let rings = layers.iter().enumerate().flat_map(|(layer, it)| {
@@ -194,7 +202,7 @@ fn turned_back(steps: &[Step], first: usize) -> Vec<Step> {
 }
 
 /// A ring of pieces: whole chords of a curve are the curve.
-fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> DrawnRing {
+pub(super) fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> DrawnRing {
     let mut pieces = Vec::with_capacity(steps.len());
     let mut rest = steps;
     while let [step, ..] = rest {
@@ -208,7 +216,11 @@ fn ring(steps: &[Step], points: &[DVec2], chords: &[Chord<'_>]) -> DrawnRing {
         // The file's own point: 0 may be -0.
         let is_own = step.forward && at_start && is_first;
         pieces.push(Piece {
-            start: if is_own { start } else { points[step.from as usize] },
+            start: if is_own && start == points[step.from as usize] {
+                start
+            } else {
+                points[step.from as usize]
+            },
             curve: match (is_whole, step.forward) {
                 (true, true) => curve,
                 (true, false) => reversed(curve),

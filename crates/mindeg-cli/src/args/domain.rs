@@ -75,6 +75,15 @@ pub(crate) struct OutlineOptions {
     #[arg(long, requires = "domain")]
     pub(crate) repair: bool,
 
+    /// How near to each other --repair makes points one, where polygons are regions of one mesh; without it as
+    /// near as rounding parts them
+    #[arg(long, value_name = "LENGTH", value_parser = length, requires = "repair", allow_hyphen_values = true)]
+    pub(crate) snap: Option<f64>,
+
+    /// Whether polygons are regions of one mesh
+    #[arg(skip)]
+    pub(crate) together: bool,
+
     /// What --repair counts as inside: evenodd or nonzero; without it the fill rule of an SVG, else evenodd
     #[arg(long, value_name = "RULE", requires = "repair")]
     pub(crate) fill_rule: Option<FillRule>,

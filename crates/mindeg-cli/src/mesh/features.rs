@@ -8,7 +8,7 @@ use mindeg_files::{Format, PolygonFile};
 use std::path::PathBuf;
 
 /// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
-pub(super) fn are_one_map(arguments: &MeshArguments) -> bool {
+pub(crate) fn are_one_map(arguments: &MeshArguments) -> bool {
     let is_one = |path: &PathBuf| !is_pattern(path);
     arguments.interior.interior
         && !arguments.separate

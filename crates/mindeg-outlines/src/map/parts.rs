@@ -15,13 +15,17 @@ use crate::overlay::faces::Graph;
 use crate::overlay::turns_left;
 use crate::text::shown;
 
+/// The region of a face, and a point in it.
+type Face = (u32, DVec2);
+
 /// The rings and lines of one domain, and its regions.
 pub(super) struct Part {
     pub(super) outer: Run,
     pub(super) holes: Vec<Run>,
     pub(super) lines: Vec<Run>,
-    /// Each face's region, and a point in it.
-    pub(super) regions: Vec<(u32, DVec2)>,
+    pub(super) regions: Vec<Face>,
+    /// Points in holes whose rings are among the lines, because they touch other rings.
+    pub(super) hole_faces: Vec<DVec2>,
     points: Vec<DVec2>,
 }
 
@@ -29,6 +33,42 @@ impl Part {
     /// Whether a point lies inside the outer ring or at a point of it, and in no hole.
     pub(super) fn holds(&self, at: DVec2) -> bool {
         self.points.contains(&at) || contains(&self.points, &[at])
+    }
+}
+
+/// A hole between regions that is far longer than wide.
+pub(super) struct Gap {
+    at: DVec2,
+    width: f64,
+    length: f64,
+    regions: [u32; 2],
+}
+
+/// A hole between regions whose width is a smaller share of its length is a gap.
+const SLIVER: f64 = 1e-3;
+
+impl Gap {
+    /// The gap on the left of a ring, if it lies between several regions.
+    fn of(plane: &Plane<'_>, steps: &[Step], points: &[DVec2]) -> Option<Self> {
+        let regions = || steps.iter().filter_map(|step| plane.right_of(step));
+        let first = regions().next()?;
+        let regions = [first, regions().find(|&region| region != first)?];
+        let ends = points.iter().zip(points.iter().cycle().skip(1));
+        let length = ends.map(|(a, b)| a.distance(*b)).sum::<f64>() / 2.0;
+        let width = doubled_area(points).abs() / 2.0 / length;
+        (width < SLIVER * length).then_some(Self { at: points[0], width, length, regions })
+    }
+
+    pub(super) fn error(&self, names: &[String]) -> OutlineError {
+        let [one, other] = self.regions.map(|region| &names[region as usize]);
+        let problem = format!(
+            "a gap {:.1e} wide and {:.1e} long is between {one} and {other}; --repair --snap {:.1e} closes it, --repair \
+             alone keeps it",
+            self.width,
+            self.length,
+            2.0 * self.width
+        );
+        OutlineError::place(shown(self.at), problem)
     }
 }
 
@@ -52,8 +92,11 @@ impl Parts {
     }
 }
 
-/// The domains of a plane, in the order of their first regions.
-pub(super) fn parts(plane: &Plane<'_>, regions: usize) -> Result<Vec<Part>, OutlineError> {
+/// The domains of a plane, in the order of their first regions, and the longest gap between regions.
+pub(super) fn parts(
+    plane: &Plane<'_>,
+    regions: usize,
+) -> Result<(Vec<Part>, Option<Gap>), OutlineError> {
     let graph = Graph::new(&plane.links, &plane.points);
     plane.check_sides(&graph)?;
     let mut sets = DisjointSets::new(regions);
@@ -72,8 +115,9 @@ pub(super) fn parts(plane: &Plane<'_>, regions: usize) -> Result<Vec<Part>, Outl
         let run = Run { end: steps[0].from, steps };
         if turns_left(&points) {
             found.of_set.entry(set).or_default().push(found.parts.len());
-            let (holes, lines, regions) = (Vec::new(), Vec::new(), Vec::new());
-            found.parts.push(Part { outer: run, holes, lines, regions, points });
+            let (holes, lines) = (Vec::new(), Vec::new());
+            let (regions, hole_faces) = (Vec::new(), Vec::new());
+            found.parts.push(Part { outer: run, holes, lines, regions, hole_faces, points });
         } else {
             holes.push((set, run, points));
         }
@@ -92,15 +136,16 @@ pub(super) fn parts(plane: &Plane<'_>, regions: usize) -> Result<Vec<Part>, Outl
             part.lines.push(run);
         }
     }
-    for (region, at) in faces(plane, &graph, regions)? {
+    let (faces, gap) = faces(plane, &graph, regions)?;
+    for (region, at) in faces {
         if let Some(part) = found.around(set_of(Some(region)), &[at]) {
             part.regions.push((region, at));
         }
     }
     let mut parts = found.parts;
-    parts.iter().try_for_each(|part| check_touches(plane, part))?;
+    parts.iter_mut().try_for_each(|part| part_touching_holes(plane, part))?;
     parts.sort_by_key(|part| part.regions.first().map(|region| region.0));
-    Ok(parts)
+    Ok((parts, gap))
 }
 
 /// The runs of edges between two regions, or inside one, between nodes.
@@ -132,12 +177,12 @@ fn inner_runs(plane: &Plane<'_>, graph: &Graph<'_>) -> Vec<Run> {
     runs
 }
 
-/// The faces inside regions, each with its region and a point in it, in the order of the regions.
+/// The faces inside regions, each with its region and a point in it, in the order of the regions; and the longest gap.
 fn faces(
     plane: &Plane<'_>,
     graph: &Graph<'_>,
     regions: usize,
-) -> Result<Vec<(u32, DVec2)>, OutlineError> {
+) -> Result<(Vec<Face>, Option<Gap>), OutlineError> {
     let mut edges: Vec<Vec<[DVec2; 2]>> = vec![Vec::new(); regions];
     let mut lines = Vec::new();
     for chord in 0..plane.chords.len() as u32 {
@@ -146,35 +191,49 @@ fn faces(
         lines.extend((beside == [None; 2]).then(|| plane.ends(chord)));
     }
     edges.iter_mut().for_each(|edges| edges.extend_from_slice(&lines));
-    let mut faces = Vec::new();
+    let (mut faces, mut gap) = (Vec::new(), None);
     for ((), steps) in graph.rings(|_| Some(())) {
         let ring = plane.points_of(&steps);
         let region = steps.iter().find_map(|step| plane.left_of(step));
         // A ring of two steps goes there and back.
-        let Some(region) = region.filter(|_| steps.len() > 2 && turns_left(&ring)) else {
+        if steps.len() < 3 || !turns_left(&ring) {
+            continue;
+        }
+        let Some(region) = region else {
+            let own = Gap::of(plane, &steps, &ring);
+            let length = |gap: &Option<Gap>| gap.as_ref().map_or(0.0, |gap| gap.length);
+            gap = if length(&own) > length(&gap) { own } else { gap };
             continue;
         };
-        let at = inner_point(&ring, &edges[region as usize]).ok_or_else(|| {
-            let place = format!("the region at {}", shown(ring[0]));
-            OutlineError::place(place, "it is too thin for 64-bit floats; simplify it, or drop it")
-        })?;
+        let at = inner_point(&ring, &edges[region as usize]);
+        let at = at.ok_or_else(|| too_thin("region", ring[0]))?;
         faces.push((region, at));
     }
     faces.sort_by_key(|face| face.0);
-    Ok(faces)
+    Ok((faces, gap))
 }
 
-/// Refuses holes that touch the outline or each other.
-fn check_touches(plane: &Plane<'_>, part: &Part) -> Result<(), OutlineError> {
-    let mut seen: BTreeSet<u32> = BTreeSet::new();
-    for run in std::iter::once(&part.outer).chain(&part.holes) {
-        if let Some(step) = run.steps.iter().find(|step| seen.contains(&step.from)) {
-            let at = shown(plane.points[step.from as usize]);
-            let problem =
-                "a hole touches the outline or another hole there; move one of them off the point";
-            return Err(OutlineError { is_touch: true, ..OutlineError::place(at, problem) });
+/// Makes lines of the holes that touch the outline or a hole before: rings may not touch, lines may.
+fn part_touching_holes(plane: &Plane<'_>, part: &mut Part) -> Result<(), OutlineError> {
+    let mut seen: BTreeSet<u32> = part.outer.steps.iter().map(|step| step.from).collect();
+    for run in std::mem::take(&mut part.holes) {
+        if run.steps.iter().any(|step| seen.contains(&step.from)) {
+            let mut ring = plane.points_of(&run.steps);
+            ring.reverse();
+            let edges: Vec<[DVec2; 2]> =
+                run.steps.iter().map(|step| plane.ends(step.chord)).collect();
+            part.hole_faces
+                .push(inner_point(&ring, &edges).ok_or_else(|| too_thin("hole", ring[0]))?);
+            part.lines.push(run);
+        } else {
+            seen.extend(run.steps.iter().map(|step| step.from));
+            part.holes.push(run);
         }
-        seen.extend(run.steps.iter().map(|step| step.from));
     }
     Ok(())
+}
+
+fn too_thin(what: &str, at: DVec2) -> OutlineError {
+    let place = format!("the {what} at {}", shown(at));
+    OutlineError::place(place, "it is too thin for 64-bit floats; simplify it, or drop it")
 }

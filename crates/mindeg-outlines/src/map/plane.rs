@@ -51,7 +51,9 @@ impl Run {
 impl<'a> Plane<'a> {
     /// Borders that meet at their ends alone, between regions with these names.
     pub(super) fn new(borders: &'a [Border], names: &'a [String]) -> Result<Self, OutlineError> {
-        let mut vertices = Vertices::new(DVec2::ZERO, 0.0);
+        let ends = borders.iter().map(|border| border.segment.start.abs().max_element());
+        // Points are compared bit for bit; the tolerance only decides how many are looked at.
+        let mut vertices = Vertices::new(DVec2::ZERO, f64::EPSILON * ends.fold(0.0, f64::max));
         let (mut chords, mut edges, mut begins) = (Vec::new(), Vec::new(), Vec::new());
         for (index, Border { segment, begins_side, .. }) in (0..).zip(borders) {
             let count = segment.intervals_by_turning();
@@ -86,6 +88,11 @@ impl<'a> Plane<'a> {
     /// The region on the left of a step.
     pub(super) fn left_of(&self, step: &Step) -> Option<u32> {
         self.border(step.chord).beside[usize::from(!step.forward)]
+    }
+
+    /// The region on the right of a step.
+    pub(super) fn right_of(&self, step: &Step) -> Option<u32> {
+        self.border(step.chord).beside[usize::from(step.forward)]
     }
 
     pub(super) fn border(&self, chord: u32) -> &'a Border {

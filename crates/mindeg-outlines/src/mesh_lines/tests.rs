@@ -194,7 +194,7 @@ fn two_surfaces() -> String {
 fn map(text: &str) -> Result<mindeg_domain::Domain, String> {
     let outlines = read(text)?;
     let polygons = crate::labelled(outlines.features);
-    let (maps, _) = crate::maps(&polygons, &outlines.inside, &crate::Division::default())
+    let (maps, _) = crate::maps(&polygons, &outlines.inside, &crate::Division::default(), false)
         .map_err(|error| error.to_string())?;
     let [map] = &maps[..] else { panic!("one map") };
     Ok(map.clone())

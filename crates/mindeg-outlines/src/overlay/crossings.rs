@@ -132,7 +132,8 @@ pub(in super::super) fn meeting(one: [DVec2; 2], other: [DVec2; 2]) -> Vec<(usiz
     found
 }
 
-fn with_vertices(
+/// The edges with vertices at points inside them; counts these.
+pub(in super::super) fn with_vertices(
     edges: Vec<Edge>,
     mut meetings: Meetings,
     vertices: &mut Vertices,
