@@ -473,10 +473,31 @@ fn layers_properties_and_overlaps_are_named() {
             "no feature has the property \"name\"; they have \"title\"",
         ),
         (&[&wkt], "(4.0, 2.0): a border of polygon 1 meets one of polygon 2 there"),
+        (&[&wkt, "--snap", "1"], "--repair"),
         (&[&wkt, "--name-by", "name"], "WKT has no properties; polygons are named by"),
         (&[&wkt, "--layer", "name"], "WKT has no layers; a layer is an object of TopoJSON"),
     ] {
         mindeg([&["mesh", "--interior", "-o", &out][..], options].concat()).refuses(&[message]);
         assert!(!Path::new(&out).exists());
     }
+}
+
+#[test]
+fn a_repair_of_regions_keeps_their_borders_shared() {
+    // The second covers a strip of the first, and lacks a point of the third by a little.
+    let wkt = "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((3 0, 8 0, 8 4, 3 4)) POLYGON((8 0, 9 0, 9 4, 8 4, 8.00001 2))";
+    let folder = folder(&[("a.wkt", wkt)]);
+    let at = |name: &str| folder.path().join(name).to_str().expect("a name").to_owned();
+    let (file, out) = (at("a.wkt"), at("out.obj"));
+    let mesh = ["mesh", &file, "--interior", "-o", &out];
+    let way_out = "; --repair mends such places, and says what it changes";
+    mindeg(mesh).refuses(&["a border of polygon 1 meets one of polygon 2 there", way_out]);
+    let run = mindeg([&mesh[..], &["--repair", "--snap", "0.001"]].concat());
+    assert_eq!(run.code, Some(0), "{}", run.errors);
+    for words in ["with points nearer than 1.00e-3 as one", "gave an area of 4.00e0", "in 1 part:"]
+    {
+        assert!(run.errors.contains(words), "{words}: {}", run.errors);
+    }
+    let obj = text(Path::new(&out));
+    assert_eq!(groups(&obj).len(), 3);
 }
