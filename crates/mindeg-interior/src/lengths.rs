@@ -52,11 +52,12 @@ impl SizeReport {
         let sizes: Vec<f64> = points.iter().map(|point| field.at(*point)).collect();
         let frozen: BTreeSet<[u32; 2]> =
             frozen_edges(outline, options).map(|edge| sorted(outline.ends(edge))).collect();
+        let given = (outline.points().len() + outline.inner_points().len()) as u32;
         let (mut near, mut count) = (0_usize, 0_usize);
         let (mut least, mut greatest) = (f64::INFINITY, 0.0_f64);
         for [a, b] in triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]) {
             // Each edge inside once.
-            if a > b || frozen.contains(&[a, b]) {
+            if a > b || b < given && frozen.contains(&[a, b]) {
                 continue;
             }
             let [from, to] = [a, b].map(|vertex| vertex as usize);
