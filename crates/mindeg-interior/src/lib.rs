@@ -68,6 +68,7 @@ mod improve;
 mod invariants;
 mod lengths;
 pub mod limits;
+mod measure;
 mod near;
 mod operations;
 mod optimise;
