@@ -204,6 +204,6 @@ pub fn least_max_degree(problem: &Problem, progress: Progress<'_>) -> Result<u32
     } else if let Domain::Rings(_) = problem.domain {
         Err(Unsolved::Undecided)
     } else {
-        Err(Unsolved::TooLarge { max_triples: problem.max_triples() })
+        Err(Unsolved::TooLarge { max_triples: problem.max_triples })
     }
 }

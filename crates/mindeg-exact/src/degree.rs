@@ -57,7 +57,7 @@ impl DegreeRange {
 
     /// Whether the work may end: the degree is proven, or the problem's wanted degree is reached or excluded.
     fn is_decided(&self, problem: &Problem) -> bool {
-        let wanted = problem.wanted_degree();
+        let wanted = problem.wanted_degree;
         self.is_proven()
             || wanted.is_some_and(|wanted| self.max_degree <= wanted || wanted < self.lower_bound)
     }
@@ -257,7 +257,7 @@ fn polygon(
     while !range.is_decided(problem) {
         // The lower half first: a smaller limit takes less time, and windows are seldom far off.
         let middle = range.lower_bound + (range.max_degree - 1 - range.lower_bound) / 2;
-        let max_degree = problem.wanted_degree().unwrap_or(middle);
+        let max_degree = problem.wanted_degree.unwrap_or(middle);
         let mut found = None;
         for share in SEARCHED_SHARES {
             found = any_triangulation(problem, chords, max_degree, share * start, progress)?;
@@ -287,7 +287,7 @@ fn by_windows(
     lower_bound: u32,
     progress: Progress<'_>,
 ) -> Result<(u32, Vec<[u32; 3]>), Unsolved> {
-    let enough = problem.wanted_degree().unwrap_or(lower_bound);
+    let enough = problem.wanted_degree.unwrap_or(lower_bound);
     if enough < lower_bound {
         return Ok((problem.max_degree_of(&mesh.triangles), mesh.triangles.clone()));
     }

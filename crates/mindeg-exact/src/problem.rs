@@ -52,11 +52,11 @@ pub struct Problem {
     sides: Sides,
     external_degrees: Vec<u32>,
     degree_limits: Vec<Option<u32>>,
-    max_triples: u64,
+    pub(crate) max_triples: u64,
     /// All chords that a triangulation may use, once they are known.
     visible: OnceLock<Chords>,
     max_steps: u64,
-    wanted_degree: Option<u32>,
+    pub(crate) wanted_degree: Option<u32>,
 }
 
 /// The domain that the points bound.
@@ -209,11 +209,6 @@ impl Problem {
     /// triangulation has at most this maximum degree.
     pub fn set_wanted_degree(&mut self, degree: u32) {
         self.wanted_degree = Some(degree);
-    }
-
-    /// The degree of [`set_wanted_degree`](Self::set_wanted_degree).
-    pub(crate) fn wanted_degree(&self) -> Option<u32> {
-        self.wanted_degree
     }
 
     /// The points, by vertex.
@@ -391,11 +386,6 @@ impl Problem {
     /// The most chords that exact work takes.
     pub(crate) fn max_chords(&self) -> usize {
         MAX_CHORDS.min(usize::try_from(self.max_triples).unwrap_or(MAX_CHORDS))
-    }
-
-    /// The limit of [`set_max_triples`](Self::set_max_triples).
-    pub(crate) fn max_triples(&self) -> u64 {
-        self.max_triples
     }
 }
 

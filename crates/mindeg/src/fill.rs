@@ -12,12 +12,14 @@
 //! Limits: the filling may cross other triangles; [`Filled::crossings`] names where.
 
 mod joint;
+mod posed;
 
 use self::joint::Shares;
+use self::posed::posed;
 use crate::error::MeshError;
 use crate::loops::{Loops, MeshLoop};
 use glam::DVec3;
-use mindeg_exact::{LoopLimit, LoopProblem, Unsolved, fill_loop};
+use mindeg_exact::{LoopLimit, Unsolved, fill_loop};
 use mindeg_mesh::crossing::crossings;
 use mindeg_mesh::parallel::map_all;
 use mindeg_mesh::quality::TriangleQuality;
@@ -269,28 +271,6 @@ fn levels(tasks: &[usize], all: &[MeshLoop]) -> Vec<Vec<usize>> {
         levels[level].push(index);
     }
     levels
-}
-
-/// A loop as the solver takes it, by its vertices backward: so the filling faces as the mesh does. `degrees` count
-/// instead of those of the mesh.
-fn posed(
-    mesh: &TriMesh,
-    found: &MeshLoop,
-    loops: &Loops,
-    degrees: Option<&[u32]>,
-) -> Result<LoopProblem, Unsolved> {
-    let backward = || found.vertices.iter().rev().copied();
-    let points: Vec<_> = backward().map(|vertex| mesh.positions()[vertex as usize]).collect();
-    let own: Vec<u32> = backward().map(|vertex| loops.degrees[vertex as usize]).collect();
-    let mut places: Vec<(u32, u32)> = backward().zip(0..).collect();
-    places.sort_unstable();
-    let place = |vertex: u32| {
-        places.binary_search_by_key(&vertex, |&(vertex, _)| vertex).ok().map(|at| places[at].1)
-    };
-    let there = backward().zip(0..).flat_map(|(vertex, own)| {
-        loops.neighbors(vertex).filter_map(place).map(move |other| [own, other])
-    });
-    LoopProblem::new(&points, degrees.unwrap_or(&own), there)
 }
 
 /// The minimum angle of some triangles, in degrees.

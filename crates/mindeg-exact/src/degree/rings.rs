@@ -88,7 +88,7 @@ fn close(
 ) -> Result<(), Unsolved> {
     let mut is_upward = true;
     while !range.is_decided(problem) && steps > 1 {
-        let wanted = problem.wanted_degree();
+        let wanted = problem.wanted_degree;
         let (degree, order) = if is_upward {
             (wanted.unwrap_or(range.lower_bound), Order::Chords)
         } else {

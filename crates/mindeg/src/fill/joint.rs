@@ -6,9 +6,9 @@
 //!
 //! Limits: loops that share two vertices or more, of which both might make the same edge, are not decided together.
 
-use super::{FIRST_LIMIT, MeshLoop, posed};
+use super::posed::posed;
 use crate::error::MeshError;
-use crate::loops::Loops;
+use crate::loops::{Loops, MeshLoop};
 use mindeg_exact::{
     COVER_STEPS, Cover, Decision, LoopLimit, LoopProblem, LoopTriangulation, Unsolved, fill_loop,
 };
@@ -87,7 +87,7 @@ pub(super) fn solve(
     (limit, degrees): &(u32, Vec<u32>),
     progress: Progress<'_>,
 ) -> Result<LoopTriangulation, Unsolved> {
-    let any = LoopLimit::LeastWithin { from: FIRST_LIMIT, extra_area: f64::INFINITY };
+    let any = LoopLimit::LeastWithin { from: *limit, extra_area: f64::INFINITY };
     let alone = fill_loop(&posed(mesh, found, loops, None)?, any, progress)?;
     let problem = posed(mesh, found, loops, Some(degrees))?;
     let within = fill_loop(&problem, LoopLimit::AtMost(*limit), progress)?;
