@@ -14,7 +14,7 @@ use crate::facts::{Facts, SIGNED};
 use crate::words::{number, words};
 
 use read::{EXTENSIONS, read_files};
-pub use read::{read, read_lines};
+pub use read::{PolyFaces, PolyRegion, read, read_lines};
 use write::sections;
 
 pub(crate) const FACTS: Facts = Facts {

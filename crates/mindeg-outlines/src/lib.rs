@@ -31,6 +31,7 @@ mod curve;
 mod domain;
 mod dxf;
 mod error;
+mod faces;
 mod format;
 mod geojson;
 mod loops;

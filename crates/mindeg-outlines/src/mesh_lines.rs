@@ -67,6 +67,17 @@ pub(super) fn read_obj(bytes: &[u8]) -> Result<Outlines, OutlineError> {
 
 /// The polygons that lines form; sides begin where another line does, if `by_line`.
 pub(super) fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, OutlineError> {
+    let links = links(&file, by_line);
+    let heights = file.segments.as_flattened().iter().map(|&end| file.positions[end as usize].z);
+    let mut notes: Vec<String> = height(heights)?.into_iter().collect();
+    let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
+    let (rings, note) = loops::rings(&points, &links)?;
+    notes.extend(note);
+    Outlines::of_rings(rings, notes)
+}
+
+/// The segments of a file; sides begin where another line does, if `by_line`.
+pub(super) fn links(file: &Polylines, by_line: bool) -> Vec<Link> {
     let mut links = Vec::with_capacity(file.segments.len());
     for (index, line) in (0..).zip(&file.lines) {
         let side = (!line.name.trim().is_empty()).then(|| Shared::from(&*line.name));
@@ -76,12 +87,7 @@ pub(super) fn outlines(file: Polylines, by_line: bool) -> Result<Outlines, Outli
             Link { ends, curve: PieceCurve::Line, side: side.clone(), part_of }
         }));
     }
-    let heights = file.segments.as_flattened().iter().map(|&end| file.positions[end as usize].z);
-    let mut notes: Vec<String> = height(heights)?.into_iter().collect();
-    let points: Vec<_> = file.positions.iter().map(|point| point.truncate()).collect();
-    let (rings, note) = loops::rings(&points, &links)?;
-    notes.extend(note);
-    Outlines::of_rings(rings, notes)
+    links
 }
 
 /// The polygons that are surfaces of a file; its other lines and points lie inside them.

@@ -1,5 +1,6 @@
 //! Reading .node, .ele and .poly.
 
+use super::write::REGION;
 use crate::facts::Source;
 use crate::lists::push;
 use crate::numbered::{Named, Nodes, Numbered};
@@ -7,7 +8,7 @@ use crate::records::{Records, Words};
 use crate::words::number;
 use crate::{Polylines, ReadError};
 use glam::DVec3;
-use mindeg_mesh::{Line, TriMesh};
+use mindeg_mesh::{Line, NamedVertex, TriMesh};
 use std::collections::BTreeMap;
 use std::io::{self, BufRead, ErrorKind};
 use std::path::Path;
@@ -97,7 +98,28 @@ pub(super) fn read_files(source: Source<'_>) -> Result<TriMesh, ReadError> {
     read(&node?[..], &ele?[..], poly.as_deref())
 }
 
-/// Reads the segments of a `.poly`, and the points in its holes. `node` gives the `.node` beside it, for a
+/// The contents of a `.poly` beside its segments.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PolyFaces {
+    /// A point in each hole.
+    pub holes: Vec<DVec3>,
+    /// The regions.
+    pub regions: Vec<PolyRegion>,
+}
+
+/// A region of a `.poly`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PolyRegion {
+    /// A point in it.
+    pub at: DVec3,
+    /// "region 7" for the attribute 7.
+    pub name: String,
+    /// The greatest area of its triangles, if the file gives one above 0.
+    pub max_area: Option<f64>,
+}
+
+/// Reads the segments of a `.poly`, the points that it lists and no segment names, and the points in its holes and
+/// regions. `node` gives the `.node` beside it, for a
 /// file that has no vertices of its own.
 ///
 /// Segments in a row with the same marker are a line, which has a name unless its marker is 0, or all have
@@ -109,10 +131,11 @@ pub(super) fn read_files(source: Source<'_>) -> Result<TriMesh, ReadError> {
 pub fn read_lines(
     poly: impl BufRead,
     node: impl FnOnce() -> io::Result<Vec<u8>>,
-) -> Result<(Polylines, Vec<DVec3>), ReadError> {
+) -> Result<(Polylines, PolyFaces), ReadError> {
     let mut poly = Poly::read(poly)?;
     let mut nodes = std::mem::take(&mut poly.nodes);
-    if nodes.positions.is_empty() {
+    let has_points = !nodes.positions.is_empty();
+    if !has_points {
         const NODE: &str = "the .node beside the .poly";
         let bytes = node().map_err(|error| {
             let problem = format!(
@@ -143,10 +166,12 @@ pub fn read_lines(
         let name = if is_unnamed { String::new() } else { poly.name(marker) };
         push(&mut lines, Line { name, segments: end - 1..end, is_straight: false })?;
     }
-    Ok((
-        Polylines { positions: nodes.positions, segments, lines, ..Polylines::default() },
-        poly.holes,
-    ))
+    let mut is_named = vec![!has_points; nodes.positions.len()];
+    segments.as_flattened().iter().for_each(|&end| is_named[end as usize] = true);
+    let alone = (0..).zip(is_named).filter(|(_, is_named)| !is_named);
+    let points = alone.map(|(vertex, _)| NamedVertex { name: String::new(), vertex }).collect();
+    let positions = nodes.positions;
+    Ok((Polylines { positions, segments, lines, points, ..Polylines::default() }, poly.faces))
 }
 
 /// The vertices, in two dimensions.
@@ -201,8 +226,7 @@ struct Poly {
     nodes: Nodes,
     /// The marker of each segment, if it has one, and its ends.
     segments: Vec<(Option<i64>, [Named; 2])>,
-    /// A point in each hole.
-    holes: Vec<DVec3>,
+    faces: PolyFaces,
     names: BTreeMap<i64, String>,
 }
 
@@ -230,7 +254,22 @@ impl Poly {
             words.id()?;
             push(&mut holes, plane_point(&mut words)?)?;
         }
-        Ok(Self { nodes, segments, holes, names: rows.names })
+        let mut regions = Vec::new();
+        let count = match rows.next()? {
+            Some(mut words) => words.count("the number of regions")?,
+            None => 0,
+        };
+        for _ in 0..count {
+            let mut words = rows.expect("its last region")?;
+            words.id()?;
+            let at = plane_point(&mut words)?;
+            let attribute = words.number("the attribute of a region")?;
+            let area =
+                if words.is_empty() { None } else { Some(words.number("the maximum area")?) };
+            let max_area = area.filter(|area| *area > 0.0);
+            push(&mut regions, PolyRegion { at, name: format!("{REGION} {attribute}"), max_area })?;
+        }
+        Ok(Self { nodes, segments, faces: PolyFaces { holes, regions }, names: rows.names })
     }
 
     /// The name of a line of segments.

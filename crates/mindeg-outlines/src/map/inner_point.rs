@@ -13,23 +13,27 @@ pub(super) fn inner_point(ring: &[DVec2], edges: &[[DVec2; 2]]) -> Option<DVec2>
     let mut own: Vec<[DVec2; 2]> = own.collect();
     // The edges that are longest along an axis first.
     own.sort_by(|a, b| reach(*b).total_cmp(&reach(*a)));
-    let found = own.iter().take(TRIED).filter_map(|&edge| beside(edge, edges));
-    found.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
+    let found = |share: f64| {
+        let found = own.iter().take(TRIED).filter_map(|&edge| beside(edge, share, edges));
+        found.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, point)| point)
+    };
+    // Something may lie halfway across from every middle.
+    [0.5, 0.28125, 0.671875].into_iter().find_map(found)
 }
 
 fn reach([a, b]: [DVec2; 2]) -> f64 {
     (b - a).abs().max_element()
 }
 
-/// The point halfway from the middle of an edge to what is on its left, along the axis across it, and a measure of the
-/// room there.
-fn beside(edge: [DVec2; 2], edges: &[[DVec2; 2]]) -> Option<(f64, DVec2)> {
+/// The point halfway from a point at a share of an edge to what is on its left, along the axis across it, and a measure of
+/// the room there.
+fn beside(edge: [DVec2; 2], share: f64, edges: &[[DVec2; 2]]) -> Option<(f64, DVec2)> {
     let is_steep = (edge[1] - edge[0]).abs().y >= (edge[1] - edge[0]).abs().x;
     // Work along x: an edge that is not steep is turned by a right angle, which is exact.
     let turned = |point: DVec2| if is_steep { point } else { DVec2::new(point.y, -point.x) };
     let back = |point: DVec2| if is_steep { point } else { DVec2::new(-point.y, point.x) };
     let [a, b] = edge.map(turned);
-    let y = a.y + (b.y - a.y) / 2.0;
+    let y = a.y + (b.y - a.y) * share;
     let at_level = |[a, b]: [DVec2; 2]| a.x + (b.x - a.x) * ((y - a.y) / (b.y - a.y));
     let from = at_level([a, b]);
     // An edge that runs down has its left at greater x.

@@ -1,0 +1,97 @@
+//! The faces between lines that meet at their ends alone.
+
+use std::collections::HashMap;
+
+use glam::DVec2;
+
+use super::curve::{PieceCurve, Segment};
+use super::loops::Link;
+use super::nesting::contains;
+use super::outline::{Border, DrawnRing, Piece};
+use super::overlay::crossings::{MOST_COMPARISONS, meetings};
+use super::overlay::edge::{Edge, Step};
+use super::overlay::faces::{Graph, links};
+use super::overlay::turns_left;
+use crate::error::OutlineError;
+
+/// The bounded faces between lines, and the lines that end in them.
+pub(super) struct Faces {
+    /// The rings of each: the outer one first, then those of what lies inside.
+    pub(super) faces: Vec<Vec<DrawnRing>>,
+    pub(super) lines: Vec<Border>,
+}
+
+/// The faces between straight lines, or a place where they meet that is no end of both.
+///
+/// # Errors
+///
+/// Lines that take too long to compare.
+pub(super) fn faces(
+    points: &[DVec2],
+    lines: &[Link],
+) -> Result<Result<Faces, DVec2>, OutlineError> {
+    let is_edge = |link: &&Link| points[link.ends[0] as usize] != points[link.ends[1] as usize];
+    let given: Vec<&Link> = lines.iter().filter(is_edge).collect();
+    let edges: Vec<Edge> =
+        (0..).zip(&given).map(|(chord, link)| Edge { ends: link.ends, chord }).collect();
+    let mut budget = MOST_COMPARISONS;
+    let meetings = meetings(&edges, points, &mut budget);
+    let meetings = meetings.map_err(|problem| OutlineError::place("", problem))?;
+    if let Some(at) = meetings.values().flatten().next() {
+        return Ok(Err(*at));
+    }
+    let (links, _) = links(&edges, |_| 0);
+    let graph = Graph::new(&links, points);
+    let rings: Vec<Vec<Step>> = graph.rings(|_| Some(())).into_iter().map(|it| it.1).collect();
+    let at = |steps: &[Step]| -> Vec<DVec2> {
+        steps.iter().map(|step| points[step.from as usize]).collect()
+    };
+    let drawn = |steps: &[Step]| DrawnRing {
+        pieces: steps
+            .iter()
+            .map(|step| Piece {
+                side: given[step.chord as usize].side.clone(),
+                ..Piece::line(points[step.from as usize])
+            })
+            .collect(),
+    };
+    // A line with one face on both sides gives rings of two steps, there and back.
+    let mut of_rings: HashMap<u32, u32> = HashMap::new();
+    let is_ring = |steps: &&Vec<Step>| steps.len() > 2;
+    for step in rings.iter().filter(is_ring).flatten() {
+        *of_rings.entry(step.chord).or_default() += 1;
+    }
+    let (mut outer, mut inner) = (Vec::new(), Vec::new());
+    for steps in rings.iter().filter(is_ring) {
+        let points = at(steps);
+        let ring = drawn(steps);
+        if turns_left(&points) {
+            outer.push((points, vec![ring]));
+        } else {
+            inner.push((points, ring));
+        }
+    }
+    let area = |points: &[DVec2]| super::outline::doubled_area(points);
+    for (points, ring) in inner {
+        let around = outer.iter_mut().filter(|(outer, _)| contains(outer, &points));
+        if let Some((_, rings)) = around.min_by(|a, b| area(&a.0).total_cmp(&area(&b.0))) {
+            rings.push(ring);
+        }
+    }
+    let lines = (0..).zip(&given).filter(|(chord, _)| !of_rings.contains_key(chord));
+    let lines = lines.map(|(_, link)| {
+        let [start, end] = link.ends.map(|end| points[end as usize]);
+        let segment = Segment { start, end, curve: PieceCurve::Line };
+        Border { segment, side: link.side.clone(), begins_side: false, beside: [None; 2] }
+    });
+    Ok(Ok(Faces { lines: lines.collect(), faces: outer.into_iter().map(|it| it.1).collect() }))
+}
+
+/// Whether a point lies in a face.
+pub(super) fn is_in(face: &[DrawnRing], point: DVec2) -> bool {
+    let is_in_ring = |ring: &DrawnRing| contains(&ring.flattened(), &[point]);
+    match face {
+        [outer, holes @ ..] => is_in_ring(outer) && !holes.iter().any(is_in_ring),
+        [] => false,
+    }
+}
