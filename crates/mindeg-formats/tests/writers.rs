@@ -2,8 +2,10 @@
 
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
+use glam::DVec3;
 use mindeg::{BoundaryMesh, Domain};
 use mindeg_formats::{MeshPlane, SurfaceOptions, WriteError, glb, gltf, obj, svg};
+use mindeg_mesh::{Group, Line, TriMesh};
 use serde_json::Value;
 use std::io::{self, Write};
 
@@ -404,6 +406,29 @@ fn svg_draws_every_interior_edge_once_and_every_vertex_up_to_a_size() {
             assert_eq!(picture.contains("<path class=\"shade\""), dots > 0, "{intervals:?}");
         }
     }
+}
+
+#[test]
+fn svg_colors_groups_by_name_and_draws_lines_inside() {
+    let points = [(0, 0), (1, 0), (2, 0), (2, 1), (1, 1), (0, 1)];
+    let points = points.map(|(x, y)| DVec3::new(f64::from(x), f64::from(y), 0.0)).to_vec();
+    let triangles = vec![[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4]];
+    let picture_of = |groups: &[(&str, std::ops::Range<u32>)]| {
+        let line = |name: &str, segments| Line { name: name.into(), segments, is_straight: true };
+        let lines = vec![line("wall", 0..2), line("interface", 2..3)];
+        let groups = groups.iter().map(|(name, range)| Group::new(*name, range.clone())).collect();
+        let mesh = TriMesh::new(points.clone(), triangles.clone()).unwrap();
+        let mesh = mesh.with_groups(groups).with_lines(lines, vec![[0, 1], [1, 2], [1, 4]]).unwrap();
+        let mut picture = Vec::new();
+        svg::write(&mesh, &mut picture).unwrap();
+        String::from_utf8(picture).unwrap()
+    };
+    let picture = picture_of(&[("sand", 0..1), ("clay", 1..2), ("sand", 2..4)]);
+    assert_eq!(picture.matches("hsl(0,60%,50%)").count(), 2);
+    assert_eq!(picture.matches("hsl(137,60%,50%)").count(), 1);
+    let inner = picture.lines().find(|line| line.starts_with("<path class=\"outline\""));
+    assert_eq!(inner.unwrap().matches('M').count(), 1);
+    assert!(!picture_of(&[("sand", 0..4)]).contains("hsl"));
 }
 
 /// A writer that takes so many bytes and then fails.

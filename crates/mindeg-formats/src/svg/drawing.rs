@@ -8,7 +8,8 @@ use crate::corners::{degrees, positions, segments, triangles};
 use crate::degree_color;
 use crate::names::xml;
 use glam::{DVec2, DVec3};
-use mindeg_mesh::{Line, Mesh};
+use mindeg_mesh::{Group, Line, Mesh};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -20,6 +21,7 @@ pub(super) struct Drawing<'a> {
     /// The visible triangles, if some hide others.
     solid: Option<solid::Order>,
     triangles: Vec<[u32; 3]>,
+    groups: Vec<Group>,
     /// The colored degree of each vertex; empty if there are too many for dots.
     classes: Vec<u32>,
     /// The edges of one triangle only, as it runs, sorted.
@@ -47,6 +49,7 @@ impl<'a> Drawing<'a> {
             solid,
             boundary,
             triangles,
+            groups: mesh.groups().to_vec(),
             classes,
             lines,
             segments: segments(mesh, 0..segment_count),
@@ -59,11 +62,14 @@ impl<'a> Drawing<'a> {
         }
         let outline = self.outline();
         write_outline(&outline, "face", out)?;
-        if !self.classes.is_empty() {
+        if self.groups.len() > 1 {
+            self.write_groups(out)?;
+        } else if !self.classes.is_empty() {
             self.write_shade(out)?;
         }
         self.write_edges(out)?;
         write_outline(&outline, "outline", out)?;
+        self.write_inner_lines(out)?;
         for (class, _) in self.degree_classes() {
             self.write_dots(class, out)?;
         }
@@ -81,11 +87,8 @@ impl<'a> Drawing<'a> {
             let class = if seen.is_front { "solid" } else { "solid inside" };
             buffer.extend_from_slice(format!("<path class=\"{class}\" d=\"").as_bytes());
             let corners = self.triangles[seen.triangle as usize];
-            for (vertex, command) in corners.into_iter().zip(*b"MLL") {
-                buffer.push(command);
-                push_point(&mut buffer, self.point(vertex));
-            }
-            buffer.extend_from_slice(b"Z\"/>\n");
+            self.push_triangle(&mut buffer, &corners);
+            buffer.extend_from_slice(b"\"/>\n");
             for vertex in corners {
                 let is_last = solid.last_of_vertex[vertex as usize] == seen.triangle;
                 if let (true, Some(&class)) = (is_last, self.classes.get(vertex as usize)) {
@@ -137,12 +140,52 @@ impl<'a> Drawing<'a> {
     /// Every other triangle a shade darker, so that the strips stand out.
     fn write_shade(&self, out: &mut impl Write) -> io::Result<()> {
         let mut buffer = b"<path class=\"shade\" d=\"".to_vec();
-        for triangle in self.triangles.iter().skip(1).step_by(2) {
-            for (&vertex, command) in triangle.iter().zip(*b"MLL") {
+        self.triangles.iter().skip(1).step_by(2).for_each(|it| self.push_triangle(&mut buffer, it));
+        buffer.extend_from_slice(b"\"/>\n");
+        out.write_all(&buffer)
+    }
+
+    /// Every group in a color, the same for groups of one name.
+    fn write_groups(&self, out: &mut impl Write) -> io::Result<()> {
+        // Multiples of the golden angle: hues that follow each other are far apart.
+        const STEP: usize = 137;
+        let mut hues = BTreeMap::new();
+        let mut buffer = Vec::new();
+        for group in &self.groups {
+            let next = hues.len() * STEP % 360;
+            let hue = *hues.entry(group.name.as_str()).or_insert(next);
+            let path = format!("<path fill=\"hsl({hue},60%,50%)\" fill-opacity=\"0.2\" d=\"");
+            buffer.extend_from_slice(path.as_bytes());
+            let [start, end] = [group.triangles.start, group.triangles.end].map(|at| at as usize);
+            self.triangles[start..end].iter().for_each(|it| self.push_triangle(&mut buffer, it));
+            buffer.extend_from_slice(b"\"/>\n");
+        }
+        out.write_all(&buffer)
+    }
+
+    fn push_triangle(&self, buffer: &mut Vec<u8>, triangle: &[u32; 3]) {
+        for (&vertex, command) in triangle.iter().zip(*b"MLL") {
+            buffer.push(command);
+            push_point(buffer, self.point(vertex));
+        }
+        buffer.push(b'Z');
+    }
+
+    /// The segments of lines that are not on the boundary.
+    fn write_inner_lines(&self, out: &mut impl Write) -> io::Result<()> {
+        let is_boundary = |[from, to]: [u32; 2]| {
+            [[from, to], [to, from]].iter().any(|edge| self.boundary.binary_search(edge).is_ok())
+        };
+        let mut inner = self.segments.iter().filter(|segment| !is_boundary(**segment)).peekable();
+        if inner.peek().is_none() {
+            return Ok(());
+        }
+        let mut buffer = b"<path class=\"outline\" d=\"".to_vec();
+        for segment in inner {
+            for (&vertex, command) in segment.iter().zip(*b"ML") {
                 buffer.push(command);
                 push_point(&mut buffer, self.point(vertex));
             }
-            buffer.push(b'Z');
         }
         buffer.extend_from_slice(b"\"/>\n");
         out.write_all(&buffer)

@@ -1,10 +1,9 @@
 //! A picture of the mesh, as SVG.
 //!
-//! The outline, every interior edge, the vertices colored by degree with a legend that
-//! counts them, and along every line of the mesh its name and number of intervals. The picture stands
-//! alone: no script, no font of its own, nothing fetched; it brings its background along
-//! and turns dark where the reader's system is dark. Lines and dots shrink with the
-//! distance between vertices.
+//! The outline, every interior edge, the lines inside, the groups in colors where there are several, the vertices
+//! colored by degree with a legend that counts them, and along every line of the mesh its name and number of
+//! intervals. The picture stands alone: no script, no font of its own, nothing fetched; it brings its background along
+//! and turns dark where the reader's system is dark. Lines and dots shrink with the distance between vertices.
 //!
 //! A mesh in space is seen along the axis that its triangles face most: the one in which their
 //! normals are largest on average, weighted by area. Where some triangles then face the eye and others
