@@ -418,7 +418,8 @@ fn svg_colors_groups_by_name_and_draws_lines_inside() {
         let lines = vec![line("wall", 0..2), line("interface", 2..3)];
         let groups = groups.iter().map(|(name, range)| Group::new(*name, range.clone())).collect();
         let mesh = TriMesh::new(points.clone(), triangles.clone()).unwrap();
-        let mesh = mesh.with_groups(groups).with_lines(lines, vec![[0, 1], [1, 2], [1, 4]]).unwrap();
+        let mesh =
+            mesh.with_groups(groups).with_lines(lines, vec![[0, 1], [1, 2], [1, 4]]).unwrap();
         let mut picture = Vec::new();
         svg::write(&mesh, &mut picture).unwrap();
         String::from_utf8(picture).unwrap()

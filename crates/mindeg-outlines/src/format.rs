@@ -6,6 +6,7 @@ use std::path::Path;
 use mindeg_formats::Format;
 
 use super::outline::Outlines;
+use super::selection::Selection;
 use super::{csv, dxf, geojson, mesh_lines, poly, svg, wkt};
 use crate::error::OutlineError;
 
@@ -151,15 +152,6 @@ pub fn read(
     beside: impl Fn(&str) -> io::Result<Vec<u8>>,
 ) -> Result<Outlines, OutlineError> {
     read_selected(bytes, format, &Selection::default(), beside)
-}
-
-/// What is taken of a file, and how it is named.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Selection {
-    /// The layer that is taken: an object of TopoJSON, or a layer of a DXF. Without it the only object, or all layers.
-    pub layer: Option<String>,
-    /// The property that names polygons: of GeoJSON and TopoJSON, instead of `name` and `id`.
-    pub name_by: Option<String>,
 }
 
 /// [`read`] of a part of a file.

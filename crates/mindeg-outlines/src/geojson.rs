@@ -5,19 +5,19 @@
 //!
 //! The crate `geojson` tells what is wrong, but not in which feature or ring.
 
+mod reader;
 mod topology;
 
 use std::borrow::Cow;
-use std::collections::{BTreeMap, BTreeSet};
 
-use glam::DVec2;
 use serde::Deserialize;
+use serde_json::Value;
 use serde_json::error::Category;
-use serde_json::{Map, Value};
 
-use super::format::Selection;
-use super::outline::{DrawnRing, Feature, Outlines};
-use super::text::{at_line, counted, counted_all, quoted, text_of};
+use self::reader::{Path, Reader};
+use super::outline::Outlines;
+use super::selection::Selection;
+use super::text::{at_line, text_of};
 use crate::error::OutlineError;
 
 /// Reads a GeoJSON or TopoJSON text.
@@ -38,7 +38,8 @@ pub(super) fn read(bytes: &[u8], selection: &Selection) -> Result<Outlines, Outl
         };
         at_line(error.line() as u64, format!("column {}: {problem}", error.column()))
     })?;
-    let mut reader = Reader { name_by: selection.name_by.as_deref(), ..Reader::default() };
+    let mut reader = Reader::default();
+    reader.name_by = selection.name_by.as_deref();
     if document.get("type").and_then(Value::as_str) == Some("Topology") {
         topology::read(&document, selection.layer.as_deref(), &mut reader)?;
     } else if selection.layer.is_some() {
@@ -77,269 +78,11 @@ const TYPES: [&str; 10] = [
     "Topology",
 ];
 
-/// The most properties that a message lists.
-const MOST_PROPERTIES: usize = 12;
-
-#[derive(Default)]
-struct Reader<'a> {
-    outlines: Outlines,
-    /// The property that names features, instead of the usual ones.
-    name_by: Option<&'a str>,
-    /// The properties of features that lack that one, and how many lack it.
-    other_properties: BTreeSet<String>,
-    unnamed: usize,
-    skipped: BTreeMap<String, usize>,
-    heights: bool,
-    /// The largest absolute values of the first and the second coordinate.
-    largest: [f64; 2],
-}
-
-/// Where a value is in the document.
-enum Path<'a> {
-    Start,
-    Key(&'a Path<'a>, &'static str),
-    Item(&'a Path<'a>, usize),
-}
-
-impl Path<'_> {
-    fn text(&self) -> String {
-        match self {
-            Self::Start => String::new(),
-            Self::Key(Self::Start, key) => (*key).to_owned(),
-            Self::Key(outer, key) => format!("{}.{key}", outer.text()),
-            Self::Item(outer, index) => format!("{}[{index}]", outer.text()),
-        }
-    }
-
-    fn error(&self, problem: impl Into<String>) -> OutlineError {
-        OutlineError::place(self.text(), problem)
-    }
-}
-
-impl Reader<'_> {
-    /// Reads an object by its type; features inside carry the name of the one around them.
-    fn object(
-        &mut self,
-        value: &Value,
-        path: &Path<'_>,
-        name: Option<&str>,
-    ) -> Result<(), OutlineError> {
-        let Some(object) = value.as_object() else {
-            return Err(path.error(format!("found {}, expected a GeoJSON object", kind(value))));
-        };
-        let Some(kind) = object.get("type").and_then(Value::as_str) else {
-            return Err(path.error("\"type\" is missing, such as \"type\": \"Polygon\""));
-        };
-        match kind {
-            "FeatureCollection" => self.each(object, "features", path, None),
-            "GeometryCollection" => self.each(object, "geometries", path, name),
-            "Feature" => {
-                let own = self.own_name(object);
-                match object.get("geometry") {
-                    None | Some(Value::Null) => {
-                        self.skip("feature without geometry");
-                        Ok(())
-                    }
-                    Some(geometry) => {
-                        self.object(geometry, &Path::Key(path, "geometry"), own.as_deref())
-                    }
-                }
-            }
-            "Polygon" => {
-                let rings = list(object, "coordinates", path)?;
-                self.polygon(rings, &Path::Key(path, "coordinates"), name)?;
-                self.outlines.end_shape();
-                Ok(())
-            }
-            "MultiPolygon" => {
-                let path = &Path::Key(path, "coordinates");
-                for (index, rings) in list(object, "coordinates", path)?.iter().enumerate() {
-                    let path = &Path::Item(path, index);
-                    self.polygon(items(rings, "rings", path)?, path, name)?;
-                }
-                self.outlines.end_shape();
-                Ok(())
-            }
-            "Point" | "MultiPoint" | "LineString" | "MultiLineString" => {
-                self.skip(kind);
-                Ok(())
-            }
-            other => Err(path.error(format!(
-                "the type {} is none of GeoJSON; expected \"FeatureCollection\", \"Feature\", \
-                 \"Polygon\" or \"MultiPolygon\"",
-                quoted(other)
-            ))),
-        }
-    }
-
-    fn each(
-        &mut self,
-        object: &Map<String, Value>,
-        key: &'static str,
-        path: &Path<'_>,
-        name: Option<&str>,
-    ) -> Result<(), OutlineError> {
-        let values = list(object, key, path)?;
-        let path = &Path::Key(path, key);
-        let mut values = values.iter().enumerate();
-        values.try_for_each(|(index, value)| self.object(value, &Path::Item(path, index), name))
-    }
-
-    fn skip(&mut self, what: &str) {
-        *self.skipped.entry(what.to_owned()).or_default() += 1;
-    }
-
-    fn polygon(
-        &mut self,
-        rings: &[Value],
-        path: &Path<'_>,
-        name: Option<&str>,
-    ) -> Result<(), OutlineError> {
-        if rings.is_empty() {
-            self.skip("empty polygon");
-            return Ok(());
-        }
-        let rings = rings.iter().enumerate().map(|(index, ring)| {
-            let path = &Path::Item(path, index);
-            let points = items(ring, "positions", path)?.iter().enumerate();
-            let points = points
-                .map(|(index, position)| self.position(position, &Path::Item(path, index)))
-                .collect::<Result<Vec<_>, _>>()?;
-            if points.is_empty() {
-                return Err(path.error("the ring has no positions; drop it"));
-            }
-            Ok(DrawnRing::of_points(points))
-        });
-        let rings = rings.collect::<Result<_, _>>()?;
-        self.add(name, rings);
-        Ok(())
-    }
-
-    fn add(&mut self, name: Option<&str>, rings: Vec<DrawnRing>) {
-        self.outlines.features.push(Feature {
-            name: name.map(str::to_owned),
-            rings,
-            ..Feature::default()
-        });
-    }
-
-    fn position(&mut self, value: &Value, path: &Path<'_>) -> Result<DVec2, OutlineError> {
-        let numbers = items(value, "two numbers", path)?;
-        let [x, y, rest @ ..] = numbers else {
-            return Err(path.error("a position needs two numbers, such as [4.5, 52.1]"));
-        };
-        self.heights |= !rest.is_empty();
-        let number = |value: &Value| {
-            value.as_f64().filter(|number| number.is_finite()).ok_or_else(|| {
-                path.error(format!("found {} in a position, expected a number", kind(value)))
-            })
-        };
-        let point = DVec2::new(number(x)?, number(y)?);
-        self.measure(point);
-        Ok(point)
-    }
-
-    fn measure(&mut self, point: DVec2) {
-        self.largest = [self.largest[0].max(point.x.abs()), self.largest[1].max(point.y.abs())];
-    }
-
-    /// The property that was chosen, or `properties.name` in any case, else `id`.
-    fn own_name(&mut self, feature: &Map<String, Value>) -> Option<String> {
-        let properties = feature.get("properties").and_then(Value::as_object);
-        let by_key = |wanted: &str| properties.and_then(|properties| properties.get(wanted));
-        let id = || as_name(feature.get("id")?);
-        let Some(wanted) = self.name_by else {
-            let named = ["name", "NAME", "Name"].into_iter().find_map(|key| as_name(by_key(key)?));
-            return named.or_else(id);
-        };
-        let name = by_key(wanted).and_then(as_name);
-        let name = name.or_else(|| if wanted == "id" { id() } else { None });
-        if name.is_none() {
-            self.unnamed += 1;
-            self.other_properties.extend(properties.into_iter().flat_map(Map::keys).cloned());
-        }
-        name
-    }
-
-    fn end(mut self) -> Result<Outlines, OutlineError> {
-        let notes = &mut self.outlines.notes;
-        if !self.skipped.is_empty() {
-            let skipped = counted_all(&self.skipped);
-            if self.outlines.features.is_empty() {
-                let problem = format!("no Polygon or MultiPolygon, only {skipped}");
-                return Err(Path::Start.error(problem));
-            }
-            notes.push(format!("left out {skipped}"));
-        }
-        if self.heights {
-            notes.push("left out the heights of positions".to_owned());
-        }
-        if self.largest[0] <= 90.0 && (90.0..=180.0).contains(&self.largest[1]) {
-            notes.push(format!(
-                "the second coordinates go up to {}, and latitudes to 90: GeoJSON has longitude first",
-                self.largest[1]
-            ));
-        }
-        if self.outlines.features.is_empty() {
-            return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));
-        }
-        if let Some(wanted) = self.name_by.filter(|_| self.unnamed > 0) {
-            let is_any = self.outlines.features.iter().any(|feature| feature.name.is_some());
-            let mut others =
-                self.other_properties.iter().map(|key| quoted(key)).collect::<Vec<_>>();
-            others.truncate(MOST_PROPERTIES);
-            let others = if others.is_empty() { "none".to_owned() } else { others.join(", ") };
-            let wanted = quoted(wanted);
-            if !is_any {
-                let problem = format!("no feature has the property {wanted}; they have {others}");
-                return Err(Path::Start.error(problem));
-            }
-            let unnamed = counted(self.unnamed, "feature");
-            notes.push(format!("{unnamed} without the property {wanted}"));
-        }
-        Ok(self.outlines)
-    }
-}
-
-fn as_name(value: &Value) -> Option<String> {
-    match value {
-        Value::String(text) if !text.trim().is_empty() => Some(text.clone()),
-        Value::Number(number) => Some(number.to_string()),
-        _ => None,
-    }
-}
-
-fn list<'a>(
-    object: &'a Map<String, Value>,
-    key: &'static str,
-    path: &Path<'_>,
-) -> Result<&'a [Value], OutlineError> {
-    let Some(value) = object.get(key) else {
-        return Err(path.error(format!("{key:?} is missing")));
-    };
-    items(value, key, &Path::Key(path, key))
-}
-
-fn items<'a>(value: &'a Value, what: &str, path: &Path<'_>) -> Result<&'a [Value], OutlineError> {
-    let items = value.as_array().map(Vec::as_slice);
-    items.ok_or_else(|| path.error(format!("found {}, expected a list of {what}", kind(value))))
-}
-
-/// The kind of a value, for messages.
-fn kind(value: &Value) -> String {
-    match value {
-        Value::Null => "null".to_owned(),
-        Value::Bool(it) => it.to_string(),
-        Value::Number(number) => format!("the number {number}"),
-        Value::String(text) => format!("the text {}", quoted(text)),
-        Value::Array(_) => "a list".to_owned(),
-        Value::Object(_) => "an object".to_owned(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::outline::DrawnRing;
     use super::*;
+    use glam::DVec2;
 
     const RING: &str = "[[0, 0], [4, 0], [0.1, 3], [0, 0]]";
 

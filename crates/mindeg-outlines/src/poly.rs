@@ -246,7 +246,7 @@ mod tests {
     fn map(text: &str) -> Result<mindeg_domain::Domain, String> {
         let outlines = read(text)?;
         let polygons = crate::labelled(outlines.features);
-        let found = crate::maps(&polygons, &outlines.inside, &crate::Division::default());
+        let found = crate::maps(&polygons, &outlines.inside, &crate::Division::default(), false);
         let (maps, _) = found.map_err(|error| error.to_string())?;
         let [map] = &maps[..] else { panic!("one map") };
         Ok(map.clone())

@@ -3,7 +3,7 @@
 use glam::DVec2;
 use serde_json::{Map, Value};
 
-use super::{Path, Reader, items, kind, list};
+use super::reader::{Path, Reader, items, kind, list};
 use crate::error::OutlineError;
 use crate::outline::DrawnRing;
 use crate::text::quoted;
