@@ -3,7 +3,7 @@
 use crate::hostile::{GridPoint, Hostile, assert_fills, star};
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use mindeg_interior::{Options, Prefer, SizeAt, generate};
+use mindeg_interior::{Options, Prefer, Size, SizeAt, generate};
 use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
@@ -51,7 +51,8 @@ pub(crate) fn run(input: Input) {
     options.wanted.max_points = Some(3_000);
     options.wanted.growth = input.growth.map(|growth| growth.0);
     options.wanted.size_inside = input.size_inside.map(|size| size.0);
-    let size = |&(at, size): &([Hostile; 2], Hostile)| SizeAt { at: place(at), size: size.0 };
+    let size =
+        |&(at, size): &([Hostile; 2], Hostile)| Size::At(SizeAt { at: place(at), size: size.0 });
     options.wanted.sizes = input.sizes.iter().take(3).map(size).collect();
     if let Some((low, high, boundary)) = input.degrees {
         options.wanted.interior_degree = Some(u32::from(low % 8)..=u32::from(high % 12));
