@@ -185,7 +185,10 @@ fn sides_of_one_name_are_one_group_in_every_format() {
                 " 3 0.3333333333333333 0 3",
             ],
         ),
-        (Format::Npz, &["segment_names.npy", "named_points.npy", "w\0\0\0a\0\0\0l\0\0\0l\0\0\0"]),
+        (
+            Format::Npz,
+            &["w\0\0\0a\0\0\0l\0\0\0l\0\0\0", "g\0\0\0a\0\0\0u\0\0\0g\0\0\0e\0\0\0g\0\0\0"],
+        ),
     ] {
         let text = text(format);
         let text = text.replace("  ", " ");

@@ -22,20 +22,27 @@ pub(super) fn write(mesh: &dyn Mesh, fields: bool, out: impl Write + Send) -> io
         ("triangles.npy", head("<u4", count, Some(3)), numbers.records(0..count, corners)),
     ];
     let lines = NamedRuns::of_lines(mesh);
-    let count = mesh.lines().last().map_or(0, |line| line.segments.end);
-    if count > 0 {
+    let segment_count = mesh.lines().last().map_or(0, |line| line.segments.end);
+    if segment_count > 0 {
         let ends = |range| segments(mesh, range).into_iter();
         let kept = lines.clone();
         let indices = move |range| kept.of(range).map(|index| [index]);
         arrays.extend([
-            ("segments.npy", head("<u4", count, Some(2)), numbers.records(0..count, ends)),
-            ("segment_groups.npy", head("<i4", count, None), numbers.records(0..count, indices)),
+            (
+                "segments.npy",
+                head("<u4", segment_count, Some(2)),
+                numbers.records(0..segment_count, ends),
+            ),
+            (
+                "segment_groups.npy",
+                head("<i4", segment_count, None),
+                numbers.records(0..segment_count, indices),
+            ),
             text_array("segment_names.npy", &lines.names),
         ]);
     }
     let groups = NamedRuns::of_groups(mesh);
     if groups.names.iter().any(|name| !name.is_empty()) {
-        let count = mesh.triangle_count();
         let kept = groups.clone();
         let indices = move |range| kept.of(range).map(|index| [index]);
         arrays.extend([
