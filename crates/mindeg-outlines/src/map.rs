@@ -35,7 +35,7 @@ const OUTSIDE: &str = "outside";
 ///
 /// # Errors
 ///
-/// Polygons that overlap or cross, lines and points outside all of them, and everything else that [`domains`] refuses.
+/// Polygons that overlap or cross, lines and points outside all of them, and everything that [`Domain`] refuses.
 pub fn maps(
     polygons: &[Polygon],
     inside: &DrawnInside,
