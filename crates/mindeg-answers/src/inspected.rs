@@ -1,4 +1,4 @@
-//! What an inspection found, in the words of its JSON, which `docs/inspect.md` explains.
+//! The result of an inspection, in the words of its JSON, which `docs/inspect.md` explains.
 
 mod polygon;
 
@@ -12,7 +12,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
-/// What `mindeg inspect --json` prints, and what `mindeg.inspect` gives in Python. Angles are in degrees; vertices,
+/// The result of `mindeg inspect --json`, and of `mindeg.inspect` in Python. Angles are in degrees; vertices,
 /// faces and triangles have indices from 0.
 #[derive(Debug, Serialize)]
 pub struct InspectionReport {
@@ -32,7 +32,7 @@ pub struct InspectionReport {
     pub line_segments: u64,
     /// Points that stand alone.
     pub points: u64,
-    /// What was left out when the mesh was read.
+    /// The parts of the file that the reader left out.
     pub not_read: Vec<String>,
     /// Faces: a polygon is one.
     pub faces: usize,
@@ -157,7 +157,7 @@ impl ThinTriangle {
 }
 
 impl InspectionReport {
-    /// What `inspection` found in `mesh` under `options`, and the least degree of its outline.
+    /// The result of `inspection` of `mesh` under `options`, and the least degree of its outline.
     ///
     /// O(n) for the report. The least degree of an outline that is not convex takes about a second
     /// at most; where it would take more, it is left out.

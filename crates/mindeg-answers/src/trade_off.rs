@@ -31,7 +31,7 @@ pub struct TradeOffAnswer {
     pub advised: Option<u32>,
 }
 
-/// What one maximum degree allows.
+/// The largest minimum angle under one maximum degree.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct AngleAtDegree {
     /// The most edges that a vertex may have.
@@ -102,7 +102,7 @@ impl TradeOffAnswer {
         }
     }
 
-    /// What is not proven, in a sentence.
+    /// The gap of the proof, in a sentence.
     #[must_use]
     pub fn open_question(&self) -> Option<&'static str> {
         if self.points.iter().all(|point| point.exact) {

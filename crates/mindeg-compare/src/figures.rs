@@ -34,13 +34,13 @@ pub struct DomainFigures {
     pub at_least: u32,
 }
 
-/// What one method gives.
+/// The mesh of one method in figures.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct MethodFigures {
     /// The name of the method.
     #[serde(rename = "name")]
     pub method: Method,
-    /// What the method does, in a sentence.
+    /// The method in a sentence.
     pub description: String,
     /// The first method with exactly the same triangles, if one before this has them.
     pub same_mesh_as: Option<Method>,
@@ -63,7 +63,7 @@ pub struct MethodFigures {
     /// Whether the triangles have passed the check: all of them counter-clockwise, none flat, every
     /// boundary edge in one and every interior edge in two.
     pub valid: bool,
-    /// What is wrong where `valid` is false; empty otherwise.
+    /// The fault where `valid` is false; empty otherwise.
     pub defects: Vec<MethodDefect>,
     /// The time from the boundary points to the list of triangles; `null` where there is none.
     pub seconds: Option<f64>,
@@ -84,7 +84,7 @@ impl MethodFigures {
 /// Why a method has no valid triangulation.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct MethodDefect {
-    /// What it is.
+    /// The kind of defect.
     pub kind: DefectKind,
     /// How often, where that can be counted.
     pub count: Option<u64>,

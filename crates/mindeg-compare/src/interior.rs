@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 /// A mesh with interior points in figures; what it does not have is null.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, JsonSchema)]
 pub struct InteriorFigures {
-    /// What made the mesh.
+    /// The program that made the mesh.
     pub method: String,
     /// How.
     pub description: String,

@@ -34,7 +34,7 @@ impl Method {
     /// Delaunay triangulation, with which all others are compared.
     pub const DELAUNAY: Self = Self::Reference(Reference::Delaunay);
 
-    /// What the method does, in a sentence.
+    /// The method in a sentence.
     #[must_use]
     pub fn description(self) -> Cow<'static, str> {
         match self {

@@ -54,25 +54,25 @@ use std::io::{self, Write};
                    from run to run."
 )]
 pub struct Report {
-    /// What made the report.
+    /// The program that made the report.
     pub provenance: Provenance,
-    /// What was triangulated.
+    /// The domain that was triangulated.
     pub domain: DomainFigures,
     /// Which mesh to take; null where there is no valid Delaunay triangulation to compare with, or
     /// where the degrees between the least and its were not worked out.
     pub advice: Option<Advice>,
     /// mindeg first, then the methods it is compared with. All have the same boundary points.
     pub methods: Vec<MethodFigures>,
-    /// What every degree buys, exactly; null where the domain is too large for that or the time
+    /// The largest minimum angle of every degree, exactly; null where the domain is too large for that or the time
     /// limit too short. The methods named exact are meshes of its points.
     pub trade_off: Option<TradeOffAnswer>,
     /// Meshes with interior points on the same boundary; empty unless asked for.
     pub interior: Vec<InteriorFigures>,
-    /// What the figures say, in words.
+    /// The figures in words.
     pub verdict: String,
 }
 
-/// What made a report, and from what.
+/// The program that made a report, and its input.
 ///
 /// # Example
 ///

@@ -8,7 +8,7 @@ use std::ops::RangeInclusive;
 use crate::error::{DomainError, Place};
 use crate::sizes::{Size, SizeAt, is_size};
 
-/// What is wanted of a mesh with interior points; what is left out has a default
+/// Wishes for a mesh with interior points; each has a default
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "json", derive(serde::Serialize, serde::Deserialize, schemars::JsonSchema))]
 #[cfg_attr(feature = "json", serde(deny_unknown_fields))]

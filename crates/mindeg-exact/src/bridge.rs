@@ -116,7 +116,7 @@ impl BridgeProblem {
         Ok(Self { points, external: external.map(<[u32]>::to_vec), excluded: pairs })
     }
 
-    /// What counting proves: each vertex gets one edge of the strip, and the vertices of one ring
+    /// Counting proves this: each vertex gets one edge of the strip, and the vertices of one ring
     /// share as many more as the other ring has edges. With equal external degrees of e this is
     /// e + 1 + ⌈p/q⌉ for p >= q.
     #[must_use]

@@ -271,7 +271,7 @@ mod tests {
     use crate::{LowerBound, Problem, Progress, ZigZag, degree_range};
     use mindeg_mesh::planar::PlanarBoundary;
 
-    /// What the checker takes for a zig-zag is one.
+    /// The checker's zig-zags are zig-zags.
     #[test]
     fn the_chords_of_a_zigzag_have_two_sums() {
         for n in 7..20 {

@@ -2,7 +2,7 @@
 
 use crate::merit::Merit;
 
-/// What the rest of the polygon needs to know of one triangulation of a piece.
+/// All that the rest of the polygon needs to know of one triangulation of a piece.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct State<M> {
     /// Chords counted at the lower end.

@@ -17,7 +17,7 @@ const SHAPE_BITS: i32 = 14;
 /// A triangle is flat if its least height is below this share of its longest edge.
 const FLAT: f64 = 1e-9;
 
-/// What a triangulation costs: flat triangles first, then area and shape.
+/// The cost of a triangulation: flat triangles first, then area and shape.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Cost {
     pub(crate) flat: u32,
@@ -50,7 +50,7 @@ pub(crate) fn scaled<'a>(points: impl Iterator<Item = &'a DVec3> + Clone) -> Vec
     points.map(|&point| point * steps[0] * steps[1]).collect()
 }
 
-/// What a triangle of scaled points costs.
+/// The cost of a triangle of scaled points.
 pub(crate) fn cost(a: DVec3, b: DVec3, c: DVec3) -> Cost {
     let (u, v) = (b - a, c - a);
     let squares = [u.length_squared(), v.length_squared(), (c - b).length_squared()];

@@ -18,7 +18,7 @@ use glam::DVec2;
 /// No triangle, no vertex.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// What may be done with a vertex.
+/// The operations that a vertex allows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Kind {
     /// On the boundary: stays.

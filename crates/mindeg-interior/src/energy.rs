@@ -1,4 +1,4 @@
-//! What a mesh costs: the sum of the costs of its triangles and its vertices.
+//! The cost of a mesh: the sum of the costs of its triangles and its vertices.
 
 use crate::array_mesh::ArrayMesh;
 use crate::goal::{Goal, Weights};

@@ -1,4 +1,4 @@
-//! What is wanted of each vertex and of the mesh as a whole.
+//! The aims for each vertex and for the mesh as a whole.
 
 use crate::breaklines::Breaklines;
 use crate::limits::tent_limits;

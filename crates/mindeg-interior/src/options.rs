@@ -1,4 +1,4 @@
-//! What is wanted, and why it cannot be done.
+//! The aims of a mesh, and why they cannot be met.
 
 use crate::limits::degree_limit;
 use glam::DVec2;
@@ -35,10 +35,10 @@ pub fn check_coordinates(boundary: &PlanarBoundary) -> Result<(), InteriorError>
 /// How many names a message lists.
 const MOST_NAMES: usize = 20;
 
-/// What the mesh is to be like.
+/// The aims of the mesh.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Options {
-    /// What is wanted.
+    /// The aims.
     pub wanted: Interior,
     /// Boundary vertices with a degree limit of their own, in edges, which holds instead of
     /// [`Interior::boundary_degree`]; see [`degree_limit`](crate::limits::degree_limit) for reflex corners.

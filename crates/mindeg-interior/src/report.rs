@@ -82,7 +82,7 @@ pub struct CertifiedVertex {
     pub least_degree: u32,
 }
 
-/// What was reached. Angles are in degrees.
+/// The figures that a mesh reached. Angles are in degrees.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InteriorReport {
     /// The proven limits of the minimum angle for this boundary.

@@ -1,4 +1,4 @@
-//! What the library answers besides meshes.
+//! The answers of the library besides meshes.
 
 use pyo3::prelude::*;
 

@@ -79,7 +79,7 @@ pub(crate) fn rows_of_two(given: &Bound<'_, PyAny>, key: &str) -> PyResult<Vec<[
 pub(crate) fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>> {
     let wrong =
         |found: &str| value_error(format!("triangles has {found}; give (m, 3) indices from 0"));
-    // What has no rows has no type either.
+    // An array without rows has no type either.
     if triangles.len().is_ok_and(|rows| rows == 0) {
         return Ok(Vec::new());
     }
@@ -101,7 +101,7 @@ pub(crate) fn index_rows(triangles: &Bound<'_, PyAny>) -> PyResult<Vec<[u32; 3]>
     Ok(indices.chunks_exact(3).map(|row| [row[0], row[1], row[2]]).collect())
 }
 
-/// What is given as an array of a type, if it holds numbers of these kinds and hides none; copied only where
+/// The argument as an array of a type, if it holds numbers of these kinds and hides none; copied only where
 /// it has another type.
 fn numeric<'py>(
     given: &Bound<'py, PyAny>,

@@ -23,7 +23,7 @@ use crate::work::{done, value_error};
 #[pyclass(module = "mindeg", frozen, subclass, name = "_Domain")]
 pub(crate) struct Domain {
     inner: Inner,
-    /// What it was made from: it tells everything, so it is what is pickled.
+    /// The domain's source: it holds everything, so pickles store it.
     json: String,
 }
 

@@ -1,4 +1,4 @@
-//! What is wanted of interior points, from Python's keyword arguments.
+//! Wishes for interior points, from Python's keyword arguments.
 
 use std::path::PathBuf;
 

@@ -32,14 +32,14 @@ pub(crate) struct Mesh {
     angles: OnceLock<[f64; 2]>,
 }
 
-/// What is known of a mesh beyond its triangles.
+/// A mesh's figures and names, beyond its triangles.
 #[derive(Default)]
 pub(crate) struct Facts {
     /// The least maximum degree that any mesh of the domain has, where that is proven.
     pub(crate) least_max_degree: Option<u32>,
     /// How it was found, in words.
     pub(crate) found_by: Option<String>,
-    /// What a mesh with interior points reached.
+    /// The figures that a mesh with interior points reached.
     pub(crate) report: Option<Py<PyDict>>,
 }
 
@@ -212,7 +212,7 @@ impl Mesh {
         self.facts.found_by.as_deref()
     }
 
-    /// What a mesh with interior points reached, a dict; `None` for other meshes.
+    /// The figures that a mesh with interior points reached, a dict; `None` for other meshes.
     #[getter]
     fn report<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyDict>> {
         self.facts.report.as_ref().map(|report| report.bind(py).clone())
@@ -315,7 +315,7 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Mesh> {
     Ok(Mesh::new(mesh, Facts::default()))
 }
 
-/// What is wrong with a mesh, or with points and triangles, and how good it is: a dict with the keys of
+/// The faults of a mesh, or of points and triangles, and its quality: a dict with the keys of
 /// `mindeg inspect --json`, which `docs/inspect.md` explains.
 #[pyfunction]
 #[pyo3(

@@ -11,7 +11,7 @@ use pyo3::prelude::*;
 
 use crate::work::value_error;
 
-/// What `Mesh.save` takes besides the path.
+/// The arguments of `Mesh.save` besides the path.
 pub(crate) struct Wanted<'a> {
     pub(crate) format: Option<&'a str>,
     pub(crate) ascii: bool,

@@ -33,7 +33,7 @@ pub struct Bridged {
     pub mesh: TriMesh,
     /// The strip's triangles.
     pub triangles: Range<u32>,
-    /// What is known of the strip; its triangles are by indices of the loops' vertices.
+    /// The figures of the strip; its triangles are by indices of the loops' vertices.
     pub strip: Bridge,
     /// The minimum angle of the strip, in degrees.
     pub min_angle: f64,

@@ -210,7 +210,7 @@ fn fill_with(
                     left.push(LeftLoop { index, vertices, reason });
                 }
                 Err(Unsolved::Cancelled(cancelled)) => return Err(cancelled.into()),
-                // What the loops before it have taken may be more than need be.
+                // The loops before it may have taken more than they need.
                 Err(Unsolved::Infeasible { max_degree, .. })
                     if !shares.contains_key(&index)
                         && joint::share(

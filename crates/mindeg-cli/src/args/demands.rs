@@ -1,4 +1,4 @@
-//! What a mesh must keep for a run to succeed.
+//! The limits that a mesh must keep for a run to succeed.
 
 use super::values::{target_angle, whole_number};
 use clap::Args;
@@ -6,7 +6,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use mindeg_answers::demands::Demands;
 use mindeg_answers::preset::{PRESETS, Preset};
 
-/// What is demanded of a mesh that exists.
+/// The demands on a mesh that exists.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Demands")]
 pub(crate) struct DemandArguments {

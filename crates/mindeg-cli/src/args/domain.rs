@@ -1,4 +1,4 @@
-//! What describes a domain.
+//! The options that describe a domain.
 
 use super::values::{Corners, IntervalCounts, RectangleSize, length};
 use crate::failure::Failure;
@@ -55,7 +55,7 @@ impl DomainOptions {
     }
 }
 
-/// What becomes of the outlines of a file that is not JSON. Longitude and latitude are taken as
+/// How the outlines of a file that is not JSON become domains. Longitude and latitude are taken as
 /// planar coordinates.
 #[derive(Debug, Args)]
 pub(crate) struct OutlineOptions {
@@ -84,7 +84,7 @@ pub(crate) struct OutlineOptions {
     #[arg(skip)]
     pub(crate) together: bool,
 
-    /// What --repair counts as inside: evenodd or nonzero; without it the fill rule of an SVG, else evenodd
+    /// The rule by which --repair finds the inside: evenodd or nonzero; without it the fill rule of an SVG, else evenodd
     #[arg(long, value_name = "RULE", requires = "repair")]
     pub(crate) fill_rule: Option<FillRule>,
 

@@ -35,7 +35,7 @@ pub(crate) struct InteriorArguments {
     pub(crate) wanted: Wanted<true>,
 }
 
-/// What is wanted inside, as given; with `PLACES` also where points go, not only what an optimiser
+/// Wishes for the mesh inside, as given; with `PLACES` also where points go, not only what an optimiser
 /// aims at. What is given here is demanded: if it is not reached, nothing is written.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Wanted<const PLACES: bool> {
@@ -43,11 +43,11 @@ pub(crate) struct Wanted<const PLACES: bool> {
     pub(crate) write_anyway: bool,
 }
 
-/// What an optimiser aims at.
+/// The aims of an optimiser.
 const AIMS: [&str; 4] = ["interior_degree", "boundary_degree", "target_angle", "prefer"];
 
 impl<const PLACES: bool> Wanted<PLACES> {
-    /// What is wanted, with what the options give in place of what a file gives.
+    /// The wishes of a file, with those of the options in their place.
     pub(crate) fn over(&self, file: Option<&Interior>) -> Interior {
         let file = file.cloned().unwrap_or_default();
         let Value::Object(mut keys) = json!(file) else { return file };

@@ -69,7 +69,7 @@ pub(crate) struct MeshArguments {
 }
 
 impl MeshArguments {
-    /// What is demanded of a mesh whose points are to have this minimum angle.
+    /// The demands on a mesh whose points are to have this minimum angle.
     pub(crate) fn demands(&self, target_angle: Option<f64>) -> Demands {
         Demands { max_degree: self.goal.max_degree(), target_angle, preset: self.preset.preset }
     }
@@ -86,7 +86,7 @@ impl MeshArguments {
     }
 }
 
-/// What only whole models take: an OBJ with faces, a glTF, or JSON with "faces".
+/// Options of whole models alone: an OBJ with faces, a glTF, or JSON with "faces".
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Models")]
 pub(crate) struct ModelArguments {

@@ -74,10 +74,10 @@ impl SurfaceArguments {
 /// A version of MSH by its number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum MshVersionName {
-    /// What Gmsh writes today
+    /// The version that Gmsh writes today
     #[value(name = "4.1")]
     V4,
-    /// What more programs read
+    /// The version that more programs read
     #[value(name = "2.2")]
     V2,
 }

@@ -92,7 +92,7 @@ pub(crate) fn whole_number(text: &str) -> Result<u32, String> {
     number.map_err(|_| "give a whole number of 0 or more, such as 5".to_owned())
 }
 
-/// What to write, and that decimals have a point, if digits round a comma look like one.
+/// The right spelling, and that decimals have a point, if digits round a comma look like one.
 fn with_decimal_hint(text: &str, example: &str) -> String {
     let bytes = text.as_bytes();
     let is_decimal =

@@ -68,7 +68,7 @@ pub(super) fn wanted(
     with_sizes(arguments, domain.interior()).map(Some)
 }
 
-/// What the options ask for inside, in place of what a file gives.
+/// The interior points that the options ask for, in place of those of the file.
 fn with_sizes(arguments: &MeshArguments, file: Option<&Interior>) -> Result<Interior, Failure> {
     let mut wanted = arguments.interior.wanted.over(file);
     for path in &arguments.interior.sizes {

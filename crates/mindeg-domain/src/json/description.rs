@@ -91,7 +91,7 @@ struct Hole {
     size: Option<f64>,
 }
 
-/// What limits the degree of a vertex besides its sides
+/// Limits of the degrees of single vertices
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct VertexKeys {

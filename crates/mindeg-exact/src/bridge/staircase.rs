@@ -16,7 +16,7 @@ pub(super) const BLOCKED: u64 = u64::MAX;
 /// The number of states without limits on runs.
 const UNLIMITED: usize = 5;
 
-/// What each step costs.
+/// The cost of each step.
 pub(super) struct Steps {
     p: usize,
     q: usize,

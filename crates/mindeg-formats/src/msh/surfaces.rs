@@ -15,7 +15,7 @@ pub(super) struct Surfaces {
     surfaces: BTreeMap<i64, Parts>,
 }
 
-/// What a file says of a surface.
+/// A surface as the file describes it.
 #[derive(Default)]
 struct Parts {
     name: String,

@@ -51,7 +51,7 @@ impl Tries<'_> {
         if listed > MOST_LISTED {
             return None;
         }
-        // What it takes away, its sides, and then more on the first side before more on the next.
+        // The intervals that it takes away, its sides, and then more on the first side before more on the next.
         all.sort_by_key(|by| {
             let removed: i64 = by.iter().map(|change| change.by.min(0).abs()).sum();
             let mut dense = vec![0; self.counts.len()];

@@ -192,7 +192,7 @@ fn plane(mesh: &TriMesh, positions: &[DVec3], triangles: &[[u32; 3]]) -> Result<
     }
 }
 
-/// What stays: the edges between groups and along lines, and what else lines go through.
+/// All that stays: the edges between groups and along lines, and what else lines go through.
 fn keep(triangles: &[[u32; 3]], segments: &[[u32; 2]], group: impl Fn(usize) -> usize) -> Keep {
     let mut keep = Keep { vertices: Vec::new(), edges: interfaces(triangles, group) };
     if !segments.is_empty() {

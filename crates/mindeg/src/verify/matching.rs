@@ -62,7 +62,7 @@ pub struct VerifiedMesh {
     pub above_limit: Vec<u32>,
     /// With interior points: the points inside, on lines too, whose degree is out of the wanted range.
     pub out_of_range: Vec<u32>,
-    /// Those of them that no mesh brings into its range: the lines there alone are too many.
+    /// The points of `out_of_range` that no mesh brings into range: the lines there alone are too many.
     pub certified: Vec<u32>,
     /// How the mesh lies in space.
     pub plane: MatchedPlane,
