@@ -4,6 +4,7 @@
 
 mod claims;
 mod modules;
+mod packages;
 
 use claims::Named;
 use std::collections::{BTreeMap, BTreeSet};

@@ -3,6 +3,17 @@
 //! The command line prints them, `mindeg explore` sends them and Python gets them as dicts, so a key
 //! and a sentence are the same everywhere.
 //!
+//! ```
+//! use mindeg::{Domain, Progress, Side};
+//! use mindeg_answers::degree::DegreeReport;
+//!
+//! let domain = Domain::rectangle(4.0, 3.0, [12, 9, 4, 4].map(Side::count).to_vec())?;
+//! let report = DegreeReport::of(&domain, Progress::NONE)?;
+//! println!("{}", report.text());
+//! assert_eq!(report.least_max_degree, Some(5));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! # Limits
 //!
 //! One language; angles are in degrees.

@@ -1,7 +1,13 @@
-//! The command line: raw arguments, then a validated job, then a run.
+//! `mindeg` meshes polygons, maps and models of planar faces from their boundary points, with few edges at every vertex
+//! and a proof of how few are possible. It adds points inside on request, and reads and writes the files of other programs.
 //!
-//! Paths, standard streams and exit codes live in this crate; everything it computes is in the
-//! libraries below it.
+//! ```sh
+//! cargo install mindeg-cli
+//! mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj -o plate.svg
+//! ```
+//!
+//! Raw arguments, then a validated job, then a run. Paths, standard streams and exit codes live in this crate; everything
+//! it computes is in the libraries below it.
 
 mod args;
 mod bar;

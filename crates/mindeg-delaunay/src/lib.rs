@@ -1,6 +1,18 @@
 //! A constrained Delaunay triangulation of boundary rings, interior points and segments, by the
 //! `spade` crate.
 //!
+//! ```
+//! use glam::DVec2;
+//! use mindeg_mesh::Progress;
+//! use mindeg_mesh::planar::PlanarBoundary;
+//!
+//! let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+//! let boundary = PlanarBoundary::new(&[&square])?;
+//! let triangles = mindeg_delaunay::triangles(&boundary, &[DVec2::ONE], &[], Progress::NONE)?;
+//! assert_eq!(triangles.len(), 4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! Among all triangulations of a polygon without further points, Delaunay's has the largest minimum
 //! angle; if four points lie on one circle, several triangulations are Delaunay's.
 //!

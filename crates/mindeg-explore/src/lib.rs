@@ -4,6 +4,15 @@
 //! it, the page and the files behind a loopback address that only the page can talk to. What they say to
 //! each other is in [`api`].
 //!
+//! ```no_run
+//! use mindeg_explore::{Server, Setup};
+//!
+//! let server = Server::new(Setup::default())?;
+//! println!("open {}", server.address());
+//! server.run()?;
+//! # Ok::<(), mindeg_explore::ServerError>(())
+//! ```
+//!
 //! # Limits
 //!
 //! One user, on this machine. Domains of at most [`MAX_VERTICES`] boundary vertices.

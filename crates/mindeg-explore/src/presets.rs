@@ -9,7 +9,7 @@ macro_rules! presets {
         /// The name of each file and its text; the first is shown where no domain is given.
         const PRESETS: &[(&str, &str)] = &[$((
             concat!($name, ".json"),
-            include_str!(concat!("../../../assets/domains/", $name, ".json")),
+            include_str!(concat!("../presets/", $name, ".json")),
         )),*];
     };
 }
