@@ -129,3 +129,26 @@ fn the_repository_is_named_once() {
     let faults: Vec<String> = named.map(|path| path.display().to_string()).collect();
     assert_none(&faults, "say `repository.workspace = true`, or leave the address out");
 }
+
+#[test]
+fn the_version_is_the_same_everywhere() {
+    let read = |path: &str| fs::read_to_string(root().join(path)).unwrap();
+    let manifest = read("Cargo.toml");
+    let version = manifest.lines().find_map(|line| line.strip_prefix("version = ")).unwrap();
+    let mut faults = Vec::new();
+    let own = |line: &&str| line.starts_with("mindeg") && line.contains("path = \"crates/");
+    let own: Vec<&str> = manifest.lines().filter(own).collect();
+    assert!(own.len() >= 10, "{own:?}");
+    let differ = own.into_iter().filter(|line| !line.contains(&format!("version = {version}")));
+    faults.extend(differ.map(|line| format!("Cargo.toml: {line}")));
+    let citation = format!("version: {}", version.trim_matches('"'));
+    for (path, line) in [
+        ("blender/blender_manifest.toml", format!("version = {version}")),
+        ("CITATION.cff", citation),
+    ] {
+        if !read(path).lines().any(|found| found == line) {
+            faults.push(format!("{path}: no line {line}"));
+        }
+    }
+    assert_none(&faults, "set the version of Cargo.toml here too");
+}
