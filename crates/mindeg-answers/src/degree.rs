@@ -31,7 +31,7 @@ pub struct DegreeReport {
     pub at_least: u32,
     /// Some mesh has this one.
     pub reached: u32,
-    /// `formula`, `zig_zag`, `strip`, `windows`, `search` (with holes) or `exhaustive`.
+    /// `formula`, `zig_zag`, `strip`, `windows`, `descent` or `search` (with holes) or `exhaustive`.
     pub reached_by: &'static str,
     /// Why no mesh has less than `at_least`.
     pub certificate: DegreeProof,
@@ -160,6 +160,7 @@ impl DegreeReport {
                 Reached::ZigZag(_) => "zig_zag",
                 Reached::Strip => "strip",
                 Reached::Search => "search",
+                Reached::Descent => "descent",
                 Reached::Windows => "windows",
                 Reached::ClosedForm => "formula",
                 _ => "exhaustive",

@@ -12,6 +12,7 @@ use crate::zigzag::{self, Found, ZigZag};
 use mindeg_core::{least_degree_triangulation, least_max_degree};
 use mindeg_mesh::Progress;
 
+mod descent;
 mod rings;
 
 /// The most triangles that the test for degree 4 walks through, about a second.
@@ -86,6 +87,8 @@ pub enum Reached {
     Strip,
     /// The search with learned clauses over all triangulations, [`Cover`](crate::Cover).
     Search,
+    /// Windows, of which some make other vertices worse for a while.
+    Descent,
 }
 
 /// Why no triangulation has a smaller maximum degree.
@@ -121,7 +124,8 @@ pub enum LowerBound {
 ///    see each other are within the problem's limit.
 ///
 /// With holes, windows give the upper bound, and the sum of the degrees or the apexes the lower one. The strips
-/// between two rings decide about degree 4. What is left between the bounds a [`Cover`](crate::Cover) decides, within
+/// between two rings decide about degree 4. What is left between the bounds a [`Cover`](crate::Cover) decides, at first
+/// with few steps, and then after windows that may make other vertices worse for a while, within
 /// [`Problem::set_max_steps`].
 ///
 /// # Errors

@@ -5,6 +5,7 @@
 //! improve window by window, each by the same program.
 
 use crate::least_cost::{Costs, MOST, least_cost};
+use crate::linked::Linked;
 use crate::problem::Problem;
 use crate::window::{Local, Work};
 use glam::DVec2;
@@ -71,7 +72,13 @@ impl<'a> Patch<'a> {
     /// The triangulation that the problem has. O(n log n).
     #[must_use]
     pub fn new(problem: &'a Problem) -> Self {
-        Self { work: Work::new(problem), steps: 0 }
+        Self { work: Work::new(problem, problem.triangulation()), steps: 0 }
+    }
+
+    /// Some other triangulation of the problem. O(n log n).
+    pub(crate) fn of(problem: &'a Problem, triangles: &[[u32; 3]]) -> Self {
+        let mesh = Linked::new(triangles.to_vec()).expect("triangulations have no edge twice");
+        Self { work: Work::new(problem, mesh), steps: 0 }
     }
 
     /// The triangles, counter-clockwise, in no particular order.

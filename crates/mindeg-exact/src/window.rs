@@ -56,8 +56,8 @@ pub(crate) struct Aim<'a> {
 }
 
 impl<'a> Work<'a> {
-    pub(crate) fn new(problem: &'a Problem) -> Self {
-        let mesh = problem.triangulation();
+    /// The triangulation to change is one of the problem.
+    pub(crate) fn new(problem: &'a Problem, mesh: Linked) -> Self {
         let vertices = problem.points().len();
         let mut first = vec![NONE; vertices];
         // The edges at a vertex of one fan are one more than its triangles.

@@ -74,7 +74,7 @@ pub fn windows(
     min_tangent: f64,
     progress: Progress<'_>,
 ) -> Result<Windowed, Unsolved> {
-    let mut work = Work::new(problem);
+    let mut work = Work::new(problem, problem.triangulation());
     let own_limit = |vertex: u32| problem.own_limit(vertex).unwrap_or(u32::MAX);
     let vertices = 0..problem.points().len() as u32;
     let mut resume = BTreeMap::new();

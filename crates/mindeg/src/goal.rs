@@ -304,7 +304,7 @@ fn degree_first(posed: &Posed<'_>, progress: Progress<'_>) -> Result<Meshed, Mes
         delaunay_min_angle: posed.delaunay_min_angle,
         higher_degree: None,
     };
-    if let Reached::Search | Reached::Strip = range.reached_by {
+    if let Reached::Search | Reached::Strip | Reached::Descent = range.reached_by {
         let (triangles, found_by) = with_larger_angle(posed, &range, progress)?;
         return Ok(meshed(posed.mesh(triangles)?, found_by));
     }

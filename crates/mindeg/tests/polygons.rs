@@ -4,8 +4,9 @@
 
 #[path = "../../mindeg-exact/tests/outlines/mod.rs"]
 mod outlines;
+mod stars;
 
-use mindeg::exact::{self, LowerBound, Reached};
+use mindeg::exact::{self, LowerBound, Reached, degree_of_boundary};
 use mindeg::glam::DVec2;
 use mindeg::verify::{self, Proof};
 use mindeg::{BoundaryMesh, Domain, FoundBy, Goal, Outline as Shape, Progress, Ring, Side, mesh};
@@ -216,6 +217,14 @@ fn plate(rows: u32, corners: u32) -> Domain {
             builder.hole(Ring::new((0..corners).map(at), vec![Side::count(1); corners as usize]));
     }
     builder.build().unwrap()
+}
+
+/// A search for the mesh takes long, and windows alone do not meet it.
+#[test]
+fn descent_meets_meshes_that_windows_miss() {
+    let boundary = stars::star(150, 5, 5);
+    let answer = degree_of_boundary(&boundary, mindeg_exact::MAX_TRIPLES, Progress::NONE).unwrap();
+    assert_eq!((answer.least_max_degree(), answer.reached_by), (Some(5), Reached::Descent));
 }
 
 #[test]

@@ -155,6 +155,10 @@ fn how_reached(answer: &DegreeAnswer) -> String {
             "Degree {degree} is reached by windows of a Delaunay triangulation, each triangulated \
              anew.\n"
         ),
+        Reached::Descent => format!(
+            "Degree {degree} is reached by windows of a Delaunay triangulation, each triangulated \
+             anew many times.\n"
+        ),
         Reached::Strip => {
             format!("Degree {degree} is reached by the strip between the two rings.\n")
         }

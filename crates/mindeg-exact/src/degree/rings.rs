@@ -1,5 +1,6 @@
 //! The least maximum degree of a domain with holes: what windows reach, bounds, strips, and then searches.
 
+use super::descent::descend;
 use super::{DegreeRange, LowerBound, Reached, by_windows, counting_bound};
 use crate::annulus;
 use crate::apex::apex_bound;
@@ -78,7 +79,33 @@ impl DegreeRange {
     }
 }
 
-/// Closes a gap by searches, from the lower bound up, or as much of it as their steps suffice for.
+/// One way to close a gap. Each is taken until it fails, and then the next.
+#[derive(Clone, Copy, PartialEq)]
+enum Way {
+    /// A short search at the lower bound: most that can be decided it decides.
+    Short,
+    /// Descent to the next smaller degree.
+    Descent,
+    /// A long search at the lower bound.
+    Long,
+    /// A search for the next smaller degree, in another order of decisions.
+    Other,
+}
+
+impl Way {
+    const ALL: [Self; 4] = [Self::Short, Self::Descent, Self::Long, Self::Other];
+
+    /// The part of the steps that are left, as a divisor.
+    fn share(self) -> u64 {
+        match self {
+            Self::Short => 32,
+            Self::Descent => 8,
+            Self::Long | Self::Other => 2,
+        }
+    }
+}
+
+/// Closes a gap as far as the steps suffice, from the lower bound up.
 fn close(
     problem: &Problem,
     cover: &Cover,
@@ -86,30 +113,43 @@ fn close(
     mut steps: u64,
     progress: Progress<'_>,
 ) -> Result<(), Unsolved> {
-    let mut is_upward = true;
-    while !range.is_decided(problem) && steps > 1 {
-        let wanted = problem.wanted_degree;
-        let (degree, order) = if is_upward {
-            (wanted.unwrap_or(range.lower_bound), Order::Chords)
-        } else {
-            (wanted.unwrap_or(range.max_degree - 1), Order::Active)
+    let mut ways = Way::ALL.into_iter();
+    let mut way = ways.next();
+    while let Some(taken) = way
+        && !range.is_decided(problem)
+        && steps > 1
+    {
+        let next = match taken {
+            Way::Short | Way::Long => range.lower_bound,
+            Way::Descent | Way::Other => range.max_degree - 1,
         };
+        let degree = problem.wanted_degree.unwrap_or(next);
         let Some(limits) = problem.degree_limits(degree) else { return Ok(()) };
-        // Where the least degree stays open, other steps are for smaller ones than reached, in another order.
-        let mut left = steps.div_ceil(2);
-        steps -= left;
-        let start = [range.triangles.clone()];
         let most = &limits.chords;
-        let found = cover.decide_within(most, &[0.0], order, &start, &mut left, progress)?;
+        let mut left = steps.div_ceil(taken.share());
+        steps -= left;
+        let found = if taken == Way::Descent {
+            let stage = Stage::new(progress, format!("looking for degree {degree}"));
+            let found = descend(problem, &range.triangles, most, &mut left, &stage)?;
+            found.map_or(Decision::Unknown, |triangles| Decision::Mesh(vec![triangles]))
+        } else {
+            let order = if taken == Way::Other { Order::Active } else { Order::Chords };
+            let start = [range.triangles.clone()];
+            cover.decide_within(most, &[0.0], order, &start, &mut left, progress)?
+        };
         steps += left;
         match found {
-            Decision::Mesh(faces) => range.reach(problem, faces.concat()),
+            Decision::Mesh(faces) => {
+                range.reach(problem, faces.concat());
+                if taken == Way::Descent {
+                    range.reached_by = Reached::Descent;
+                }
+            }
             Decision::Refuted(refutation) => {
                 range.lower_bound = degree + 1;
                 range.bounded_by = LowerBound::Refuted(refutation);
             }
-            Decision::Unknown if is_upward => is_upward = false,
-            Decision::Unknown => break,
+            Decision::Unknown => way = ways.next(),
         }
     }
     Ok(())
