@@ -33,6 +33,16 @@ def test_every_recipe_runs(tmp_path, monkeypatch):
     assert len(list((tmp_path / "meshes").glob("part-*.msh"))) == 27
 
 
+def test_the_page_of_the_package_runs(tmp_path, monkeypatch):
+    text = (ROOT / "python" / "README.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for example in re.findall(r"^```python\n(.*?)^```", text, re.DOTALL | re.MULTILINE):
+        exec(compile(example, "python/README.md", "exec"), names)
+    assert names["mesh"].report["violations"] == [] and Path("part.msh").exists()
+    assert len(names["plate"].points) == 8
+
+
 def test_the_notebook_runs_and_shows_pictures(tmp_path):
     import nbformat
     from nbclient import NotebookClient
