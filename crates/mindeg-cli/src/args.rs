@@ -9,6 +9,7 @@ mod describe;
 mod domain;
 mod explore;
 mod fill;
+mod first_screen;
 mod goal;
 mod improve;
 mod inspect;
@@ -75,8 +76,22 @@ pub(crate) struct Arguments {
     pub(crate) command: Command,
 
     /// Color messages and help; auto: on a terminal, unless NO_COLOR is set
-    #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
+    #[arg(
+        long,
+        value_name = "WHEN",
+        default_value = "auto",
+        global = true,
+        hide_short_help = true,
+        help_heading = "Messages"
+    )]
     pub(crate) color: ColorChoice,
+}
+
+impl Arguments {
+    /// The command line, with help in two lengths.
+    pub(crate) fn whole() -> clap::Command {
+        first_screen::shortened(<Self as clap::CommandFactory>::command())
+    }
 }
 
 #[derive(Debug, Subcommand)]

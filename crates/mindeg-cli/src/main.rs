@@ -43,7 +43,7 @@ mod verify;
 mod view;
 
 use args::{Arguments, Command};
-use clap::{CommandFactory, FromArgMatches};
+use clap::FromArgMatches;
 use failure::Failure;
 use std::borrow::Cow;
 use std::env;
@@ -57,7 +57,7 @@ fn main() -> ExitCode {
     let words: Vec<OsString> = env::args_os().collect();
     let color = terminal::color_choice(&words);
     terminal::set_color(color);
-    let matches = Arguments::command().color(color).try_get_matches_from(&words);
+    let matches = Arguments::whole().color(color).try_get_matches_from(&words);
     let mut arguments = match matches.and_then(|matches| Arguments::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(error) => return without_a_run(&error, &words),

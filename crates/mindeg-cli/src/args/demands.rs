@@ -31,6 +31,7 @@ impl DemandArguments {
 
 /// The rules of a program.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Demands")]
 pub(crate) struct PresetArgument {
     /// End with exit code 3 if the mesh breaks a rule of this program
     #[arg(long, value_name = "PROGRAM", value_parser = preset_parser())]

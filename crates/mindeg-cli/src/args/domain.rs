@@ -13,7 +13,7 @@ pub(crate) struct DomainArguments {
     /// A domain in JSON, or outlines as GeoJSON, WKT, SVG, CSV, OBJ lines, Gmsh's MSH, Triangle's
     /// .poly or DXF; - reads standard input. mindeg mesh also takes a whole model: an OBJ with
     /// faces, a .glb or .gltf, or JSON with "faces"
-    #[arg(id = "domain", value_name = "DOMAIN")]
+    #[arg(id = "domain", value_name = "DOMAIN", help_heading = None)]
     pub(crate) file: Option<PathBuf>,
 
     #[command(flatten)]
@@ -22,6 +22,7 @@ pub(crate) struct DomainArguments {
 
 /// A domain without a file; with a file, what replaces what it gives for its sides.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Domain")]
 pub(crate) struct DomainOptions {
     /// A rectangle with these side lengths; its sides are bottom, right, top, left
     #[arg(long, value_name = "WxH", conflicts_with_all = ["domain", "corners"], allow_hyphen_values = true)]
@@ -58,6 +59,7 @@ impl DomainOptions {
 /// How the outlines of a file that is not JSON become domains. Longitude and latitude are taken as
 /// planar coordinates.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Outlines")]
 pub(crate) struct OutlineOptions {
     /// The polygon of a file with several, by its name or its index from 1
     #[arg(long, value_name = "NAME|INDEX", requires = "domain")]

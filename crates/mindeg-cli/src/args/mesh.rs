@@ -15,15 +15,15 @@ use mindeg_answers::demands::Demands;
 const EXAMPLES: &str = "\
 Examples:
   mindeg mesh --rectangle 4x3 --size 0.5 -o plate.obj
-  mindeg mesh assets/domains/wing-panel.json --keep-angle 95% -o wing.glb -o wing.svg
+  mindeg mesh assets/domains/wing-panel.json --keep-angle 95% -o wing.glb
   mindeg mesh assets/domains/wing-panel.json --max-degree 5 -o wing.obj
-  mindeg mesh --corners \"0,0 4,0 3,2\" --intervals 8,5,7 --spacing bump:0.5 -o wedge.gltf
+  mindeg mesh --corners \"0,0 4,0 3,2\" --intervals 8,5,7 -o wedge.gltf
   mindeg mesh assets/models/bracket.obj --size 5 -o bracket.glb
   mindeg mesh - -o - --format obj < domain.json | zstd > mesh.obj.zst";
 
-/// Mesh a domain from its boundary points alone and write it to files
+/// Mesh a domain, a map or a model and write it to files
 ///
-/// Vertices are numbered counter-clockwise from the first corner. Every vertex is a boundary
+/// Vertices are numbered counter-clockwise from the first corner. Without --interior every vertex is a boundary
 /// point. By default the mesh has the least possible maximum degree and, where that is found in about
 /// half a second, the largest minimum angle of all such meshes; elsewhere it is the best of at most 64
 /// candidates, and the summary says so. --keep-angle is what most users want.
@@ -36,33 +36,33 @@ Examples:
 #[command(after_help = EXAMPLES, after_long_help = with_exit_codes(EXAMPLES))]
 pub(crate) struct MeshArguments {
     #[command(flatten)]
-    pub(crate) domain: DomainArguments,
-
-    #[command(flatten)]
-    pub(crate) surface: SurfaceArguments,
-
-    /// Mesh each polygon of a file by itself, into files of its own: give a folder, such as -o meshes/. With
-    /// --interior, polygons are otherwise the regions of one mesh
-    #[arg(long, requires = "domain")]
-    pub(crate) separate: bool,
-
-    /// Print a summary as JSON: name, intervals, vertices, triangles, max_degree,
-    /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files
-    #[arg(long)]
-    pub(crate) json: bool,
-
-    /// Print no summary and show no progress on standard error
-    #[arg(short, long)]
-    pub(crate) quiet: bool,
-
-    #[command(flatten)]
     pub(crate) goal: GoalArguments,
 
     #[command(flatten)]
     pub(crate) interior: InteriorArguments,
 
     #[command(flatten)]
+    pub(crate) domain: DomainArguments,
+
+    /// Mesh each polygon of a file by itself, into files of its own: give a folder, such as -o meshes/. With
+    /// --interior, polygons are otherwise the regions of one mesh
+    #[arg(long, requires = "domain", help_heading = "Outlines")]
+    pub(crate) separate: bool,
+
+    #[command(flatten)]
+    pub(crate) surface: SurfaceArguments,
+
+    #[command(flatten)]
     pub(crate) preset: PresetArgument,
+
+    /// Print a summary as JSON; its keys: name, intervals, vertices, triangles, max_degree,
+    /// least_max_degree, min_angle, max_angle, found_by, delaunay_min_angle, reversed, files
+    #[arg(long, help_heading = "Messages")]
+    pub(crate) json: bool,
+
+    /// Print no summary and show no progress on standard error
+    #[arg(short, long, help_heading = "Messages")]
+    pub(crate) quiet: bool,
 
     #[command(flatten)]
     pub(crate) model: ModelArguments,

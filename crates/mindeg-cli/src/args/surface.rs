@@ -10,6 +10,7 @@ use std::path::PathBuf;
 
 /// The files of a mesh.
 #[derive(Debug, Args)]
+#[command(next_help_heading = "Output")]
 pub(crate) struct SurfaceArguments {
     /// Where to write.
     #[arg(short, long, value_name = "FILE", required = true, help = format!(
