@@ -24,7 +24,7 @@ impl Random {
     }
 
     /// Below `count`.
-    fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.unit() * count as f64) as usize
     }
 }

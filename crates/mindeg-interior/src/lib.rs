@@ -33,8 +33,8 @@
 //! 3. A constrained Delaunay triangulation connects the points.
 //! 4. The optimiser smooths, and where a degree or an angle is wrong it tries flips, collapses and
 //!    vertex splits. Each is undone unless the energy falls and no small angle gets smaller.
-//! 5. Where something is left to be desired, the disc round that place is worked on alone, with its rim frozen: pairs of
-//!    operations, random operations in a row, new starts.
+//! 5. Where something is left to be desired, the disc round that place is worked on alone, with its rim frozen: chains and
+//!    pairs of operations, random operations in a row, new starts.
 //! 6. Flips bring degrees nearer to 6, and the last smoothing raises the mean quality; no angle that counts gets smaller.
 //! 7. If the mesh is small, or little is left in it, other seeds are tried, and the best mesh is returned.
 //!
@@ -56,6 +56,7 @@ mod anneal;
 mod array_mesh;
 mod asked;
 mod breaklines;
+mod chains;
 mod disc;
 mod edge_tree;
 mod energy;

@@ -3,6 +3,7 @@
 
 use crate::anneal::{Random, anneal, settle_all};
 use crate::array_mesh::{ArrayMesh, Kind};
+use crate::chains::chains;
 use crate::disc::Disc;
 use crate::goal::{Goal, Weights};
 use crate::optimise::{Pairs, pairs_of_operations, smooth_and_mend};
@@ -108,10 +109,12 @@ const MOST_FOR_BROKEN: u64 = 4;
 const TRIALS_FOR_BROKEN: usize = 1200;
 /// From this effort on, new starts get pairs of operations, too.
 const MANY: u64 = 4;
+/// The search for one chain takes as long as so many trials, at most.
+const CHAIN: usize = 200;
 /// Random operations in a row.
 const STEPS: u32 = 100;
-/// The same after a new start.
-const STEPS_AFTER_START: u32 = 40;
+/// The same after a chain of operations or a new start.
+const STEPS_AFTERWARDS: u32 = 40;
 
 /// Works on all places where something is left to be desired. The mesh never gets worse: a disc is replaced if
 /// violations get fewer, or if the least share of a local limit and the least angle do not fall and something gets better. `share`: of the trials for
@@ -137,7 +140,9 @@ pub(crate) fn mend_places(
             break;
         }
         let broken = places.iter().filter(|v| work.weights.excess(mesh, **v) > 0).count();
-        let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1))) as u64 >> pass;
+        let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1))) as u64;
+        let is_scarce = affordable == 0;
+        let affordable = affordable >> pass;
         let of = places.len() as f64;
         for (index, vertex) in places.into_iter().enumerate() {
             // Each pass takes about as long as all before it.
@@ -147,17 +152,28 @@ pub(crate) fn mend_places(
                 continue;
             }
             let is_broken = work.weights.excess(mesh, vertex) > 0;
+            if left[usize::from(is_broken)] == 0 {
+                continue;
+            }
             let rings = RINGS[pass as usize + usize::from(is_broken)];
             let Some(disc) = Disc::cut(mesh, &work.weights, vertex, rings) else { continue };
             let before = work.worth(&disc.mesh);
-            let left = &mut left[usize::from(before.excess > 0)];
-            if before.is_good() || *left == 0 {
+            let kind = usize::from(before.excess > 0);
+            let given = left[kind];
+            if before.is_good() || given == 0 {
                 continue;
             }
             let most = if is_broken { MOST_FOR_BROKEN } else { 1 };
-            let effort = (1 << pass) * (affordable).clamp(1, most);
-            if let Some(better) = work.mended(&disc, before, effort, left, stage)? {
+            let effort = (1 << pass) * affordable.clamp(1, most);
+            if let Some(better) =
+                work.mended(&disc, before, effort, is_scarce, &mut left[kind], stage)?
+            {
                 disc.put_back(mesh, &better);
+                if kind == 1 {
+                    // Mended degrees cost angles, which may take half as long.
+                    let again = ((given - left[1]) / 2).min(left[1]);
+                    left = [left[0] + again, left[1] - again];
+                }
             }
         }
     }
@@ -186,9 +202,13 @@ impl Best {
         if !worth.is_allowed(&self.before) || !worth.is_better(least) || mesh.check().is_err() {
             return false;
         }
-        let is_done = worth.is_done(&self.before);
         self.found = Some((worth, mesh));
-        is_done
+        self.is_done()
+    }
+
+    /// True if nothing is left to be desired.
+    fn is_done(&self) -> bool {
+        self.found.as_ref().is_some_and(|found| found.0.is_done(&self.before))
     }
 
     /// The best mesh so far, if it has fewer violations.
@@ -238,13 +258,14 @@ impl Work<'_> {
         min_angle(mesh.corners(triangle)) / limit
     }
 
-    /// A better mesh of a disc, if one was found: by pairs of operations, by random operations in a row,
-    /// and by new starts. `left`: the trials that may be made.
+    /// A better mesh of a disc, if one was found: by chains of operations for degrees, by pairs of operations, by random
+    /// operations in a row, and by new starts. `left`: the trials that may be made.
     fn mended(
         &self,
         disc: &Disc,
         before: Worth,
         effort: u64,
+        is_scarce: bool,
         left: &mut usize,
         stage: &Stage<'_>,
     ) -> Result<Option<ArrayMesh>, Cancelled> {
@@ -252,7 +273,14 @@ impl Work<'_> {
         let single = Weights::single(self.options, weights.floor);
         let mut best = Best { before, found: None };
         let mut stage = stage.within();
-        let mut mesh = disc.mesh.clone();
+        // Chains are cheap and mend nearly everything, but cost angles: where trials suffice, they come last.
+        if is_scarce {
+            self.mend_degrees(&disc.mesh, &mut best, effort, left);
+        }
+        if best.is_done() {
+            return Ok(best.found.map(|best| best.1));
+        }
+        let mut mesh = best.mesh().unwrap_or(&disc.mesh).clone();
         self.pairs(&mut mesh, effort, left, &mut stage)?;
         settle_all(&mut mesh, weights);
         let worth = self.worth(&mesh);
@@ -283,14 +311,43 @@ impl Work<'_> {
                     self.pairs(&mut mesh, effort / 2, left, &mut stage)?;
                 }
                 let all = mesh.vertices.len();
-                let trials = anneal(&mut mesh, weights, all, STEPS_AFTER_START, &mut random);
+                let trials = anneal(&mut mesh, weights, all, STEPS_AFTERWARDS, &mut random);
                 *left = left.saturating_sub(trials);
                 settle_all(&mut mesh, weights);
                 let worth = self.worth(&mesh);
                 is_done = best.offer(mesh, worth);
             }
         }
+        if !is_scarce && best.mesh().is_none() {
+            self.mend_degrees(&disc.mesh, &mut best, effort, left);
+        }
         Ok(best.found.map(|best| best.1))
+    }
+
+    /// Mends degrees by chains of operations.
+    fn mend_degrees(&self, disc: &ArrayMesh, best: &mut Best, effort: u64, left: &mut usize) {
+        let (mut mesh, mut excess) = (disc.clone(), self.worth(disc).excess);
+        while excess > 0 && *left > 0 {
+            let mut least: Option<(Worth, ArrayMesh)> = None;
+            for mut mesh in chains(&mesh, &self.weights, CHAIN * effort as usize, left) {
+                settle_all(&mut mesh, &self.weights);
+                let all = mesh.vertices.len();
+                let trials =
+                    anneal(&mut mesh, &self.weights, all, STEPS_AFTERWARDS, &mut Random(0));
+                *left = left.saturating_sub(trials);
+                settle_all(&mut mesh, &self.weights);
+                let worth = self.worth(&mesh);
+                if worth.excess < excess
+                    && least.as_ref().is_none_or(|least| worth.is_better(&least.0))
+                {
+                    least = Some((worth, mesh));
+                }
+            }
+            let Some((worth, better)) = least else { break };
+            excess = worth.excess;
+            mesh = better;
+            best.offer(mesh.clone(), worth);
+        }
     }
 
     /// A round of pairs of operations at so many vertices.

@@ -11,7 +11,7 @@ const FLOOR: f64 = 36.0;
 const GOOD_SHARE: f64 = 0.98;
 /// Larger meshes with more than [`FEW`] triangles left to be desired are begun once: a further start takes as long as the
 /// first, and helps little where each place was worked on.
-const SMALL: usize = 300;
+const SMALL: usize = 400;
 /// The same where a degree is out of its range.
 const SMALL_BROKEN: usize = 600;
 /// So few triangles and violations are worth further starts of a large mesh, too.
@@ -130,12 +130,12 @@ mod tests {
     fn a_large_mesh_is_begun_anew_only_while_little_is_left_and_starts_pay() {
         for (triangles, below, violations, in_vain, ends) in [
             // Small ones always.
-            (300, 300, 0, 9, false),
+            (400, 400, 0, 9, false),
             // Larger ones with few triangles left to be desired, until two starts in a row bring little.
-            (301, 21, 0, 0, true),
-            (301, 20, 0, 1, false),
-            (301, 0, 0, 2, true),
-            // With violations up to twice the size.
+            (401, 21, 0, 0, true),
+            (401, 20, 0, 1, false),
+            (401, 0, 0, 2, true),
+            // With violations up to one and a half times the size.
             (600, 20, 1, 0, false),
             (600, 0, 1, 2, true),
             (601, 20, 1, 0, true),
