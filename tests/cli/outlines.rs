@@ -501,3 +501,69 @@ fn a_repair_of_regions_keeps_their_borders_shared() {
     let obj = text(Path::new(&out));
     assert_eq!(groups(&obj).len(), 3);
 }
+
+/// Regions that share a place, holes, lines that leave, slivers: each is refused with the place and what to do.
+#[test]
+fn bad_maps_are_refused_with_the_place() {
+    let square = r#"{"rectangle": {"width": 4, "height": 4}, "size": 1, "#;
+    let hole = r#""holes": [{"corners": [[1, 1], [2, 1], [2, 2], [1, 2]]}], "#;
+    let json = |rest: &str| format!("{square}{rest}}}");
+    let twice = "POLYGON((0 0, 4 0, 4 4, 0 4)) ";
+    let files: [(&str, String, [&str; 3]); 9] = [
+        (
+            "same.json",
+            json(r#""regions": [{"at": [1, 1]}, {"at": [1, 1]}]"#),
+            ["regions[1].at", "(1.0, 1.0) is at the point of region 1", "drop one"],
+        ),
+        (
+            "face.json",
+            json(r#""regions": [{"at": [1, 1]}, {"at": [3, 1]}]"#),
+            ["regions[1].at", "(3.0, 1.0) lies in the same face", "draw a line between them"],
+        ),
+        (
+            "hole.json",
+            json(&format!(r#"{hole}"regions": [{{"at": [1.5, 1.5]}}]"#)),
+            ["regions[0].at", "(1.5, 1.5) lies outside the domain", "move it inside"],
+        ),
+        (
+            "leaves.json",
+            json(r#""lines": [{"points": [[1, 1], [5, 2]]}]"#),
+            ["lines[0]", "cross near (4.0, 1.75)", "end the line there"],
+        ),
+        (
+            "in-hole.json",
+            json(&format!(r#"{hole}"lines": [{{"points": [[1.2, 1.2], [1.5, 1.6]]}}]"#)),
+            ["lines[0]", "leaves the domain near (1.2, 1.2)", "keep it inside"],
+        ),
+        (
+            "drawn-twice.wkt",
+            format!("{twice}POLYGON((4.0005 0, 8 0, 8 4, 4.0005 4))"),
+            ["(4.0, 4.0)", "polygon 1 and polygon 2", "--repair --snap 1.0e-3 closes it"],
+        ),
+        (
+            "sliver.wkt",
+            format!("{twice}POLYGON((4 0, 8 0, 8 4, 4 4, 4.0005 2))"),
+            ["(4.0, 4.0)", "polygon 1 and polygon 2", "--repair --snap"],
+        ),
+        (
+            "three.wkt",
+            format!("{twice}POLYGON((4 0, 8 0, 8 4, 4 4)) POLYGON((4 0, 6 1, 6 3, 4 4))"),
+            ["the edge from (4.0, 4.0) to (4.0, 0.0)", "polygon 2 and polygon 3", "--repair"],
+        ),
+        (
+            "same.wkt",
+            format!("{twice}{twice}"),
+            ["the edge from (0.0, 0.0) to (4.0, 0.0)", "polygon 1 and polygon 2", "--repair"],
+        ),
+    ];
+    let all: Vec<(&str, &str)> = files.iter().map(|(name, text, _)| (*name, &**text)).collect();
+    let folder = folder(&all);
+    let out = folder.path().join("out.obj");
+    for (name, _, words) in &files {
+        let path = folder.path().join(name);
+        let run =
+            mindeg(["mesh", path.to_str().unwrap(), "--interior", "-o", out.to_str().unwrap()]);
+        run.refuses(&words[..]);
+        assert!(!out.exists(), "{name}");
+    }
+}

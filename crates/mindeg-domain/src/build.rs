@@ -8,7 +8,7 @@ use crate::divided::{Divided, Placed, side_count};
 use crate::domain::Domain;
 use crate::error::{DomainError, Place};
 use crate::inside::Inside;
-use crate::joined::{self, is_open};
+use crate::joined;
 use crate::outline::{Outline, Ring};
 use crate::rectangle::Rectangle;
 use crate::side::Side;
@@ -214,7 +214,7 @@ impl DomainBuilder {
         let mut splits = Vec::new();
         constraints.check_side_count(divided.rings.side_count())?;
         // A side that is split gets other points, where another line may have ended.
-        while inside.lines.iter().any(is_open) {
+        while inside.lines.iter().any(Ring::is_open) {
             let points = divided.points(&given)?;
             let new = split_sides(&points, &mut given, &mut inside, &mut constraints)?;
             if new.is_empty() {

@@ -46,7 +46,7 @@ impl Chain {
             chain.corners.push(chain.points.len());
             chain.points.extend(side.points().map_err(within)?);
         }
-        if is_open(given) {
+        if given.is_open() {
             chain.corners.push(chain.points.len());
             chain.points.extend(given.corners.last());
         }
@@ -56,10 +56,6 @@ impl Chain {
 
 pub(crate) fn place(line: usize) -> Place {
     Place::key("lines").then(line)
-}
-
-pub(crate) fn is_open(line: &Ring) -> bool {
-    line.sides.len() < line.corners.len()
 }
 
 /// Checks the number of corners and sides, and that corners are apart.
@@ -73,7 +69,7 @@ fn check_counts(line: &Ring) -> Result<(), DomainError> {
              it is closed"
         )));
     }
-    outline::check_positions(0, corners, !is_open(line))
+    outline::check_positions(0, corners, !line.is_open())
 }
 
 /// Vertices in the order of x, to find one near a point.
@@ -186,12 +182,12 @@ impl Joined {
                     Some(inner) => joined.points[inner],
                 };
             }
-            if !is_open(line) {
+            if !line.is_open() {
                 vertices.push(vertices[0]);
             }
             let before = joined.starts[joined.starts.len() - 1];
             let last = vertices.len() - 1;
-            let ends = chain.corners[1..].iter().copied().chain((!is_open(line)).then_some(last));
+            let ends = chain.corners[1..].iter().copied().chain((!line.is_open()).then_some(last));
             joined.starts.extend(ends.map(|end| before + end as u32));
             joined.lines.push(vertices);
         }
@@ -219,6 +215,13 @@ pub(crate) fn faces(boundary: &PlanarBoundary, regions: &[Region]) -> Result<Fac
             BoundaryFault::NotFinite(place) => [place; 2],
             fault => return Place::key("regions").error(fault.to_string()),
         };
+        if let [Some(one), Some(other)] = places.each_ref().map(region)
+            && one != other
+        {
+            let (first, second) = (one.min(other) + 1, one.max(other));
+            let message = format!("is at the point of region {first}; drop one of them");
+            return error(second, &message);
+        }
         match places.iter().rev().find_map(region) {
             Some(region) => {
                 error(region, "is no point inside a region; move it off sides, lines and points")

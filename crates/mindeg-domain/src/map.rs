@@ -10,7 +10,7 @@ use crate::error::{DomainError, Place};
 use crate::inside::Inside;
 use crate::joined;
 use crate::name;
-use crate::side::Intervals;
+use crate::side::{Intervals, Side};
 
 impl Domain {
     /// The lines, points and regions inside the rings.
@@ -60,17 +60,16 @@ impl Domain {
     /// boundary, with their kinds: one for each run of sides of one name.
     pub fn inner_lines(&self) -> Vec<(Line, Option<LineKind>)> {
         let mut lines: Vec<(Line, Option<LineKind>)> = Vec::new();
-        for (index, line) in self.inside.lines.iter().enumerate() {
-            let first = lines.len();
-            for (side, segments) in line.sides.iter().zip(self.line_sides(index)) {
-                let name = side.name.clone().unwrap_or_else(|| line_name(index));
-                match lines[first..].last_mut() {
-                    Some((before, kind)) if before.name == name && *kind == side.kind => {
-                        before.segments.end = segments.end;
-                        before.is_straight = false;
-                    }
-                    _ => lines.push((Line { name, segments, is_straight: false }, side.kind)),
+        let mut of_last = None;
+        for (index, side, segments) in self.line_sides() {
+            let name = side.name.clone().unwrap_or_else(|| line_name(index));
+            let is_same_line = of_last.replace(index) == Some(index);
+            match lines.last_mut().filter(|_| is_same_line) {
+                Some((before, kind)) if before.name == name && *kind == side.kind => {
+                    before.segments.end = segments.end;
+                    before.is_straight = false;
                 }
+                _ => lines.push((Line { name, segments, is_straight: false }, side.kind)),
             }
         }
         lines
@@ -86,10 +85,8 @@ impl Domain {
 
     /// For each segment of the lines, whether a mesh with interior points may divide it.
     pub fn divisible_segments(&self) -> Vec<bool> {
-        let lines = self.inside.lines.iter().enumerate();
-        let sides = lines.flat_map(|(index, line)| line.sides.iter().zip(self.line_sides(index)));
-        sides
-            .flat_map(|(side, segments)| {
+        self.line_sides()
+            .flat_map(|(_, side, segments)| {
                 segments.map(|_| matches!(side.intervals, Intervals::Size(_)))
             })
             .collect()
@@ -114,11 +111,13 @@ impl Domain {
         name::check_unnamed(regions.iter().filter_map(|region| region.name.as_deref()), unnamed)
     }
 
-    /// The segments of each side of a line.
-    fn line_sides(&self, line: usize) -> impl Iterator<Item = Range<u32>> + '_ {
-        let before = self.inside.lines[..line].iter().map(|line| line.sides.len()).sum::<usize>();
-        let count = self.inside.lines[line].sides.len();
-        self.line_starts[before..=before + count].windows(2).map(|ends| ends[0]..ends[1])
+    /// The sides of all lines, each with the index of its line and its segments.
+    fn line_sides(&self) -> impl Iterator<Item = (usize, &Side, Range<u32>)> {
+        let lines = self.inside.lines.iter().enumerate();
+        let sides =
+            lines.flat_map(|(index, line)| line.sides.iter().map(move |side| (index, side)));
+        let segments = self.line_starts.windows(2).map(|ends| ends[0]..ends[1]);
+        sides.zip(segments).map(|((index, side), segments)| (index, side, segments))
     }
 }
 

@@ -53,6 +53,11 @@ impl Ring {
     pub fn new(corners: impl IntoIterator<Item = impl Into<DVec2>>, sides: Vec<Side>) -> Self {
         Self { corners: corners.into_iter().map(Into::into).collect(), sides }
     }
+
+    /// Whether it is a line with two ends: one side fewer than corners.
+    pub fn is_open(&self) -> bool {
+        self.sides.len() < self.corners.len()
+    }
 }
 
 /// Checks the corners of a ring. O(k).

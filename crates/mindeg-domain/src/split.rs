@@ -8,7 +8,7 @@ use crate::curve::Curve;
 use crate::error::{DomainError, Place};
 use crate::given::{Given, sides_of};
 use crate::inside::Inside;
-use crate::joined::{Chain, Lookup, is_open, place, reach};
+use crate::joined::{Chain, Lookup, place, reach};
 use crate::outline::Ring;
 use crate::side::{Intervals, Side};
 use crate::spacing::Spacing;
@@ -32,7 +32,9 @@ pub(crate) fn split_sides(
 ) -> Result<Vec<String>, DomainError> {
     let reach = reach(ring_points);
     let mut notes = Vec::new();
-    for (line, at) in loose_ends(ring_points, inside, reach)? {
+    let mut ends = loose_ends(ring_points, inside, reach)?;
+    retain_within(&mut ends, rings.iter().chain(&inside.lines), reach);
+    for (line, at) in ends {
         let which = format!("line {}", line + 1);
         let mut first = 0;
         let mut split = None;
@@ -82,7 +84,7 @@ fn loose_ends(
     for (line, given) in inside.lines.iter().enumerate() {
         let chain = Chain::new(line, given)?.points;
         match &chain[..] {
-            [first, between @ .., last] if is_open(given) => {
+            [first, between @ .., last] if given.is_open() => {
                 points.extend_from_slice(between);
                 ends.extend([(line, *first), (line, *last)]);
             }
@@ -94,26 +96,59 @@ fn loose_ends(
     Ok(ends)
 }
 
+/// Keeps the ends that lie within straight pieces of sides: each piece looks at the ends beside it, in the order of x.
+fn retain_within<'a>(
+    ends: &mut Vec<(usize, DVec2)>,
+    rings: impl Iterator<Item = &'a Ring>,
+    reach: f64,
+) {
+    let mut order: Vec<usize> = (0..ends.len()).collect();
+    order.sort_by(|&a, &b| ends[a].1.x.total_cmp(&ends[b].1.x));
+    let mut is_within = vec![false; ends.len()];
+    for [start, end] in rings.flat_map(|ring| sides_of(0, ring)).flat_map(pieces) {
+        let (low, high) = (start.min(end) - reach, start.max(end) + reach);
+        let from = order.partition_point(|&index| ends[index].1.x < low.x);
+        let beside = order[from..].iter().take_while(|&&index| ends[index].1.x <= high.x);
+        for &index in beside {
+            let at = ends[index].1;
+            is_within[index] |=
+                at.y >= low.y && at.y <= high.y && share([start, end], at, reach).is_some();
+        }
+    }
+    let mut is_within = is_within.into_iter();
+    ends.retain(|_| is_within.next() == Some(true));
+}
+
+/// The straight pieces of a side; none of a curve.
+fn pieces(Given { start, end, side, .. }: Given<'_>) -> impl Iterator<Item = [DVec2; 2]> {
+    let own = match &side.curve {
+        Curve::Line => Some(&[][..]),
+        Curve::Polyline(own) if side.intervals == Intervals::Points => Some(&own[..]),
+        _ => None,
+    };
+    own.into_iter().flat_map(move |own| {
+        let from = [start].into_iter().chain(own.iter().copied());
+        from.zip(own.iter().copied().chain([end])).map(|(from, to)| [from, to])
+    })
+}
+
+/// The share of the length of a piece at which a point lies, if it is within.
+fn share([start, end]: [DVec2; 2], at: DVec2, reach: f64) -> Option<f64> {
+    let (span, from) = (end - start, at - start);
+    let length = span.length();
+    let along = from.dot(span) / length;
+    let is_within =
+        (span.perp_dot(from) / length).abs() <= reach && along > reach && length - along > reach;
+    is_within.then_some(along / length)
+}
+
 /// The side of a ring or line that a point lies within, and where.
 fn cut_of(ring: usize, given: &Ring, at: DVec2, reach: f64) -> Option<(InRing, Cut)> {
-    let share = |start: DVec2, end: DVec2| {
-        let (span, from) = (end - start, at - start);
-        let length = span.length();
-        let along = from.dot(span) / length;
-        let is_within = (span.perp_dot(from) / length).abs() <= reach
-            && along > reach
-            && length - along > reach;
-        is_within.then_some(along / length)
-    };
-    sides_of(ring, given).find_map(|Given { at: index, start, end, side }| match &side.curve {
-        Curve::Line => share(start, end).map(|share| (index, Cut::Share(share))),
-        Curve::Polyline(own) if side.intervals == Intervals::Points => {
-            let from = [start].into_iter().chain(own.iter().copied());
-            let to = own.iter().copied().chain([end]);
-            let piece = from.zip(to).position(|(from, to)| share(from, to).is_some());
-            piece.map(|piece| (index, Cut::Point(piece)))
-        }
-        _ => None,
+    sides_of(ring, given).find_map(|given| {
+        let (index, is_straight) = (given.at, given.side.curve == Curve::Line);
+        let mut shares = pieces(given).map(|piece| share(piece, at, reach)).enumerate();
+        let (piece, share) = shares.find_map(|(piece, share)| Some((piece, share?)))?;
+        Some((index, if is_straight { Cut::Share(share) } else { Cut::Point(piece) }))
     })
 }
 

@@ -1,15 +1,15 @@
 //! The faces between lines that meet at their ends alone.
 
-use std::collections::HashMap;
+use std::collections::BTreeSet;
 
 use glam::DVec2;
 
 use super::curve::{PieceCurve, Segment};
 use super::loops::Link;
-use super::nesting::contains;
+use super::nesting::{Loop, contains, smallest_around};
 use super::outline::{Border, DrawnRing, Piece};
 use super::overlay::crossings::{MOST_COMPARISONS, meetings};
-use super::overlay::edge::{Edge, Step};
+use super::overlay::edge::{Edge, Step, points_of};
 use super::overlay::faces::{Graph, links};
 use super::overlay::turns_left;
 use crate::error::OutlineError;
@@ -43,9 +43,6 @@ pub(super) fn faces(
     let (links, _) = links(&edges, |_| 0);
     let graph = Graph::new(&links, points);
     let rings: Vec<Vec<Step>> = graph.rings(|_| Some(())).into_iter().map(|it| it.1).collect();
-    let at = |steps: &[Step]| -> Vec<DVec2> {
-        steps.iter().map(|step| points[step.from as usize]).collect()
-    };
     let drawn = |steps: &[Step]| DrawnRing {
         pieces: steps
             .iter()
@@ -56,35 +53,32 @@ pub(super) fn faces(
             .collect(),
     };
     // A line with one face on both sides gives rings of two steps, there and back.
-    let mut of_rings: HashMap<u32, u32> = HashMap::new();
     let is_ring = |steps: &&Vec<Step>| steps.len() > 2;
-    for step in rings.iter().filter(is_ring).flatten() {
-        *of_rings.entry(step.chord).or_default() += 1;
-    }
-    let (mut outer, mut inner) = (Vec::new(), Vec::new());
+    let in_rings = rings.iter().filter(is_ring).flatten();
+    let in_rings: BTreeSet<u32> = in_rings.map(|step| step.chord).collect();
+    let (mut outer, mut faces, mut inner) = (Vec::new(), Vec::new(), Vec::new());
     for steps in rings.iter().filter(is_ring) {
-        let points = at(steps);
+        let points = points_of(steps, points);
         let ring = drawn(steps);
         if turns_left(&points) {
-            outer.push((points, vec![ring]));
+            outer.push(Loop::new(points));
+            faces.push(vec![ring]);
         } else {
             inner.push((points, ring));
         }
     }
-    let area = |points: &[DVec2]| super::outline::doubled_area(points);
     for (points, ring) in inner {
-        let around = outer.iter_mut().filter(|(outer, _)| contains(outer, &points));
-        if let Some((_, rings)) = around.min_by(|a, b| area(&a.0).total_cmp(&area(&b.0))) {
-            rings.push(ring);
+        if let Some(face) = smallest_around(outer.iter().enumerate(), &points) {
+            faces[face].push(ring);
         }
     }
-    let lines = (0..).zip(&given).filter(|(chord, _)| !of_rings.contains_key(chord));
+    let lines = (0..).zip(&given).filter(|(chord, _)| !in_rings.contains(chord));
     let lines = lines.map(|(_, link)| {
         let [start, end] = link.ends.map(|end| points[end as usize]);
         let segment = Segment { start, end, curve: PieceCurve::Line };
         Border { segment, side: link.side.clone(), begins_side: false, beside: [None; 2] }
     });
-    Ok(Ok(Faces { lines: lines.collect(), faces: outer.into_iter().map(|it| it.1).collect() }))
+    Ok(Ok(Faces { lines: lines.collect(), faces }))
 }
 
 /// Whether a point lies in a face.

@@ -25,6 +25,7 @@
 //! To read a further format, add a module with a function `read`, a variant of [`OutlineFormat`],
 //! and the first lines that tell it.
 
+mod antimeridian;
 mod choice;
 mod csv;
 mod curve;

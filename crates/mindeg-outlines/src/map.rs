@@ -6,6 +6,7 @@
 //! is there once. A vertex where regions touch without an edge joins nothing.
 
 mod borders;
+mod gaps;
 mod inner_point;
 mod parts;
 mod plane;
@@ -17,7 +18,8 @@ use std::sync::Arc as Shared;
 use glam::DVec2;
 use mindeg_domain::{Domain, InnerPoint, Inside, Outline, Region, Ring};
 
-use self::parts::{Gap, Part};
+use self::gaps::Gap;
+use self::parts::Part;
 use self::plane::{Plane, Run};
 use super::choice::Polygon;
 use super::domain::domain_side;
@@ -76,7 +78,7 @@ fn domains(
     division: &Division,
 ) -> Result<(Vec<Domain>, Option<Gap>), OutlineError> {
     let plane = Plane::new(borders, names)?;
-    let (parts, gap) = parts::parts(&plane, names.len())?;
+    let (parts, gap) = parts::parts(&plane, names.len(), points)?;
     let mut own_points = points_of(&parts, points)?.into_iter();
     let mut sides = SideNames { names, known: BTreeMap::new() };
     let domains = parts

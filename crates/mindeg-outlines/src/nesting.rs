@@ -18,14 +18,40 @@ use crate::error::OutlineError;
 /// other, or 40,000 inside each other.
 const MOST_COMPARISONS: u64 = 4_000_000_000;
 
-/// A ring as points, in the order of decreasing area.
-struct Loop {
-    /// Its index among the rings as given.
-    index: usize,
-    points: Vec<DVec2>,
+/// A ring of points that crosses no other.
+pub(super) struct Loop {
+    pub(super) points: Vec<DVec2>,
     doubled_area: f64,
     bounds: Bounds,
-    /// The position of the smallest loop around it.
+}
+
+impl Loop {
+    pub(super) fn new(points: Vec<DVec2>) -> Self {
+        let (doubled_area, bounds) = (doubled_area(&points), box_around(&points));
+        Self { points, doubled_area, bounds }
+    }
+}
+
+/// The index of the smallest of some loops that contains a ring of points, or a single point.
+pub(super) fn smallest_around<'a>(
+    loops: impl IntoIterator<Item = (usize, &'a Loop)>,
+    points: &[DVec2],
+) -> Option<usize> {
+    let own = box_around(points);
+    let is_around = |(_, around): &(usize, &Loop)| {
+        is_within(own, around.bounds) && contains(&around.points, points)
+    };
+    let size = |(_, around): &(usize, &Loop)| around.doubled_area.abs();
+    let found = loops.into_iter().filter(is_around);
+    found.min_by(|a, b| size(a).total_cmp(&size(b))).map(|(index, _)| index)
+}
+
+/// A ring with its place among others.
+struct Nested {
+    /// Its index among the rings as given.
+    index: usize,
+    own: Loop,
+    /// The position of the smallest ring around it.
     parent: Option<usize>,
     /// How many times the rings wind around the points just inside.
     winding: i64,
@@ -105,27 +131,25 @@ pub(super) fn polygons(
     Ok((features, rings.into_iter().flatten().collect()))
 }
 
-/// The loops of the rings, larger ones first, each with its parent.
-fn nested(rings: &[DrawnRing]) -> Result<Vec<Loop>, OutlineError> {
-    let mut loops: Vec<Loop> = rings
+/// The rings, larger ones first, each with its parent.
+fn nested(rings: &[DrawnRing]) -> Result<Vec<Nested>, OutlineError> {
+    let mut loops: Vec<Nested> = rings
         .iter()
         .enumerate()
         .map(|(index, ring)| {
-            let points = ring.flattened();
-            let bounds = box_around(&points);
-            let doubled_area = doubled_area(&points);
-            Loop { index, points, doubled_area, bounds, parent: None, winding: 0, depth: 0 }
+            let own = Loop::new(ring.flattened());
+            Nested { index, own, parent: None, winding: 0, depth: 0 }
         })
         .collect();
-    let size = |one: &Loop| one.doubled_area.abs();
+    let size = |one: &Nested| one.own.doubled_area.abs();
     loops.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.index.cmp(&b.index)));
     let mut budget = MOST_COMPARISONS;
     for at in 0..loops.len() {
         let (larger, rest) = loops.split_at(at);
-        let one = &rest[0];
+        let one = &rest[0].own;
         let mut parent = None;
         // From the smallest up: the first that contains it is its parent.
-        for (other_at, other) in larger.iter().enumerate().rev() {
+        for (other_at, Nested { own: other, .. }) in larger.iter().enumerate().rev() {
             let is_around = is_within(one.bounds, other.bounds);
             let cost = if is_around { 1 + other.points.len() as u64 } else { 1 };
             budget = budget
@@ -137,7 +161,7 @@ fn nested(rings: &[DrawnRing]) -> Result<Vec<Loop>, OutlineError> {
             }
         }
         let (winding, depth) = parent.map_or((0, 0), |at| (loops[at].winding, loops[at].depth + 1));
-        let turn = if loops[at].doubled_area > 0.0 { 1 } else { -1 };
+        let turn = if loops[at].own.doubled_area > 0.0 { 1 } else { -1 };
         loops[at].parent = parent;
         loops[at].depth = depth;
         loops[at].winding = winding + turn;

@@ -20,6 +20,8 @@ pub struct Outlines {
     pub notes: Vec<String>,
     /// The shapes that the file draws, in the order of the polygons.
     pub(super) shapes: Vec<Shape>,
+    /// Whether coordinates are longitudes and latitudes.
+    pub(super) is_geographic: bool,
 }
 
 /// A line or curve between two points, with the regions beside it. One with a region on neither side is a line

@@ -16,12 +16,12 @@ use glam::DVec2;
 use mindeg_mesh::planar::orientation;
 
 pub(super) use self::edge::Layer;
-use self::edge::{Edge, Step};
+use self::edge::{Edge, Step, points_of};
 
 use super::curve::PieceCurve;
 use super::loops::reversed;
-use super::nesting::{box_around, contains, is_within};
-use super::outline::{DrawnRing, Piece, doubled_area};
+use super::nesting::{Loop, smallest_around};
+use super::outline::{DrawnRing, Piece};
 use super::vertices::Vertices;
 
 /// The result of laying rings over each other.
@@ -94,10 +94,7 @@ pub(super) fn overlay(
     let mut visits = vec![0_u32; vertices.points.len()];
     bounds.iter().flatten().for_each(|step| visits[step.from as usize] += 1);
     for mut steps in bounds {
-        let points = |steps: &[Step]| -> Vec<DVec2> {
-            steps.iter().map(|step| vertices.points[step.from as usize]).collect()
-        };
-        let is_outer = turns_left(&points(&steps));
+        let is_outer = turns_left(&points_of(&steps, &vertices.points));
         joined(&mut steps, &vertices.points, &chords, &visits);
         // A ring begins where the first of its pieces does in the file, and runs the same way.
         let begin = |at: &usize| {
@@ -110,24 +107,21 @@ pub(super) fn overlay(
         } else {
             steps = turned_back(&steps, first);
         }
-        let found = (steps[0].chord, ring(&steps, &vertices.points, &chords), points(&steps));
+        let points = points_of(&steps, &vertices.points);
+        let found = (steps[0].chord, ring(&steps, &vertices.points, &chords), points);
         if is_outer { outers.push(found) } else { holes.push(found) }
     }
     outers.sort_by_key(|&(chord, ..)| chord);
     holes.sort_by_key(|&(chord, ..)| chord);
     let mut polygons: Vec<(Vec<DrawnRing>, Option<usize>)> = Vec::new();
-    let mut boxes = Vec::new();
-    for (chord, ring, points) in &mut outers {
-        let Chord { layer, index, .. } = chords[*chord as usize];
-        polygons.push((vec![std::mem::take(ring)], (layer == 0).then_some(index)));
-        boxes.push((box_around(points), doubled_area(points).abs()));
+    let mut loops = Vec::new();
+    for (chord, ring, points) in outers {
+        let Chord { layer, index, .. } = chords[chord as usize];
+        polygons.push((vec![ring], (layer == 0).then_some(index)));
+        loops.push(Loop::new(points));
     }
     for (_, ring, points) in holes {
-        let own = box_around(&points);
-        let is_around =
-            |&outer: &usize| is_within(own, boxes[outer].0) && contains(&outers[outer].2, &points);
-        let around = (0..outers.len()).filter(is_around);
-        if let Some(outer) = around.min_by(|&a, &b| boxes[a].1.total_cmp(&boxes[b].1)) {
+        if let Some(outer) = smallest_around(loops.iter().enumerate(), &points) {
             polygons[outer].0.push(ring);
         }
     }

@@ -47,8 +47,9 @@ impl Outlines {
     /// assert_eq!(whole.features.len(), 1);
     /// # Ok::<(), mindeg_outlines::OutlineError>(())
     /// ```
-    pub fn repaired(self, rule: Option<FillRule>) -> Result<Self, OutlineError> {
-        let Self { features, inside, notes, shapes } = self;
+    pub fn repaired(mut self, rule: Option<FillRule>) -> Result<Self, OutlineError> {
+        self.cut_at_antimeridian()?;
+        let Self { features, inside, notes, shapes, .. } = self;
         let mut repaired = Self { inside, notes, ..Self::default() };
         let mut features = features.into_iter();
         let mut start = 0;

@@ -105,7 +105,7 @@ impl LineKeys {
         let Ring { corners, sides } = line;
         Self {
             corners: Some(corners.clone()),
-            closed: (corners.len() > 1 && sides.len() == corners.len()).then_some(true),
+            closed: (corners.len() > 1 && !line.is_open()).then_some(true),
             sides: Some(sides.iter().cloned().map(SideKeys::of_side).collect()),
             ..Self::default()
         }

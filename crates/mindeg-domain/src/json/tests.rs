@@ -578,6 +578,7 @@ fn refuses_maps_with_the_place() {
         (r#""points": [{"at": [1, 1], "size": -1}]"#, "points[0].size: the size is -1.0; it must be a finite number above 0"),
         (r#""regions": [{"at": [1, 1]}, {"at": [2, 1]}]"#, "regions[1].at: region 2 at (2.0, 1.0) lies in the same face as region 1; drop one of them, or draw a line between them"),
         (r#""regions": [{"at": [1, 9]}]"#, "regions[0].at: region 1 at (1.0, 9.0) lies outside the domain; move it inside, or drop it"),
+        (r#""regions": [{"at": [1, 1]}, {"at": [3, 1]}, {"at": [1, 1]}]"#, "regions[2].at: region 3 at (1.0, 1.0) is at the point of region 1; drop one of them"),
         (r#""lines": [{"corners": [[1, 0], [1, 2]]}], "regions": [{"at": [3, 1]}, {"at": [1, 1.5]}]"#, "regions[1].at: region 2 at (1.0, 1.5) is no point inside a region; move it off sides, lines and points"),
         (r#""regions": [{"at": [1, 1], "name": " "}]"#, "regions[0].name: the name of region 1 is blank; give it a letter or leave it out"),
         (r#""lines": [{"corners": [[1, 1], [2, 1]], "sides": [{"max_degree": 5}]}]"#, "lines[0].sides[0]: line 1: degrees are limited at the boundary only; drop \"max_degree\" and \"outside_degree\""),

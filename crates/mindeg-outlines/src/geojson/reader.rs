@@ -219,6 +219,7 @@ impl Reader<'_> {
         if self.outlines.features.is_empty() {
             return Err(Path::Start.error("no Polygon or MultiPolygon; the collection is empty"));
         }
+        self.outlines.is_geographic = self.largest[0] < 180.0 + 1e-9 && self.largest[1] <= 90.0;
         if let Some(wanted) = self.name_by.filter(|_| self.unnamed > 0) {
             let is_any = self.outlines.features.iter().any(|feature| feature.name.is_some());
             let mut others =

@@ -3,14 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use glam::DVec2;
+use mindeg_domain::InnerPoint;
 use mindeg_mesh::DisjointSets;
 
+use super::gaps::Gap;
 use super::inner_point::inner_point;
 use super::plane::{Plane, Run};
 use crate::error::OutlineError;
-use crate::nesting::contains;
-use crate::outline::doubled_area;
-use crate::overlay::edge::Step;
+use crate::nesting::{Loop, contains, smallest_around};
+use crate::overlay::edge::{Step, points_of};
 use crate::overlay::faces::Graph;
 use crate::overlay::turns_left;
 use crate::text::shown;
@@ -26,49 +27,13 @@ pub(super) struct Part {
     pub(super) regions: Vec<Face>,
     /// Points in holes whose rings are among the lines, because they touch other rings.
     pub(super) hole_faces: Vec<DVec2>,
-    points: Vec<DVec2>,
+    around: Loop,
 }
 
 impl Part {
     /// Whether a point lies inside the outer ring or at a point of it, and in no hole.
     pub(super) fn holds(&self, at: DVec2) -> bool {
-        self.points.contains(&at) || contains(&self.points, &[at])
-    }
-}
-
-/// A hole between regions that is far longer than wide.
-pub(super) struct Gap {
-    at: DVec2,
-    width: f64,
-    length: f64,
-    regions: [u32; 2],
-}
-
-/// A hole between regions whose width is a smaller share of its length is a gap.
-const SLIVER: f64 = 1e-3;
-
-impl Gap {
-    /// The gap on the left of a ring, if it lies between several regions.
-    fn of(plane: &Plane<'_>, steps: &[Step], points: &[DVec2]) -> Option<Self> {
-        let regions = || steps.iter().filter_map(|step| plane.right_of(step));
-        let first = regions().next()?;
-        let regions = [first, regions().find(|&region| region != first)?];
-        let ends = points.iter().zip(points.iter().cycle().skip(1));
-        let length = ends.map(|(a, b)| a.distance(*b)).sum::<f64>() / 2.0;
-        let width = doubled_area(points).abs() / 2.0 / length;
-        (width < SLIVER * length).then_some(Self { at: points[0], width, length, regions })
-    }
-
-    pub(super) fn error(&self, names: &[String]) -> OutlineError {
-        let [one, other] = self.regions.map(|region| &names[region as usize]);
-        let problem = format!(
-            "a gap {:.1e} wide and {:.1e} long is between {one} and {other}; --repair --snap {:.1e} closes it, --repair \
-             alone keeps it",
-            self.width,
-            self.length,
-            2.0 * self.width
-        );
-        OutlineError::place(shown(self.at), problem)
+        self.around.points.contains(&at) || contains(&self.around.points, &[at])
     }
 }
 
@@ -82,20 +47,20 @@ impl Parts {
     /// The part of a set of regions around some points: where regions touch themselves, a set has several.
     fn around(&mut self, set: u32, points: &[DVec2]) -> Option<&mut Part> {
         let of_set = self.of_set.get(&set)?;
-        let around = |&&part: &&usize| contains(&self.parts[part].points, points);
-        let area = |part: &usize| doubled_area(&self.parts[*part].points);
+        let loops = |&part: &usize| (part, &self.parts[part].around);
         let part = match &of_set[..] {
             [only] => *only,
-            several => *several.iter().filter(around).min_by(|a, b| area(a).total_cmp(&area(b)))?,
+            several => smallest_around(several.iter().map(loops), points)?,
         };
         self.parts.get_mut(part)
     }
 }
 
-/// The domains of a plane, in the order of their first regions, and the longest gap between regions.
+/// The domains of a plane with points inside, in the order of their first regions, and the longest gap between regions.
 pub(super) fn parts(
     plane: &Plane<'_>,
     regions: usize,
+    inner: &[InnerPoint],
 ) -> Result<(Vec<Part>, Option<Gap>), OutlineError> {
     let graph = Graph::new(&plane.links, &plane.points);
     plane.check_sides(&graph)?;
@@ -110,14 +75,15 @@ pub(super) fn parts(
     let mut found = Parts { parts: Vec::new(), of_set: BTreeMap::new() };
     let mut holes = Vec::new();
     for ((), steps) in graph.rings(|half| is_bound(half).then_some(())) {
-        let points = plane.points_of(&steps);
+        let points = points_of(&steps, &plane.points);
         let set = set_of(plane.left_of(&steps[0]));
         let run = Run { end: steps[0].from, steps };
         if turns_left(&points) {
             found.of_set.entry(set).or_default().push(found.parts.len());
             let (holes, lines) = (Vec::new(), Vec::new());
             let (regions, hole_faces) = (Vec::new(), Vec::new());
-            found.parts.push(Part { outer: run, holes, lines, regions, hole_faces, points });
+            let around = Loop::new(points);
+            found.parts.push(Part { outer: run, holes, lines, regions, hole_faces, around });
         } else {
             holes.push((set, run, points));
         }
@@ -136,7 +102,7 @@ pub(super) fn parts(
             part.lines.push(run);
         }
     }
-    let (faces, gap) = faces(plane, &graph, regions)?;
+    let (faces, gap) = faces(plane, &graph, regions, inner)?;
     for (region, at) in faces {
         if let Some(part) = found.around(set_of(Some(region)), &[at]) {
             part.regions.push((region, at));
@@ -182,9 +148,11 @@ fn faces(
     plane: &Plane<'_>,
     graph: &Graph<'_>,
     regions: usize,
+    inner: &[InnerPoint],
 ) -> Result<(Vec<Face>, Option<Gap>), OutlineError> {
     let mut edges: Vec<Vec<[DVec2; 2]>> = vec![Vec::new(); regions];
-    let mut lines = Vec::new();
+    // The point in a face may be none of the points inside.
+    let mut lines: Vec<[DVec2; 2]> = inner.iter().map(|point| [point.at; 2]).collect();
     for chord in 0..plane.chords.len() as u32 {
         let beside = plane.border(chord).beside;
         beside.iter().flatten().for_each(|&region| edges[region as usize].push(plane.ends(chord)));
@@ -193,16 +161,14 @@ fn faces(
     edges.iter_mut().for_each(|edges| edges.extend_from_slice(&lines));
     let (mut faces, mut gap) = (Vec::new(), None);
     for ((), steps) in graph.rings(|_| Some(())) {
-        let ring = plane.points_of(&steps);
+        let ring = points_of(&steps, &plane.points);
         let region = steps.iter().find_map(|step| plane.left_of(step));
         // A ring of two steps goes there and back.
         if steps.len() < 3 || !turns_left(&ring) {
             continue;
         }
         let Some(region) = region else {
-            let own = Gap::of(plane, &steps, &ring);
-            let length = |gap: &Option<Gap>| gap.as_ref().map_or(0.0, |gap| gap.length);
-            gap = if length(&own) > length(&gap) { own } else { gap };
+            gap = Gap::longer(gap, Gap::of(plane, &steps, &ring));
             continue;
         };
         let at = inner_point(&ring, &edges[region as usize]);
@@ -210,7 +176,7 @@ fn faces(
         faces.push((region, at));
     }
     faces.sort_by_key(|face| face.0);
-    Ok((faces, gap))
+    Ok((faces, Gap::longer(gap, Gap::open(plane))))
 }
 
 /// Makes lines of the holes that touch the outline or a hole before: rings may not touch, lines may.
@@ -218,7 +184,7 @@ fn part_touching_holes(plane: &Plane<'_>, part: &mut Part) -> Result<(), Outline
     let mut seen: BTreeSet<u32> = part.outer.steps.iter().map(|step| step.from).collect();
     for run in std::mem::take(&mut part.holes) {
         if run.steps.iter().any(|step| seen.contains(&step.from)) {
-            let mut ring = plane.points_of(&run.steps);
+            let mut ring = points_of(&run.steps, &plane.points);
             ring.reverse();
             let edges: Vec<[DVec2; 2]> =
                 run.steps.iter().map(|step| plane.ends(step.chord)).collect();

@@ -110,10 +110,6 @@ impl<'a> Plane<'a> {
         self.chords[chord as usize].ends.map(|end| self.points[end as usize])
     }
 
-    pub(super) fn points_of(&self, steps: &[Step]) -> Vec<DVec2> {
-        steps.iter().map(|step| self.points[step.from as usize]).collect()
-    }
-
     /// Refuses edges that meet elsewhere than at ends of both.
     fn check_meetings(&self, edges: &[Edge]) -> Result<(), OutlineError> {
         let mut budget = MOST_COMPARISONS;

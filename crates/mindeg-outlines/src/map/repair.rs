@@ -9,10 +9,10 @@ use glam::DVec2;
 
 use crate::curve::norm;
 use crate::error::OutlineError;
-use crate::nesting::{box_around, contains, is_within};
+use crate::nesting::{Loop, smallest_around};
 use crate::outline::{Feature, FillRule, Outlines, doubled_area};
 use crate::overlay::crossings::{Meetings, parted, with_vertices};
-use crate::overlay::edge::{Edge, Layer, Step};
+use crate::overlay::edge::{Edge, Layer, points_of};
 use crate::overlay::faces::{Graph, links};
 use crate::overlay::{chords, ring, rounding, turns_left};
 use crate::text::{counted, shown};
@@ -30,11 +30,12 @@ impl Outlines {
     ///
     /// Edges too many or too near each other to be told apart in some seconds.
     pub fn repaired_together(
-        self,
+        mut self,
         rule: Option<FillRule>,
         tolerance: Option<f64>,
     ) -> Result<Self, OutlineError> {
-        let Self { features, inside, notes, shapes } = self;
+        self.cut_at_antimeridian()?;
+        let Self { features, inside, notes, shapes, .. } = self;
         let wrong = |problem: String| OutlineError::place("", problem);
         let rule_of = |index: usize| {
             let shape = shapes.partition_point(|shape| shape.end <= index);
@@ -88,12 +89,9 @@ impl Outlines {
         let owner = |half: usize| on_left(half).first().copied();
         done.dropped =
             (0..links.len()).filter(|link| owner(2 * link) == owner(2 * link + 1)).count();
-        let points_of = |steps: &[Step]| -> Vec<DVec2> {
-            steps.iter().map(|step| points[step.from as usize]).collect()
-        };
         let is_shared = |half: usize| on_left(half).len() > 1;
         for (set, steps) in graph.rings(|half| is_shared(half).then(|| windings.left[half])) {
-            done.overlap(&covering[set as usize], &points_of(&steps));
+            done.overlap(&covering[set as usize], &points_of(&steps, points));
         }
         let is_border = |half: usize| owner(half) != owner(half ^ 1);
         let mut rings = graph.rings(|half| owner(half).filter(|_| is_border(half)));
@@ -114,17 +112,12 @@ impl Outlines {
                 continue;
             }
             let (outers, holes): (Vec<_>, Vec<_>) = (of_feature.iter())
-                .map(|(_, steps)| (points_of(steps), ring(steps, points, &chords)))
+                .map(|(_, steps)| (points_of(steps, points), ring(steps, points, &chords)))
                 .partition(|(points, _)| turns_left(points));
-            let bounds: Vec<_> = outers.iter().map(|(points, _)| box_around(points)).collect();
-            let mut polygons: Vec<_> = outers.iter().map(|(_, ring)| vec![ring.clone()]).collect();
+            let (outers, mut polygons): (Vec<_>, Vec<_>) =
+                outers.into_iter().map(|(points, ring)| (Loop::new(points), vec![ring])).unzip();
             for (points, ring) in holes {
-                let own = box_around(&points);
-                let is_around =
-                    |&at: &usize| is_within(own, bounds[at]) && contains(&outers[at].0, &points);
-                let area = |at: &usize| doubled_area(&outers[*at].0);
-                let around = (0..outers.len()).filter(is_around);
-                if let Some(at) = around.min_by(|a, b| area(a).total_cmp(&area(b))) {
+                if let Some(at) = smallest_around(outers.iter().enumerate(), &points) {
                     polygons[at].push(ring);
                 }
             }

@@ -101,6 +101,15 @@ fn faults_name_both_regions_and_the_place() {
             "POLYGON((0 0, 4 0, 2 4)) POLYGON((0 0, 2 -4, 4 0, 2 -0.001))",
             "(4.0, 0.0): a gap 5.0e-4 wide and 4.0e0 long is between polygon 1 and polygon 2; --repair --snap 1.0e-3 closes",
         ),
+        // Open at both ends; and at one.
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4.0005 1, 8 0, 8 4, 4.0005 5))",
+            "(4.0, 4.0): a gap 5.0e-4 wide and 3.0e0 long is between polygon 1 and polygon 2; --repair --snap 1.0e-3 closes",
+        ),
+        (
+            "POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4 0, 8 0, 8 4, 4.0005 2))",
+            "(4.0, 0.0): a gap 5.0e-4 wide and 2.0e0 long is between polygon 1 and polygon 2; --repair --snap 1.0e-3 closes",
+        ),
     ] {
         let error = of_wkt(wkt, None).unwrap_err();
         assert!(error.starts_with(message), "{wkt}: {error}");
@@ -271,6 +280,13 @@ fn a_repair_keeps_borders_shared() {
     // Without a distance the gap stays.
     let (domains, _) = repaired(wkt, None);
     assert_eq!(domains.len(), 2);
+    // A street of some width is none.
+    assert_eq!(
+        of_wkt("POLYGON((0 0, 4 0, 4 4, 0 4)) POLYGON((4.005 0, 8 0, 8 4, 4.005 4))", None)
+            .unwrap()
+            .len(),
+        2
+    );
     let (_, note) = repaired("POLYGON((0 0, 4 0, 4 4)) POLYGON((4 0, 8 0, 4 4))", None);
     assert!(note.ends_with("nothing to do"), "{note}");
 }

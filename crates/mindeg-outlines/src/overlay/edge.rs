@@ -1,5 +1,7 @@
 //! Edges: the input and the output of a planar subdivision.
 
+use glam::DVec2;
+
 use super::super::outline::{DrawnRing, FillRule};
 
 /// Rings that one fill rule counts.
@@ -22,4 +24,9 @@ pub(in super::super) struct Step {
     pub(in super::super) chord: u32,
     /// Whether it runs as its chord does.
     pub(in super::super) forward: bool,
+}
+
+/// The points where steps start.
+pub(in super::super) fn points_of(steps: &[Step], points: &[DVec2]) -> Vec<DVec2> {
+    steps.iter().map(|step| points[step.from as usize]).collect()
 }

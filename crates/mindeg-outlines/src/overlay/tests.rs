@@ -1,7 +1,7 @@
 use i_overlay::core::fill_rule::FillRule as OtherRule;
 use i_overlay::float::simplify::SimplifyShape;
 
-use super::super::outline::{FillRule, Outlines};
+use super::super::outline::{FillRule, Outlines, doubled_area};
 use super::super::sides::Division;
 use super::crossings::parted;
 use super::*;
