@@ -567,3 +567,46 @@ fn bad_maps_are_refused_with_the_place() {
         assert!(!out.exists(), "{name}");
     }
 }
+
+/// Several shapes of WKT and SVG, and layers of a DXF, as one mesh.
+#[test]
+fn shapes_of_every_format_become_regions_by_name() {
+    let dxf = |layer: &str, x: u32| {
+        format!(
+            "0\nLWPOLYLINE\n8\n{layer}\n70\n1\n10\n{x}\n20\n0\n10\n{}\n20\n0\n10\n{}\n20\n2\n10\n{x}\n20\n2\n",
+            x + 2,
+            x + 2
+        )
+    };
+    let dxf =
+        format!("0\nSECTION\n2\nENTITIES\n{}{}0\nENDSEC\n0\nEOF\n", dxf("sand", 0), dxf("clay", 2));
+    let files = [
+        (
+            "a.wkt",
+            "GEOMETRYCOLLECTION(POLYGON((0 0, 2 0, 2 2, 0 2)), MULTIPOLYGON(((2 0, 4 0, 4 2, 2 2)), ((4 0, 6 0, 6 2, 4 2))))",
+        ),
+        (
+            "a.svg",
+            "<svg><path id='left' d='M0 0h4v4h-4z'/><rect id='right' x='4' width='4' height='4'/></svg>",
+        ),
+        ("a.dxf", &*dxf),
+    ];
+    let folder = folder(&files);
+    for (name, options, expected) in [
+        ("a.wkt", &[][..], &["polygon_1", "polygon_2", "polygon_3"][..]),
+        ("a.svg", &[], &["left", "right"]),
+        ("a.dxf", &["--name-by", "layer"], &["clay", "sand"]),
+        ("a.dxf", &["--layer", "Clay"], &["clay"]),
+    ] {
+        let [path, out] = [name, "out.obj"].map(|name| folder.path().join(name));
+        let [path, out] = [&path, &out].map(|path| path.to_str().unwrap());
+        let run =
+            mindeg([&["mesh", path, "--interior", "--size", "1", "-o", out], options].concat());
+        assert_eq!(run.code, Some(0), "{name}: {}", run.errors);
+        let obj = text(Path::new(out));
+        let found = groups(&obj);
+        let found: Vec<&str> = found.keys().map(String::as_str).collect();
+        assert_eq!(found, expected, "{name} {options:?}");
+        fs::remove_file(out).expect("the mesh");
+    }
+}

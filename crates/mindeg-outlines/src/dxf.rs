@@ -5,6 +5,8 @@
 //! arcs. Rings inside others are holes. If a ring's lines lie in several layers, these name its
 //! sides; if all of a polygon's lie in one, that is its name.
 //!
+//! By layers (`layers.rs`), each layer has polygons of its own, and open lines and points lie inside.
+//!
 //! Left out and counted: blocks, splines, ellipses, and all that a viewer hides (paper space, layers that
 //! are off or frozen, invisible entities, the control points of splines).
 //!
@@ -12,44 +14,64 @@
 
 mod entities;
 mod joining;
+mod layers;
 mod pairs;
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc as Shared;
 
+use glam::DVec2;
+
+use super::loops;
 use super::outline::Outlines;
-use super::text::{at_line, clean, counted};
+use super::selection::Selection;
+use super::text::{at_line, clean, counted, quoted};
 use crate::error::OutlineError;
-use entities::{Entity, text, whole};
+use entities::{Entity, layer_of, point_at, text, whole};
 use pairs::{Pair, pairs};
 
 /// Names of the units by the values of `$INSUNITS`.
 const UNITS: [&str; 7] =
     ["no unit", "inches", "feet", "miles", "millimeters", "centimeters", "meters"];
 
-/// Reads the entities of a DXF.
+/// Reads the entities of a DXF, or those of one layer.
 ///
 /// # Errors
 ///
 /// Binary files; malformed input, with its line; a drawing without a closed
-/// outline.
-pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
+/// outline, or without the layer.
+pub(super) fn read(bytes: &[u8], selection: &Selection) -> Result<Outlines, OutlineError> {
+    let by_layer = match selection.name_by.as_deref() {
+        None => false,
+        Some("layer") => true,
+        Some(other) => {
+            let problem =
+                format!("a DXF has no property {}; its polygons are named by layer", quoted(other));
+            return Err(OutlineError::place("", problem));
+        }
+    };
     if bytes.starts_with(b"AutoCAD Binary DXF") {
         return Err(at_line(1, "this is a binary DXF; save it as ASCII DXF"));
     }
     // Old files have names in the encodings of their countries; numbers are plain anyway.
     let text = String::from_utf8_lossy(bytes);
-    let drawing = drawing(&text)?;
+    let mut drawing = drawing(&text)?;
+    if let Some(layer) = &selection.layer {
+        drawing.take_layer(layer)?;
+    }
+    if !by_layer && !drawing.points.is_empty() {
+        *drawing.left_out.entry(("", "POINT".to_owned())).or_default() += drawing.points.len();
+    }
     let mut notes = Vec::new();
     if let Some(unit) = drawing.units.and_then(|unit| UNITS.get(unit).copied()) {
         notes.push(format!("the drawing's unit ($INSUNITS) is {unit}; coordinates are kept"));
     }
-    let (rings, note) = joining::rings(drawing.entities)?;
-    notes.extend(note);
+    let (points, links) = joining::links(&drawing.entities)?;
     let left_out: Vec<String> = (drawing.left_out.iter())
         .map(|((why, name), &count)| format!("{}{why}", counted(count, name)))
         .collect();
     let left_out = left_out.join(", ");
-    if rings.is_empty() {
+    if links.is_empty() {
         let only = if left_out.is_empty() { String::new() } else { format!(", only {left_out}") };
         return Err(OutlineError::place(
             "the section ENTITIES",
@@ -58,9 +80,13 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
             ),
         ));
     }
-    if !left_out.is_empty() {
-        notes.push(format!("left out {left_out}"));
+    let left_out = (!left_out.is_empty()).then(|| format!("left out {left_out}"));
+    if by_layer {
+        notes.extend(left_out);
+        return layers::outlines(&points, links, drawing.points, notes);
     }
+    let (rings, open) = loops::rings(&points, &links)?;
+    notes.extend(open.into_iter().chain(left_out));
     let mut outlines = Outlines::of_rings(rings, notes)?;
     outlines.features.iter_mut().for_each(|feature| feature.name_by_side());
     Ok(outlines)
@@ -70,6 +96,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Outlines, OutlineError> {
 #[derive(Default)]
 struct Drawing {
     entities: Vec<Entity>,
+    /// Points, with their layers.
+    points: Vec<(Option<Shared<str>>, DVec2)>,
     /// How many of a name were left out for a reason.
     left_out: BTreeMap<(&'static str, String), usize>,
     /// Layers that are off or frozen, in upper case: layer names ignore case.
@@ -141,9 +169,32 @@ impl Drawing {
             return Ok(());
         }
         let why = self.hidden(pairs);
+        if name == "POINT" && why.is_empty() {
+            self.points.push((layer_of(pairs), point_at(pairs)?));
+            return Ok(());
+        }
         match if why.is_empty() { Entity::read(name, pairs)? } else { None } {
             Some(entity) => self.entities.push(entity),
             None => self.leave_out(name, why),
+        }
+        Ok(())
+    }
+
+    /// Drops all that is not in a layer; names of layers ignore case.
+    fn take_layer(&mut self, wanted: &str) -> Result<(), OutlineError> {
+        let name = |layer: &Option<Shared<str>>| layer.as_deref().unwrap_or("0").to_owned();
+        let layers = self.entities.iter().map(|entity| &entity.layer);
+        let layers = layers.chain(self.points.iter().map(|point| &point.0));
+        let layers: BTreeSet<String> = layers.map(name).collect();
+        let is_wanted =
+            |layer: &Option<Shared<str>>| name(layer).to_uppercase() == wanted.to_uppercase();
+        self.entities.retain(|entity| is_wanted(&entity.layer));
+        self.points.retain(|point| is_wanted(&point.0));
+        if self.entities.is_empty() && self.points.is_empty() {
+            let layers: Vec<String> = layers.iter().map(|layer| quoted(layer)).collect();
+            let problem =
+                format!("no layer is {}; the file has {}", quoted(wanted), layers.join(", "));
+            return Err(OutlineError::place("", problem));
         }
         Ok(())
     }

@@ -169,11 +169,12 @@ pub fn read_selected(
         let problem = format!("{} has no {what}; {of}", format.name());
         Err(OutlineError::place("", problem))
     };
-    if selection.name_by.is_some() && format != GeoJson {
+    let has_layers = matches!(format, GeoJson | Dxf);
+    if selection.name_by.is_some() && !has_layers {
         return refused("properties", "polygons are named by those of GeoJSON and TopoJSON");
     }
-    if selection.layer.is_some() && format != GeoJson {
-        return refused("layers", "a layer is an object of TopoJSON");
+    if selection.layer.is_some() && !has_layers {
+        return refused("layers", "a layer is an object of TopoJSON, or a layer of a DXF");
     }
     match format {
         GeoJson => geojson::read(bytes, selection),
@@ -183,7 +184,7 @@ pub fn read_selected(
         Obj => mesh_lines::read_obj(bytes),
         Msh => mesh_lines::read_msh(bytes),
         Poly => poly::read(bytes, beside),
-        Dxf => dxf::read(bytes),
+        Dxf => dxf::read(bytes, selection),
     }
 }
 

@@ -20,9 +20,14 @@ pub(super) struct Link {
     pub(super) part_of: u64,
 }
 
+/// Links joined end to end.
+pub(super) struct Chains {
+    pub(super) rings: Vec<DrawnRing>,
+    /// The pieces of each line that closes no ring, and the points where it starts and ends.
+    pub(super) open: Vec<(Vec<Piece>, [DVec2; 2])>,
+}
+
 /// Rings of links, and a note on lines that close no ring.
-///
-/// A ring starts where its first line in the file does, and runs the same way. O(points + links).
 ///
 /// # Errors
 ///
@@ -31,6 +36,33 @@ pub(super) fn rings(
     points: &[DVec2],
     links: &[Link],
 ) -> Result<(Vec<DrawnRing>, Option<String>), OutlineError> {
+    let Chains { rings, open } = chains(points, links)?;
+    let note = open.first().map(|(pieces, [start, _])| {
+        let (lines, at) = (counted(pieces.len(), "piece"), shown(*start));
+        match open.len() {
+            1 => format!("left out an open line of {lines} that ends at {at}"),
+            others => {
+                format!("left out {others} open lines; the first has {lines} and ends at {at}")
+            }
+        }
+    });
+    match (rings.is_empty(), open.first()) {
+        (true, Some((_, [start, _]))) => Err(OutlineError::place(
+            format!("the point {}", shown(*start)),
+            "no line closes: the first one ends there; close the boundary",
+        )),
+        _ => Ok((rings, note)),
+    }
+}
+
+/// Rings of links, and lines that close no ring.
+///
+/// A ring starts where its first line in the file does, and runs the same way. O(points + links).
+///
+/// # Errors
+///
+/// Three or more lines at a point.
+pub(super) fn chains(points: &[DVec2], links: &[Link]) -> Result<Chains, OutlineError> {
     /// No link.
     const NONE: u32 = u32::MAX;
     let mut at_point = vec![[NONE; 2]; points.len()];
@@ -56,36 +88,21 @@ pub(super) fn rings(
         at_point.iter().enumerate().filter(|(_, slots)| slots[0] != NONE && slots[1] == NONE);
     for (point, slots) in loose {
         if !used[slots[0] as usize] {
-            let chain = walk(points, links, &at_point, &mut used, point as u32, slots[0]);
-            open.push((chain.len(), point));
+            let (pieces, end) = walk(points, links, &at_point, &mut used, point as u32, slots[0]);
+            open.push((pieces, [points[point], points[end as usize]]));
         }
     }
     for index in 0..links.len() {
         if !used[index] {
             let start = links[index].ends[0];
-            let pieces = walk(points, links, &at_point, &mut used, start, index as u32);
+            let (pieces, _) = walk(points, links, &at_point, &mut used, start, index as u32);
             rings.push(DrawnRing { pieces });
         }
     }
-    let note = open.first().map(|&(count, point)| {
-        let (lines, at) = (counted(count, "piece"), shown(points[point]));
-        match open.len() {
-            1 => format!("left out an open line of {lines} that ends at {at}"),
-            others => {
-                format!("left out {others} open lines; the first has {lines} and ends at {at}")
-            }
-        }
-    });
-    match (rings.is_empty(), open.first()) {
-        (true, Some(&(_, point))) => Err(OutlineError::place(
-            format!("the point {}", shown(points[point])),
-            "no line closes: the first one ends there; close the boundary",
-        )),
-        _ => Ok((rings, note)),
-    }
+    Ok(Chains { rings, open })
 }
 
-/// The pieces from a point along a link and on, as far as they go.
+/// The pieces from a point along a link and on, as far as they go, and the point where they end.
 fn walk(
     points: &[DVec2],
     links: &[Link],
@@ -93,7 +110,7 @@ fn walk(
     used: &mut [bool],
     start: u32,
     first: u32,
-) -> Vec<Piece> {
+) -> (Vec<Piece>, u32) {
     let mut pieces: Vec<Piece> = Vec::new();
     let mut last_part = None;
     let (mut point, mut index) = (start, first);
@@ -114,7 +131,7 @@ fn walk(
     if let (Some(first_link), Some(piece)) = (links.get(first as usize), pieces.first_mut()) {
         piece.begins_side = last_part != Some(first_link.part_of);
     }
-    pieces
+    (pieces, point)
 }
 
 /// The same curve from its end to its start.

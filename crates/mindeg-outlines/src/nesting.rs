@@ -193,6 +193,11 @@ pub(super) fn contains(ring: &[DVec2], other: &[DVec2]) -> bool {
     other.iter().take(64).find_map(|&point| side(ring, point)).unwrap_or(false)
 }
 
+/// Whether a ring of points that does not cross another one lies in it, or runs along all of it.
+pub(super) fn fits_in(other: &[DVec2], ring: &[DVec2]) -> bool {
+    other.iter().find_map(|&point| side(ring, point)).unwrap_or(true)
+}
+
 /// Whether a point is inside a ring; `None` if it lies on it. O(n), exact.
 fn side(ring: &[DVec2], point: DVec2) -> Option<bool> {
     let mut inside = false;

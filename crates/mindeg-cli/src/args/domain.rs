@@ -65,11 +65,12 @@ pub(crate) struct OutlineOptions {
     #[arg(long, value_name = "NAME|INDEX", requires = "domain")]
     pub(crate) feature: Option<String>,
 
-    /// The layer of a file with several: an object of TopoJSON
+    /// The layer of a file with several: an object of TopoJSON, or a layer of DXF
     #[arg(long, value_name = "LAYER", requires = "domain")]
     pub(crate) layer: Option<String>,
 
-    /// The property that names the polygons of GeoJSON and TopoJSON, instead of name or id
+    /// The property that names the polygons of GeoJSON and TopoJSON, instead of name or id; layer makes those of
+    /// each layer of a DXF regions of its name
     #[arg(long, value_name = "PROPERTY", requires = "domain")]
     pub(crate) name_by: Option<String>,
 

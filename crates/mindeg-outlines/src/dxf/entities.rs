@@ -26,10 +26,8 @@ pub(super) struct Entity {
 impl Entity {
     /// An entity of a supported kind; `None` for others.
     pub(super) fn read(name: &str, pairs: &[Pair<'_>]) -> Result<Option<Self>, OutlineError> {
-        let layer = text(pairs, 8);
         let mut entity = Self {
-            // Layer 0 is where drawings begin, and no name.
-            layer: (!matches!(layer, "" | "0")).then(|| Shared::from(layer)),
+            layer: layer_of(pairs),
             points: Vec::new(),
             bulges: Vec::new(),
             is_closed: false,
@@ -158,6 +156,18 @@ fn faces_down(name: &str, pairs: &[Pair<'_>]) -> Result<bool, OutlineError> {
              (0, 0, 1) or (0, 0, -1); turn it into the xy plane, or delete it"
         ),
     ))
+}
+
+/// The layer of an entity. Layer 0 is where drawings begin, and no name.
+pub(super) fn layer_of(pairs: &[Pair<'_>]) -> Option<Shared<str>> {
+    let layer = text(pairs, 8);
+    (!matches!(layer, "" | "0")).then(|| Shared::from(layer))
+}
+
+/// The place of a POINT.
+pub(super) fn point_at(pairs: &[Pair<'_>]) -> Result<DVec2, OutlineError> {
+    let point = DVec2::new(need(pairs, 10)?, need(pairs, 20)?);
+    Ok(if faces_down("POINT", pairs)? { DVec2::new(-point.x, point.y) } else { point })
 }
 
 fn finite(pair: &Pair<'_>) -> Result<f64, OutlineError> {

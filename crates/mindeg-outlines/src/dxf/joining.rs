@@ -2,9 +2,8 @@
 
 use glam::DVec2;
 
-use super::super::loops::{self, Link};
+use super::super::loops::Link;
 use super::super::nesting::box_around;
-use super::super::outline::DrawnRing;
 use super::super::vertices::Vertices;
 use super::entities::Entity;
 use crate::error::OutlineError;
@@ -12,10 +11,8 @@ use crate::error::OutlineError;
 /// How far apart ends may be that meet, as a share of the drawing's size.
 const TOLERANCE: f64 = 1e-6;
 
-/// The rings that the entities form, and a note on open lines.
-pub(super) fn rings(
-    entities: Vec<Entity>,
-) -> Result<(Vec<DrawnRing>, Option<String>), OutlineError> {
+/// The lines of the entities, between points.
+pub(super) fn links(entities: &[Entity]) -> Result<(Vec<DVec2>, Vec<Link>), OutlineError> {
     let ends: Vec<DVec2> =
         entities.iter().flat_map(|entity| entity.points.iter().copied()).collect();
     let Some((points, indices)) = merged(&ends) else {
@@ -26,7 +23,7 @@ pub(super) fn rings(
     };
     let mut links = Vec::new();
     let mut first = 0;
-    for entity in &entities {
+    for entity in entities {
         let count = entity.points.len();
         let last = if entity.is_closed { count } else { count.saturating_sub(1) };
         for index in 0..last {
@@ -39,10 +36,7 @@ pub(super) fn rings(
         }
         first += count;
     }
-    if links.is_empty() {
-        return Ok((Vec::new(), None));
-    }
-    loops::rings(&points, &links)
+    Ok((points, links))
 }
 
 /// The points without those near an earlier one, and for each point as given its index among them;

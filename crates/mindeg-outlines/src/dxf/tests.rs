@@ -3,7 +3,10 @@ use std::f64::consts::PI;
 use glam::DVec2;
 
 use super::super::curve::PieceCurve;
-use super::super::outline::{DrawnRing, Outlines};
+use super::super::outline::{DrawnInside, DrawnRing, Outlines};
+use super::super::selection::Selection;
+use super::super::sides::Division;
+use crate::{labelled, maps};
 
 /// A DXF whose entities are given as pairs in one line each, such as `LINE 10=0 20=0`.
 fn dxf(entities: &str) -> String {
@@ -21,7 +24,11 @@ fn dxf(entities: &str) -> String {
 }
 
 fn read(entities: &str) -> Result<Outlines, String> {
-    super::read(dxf(entities).as_bytes()).map_err(|error| error.to_string())
+    selected(entities, Selection::default())
+}
+
+fn selected(entities: &str, selection: Selection) -> Result<Outlines, String> {
+    super::read(dxf(entities).as_bytes(), &selection).map_err(|error| error.to_string())
 }
 
 const UNIT: &str = "the drawing's unit ($INSUNITS) is millimeters; coordinates are kept";
@@ -128,8 +135,15 @@ fn what_is_left_out_is_said_and_errors_say_where() {
         let error = read(entities).unwrap_err();
         assert!(error.starts_with(message), "{entities}: {error}");
     }
-    assert!(super::read(b"AutoCAD Binary DXF\r\n").unwrap_err().to_string().contains("ASCII"));
-    assert!(super::read(b"0").unwrap_err().to_string().contains("within a pair"));
+    assert!(
+        super::read(b"AutoCAD Binary DXF\r\n", &Selection::default())
+            .unwrap_err()
+            .to_string()
+            .contains("ASCII")
+    );
+    assert!(
+        super::read(b"0", &Selection::default()).unwrap_err().to_string().contains("within a pair")
+    );
 }
 
 /// The unchanged file, and the file with entities before those of the plate.
@@ -182,7 +196,8 @@ fn entities_on_hidden_layers_are_left_out() {
         let tables = format!(
             "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n70\n1\n0\nLAYER\n{layer}\n0\nENDTAB\n0\nENDSEC\n"
         );
-        let outlines = super::read(format!("{tables}{plate}").as_bytes()).unwrap();
+        let outlines =
+            super::read(format!("{tables}{plate}").as_bytes(), &Selection::default()).unwrap();
         assert_eq!(outlines.features[0].rings.len(), rings, "{layer}");
         let said = "left out 1 CIRCLE on layers that are off or frozen";
         assert_eq!(outlines.notes.iter().any(|note| note == said), rings == 1, "{layer}");
@@ -235,4 +250,59 @@ fn an_arc_all_the_way_round_is_a_circle() {
 fn names_have_no_codes_that_terminals_obey() {
     let outlines = plate_and("X\u{1b}[31mRED\u{7}\u{202e} 8=a");
     assert_eq!(outlines.notes, [UNIT, "left out 1 X [31mRED"]);
+}
+
+/// A matrix with a fibre that has a bore, a plate beside it that shares a side but for rounding, a breakline and a gauge.
+const LAYERS: &str = "LWPOLYLINE 8=matrix 70=1 10=0 20=0 10=4 20=0 10=4 20=4 10=0 20=4
+    CIRCLE 8=fibre 10=2 20=2 40=1\nCIRCLE 8=Fibre 10=2 20=2 40=0.5
+    LINE 8=plate 10=4 20=0 11=6 21=0\nLINE 8=plate 10=6 20=0 11=6 21=4\nLINE 8=plate 10=6 20=4 11=4.000001 21=4
+    LINE 8=plate 10=4 20=4 11=4 21=0\nLINE 8=breakline 10=4.5 20=1 11=5 21=2\nPOINT 8=gauge 10=5 20=3\nPOINT 10=0.5 20=0.5";
+
+#[test]
+fn layers_are_the_regions_of_a_map() {
+    let by_layer = Selection { layer: None, name_by: Some("layer".to_owned()) };
+    let Outlines { features, inside, notes, .. } = selected(LAYERS, by_layer.clone()).unwrap();
+    assert_eq!(notes, [UNIT]);
+    let names: Vec<_> = features.iter().map(|feature| feature.name.as_deref().unwrap()).collect();
+    assert_eq!(names, ["matrix", "fibre", "plate"]);
+    let (found, _) = maps(&labelled(features), &inside, &Division::default(), false).unwrap();
+    let [map] = &found[..] else { panic!("{found:?}") };
+    // The bore is a hole of the fibre.
+    assert_eq!((map.faces().unwrap().count, map.rings().ring_count()), (3, 2));
+    let names: Vec<String> = (0..3).map(|face| map.region_name(face)).collect();
+    assert_eq!(names, ["matrix", "fibre", "plate"]);
+    let lines: Vec<String> = map.inner_lines().into_iter().map(|line| line.0.name).collect();
+    assert_eq!(lines.len(), 3, "{lines:?}");
+    for line in ["breakline", "matrix | fibre", "matrix | plate"] {
+        assert!(lines.iter().any(|name| name == line), "{line}: {lines:?}");
+    }
+    assert_eq!(map.named_vertices().len(), 1);
+    assert_eq!(map.inside().points.len(), 2);
+
+    // One layer alone, in any case; and all without layers, as ever.
+    let plate = Selection { layer: Some("PLATE".to_owned()), name_by: None };
+    let Outlines { features, .. } = selected(LAYERS, plate).unwrap();
+    assert_eq!(features.len(), 1);
+    assert_eq!(features[0].name.as_deref(), Some("plate"));
+    // A polygon in a hole of another layer's leaves that as it is.
+    let nested = "CIRCLE 8=a 10=0 20=0 40=3\nCIRCLE 8=a 10=0 20=0 40=2\nCIRCLE 8=b 10=0 20=0 40=2\nCIRCLE 8=c 10=0 20=0 40=1";
+    let Outlines { features, .. } = selected(nested, by_layer.clone()).unwrap();
+    let rings: Vec<usize> = features.iter().map(|feature| feature.rings.len()).collect();
+    assert_eq!(rings, [2, 2, 1]);
+    let inside = DrawnInside::default();
+    let (found, _) = maps(&labelled(features), &inside, &Division::default(), false).unwrap();
+    assert_eq!(found[0].faces().unwrap().count, 3);
+
+    let absent = Selection { layer: Some("steel".to_owned()), name_by: None };
+    for (selection, message) in [
+        (absent, "no layer is \"steel\"; the file has \"a\", \"b\", \"c\""),
+        (
+            Selection { layer: None, name_by: Some("use".to_owned()) },
+            "a DXF has no property \"use\"; its polygons are named by layer",
+        ),
+    ] {
+        assert_eq!(selected(nested, selection).unwrap_err(), message);
+    }
+    let open = selected("LINE 8=a 10=0 20=0 11=1 21=0", by_layer).unwrap_err();
+    assert_eq!(open, "the section ENTITIES: no line closes; close the boundary");
 }
