@@ -10,7 +10,7 @@ Vertices and sides are numbered from 0, counter-clockwise from the first corner;
 what you give are ``ValueError`` with what to do.
 """
 
-from ._domain import Domain, polygon, rectangle
+from ._domain import Domain, mesh_map, polygon, rectangle
 from ._mindeg import Degree, Mesh, Suggestion, TradeOffPoint, __version__, _goals, bridge_loops, fill_loop, inspect, read
 from ._options import improve
 
@@ -29,6 +29,7 @@ __all__ = [
     "fill_loop",
     "improve",
     "inspect",
+    "mesh_map",
     "polygon",
     "read",
     "rectangle",

@@ -33,7 +33,9 @@ class Domain(_mindeg._Domain):
     gives the length of the intervals instead. A side ends where its file begins another or where the
     boundary turns by more than ``corner_angle`` degrees, 30 by default; without these options, a ring of an
     array or a polygon is one side. ``feature`` is the name or the number, from 1, of one polygon of several;
-    ``repair`` makes polygons of rings that cross or touch, by the ``fill_rule`` "evenodd" or "nonzero".
+    several that share edges and hang together are the regions of one domain, called after the property or column
+    ``name_by``. ``layer`` chooses an object of a TopoJSON. ``repair`` makes polygons of rings that cross or touch, by the
+    ``fill_rule`` "evenodd" or "nonzero", and mends borders between polygons; ``snap`` is how near points become one.
     """
 
     def __new__(
@@ -44,14 +46,20 @@ class Domain(_mindeg._Domain):
         size: float | None = None,
         corner_angle: float | None = None,
         feature: str | int | None = None,
+        layer: str | None = None,
+        name_by: str | None = None,
         repair: bool = False,
+        snap: float | None = None,
         fill_rule: "Literal['evenodd', 'nonzero'] | None" = None,
     ) -> "Self":
         options = {
             "size": size,
             "corner_angle": corner_angle,
             "feature": feature,
+            "layer": layer,
+            "name_by": name_by,
             "repair": repair,
+            "snap": snap,
             "fill_rule": fill_rule,
         }
         text = _json_of(source, {key: given for key, given in options.items() if given is not None and given is not False})
@@ -181,10 +189,69 @@ def _json_of(source, options):
     return json.dumps({"ring": outer, **({"holes": [{"ring": hole} for hole in holes]} if holes else {})})
 
 
-def _outline(path, text, *, corner_angle=30.0, feature=None, **options):
+@names_its_options(InteriorOptions)
+def mesh_map(
+    source: "str | os.PathLike[str] | Mapping[str, Any] | Any",
+    *,
+    layer: str | None = None,
+    name_by: str | None = None,
+    size: float | None = None,
+    corner_angle: float | None = None,
+    repair: bool = False,
+    snap: float | None = None,
+    fill_rule: "Literal['evenodd', 'nonzero'] | None" = None,
+    **options: "Unpack[InteriorOptions]",
+) -> _mindeg.Mesh:
+    """One mesh with interior points of all polygons of a source, whose regions they are: ``mesh.groups`` by name.
+
+    ``source`` is the path of a file, a dict of GeoJSON, or anything with ``__geo_interface__``, such as a GeoDataFrame of
+    geopandas, whose column ``name_by`` names the regions. Borders that polygons share are there once. The other options
+    are those of ``Domain`` and of ``Domain.interior``; ``docs/maps.md`` explains maps.
+    """
+    if isinstance(source, (str, os.PathLike)):
+        path, text = source, None
+    else:
+        geometry = source if isinstance(source, Mapping) else getattr(source, "__geo_interface__", None)
+        if geometry is None:
+            raise TypeError(f"{type(source).__name__} has no polygons; give a path, GeoJSON or what has __geo_interface__")
+        path, text = None, json.dumps(geometry, default=plain)
+    if options.get("sizes") is not None:
+        if callable(options["sizes"]):
+            raise ValueError("sizes: a function is for a single domain; give an array, a grid or a file")
+        options["sizes"] = given_sizes(options["sizes"], np.zeros((1, 2)))
+    given = _reading(
+        path, text, layer=layer, name_by=name_by, size=size, corner_angle=corner_angle, repair=repair, snap=snap, fill_rule=fill_rule
+    )
+    mesh, notes = _mindeg._mesh_of_map(given, as_json(options))
+    for note in notes:
+        warnings.warn(note, stacklevel=2)
+    return mesh
+
+
+#: How the polygons of a source are read, where nothing else is asked for.
+_READING = {
+    "layer": None,
+    "name_by": None,
+    "corner_angle": 30.0,
+    "size": None,
+    "feature": None,
+    "repair": False,
+    "snap": None,
+    "fill_rule": None,
+}
+
+
+def _reading(path, text, **options):
+    """A file, or GeoJSON, and all options of its reader."""
+    options = {key: given for key, given in options.items() if given is not None}
+    if "feature" in options:
+        options["feature"] = str(options["feature"])
+    return {**_READING, **options, "path": path, "text": text}
+
+
+def _outline(path, text, **options):
     """The domain in a file, or in GeoJSON, as the readers of outlines make it."""
-    feature = None if feature is None else str(feature)
-    domain, notes = _mindeg._domain_of_outline(path, text, corner_angle=corner_angle, feature=feature, **options)
+    domain, notes = _mindeg._domain_of_outline(_reading(path, text, **options))
     for note in notes:
         warnings.warn(note, stacklevel=4)
     return domain

@@ -151,3 +151,61 @@ def test_every_goal_has_a_python_type():
     assert domain.mesh(optimize="angle").max_degree == 5
     with pytest.raises(ValueError, match="no goal is named"):
         domain.mesh(minimise=3)
+
+
+def frame():
+    """Two plots side by side, and an island."""
+    geopandas = pytest.importorskip("geopandas")
+    shapely = pytest.importorskip("shapely")
+    boxes = [shapely.box(0, 0, 2, 2), shapely.box(2, 0, 4, 2), shapely.box(6, 0, 7, 1)]
+    return geopandas.GeoDataFrame({"use": ["wheat", "rye", "rye"]}, geometry=boxes)
+
+
+def test_a_geodataframe_is_a_map_of_regions_named_by_a_column():
+    domain = mindeg.Domain(frame().iloc[:2], name_by="use", size=0.5)
+    mesh = domain.interior()
+    assert set(mesh.groups) == {"wheat", "rye"}
+    assert area(mesh) == pytest.approx(8)
+    border = mesh.points[np.unique(mesh.lines["wheat | rye"])]
+    assert sorted(map(tuple, border)) == [(2, 0), (2, 0.5), (2, 1), (2, 1.5), (2, 2)]
+
+
+def test_parts_of_a_map_that_do_not_hang_together_are_one_mesh():
+    frames = frame()
+    with pytest.raises(ValueError, match="has 3 polygons"):
+        mindeg.Domain(frames, name_by="use")
+    mesh = mindeg.mesh_map(frames, name_by="use", size=0.5)
+    assert area(mesh) == pytest.approx(9)
+    sums = {name: area_of(mesh, triangles) for name, triangles in mesh.groups.items()}
+    assert sums == pytest.approx({"wheat": 4, "rye": 5})
+    assert mesh.report["violations"] == []
+
+
+def area_of(mesh, triangles):
+    """The area of some triangles, given by indices or by a range."""
+    a, b, c = (mesh.points[mesh.triangles[triangles][:, corner]] for corner in range(3))
+    return float(np.sum((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2)
+
+
+def test_what_a_map_cannot_be_is_said():
+    boxes = [[[[0, 0], [2, 0], [2, 2], [0, 2]]], [[[1, 1], [3, 1], [3, 3], [1, 3]]]]
+    geometry = {"type": "MultiPolygon", "coordinates": boxes}
+    overlap = {"type": "Feature", "properties": {"crop": "oats"}, "geometry": geometry}
+    with pytest.raises(ValueError, match="there"):
+        mindeg.mesh_map(overlap)
+    with pytest.warns(UserWarning, match="an area of 1.00e0, where polygons overlap"):
+        mesh = mindeg.mesh_map(overlap, repair=True, size=1)
+    assert area(mesh) == pytest.approx(7)
+    for options, message in [
+        ({"snap": 0.1}, "snap is for repair=True alone"),
+        ({"snap": -1.0, "repair": True}, "snap is -1; give a length above 0"),
+        ({"layer": "states"}, "layer"),
+        ({"fixed_points": [[1, 1]]}, "fixed_points are for a single domain"),
+        ({"sizes": lambda points: points[:, 0]}, "a function is for a single domain"),
+        ({"name_by": "use"}, "no feature has the property"),
+    ]:
+        with pytest.raises(ValueError, match=".*") as raised:
+            mindeg.mesh_map(overlap, **options)
+        assert message in str(raised.value), options
+    with pytest.raises(TypeError, match="int has no polygons"):
+        mindeg.mesh_map(3)

@@ -34,7 +34,7 @@ mod _mindeg {
     #[pymodule_export]
     use super::mesh::{Mesh, improve, inspect, read};
     #[pymodule_export]
-    use super::outlines::domain_of_outline;
+    use super::outlines::{domain_of_outline, mesh_of_map};
 
     #[pymodule_init]
     fn version(module: &Bound<'_, PyModule>) -> PyResult<()> {
