@@ -253,9 +253,9 @@ def grading(mesh):
     return float(np.percentile(np.sqrt(np.maximum(ratio, 1 / ratio)), 99))
 
 
-def write_section(name, text):
-    """Replaces what is between two marks of docs/interior.md."""
-    page = ROOT / "docs" / "interior.md"
+def write_section(name, text, page="interior.md"):
+    """Replaces the text between two marks of a page of docs/."""
+    page = ROOT / "docs" / page
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->"
     content = page.read_text()
     head, rest = content.split(begin)

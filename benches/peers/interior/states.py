@@ -1,0 +1,190 @@
+"""mindeg beside Triangle and Gmsh on the states of the USA as one map: the table of docs/maps.md.
+
+Every program gets the polygons of us-atlas with each border once, and may add no point to a border. Triangle and Gmsh get the
+planar graph by their own interfaces; mindeg gets the file as npm ships it.
+"""
+
+import json
+import subprocess
+import sys
+import time
+from importlib.metadata import version
+
+import gmsh
+import numpy as np
+import triangle
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
+
+from meshes import MINDEG, Mesh, angles, directed_edges, edges, folder, read_obj, timed, write_section
+from outlines import area, load, points_of, polygons_of, ring_of
+from peers import counter_clockwise
+
+
+class Map:
+    """The points of all polygons, each once, and the edges with the polygons on their left and on their right."""
+
+    def __init__(self, topology):
+        self.index, self.beside, self.polygons = {}, {}, []
+        arcs = list(points_of(topology))
+        for geometry in topology["objects"]["states"]["geometries"]:
+            for polygon in polygons_of(geometry):
+                rings = [self.ring(ring_of(arcs, ring), hole > 0) for hole, ring in enumerate(polygon)]
+                for ring in rings:
+                    for a, b in zip(ring, ring[1:] + ring[:1]):
+                        self.beside.setdefault((min(a, b), max(a, b)), []).append(len(self.polygons))
+                self.polygons.append(rings)
+        self.points = np.array(list(self.index))
+        self.edges = np.array(sorted(self.beside))
+        shared = np.array([len(self.beside[tuple(edge)]) == 2 for edge in self.edges.tolist()])
+        on_edge = lambda chosen: np.isin(np.arange(len(self.points)), self.edges[chosen])
+        #: Points of borders between polygons that are not on the outer boundary, too.
+        self.is_border = on_edge(shared) & ~on_edge(~shared)
+
+    def ring(self, points, is_hole):
+        points = [p for p, q in zip(points, points[1:] + points[:1]) if p != q]
+        points = points if (area(points) > 0) != is_hole else points[::-1]
+        return [self.index.setdefault(tuple(p), len(self.index)) for p in points]
+
+    def inside(self, mesh):
+        """The mesh without triangles outside all polygons."""
+        sides = np.sort(directed_edges(mesh), axis=1)
+        owner = np.tile(np.arange(len(mesh.triangles)), 3)
+        order = np.lexsort((sides[:, 1], sides[:, 0]))
+        sides, owner = sides[order], owner[order]
+        same = (sides[1:] == sides[:-1]).all(axis=1)
+        free = np.array([tuple(side) not in self.beside for side in sides[1:].tolist()])
+        joins = same & free
+        pairs = (np.ones(joins.sum()), (owner[:-1][joins], owner[1:][joins]))
+        count, part = connected_components(coo_array(pairs, shape=(len(mesh.triangles),) * 2), directed=False)
+        kept = np.zeros(count, dtype=bool)
+        # An edge with one polygon has it on the left of the way that the polygon's ring runs.
+        ways = {(a, b) for rings in self.polygons for ring in rings for a, b in zip(ring, ring[1:] + ring[:1])}
+        for index, t in enumerate(mesh.triangles.tolist()):
+            if any(way in ways for way in zip(t, t[1:] + t[:1])):
+                kept[part[index]] = True
+        return Mesh(mesh.points, mesh.triangles[kept[part]])
+
+    def names(self, points):
+        """For each point of a mesh its index among the map's points, bit for bit, or -1."""
+        return np.array([self.index.get(tuple(point), -1) for point in points.tolist()])
+
+
+def shewchuk(options):
+    def mesh(states, work):
+        start = time.process_time()
+        found = triangle.triangulate({"vertices": states.points, "segments": states.edges}, options)
+        seconds = time.process_time() - start
+        return states.inside(Mesh(found["vertices"], found["triangles"])), seconds
+
+    return mesh
+
+
+def frontal(algorithm, smoothings):
+    def mesh(states, work):
+        gmsh.initialize(interruptible=False)
+        try:
+            gmsh.option.setNumber("General.Verbosity", 0)
+            gmsh.option.setNumber("Mesh.Algorithm", algorithm)
+            gmsh.option.setNumber("Mesh.Smoothing", smoothings)
+            gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 1)
+            geo = gmsh.model.geo
+            lengths = np.linalg.norm(np.diff(states.points[states.edges], axis=1)[:, 0], axis=1)
+            size, count = np.zeros(len(states.points)), np.zeros(len(states.points))
+            for end in range(2):
+                np.add.at(size, states.edges[:, end], lengths)
+                np.add.at(count, states.edges[:, end], 1)
+            size /= count
+            for index, (x, y) in enumerate(states.points.tolist()):
+                geo.addPoint(x, y, 0, size[index], index + 1)
+            lines = {}
+            for a, b in states.edges.tolist():
+                lines[a, b] = geo.addLine(a + 1, b + 1)
+                lines[b, a] = -lines[a, b]
+            for rings in states.polygons:
+                loops = [[lines[way] for way in zip(ring, ring[1:] + ring[:1])] for ring in rings]
+                geo.addPlaneSurface([geo.addCurveLoop(loop) for loop in loops])
+            geo.synchronize()
+            for line in (line for line in lines.values() if line > 0):
+                gmsh.model.mesh.setTransfiniteCurve(line, 2)
+            start = time.process_time()
+            gmsh.model.mesh.generate(2)
+            seconds = time.process_time() - start
+            tags, coordinates, _ = gmsh.model.mesh.getNodes()
+            points = coordinates.reshape(-1, 3)[:, :2]
+            _, _, nodes = gmsh.model.mesh.getElements(2)
+            index = np.zeros(int(tags.max()) + 1, dtype=int)
+            index[tags.astype(int)] = np.arange(len(tags))
+            triangles = index[nodes[0].astype(int)].reshape(-1, 3)
+        finally:
+            gmsh.finalize()
+        return Mesh(points, counter_clockwise(points, triangles)), seconds
+
+    return mesh
+
+
+def own(states, work):
+    out = work / "states.obj"
+    given = ["--layer", "states", "--name-by", "name", "--interior", "-o", out, "-q"]
+    _, seconds = timed([MINDEG, "mesh", work / "states-albers-10m.json", *given])
+    return read_obj(out), seconds
+
+
+PROGRAMS = {
+    "Triangle `pqYY`": shewchuk("pqYY"),
+    "Triangle `pq30YY`": shewchuk("pq30YY"),
+    "Gmsh Frontal-Delaunay (6)": frontal(6, 1),
+    "Gmsh Frontal-Delaunay (6), 10 smoothings": frontal(6, 10),
+    "**mindeg --interior**": own,
+}
+
+
+def row(name, states, mesh, seconds):
+    names = states.names(mesh.points)
+    kept = {tuple(sorted(edge)) for edge in names[edges(mesh)].tolist()}
+    lost = [edge for edge in states.beside if edge not in kept]
+    if lost:
+        raise ValueError(f"{len(lost)} edges of the map are missing")
+    degrees = np.bincount(edges(mesh).ravel(), minlength=len(mesh.points))
+    is_border = (names >= 0) & states.is_border[names]
+    border, free = degrees[is_border], degrees[(names < 0) & (degrees > 0)]
+    cells = [
+        name,
+        f"{len(mesh.triangles):,}",
+        f"{((free < 5) | (free > 7)).sum():,} of {len(free):,}",
+        f"{(border > 7).sum()} / {(border < 5).sum()} of {len(border):,}",
+        str(degrees.max()),
+        f"{angles(mesh).min():.2f}°",
+        f"{seconds:.2f}",
+    ]
+    return "| " + " | ".join(cells) + " |"
+
+
+def main():
+    work = folder()
+    subprocess.run(["npm", "pack", "--silent", "us-atlas@3.0.1", "--pack-destination", work], check=True, capture_output=True)
+    text = load(work, "us-atlas", "states-albers-10m.json")
+    (work / "states-albers-10m.json").write_text(text)
+    states = Map(json.loads(text))
+    rows = []
+    for name, program in PROGRAMS.items():
+        try:
+            rows.append(row(name, states, *program(states, work)))
+        except (ValueError, RuntimeError) as error:
+            print(f"{name}: {error}", file=sys.stderr)
+            rows.append(f"| {name} | no mesh: {error} | | | | | |")
+        print(rows[-1], file=sys.stderr, flush=True)
+    packages = ", ".join(f"{package} {version(package)}" for package in ["triangle", "gmsh"])
+    text = f"""\
+| program | triangles | free vertices outside 5..7 | border vertices above 7 / below 5 | greatest degree | minimum angle | CPU s |
+|---|---|---|---|---|---|---|
+{chr(10).join(rows)}
+
+{len(states.polygons)} polygons, {len(states.points):,} points; packages {packages}. Border vertices are those between states alone.
+"""
+    print(text)
+    write_section("states", text, page="maps.md")
+
+
+if __name__ == "__main__":
+    main()
