@@ -1,6 +1,5 @@
 //! The edges of a mesh beside the sizes that were wanted of them.
 
-use crate::asked::Asked;
 use crate::options::Options;
 use crate::size::SizeField;
 use glam::DVec2;
@@ -81,11 +80,10 @@ impl SizeReport {
                 || triangles.iter().any(|triangle| is_near(field.at(middle(*triangle))))
         };
         let inside = options.wanted.size_inside.filter(|inside| !is_reached(*inside));
-        let asked = Asked::new(outline, options);
         let coarse = |edge: u32| {
             let [from, to] = outline.ends(edge).map(|vertex| outline.point(vertex));
             let (at, length) = (from.midpoint(to), from.distance(to));
-            let size = asked.at(at).min(inside.unwrap_or(f64::INFINITY));
+            let size = field.asked().at(at).min(inside.unwrap_or(f64::INFINITY));
             (length > NEAR.end() * size).then_some(CoarseEdge { edge, at, length, size })
         };
         let coarse = frozen_edges(outline, options).filter_map(coarse).collect();

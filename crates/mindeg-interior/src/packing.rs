@@ -4,14 +4,14 @@
 //! points are tried from the boundary inwards, each where it makes an equilateral
 //! triangle with what is there, and kept if no point is too near for the size field.
 
-use crate::breaklines::Piece;
+use crate::breaklines::{Breaklines, Piece};
 use crate::edge_tree::EdgeTree;
 use crate::goal::Goal;
 use crate::near::Near;
 use crate::options::InteriorError;
 use crate::size::SizeField;
 use crate::stage::Stage;
-use crate::star::{Sector, Stars};
+use crate::star::{Sector, Stars, allotted};
 use crate::triangle::SQRT_3;
 use glam::DVec2;
 use mindeg_mesh::planar::{PlanarBoundary, orientation};
@@ -24,8 +24,8 @@ pub(crate) struct Ground<'a> {
     pub(crate) stars: &'a Stars,
     pub(crate) goals: &'a [Goal],
     pub(crate) field: &'a SizeField,
-    /// Existing interior points, and pieces of segments between them.
-    pub(crate) fixed: &'a [DVec2],
+    /// Existing interior points with the edges between them, and these as pieces.
+    pub(crate) lines: &'a Breaklines,
     pub(crate) pieces: &'a [Piece],
     pub(crate) tree_of_pieces: EdgeTree,
     /// The least distance of two points, in sizes.
@@ -74,7 +74,7 @@ impl Ground<'_> {
             let before = self.outline.length(self.outline.previous(vertex));
             sizes.push(self.outline.length(vertex).min(before));
         }
-        for point in self.fixed {
+        for point in &self.lines.points {
             near.insert(*point);
             sizes.push(self.field.at(*point));
         }
@@ -108,7 +108,9 @@ impl Ground<'_> {
         for vertex in 0..self.goals.len() as u32 {
             let sectors = self.stars.at(vertex);
             let given = self.spokes.filter(|spokes| spokes.0 == vertex);
-            let counts = given.map(|spokes| allotted(sectors, spokes.1));
+            let counts = given.map(|spokes| {
+                allotted(sectors, spokes.1).unwrap_or_else(|| vec![1; sectors.len()])
+            });
             for (index, sector) in sectors.iter().enumerate() {
                 let count = match &counts {
                     Some(counts) => counts[index],
@@ -146,9 +148,10 @@ impl Ground<'_> {
         let own = sizes.len();
         let is_beside_lines = self.stars.at(sector.vertex).len() > 1;
         let apart = if is_beside_lines { APART } else { 0.3 };
-        let at = self.point(sector.vertex);
+        let place_of = |vertex| self.lines.at(self.outline, vertex);
+        let at = place_of(sector.vertex);
         let [first, last] = sector.lengths;
-        let along = (self.point(sector.ends[0]) - at) / first;
+        let along = (place_of(sector.ends[0]) - at) / first;
         for spoke in 1..count {
             let share = f64::from(spoke) / f64::from(count);
             let (sine, cosine) = (libm::sin(sector.angle * share), libm::cos(sector.angle * share));
@@ -170,15 +173,6 @@ impl Ground<'_> {
         Ok(())
     }
 
-    /// The place of a vertex on the outline, or of a fixed point.
-    fn point(&self, vertex: u32) -> DVec2 {
-        let on_rings = self.outline.points();
-        on_rings
-            .get(vertex as usize)
-            .copied()
-            .unwrap_or_else(|| self.fixed[vertex as usize - on_rings.len()])
-    }
-
     /// The apexes over the boundary edges, then over both sides of fixed pieces; short edges first.
     fn start(&self, queue: &mut VecDeque<Candidate>) {
         let boundary = self.outline.edges().map(|ends| ends.map(|v| self.outline.point(v)));
@@ -191,7 +185,7 @@ impl Ground<'_> {
             step: DVec2::ZERO,
             direction: (b - a).normalize_or_zero(),
         }));
-        for point in self.fixed {
+        for point in &self.lines.points {
             surround(*point, self.field.at(*point), DVec2::X, queue);
         }
         queue.extend(fans);
@@ -253,17 +247,6 @@ impl Ground<'_> {
             Some((edge, _)) => is_inside_of(self.outline, edge, x),
         }
     }
-}
-
-/// How sectors share so many triangles, so that the least fan limit is greatest.
-fn allotted(sectors: &[Sector], triangles: u32) -> Vec<u32> {
-    let mut counts = vec![1; sectors.len()];
-    for _ in sectors.len() as u32..triangles {
-        let limit = |i: &usize| sectors[*i].limit(Some(counts[*i]));
-        let least = (0..counts.len()).min_by(|a, b| limit(a).total_cmp(&limit(b)));
-        least.into_iter().for_each(|i| counts[i] += 1);
-    }
-    counts
 }
 
 /// True if `x` lies in the domain, given the boundary edge nearest to it.

@@ -102,6 +102,11 @@ impl SizeField {
         Self { asked, ..self }
     }
 
+    /// The sizes that were asked for.
+    pub(crate) fn asked(&self) -> &Asked {
+        &self.asked
+    }
+
     /// Multiplies the mean of the boundary's lengths.
     pub(crate) fn scale_mean(&mut self, factor: f64) {
         self.coarser *= factor;

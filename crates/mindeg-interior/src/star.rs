@@ -84,11 +84,7 @@ impl Stars {
             self.sectors.push(whole);
             return;
         }
-        let mut ends = ordered(outline, lines, vertex, next, inner);
-        ends.insert(0, next);
-        ends.push(previous);
-        self.sectors
-            .extend(ends.windows(2).map(|ends| sector(outline, lines, vertex, [ends[0], ends[1]])));
+        self.push_between(outline, lines, vertex, [next, previous], inner);
     }
 
     /// The sectors of a vertex inside.
@@ -100,9 +96,21 @@ impl Stars {
         inner: Vec<u32>,
     ) {
         let Some(first) = inner.first().copied() else { return };
-        let mut ends = ordered(outline, lines, vertex, first, inner[1..].to_vec());
+        self.push_between(outline, lines, vertex, [first, first], inner[1..].to_vec());
+    }
+
+    /// The sectors from the first of two ends over inner ones to the last.
+    fn push_between(
+        &mut self,
+        outline: &PlanarBoundary,
+        lines: &Breaklines,
+        vertex: u32,
+        [first, last]: [u32; 2],
+        inner: Vec<u32>,
+    ) {
+        let mut ends = ordered(outline, lines, vertex, first, inner);
         ends.insert(0, first);
-        ends.push(first);
+        ends.push(last);
         self.sectors
             .extend(ends.windows(2).map(|ends| sector(outline, lines, vertex, [ends[0], ends[1]])));
     }
@@ -130,7 +138,13 @@ impl Stars {
             ([], _) => 60.0,
             ([sector], _) => sector.limit(max_triangles),
             (sectors, None) => sectors.iter().map(|sector| sector.limit(None)).fold(60.0, f64::min),
-            (sectors, Some(most)) => shared(sectors, most).into_iter().fold(0.0, f64::max),
+            (sectors, Some(most)) => {
+                let limit = |(sector, own): (&Sector, u32)| sector.limit(Some(own));
+                let counts = allotted(sectors, most);
+                counts.map_or(0.0, |counts| {
+                    sectors.iter().zip(counts).map(limit).fold(60.0, f64::min)
+                })
+            }
         }
     }
 
@@ -140,22 +154,17 @@ impl Stars {
     }
 }
 
-/// For each number of triangles up to `most`, the greatest least fan limit of sectors that share so many.
-fn shared(sectors: &[Sector], most: u32) -> Vec<f64> {
-    let most = most as usize;
-    let mut best = vec![0.0; most + 1];
-    best[0] = f64::INFINITY;
-    for sector in sectors {
-        let mut next = vec![0.0_f64; most + 1];
-        for own in 1..=most {
-            let limit = sector.limit(Some(own as u32));
-            for before in 0..=most - own {
-                next[before + own] = next[before + own].max(best[before].min(limit));
-            }
-        }
-        best = next;
+/// How sectors share so many triangles, so that the least fan limit is greatest; `None` where there are more sectors.
+///
+/// A fan limit never falls if more triangles are allowed: each goes where the limit is least.
+pub(crate) fn allotted(sectors: &[Sector], triangles: u32) -> Option<Vec<u32>> {
+    let mut counts = vec![1; sectors.len()];
+    for _ in 0..triangles.checked_sub(sectors.len() as u32)? {
+        let limit = |i: &usize| sectors[*i].limit(Some(counts[*i]));
+        let least = (0..counts.len()).min_by(|a, b| limit(a).total_cmp(&limit(b)));
+        least.into_iter().for_each(|i| counts[i] += 1);
     }
-    best
+    Some(counts)
 }
 
 /// Other ends of edges at a vertex, counter-clockwise from the direction to `first` on; exact.

@@ -47,7 +47,7 @@ impl Start<'_> {
             stars: self.stars,
             goals: self.goals,
             field: self.field,
-            fixed: &self.breaklines.points,
+            lines: self.breaklines,
             tree_of_pieces: EdgeTree::of_items(items.collect()),
             pieces: &pieces,
             spacing,

@@ -78,6 +78,32 @@ fn scattered_points_become_a_good_mesh() {
 }
 
 #[test]
+fn a_mesh_without_inner_points_gets_new_starts() {
+    // The first polygon of Rhode Island: operations alone reach 13.6 degrees.
+    let ring = [
+        [910.510, 182.799],
+        [911.637, 182.882],
+        [912.784, 186.396],
+        [911.840, 187.584],
+        [910.987, 185.731],
+        [910.469, 183.980],
+        [910.114, 184.224],
+        [910.977, 187.210],
+        [910.022, 187.441],
+        [910.043, 188.141],
+        [909.058, 188.266],
+        [909.637, 185.352],
+        [909.545, 184.372],
+    ];
+    let points = ring.map(DVec2::from).to_vec();
+    let outline = PlanarBoundary::new(&[&points]).unwrap();
+    let triangles = mindeg_delaunay::triangles(&outline, &[], &[], Progress::NONE).unwrap();
+    let found = run(&(points, triangles), &Keep::default());
+    assert_eq!(found.after.violations, []);
+    assert!(found.after.min_angle > 19.0, "{:?}", found.after);
+}
+
+#[test]
 fn a_good_mesh_is_no_worse() {
     let good = run(&square(9, &scattered(90)), &Keep::default());
     let again = run(&(good.points.clone(), good.triangles), &Keep::default());
