@@ -22,6 +22,7 @@ mod interior;
 mod interrupts;
 #[cfg(unix)]
 mod limits;
+mod maps;
 #[cfg(target_os = "linux")]
 mod memory;
 mod mesh;

@@ -2,10 +2,11 @@
 
 mod words;
 
-use self::words::{certificate_in_words, in_words};
+use self::words::{certificate_in_words, in_words, map_in_words, region_of};
 use crate::limit::LimitAnswer;
 use crate::proof::ProofFile;
-use mindeg::exact::{LowerBound, Reached, degree_with};
+use mindeg::exact::{DegreeAnswer, DegreeBound, LowerBound, Reached, degree_with};
+use mindeg::model::JointBound;
 use mindeg::verify::checked_proof;
 use mindeg::{Domain, Progress};
 use mindeg_core::{Boundary, Certificate};
@@ -19,6 +20,9 @@ pub struct DegreeReport {
     pub intervals: Vec<u64>,
     /// The number of holes.
     pub holes: usize,
+    /// The number of regions of a map.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub regions: Option<usize>,
     /// The number of vertices.
     pub vertices: u32,
     /// The number of triangles of every mesh.
@@ -31,7 +35,7 @@ pub struct DegreeReport {
     pub at_least: u32,
     /// Some mesh has this one.
     pub reached: u32,
-    /// `formula`, `zig_zag`, `strip`, `windows`, `descent` or `search` (with holes) or `exhaustive`.
+    /// `formula`, `zig_zag`, `strip`, `windows`, `descent` or `search` (with holes), `exhaustive`, or `joint` (of maps).
     pub reached_by: &'static str,
     /// Why no mesh has less than `at_least`.
     pub certificate: DegreeProof,
@@ -101,6 +105,22 @@ pub enum DegreeProof {
     Exhaustive,
     /// Degree 4 takes a strip between both rings, and none lies inside.
     NoStrip,
+    /// The sides and lines at one vertex of a map.
+    Edges {
+        /// The vertex.
+        vertex: u32,
+        /// Its edges of sides and lines, and those outside.
+        edges: u32,
+    },
+    /// A straight side of a region of a map takes more apexes than the rest of the region has.
+    Side {
+        /// The name of the region.
+        region: String,
+        /// The intervals of the side.
+        intervals: u32,
+    },
+    /// The degrees of a map, weighted, are least over all triangulations of each region.
+    Weights,
     /// Clauses lead to a contradiction, each of which follows from those before.
     Refuted {
         /// Their number.
@@ -142,13 +162,20 @@ impl DegreeReport {
             return Ok(report);
         }
         let answer = degree_with(domain, effort, progress)?;
-        let is_checked = matches!(answer.bounded_by, LowerBound::Refuted(_))
+        let bounded_by = match &answer.bounded_by {
+            DegreeBound::Polygon(bounded_by) => bounded_by,
+            DegreeBound::Map { bound, triangles, .. } => {
+                return Ok(Self::of_map(domain, &answer, bound, *triangles));
+            }
+        };
+        let is_checked = matches!(bounded_by, LowerBound::Refuted(_))
             && checked_proof(&answer, domain, progress)?.is_some();
         let rings = domain.rings();
         let triangles = rings.triangle_count();
         Ok(Self {
             intervals: rings.sides().map(u64::from).collect(),
             holes: rings.ring_count() - 1,
+            regions: None,
             vertices: rings.vertex_count(),
             triangles,
             // Every triangle has three sides, and boundary edges have one triangle.
@@ -165,17 +192,19 @@ impl DegreeReport {
                 Reached::ClosedForm => "formula",
                 _ => "exhaustive",
             },
-            words: in_words(domain, &answer, is_checked),
-            proof: match &answer.bounded_by {
+            words: in_words(domain, &answer, bounded_by, is_checked),
+            proof: match bounded_by {
                 LowerBound::Refuted(refutation) => {
                     Some(ProofFile::new(answer.at_least.saturating_sub(1), refutation))
                 }
                 _ => None,
             },
-            certificate: match answer.bounded_by {
-                LowerBound::BlockedZigZags(chords) => DegreeProof::BlockedZigZags { chords },
+            certificate: match bounded_by {
+                LowerBound::BlockedZigZags(chords) => {
+                    DegreeProof::BlockedZigZags { chords: chords.clone() }
+                }
                 LowerBound::Apexes(bound) => {
-                    DegreeProof::Apexes { edges: bound.edges, apexes: bound.apexes }
+                    DegreeProof::Apexes { edges: bound.edges.clone(), apexes: bound.apexes.clone() }
                 }
                 LowerBound::Counting => DegreeProof::Counting,
                 LowerBound::NoStrip => DegreeProof::NoStrip,
@@ -189,6 +218,48 @@ impl DegreeReport {
         })
     }
 
+    /// The joint degree of a map.
+    fn of_map(domain: &Domain, answer: &DegreeAnswer, bound: &JointBound, triangles: u32) -> Self {
+        let (rings, faces) = (domain.rings(), domain.faces());
+        let beside = faces.iter().flat_map(|faces| faces.beside.iter().flatten());
+        let at_holes = beside.flatten().filter(|face| domain.is_hole(**face)).count() as u32;
+        let regions = faces.map_or(1, |faces| {
+            (0..faces.count as u32).filter(|face| !domain.is_hole(*face)).count()
+        });
+        let vertices = rings.vertex_count() + domain.inner_points().len() as u32;
+        let interior_edges = (3 * triangles - rings.vertex_count() - at_holes) / 2;
+        // Edges on the boundary have one triangle.
+        let edges = interior_edges + rings.vertex_count() + at_holes;
+        Self {
+            intervals: rings.sides().map(u64::from).collect(),
+            holes: rings.ring_count() - 1 + faces.map_or(0, |faces| faces.count - regions),
+            regions: Some(regions),
+            vertices,
+            triangles,
+            interior_edges,
+            least_max_degree: answer.least_max_degree(),
+            at_least: answer.at_least,
+            reached: answer.reached,
+            reached_by: "joint",
+            words: map_in_words(domain, answer, bound, [vertices, edges]),
+            proof: None,
+            certificate: match bound {
+                JointBound::Sum { .. } => DegreeProof::Counting,
+                JointBound::Edges { vertex, edges } => {
+                    DegreeProof::Edges { vertex: *vertex, edges: *edges }
+                }
+                JointBound::Side { face, intervals, .. } => {
+                    DegreeProof::Side { region: region_of(domain, *face), intervals: *intervals }
+                }
+                JointBound::Refuted { refutation, .. } => {
+                    DegreeProof::Refuted { clauses: refutation.clauses.len(), checked: true }
+                }
+                _ => DegreeProof::Weights,
+            },
+            limit: None,
+        }
+    }
+
     /// The degree of a convex boundary, by the formula.
     #[must_use]
     pub fn of_counts(boundary: &Boundary) -> Self {
@@ -197,6 +268,7 @@ impl DegreeReport {
         Self {
             intervals: boundary.sides().map(u64::from).collect(),
             holes: 0,
+            regions: None,
             vertices: boundary.vertex_count(),
             triangles: mindeg_core::bound::triangle_count(boundary),
             interior_edges: mindeg_core::bound::interior_edge_count(boundary),
@@ -236,12 +308,18 @@ impl DegreeReport {
         let rows = [
             ("sides", self.intervals.len().to_string()),
             ("holes", self.holes.to_string()),
+            ("regions", self.regions.unwrap_or_default().to_string()),
             ("vertices", self.vertices.to_string()),
             ("triangles", self.triangles.to_string()),
             ("interior edges", self.interior_edges.to_string()),
             ("least maximum degree", degree),
         ];
-        let rows = rows.into_iter().filter(|(name, _)| *name != "holes" || self.holes > 0);
+        let is_shown = |name: &str| match name {
+            "holes" => self.holes > 0,
+            "regions" => self.regions.is_some(),
+            _ => true,
+        };
+        let rows = rows.into_iter().filter(|(name, _)| is_shown(name));
         let rows: String = rows.map(|(name, value)| format!("{name:<21} {value}\n")).collect();
         format!("{rows}\n{}", self.words)
     }

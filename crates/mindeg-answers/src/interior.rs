@@ -42,7 +42,7 @@ pub struct InteriorAnswer {
     pub boundary_degree: [u32; 2],
     /// Vertices whose degree is out of its range.
     pub violations: Vec<DegreeViolation>,
-    /// Those of them that are in every mesh, with the edges that prove it.
+    /// Of these vertices, the ones that are in every mesh, with the edges that prove it.
     pub certified: Vec<CertifiedAnswer>,
     /// The greatest ratio of the areas of two triangles with a common edge.
     pub area_ratio: f64,

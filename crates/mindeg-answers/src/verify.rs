@@ -54,7 +54,7 @@ struct Found {
     max_degree_vertex: u32,
     /// The vertices inside whose degree is out of the wanted range, if there are interior points.
     out_of_range: Vec<u32>,
-    /// Those of them where the lines alone are too many.
+    /// Of these vertices, the ones where the lines alone are too many.
     certified: Vec<u32>,
     /// "yes", "no" or "unknown".
     optimal: &'static str,
@@ -356,6 +356,13 @@ fn in_words(proof: &Proof, degree: u32) -> String {
         Proof::Certificate(_) | Proof::Counting => {
             format!("the edges are too many for {less} at every vertex (theorems 3 and 15)")
         }
+        Proof::Edges { edges } => format!("a vertex has {edges} edges of sides and lines"),
+        Proof::Side { intervals } => format!(
+            "a region has a straight side of {intervals} intervals, whose triangles need apexes elsewhere on it"
+        ),
+        Proof::Weights => format!(
+            "a weighted sum of the degrees is too large for {less}, whatever the triangles of each region"
+        ),
         Proof::BlockedZigZags { chords } => format!(
             "{chords} chords that do not lie inside block every mesh of degree {less} (theorem 13)"
         ),

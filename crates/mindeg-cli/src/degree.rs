@@ -52,9 +52,11 @@ pub(crate) fn run(arguments: &DegreeArguments) -> Result<(), Failure> {
 /// Writes the clauses that refute a smaller degree.
 fn write_proof(path: &Path, report: &DegreeReport) -> Result<(), Failure> {
     let Some(proof) = &report.proof else {
-        return Err(Failure::input(
-            "--proof: no clauses prove this degree; the answer without --proof says what does",
-        ));
+        return Err(Failure::input(if report.regions.is_some() {
+            "--proof: a file holds clauses on one polygon, and this is a map; mindeg verify finds and checks its proof"
+        } else {
+            "--proof: no clauses prove this degree; the answer without --proof says what does"
+        }));
     };
     clean_up_on_interrupt()?;
     let mut outputs = Outputs::new(&SESSION);
@@ -90,7 +92,7 @@ fn fewer(report: &DegreeReport) -> Option<String> {
 
 /// The gain from one or two degrees more on a domain, if it is large and found in about half a second.
 fn higher_degree(domain: &Domain, file: &str) -> Option<String> {
-    if domain.rings().ring_count() > 1 {
+    if domain.rings().ring_count() > 1 || domain.is_map() {
         return None;
     }
     // A domain without a mesh says so when it is meshed.

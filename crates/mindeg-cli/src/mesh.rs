@@ -27,6 +27,9 @@ pub(crate) fn run(arguments: &MeshArguments) -> Result<(), Failure> {
             if are_one_map(arguments) {
                 return interior::run_maps(arguments, &polygons);
             }
+            if let Some(map) = features::only_map(arguments, &polygons) {
+                return mesh_of(&map, arguments, output);
+            }
             features::run(arguments, &polygons, |domain, output| mesh_of(domain, arguments, output))
         }
         Subject::Polygons(polygons) => {
@@ -58,6 +61,10 @@ fn mesh_of(domain: &Domain, arguments: &MeshArguments, output: &[PathBuf]) -> Re
     let demands = arguments.demands(arguments.interior.wanted.target_angle());
     let unmet = unmet_by_boundary_mesh(&demands, mesh, angles.min, making.bar())?;
     let end = met_or_written_anyway(&unmet, arguments.interior.wanted.write_anyway)?;
+    if domain.is_map() {
+        // It has more vertices than the boundary.
+        making.check(mesh, mesh.triangle_count())?;
+    }
     let made = making.write_checked(mesh)?;
 
     let answer = MeshAnswer::of(&meshed, [angles.min, angles.max]);

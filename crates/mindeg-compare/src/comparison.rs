@@ -159,6 +159,11 @@ pub fn compare(domain: &Domain, options: &CompareOptions) -> Result<Comparison, 
     if domain.is_constrained() {
         return Err(MeshError::Constrained.into());
     }
+    if domain.is_map() {
+        let message = "the domain has lines or points inside, which the other methods do not take; mindeg tradeoff \
+                       shows its degrees and angles, and mindeg mesh makes its mesh";
+        return Err(MeshError::Refused(message.to_owned()).into());
+    }
     let start = Instant::now();
     let meshed = mindeg::mesh(domain, Goal::LeastDegree, Progress::NONE)?;
     let own: Vec<[u32; 3]> = meshed.mesh.triangles().collect();

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use mindeg_mesh::planar::{Border, Faces};
+use glam::DVec2;
+use mindeg_mesh::planar::{Border, Faces, PlanarBoundary};
 use mindeg_mesh::{Line, LineKind, NamedVertex};
 
 use crate::domain::Domain;
@@ -16,6 +17,21 @@ impl Domain {
     /// The lines, points and regions inside the rings.
     pub fn inside(&self) -> &Inside {
         &self.inside
+    }
+
+    /// Whether lines or points are inside: every mesh has them, and degrees count the triangles on all sides of them.
+    pub fn is_map(&self) -> bool {
+        !self.inner_points().is_empty() || !self.inner_segments().is_empty()
+    }
+
+    /// The points inside that every mesh has, of points and of lines: vertices after those of the rings.
+    pub fn inner_points(&self) -> &[DVec2] {
+        self.placement.boundary().map_or(&[], PlanarBoundary::inner_points)
+    }
+
+    /// The edges of all lines inside, by vertices, line after line.
+    pub fn inner_segments(&self) -> &[[u32; 2]] {
+        self.placement.boundary().map_or(&[], PlanarBoundary::segments)
     }
 
     /// The same domain with other lines, points and regions.

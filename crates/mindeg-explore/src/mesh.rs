@@ -71,12 +71,16 @@ impl Made {
 
 /// A Delaunay triangulation as `mindeg compare --save-meshes` writes it.
 fn delaunay(domain: &Domain) -> Result<TriMesh, String> {
+    if domain.inside().regions.iter().any(|region| region.hole) {
+        return Err("there is no Delaunay triangulation of regions that are holes".to_owned());
+    }
     let boundary = domain.boundary().map_err(|faults| faults.to_string())?;
     let triangles = Reference::Delaunay
         .triangulate(domain, &boundary, DELAUNAY_TIME)
         .map_err(|error| error.to_string())?
         .triangles;
-    let points = boundary.points().iter().map(|point| point.extend(0.0)).collect();
+    let points = boundary.points().iter().chain(boundary.inner_points());
+    let points = points.map(|point| point.extend(0.0)).collect();
     let mesh = TriMesh::new(points, triangles).map_err(|error| error.to_string())?;
     Ok(mesh.named(Reference::Delaunay.name()))
 }

@@ -42,7 +42,7 @@ pub(crate) fn domain(domain: &Domain) -> DomainShown {
     DomainShown {
         name: domain.name().map(str::to_owned),
         vertices: rings.vertex_count(),
-        triangles: rings.triangle_count(),
+        triangles: rings.triangle_count() + 2 * domain.inner_points().len() as u32,
         is_convex: domain.convex().is_some(),
         center: center.to_array(),
         size: size.to_array(),
@@ -80,7 +80,7 @@ impl Figure {
     fn of(mesh: &BoundaryMesh) -> Self {
         Self {
             frame: Frame::of(mesh.domain()),
-            interior_points: Vec::new(),
+            interior_points: mesh.domain().inner_points().to_vec(),
             triangles: mesh.triangles().collect(),
             degrees: (0..mesh.vertex_count()).map(|vertex| mesh.total_degree(vertex)).collect(),
             qualities: mesh.qualities().collect(),

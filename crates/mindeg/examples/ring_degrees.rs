@@ -5,7 +5,7 @@
 
 use mindeg::Progress;
 use mindeg::exact::degree_of_boundary;
-use mindeg::exact::{LowerBound, Reached};
+use mindeg::exact::{DegreeBound, LowerBound, Reached};
 use mindeg::glam::DVec2;
 use mindeg_mesh::planar::PlanarBoundary;
 use std::error::Error;
@@ -33,9 +33,10 @@ fn main() -> Result<(), Box<dyn Error>> {
                 },
                 answer.at_least,
                 match answer.bounded_by {
-                    LowerBound::BlockedZigZags(_) => "blocked zig-zags",
-                    LowerBound::Apexes(_) => "apexes",
-                    LowerBound::Counting => "counting",
+                    DegreeBound::Map { .. } => "joint",
+                    DegreeBound::Polygon(LowerBound::BlockedZigZags(_)) => "blocked zig-zags",
+                    DegreeBound::Polygon(LowerBound::Apexes(_)) => "apexes",
+                    DegreeBound::Polygon(LowerBound::Counting) => "counting",
                     _ => "search",
                 },
                 start.elapsed().as_secs_f64()

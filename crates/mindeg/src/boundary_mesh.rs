@@ -11,6 +11,7 @@ mod angles;
 mod choice;
 mod faces;
 mod flat;
+mod inside;
 mod measures;
 mod source;
 
@@ -19,11 +20,12 @@ use std::ops::Range;
 use glam::DVec2;
 
 use crate::error::MeshError;
+use crate::regions::{groups, lines_of_map};
 use mindeg_domain::{Domain, Placement, Rings};
-use mindeg_mesh::Progress;
 use mindeg_mesh::check::{self, CheckError, Checked};
 use mindeg_mesh::parallel::{fill_blocks, first_of_blocks};
 use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_mesh::{Group, Progress};
 
 use self::angles::{cotangents, placed};
 use self::faces::{Faces, TriangleList};
@@ -56,6 +58,8 @@ pub(crate) use self::source::lines;
 pub struct BoundaryMesh {
     domain: Domain,
     triangulation: Faces,
+    /// The regions of the domain, which have the triangles in order.
+    groups: Vec<Group>,
 }
 
 impl BoundaryMesh {
@@ -88,11 +92,12 @@ impl BoundaryMesh {
         }
         let form = domain.convex().ok_or_else(MeshError::not_convex)?;
         let formula = choice::best_candidate(form, domain.placement(), progress)?;
-        Ok(Self { domain: domain.clone(), triangulation: Faces::Formula(formula) })
+        let triangulation = Faces::Formula(formula);
+        Ok(Self { domain: domain.clone(), triangulation, groups: Vec::new() })
     }
 
-    /// The mesh with the given triangles, in their order; vertices have the indices of the
-    /// domain's.
+    /// The mesh with the given triangles, region by region and else in their order; vertices have the indices of the
+    /// domain's: those of the rings, then those [inside](Domain::inner_points).
     ///
     /// The domain's constraints on degrees are ignored. O(n log n) time, O(n) memory.
     ///
@@ -122,14 +127,15 @@ impl BoundaryMesh {
         boundary: &PlanarBoundary,
         triangles: Vec<[u32; 3]>,
     ) -> Result<Self, MeshError> {
-        MeshError::check_inside(domain)?;
         if let Some(index) = first_flat(boundary, &triangles) {
             let triangle = triangles[index as usize];
             return Err(MeshError::Refused(format!(
                 "the triangles are no mesh of the domain: triangle {triangle:?} is flat"
             )));
         }
-        let checked = match check::triangulation(boundary, &[], &triangles) {
+        let open = lines_of_map(domain, boundary, &triangles)?;
+        let inner = boundary.inner_points();
+        let checked = match check::triangulation_around(boundary, inner, &open, &triangles) {
             // The triangles hang together: if they do not cover the domain, rounding is why.
             Err(CheckError::NotCounterClockwise { triangle }) => {
                 return Err(MeshError::no_area(triangles[triangle]));
@@ -137,8 +143,10 @@ impl BoundaryMesh {
             checked => checked?,
         };
         let Checked { degrees, max_degree } = checked;
+        let segments = boundary.segments().iter().map(std::slice::from_ref);
+        let (triangles, groups) = groups(domain, boundary, segments, triangles);
         let list = TriangleList { triangles, degrees, max_degree };
-        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list) };
+        let mesh = Self { domain: domain.clone(), triangulation: Faces::List(list), groups };
         let without_area = first_of_blocks(mesh.triangle_count(), |range| {
             let placed = mesh.triangles_of(range.clone()).zip(mesh.placed_triangles_of(range));
             let mut flat = placed.filter(|&(_, points)| cotangents(points)[0] == f64::INFINITY);
@@ -170,7 +178,7 @@ impl BoundaryMesh {
         self.triangulation.vertex_count()
     }
 
-    /// The number of triangles, n + 2h - 2 with h holes.
+    /// The number of triangles: n + 2h - 2 with h holes, if no points are inside and no regions are holes.
     pub fn triangle_count(&self) -> u32 {
         self.triangulation.triangle_count()
     }
@@ -181,12 +189,15 @@ impl BoundaryMesh {
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     pub fn point(&self, vertex: u32) -> DVec2 {
-        self.placement().point(vertex)
+        match vertex.checked_sub(self.placement().vertex_count()) {
+            None => self.placement().point(vertex),
+            Some(inner) => self.domain.inner_points()[inner as usize],
+        }
     }
 
-    /// The positions of all vertices, ring by ring.
+    /// The positions of all vertices, ring by ring, then those inside.
     pub fn points(&self) -> impl Iterator<Item = DVec2> + Clone + '_ {
-        self.placement().points()
+        self.placement().points().chain(self.domain.inner_points().iter().copied())
     }
 
     /// Writes the positions of the vertices from `first` on into `out`, as many as it holds, with
@@ -211,7 +222,7 @@ impl BoundaryMesh {
     pub fn fill_points(&self, first: u32, out: &mut [DVec2]) {
         let left = self.vertex_count().saturating_sub(first) as usize;
         assert!(out.len() <= left, "{} vertices from {first} on do not exist", out.len());
-        fill_blocks(out, |before, out| self.placement().fill_points(first + before, out));
+        fill_blocks(out, |before, out| self.fill_some(first + before, out));
     }
 
     /// The vertices of a side from its first corner to its last, one more than its intervals.
@@ -296,7 +307,11 @@ impl BoundaryMesh {
         range: Range<u32>,
     ) -> impl ExactSizeIterator<Item = [DVec2; 3]> + '_ {
         let mut walk = self.placement().walk();
-        placed(self.triangles_of(range), move |vertex| walk.point(vertex))
+        let (on_rings, inner) = (self.placement().vertex_count(), self.domain.inner_points());
+        placed(self.triangles_of(range), move |vertex| match vertex.checked_sub(on_rings) {
+            None => walk.point(vertex),
+            Some(inside) => inner[inside as usize],
+        })
     }
 
     /// The number of edges at a vertex, the two along the boundary included. O(1).
@@ -314,7 +329,7 @@ impl BoundaryMesh {
     }
 
     /// The neighbours of a vertex, counter-clockwise: from the next vertex of its ring to the previous
-    /// one. O(degree) for a mesh of least degree, O(n) for one with given triangles.
+    /// one; of a vertex inside from any, and of a vertex between holes those of one fan after the other. O(degree) for a mesh of least degree, O(n) for one with given triangles.
     ///
     /// # Panics
     ///
@@ -331,8 +346,7 @@ impl BoundaryMesh {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn neighbors(&self, vertex: u32) -> Vec<u32> {
-        let next = self.rings().next(vertex);
-        self.triangulation.neighbors(vertex, next)
+        self.triangulation.neighbors(vertex)
     }
 
     /// The total degree of a vertex: its degree in this mesh plus its external degree. O(log n).
@@ -341,7 +355,9 @@ impl BoundaryMesh {
     ///
     /// If `vertex` is not below [`vertex_count`](Self::vertex_count).
     pub fn total_degree(&self, vertex: u32) -> u32 {
-        self.degree(vertex).saturating_add(self.domain.external_degree(vertex))
+        let is_inside = vertex >= self.placement().vertex_count();
+        let external = if is_inside { 0 } else { self.domain.external_degree(vertex) };
+        self.degree(vertex).saturating_add(external)
     }
 
     /// The largest total degree. O(1) without constraints, otherwise O(n log n).

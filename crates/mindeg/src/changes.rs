@@ -98,6 +98,12 @@ pub fn count_changes(
              and tradeoff keep to them",
         ));
     }
+    if domain.is_map() {
+        return Err(MeshError::refused(
+            "the domain has lines or points inside, for which no changes of counts are looked for yet; mindeg degree tells \
+             its degree",
+        ));
+    }
     let mut tries = Tries::new(domain, progress);
     if tries.free.is_empty() {
         return Err(MeshError::refused(

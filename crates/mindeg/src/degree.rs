@@ -9,6 +9,8 @@ use mindeg_mesh::Progress;
 use mindeg_mesh::planar::PlanarBoundary;
 
 use crate::error::MeshError;
+use crate::map::mesh_map;
+use crate::model::bound::JointBound;
 use crate::posed::Posed;
 
 /// A maximum degree that a mesh reaches, and one that no mesh is below.
@@ -23,7 +25,23 @@ pub struct DegreeAnswer {
     /// How `reached` was found.
     pub reached_by: Reached,
     /// The proof of `at_least`.
-    pub bounded_by: LowerBound,
+    pub bounded_by: DegreeBound,
+}
+
+/// The proof that no mesh has a smaller maximum degree.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DegreeBound {
+    /// Of a polygon, with or without holes.
+    Polygon(LowerBound),
+    /// Of a map, whose faces are one problem.
+    Map {
+        /// The proof.
+        bound: JointBound,
+        /// The number of triangles of every mesh.
+        triangles: u32,
+        /// The rings of each of its faces, the outer one first, by vertices.
+        rings: Vec<Vec<Vec<u32>>>,
+    },
 }
 
 impl DegreeAnswer {
@@ -36,11 +54,14 @@ impl DegreeAnswer {
 impl From<DegreeRange> for DegreeAnswer {
     fn from(range: DegreeRange) -> Self {
         let DegreeRange { max_degree, lower_bound, reached_by, bounded_by, .. } = range;
+        let bounded_by = DegreeBound::Polygon(bounded_by);
         Self { reached: max_degree, at_least: lower_bound, reached_by, bounded_by }
     }
 }
 
 /// The least maximum degree of all meshes of a domain, or the gap that is left.
+///
+/// A map, which has lines or points inside, is meshed by the joint search of [models](crate::model).
 ///
 /// O(k) for k sides of a convex domain without constraints. Else as [`degree_range`] finds it: for a
 /// polygon without holes in which at most [`MAX_TRIPLES`](mindeg_exact::MAX_TRIPLES) triples of vertices
@@ -54,7 +75,7 @@ impl From<DegreeRange> for DegreeAnswer {
 /// # Example
 ///
 /// ```
-/// use mindeg::exact::{LowerBound, degree};
+/// use mindeg::exact::{DegreeBound, LowerBound, degree};
 /// use mindeg::{Domain, Progress, Side};
 ///
 /// // An L with 13, 6, 6, 6, 6 and 13 intervals.
@@ -62,7 +83,7 @@ impl From<DegreeRange> for DegreeAnswer {
 /// let sides = [13, 6, 6, 6, 6, 13].map(Side::count).to_vec();
 /// let answer = degree(&Domain::polygon(corners, sides)?, Progress::NONE)?;
 /// assert_eq!(answer.least_max_degree(), Some(5));
-/// assert!(matches!(answer.bounded_by, LowerBound::BlockedZigZags(_)));
+/// assert!(matches!(answer.bounded_by, DegreeBound::Polygon(LowerBound::BlockedZigZags(_))));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn degree(domain: &Domain, progress: Progress<'_>) -> Result<DegreeAnswer, MeshError> {
@@ -94,8 +115,22 @@ pub(crate) fn degree_decided(
         && !domain.is_constrained()
     {
         let least = mindeg_core::least_max_degree(form.boundary());
-        let (reached_by, bounded_by) = (Reached::ClosedForm, LowerBound::ClosedForm);
+        let bounded_by = DegreeBound::Polygon(LowerBound::ClosedForm);
+        let reached_by = Reached::ClosedForm;
         return Ok(DegreeAnswer { reached: least, at_least: least, reached_by, bounded_by });
+    }
+    if domain.is_map() {
+        let found = mesh_map(domain, 0.0, wanted.unwrap_or(0), effort, progress)?;
+        return Ok(DegreeAnswer {
+            reached: found.max_degree(),
+            at_least: found.bound.max_degree(),
+            reached_by: Reached::Windows,
+            bounded_by: DegreeBound::Map {
+                bound: found.bound,
+                triangles: found.mesh.triangle_count(),
+                rings: found.rings,
+            },
+        });
     }
     let mut posed = Posed::new(domain, progress)?;
     posed.problem.set_max_steps((COVER_STEPS as f64 * effort.max(0.0)) as u64);

@@ -1,7 +1,6 @@
 //! Why there is no mesh.
 
 use mindeg_delaunay::DelaunayError;
-use mindeg_domain::Domain;
 use mindeg_exact::{DegreeRange, LowerBound, Unsolved};
 use mindeg_mesh::check::CheckError;
 use mindeg_mesh::planar::BoundaryFaults;
@@ -49,17 +48,6 @@ pub enum MeshError {
 impl MeshError {
     pub(crate) fn refused(sentence: impl ToString) -> Self {
         Self::Refused(sentence.to_string())
-    }
-
-    /// A mesh of boundary points alone does not take a domain with lines, points or regions.
-    pub(crate) fn check_inside(domain: &Domain) -> Result<(), Self> {
-        let inside = domain.inside();
-        if inside.lines.is_empty() && inside.points.is_empty() && inside.regions.is_empty() {
-            return Ok(());
-        }
-        Err(Self::refused(
-            "the domain has lines, points or regions inside, which take interior points: mesh it with --interior",
-        ))
     }
 
     /// The formula does not take a domain.

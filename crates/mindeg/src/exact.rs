@@ -12,8 +12,9 @@ use mindeg_domain::Domain;
 use mindeg_exact::{Optimum, best_angle};
 use mindeg_mesh::Progress;
 
-pub use crate::degree::{DegreeAnswer, degree, degree_of_boundary, degree_with};
+pub use crate::degree::{DegreeAnswer, DegreeBound, degree, degree_of_boundary, degree_with};
 pub use crate::error::MeshError;
+use crate::map;
 use crate::meshed::Meshed;
 use crate::posed::Posed;
 use crate::searched::Searched;
@@ -70,6 +71,9 @@ pub fn least_max_degree(domain: &Domain, progress: Progress<'_>) -> Result<u32, 
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn delaunay_min_angle(domain: &Domain, progress: Progress<'_>) -> Result<f64, MeshError> {
+    if domain.is_map() {
+        return map::delaunay_min_angle(domain, progress);
+    }
     let posed = Posed::triangulated(domain, progress)?;
     Ok(posed.delaunay_min_angle.unwrap_or(0.0))
 }
@@ -101,6 +105,11 @@ pub fn mesh(
     max_degree: u32,
     progress: Progress<'_>,
 ) -> Result<ExactMesh, MeshError> {
+    if domain.is_map() {
+        let Meshed { mesh, .. } = map::max_degree(domain, max_degree, progress)?;
+        let min_angle = mesh.measure_angles(progress)?.min;
+        return Ok(ExactMesh { max_degree, min_angle, is_proven: false, mesh });
+    }
     let posed = Posed::new(domain, progress)?;
     match Searched::new(&posed, progress)? {
         Some(searched) => searched.within(max_degree),
@@ -154,6 +163,9 @@ pub fn trade_off_until(
     is_enough: impl FnMut(f64, f64) -> bool,
     progress: Progress<'_>,
 ) -> Result<TradeOff, MeshError> {
+    if domain.is_map() {
+        return map::trade_off(domain, is_enough, progress);
+    }
     let posed = Posed::new(domain, progress)?;
     if posed.has_best_angles(progress)? {
         exact_trade_off(&posed, is_enough, progress)

@@ -3,6 +3,8 @@
 //! [`GOALS`] tells front ends what there is to know of each goal: options, keys, refusals and choices
 //! come from it.
 
+mod share;
+
 use mindeg_core::Boundary;
 use mindeg_domain::Domain;
 use mindeg_exact::{MAX_VERTICES, Reached, Unsolved, degree_range};
@@ -12,6 +14,7 @@ use crate::boundary_mesh::BoundaryMesh;
 use crate::error::MeshError;
 use crate::exact::{self, ExactMesh};
 use crate::keep_angle::keep_angle;
+use crate::map;
 use crate::meshed::{FoundBy, HigherDegree, Meshed};
 use crate::posed::Posed;
 use crate::searched::{Searched, with_larger_angle};
@@ -81,7 +84,7 @@ pub struct GoalKind {
     /// The words of a choice between goals, with `{}` for the value; `None` where a curve or another control
     /// offers it.
     pub choice: Option<&'static str>,
-    /// Whether models take it.
+    /// Whether models, and maps without interior points, take it.
     pub models: bool,
     /// The option of `mindeg mesh --interior` to give instead, and what it does; `None` for a goal that holds with
     /// interior points.
@@ -178,12 +181,20 @@ impl Goal {
     pub fn kind_and_value(self) -> (&'static GoalKind, String) {
         let (key, value) = match self {
             Self::LeastDegree => ("least_degree", String::new()),
-            Self::KeepAngle(share) => ("keep_angle", percentage(share)),
+            Self::KeepAngle(share) => ("keep_angle", share::percentage(share)),
             Self::MaxDegree(limit) => ("max_degree", limit.to_string()),
             Self::Optimize(Optimized::Angle) => ("optimize", "angle".to_owned()),
         };
         let kind = GOALS.iter().find(|kind| kind.key == key);
         (kind.expect("each goal has a row, as a test holds"), value)
+    }
+
+    /// Why a subject does not take this goal, and which goals models and maps take; `of` takes it.
+    pub(crate) fn refused(self, of: &str, subject: &str) -> MeshError {
+        let others = GOALS.iter().filter(|kind| kind.models && kind.value != GoalValue::Nothing);
+        let instead = others.map(GoalKind::option).collect::<Vec<_>>().join(" or ");
+        let option = self.kind_and_value().0.option();
+        MeshError::Refused(format!("{option} is for {of}; for {subject} give {instead}"))
     }
 
     /// The share for [`KeepAngle`](Self::KeepAngle) that people write as `0.95` or as `95%`.
@@ -192,25 +203,8 @@ impl Goal {
     ///
     /// A sentence that says what to write instead.
     pub fn share(text: &str) -> Result<f64, String> {
-        let text = text.trim();
-        let (number, whole) = match text.strip_suffix('%') {
-            Some(number) => (number.trim_end(), 100.0),
-            None => (text, 1.0),
-        };
-        match number.parse::<f64>() {
-            Ok(number) if (0.0..=whole).contains(&number) => Ok(number / whole),
-            Ok(number) if whole == 1.0 && (1.0..=100.0).contains(&number) => Err(format!(
-                "{number} is more than all of it; for {number} percent write {number}%"
-            )),
-            _ => Err("give a share from 0 to 1, such as 0.95, or from 0% to 100%".to_owned()),
-        }
+        share::read(text)
     }
-}
-
-/// A share as a percentage, if that is read back as the same number.
-fn percentage(share: f64) -> String {
-    let percent = (share * 100.0).round();
-    if percent / 100.0 == share { format!("{percent}%") } else { share.to_string() }
 }
 
 /// The mesh of a domain that a goal asks for.
@@ -234,6 +228,16 @@ fn percentage(share: f64) -> String {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn mesh(domain: &Domain, goal: Goal, progress: Progress<'_>) -> Result<Meshed, MeshError> {
+    if domain.is_map() {
+        return match goal {
+            Goal::LeastDegree => map::least_degree(domain, progress),
+            Goal::KeepAngle(share) => map::keep_angle(domain, share, progress),
+            Goal::MaxDegree(limit) => map::max_degree(domain, limit, progress),
+            Goal::Optimize(_) => {
+                Err(goal.refused("a domain without lines or points inside", "a map"))
+            }
+        };
+    }
     match goal {
         Goal::LeastDegree => least_degree(domain, progress),
         Goal::KeepAngle(share) => keep_angle(domain, share, progress),
@@ -416,9 +420,9 @@ mod tests {
     #[test]
     fn shares_are_read_back() {
         for (share, text) in [(0.95, "95%"), (1.0, "100%"), (0.0, "0%"), (0.123, "0.123")] {
-            assert_eq!(percentage(share), text);
+            assert_eq!(share::percentage(share), text);
         }
-        assert_eq!(percentage(1.0 / 3.0).parse(), Ok(1.0 / 3.0));
+        assert_eq!(share::percentage(1.0 / 3.0).parse(), Ok(1.0 / 3.0));
     }
 
     #[test]

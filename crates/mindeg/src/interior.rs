@@ -27,7 +27,6 @@ mod lift;
 mod limit;
 mod plane;
 mod posed;
-mod regions;
 
 pub use beside::mesh_all;
 pub use coarse::CoarseSide;
@@ -42,13 +41,11 @@ pub use mindeg_interior::{
 use posed::Posed;
 
 use crate::boundary_mesh::lines;
+use crate::regions::groups;
 use mindeg_domain::{Domain, Interior};
 use mindeg_interior::generate;
 use mindeg_mesh::planar::PlanarBoundary;
-use mindeg_mesh::{Group, Line, Material, Progress, TriMesh};
-use regions::spread;
-use std::collections::{BTreeMap, HashMap};
-use std::sync::Arc;
+use mindeg_mesh::{Line, Progress, TriMesh};
 
 /// A mesh with interior points, and what it is like.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,7 +93,8 @@ pub fn mesh(
         lines.push(Line { segments: start..segments.len() as u32, ..line });
         kinds.push(kind);
     }
-    let (triangles, groups) = groups(domain, boundary, &pieces, found.triangles);
+    let pieces = pieces.iter().map(|pieces| &pieces[..]);
+    let (triangles, groups) = groups(domain, boundary, pieces, found.triangles);
     let mesh = TriMesh::new(points, triangles)
         .and_then(|mesh| mesh.with_lines(lines, segments))
         .and_then(|mesh| mesh.with_named_vertices(domain.named_vertices()))
@@ -130,64 +128,6 @@ fn pieces(boundary: &PlanarBoundary, edges: &[[u32; 2]]) -> Vec<Vec<[u32; 2]>> {
         pieces
     };
     boundary.segments().iter().map(|&[_, end]| own(end)).collect()
-}
-
-/// The triangles by their regions, and a group for each name and material; no groups if the domain has no regions.
-fn groups(
-    domain: &Domain,
-    boundary: &PlanarBoundary,
-    pieces: &[Vec<[u32; 2]>],
-    triangles: Vec<[u32; 3]>,
-) -> (Vec<[u32; 3]>, Vec<Group>) {
-    let Some(faces) = domain.faces() else { return (triangles, Vec::new()) };
-    let is_region = |face: &u32| !domain.is_hole(*face);
-    let given = domain.inside().regions.iter().any(|region| !region.hole);
-    if !given && (0..faces.count as u32).filter(is_region).count() == 1 {
-        return (triangles, Vec::new());
-    }
-    let (on_rings, on_lines) = faces.beside.split_at(boundary.vertex_count() as usize);
-    let mut known = BTreeMap::new();
-    let mut know = |[a, b]: [u32; 2], [left, right]: [Option<u32>; 2]| {
-        known.extend(left.map(|face| ([a, b], face as usize)));
-        known.extend(right.map(|face| ([b, a], face as usize)));
-    };
-    boundary.edges().zip(on_rings).for_each(|(edge, beside)| know(edge, *beside));
-    for (edges, beside) in pieces.iter().zip(on_lines) {
-        edges.iter().for_each(|&edge| know(edge, *beside));
-    }
-    // Faces of one name and material are one group.
-    let mut groups: Vec<(String, Option<&str>)> = Vec::new();
-    let mut indices = HashMap::new();
-    let group_of = |face| {
-        let key = (domain.region_name(face), domain.region_material(face));
-        *indices.entry(key.clone()).or_insert_with(|| {
-            groups.push(key);
-            groups.len() - 1
-        })
-    };
-    let group_of: Vec<usize> = (0..faces.count as u32).map(group_of).collect();
-    let mut of_group: Vec<Vec<[u32; 3]>> = vec![Vec::new(); groups.len()];
-    for (triangle, face) in triangles.iter().zip(spread(&triangles, &known)) {
-        of_group[group_of[face]].push(*triangle);
-    }
-    let mut materials: Vec<Arc<Material>> = Vec::new();
-    let mut material = |name: &str| {
-        let known = materials.iter().find(|material| material.name == name).cloned();
-        known.unwrap_or_else(|| {
-            materials.push(Arc::new(Material { name: name.to_owned(), color: None }));
-            materials[materials.len() - 1].clone()
-        })
-    };
-    let mut end = 0;
-    let group = |((name, of), triangles): ((String, Option<&str>), &Vec<[u32; 3]>)| {
-        let start = end;
-        end += triangles.len() as u32;
-        Group::new(name, start..end).of_material(of.map(&mut material))
-    };
-    // Holes have no triangles.
-    let used = groups.into_iter().zip(&of_group).filter(|(_, triangles)| !triangles.is_empty());
-    let groups = used.map(group).collect();
-    (of_group.concat(), groups)
 }
 
 #[cfg(test)]

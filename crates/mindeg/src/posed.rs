@@ -79,7 +79,11 @@ impl<'a> Posed<'a> {
         domain: &'a Domain,
         progress: Progress<'_>,
     ) -> Result<Self, MeshError> {
-        MeshError::check_inside(domain)?;
+        if domain.is_map() {
+            return Err(MeshError::refused(
+                "the domain has lines or points inside, which this does not take",
+            ));
+        }
         let boundary = domain.boundary()?;
         let triangles = mindeg_delaunay::triangles(&boundary, &[], &[], progress)?;
         let least_tangent = least_tangent(boundary.points(), &triangles);

@@ -26,13 +26,16 @@
 
 mod defect;
 mod fault;
+mod joint;
 mod map;
 mod matching;
 mod near;
 mod optimality;
+mod proof;
 mod triangulation;
 
 pub use defect::MeshDefect;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
-pub use optimality::{Optimality, Proof, checked_proof, optimality, optimality_by};
+pub use optimality::{Optimality, checked_proof, optimality, optimality_by};
+pub use proof::Proof;
 pub use triangulation::triangulation;

@@ -6,7 +6,7 @@
 mod outlines;
 mod stars;
 
-use mindeg::exact::{self, LowerBound, Reached, degree_of_boundary};
+use mindeg::exact::{self, DegreeBound, LowerBound, Reached, degree_of_boundary};
 use mindeg::glam::DVec2;
 use mindeg::verify::{self, Proof};
 use mindeg::{BoundaryMesh, Domain, FoundBy, Goal, Outline as Shape, Progress, Ring, Side, mesh};
@@ -171,7 +171,9 @@ fn known_least_degrees() {
     let zigzag = exact::degree(&l([50, 25, 25, 25, 25, 50]), Progress::NONE).unwrap();
     assert!(matches!(zigzag.reached_by, Reached::ZigZag(_)));
     let five = exact::degree(&l([13, 6, 6, 6, 6, 13]), Progress::NONE).unwrap();
-    let LowerBound::BlockedZigZags(blocked) = five.bounded_by else { panic!("not 4") };
+    let DegreeBound::Polygon(LowerBound::BlockedZigZags(blocked)) = five.bounded_by else {
+        panic!("not 4")
+    };
     let placed = as_placed(&l([13, 6, 6, 6, 6, 13]));
     let rings = exact_rings(&placed);
     assert!(rings(&blocked));

@@ -1,8 +1,10 @@
 //! Why a degree cannot be less and how it is reached, in sentences.
 
+use crate::names::shown;
 use crate::numbers::count;
 use mindeg::Domain;
 use mindeg::exact::{DegreeAnswer, LowerBound, Reached};
+use mindeg::model::JointBound;
 use mindeg_core::{Boundary, Certificate};
 
 /// Why the least maximum degree of a convex domain cannot be less and how it is reached, in sentences
@@ -57,8 +59,13 @@ It is reached by the triangle through the three midpoints.\n"
 
 /// Why the least maximum degree of any domain cannot be less and how it is reached, or what is not known, in
 /// sentences that end in a new line.
-pub(super) fn in_words(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> String {
-    let mut text = why_not_less(domain, answer, is_checked);
+pub(super) fn in_words(
+    domain: &Domain,
+    answer: &DegreeAnswer,
+    bounded_by: &LowerBound,
+    is_checked: bool,
+) -> String {
+    let mut text = why_not_less(domain, answer.at_least, bounded_by, is_checked);
     text.push_str(&how_reached(answer));
     if answer.least_max_degree().is_none() {
         let open = match (answer.at_least, answer.reached - 1) {
@@ -78,12 +85,11 @@ pub(super) fn in_words(domain: &Domain, answer: &DegreeAnswer, is_checked: bool)
 }
 
 /// Why the degree cannot be less, in sentences.
-fn why_not_less(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> String {
+fn why_not_less(domain: &Domain, bound: u32, bounded_by: &LowerBound, is_checked: bool) -> String {
     /// The tolerance of docs/theory.md, section 8.
     const STRAIGHT: &str = "A chord passes a vertex if it turns there by less than 1e-9 radians.\n";
     let vertices = domain.rings().vertex_count();
-    let bound = answer.at_least;
-    match &answer.bounded_by {
+    match bounded_by {
         LowerBound::BlockedZigZags(chords) => {
             let [from, to] = chords.first().copied().unwrap_or_default();
             format!(
@@ -103,13 +109,9 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> Str
             bound - 1,
             bound - 4,
         ),
-        LowerBound::Counting => format!(
-            "No mesh has less than {bound}: the {} edges of every mesh have two ends each, at {} vertices{}, so that \
-             one of these\nhas {bound} or more.\n",
-            count(edge_count(domain)),
-            count(vertices),
-            if domain.is_constrained() { " with external edges besides" } else { "" }
-        ),
+        LowerBound::Counting => {
+            counting(bound, [vertices, edge_count(domain)], domain.is_constrained())
+        }
         LowerBound::NoStrip => format!(
             "No mesh has less than {bound}: with a hole, a mesh of degree 4 is a strip between two rings of as many \
              vertices,\nand no strip here lies inside (theorem 21 of docs/theory.md).\n"
@@ -118,10 +120,7 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> Str
             "No mesh has less than {bound}: degree {}{} is refuted by {}, {}\n(theorem 23 of docs/theory.md).\n{STRAIGHT}",
             bound.saturating_sub(1),
             if domain.is_constrained() { " with the limits" } else { "" },
-            match refutation.clauses.len() {
-                1 => "one clause".to_owned(),
-                clauses => format!("{} clauses", count(clauses as u32)),
-            },
+            counted(refutation.clauses.len() as u32, "clause"),
             if is_checked {
                 "checked"
             } else {
@@ -137,6 +136,73 @@ fn why_not_less(domain: &Domain, answer: &DegreeAnswer, is_checked: bool) -> Str
             bound.saturating_sub(1)
         ),
     }
+}
+
+/// The degree of a map in words, with its vertices and edges: why it cannot be less, and how it is reached.
+pub(super) fn map_in_words(
+    domain: &Domain,
+    answer: &DegreeAnswer,
+    bound: &JointBound,
+    [vertices, edges]: [u32; 2],
+) -> String {
+    let (reached, least) = (answer.reached, answer.at_least);
+    let why = match bound {
+        JointBound::Sum { .. } => counting(least, [vertices, edges], domain.is_constrained()),
+        JointBound::Edges { vertex, edges } => format!(
+            "No mesh has less than {least}: vertex {vertex} has {} of sides and lines{}.\n",
+            counted(*edges, "edge"),
+            if domain.is_constrained() { ", external edges included" } else { "" }
+        ),
+        JointBound::Side { face, intervals, .. } => format!(
+            "No mesh has less than {least}: {} has a straight side of {intervals} intervals, whose triangles need \
+             apexes elsewhere on it.\n",
+            shown(&region_of(domain, *face))
+        ),
+        JointBound::Refuted { refutation, .. } => format!(
+            "No mesh has less than {least}: degree {} is refuted by {}, checked\n(theorem 23 of docs/theory.md).\n",
+            least.saturating_sub(1),
+            counted(refutation.clauses.len() as u32, "clause")
+        ),
+        _ => format!(
+            "No mesh has less than {least}: a weighted sum of the degrees is too large, whatever the triangles of each \
+             region.\n"
+        ),
+    };
+    let how = if reached == least {
+        "It is reached by a search over all regions together.\n".to_owned()
+    } else {
+        format!(
+            "Degree {reached} is reached by a search over all regions together. Whether less is possible is not known: \
+             --effort 10 looks ten times as long.\n"
+        )
+    };
+    format!("{why}{how}")
+}
+
+/// The name of a face of a map, counted without holes.
+pub(super) fn region_of(domain: &Domain, face: u32) -> String {
+    let count = domain.faces().map_or(0, |faces| faces.count) as u32;
+    let region = (0..count).filter(|face| !domain.is_hole(*face)).nth(face as usize);
+    domain.region_name(region.unwrap_or(face))
+}
+
+/// A number of things.
+fn counted(number: u32, thing: &str) -> String {
+    match number {
+        1 => format!("one {thing}"),
+        number => format!("{} {thing}s", count(number)),
+    }
+}
+
+/// Why the edges are too many.
+fn counting(bound: u32, [vertices, edges]: [u32; 2], is_constrained: bool) -> String {
+    format!(
+        "No mesh has less than {bound}: the {} edges of every mesh have two ends each, at {} vertices{}, so that \
+         one of these\nhas {bound} or more.\n",
+        count(edges),
+        count(vertices),
+        if is_constrained { " with external edges besides" } else { "" }
+    )
 }
 
 fn edge_count(domain: &Domain) -> u32 {

@@ -9,10 +9,17 @@ use std::path::PathBuf;
 
 /// Whether the polygons of a file are regions of one mesh: with interior points, unless each is wanted by itself.
 pub(crate) fn are_one_map(arguments: &MeshArguments) -> bool {
-    let is_one = |path: &PathBuf| !is_pattern(path);
-    arguments.interior.interior
-        && !arguments.separate
-        && arguments.surface.output.iter().all(is_one)
+    arguments.interior.interior && is_one_mesh(arguments)
+}
+
+/// The map of a file whose polygons all hang together, for a mesh without interior points.
+pub(super) fn only_map(arguments: &MeshArguments, polygons: &PolygonFile) -> Option<Domain> {
+    is_one_mesh(arguments).then(|| polygons.only().ok()).flatten()
+}
+
+/// Whether one mesh is wanted.
+fn is_one_mesh(arguments: &MeshArguments) -> bool {
+    !arguments.separate && !arguments.surface.output.iter().any(|path| is_pattern(path))
 }
 
 /// Meshes every polygon. One that has no mesh, or fails a gate, does not keep the others from it.

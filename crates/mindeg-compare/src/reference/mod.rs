@@ -227,7 +227,12 @@ fn delaunay(
         Some(at) if Instant::now() >= at => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    let triangles = mindeg_delaunay::triangles(boundary, &[], &[], Progress::new(&in_time));
+    let triangles = mindeg_delaunay::triangles(
+        boundary,
+        boundary.inner_points(),
+        boundary.segments(),
+        Progress::new(&in_time),
+    );
     triangles.map_err(|error| match error {
         DelaunayError::Cancelled(_) => NoTriangulation::TimeLimit { limit: deadline.time_limit },
         error => NoTriangulation::Delaunay(error),

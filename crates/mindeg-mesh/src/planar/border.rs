@@ -1,6 +1,7 @@
 //! The border of a map: its faces without those that are holes.
 
 use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use glam::DVec2;
@@ -61,8 +62,74 @@ impl PlanarBoundary {
     /// # Ok::<(), mindeg_mesh::planar::BoundaryFaults>(())
     /// ```
     pub fn border(&self, faces: &Faces, is_hole: impl Fn(u32) -> bool) -> Border {
+        let edges: Vec<u32> = (0..self.edge_count()).collect();
+        let points: Vec<u32> = (self.vertex_count()..self.points.len() as u32).collect();
         let has_domain = |face: Option<u32>| face.is_some_and(|face| !is_hole(face));
-        let spokes = self.spokes_between(&faces.beside, &has_domain);
+        let mut border = self.border_of(faces, &edges, &points, None, has_domain);
+        let lines = &border.edges[border.boundary.vertex_count() as usize..];
+        let before =
+            |start: &u32| lines.partition_point(|&edge| edge < self.vertex_count() + start) as u32;
+        border.boundary.line_starts = self.line_starts.iter().map(before).collect();
+        border
+    }
+
+    /// The border of each face by itself, in the order of the faces. The outer ring comes first and begins at the point that
+    /// is least by x and then by y. Edges with the face on both sides, and points in it, are its lines and points; lines are
+    /// not told apart. O(n log n).
+    ///
+    /// # Example
+    ///
+    /// ```
+    /// use glam::DVec2;
+    /// use mindeg_mesh::planar::PlanarBoundary;
+    ///
+    /// // A diagonal divides a square.
+    /// let square = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]].map(DVec2::from);
+    /// let (map, _) = PlanarBoundary::map(&[square], &[], &[vec![0, 2]])?;
+    /// let borders = map.face_borders(&map.faces(&[])?);
+    /// assert_eq!(borders[0].vertices, [0, 1, 2]);
+    /// assert_eq!(borders[1].vertices, [0, 2, 3]);
+    /// # Ok::<(), mindeg_mesh::planar::BoundaryFaults>(())
+    /// ```
+    pub fn face_borders(&self, faces: &Faces) -> Vec<Border> {
+        let mut edges = vec![Vec::new(); faces.count];
+        for (edge, beside) in (0..).zip(&faces.beside) {
+            for face in beside.iter().flatten() {
+                let own: &mut Vec<u32> = &mut edges[*face as usize];
+                if own.last() != Some(&edge) {
+                    own.push(edge);
+                }
+            }
+        }
+        let mut points = vec![Vec::new(); faces.count];
+        for (vertex, face) in (self.vertex_count()..).zip(&faces.points) {
+            if let Some(face) = face {
+                points[*face as usize].push(vertex);
+            }
+        }
+        let border = |(face, (edges, points)): (u32, (&Vec<u32>, &Vec<u32>))| {
+            let ends = edges.iter().flat_map(|&edge| self.ends(edge));
+            let by_place = |a: &u32, b: &u32| {
+                let [a, b] = [a, b].map(|vertex| self.point(*vertex));
+                a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+            };
+            self.border_of(faces, edges, points, ends.min_by(by_place), |other| other == Some(face))
+        };
+        (0..).zip(edges.iter().zip(&points)).map(border).collect()
+    }
+
+    /// The border around faces, whose edges, and points that are on no edge, are among those given, both in ascending order.
+    /// Rings are in the order of their first edges, but that from the vertex `first` is the first. All lines are one.
+    fn border_of(
+        &self,
+        faces: &Faces,
+        given: &[u32],
+        points: &[u32],
+        first: Option<u32>,
+        has_domain: impl Fn(Option<u32>) -> bool,
+    ) -> Border {
+        let beside = |edge: u32| faces.beside[edge as usize].map(&has_domain);
+        let spokes = self.spokes_of(given, beside);
         let next = |index: usize| {
             let Spoke { at, to, .. } = spokes[index];
             let back = own(&spokes, to).find(|&spoke| spokes[spoke].to == at);
@@ -74,7 +141,7 @@ impl PlanarBoundary {
         // The vertex of the border where each spoke leaves.
         let mut corners = vec![None; spokes.len()];
         let mut order: Vec<usize> = (0..spokes.len()).filter(|&at| spokes[at].leaves()).collect();
-        order.sort_by_key(|&at| spokes[at].edge);
+        order.sort_by_key(|&at| (Some(spokes[at].at) != first, spokes[at].edge));
         for first in order {
             let mut spoke = Some(first);
             while let Some(at) = spoke.filter(|&at| corners[at].is_none()) {
@@ -88,27 +155,28 @@ impl PlanarBoundary {
             }
         }
         let twins = twins(&vertices);
-        let (lines, kept) = self.lines_between(&faces.beside, &has_domain);
+        let is_between = |edge: &u32| *edge >= self.vertex_count() && beside(*edge) == [true; 2];
+        let kept: Vec<u32> = given.iter().copied().filter(is_between).collect();
         // A corner at each vertex of the rings; then the inner points that are left.
-        let mut names = vec![None; self.points.len()];
-        (0..).zip(&vertices).for_each(|(name, &vertex)| names[vertex as usize] = Some(name));
-        let mut is_kept = vec![false; self.points.len()];
-        kept.iter().flat_map(|&edge| self.ends(edge)).for_each(|end| is_kept[end as usize] = true);
-        for (vertex, face) in (self.vertex_count()..).zip(&faces.points) {
-            is_kept[vertex as usize] |= has_domain(*face);
-        }
-        for (vertex, name) in (0..).zip(&mut names) {
-            if is_kept[vertex as usize] && name.is_none() {
-                *name = Some(vertices.len() as u32);
+        let mut names: BTreeMap<u32, u32> = vertices.iter().copied().zip(0..).collect();
+        let is_left =
+            |point: &&u32| has_domain(faces.points[(**point - self.vertex_count()) as usize]);
+        let inner = points.iter().filter(is_left).copied();
+        let inner: BTreeSet<u32> =
+            kept.iter().flat_map(|&edge| self.ends(edge)).chain(inner).collect();
+        for vertex in inner {
+            names.entry(vertex).or_insert_with(|| {
                 vertices.push(vertex);
-            }
+                vertices.len() as u32 - 1
+            });
         }
         let end = |edge: u32, at: u32| {
             let spoke = own(&spokes, at).find(|&spoke| spokes[spoke].edge == edge);
             let corner = spoke.and_then(|spoke| corners[leaving(&spokes, spoke)?]);
-            corner.or(names[at as usize]).unwrap_or_default()
+            corner.unwrap_or(names[&at])
         };
         let segments = kept.iter().map(|&edge| self.ends(edge).map(|at| end(edge, at))).collect();
+        let lines = vec![0, kept.len() as u32];
         edges.extend(kept);
         let points = vertices.iter().map(|&vertex| self.point(vertex)).collect();
         let mut boundary = Self::unproven(points, starts);
@@ -116,16 +184,12 @@ impl PlanarBoundary {
         Border { boundary, vertices, edges }
     }
 
-    /// The edges with the domain on a side, from both ends; those of a vertex counter-clockwise.
-    fn spokes_between(
-        &self,
-        beside: &[[Option<u32>; 2]],
-        has_domain: &impl Fn(Option<u32>) -> bool,
-    ) -> Vec<Spoke> {
-        let mut spokes: Vec<Spoke> = (0..)
-            .zip(beside)
-            .flat_map(|(edge, beside)| {
-                let ([at, to], [left, right]) = (self.ends(edge), beside.map(has_domain));
+    /// Those of some edges with the domain on a side, from both ends; those of a vertex counter-clockwise.
+    fn spokes_of(&self, edges: &[u32], beside: impl Fn(u32) -> [bool; 2]) -> Vec<Spoke> {
+        let mut spokes: Vec<Spoke> = edges
+            .iter()
+            .flat_map(|&edge| {
+                let ([at, to], [left, right]) = (self.ends(edge), beside(edge));
                 let forth = Spoke { at, to, edge, has_domain: [left, right] };
                 [forth, Spoke { at: to, to: at, edge, has_domain: [right, left] }]
             })
@@ -137,21 +201,6 @@ impl PlanarBoundary {
             a.at.cmp(&b.at).then_with(by_turn)
         });
         spokes
-    }
-
-    /// The edges of lines with the domain on both sides, and the first of each line among them.
-    fn lines_between(
-        &self,
-        beside: &[[Option<u32>; 2]],
-        has_domain: &impl Fn(Option<u32>) -> bool,
-    ) -> (Vec<u32>, Vec<u32>) {
-        let (mut starts, mut kept) = (vec![0], Vec::new());
-        for line in self.line_starts.windows(2) {
-            let edges = (line[0]..line[1]).map(|segment| self.vertex_count() + segment);
-            kept.extend(edges.filter(|&edge| beside[edge as usize].map(has_domain) == [true; 2]));
-            starts.push(kept.len() as u32);
-        }
-        (starts, kept)
     }
 }
 
@@ -220,6 +269,54 @@ mod tests {
         let (map, _) = PlanarBoundary::map(&[ring], &inner, &lines).unwrap();
         let faces = map.faces(&middles.iter().map(|&at| at + 0.1).collect::<Vec<_>>()).unwrap();
         (map, faces)
+    }
+
+    /// A square with a hole, a line across, a line that ends inside, and a closed line at a corner of the hole.
+    #[test]
+    fn each_face_has_a_border_of_its_own() {
+        let ring = |low: f64, high: f64| {
+            [[low, low], [high, low], [high, high], [low, high]].map(DVec2::from).to_vec()
+        };
+        let hole: Vec<DVec2> = ring(2.0, 3.0).into_iter().rev().collect();
+        let inner = [[1.0, 1.0], [4.0, 3.0], [4.0, 3.5], [5.5, 0.5]].map(DVec2::from);
+        // 0 to 3 are the outline, 4 to 7 the hole from (2, 3) on, 8 to 11 the inner points.
+        let lines = [vec![1, 3], vec![0, 8], vec![5, 9, 10, 5]];
+        let (map, _) = PlanarBoundary::map(&[ring(0.0, 8.0), hole], &inner, &lines).unwrap();
+        let borders =
+            map.face_borders(&map.faces(&[[3.9, 3.2].into(), [7.0, 7.0].into()]).unwrap());
+        let areas: Vec<f64> = borders
+            .iter()
+            .map(|border| {
+                let corners =
+                    border.boundary.edges().map(|ends| ends.map(|v| border.boundary.point(v)));
+                corners.map(|[a, b]| a.perp_dot(b)).sum::<f64>() / 2.0
+            })
+            .collect();
+        assert_eq!(areas, [0.25, 32.0, 32.0 - 1.0 - 0.25]);
+        assert_eq!(borders[0].vertices, [5, 9, 10]);
+        assert_eq!(borders[1].vertices, [3, 1, 2]);
+        let rest = &borders[2];
+        assert_eq!(
+            (rest.vertices[0], rest.boundary.ring(0), rest.boundary.ring_count()),
+            (0, 0..3, 2)
+        );
+        // The closed line and the hole are one ring, which passes their common corner twice.
+        assert_eq!(rest.boundary.ring(1).len(), 4 + 3);
+        let at_corner =
+            (0..rest.boundary.vertex_count()).filter(|&v| rest.vertices[v as usize] == 5);
+        let corners: Vec<u32> = at_corner.collect();
+        assert!(rest.boundary.twins(corners[0]).eq([corners[1]]));
+        let dangling = rest.boundary.segments()[0].map(|end| rest.vertices[end as usize]);
+        assert_eq!((dangling, rest.boundary.inner_points()), ([0, 8], &[inner[0], inner[3]][..]));
+        for border in &borders {
+            for (name, &edge) in (0..).zip(&border.edges) {
+                let mut ends = border.boundary.ends(name).map(|end| border.vertices[end as usize]);
+                let mut expected = map.ends(edge);
+                ends.sort_unstable();
+                expected.sort_unstable();
+                assert_eq!(ends, expected);
+            }
+        }
     }
 
     proptest! {

@@ -5,6 +5,7 @@
 //!
 //! Limits: a list has been checked, and takes memory for each triangle.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 use either::Either;
@@ -117,8 +118,8 @@ impl Faces {
         }
     }
 
-    /// The neighbours of a vertex, counter-clockwise from `next`, the next vertex of its ring.
-    pub(super) fn neighbors(&self, vertex: u32, next: u32) -> Vec<u32> {
+    /// The neighbours of a vertex, counter-clockwise, fan by fan.
+    pub(super) fn neighbors(&self, vertex: u32) -> Vec<u32> {
         match self {
             Self::Formula(formula) => {
                 let neighbors = formula.triangulation.neighbors(formula.of_formula(vertex));
@@ -129,13 +130,19 @@ impl Faces {
                     let at = corners.iter().position(|&corner| corner == vertex)?;
                     Some((corners[(at + 1) % 3], corners[(at + 2) % 3]))
                 });
-                let mut around: Vec<(u32, u32)> = around.collect();
-                around.sort_unstable();
-                let beyond = |&from: &u32| {
-                    let at = around.binary_search_by_key(&from, |&(from, _)| from).ok()?;
-                    Some(around[at].1)
-                };
-                std::iter::successors(Some(next), beyond).collect()
+                let around: BTreeMap<u32, u32> = around.collect();
+                let ends: BTreeSet<u32> = around.values().copied().collect();
+                let mut starts: Vec<u32> =
+                    around.keys().copied().filter(|from| !ends.contains(from)).collect();
+                if starts.is_empty() {
+                    starts.extend(around.keys().next());
+                }
+                let mut found = Vec::with_capacity(around.len() + 1);
+                for start in starts {
+                    let beyond = |from: &u32| around.get(from).copied().filter(|to| *to != start);
+                    found.extend(std::iter::successors(Some(start), beyond));
+                }
+                found
             }
         }
     }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use glam::DVec3;
 use mindeg_domain::Domain;
-use mindeg_mesh::{Bounds, Line, LineKind, Positions, Triangles};
+use mindeg_mesh::{Bounds, Group, Line, LineKind, NamedVertex, Positions, Triangles};
 
 use super::BoundaryMesh;
 
@@ -14,7 +14,11 @@ impl Positions for BoundaryMesh {
     }
 
     fn fill_positions(&self, first: u32, out: &mut [DVec3]) {
-        self.placement().fill_positions(first, out);
+        let (rings, inside, points) = self.divided(first, out);
+        if !rings.is_empty() {
+            self.placement().fill_positions(first, rings);
+        }
+        inside.iter_mut().zip(points).for_each(|(out, point)| *out = point.extend(0.0));
     }
 
     fn bounds(&self) -> Bounds<DVec3> {
@@ -22,11 +26,11 @@ impl Positions for BoundaryMesh {
     }
 
     fn is_ring(&self) -> bool {
-        self.rings().ring_count() == 1
+        self.rings().ring_count() == 1 && self.domain().inner_points().is_empty()
     }
 }
 
-/// The lines are the domain's sides.
+/// The lines are the domain's sides, then the lines inside.
 impl Triangles for BoundaryMesh {
     fn triangle_count(&self) -> u32 {
         self.triangle_count()
@@ -53,18 +57,39 @@ impl Triangles for BoundaryMesh {
     }
 
     fn lines(&self) -> Cow<'_, [Line]> {
-        Cow::Owned(lines(self.domain()))
+        let (mut lines, before) = (lines(self.domain()), self.rings().vertex_count());
+        lines.extend(self.domain().inner_lines().into_iter().map(|(line, _)| {
+            let segments = line.segments.start + before..line.segments.end + before;
+            Line { segments, ..line }
+        }));
+        Cow::Owned(lines)
     }
 
     fn line_kind(&self, line: usize) -> Option<LineKind> {
-        self.domain().sides().get(line)?.kind
+        let sides = self.domain().sides();
+        match line.checked_sub(sides.len()) {
+            None => sides[line].kind,
+            Some(inner) => self.domain().inner_lines().get(inner)?.1,
+        }
+    }
+
+    fn named_vertices(&self) -> Cow<'_, [NamedVertex]> {
+        Cow::Owned(self.domain().named_vertices())
+    }
+
+    fn groups(&self) -> &[Group] {
+        &self.groups
     }
 
     fn fill_segments(&self, first: u32, out: &mut [[u32; 2]]) {
-        let (count, rings) = (self.vertex_count(), self.rings());
+        let (rings, inner) = (self.rings(), self.domain().inner_segments());
+        let count = rings.vertex_count();
         let mut ring = 0..0;
         for (start, segment) in (first..).zip(out) {
-            assert!(start < count, "the boundary has {count} edges");
+            if let Some(inside) = start.checked_sub(count) {
+                *segment = inner[inside as usize];
+                continue;
+            }
             if !ring.contains(&start) {
                 ring = rings.ring(rings.ring_of(start));
             }

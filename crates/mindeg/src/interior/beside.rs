@@ -8,7 +8,7 @@ use mindeg_interior::{InteriorError, InteriorReport};
 use mindeg_mesh::parallel::map_all;
 use mindeg_mesh::{Cancelled, Progress, Step, TriMesh};
 
-use super::{AngleLimit, InteriorMesh, mesh};
+use super::{AngleLimit, InteriorMesh, coarse, mesh};
 
 /// Meshes domains that lie beside each other, such as islands, as one mesh: the vertices of the first domain come first.
 /// Groups of one name are one group. The domains are shared among all threads; the limit is that of the domain with the
@@ -67,6 +67,6 @@ pub fn mesh_all(
     let (Some(mesh), Some(report), Some(limit)) = (all, report, limit) else {
         return Err((0, InteriorError::NotFilled("there is no domain".to_owned())));
     };
-    coarse_sides.sort_by(|a, b| (b.length / b.size).total_cmp(&(a.length / a.size)));
+    coarse::sort(&mut coarse_sides);
     Ok(InteriorMesh { mesh: mesh.with_groups_merged(), report, limit, coarse_sides })
 }

@@ -26,8 +26,8 @@ pub struct CoarseSide {
 pub(super) fn coarse_sides(domain: &Domain, edges: &[CoarseEdge]) -> Vec<CoarseSide> {
     let rings = domain.rings();
     let lines = domain.inner_lines();
-    let line_of =
-        |segment: u32| lines.iter().position(|(line, _)| line.segments.contains(&segment));
+    // The lines have all segments, in order.
+    let line_of = |segment: u32| lines.partition_point(|(line, _)| line.segments.end <= segment);
     let mut found: BTreeMap<usize, CoarseSide> = BTreeMap::new();
     for edge in edges {
         let (index, name, intervals) = match edge.edge.checked_sub(rings.vertex_count()) {
@@ -36,7 +36,7 @@ pub(super) fn coarse_sides(domain: &Domain, edges: &[CoarseEdge]) -> Vec<CoarseS
                 (side, domain.side_name(side), u64::from(rings.intervals(side)))
             }
             Some(segment) => {
-                let Some(line) = line_of(segment) else { continue };
+                let line = line_of(segment);
                 let (name, count) = (&lines[line].0.name, lines[line].0.segments.len());
                 (rings.side_count() + line, name.clone(), count as u64)
             }
@@ -54,8 +54,13 @@ pub(super) fn coarse_sides(domain: &Domain, edges: &[CoarseEdge]) -> Vec<CoarseS
         }
     }
     let mut sides: Vec<CoarseSide> = found.into_values().collect();
-    sides.sort_by(|a, b| (b.length / b.size).total_cmp(&(a.length / a.size)));
+    sort(&mut sides);
     sides
+}
+
+/// The worst first.
+pub(super) fn sort(sides: &mut [CoarseSide]) {
+    sides.sort_by(|a, b| (b.length / b.size).total_cmp(&(a.length / a.size)));
 }
 
 #[cfg(test)]

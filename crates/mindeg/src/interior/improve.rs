@@ -10,7 +10,7 @@ use mindeg_mesh::weld;
 use mindeg_mesh::{Bounds, Group, NamedVertex, Progress, TriMesh, Triangles};
 
 use super::plane::Plane;
-use super::regions::{edges, interfaces, spread};
+use crate::regions::{edges, interfaces, spread};
 
 /// An improved mesh, with what it was like before and is like after.
 #[derive(Clone, Debug, PartialEq)]

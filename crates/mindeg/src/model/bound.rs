@@ -89,7 +89,7 @@ impl JointBound {
 }
 
 /// The best of the bounds that take near-linear time.
-pub(super) fn cheap(joint: &Joint<'_>) -> JointBound {
+pub(crate) fn cheap(joint: &Joint) -> JointBound {
     let sum = joint.totals.iter().map(|&total| u64::from(total)).sum();
     let mut best = JointBound::Sum { sum, vertices: joint.totals.len() as u32 };
     let most_edges = joint
@@ -102,7 +102,7 @@ pub(super) fn cheap(joint: &Joint<'_>) -> JointBound {
     {
         best = JointBound::Edges { vertex: vertex as u32, edges };
     }
-    for face in 0..joint.model.face_count() {
+    for face in 0..joint.face_count() {
         if let Some((max_degree, intervals)) = side_bound(joint, face, best.max_degree()) {
             best = JointBound::Side { face: face as u32, intervals, max_degree };
         }
@@ -111,13 +111,13 @@ pub(super) fn cheap(joint: &Joint<'_>) -> JointBound {
 }
 
 /// The bound of the best side of a face, if it is above `above`, and the intervals of that side.
-fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> {
-    let places = joint.model.face_size(face);
+fn side_bound(joint: &Joint, face: usize, above: u32) -> Option<(u32, u32)> {
+    let places = joint.face(face).vertices.len() as u32;
+    let plane_face = joint.face(face);
     // A side has at most all but one of the intervals; without many, no bound is above.
-    if places < above {
+    if places < above || !plane_face.is_polygon() {
         return None;
     }
-    let plane_face = joint.face(face);
     let runs = plane_face.boundary.runs();
     let run_count = runs.iter().max().map_or(0, |&run| run as usize + 1);
     // The vertices of each side, with both corners.
@@ -162,21 +162,19 @@ fn side_bound(joint: &Joint<'_>, face: usize, above: u32) -> Option<(u32, u32)> 
 
 /// The best of a bound and of weights, for models that are not too large.
 pub(super) fn with_weights(
-    joint: &Joint<'_>,
+    joint: &Joint,
     bound: JointBound,
     progress: Progress<'_>,
 ) -> Result<JointBound, Cancelled> {
-    let faces: Vec<usize> = (0..joint.model.face_count()).collect();
+    let faces: Vec<usize> = (0..joint.face_count()).collect();
     // About n³/6 triples in a convex face.
-    let triples = |&face: &usize| u64::from(joint.model.face_size(face)).pow(3) / 6;
+    let triples = |&face: &usize| u64::from(joint.face(face).vertices.len() as u32).pow(3) / 6;
     if faces.iter().map(triples).fold(0, u64::saturating_add) > MOST_TRIPLES {
         return Ok(bound);
     }
     let solvers = map_all(faces.clone(), |face| {
-        let plane_face = joint.face(face);
-        let problem = plane_face.problem(&joint.triangles[face]).ok()?;
-        let least = LeastWeight::new(&problem, joint.thresholds[face]).ok();
-        Some((least, plane_face.vertices.clone()))
+        let problem = joint.face(face).problem(&joint.triangles[face])?;
+        LeastWeight::new(&problem, joint.thresholds[face]).ok()
     });
     let mut weights = vec![1.0; joint.totals.len()];
     let mut best = bound;
@@ -186,16 +184,17 @@ pub(super) fn with_weights(
         let whole: Vec<u64> =
             weights.iter().map(|weight| (weight / largest * UNIT + 0.5) as u64).collect();
         let found = map_all(faces.clone(), |face| {
-            let (solver, vertices) = solvers[face].as_ref()?;
-            let own: Vec<u64> = vertices.iter().map(|&vertex| whole[vertex as usize]).collect();
-            solver.as_ref()?.of(&own)
+            let vertices = joint.face(face).vertices.iter();
+            let own: Vec<u64> = vertices.map(|&vertex| whole[vertex as usize]).collect();
+            solvers[face].as_ref()?.of(&own)
         });
         let of_edges = whole.iter().zip(&joint.edge_degrees);
         let mut sum: u128 =
             of_edges.map(|(&weight, &edges)| u128::from(weight) * u128::from(edges)).sum();
         let mut degrees = joint.edge_degrees.clone();
         for (face, found) in found.into_iter().enumerate() {
-            let Some((_, vertices)) = &solvers[face] else { continue };
+            let plane_face = joint.face(face);
+            let vertices = &plane_face.vertices;
             match found {
                 Some((weight, chords)) => {
                     sum += u128::from(weight);
@@ -203,11 +202,11 @@ pub(super) fn with_weights(
                         degrees[vertex as usize] += chords;
                     }
                 }
-                // A face with holes: each chord weighs at least twice the least weight.
+                // A face with holes, or none that is a polygon: each chord weighs at least twice the least weight.
                 None => {
                     let least = vertices.iter().map(|&vertex| whole[vertex as usize]).min();
-                    let count = joint.triangles[face].len() * 3 - vertices.len();
-                    sum += u128::from(least.unwrap_or(0)) * count as u128;
+                    let ends: u32 = plane_face.chords(&joint.triangles[face]).iter().sum();
+                    sum += u128::from(least.unwrap_or(0)) * u128::from(ends);
                 }
             }
         }
@@ -231,6 +230,7 @@ pub(super) fn with_weights(
 
 #[cfg(test)]
 mod tests {
+    use super::super::of_model;
     use super::*;
     use glam::DVec3;
     use mindeg_domain::{Model, ModelEdge, ModelFace, ModelParts, Side};
@@ -257,7 +257,7 @@ mod tests {
     }
 
     fn bound(model: &Model) -> JointBound {
-        cheap(&Joint::new(model, None, Progress::NONE).unwrap())
+        cheap(&of_model(model, &model.positions(), None, Progress::NONE).unwrap())
     }
 
     #[test]

@@ -11,6 +11,7 @@ use mindeg_mesh::{Cancelled, Progress};
 
 use super::colors::classes;
 use super::face::PlaneFace;
+use super::flips;
 use super::joint::Joint;
 use super::random::hash;
 use mindeg_mesh::parallel::map_all;
@@ -44,8 +45,8 @@ const MOST_COST: u32 = 1 << 24;
 /// One more than the largest noise of a chord.
 const NOISE: u64 = 13;
 
-pub(super) struct Descent<'j, 'm> {
-    joint: &'j mut Joint<'m>,
+pub(super) struct Descent<'j> {
+    joint: &'j mut Joint,
     classes: Vec<Vec<usize>>,
     progress: Progress<'j>,
 }
@@ -76,17 +77,17 @@ impl Cost for FaceCost<'_> {
     }
 }
 
-impl<'j, 'm> Descent<'j, 'm> {
-    pub(super) fn new(joint: &'j mut Joint<'m>, progress: Progress<'j>) -> Self {
-        let classes = classes(joint.model);
+impl<'j> Descent<'j> {
+    pub(super) fn new(joint: &'j mut Joint, progress: Progress<'j>) -> Self {
+        let classes = classes(joint);
         Self { joint, classes, progress }
     }
 
-    pub(super) fn joint(&self) -> &Joint<'m> {
+    pub(super) fn joint(&self) -> &Joint {
         self.joint
     }
 
-    pub(super) fn joint_mut(&mut self) -> &mut Joint<'m> {
+    pub(super) fn joint_mut(&mut self) -> &mut Joint {
         self.joint
     }
 
@@ -161,7 +162,7 @@ impl<'j, 'm> Descent<'j, 'm> {
 
 /// The triangles of a face after a round, if they changed, and the steps of work.
 fn improved(
-    joint: &Joint<'_>,
+    joint: &Joint,
     face: usize,
     degree: u32,
     round: u64,
@@ -170,10 +171,9 @@ fn improved(
 ) -> Option<(Option<Vec<[u32; 3]>>, u64)> {
     let plane_face = joint.face(face);
     let places = plane_face.vertices.len();
-    let problem = plane_face.problem(&joint.triangles[face]).ok()?;
-    let mut patch = Patch::new(&problem);
     let total = |place: usize| joint.totals[plane_face.vertices[place] as usize];
-    let others = (0..places).map(|place| total(place) - patch.chords(place as u32)).collect();
+    let chords = plane_face.chords(&joint.triangles[face]);
+    let others = (0..places).map(|place| total(place) - chords[place]).collect();
     let noise = |place| {
         let random = hash(&[degree.into(), round, face as u64, place as u64]);
         if is_small { (random % NOISE) as u32 } else { 0 }
@@ -186,6 +186,14 @@ fn improved(
         degree,
         threshold: joint.thresholds[face],
     };
+    let Some(problem) = plane_face.problem(&joint.triangles[face]) else {
+        let (triangles, steps) =
+            flips::improved(plane_face, &joint.triangles[face], chords, &cost, |place, chords| {
+                cost.others[place as usize] + chords > degree
+            });
+        return Some((triangles, SETUP_STEPS * places as u64 + steps));
+    };
+    let mut patch = Patch::new(&problem);
     let is_crowded =
         |patch: &Patch<'_>, place: usize| cost.others[place] + patch.chords(place as u32) > degree;
     let mut changed = false;

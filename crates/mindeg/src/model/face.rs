@@ -4,47 +4,88 @@ use glam::DVec3;
 use mindeg_core::{Boundary, least_degree_triangulation};
 use mindeg_domain::Model;
 use mindeg_exact::Problem;
-use mindeg_exact::measure::least_tangent;
-use mindeg_mesh::Progress;
-use mindeg_mesh::planar::PlanarBoundary;
+use mindeg_exact::measure::min_angle_tangent;
+use mindeg_mesh::planar::{Border, PlanarBoundary};
+use mindeg_mesh::{Progress, check};
 
 use crate::error::MeshError;
 
-/// A face: the vertices of the model at each place, and its boundary in its plane.
-pub(super) struct PlaneFace {
-    pub(super) vertices: Vec<u32>,
-    pub(super) boundary: PlanarBoundary,
+/// A face: the vertex of the whole at each place, and its boundary in its plane.
+pub(crate) struct PlaneFace {
+    pub(crate) vertices: Vec<u32>,
+    pub(crate) boundary: PlanarBoundary,
+    is_polygon: bool,
 }
 
 impl PlaneFace {
     pub(super) fn new(model: &Model, positions: &[DVec3], face: usize) -> Result<Self, MeshError> {
         let (vertices, boundary) =
             model.boundary(face, positions).map_err(|error| MeshError::of_face(face, error))?;
-        Ok(Self { vertices, boundary })
+        Ok(Self { vertices, boundary, is_polygon: true })
     }
 
-    pub(super) fn problem(
-        &self,
-        triangles: &[[u32; 3]],
-    ) -> Result<Problem, mindeg_exact::Unsolved> {
-        Problem::triangulated(&self.boundary, triangles)
+    /// A face of a map, each edge of which is of a straight run.
+    pub(crate) fn of_border(border: Border, runs: Vec<u32>) -> Self {
+        let Border { boundary, vertices, .. } = border;
+        let touches = (0..boundary.vertex_count()).any(|place| boundary.twins(place).count() > 0);
+        let is_polygon =
+            !touches && boundary.segments().is_empty() && boundary.inner_points().is_empty();
+        Self { vertices, boundary: boundary.with_sides(Vec::new(), runs), is_polygon }
+    }
+
+    /// Whether the face is a polygon, with or without holes, that does not touch itself and has no lines or points inside.
+    pub(crate) fn is_polygon(&self) -> bool {
+        self.is_polygon
+    }
+
+    /// The face as the solver takes it, if it is a polygon.
+    pub(crate) fn problem(&self, triangles: &[[u32; 3]]) -> Option<Problem> {
+        self.is_polygon.then(|| Problem::triangulated(&self.boundary, triangles).ok()).flatten()
+    }
+
+    /// Checks that triangles are a triangulation of the face.
+    pub(super) fn check(&self, triangles: &[[u32; 3]]) -> Result<(), String> {
+        if self.is_polygon {
+            let problem = Problem::triangulated(&self.boundary, triangles);
+            return problem.map(drop).map_err(|error| error.to_string());
+        }
+        let inner = self.boundary.inner_points();
+        let checked = check::triangulation(&self.boundary, inner, triangles);
+        checked.map(drop).map_err(|error| error.to_string())
+    }
+
+    /// The chords at each place: a vertex on a ring has one triangle more, and lines inside are none.
+    pub(super) fn chords(&self, triangles: &[[u32; 3]]) -> Vec<u32> {
+        let mut counts = vec![0_u32; self.vertices.len()];
+        triangles.as_flattened().iter().for_each(|&place| counts[place as usize] += 1);
+        let on_rings = counts[..self.boundary.points().len()].iter_mut();
+        on_rings.for_each(|count| *count = count.saturating_sub(1));
+        for &place in self.boundary.segments().as_flattened() {
+            counts[place as usize] = counts[place as usize].saturating_sub(1);
+        }
+        counts
     }
 
     pub(super) fn delaunay(&self, face: usize) -> Result<Vec<[u32; 3]>, MeshError> {
-        mindeg_delaunay::triangles(&self.boundary, &[], &[], Progress::NONE)
+        let boundary = &self.boundary;
+        let (inner, segments) = (boundary.inner_points(), boundary.segments());
+        mindeg_delaunay::triangles(boundary, inner, segments, Progress::NONE)
             .map_err(|error| MeshError::of_face(face, error))
     }
 
     /// The tangent of the minimum angle of some triangles.
     pub(super) fn min_tangent(&self, triangles: &[[u32; 3]]) -> f64 {
-        least_tangent(self.boundary.points(), triangles)
+        let tangent = |triangle: &[u32; 3]| {
+            min_angle_tangent(triangle.map(|place| self.boundary.point(place)))
+        };
+        triangles.iter().map(tangent).fold(f64::INFINITY, f64::min)
     }
 
     /// The triangulation of least degree by the formula, if the face is convex.
     pub(super) fn closed_form(&self) -> Option<Vec<[u32; 3]>> {
         let (points, runs) = (self.boundary.points(), self.boundary.runs());
         let n = points.len();
-        if self.boundary.ring_count() > 1 {
+        if self.boundary.ring_count() > 1 || !self.is_polygon {
             return None;
         }
         // Where runs begin.

@@ -8,16 +8,18 @@
 //! Same bytes on any number of threads: faces that share a corner are never solved together
 //! (`colors.rs`), and random numbers depend on the round and the face alone.
 
-mod bound;
+pub(crate) mod bound;
 mod colors;
 mod descent;
-mod face;
+pub(crate) mod face;
 #[cfg(feature = "interior")]
 mod filled;
-mod joint;
+mod flips;
+pub(crate) mod joint;
 mod polish;
 mod random;
 mod search;
+pub(crate) mod solve;
 
 pub use bound::JointBound;
 #[cfg(feature = "interior")]
@@ -29,9 +31,10 @@ use mindeg_mesh::{Group, Line, Progress, TriMesh, TriMeshError};
 
 use crate::error::MeshError;
 use crate::fill::min_angle;
-use crate::goal::{GOALS, Goal, GoalKind, GoalValue};
-use descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
+use crate::goal::Goal;
+use face::PlaneFace;
 use joint::Joint;
+use solve::solve;
 
 /// A mesh of a model, and what is known of its degrees. Degrees count all edges at a vertex.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,7 +79,7 @@ impl ModelMesh {
 ///
 /// # Errors
 ///
-/// A goal that [`GOALS`] does not give to models; a face that cannot be triangulated once its points are rounded to
+/// A goal that [`GOALS`](crate::GOALS) does not give to models; a face that cannot be triangulated once its points are rounded to
 /// f64, or a cancelled `progress`.
 ///
 /// # Example
@@ -105,46 +108,31 @@ pub fn mesh_model(
         Goal::LeastDegree => (None, 0),
         Goal::KeepAngle(share) => (Some(share), 0),
         Goal::MaxDegree(limit) => (None, limit),
-        _ => return Err(not_for_models(goal)),
+        _ => return Err(goal.refused("domains", "a model")),
     };
-    let mut joint = Joint::new(model, share, progress)?;
-    let mut bound = bound::cheap(&joint);
-    let target = bound.max_degree().max(limit);
-    let most = LEVEL_STEPS.max(STEPS_PER_VERTEX * u64::from(model.vertex_count()));
-    let steps = (most as f64 * effort.max(0.0)) as u64;
-    let mut descent = Descent::new(&mut joint, progress);
-    if descent.reach(target + 1, steps)? {
-        // A short try, then the dearer bound, and only then a long try.
-        if !descent.reach(target, steps / 16)? {
-            bound = bound::with_weights(descent.joint(), bound, progress)?;
-            // Most degrees that a search decides, it decides soon.
-            bound = search::close(descent.joint_mut(), bound, limit, effort / 16.0, progress)?;
-            if bound.max_degree() <= target {
-                descent.reach(target, steps)?;
-            }
-        }
-    } else {
-        let mut degree = descent.joint().max_degree();
-        while degree > target + 2 && descent.reach(degree - 1, steps / 4)? {
-            degree = descent.joint().max_degree();
-        }
-        bound = bound::with_weights(descent.joint(), bound, progress)?;
-    }
-    drop(descent);
-    bound = search::close(&mut joint, bound, limit, effort, progress)?;
-    polish::polish(&mut joint, progress)?;
-    finished(model, joint, bound)
+    let positions = model.positions();
+    let mut joint = of_model(model, &positions, share, progress)?;
+    let bound = solve(&mut joint, limit, effort, progress)?;
+    finished(model, positions, &joint, bound)
 }
 
-/// Why models do not take a goal.
-fn not_for_models(goal: Goal) -> MeshError {
-    let others = GOALS.iter().filter(|kind| kind.models && kind.value != GoalValue::Nothing);
-    let instead = others.map(GoalKind::option).collect::<Vec<_>>().join(" or ");
-    let option = goal.kind_and_value().0.option();
-    MeshError::Refused(format!("{option} is for domains; for a model give {instead}"))
+/// The faces of a model, triangulated.
+fn of_model(
+    model: &Model,
+    positions: &[DVec3],
+    keep_angle: Option<f64>,
+    progress: Progress<'_>,
+) -> Result<Joint, MeshError> {
+    let face = |face| PlaneFace::new(model, positions, face);
+    Joint::new(model.face_count(), face, model.edge_degrees(), keep_angle, progress)
 }
 
-fn finished(model: &Model, joint: Joint<'_>, bound: JointBound) -> Result<ModelMesh, MeshError> {
+fn finished(
+    model: &Model,
+    positions: Vec<DVec3>,
+    joint: &Joint,
+    bound: JointBound,
+) -> Result<ModelMesh, MeshError> {
     let max_degree = joint.max_degree();
     let is_worst = |&(_, &degree): &(usize, &u32)| degree == max_degree;
     let worst_vertices =
@@ -155,7 +143,7 @@ fn finished(model: &Model, joint: Joint<'_>, bound: JointBound) -> Result<ModelM
         let of_model = |triangle: &[u32; 3]| triangle.map(|place| vertices[place as usize]);
         joint.triangles[face].iter().map(of_model).collect()
     };
-    let (mesh, face_starts) = assembled(model, joint.positions, triangles)?;
+    let (mesh, face_starts) = assembled(model, positions, triangles)?;
     let min_angle = min_angle(mesh.positions(), mesh.triangles());
     Ok(ModelMesh {
         mesh,

@@ -47,9 +47,9 @@ impl Cost for Angles {
     }
 }
 
-pub(super) fn polish(joint: &mut Joint<'_>, progress: Progress<'_>) -> Result<(), Cancelled> {
+pub(super) fn polish(joint: &mut Joint, progress: Progress<'_>) -> Result<(), Cancelled> {
     let degree = joint.max_degree();
-    let classes = classes(joint.model);
+    let classes = classes(joint);
     let total = ROUNDS * classes.len() as u64;
     for round in 0..ROUNDS {
         for (index, class) in (0..).zip(&classes) {
@@ -65,9 +65,9 @@ pub(super) fn polish(joint: &mut Joint<'_>, progress: Progress<'_>) -> Result<()
     Ok(())
 }
 
-fn improved(joint: &Joint<'_>, face: usize, degree: u32) -> Option<Vec<[u32; 3]>> {
+fn improved(joint: &Joint, face: usize, degree: u32) -> Option<Vec<[u32; 3]>> {
     let plane_face = joint.face(face);
-    let problem = plane_face.problem(&joint.triangles[face]).ok()?;
+    let problem = plane_face.problem(&joint.triangles[face])?;
     let mut patch = Patch::new(&problem);
     let most = |(place, &vertex): (u32, &u32)| {
         (degree + patch.chords(place)).saturating_sub(joint.totals[vertex as usize])
@@ -99,6 +99,7 @@ fn improved(joint: &Joint<'_>, face: usize, degree: u32) -> Option<Vec<[u32; 3]>
 #[cfg(test)]
 mod tests {
     use super::super::descent::Descent;
+    use super::super::of_model;
     use super::*;
     use glam::DVec3;
     use mindeg_domain::{Model, ModelFace, ModelParts, Side};
@@ -123,9 +124,9 @@ mod tests {
             planar_tolerance: None,
         })
         .unwrap();
-        let mut joint = Joint::new(&model, None, Progress::NONE).unwrap();
+        let mut joint = of_model(&model, &model.positions(), None, Progress::NONE).unwrap();
         assert!(Descent::new(&mut joint, Progress::NONE).reach(7, 100_000).unwrap());
-        let costs = |joint: &Joint<'_>| -> Vec<f64> {
+        let costs = |joint: &Joint| -> Vec<f64> {
             let cost = |face: usize| {
                 let points = joint.face(face).boundary.points();
                 let of = |triangle: &[u32; 3]| {

@@ -13,7 +13,7 @@ use super::joint::Joint;
 /// Closes the gap between a bound and the degree reached, from the bound up, as far as the steps suffice:
 /// `effort` times their default. Degrees above `enough` alone are brought down.
 pub(super) fn close(
-    joint: &mut Joint<'_>,
+    joint: &mut Joint,
     mut bound: JointBound,
     enough: u32,
     effort: f64,
@@ -50,9 +50,9 @@ pub(super) fn close(
 }
 
 /// The candidates of all faces; none if they are too many.
-fn cover(joint: &Joint<'_>, progress: Progress<'_>) -> Result<Option<Cover>, Cancelled> {
-    let faces = 0..joint.model.face_count();
-    let problem = |face: usize| joint.face(face).problem(&joint.triangles[face]).ok();
+fn cover(joint: &Joint, progress: Progress<'_>) -> Result<Option<Cover>, Cancelled> {
+    let faces = 0..joint.face_count();
+    let problem = |face: usize| joint.face(face).problem(&joint.triangles[face]);
     let Some(problems) = faces.map(problem).collect::<Option<Vec<Problem>>>() else {
         return Ok(None);
     };
@@ -62,13 +62,13 @@ fn cover(joint: &Joint<'_>, progress: Progress<'_>) -> Result<Option<Cover>, Can
 }
 
 /// Whether a refutation holds for the checker, which makes the candidates with its own code.
-fn holds(joint: &Joint<'_>, max_degree: u32, refutation: &Refutation) -> bool {
-    let all = || 0..joint.model.face_count();
+fn holds(joint: &Joint, max_degree: u32, refutation: &Refutation) -> bool {
+    let all = || 0..joint.face_count();
     let rings: Vec<Vec<_>> =
         all().map(|face| joint.face(face).boundary.rings().collect()).collect();
     let checked = |face: usize| {
         let plane_face = joint.face(face);
-        let problem = plane_face.problem(&joint.triangles[face]).ok()?;
+        let problem = plane_face.problem(&joint.triangles[face])?;
         let outline = CheckedOutline {
             points: plane_face.boundary.points(),
             rings: &rings[face],

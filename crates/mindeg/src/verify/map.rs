@@ -21,7 +21,7 @@ pub(super) struct MapLines {
 }
 
 /// Positive if three points run counter-clockwise; exact.
-fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub(super) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     let [a, b, c] = [a, b, c].map(|p| Coord { x: p.x, y: p.y });
     orient2d(a, b, c)
 }
@@ -157,40 +157,53 @@ impl MapLines {
         let in_face = self.triangles_by_face(&found.triangles);
         let around = triangles_around(regions, found);
         let groups = if mesh.groups().len() > 1 { mesh.groups() } else { &[] };
-        let group = |t: usize| {
-            groups.iter().find(|group| group.triangles.contains(&(t as u32))).map(label_of)
-        };
+        let labels: Vec<(String, Option<String>)> = groups.iter().map(label_of).collect();
+        // Groups of one label are one.
+        let mut group_of: Vec<Option<usize>> = vec![None; in_face.len()];
+        let mut first_of = BTreeMap::new();
+        for (index, (group, label)) in groups.iter().zip(&labels).enumerate() {
+            let first = *first_of.entry(label).or_insert(index);
+            let triangles = group.triangles.start as usize..group.triangles.end as usize;
+            group_of[triangles].fill(Some(first));
+        }
         let mut group_of_face = vec![None; in_face.len()];
         for (t, face) in in_face.iter().enumerate() {
-            let own = group(t);
-            if *group_of_face[*face as usize].get_or_insert_with(|| own.clone()) != own {
+            let own = group_of[t];
+            if *group_of_face[*face as usize].get_or_insert(own) != own {
                 let message =
                     format!("triangle {t} is of another group than the rest of its region");
                 return Err(MeshDefect::new("group", message));
             }
         }
-        let mut known: BTreeMap<(String, Option<String>), Option<String>> = BTreeMap::new();
+        let names: BTreeSet<String> =
+            (0..regions.len() as u32).map(|region| domain.region_name(region)).collect();
+        let mut known: BTreeMap<usize, String> = BTreeMap::new();
         for (index, region) in regions.iter().enumerate().filter(|(_, region)| !region.hole) {
             let Some(t) = around[index] else {
                 let message = format!("region {} at {} has no triangles", index + 1, at(region.at));
                 return Err(MeshDefect::new("empty_region", message));
             };
             let name = domain.region_name(index as u32);
-            let Some(own) = group(t) else { continue };
-            let of_other = (0..regions.len() as u32)
-                .any(|other| domain.region_name(other) == own.0 && own.0 != name);
-            let before = known.insert(own.clone(), Some(name.clone()));
-            if of_other || before.is_some_and(|before| before.as_deref() != Some(&name)) {
+            let Some(own) = group_of[t] else { continue };
+            let label = &labels[own].0;
+            let of_other = *label != name && names.contains(label);
+            if of_other || known.get(&own).is_some_and(|before| *before != name) {
                 let message =
-                    format!("{name:?}, around {}, is in the group {:?}", at(region.at), own.0);
+                    format!("{name:?}, around {}, is in the group {label:?}", at(region.at));
                 return Err(MeshDefect::new("group", message));
             }
+            known.insert(own, name);
         }
         Ok(())
     }
 
+    /// Whether an edge is of a line.
+    pub(super) fn has(&self, edge: [u32; 2]) -> bool {
+        self.edges.contains(&edge)
+    }
+
     /// For each triangle, the least triangle that can be reached without crossing a line.
-    fn triangles_by_face(&self, triangles: &[[u32; 3]]) -> Vec<u32> {
+    pub(super) fn triangles_by_face(&self, triangles: &[[u32; 3]]) -> Vec<u32> {
         let of_half: BTreeMap<[u32; 2], usize> = triangles
             .iter()
             .enumerate()
@@ -236,7 +249,7 @@ fn label_of(group: &Group) -> (String, Option<String>) {
 }
 
 /// A triangle's edges, the triangle on the left of each.
-fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
+pub(super) fn sides([a, b, c]: [u32; 3]) -> [[u32; 2]; 3] {
     [[a, b], [b, c], [c, a]]
 }
 

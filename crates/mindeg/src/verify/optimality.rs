@@ -13,12 +13,16 @@ use mindeg_domain::{ConvexForm, Domain};
 use mindeg_exact::check::CheckedOutline;
 use mindeg_exact::check::refutation::{CheckedFace, refutes};
 use mindeg_exact::{LowerBound, Reached, Refutation};
-use mindeg_mesh::{Progress, check};
+use mindeg_mesh::{Progress, TriMesh};
 
+use super::joint::JointCheck;
 use super::matching::VerifiedMesh;
+use super::proof::Proof;
+use super::triangulation::triangulation;
 use crate::error::MeshError;
-use crate::exact::{self, DegreeAnswer};
+use crate::exact::{self, DegreeAnswer, DegreeBound};
 use crate::goal::{Goal, mesh};
+use crate::model::JointBound;
 use crate::posed::Posed;
 
 /// The steps of a search that is repeated: some seconds.
@@ -44,56 +48,6 @@ pub enum Optimality {
         /// Why.
         reason: String,
     },
-}
-
-/// Why no mesh has a smaller maximum degree; docs/theory.md has the theorems.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Proof {
-    /// The certificate of a convex domain, from its interval counts.
-    Certificate(mindeg_core::Certificate),
-    /// The sum of the degrees.
-    Counting,
-    /// Chords that do not lie inside block every zig-zag.
-    BlockedZigZags {
-        /// Their number.
-        chords: usize,
-    },
-    /// Too few vertices can be apexes of some boundary edges.
-    Apexes {
-        /// The number of edges.
-        edges: usize,
-        /// The number of apexes.
-        apexes: usize,
-    },
-    /// A search over all triangulations, done twice by different code.
-    Search,
-    /// Degree 4 takes a strip between two rings, and none is a triangulation.
-    NoStrip,
-    /// Clauses, each of which follows from those before.
-    Refuted {
-        /// Their number.
-        clauses: usize,
-    },
-}
-
-impl Proof {
-    /// A name of the kind, which stays the same over versions.
-    pub fn kind(&self) -> &'static str {
-        use mindeg_core::Certificate;
-        match self {
-            Self::Certificate(Certificate::BalancedCut { .. }) => "balanced_cut",
-            Self::Certificate(Certificate::MedialTriangle) => "medial_triangle",
-            Self::Certificate(Certificate::LongSide { .. }) => "long_side",
-            Self::Certificate(Certificate::NoBalancedCut { .. }) => "no_balanced_cut",
-            Self::Counting => "counting",
-            Self::BlockedZigZags { .. } => "blocked_zig_zags",
-            Self::Apexes { .. } => "apexes",
-            Self::Search => "search",
-            Self::NoStrip => "no_strip",
-            Self::Refuted { .. } => "refuted",
-        }
-    }
 }
 
 /// Whether no mesh of a domain's boundary points has a smaller maximum degree than this one. External
@@ -127,18 +81,24 @@ pub fn optimality(
 ///
 /// # Errors
 ///
-/// Points without a Delaunay triangulation, and a `progress` that cancels.
+/// A domain with lines or points inside, points without a Delaunay triangulation, and a `progress` that cancels.
 pub fn optimality_by(
     verified: &VerifiedMesh,
     domain: &Domain,
     refutation: &Refutation,
     progress: Progress<'_>,
 ) -> Result<Optimality, MeshError> {
+    if domain.is_map() {
+        return Err(MeshError::refused(
+            "the domain has lines or points inside, and a proof in a file is of a domain without; without --proof the proof \
+             is found and checked here",
+        ));
+    }
     let answer = DegreeAnswer {
         reached: verified.max_degree,
         at_least: verified.max_degree,
         reached_by: Reached::Search,
-        bounded_by: LowerBound::Refuted(refutation.clone()),
+        bounded_by: DegreeBound::Polygon(LowerBound::Refuted(refutation.clone())),
     };
     let keeps_limits = verified.interior_points == 0 && verified.above_limit.is_empty();
     Ok(match checked_proof(&answer, domain, progress)? {
@@ -148,7 +108,7 @@ pub fn optimality_by(
 }
 
 /// The proof of an answer's lower bound, if code that shares nothing with the search finds that it holds for the
-/// points of a domain.
+/// points of a domain; none of a map, whose proof [`optimality`] checks.
 ///
 /// # Errors
 ///
@@ -158,6 +118,7 @@ pub fn checked_proof(
     domain: &Domain,
     progress: Progress<'_>,
 ) -> Result<Option<Proof>, MeshError> {
+    let DegreeBound::Polygon(bound) = &answer.bounded_by else { return Ok(None) };
     let boundary = domain.boundary()?;
     let rings: Vec<Range<u32>> = domain.rings().rings().collect();
     let outline = CheckedOutline {
@@ -166,7 +127,7 @@ pub fn checked_proof(
         side_of: boundary.runs(),
         keeps_clear: Posed::of_any_size(domain, progress)?.problem.keeps_clear(),
     };
-    Ok(proof(answer, &outline, domain))
+    Ok(proof(bound, answer.at_least, &outline, domain))
 }
 
 fn of_convex(form: &ConvexForm, max_degree: u32) -> Optimality {
@@ -202,13 +163,13 @@ fn of_any(
     let max_degree = verified.max_degree;
     if answer.reached < max_degree {
         let least = mesh(domain, Goal::LeastDegree, progress)?.mesh;
-        let triangles: Vec<[u32; 3]> = least.triangles().collect();
-        let boundary = domain.boundary()?;
-        let reached = check::triangulation(&boundary, &[], &triangles)
-            .ok()
-            .and_then(|checked| total_degree(domain, &checked.degrees));
+        let points = least.points().map(|point| point.extend(0.0)).collect();
+        let least = TriMesh::new(points, least.triangles().collect())?;
+        let checked = triangulation(&least, domain, None).ok();
+        let reached =
+            checked.filter(|mesh| mesh.above_limit.is_empty()).map(|mesh| mesh.max_degree);
         if let Some(reached) = reached.filter(|&reached| reached < max_degree) {
-            let proof = checked_proof(&answer, domain, progress)?;
+            let proof = proof_for(verified, &answer, domain, progress)?;
             let at_least = proof.map(|_| answer.at_least);
             return Ok(Optimality::Improvable { reached, at_least });
         }
@@ -224,9 +185,13 @@ fn of_any(
         );
         return Ok(Optimality::Unknown { reason });
     }
-    Ok(match checked_proof(&answer, domain, progress)? {
+    let is_search = match &answer.bounded_by {
+        DegreeBound::Polygon(bound) => *bound == LowerBound::Exhaustive,
+        DegreeBound::Map { bound, .. } => matches!(bound, JointBound::Weights { .. }),
+    };
+    Ok(match proof_for(verified, &answer, domain, progress)? {
         Some(proof) => Optimality::Optimal { proof },
-        None if answer.bounded_by == LowerBound::Exhaustive => {
+        None if is_search => {
             let reason = format!(
                 "a search finds no mesh with less than {max_degree}, and is too long to be repeated here"
             );
@@ -236,19 +201,29 @@ fn of_any(
     })
 }
 
-/// The largest total degree, if the domain's limits are kept.
-fn total_degree(domain: &Domain, degrees: &[u32]) -> Option<u32> {
-    let total = |(vertex, degree): (u32, &u32)| {
-        let total = degree.saturating_add(domain.external_degree(vertex));
-        domain.degree_limit(vertex).is_none_or(|limit| total <= limit).then_some(total)
+/// [`checked_proof`] of a domain that a mesh is a triangulation of.
+fn proof_for(
+    verified: &VerifiedMesh,
+    answer: &DegreeAnswer,
+    domain: &Domain,
+    progress: Progress<'_>,
+) -> Result<Option<Proof>, MeshError> {
+    let DegreeBound::Map { bound, rings, .. } = &answer.bounded_by else {
+        return checked_proof(answer, domain, progress);
     };
-    (0..).zip(degrees).map(total).try_fold(0, |most, total| Some(most.max(total?)))
+    let boundary = domain.boundary()?;
+    let check = JointCheck::new(domain, &boundary, verified);
+    Ok(check.and_then(|check| check.proof(bound, rings, answer.at_least)))
 }
 
-/// The proof of an answer's lower bound, if it holds.
-fn proof(answer: &DegreeAnswer, outline: &CheckedOutline<'_>, domain: &Domain) -> Option<Proof> {
-    let bound = answer.at_least;
-    match &answer.bounded_by {
+/// The proof of a lower bound, if it holds.
+fn proof(
+    bounded_by: &LowerBound,
+    bound: u32,
+    outline: &CheckedOutline<'_>,
+    domain: &Domain,
+) -> Option<Proof> {
+    match bounded_by {
         LowerBound::Counting => {
             let counted = outline.counting_bound(|vertex| domain.external_degree(vertex));
             (counted >= bound).then_some(Proof::Counting)

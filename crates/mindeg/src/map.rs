@@ -1,0 +1,225 @@
+//! Meshes of maps from their points alone: the faces between lines are one problem, in which degrees count all of them.
+//!
+//! Limits: those of [models](crate::model); a face with points or lines inside, or one that touches itself, is improved by
+//! flips, and proofs know no more of it than the number of its edges.
+
+use std::ops::Range;
+
+use mindeg_domain::Domain;
+use mindeg_mesh::Progress;
+use mindeg_mesh::planar::{Border, PlanarBoundary, Turn, straight_runs, turn};
+
+use crate::boundary_mesh::BoundaryMesh;
+use crate::error::MeshError;
+use crate::meshed::{FoundBy, Meshed};
+use crate::model::bound::{JointBound, cheap};
+use crate::model::face::PlaneFace;
+use crate::model::joint::Joint;
+use crate::model::solve::solve;
+use crate::trade_off::{ExactMesh, TradeOff};
+use crate::windowed::SHARES;
+
+/// The work that one degree may take, as a share of that of a model: below a second.
+const WORK: f64 = 0.0625;
+
+/// Where several meshes are tried, the share of the work of one.
+const TRY: f64 = 0.125;
+
+/// A mesh of a map, and what is known of its degrees.
+pub(crate) struct MapMesh {
+    pub(crate) mesh: BoundaryMesh,
+    /// Why no mesh, or none whose angles are as large as was asked for, has a smaller maximum degree.
+    pub(crate) bound: JointBound,
+    /// No mesh has a smaller maximum degree, whatever its angles.
+    at_least: u32,
+    /// The rings of each face that is no hole, the outer one first, by vertices.
+    pub(crate) rings: Vec<Vec<Vec<u32>>>,
+    /// The minimum angle of the Delaunay triangulations of all faces, in degrees.
+    delaunay_min_angle: f64,
+}
+
+impl MapMesh {
+    pub(crate) fn max_degree(&self) -> u32 {
+        self.mesh.max_total_degree()
+    }
+
+    fn meshed(self, share: f64) -> Meshed {
+        Meshed {
+            least_max_degree: self.at_least,
+            is_least_proven: self.at_least == self.max_degree(),
+            found_by: FoundBy::Windows { share },
+            delaunay_min_angle: Some(self.delaunay_min_angle),
+            higher_degree: None,
+            mesh: self.mesh,
+        }
+    }
+}
+
+/// The mesh of a map whose angles are at least `share` of the minimum angle of Delaunay triangulations of its faces. The
+/// work on its degree ends at `limit`; `effort` is how long to look for each degree.
+///
+/// # Errors
+///
+/// Limits of degrees of single vertices; a face whose points are too close to triangulate; a `progress` that cancels.
+pub(crate) fn mesh_map(
+    domain: &Domain,
+    share: f64,
+    limit: u32,
+    effort: f64,
+    progress: Progress<'_>,
+) -> Result<MapMesh, MeshError> {
+    let mut joint = joint(domain, progress)?;
+    joint.keep_least(share);
+    let delaunay_min_angle = libm::atan(joint.delaunay_tangent()).to_degrees();
+    let bound = solve(&mut joint, limit, WORK * effort, progress)?;
+    let at_least = if share > 0.0 { cheap(&joint).max_degree() } else { bound.max_degree() };
+    let mut triangles = Vec::new();
+    let mut rings = Vec::with_capacity(joint.face_count());
+    for (face, own) in joint.triangles.iter().enumerate() {
+        let PlaneFace { vertices, boundary, .. } = joint.face(face);
+        let of_map = |triangle: &[u32; 3]| triangle.map(|place| vertices[place as usize]);
+        triangles.extend(own.iter().map(of_map));
+        let ring = |ring: Range<u32>| vertices[ring.start as usize..ring.end as usize].to_vec();
+        rings.push(boundary.rings().map(ring).collect());
+    }
+    let mesh = BoundaryMesh::with_triangles(domain, triangles)?;
+    Ok(MapMesh { mesh, bound, at_least, rings, delaunay_min_angle })
+}
+
+/// The mesh of the least degree that is found.
+pub(crate) fn least_degree(domain: &Domain, progress: Progress<'_>) -> Result<Meshed, MeshError> {
+    Ok(mesh_map(domain, 0.0, 0, 1.0, progress)?.meshed(0.0))
+}
+
+/// The mesh of the least degree that is found with a share of Delaunay's minimum angle, 0 to 1.
+pub(crate) fn keep_angle(
+    domain: &Domain,
+    share: f64,
+    progress: Progress<'_>,
+) -> Result<Meshed, MeshError> {
+    let kept = mesh_map(domain, share, 0, 1.0, progress)?;
+    // The same degree may keep more.
+    let more = SHARES.into_iter().filter(|&more| more > share);
+    let best = within(domain, more, kept.max_degree(), progress)?;
+    Ok(best.unwrap_or_else(|| kept.meshed(share)))
+}
+
+/// The mesh with the largest share of Delaunay's minimum angle that is found within a degree limit.
+pub(crate) fn max_degree(
+    domain: &Domain,
+    limit: u32,
+    progress: Progress<'_>,
+) -> Result<Meshed, MeshError> {
+    if let Some(meshed) = within(domain, SHARES, limit, progress)? {
+        return Ok(meshed);
+    }
+    let found = mesh_map(domain, 0.0, limit, 1.0, progress)?;
+    if found.max_degree() <= limit {
+        return Ok(found.meshed(0.0));
+    }
+    Err(MeshError::not_reached(limit, found.max_degree(), found.at_least))
+}
+
+/// The mesh with the largest of some shares, which fall, that is found within a degree limit by short tries.
+fn within(
+    domain: &Domain,
+    shares: impl IntoIterator<Item = f64>,
+    limit: u32,
+    progress: Progress<'_>,
+) -> Result<Option<Meshed>, MeshError> {
+    for share in shares {
+        let found = mesh_map(domain, share, limit, TRY, progress)?;
+        if found.max_degree() <= limit {
+            return Ok(Some(found.meshed(share)));
+        }
+    }
+    Ok(None)
+}
+
+/// The angles that are reached at each degree.
+pub(crate) fn trade_off(
+    domain: &Domain,
+    mut is_enough: impl FnMut(f64, f64) -> bool,
+    progress: Progress<'_>,
+) -> Result<TradeOff, MeshError> {
+    let mut meshes = Vec::<ExactMesh>::new();
+    let mut most = 0.0;
+    for share in SHARES {
+        let found = mesh_map(domain, share, 0, if share > 0.0 { TRY } else { 1.0 }, progress)?;
+        most = found.delaunay_min_angle;
+        let max_degree = found.max_degree();
+        if meshes.last().is_none_or(|last| max_degree < last.max_degree) {
+            let min_angle = found.mesh.measure_angles(progress)?.min;
+            meshes.push(ExactMesh { max_degree, min_angle, is_proven: false, mesh: found.mesh });
+        }
+    }
+    meshes.reverse();
+    let enough = meshes.iter().position(|exact| is_enough(exact.min_angle, most));
+    meshes.truncate(enough.map_or(meshes.len(), |index| index + 1));
+    Ok(TradeOff::new(domain, meshes, most, false))
+}
+
+/// The minimum angle of the Delaunay triangulations of all faces, in degrees.
+pub(crate) fn delaunay_min_angle(
+    domain: &Domain,
+    progress: Progress<'_>,
+) -> Result<f64, MeshError> {
+    Ok(libm::atan(joint(domain, progress)?.delaunay_tangent()).to_degrees())
+}
+
+/// The faces of a map, triangulated.
+fn joint(domain: &Domain, progress: Progress<'_>) -> Result<Joint, MeshError> {
+    let boundary = domain.boundary()?;
+    let on_rings = boundary.vertex_count();
+    if domain.is_constrained() && (0..on_rings).any(|v| domain.degree_limit(v).is_some()) {
+        return Err(MeshError::refused(
+            "the domain has lines or points inside and max_degree of single vertices, which takes interior points: \
+             mesh it with --interior, or give --max-degree for all vertices",
+        ));
+    }
+    let computed;
+    let faces = match domain.faces() {
+        Some(faces) => faces,
+        None => {
+            computed = boundary.faces(&[])?;
+            &computed
+        }
+    };
+    let mut edges = vec![0; on_rings as usize + boundary.inner_points().len()];
+    for vertex in (0..boundary.edge_count()).flat_map(|edge| boundary.ends(edge)) {
+        edges[vertex as usize] += 1;
+    }
+    for vertex in 0..if domain.is_constrained() { on_rings } else { 0 } {
+        let total = &mut edges[vertex as usize];
+        *total = u32::saturating_add(*total, domain.external_degree(vertex));
+    }
+    let borders = (0..).zip(boundary.face_borders(faces));
+    let borders: Vec<Border> =
+        borders.filter(|(face, _)| !domain.is_hole(*face)).map(|(_, border)| border).collect();
+    let face = |face: usize| {
+        let border = borders[face].clone();
+        let runs = runs(&boundary, &border);
+        Ok(PlaneFace::of_border(border, runs))
+    };
+    Joint::new(borders.len(), face, edges, Some(0.0), progress)
+}
+
+/// The straight run of each edge of a face: where two edges of rings meet, as the domain has it.
+fn runs(map: &PlanarBoundary, border: &Border) -> Vec<u32> {
+    let Border { boundary, edges, .. } = border;
+    straight_runs(boundary.rings(), |ring| {
+        let turn_at = |place: u32| {
+            let (before, after) = (boundary.previous(place), boundary.next(place));
+            let runs = [before, place].map(|edge| map.runs().get(edges[edge as usize] as usize));
+            match runs {
+                [Some(before), Some(after)] if before == after => Turn::Straight,
+                [Some(_), Some(_)] => Turn::Back,
+                _ => {
+                    let [before, at, after] = [before, place, after].map(|v| boundary.point(v));
+                    turn([before, at], [at, after])
+                }
+            }
+        };
+        boundary.ring(ring).map(|place| (place, turn_at(place))).collect()
+    })
+}

@@ -1,0 +1,61 @@
+//! Maps without interior points, from files to files.
+
+use crate::run::mindeg;
+use std::fs;
+use std::path::Path;
+use tempfile::tempdir;
+
+const MAP: &str =
+    concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/outlines/two-materials.geojson");
+
+fn text(path: &Path) -> &str {
+    path.to_str().expect("a path in ASCII")
+}
+
+#[test]
+fn every_format_keeps_regions_lines_and_the_proof() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    for extension in ["obj", "msh", "vtu", "npz"] {
+        let mesh = at(&format!("map.{extension}"));
+        let run = mindeg(["mesh", MAP, "-o", text(&mesh)]);
+        assert!(run.errors.contains("maximum degree 6 (least possible 6)"), "{}", run.errors);
+        let verified = mindeg(["verify", text(&mesh), MAP, "--optimal", "--json"]).json();
+        assert_eq!(verified["proof"]["kind"], "refuted", "{verified}");
+        assert_eq!(
+            (verified["given_points"].as_u64(), verified["interior_points"].as_u64()),
+            (Some(19), Some(0))
+        );
+        if extension == "npz" {
+            continue;
+        }
+        let back = at(&format!("{extension}.obj"));
+        mindeg(["convert", text(&mesh), "-o", text(&back), "--boundary-lines", "-q"]).text();
+        let back = fs::read_to_string(back).expect("an OBJ");
+        for name in ["matrix", "fibre", "steel"] {
+            assert!(back.lines().any(|line| line.ends_with(name)), "{extension}: {name}");
+        }
+    }
+}
+
+#[test]
+fn degrees_come_with_their_bound() {
+    let answer = mindeg(["degree", MAP, "--json"]).json();
+    assert_eq!((answer["regions"].as_u64(), answer["holes"].as_u64()), (Some(3), Some(1)));
+    assert_eq!(
+        (&answer["least_max_degree"], &answer["certificate"]["kind"]),
+        (&6.into(), &"refuted".into())
+    );
+    // Each triangle has three sides; the boundary has 46 edges.
+    let [triangles, interior] =
+        ["triangles", "interior_edges"].map(|key| answer[key].as_u64().expect("a number"));
+    assert_eq!(3 * triangles, 2 * interior + 46);
+    mindeg(["mesh", MAP, "--max-degree", "5", "-o", "map.obj"])
+        .refuses(&["no mesh of maximum degree 5"]);
+    mindeg(["mesh", MAP, "--optimize", "angle", "-o", "map.obj"])
+        .refuses(&["for a map give --keep-angle or --max-degree"]);
+    mindeg(["compare", MAP, "--json"]).refuses(&["mindeg tradeoff shows its degrees and angles"]);
+    let proof = ["degree", MAP, "--proof", "proof.json"];
+    mindeg(proof).refuses(&["mindeg verify finds and checks its proof"]);
+    mindeg(["suggest", MAP]).refuses(&["mindeg degree tells its degree"]);
+}
