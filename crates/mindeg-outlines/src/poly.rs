@@ -270,6 +270,14 @@ mod tests {
     }
 
     #[test]
+    fn a_point_in_the_middle_of_a_region_leaves_the_region_a_place() {
+        let text = "7 2 0 0\n1 0 0\n2 2 0\n3 4 0\n4 4 2\n5 2 2\n6 0 2\n7 1 1\n7 0\n1 1 2\n2 2 3\n3 3 4\n4 4 5\n\
+                    5 5 6\n6 6 1\n7 2 5\n0\n";
+        let domain = map(text).unwrap();
+        assert_eq!((domain.faces().unwrap().count, domain.inside().points.len()), (2, 1));
+    }
+
+    #[test]
     fn faults_of_regions_are_told_with_their_place() {
         for (from, to, message) in [
             (
