@@ -3,7 +3,7 @@
 use crate::hostile::star;
 use arbitrary::Arbitrary;
 use glam::DVec2;
-use mindeg::exact::{LowerBound, degree};
+use mindeg::exact::{DegreeBound, LowerBound, degree};
 use mindeg::{Constraints, Domain, Goal, Outline, Progress, Side, VertexConstraint, mesh};
 use mindeg_exact::check::CheckedOutline as Checked;
 use mindeg_mesh::check;
@@ -78,8 +78,10 @@ pub(crate) fn run(input: Input) {
         keeps_clear: true,
     };
     match answer.bounded_by {
-        LowerBound::BlockedZigZags(chords) => assert!(outline.blocks_all_zigzags(&chords)),
-        LowerBound::Apexes(bound) => assert!(outline.bounds_apexes(&bound)),
+        DegreeBound::Polygon(LowerBound::BlockedZigZags(chords)) => {
+            assert!(outline.blocks_all_zigzags(&chords));
+        }
+        DegreeBound::Polygon(LowerBound::Apexes(bound)) => assert!(outline.bounds_apexes(&bound)),
         _ => {}
     }
 }
