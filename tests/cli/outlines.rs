@@ -509,7 +509,14 @@ fn bad_maps_are_refused_with_the_place() {
     let hole = r#""holes": [{"corners": [[1, 1], [2, 1], [2, 2], [1, 2]]}], "#;
     let json = |rest: &str| format!("{square}{rest}}}");
     let twice = "POLYGON((0 0, 4 0, 4 4, 0 4)) ";
-    let files: [(&str, String, [&str; 3]); 9] = [
+    let across = r#"{"type": "MultiPolygon", "coordinates": [[[[178, 0], [-178, 0], [-178, 2], [178, 2]]],
+        [[[0, 1], [2, 1], [2, 3], [0, 3]]]]}"#;
+    let files: [(&str, String, [&str; 3]); 10] = [
+        (
+            "across.geojson",
+            across.to_owned(),
+            ["1 polygon with edges across the antimeridian", "--repair cuts", "there"],
+        ),
         (
             "same.json",
             json(r#""regions": [{"at": [1, 1]}, {"at": [1, 1]}]"#),

@@ -62,6 +62,12 @@ impl PolygonFile {
                 outlines.repaired_together(options.fill_rule, options.snap).map_err(wrong)?;
         } else if options.repair {
             outlines = outlines.repaired(options.fill_rule).map_err(wrong)?;
+        } else if let Some(polygons) = outlines.across_antimeridian() {
+            let dashes = session.dashes();
+            outlines.notes.push(format!(
+                "{polygons} with edges across the antimeridian, which run back around the world in the plane; \
+                 {dashes}repair cuts them there"
+            ));
         }
         let Outlines { features, mut inside, mut notes, .. } = outlines;
         let mut polygons = outlines::labelled(features);

@@ -26,6 +26,17 @@ const LONGEST: f64 = 270.0;
 const NAMED: usize = 5;
 
 impl Outlines {
+    /// The polygons that cross the antimeridian in a few words, which a repair cuts; `None` without one.
+    #[must_use]
+    pub fn across_antimeridian(&self) -> Option<String> {
+        let (mut count, mut names) = (0, BTreeSet::new());
+        for feature in self.features.iter().filter(|it| self.is_geographic && crosses(it)) {
+            count += 1;
+            names.extend(feature.name.clone());
+        }
+        (count > 0).then(|| told(count, names))
+    }
+
     /// Cuts the polygons that cross the antimeridian, if coordinates are longitudes and latitudes, and notes which.
     pub(super) fn cut_at_antimeridian(&mut self) -> Result<(), OutlineError> {
         if !self.is_geographic {
@@ -48,18 +59,34 @@ impl Outlines {
             start = std::mem::replace(&mut shape.end, self.features.len());
         }
         if count > 0 {
-            let mut names: Vec<String> = names.into_iter().collect();
-            if names.len() > NAMED {
-                names.truncate(NAMED);
-                names.push("…".to_owned());
-            }
-            let names =
-                if names.is_empty() { String::new() } else { format!(": {}", names.join(", ")) };
-            let polygons = counted(count, "polygon");
-            self.notes.push(format!("cut {polygons} along 180° of longitude{names}"));
+            self.notes.push(format!("cut {} along 180° of longitude", told(count, names)));
         }
         Ok(())
     }
+}
+
+/// A number of polygons with the first names.
+fn told(count: usize, names: BTreeSet<String>) -> String {
+    let mut names: Vec<String> = names.into_iter().collect();
+    if names.len() > NAMED {
+        names.truncate(NAMED);
+        names.push("…".to_owned());
+    }
+    let names = if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) };
+    format!("{}{names}", counted(count, "polygon"))
+}
+
+/// Whether a ring of a polygon crosses the antimeridian.
+fn crosses(feature: &Feature) -> bool {
+    feature
+        .rings
+        .iter()
+        .map(points_of)
+        .any(|points| !points.iter().all(is_on) && edges(&points).any(|[a, b]| is_across(a, b)))
+}
+
+fn points_of(ring: &DrawnRing) -> Vec<DVec2> {
+    ring.pieces.iter().map(|piece| piece.start).collect()
 }
 
 /// Where a part of a ring ends at the antimeridian: on its east or west side, at a latitude.
@@ -78,17 +105,12 @@ impl End {
 
 /// The parts of a polygon that crosses the antimeridian.
 fn cut(feature: &Feature) -> Result<Option<Vec<Feature>>, OutlineError> {
-    let points =
-        |ring: &DrawnRing| -> Vec<DVec2> { ring.pieces.iter().map(|piece| piece.start).collect() };
-    let rings: Vec<Vec<DVec2>> = feature.rings.iter().map(points).collect();
-    let is_cut =
-        |ring: &Vec<DVec2>| !ring.iter().all(is_on) && edges(ring).any(|[a, b]| is_across(a, b));
-    if !rings.iter().any(is_cut) {
+    if !crosses(feature) {
         return Ok(None);
     }
     let (mut closed, mut open) = (Vec::new(), Vec::new());
-    for ring in &rings {
-        match runs(ring) {
+    for ring in &feature.rings {
+        match runs(&points_of(ring)) {
             Runs::Whole(ring) => closed.push(ring),
             Runs::Open(runs) => open.extend(runs),
         }
@@ -254,7 +276,10 @@ mod tests {
         );
         let alone = |_: &str| Err(std::io::ErrorKind::NotFound.into());
         let mut outlines: Outlines = read(text.as_bytes(), OutlineFormat::GeoJson, alone).unwrap();
+        let told = outlines.across_antimeridian();
         outlines.cut_at_antimeridian().unwrap();
+        assert_eq!(told.is_some(), !outlines.notes.is_empty());
+        assert_eq!(outlines.across_antimeridian(), None);
         let names: Vec<_> = outlines.features.iter().map(|it| it.name.as_deref()).collect();
         assert!(names.iter().all(|name| *name == Some("it")), "{names:?}");
         assert_eq!(outlines.shapes.last().unwrap().end, outlines.features.len());
@@ -360,7 +385,7 @@ mod tests {
         ] {
             let (found, notes) = cut(rings);
             assert_eq!(found, expected, "{rings}");
-            assert_eq!(notes, ["cut 1 polygon along 180° of longitude: it"]);
+            assert_eq!(notes, ["cut 1 polygon (it) along 180° of longitude"]);
         }
     }
 
