@@ -38,6 +38,43 @@ fn every_format_keeps_regions_lines_and_the_proof() {
     }
 }
 
+/// Eight states with islands: each part is verified against its domain.
+#[test]
+fn a_mesh_of_several_parts_is_verified() {
+    let folder = tempdir().expect("a folder");
+    let at = |name: &str| folder.path().join(name);
+    let states = concat!(env!("CARGO_MANIFEST_DIR"), "/../../assets/outlines/states.json");
+    let from = [states, "--layer", "states", "--name-by", "name"];
+    let (all, one) = (at("all.obj"), at("one.obj"));
+    mindeg([&["mesh"], &from[..], &["--interior", "-q", "-o", text(&all)]].concat()).text();
+    let verified = mindeg([&["verify", text(&all)], &from[..], &["--json"]].concat()).json();
+    let parts = verified["parts"].as_array().expect("a list");
+    assert!(parts.len() > 1 && verified["passed"] == true, "{verified}");
+    let count =
+        |key: &str| parts.iter().map(|part| part[key].as_u64().expect("a number")).sum::<u64>();
+    let mesh = fs::read_to_string(&all).expect("an OBJ");
+    let lines = |start: &str| mesh.lines().filter(|line| line.starts_with(start)).count() as u64;
+    assert_eq!(count("triangles"), lines("f "));
+    let vertices = ["boundary_vertices", "given_points", "interior_points"].map(count);
+    assert_eq!(vertices.iter().sum::<u64>(), lines("v "));
+    // One vertex elsewhere, and a mesh of one part.
+    let moved = mesh.replacen("v ", "v 1", 1);
+    fs::write(&one, moved).expect("a file");
+    let run = mindeg([&["verify", text(&one)], &from[..]].concat());
+    assert!(
+        run.code == Some(3) && run.errors.contains("is no triangulation of states in part 1: "),
+        "{}",
+        run.errors
+    );
+    mindeg(
+        [&["mesh"], &from[..], &["--feature", "Nevada", "--interior", "-q", "-o", text(&one)]]
+            .concat(),
+    )
+    .text();
+    let run = mindeg([&["verify", text(&one)], &from[..]].concat());
+    assert!(run.errors.contains("the mesh has 1 part (which"), "{}", run.errors);
+}
+
 #[test]
 fn degrees_come_with_their_bound() {
     let answer = mindeg(["degree", MAP, "--json"]).json();

@@ -270,7 +270,7 @@ fn every_key_of_the_report_is_documented() {
     }
 }
 
-const KINDS: [&str; 15] = [
+const KINDS: [&str; 16] = [
     "larger_faces",
     "not_planar",
     "no_vertex",
@@ -286,9 +286,10 @@ const KINDS: [&str; 15] = [
     "filled_hole",
     "empty_region",
     "group",
+    "parts",
 ];
 
-const PROOFS: [&str; 10] = [
+const PROOFS: [&str; 13] = [
     "balanced_cut",
     "medial_triangle",
     "long_side",
@@ -299,4 +300,7 @@ const PROOFS: [&str; 10] = [
     "no_strip",
     "refuted",
     "search",
+    "edges",
+    "side",
+    "weights",
 ];

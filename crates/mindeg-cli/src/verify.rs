@@ -1,9 +1,11 @@
 //! `mindeg verify`: whether a mesh is a triangulation of a domain, and how good it is.
 
+mod parts;
+
 use crate::args::VerifyArguments;
 use crate::bar::Bar;
 use crate::demands::met;
-use crate::domain::{from_file, from_options, name_in_text};
+use crate::domain::{Subject, from_options, in_file, name_in_text};
 use crate::failure::Failure;
 use crate::interrupt::clean_up_on_interrupt;
 use crate::making::read_mesh;
@@ -12,15 +14,21 @@ use crate::standard_output::{print, print_json};
 use mindeg::exact::Refutation;
 use mindeg::verify;
 use mindeg_answers::proof::ProofFile;
-use mindeg_answers::verify::{VerifyAnswer, VerifyDemands};
-use mindeg_files::is_domain_name;
+use mindeg_answers::verify::VerifyAnswer;
+use mindeg_files::{Wanted, is_domain_name};
 use std::path::Path;
 
 pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     clean_up_on_interrupt()?;
     check_order(arguments)?;
     let domain = match &arguments.domain {
-        Some(path) => from_file(path, &arguments.options)?,
+        Some(path) => match in_file(path, &arguments.options, Wanted::Domain, &Bar::new(true))? {
+            Subject::Polygons(polygons) => match parts::domains(&polygons) {
+                Some(domains) => return parts::run(arguments, &polygons, &domains),
+                None => polygons.only()?,
+            },
+            subject => subject.only()?,
+        },
         None => from_options(&arguments.options)?,
     };
     let refutation = arguments.proof.as_deref().map(read_proof).transpose()?;
@@ -45,11 +53,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
             return Err(Failure::Gate(message));
         }
     };
-    let demands = VerifyDemands {
-        demands: arguments.demands.demands(),
-        keep_angle: arguments.keep_angle,
-        optimal: arguments.optimal,
-    };
+    let demands = arguments.all_demands();
     let answer = bar.work(|progress| {
         let optimality = match &refutation {
             Some(refutation) => verify::optimality_by(&verified, &domain, refutation, progress),

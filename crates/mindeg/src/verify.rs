@@ -31,11 +31,13 @@ mod map;
 mod matching;
 mod near;
 mod optimality;
+mod parts;
 mod proof;
 mod triangulation;
 
 pub use defect::MeshDefect;
 pub use matching::{DEFAULT_TOLERANCE, MatchedPlane, VerifiedMesh};
 pub use optimality::{Optimality, checked_proof, optimality, optimality_by};
+pub use parts::triangulations;
 pub use proof::Proof;
 pub use triangulation::triangulation;

@@ -6,6 +6,7 @@ use super::values::mesh_help;
 use super::with_exit_codes;
 use clap::Args;
 use mindeg::Goal;
+use mindeg_answers::verify::VerifyDemands;
 use std::path::PathBuf;
 
 const EXAMPLES: &str = "\
@@ -58,7 +59,7 @@ pub(crate) struct VerifyArguments {
     /// Print JSON: file, domain, valid, defect, plane, reversed, tolerance, farthest, boundary_vertices,
     /// given_points, interior_points, unreferenced_vertices, triangles, max_degree, max_degree_vertex, out_of_range,
     /// certified, optimal, proof, reason, smaller_degree, min_angle, max_angle, min_angle_triangle, angle_limit, share_of_limit,
-    /// failed, passed
+    /// failed, passed; for several domains file, valid, parts, failed, passed
     #[arg(long)]
     pub(crate) json: bool,
 
@@ -68,6 +69,17 @@ pub(crate) struct VerifyArguments {
 
     #[command(flatten)]
     pub(crate) demands: DemandArguments,
+}
+
+impl VerifyArguments {
+    /// What the mesh must keep.
+    pub(crate) fn all_demands(&self) -> VerifyDemands {
+        VerifyDemands {
+            demands: self.demands.demands(),
+            keep_angle: self.keep_angle,
+            optimal: self.optimal,
+        }
+    }
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {

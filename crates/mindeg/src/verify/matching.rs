@@ -30,7 +30,7 @@ impl MatchedPlane {
     pub(super) const ALL: [Self; 3] = [Self::Xy, Self::Floor, Self::Xz];
 
     /// The point in the domain's plane, and the height above it.
-    fn place(self, position: DVec3) -> (DVec2, f64) {
+    pub(super) fn place(self, position: DVec3) -> (DVec2, f64) {
         let DVec3 { x, y, z } = position;
         match self {
             Self::Xy => (DVec2::new(x, y), z),
