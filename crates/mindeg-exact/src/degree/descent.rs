@@ -23,6 +23,9 @@ const MOST_COST: u32 = 1 << 22;
 /// One more than the largest noise of a chord.
 const NOISE: u64 = 13;
 
+/// So many rounds without a smaller number of crowded vertices are waited for at least.
+const PATIENCE: usize = 40;
+
 /// Of the vertices that keep their limits, one in so many has a block in a round.
 const SELDOM: u64 = 8;
 
@@ -49,8 +52,8 @@ impl Cost for Excess<'_> {
 }
 
 /// A triangulation in which no vertex has more chords than `most_chords` says, if the descent from these triangles
-/// meets one within its steps, which it takes off those that are left. The same input has the same answer on
-/// every machine.
+/// meets one within its steps, which it takes off those that are left, and before many rounds pass without progress. The same input has
+/// the same answer on every machine.
 pub(super) fn descend(
     problem: &Problem,
     triangles: &[[u32; 3]],
@@ -63,15 +66,21 @@ pub(super) fn descend(
     let (weights, noise) = (vec![LEAST_WEIGHT; vertices], vec![0; vertices]);
     let mut excess = Excess { most_chords, weights, noise };
     let mut random = 0;
+    let (mut fewest, mut fewest_at) = (usize::MAX, 0);
     for round in 0.. {
         let is_crowded = |patch: &Patch<'_>, excess: &Excess<'_>, vertex: usize| {
             excess.of(vertex, patch.chords(vertex as u32)) > 0
         };
-        if !(0..vertices).any(|vertex| is_crowded(&patch, &excess, vertex)) {
+        let crowded = (0..vertices).filter(|&vertex| is_crowded(&patch, &excess, vertex)).count();
+        if crowded == 0 {
             *left = left.saturating_sub(patch.steps());
             return Ok(Some(patch.triangles().to_vec()));
         }
-        if patch.steps() >= *left {
+        if crowded < fewest {
+            (fewest, fewest_at) = (crowded, round);
+        }
+        // Longer than it took so far, and some rounds more.
+        if patch.steps() >= *left || round > 2 * fewest_at + PATIENCE {
             break;
         }
         stage.report(patch.steps() as f64 / *left as f64)?;
@@ -93,7 +102,7 @@ pub(super) fn descend(
             };
         }
     }
-    *left = 0;
+    *left = left.saturating_sub(patch.steps());
     Ok(None)
 }
 
@@ -114,7 +123,7 @@ mod tests {
     use mindeg_mesh::planar::PlanarBoundary;
 
     #[test]
-    fn a_fan_becomes_a_strip_and_what_is_impossible_ends_with_the_steps() {
+    fn a_fan_becomes_a_strip_and_what_is_impossible_ends() {
         let at = |corner: u32| DVec2::from_angle(f64::from(corner) * std::f64::consts::TAU / 24.0);
         let points: Vec<DVec2> = (0..24).map(at).collect();
         let fan: Vec<[u32; 3]> = (1..23).map(|corner| [0, corner, corner + 1]).collect();
@@ -130,6 +139,8 @@ mod tests {
         assert_eq!((found.len(), problem.max_degree_of(&found)), (22, 4));
         assert!(0 < left && left < 10_000_000);
         assert_eq!(reach(2, 10_000_000), (Some(found), left));
-        assert_eq!(reach(1, 100_000), (None, 0));
+        assert_eq!(reach(1, 1000), (None, 0));
+        let (none, left) = reach(1, u64::MAX);
+        assert!(none.is_none() && u64::MAX - left < 100_000_000);
     }
 }

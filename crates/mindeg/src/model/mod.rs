@@ -20,6 +20,7 @@ mod polish;
 mod random;
 mod search;
 pub(crate) mod solve;
+mod symmetry;
 
 pub use bound::JointBound;
 #[cfg(feature = "interior")]

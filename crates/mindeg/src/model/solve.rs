@@ -5,7 +5,7 @@ use mindeg_mesh::{Cancelled, Progress};
 use super::bound::{self, JointBound};
 use super::descent::{Descent, LEVEL_STEPS, STEPS_PER_VERTEX};
 use super::joint::Joint;
-use super::{polish, search};
+use super::{polish, search, symmetry};
 
 /// Brings the joint degree down, as far as the bound or `limit`, and then improves angles. `effort` is how long to look
 /// for each degree.
@@ -26,7 +26,11 @@ pub(crate) fn solve(
             bound = bound::with_weights(descent.joint(), bound, progress)?;
             // Most degrees that a search decides, it decides soon.
             bound = search::close(descent.joint_mut(), bound, limit, effort / 16.0, progress)?;
-            if bound.max_degree() <= target {
+            let joint = descent.joint_mut();
+            if bound.max_degree() <= target
+                && joint.max_degree() > target
+                && !symmetry::reach(joint, target, effort / 2.0, progress)?
+            {
                 descent.reach(target, steps)?;
             }
         }
