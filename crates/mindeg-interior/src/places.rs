@@ -110,7 +110,7 @@ const TRIALS_FOR_BROKEN: usize = 1200;
 /// From this effort on, new starts get pairs of operations, too.
 const MANY: u64 = 4;
 /// The search for one chain takes as long as so many trials, at most.
-const CHAIN: usize = 200;
+const CHAIN: usize = 400;
 /// Random operations in a row.
 const STEPS: u32 = 100;
 /// The same after a chain of operations or a new start.
@@ -143,6 +143,7 @@ pub(crate) fn mend_places(
         let affordable = (left[1] / (TRIALS_FOR_BROKEN * broken.max(1))) as u64;
         let is_scarce = affordable == 0;
         let affordable = affordable >> pass;
+        let mut waiting = broken;
         let of = places.len() as f64;
         for (index, vertex) in places.into_iter().enumerate() {
             // Each pass takes about as long as all before it.
@@ -159,19 +160,22 @@ pub(crate) fn mend_places(
             let Some(disc) = Disc::cut(mesh, &work.weights, vertex, rings) else { continue };
             let before = work.worth(&disc.mesh);
             let kind = usize::from(before.excess > 0);
-            let given = left[kind];
+            // Each broken place leaves as much to those that wait for their turn.
+            let given = left[kind] / if is_broken { waiting.max(1) } else { 1 };
+            waiting = waiting.saturating_sub(usize::from(is_broken));
             if before.is_good() || given == 0 {
                 continue;
             }
+            let mut unused = given;
             let most = if is_broken { MOST_FOR_BROKEN } else { 1 };
             let effort = (1 << pass) * affordable.clamp(1, most);
-            if let Some(better) =
-                work.mended(&disc, before, effort, is_scarce, &mut left[kind], stage)?
-            {
+            let better = work.mended(&disc, before, effort, is_scarce, &mut unused, stage)?;
+            left[kind] -= given - unused;
+            if let Some(better) = better {
                 disc.put_back(mesh, &better);
                 if kind == 1 {
                     // Mended degrees cost angles, which may take half as long.
-                    let again = ((given - left[1]) / 2).min(left[1]);
+                    let again = ((given - unused) / 2).min(left[1]);
                     left = [left[0] + again, left[1] - again];
                 }
             }
