@@ -73,6 +73,10 @@ fn a_refutation_is_written_and_repeated() {
     fs::write(&proof, changed.to_string()).expect("the proof is written");
     let verified = mindeg(["verify", &out, path, "--proof", &proof, "--json"]).json();
     assert_eq!(verified["optimal"], "unknown");
+    changed["refuted_degree"] = 6.into();
+    fs::write(&proof, changed.to_string()).expect("the proof is written");
+    mindeg(["verify", &out, path, "--proof", &proof])
+        .refuses(&["refutes degree 6, but the mesh has degree 6", "that refutes degree 5"]);
     fs::write(&proof, r#"{"refuted_degree": 5, "clauses": [[{"has": [1]}]]}"#)
         .expect("it is written");
     mindeg(["verify", &out, path, "--proof", &proof]).refuses(&["neither a chord nor a triangle"]);

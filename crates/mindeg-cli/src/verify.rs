@@ -31,7 +31,7 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
         },
         None => from_options(&arguments.options)?,
     };
-    let refutation = arguments.proof.as_deref().map(read_proof).transpose()?;
+    let proof = arguments.proof.as_deref().map(read_proof).transpose()?;
     let bar = Bar::new(arguments.quiet);
     let mesh = read_mesh(&arguments.file, None, &bar)?;
     let file = arguments.file.display().to_string();
@@ -53,10 +53,22 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
             return Err(Failure::Gate(message));
         }
     };
+    if let (Some((refuted, _)), Some(path)) = (&proof, &arguments.proof)
+        && refuted.checked_add(1) != Some(verified.max_degree)
+    {
+        return Err(Failure::Input(format!(
+            "--proof {}: it refutes degree {refuted}, but the mesh has degree {}; give a proof that refutes degree {}",
+            path.display(),
+            verified.max_degree,
+            verified.max_degree - 1
+        )));
+    }
     let demands = arguments.all_demands();
     let answer = bar.work(|progress| {
-        let optimality = match &refutation {
-            Some(refutation) => verify::optimality_by(&verified, &domain, refutation, progress),
+        let optimality = match &proof {
+            Some((_, refutation)) => {
+                verify::optimality_by(&verified, &domain, refutation, progress)
+            }
             None => verify::optimality(&verified, &domain, progress),
         };
         let optimality = optimality.map_err(|error| unsolved(&error, "leave out --optimal"))?;
@@ -79,14 +91,15 @@ pub(crate) fn run(arguments: &VerifyArguments) -> Result<(), Failure> {
     met(&answer.failed)
 }
 
-/// Reads the clauses that `mindeg degree --proof` has written.
-fn read_proof(path: &Path) -> Result<Refutation, Failure> {
+/// Reads the degree and the clauses that `mindeg degree --proof` has written.
+fn read_proof(path: &Path) -> Result<(u32, Refutation), Failure> {
     let fault = |error: &dyn std::fmt::Display| {
         Failure::Input(format!("--proof {}: {error}", path.display()))
     };
     let text = std::fs::read_to_string(path).map_err(|error| fault(&error))?;
     let file: ProofFile = serde_json::from_str(&text).map_err(|error| fault(&error))?;
-    file.refutation().map_err(|error| fault(&error))
+    let refutation = file.refutation().map_err(|error| fault(&error))?;
+    Ok((file.refuted_degree, refutation))
 }
 
 /// Refuses a domain where the mesh is expected.

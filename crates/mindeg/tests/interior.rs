@@ -106,16 +106,22 @@ fn a_map_is_one_mesh_with_a_group_for_each_region() {
 
 #[test]
 fn what_lies_inside_is_never_left_out_of_a_mesh_of_boundary_points() {
-    for inside in [
+    let (line, point, steel) = (
         r#""lines": [{"corners": [[2, 0], [2, 2]]}]"#,
-        r#""points": [{"at": [1, 1]}]"#,
+        r#""points": [{"at": [2, 1]}]"#,
         r#""regions": [{"at": [1, 1], "name": "steel"}]"#,
-    ] {
+    );
+    for (inside, vertices, group) in
+        [(line, 13, Some("region 1")), (point, 13, None), (steel, 12, Some("steel"))]
+    {
         let text = format!(r#"{{"rectangle": {{"width": 4, "height": 2}}, "size": 1, {inside}}}"#);
-        let refused =
-            mindeg::mesh(&Domain::from_json(&text).unwrap(), Goal::LeastDegree, Progress::NONE);
-        let refused = refused.unwrap_err().to_string();
-        assert!(refused.contains("--interior"), "{inside}: {refused}");
+        let domain = Domain::from_json(&text).unwrap();
+        let found = mindeg::mesh(&domain, Goal::LeastDegree, Progress::NONE).unwrap().mesh;
+        let groups = found.groups();
+        let name = groups.first().map(|group| &*group.name);
+        assert_eq!((found.vertex_count(), name), (vertices, group), "{inside}");
+        let corners: Vec<u32> = found.triangles().flatten().collect();
+        assert!((0..vertices).all(|vertex| corners.contains(&vertex)), "{inside}");
     }
 }
 
