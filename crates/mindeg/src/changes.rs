@@ -107,8 +107,8 @@ pub fn count_changes(
     let mut tries = Tries::new(domain, progress);
     if tries.free.is_empty() {
         return Err(MeshError::refused(
-            "each side of the domain has points of its own, so there are no counts to change; --size divides the \
-             sides anew",
+            "each side of the domain has points of its own, so there are no counts to change; give sides \
+             \"intervals\" or \"size\" in a domain's JSON (docs/domains.md)",
         ));
     }
     let today = degree_decided(domain, None, 1.0, progress)?;

@@ -1,7 +1,7 @@
 //! Which least degrees of star-shaped domains with holes are proven, and how long that takes: by their numbers of points
 //! and of holes, twelve domains each.
 //!
-//! `cargo run --release -p mindeg --example holed_stars -- 250 10` takes 250 points and 10 holes alone.
+//! `cargo bench -p mindeg --bench holed_stars -- 250 10` takes 250 points and 10 holes alone.
 
 #[path = "../tests/stars/mod.rs"]
 mod stars;
@@ -12,7 +12,9 @@ use std::error::Error;
 use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let given = std::env::args().skip(1).map(|it| it.parse()).collect::<Result<Vec<u32>, _>>()?;
+    // Cargo adds `--bench`.
+    let words = std::env::args().skip(1).filter(|word| word != "--bench");
+    let given = words.map(|word| word.parse()).collect::<Result<Vec<u32>, _>>()?;
     let only = |at: usize, value: u32| given.get(at).is_none_or(|&only| only == value);
     for points in [100, 150, 200, 250, 300, 500, 750] {
         for holes in [1, 2, 5, 10, 20] {
