@@ -76,6 +76,7 @@ extern crate self as mindeg_exact;
 mod annulus;
 mod answer;
 mod apex;
+mod breakout;
 mod bridge;
 pub mod check;
 mod chords;
@@ -110,6 +111,7 @@ mod zigzag;
 
 pub use answer::{AngleOptima, best_angle, least_max_degree, trade_off, trade_off_until};
 pub use apex::ApexBound;
+pub use breakout::Breakout;
 pub use bridge::{Bridge, BridgeProblem, MAX_STEPS, bridge_rings, largest_bridge_angle};
 pub use cover::{Cover, Decision, Element, Literal, MAX_CANDIDATES, Refutation, SearchedAngle};
 pub use degree::{DegreeRange, LowerBound, Reached, degree_range, lower_bound};

@@ -137,10 +137,11 @@ impl Search<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::anneal::{Random, settle_all};
+    use crate::anneal::settle_all;
     use crate::array_mesh::Kind;
     use crate::array_mesh::tests::grid;
     use crate::options::Options;
+    use mindeg_mesh::Random;
 
     fn excess(mesh: &ArrayMesh, weights: &Weights) -> u32 {
         let used = (0..).zip(&mesh.vertices).filter(|(_, vertex)| vertex.triangles > 0);
@@ -162,7 +163,7 @@ mod tests {
 
     /// A grid after a random flip and others that break degrees no further: faults that have wandered apart.
     fn flipped(seed: u64, weights: &Weights) -> ArrayMesh {
-        let (mut mesh, mut random) = (grid(8), Random(seed));
+        let (mut mesh, mut random) = (grid(8), Random::new(seed));
         mesh.goals.push(crate::goal::Goal { least: 1, triangles: 4, ..weights.goal_inside() });
         for vertex in mesh.vertices.iter_mut().filter(|vertex| vertex.kind == Kind::Boundary) {
             vertex.goal = 0;

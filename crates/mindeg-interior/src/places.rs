@@ -1,7 +1,7 @@
 //! The search by place: where a degree is out of its range or an angle below its local limit, the disc round
 //! that place is worked on alone, until it is as wanted or all has failed.
 
-use crate::anneal::{Random, anneal, settle_all};
+use crate::anneal::{anneal, settle_all};
 use crate::array_mesh::{ArrayMesh, Kind};
 use crate::chains::chains;
 use crate::disc::Disc;
@@ -13,7 +13,7 @@ use crate::smooth::Sweeper;
 use crate::stage::Stage;
 use crate::triangle::{has_sine, min_angle};
 use crate::verdict::enough;
-use mindeg_mesh::Cancelled;
+use mindeg_mesh::{Cancelled, Random};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
@@ -293,7 +293,7 @@ impl Work<'_> {
         let near = disc.mesh.vertices.iter().filter(|v| v.kind == Kind::Free).count().max(1);
         let mut starts = Restart::new(&disc.mesh, self.options, weights).starts();
         for turn in 0..2 * effort {
-            let mut random = Random(effort << 32 | turn);
+            let mut random = Random::new(effort << 32 | turn);
             if is_done || *left == 0 {
                 break;
             }
@@ -337,7 +337,7 @@ impl Work<'_> {
                 settle_all(&mut mesh, &self.weights);
                 let all = mesh.vertices.len();
                 let trials =
-                    anneal(&mut mesh, &self.weights, all, STEPS_AFTERWARDS, &mut Random(0));
+                    anneal(&mut mesh, &self.weights, all, STEPS_AFTERWARDS, &mut Random::new(0));
                 *left = left.saturating_sub(trials);
                 settle_all(&mut mesh, &self.weights);
                 let worth = self.worth(&mesh);

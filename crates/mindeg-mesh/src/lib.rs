@@ -36,6 +36,7 @@ pub mod planar;
 mod polygons;
 mod progress;
 pub mod quality;
+mod random;
 mod summary;
 mod tri_mesh;
 mod welding;
@@ -49,5 +50,6 @@ pub use mesh::{Group, Line, LineKind, Material, Mesh, NamedVertex, Positions, Tr
 pub use normals::vertex_normals;
 pub use polygons::{NonTriangles, Polygons};
 pub use progress::{Cancelled, Counter, Progress, Step};
+pub use random::Random;
 pub use tri_mesh::{TriMesh, TriMeshError};
 pub use welding::weld;

@@ -1,27 +1,13 @@
 //! Takes edges off vertices above their limits, block by block, when windows are stuck: a block may cost other
 //! vertices an excess that later blocks take away again.
 //!
-//! A vertex costs its weight times the square of its excess. Where an excess stays, the weight grows with every round,
-//! until the descent leaves the hole (breakout weights, after Morris 1993); a little noise on every chord moves blocks
-//! along plateaus.
+//! [`Breakout`] says how the descent leaves a hole.
 
+use crate::breakout::Breakout;
 use crate::patch::{Block, Cost, Patch};
 use crate::problem::Problem;
 use crate::progress::Stage;
-use mindeg_mesh::Cancelled;
-
-/// The triangles of the blocks, round by round.
-const SIZES: [usize; 6] = [12, 24, 12, 48, 24, 96];
-
-const LEAST_WEIGHT: u32 = 1000;
-const MOST_WEIGHT: u32 = 20_000;
-const STEP_OF_WEIGHT: u32 = 200;
-
-/// No vertex costs more: the sum over a block stays below 2^30.
-const MOST_COST: u32 = 1 << 22;
-
-/// One more than the largest noise of a chord.
-const NOISE: u64 = 13;
+use mindeg_mesh::{Cancelled, Random};
 
 /// So many rounds without a smaller number of crowded vertices are waited for at least.
 const PATIENCE: usize = 40;
@@ -29,10 +15,10 @@ const PATIENCE: usize = 40;
 /// Of the vertices that keep their limits, one in so many has a block in a round.
 const SELDOM: u64 = 8;
 
-/// What vertices cost in a round.
+/// The costs of vertices in a round.
 struct Excess<'a> {
     most_chords: &'a [u32],
-    weights: Vec<u32>,
+    weights: Breakout,
     noise: Vec<u32>,
 }
 
@@ -45,15 +31,13 @@ impl Excess<'_> {
 impl Cost for Excess<'_> {
     fn vertex(&self, vertex: u32, chords: u32) -> u32 {
         let vertex = vertex as usize;
-        let excess = self.of(vertex, chords);
-        let square = excess.saturating_mul(excess).saturating_mul(self.weights[vertex]);
-        square.min(MOST_COST) + self.noise[vertex] * chords
+        self.weights.cost(vertex, self.of(vertex, chords)) + self.noise[vertex] * chords
     }
 }
 
 /// A triangulation in which no vertex has more chords than `most_chords` says, if the descent from these triangles
-/// meets one within its steps, which it takes off those that are left, and before many rounds pass without progress. The same input has
-/// the same answer on every machine.
+/// meets one before many rounds pass without progress and within the steps that are left, off which it takes its own.
+/// The same input has the same answer on every machine.
 pub(super) fn descend(
     problem: &Problem,
     triangles: &[[u32; 3]],
@@ -63,9 +47,9 @@ pub(super) fn descend(
 ) -> Result<Option<Vec<[u32; 3]>>, Cancelled> {
     let vertices = most_chords.len();
     let mut patch = Patch::of(problem, triangles);
-    let (weights, noise) = (vec![LEAST_WEIGHT; vertices], vec![0; vertices]);
+    let (weights, noise) = (Breakout::new(vertices), vec![0; vertices]);
     let mut excess = Excess { most_chords, weights, noise };
-    let mut random = 0;
+    let mut random = Random::new(0);
     let (mut fewest, mut fewest_at) = (usize::MAX, 0);
     for round in 0.. {
         let is_crowded = |patch: &Patch<'_>, excess: &Excess<'_>, vertex: usize| {
@@ -84,35 +68,19 @@ pub(super) fn descend(
             break;
         }
         stage.report(patch.steps() as f64 / *left as f64)?;
-        excess.noise.fill_with(|| (next(&mut random) % NOISE) as u32);
+        excess.noise.fill_with(|| Breakout::noise(random.bits()));
         for vertex in 0..vertices {
-            let chance = next(&mut random);
+            let chance = random.bits();
             if is_crowded(&patch, &excess, vertex) || chance.is_multiple_of(SELDOM) {
-                let (skip, size) = ((chance >> 32) as u32, SIZES[round % SIZES.len()]);
+                let (skip, size) =
+                    ((chance >> 32) as u32, Breakout::SIZES[round % Breakout::SIZES.len()]);
                 patch.improve(Block { vertex: vertex as u32, skip, size }, &excess);
             }
         }
-        for vertex in 0..vertices {
-            let stays = is_crowded(&patch, &excess, vertex);
-            let weight = &mut excess.weights[vertex];
-            *weight = if stays {
-                (*weight + STEP_OF_WEIGHT).min(MOST_WEIGHT)
-            } else {
-                (*weight - *weight / 100).max(LEAST_WEIGHT)
-            };
-        }
+        excess.weights.end_round(|vertex| patch.chords(vertex as u32) > most_chords[vertex]);
     }
     *left = left.saturating_sub(patch.steps());
     Ok(None)
-}
-
-/// The next number of a sequence that looks random (splitmix64).
-fn next(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let mut z = *state;
-    z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
 }
 
 #[cfg(test)]

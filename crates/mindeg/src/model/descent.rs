@@ -1,19 +1,16 @@
 //! Block descent: one face after another gets the triangulation that is best beside the others.
 //!
-//! A vertex with more edges than the degree D that is aimed at costs its weight times the square of
-//! the excess; each chord costs a little noise, which moves faces along plateaus. Where the excess
-//! stays, the weight grows with every round, until the descent breaks out of the hole (breakout
-//! weights, after Morris 1993).
+//! A vertex with more edges than the degree D that is aimed at costs what [`Breakout`] says; each chord costs a little
+//! noise.
 
 use mindeg_exact::measure::min_angle_tangent;
-use mindeg_exact::{Block, Cost, Patch};
-use mindeg_mesh::{Cancelled, Progress};
+use mindeg_exact::{Block, Breakout, Cost, Patch};
+use mindeg_mesh::{Cancelled, Progress, Random};
 
 use super::colors::classes;
 use super::face::PlaneFace;
 use super::flips;
 use super::joint::Joint;
-use super::random::hash;
 use mindeg_mesh::parallel::map_all;
 
 /// Steps of the dynamic program that one degree may take, by default: some seconds on one core.
@@ -32,19 +29,6 @@ const WHOLE: usize = 64;
 /// crowded vertex, as windows.
 const SMALL: usize = 2000;
 
-/// The triangles of windows, round by round.
-const WINDOWS: [usize; 6] = [12, 24, 12, 48, 24, 96];
-
-const LEAST_WEIGHT: u32 = 1000;
-const MOST_WEIGHT: u32 = 20_000;
-const STEP_OF_WEIGHT: u32 = 200;
-
-/// No vertex costs more: the sum over a face stays below 2^30.
-const MOST_COST: u32 = 1 << 24;
-
-/// One more than the largest noise of a chord.
-const NOISE: u64 = 13;
-
 pub(super) struct Descent<'j> {
     joint: &'j mut Joint,
     classes: Vec<Vec<usize>>,
@@ -56,7 +40,7 @@ struct FaceCost<'a> {
     face: &'a PlaneFace,
     /// For each place the edges of its vertex outside the face's chords.
     others: Vec<u32>,
-    weights: &'a [u32],
+    weights: &'a Breakout,
     noise: Vec<u32>,
     degree: u32,
     threshold: f64,
@@ -66,9 +50,8 @@ impl Cost for FaceCost<'_> {
     fn vertex(&self, place: u32, chords: u32) -> u32 {
         let place = place as usize;
         let excess = (self.others[place] + chords).saturating_sub(self.degree);
-        let weight = self.weights[self.face.vertices[place] as usize];
-        let square = excess.saturating_mul(excess).saturating_mul(weight).min(MOST_COST);
-        square + self.noise[place] * chords
+        let vertex = self.face.vertices[place] as usize;
+        self.weights.cost(vertex, excess) + self.noise[place] * chords
     }
 
     fn triangle(&self, corners: [glam::DVec2; 3]) -> Option<u32> {
@@ -99,7 +82,7 @@ impl<'j> Descent<'j> {
             return Ok(true);
         }
         let mut best = (before, self.joint.triangles.clone(), self.joint.totals.clone());
-        let mut weights = vec![LEAST_WEIGHT; self.joint.totals.len()];
+        let mut weights = Breakout::new(self.joint.totals.len());
         let mut steps = 0;
         let mut round = 0;
         let stage = format!("looking for degree {degree}");
@@ -111,13 +94,7 @@ impl<'j> Descent<'j> {
                 return Ok(true);
             }
             steps += 1 + self.round(degree, round, &weights, &is_crowded);
-            for (weight, &total) in weights.iter_mut().zip(&self.joint.totals) {
-                *weight = if total > degree {
-                    (*weight + STEP_OF_WEIGHT).min(MOST_WEIGHT)
-                } else {
-                    (*weight - *weight / 100).max(LEAST_WEIGHT)
-                };
-            }
+            weights.end_round(|vertex| self.joint.totals[vertex] > degree);
             let reached = self.joint.max_degree();
             if reached < best.0 {
                 best = (reached, self.joint.triangles.clone(), self.joint.totals.clone());
@@ -129,10 +106,10 @@ impl<'j> Descent<'j> {
     }
 
     /// One round over the faces, class by class. Returns the steps of work.
-    fn round(&mut self, degree: u32, round: u64, weights: &[u32], is_crowded: &[bool]) -> u64 {
+    fn round(&mut self, degree: u32, round: u64, weights: &Breakout, is_crowded: &[bool]) -> u64 {
         let is_small = is_crowded.len() <= SMALL;
         let mut order: Vec<usize> = (0..self.classes.len()).collect();
-        order.sort_by_key(|&class| hash(&[degree.into(), round, class as u64]));
+        order.sort_by_key(|&class| Random::at(&[degree.into(), round, class as u64]));
         let mut steps = 0;
         for class in order {
             let joint = &*self.joint;
@@ -166,7 +143,7 @@ fn improved(
     face: usize,
     degree: u32,
     round: u64,
-    weights: &[u32],
+    weights: &Breakout,
     is_small: bool,
 ) -> Option<(Option<Vec<[u32; 3]>>, u64)> {
     let plane_face = joint.face(face);
@@ -175,8 +152,8 @@ fn improved(
     let chords = plane_face.chords(&joint.triangles[face]);
     let others = (0..places).map(|place| total(place) - chords[place]).collect();
     let noise = |place| {
-        let random = hash(&[degree.into(), round, face as u64, place as u64]);
-        if is_small { (random % NOISE) as u32 } else { 0 }
+        let random = Random::at(&[degree.into(), round, face as u64, place as u64]);
+        if is_small { Breakout::noise(random) } else { 0 }
     };
     let cost = FaceCost {
         face: plane_face,
@@ -203,10 +180,10 @@ fn improved(
         changed = patch.improve(Block { vertex: 0, skip: 0, size: WHOLE }, &cost);
     } else {
         for place in 0..places {
-            let random = hash(&[round, face as u64, place as u64, 1]);
+            let random = Random::at(&[round, face as u64, place as u64, 1]);
             let is_tried = is_crowded(&patch, place) || (is_small && random.is_multiple_of(8));
             if is_tried {
-                let size = WINDOWS[(round % WINDOWS.len() as u64) as usize];
+                let size = Breakout::SIZES[(round % Breakout::SIZES.len() as u64) as usize];
                 let block = Block { vertex: place as u32, skip: (random >> 32) as u32, size };
                 changed |= patch.improve(block, &cost);
             }

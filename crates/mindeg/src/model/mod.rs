@@ -17,7 +17,6 @@ mod filled;
 mod flips;
 pub(crate) mod joint;
 mod polish;
-mod random;
 mod search;
 pub(crate) mod solve;
 mod symmetry;
