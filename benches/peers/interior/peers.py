@@ -35,59 +35,70 @@ def holes(case):
 
 
 def shewchuk(options):
-    def mesh(case, work):
-        given = {"vertices": case.points, "segments": case.edges} | holes(case)
-        start = time.process_time()
-        found = triangle.triangulate(given, options)
-        seconds = time.process_time() - start
-        return Mesh(found["vertices"], found["triangles"]), seconds
+    return lambda case, work: in_triangle({"vertices": case.points, "segments": case.edges} | holes(case), options)
 
-    return mesh
+
+def in_triangle(given, options):
+    start = time.process_time()
+    found = triangle.triangulate(given, options)
+    seconds = time.process_time() - start
+    return Mesh(found["vertices"], found["triangles"]), seconds
 
 
 def frontal(algorithm, smoothings=1):
     def mesh(case, work):
-        gmsh.initialize(interruptible=False)
-        try:
-            gmsh.option.setNumber("General.Verbosity", 0)
-            gmsh.option.setNumber("Mesh.Algorithm", algorithm)
-            gmsh.option.setNumber("Mesh.Smoothing", smoothings)
-            gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 1)
-            size = sizes(case)
-            points = [
-                gmsh.model.geo.addPoint(x, y, 0, size[i], i + 1)
-                for i, (x, y) in enumerate(case.points.tolist())
-            ]
-            lines = [gmsh.model.geo.addLine(points[a], points[b]) for a, b in case.edges]
-            rings = np.split(np.array(lines), np.cumsum([len(ring) for ring in case.rings])[:-1])
-            loops = [gmsh.model.geo.addCurveLoop(ring.tolist()) for ring in rings]
-            gmsh.model.geo.addPlaneSurface(loops)
-            gmsh.model.geo.synchronize()
-            for line in lines:
-                gmsh.model.mesh.setTransfiniteCurve(line, 2)
-            start = time.process_time()
-            gmsh.model.mesh.generate(2)
-            seconds = time.process_time() - start
-            tags, coordinates, _ = gmsh.model.mesh.getNodes()
-            points = coordinates.reshape(-1, 3)[:, :2]
-            _, _, nodes = gmsh.model.mesh.getElements(2)
-            index = np.zeros(int(tags.max()) + 1, dtype=int)
-            index[tags.astype(int)] = np.arange(len(tags))
-            triangles = index[nodes[0].astype(int)].reshape(-1, 3)
-        finally:
-            gmsh.finalize()
-        return with_ring_first(case, points, counter_clockwise(points, triangles)), seconds
+        ends = np.cumsum([len(ring) for ring in case.rings])
+        polygon = [ring.tolist() for ring in np.split(np.arange(ends[-1]), ends[:-1])]
+        found, seconds = in_gmsh(algorithm, smoothings, case.points, case.edges, [polygon])
+        return with_ring_first(case, found.points, found.triangles), seconds
 
     return mesh
 
 
-def sizes(case):
-    """The mean of the two intervals at each vertex of the boundary."""
-    ends = case.points[case.edges]
-    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    size = length / 2
-    np.add.at(size, case.edges[:, 1], length / 2)
-    return size
+def in_gmsh(algorithm, smoothings, points, edges, polygons):
+    """Gmsh's mesh of polygons, each a list of rings of points, whose edges stay undivided."""
+    gmsh.initialize(interruptible=False)
+    try:
+        gmsh.option.setNumber("General.Verbosity", 0)
+        gmsh.option.setNumber("Mesh.Algorithm", algorithm)
+        gmsh.option.setNumber("Mesh.Smoothing", smoothings)
+        gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 1)
+        geo = gmsh.model.geo
+        size = sizes(points, edges)
+        for index, (x, y) in enumerate(points.tolist()):
+            geo.addPoint(x, y, 0, size[index], index + 1)
+        lines = {}
+        for a, b in edges.tolist():
+            lines[a, b] = geo.addLine(a + 1, b + 1)
+            lines[b, a] = -lines[a, b]
+        for rings in polygons:
+            loops = [[lines[way] for way in zip(ring, ring[1:] + ring[:1])] for ring in rings]
+            geo.addPlaneSurface([geo.addCurveLoop(loop) for loop in loops])
+        geo.synchronize()
+        for line in (line for line in lines.values() if line > 0):
+            gmsh.model.mesh.setTransfiniteCurve(line, 2)
+        start = time.process_time()
+        gmsh.model.mesh.generate(2)
+        seconds = time.process_time() - start
+        tags, coordinates, _ = gmsh.model.mesh.getNodes()
+        found = coordinates.reshape(-1, 3)[:, :2]
+        _, _, nodes = gmsh.model.mesh.getElements(2)
+        index = np.zeros(int(tags.max()) + 1, dtype=int)
+        index[tags.astype(int)] = np.arange(len(tags))
+        triangles = index[nodes[0].astype(int)].reshape(-1, 3)
+    finally:
+        gmsh.finalize()
+    return Mesh(found, counter_clockwise(found, triangles)), seconds
+
+
+def sizes(points, edges):
+    """The mean of the intervals at each vertex of the boundary."""
+    lengths = np.linalg.norm(np.diff(points[edges], axis=1)[:, 0], axis=1)
+    size, count = np.zeros(len(points)), np.zeros(len(points))
+    for end in range(2):
+        np.add.at(size, edges[:, end], lengths)
+        np.add.at(count, edges[:, end], 1)
+    return size / count
 
 
 def mmg(case, work):
@@ -97,7 +108,7 @@ def mmg(case, work):
     start = triangle.triangulate(given, "p")
     before, after, file = work / "before.mesh", work / "after.mesh", work / "before.sol"
     write_medit(before, start["vertices"], start["triangles"], case.edges)
-    size = sizes(case)
+    size = sizes(case.points, case.edges)
     lines = ["MeshVersionFormatted 2", "Dimension 2", "SolAtVertices", str(len(size)), "1 1"]
     file.write_text("\n".join(lines + [repr(h) for h in size.tolist()]) + "\nEnd\n")
     command = [MMG, "-v", "0", "-nosurf", "-hgrad", "1.3", "-sol", file, before, after]

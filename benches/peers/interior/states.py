@@ -7,18 +7,15 @@ planar graph by their own interfaces; mindeg gets the file as npm ships it.
 import json
 import subprocess
 import sys
-import time
 from importlib.metadata import version
 
-import gmsh
 import numpy as np
-import triangle
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
 from meshes import MINDEG, Mesh, angles, directed_edges, edges, folder, read_obj, timed, write_section
 from outlines import area, load, points_of, polygons_of, ring_of
-from peers import counter_clockwise
+from peers import in_gmsh, in_triangle
 
 
 class Map:
@@ -72,55 +69,14 @@ class Map:
 
 def shewchuk(options):
     def mesh(states, work):
-        start = time.process_time()
-        found = triangle.triangulate({"vertices": states.points, "segments": states.edges}, options)
-        seconds = time.process_time() - start
-        return states.inside(Mesh(found["vertices"], found["triangles"])), seconds
+        found, seconds = in_triangle({"vertices": states.points, "segments": states.edges}, options)
+        return states.inside(found), seconds
 
     return mesh
 
 
 def frontal(algorithm, smoothings):
-    def mesh(states, work):
-        gmsh.initialize(interruptible=False)
-        try:
-            gmsh.option.setNumber("General.Verbosity", 0)
-            gmsh.option.setNumber("Mesh.Algorithm", algorithm)
-            gmsh.option.setNumber("Mesh.Smoothing", smoothings)
-            gmsh.option.setNumber("Mesh.MeshSizeExtendFromBoundary", 1)
-            geo = gmsh.model.geo
-            lengths = np.linalg.norm(np.diff(states.points[states.edges], axis=1)[:, 0], axis=1)
-            size, count = np.zeros(len(states.points)), np.zeros(len(states.points))
-            for end in range(2):
-                np.add.at(size, states.edges[:, end], lengths)
-                np.add.at(count, states.edges[:, end], 1)
-            size /= count
-            for index, (x, y) in enumerate(states.points.tolist()):
-                geo.addPoint(x, y, 0, size[index], index + 1)
-            lines = {}
-            for a, b in states.edges.tolist():
-                lines[a, b] = geo.addLine(a + 1, b + 1)
-                lines[b, a] = -lines[a, b]
-            for rings in states.polygons:
-                loops = [[lines[way] for way in zip(ring, ring[1:] + ring[:1])] for ring in rings]
-                geo.addPlaneSurface([geo.addCurveLoop(loop) for loop in loops])
-            geo.synchronize()
-            for line in (line for line in lines.values() if line > 0):
-                gmsh.model.mesh.setTransfiniteCurve(line, 2)
-            start = time.process_time()
-            gmsh.model.mesh.generate(2)
-            seconds = time.process_time() - start
-            tags, coordinates, _ = gmsh.model.mesh.getNodes()
-            points = coordinates.reshape(-1, 3)[:, :2]
-            _, _, nodes = gmsh.model.mesh.getElements(2)
-            index = np.zeros(int(tags.max()) + 1, dtype=int)
-            index[tags.astype(int)] = np.arange(len(tags))
-            triangles = index[nodes[0].astype(int)].reshape(-1, 3)
-        finally:
-            gmsh.finalize()
-        return Mesh(points, counter_clockwise(points, triangles)), seconds
-
-    return mesh
+    return lambda states, work: in_gmsh(algorithm, smoothings, states.points, states.edges, states.polygons)
 
 
 def own(states, work):

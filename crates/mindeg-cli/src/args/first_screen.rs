@@ -26,11 +26,10 @@ pub(super) fn shortened(command: Command) -> Command {
     SHOWN.iter().fold(command, |command, &(name, shown)| {
         command.mut_subcommand(name, |command| {
             let command = command.mut_args(|arg| {
-                let text = arg.get_help().map(ToString::to_string);
                 if !shown.contains(&arg.get_id().as_str()) {
                     return arg.hide_short_help(true);
                 }
-                match text {
+                match arg.get_help().map(ToString::to_string) {
                     Some(text) => arg.help(first_sentence(&text).to_owned()).long_help(text),
                     None => arg,
                 }

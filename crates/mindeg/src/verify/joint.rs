@@ -38,7 +38,7 @@ struct Outline {
     keeps_clear: bool,
 }
 
-/// What a bound says of a map, and a mesh of it.
+/// A mesh of a map, its faces, and the edges that every mesh of the map has.
 pub(super) struct JointCheck<'a> {
     domain: &'a Domain,
     boundary: &'a PlanarBoundary,
