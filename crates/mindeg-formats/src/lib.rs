@@ -77,7 +77,7 @@ pub use format::{Format, extensions};
 pub use names::one_line;
 pub use options::{Encoding, MeshPlane, MshVersion, SurfaceOptions, WriteOptions};
 pub use read::{read, read_as};
-pub use runs::{Polylines, Surface};
+pub use runs::{PlaneSurface, Polylines};
 pub use write::{Writer, write};
 
 /// The program and its version, as files name their maker.

@@ -20,7 +20,7 @@ pub struct Polylines {
     /// The runs of segments; those without a name have an empty one.
     pub lines: Vec<Line>,
     /// The surfaces that the file says the lines bound.
-    pub surfaces: Vec<Surface>,
+    pub surfaces: Vec<PlaneSurface>,
     /// The points that the file lists by themselves; those without a name have an empty one.
     pub points: Vec<NamedVertex>,
     /// How many faces and volumes the file has besides.
@@ -29,7 +29,7 @@ pub struct Polylines {
 
 /// A surface of a file by the edges around it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Surface {
+pub struct PlaneSurface {
     /// The name of its physical group; empty if it has none.
     pub name: String,
     /// The edges between it and what lies beside it, in any order and direction.

@@ -7,14 +7,13 @@
 //! Predicates are exact (Shewchuk's, from `robust`), as long as products of three coordinates
 //! neither overflow nor underflow.
 
-pub(crate) mod tree;
 mod triangles;
 
 use crate::Bounds;
+use crate::box_tree::BoxTree;
 use crate::parallel::blocks;
 use glam::DVec3;
 use std::ops::Range;
-use tree::Tree;
 pub use triangles::cross;
 
 /// For each triangle of a range that crosses another triangle of the mesh, the pair: the triangle
@@ -42,14 +41,14 @@ pub fn crossings(positions: &[DVec3], triangles: &[[u32; 3]], range: Range<u32>)
         let [a, b, c] = corners.map(|vertex| positions[vertex as usize]);
         Bounds { min: a.min(b).min(c), max: a.max(b).max(c) }
     };
-    let tree = Tree::new(triangles.iter().map(around).collect());
+    let tree = BoxTree::new(triangles.iter().map(around).collect());
     let found = blocks(range.len() as u32, |block| {
         let mut near = Vec::new();
         let mut found = Vec::new();
         for index in block {
             let triangle = range.start + index;
             near.clear();
-            tree.meet(triangle, &mut near);
+            tree.meet_item(triangle, &mut near);
             near.sort_unstable();
             let corners = triangles[triangle as usize];
             let crossed = near.iter().find(|&&other| {

@@ -23,6 +23,7 @@
 //! `libm`, so the same input gives the same bits on every machine.
 
 mod bounds;
+mod box_tree;
 mod by_name;
 pub mod check;
 mod connectivity;
@@ -43,6 +44,7 @@ mod welding;
 mod worst;
 
 pub use bounds::Bounds;
+pub use box_tree::BoxTree;
 pub use by_name::ByName;
 pub use connectivity::boundary::BoundaryLoop;
 pub use connectivity::disjoint_sets::DisjointSets;

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap, TryReserveError};
 
 use crate::ReadError;
 use crate::lists::push;
-use crate::runs::Surface;
+use crate::runs::PlaneSurface;
 use crate::scanner::Scanner;
 
 /// The surfaces of a file so far.
@@ -93,7 +93,7 @@ impl Surfaces {
     pub(super) fn outlines(
         self,
         segments: &HashMap<i64, Vec<[u32; 2]>>,
-    ) -> Result<Vec<Surface>, ReadError> {
+    ) -> Result<Vec<PlaneSurface>, ReadError> {
         let Self { curves, surfaces } = self;
         let mut found = Vec::new();
         for (tag, Parts { name, bounding, edges }) in surfaces {
@@ -112,7 +112,7 @@ impl Surfaces {
             }
             let edges = around(edges);
             if !edges.is_empty() {
-                found.push(Surface { name, edges });
+                found.push(PlaneSurface { name, edges });
             }
         }
         Ok(found)

@@ -6,7 +6,7 @@ use super::boundary::PlanarBoundary;
 use super::orientation;
 use super::sweep::Meeting;
 use crate::Bounds;
-use crate::crossing::tree::Tree;
+use crate::box_tree::BoxTree;
 
 /// An edge, or an inner point as an edge without length.
 #[derive(Clone, Copy)]
@@ -36,7 +36,7 @@ pub(super) fn meetings(boundary: &PlanarBoundary) -> impl Iterator<Item = Meetin
         let [a, b] = item(index).ends.map(|vertex| at(vertex).extend(0.0));
         Bounds::<DVec3> { min: a.min(b), max: a.max(b) }
     };
-    let tree = Tree::new((0..items).map(around).collect());
+    let tree = BoxTree::new((0..items).map(around).collect());
     (0..items).flat_map(move |index| {
         let own = item(index);
         let mut found = Vec::new();
@@ -48,7 +48,7 @@ pub(super) fn meetings(boundary: &PlanarBoundary) -> impl Iterator<Item = Meetin
             }
         }
         let mut near = Vec::new();
-        tree.meet(index, &mut near);
+        tree.meet_item(index, &mut near);
         near.sort_unstable();
         near.into_iter().for_each(|other| meet(boundary, [own, item(other)], &mut found));
         found
